@@ -1,0 +1,59 @@
+# make match    play a first evaluation (installs what it needs into .venv, without torch)
+# make test     run the tests            make lint          ruff and mypy
+# make bench    measure the speed        make tables        regenerate the README's tables
+# make clean    remove what make built   make tables-check  replay a small part of each table
+#
+# pip takes its settings from the environment and its own files; PYTHON=python3.12 chooses the interpreter of a new .venv.
+
+PYTHON ?= python3
+TORCH := torch==2.13.0
+VENV := .venv
+BIN := $(VENV)/bin
+
+.PHONY: match test lint bench tables tables-check clean
+.DELETE_ON_ERROR:
+
+match: $(VENV)/.has-base
+	$(BIN)/soccer evaluate --league legged-2001 --home chaser --away random@0.5 --matches 20 --minutes 4 --players 3 \
+		--seed 1 --threads 2 --out runs/match --picture
+
+test: $(VENV)/.has-train
+	$(BIN)/python -m pytest
+
+lint: $(VENV)/.has-dev
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+bench: $(VENV)/.has-base
+	$(BIN)/soccer bench
+
+tables: $(VENV)/.has-base
+	$(BIN)/python -m soccer_env.train.tables
+
+tables-check: $(VENV)/.has-base
+	$(BIN)/python -m soccer_env.train.tables --check
+
+# Everything here can be made again, .venv included. runs/ holds results and stays.
+clean:
+	rm -rf $(VENV) build dist *.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	find soccer_env baselines agents train tests -name __pycache__ -type d -prune -exec rm -rf {} +
+
+# Each stamp says that an installation into .venv was finished; a newer pyproject.toml or Makefile repeats it.
+$(VENV)/.created:
+	$(PYTHON) -m venv $(VENV)
+	touch $@
+
+$(VENV)/.has-base: $(VENV)/.created pyproject.toml Makefile
+	$(BIN)/python -m pip install -e '.[render]'
+	touch $@
+
+$(VENV)/.has-dev: $(VENV)/.has-base
+	$(BIN)/python -m pip install -e '.[dev,render]'
+	touch $@
+
+# torch first and pinned: its version decides whether gigabytes of GPU libraries come along.
+$(VENV)/.has-train: $(VENV)/.has-dev
+	$(BIN)/python -m pip install $(TORCH)
+	$(BIN)/python -m pip install -e '.[dev,train,render]'
+	touch $@

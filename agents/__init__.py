@@ -1,0 +1,1 @@
+"""Play learned teams: networks, policy files and the bundled policies."""

@@ -1,0 +1,1 @@
+"""Play scripted teams: simple ones, and those of the two papers."""

@@ -1,0 +1,52 @@
+"""The team that wanders about at random: each player keeps a random command for a while, then draws another."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.random_numbers import uniform
+from soccer_env.teams import CompiledTeam
+from soccer_env.types import RobotStream
+
+MEMORY = np.dtype(
+    [
+        ("seconds", "f8"),  # [s] until the next draw
+        ("forward", "f8"),  # [-1, 1]
+        ("left", "f8"),  # [-1, 1]
+        ("turn", "f8"),  # [-1, 1]
+        ("kick", "f8"),  # [-1, 1]
+    ]
+)
+SETTINGS = np.dtype([("strength", "f8")])
+LONGEST = 1.5  # [s] a command is kept at most
+TEAM = int(RobotStream.TEAM)
+
+
+def team(strength: float = 1.0) -> CompiledTeam:
+    """Return a team of random walkers; `strength` scales their speed and how often they kick."""
+    return CompiledTeam("random", wander, MEMORY, np.array([(strength,)], SETTINGS))
+
+
+@compiled
+def wander(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
+    """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
+    for m in range(first, last):
+        for p in range(len(players)):
+            r = players[p]
+            wander_on(memory[m, p], noise[m, r], commands[m, r], constants[0].dt, settings[0].strength)
+
+
+@compiled
+def wander_on(memory, noise, command, dt, strength):
+    """Keep the remembered command or draw a new one."""
+    memory.seconds -= dt
+    if memory.seconds <= 0.0:
+        memory.seconds = LONGEST * uniform(noise, TEAM)
+        memory.forward = strength * (2.0 * uniform(noise, TEAM) - 1.0)
+        memory.left = strength * (2.0 * uniform(noise, TEAM) - 1.0)
+        memory.turn = strength * (2.0 * uniform(noise, TEAM) - 1.0)
+        memory.kick = 2.0 * uniform(noise, TEAM) - 2.0 + strength
+    command.forward, command.left = memory.forward, memory.left
+    command.turn, command.kick = memory.turn, memory.kick
+    command.head = -1.0

@@ -1,0 +1,105 @@
+"""Actions of a learner: box (4 numbers), full (7, with the head) and discrete.
+
+All numbers lie in [-1, 1] of the league's limits; finite numbers outside are clipped, anything else is refused.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip
+
+BOX = ("forward", "left", "turn", "kick")
+FULL = (*BOX, "head", "pan", "tilt")
+MEANINGS = {
+    "forward": "speed ahead (back below 0), of the top speed",
+    "left": "speed to the left, of the top speed",
+    "turn": "turn rate counter-clockwise, of the top rate",
+    "kick": "0 or less no kick, above that its strength",
+    "head": "below 0 the head tracks the ball by itself, else pan and tilt are obeyed",
+    "pan": "pan of the head, left positive, of its limit",
+    "tilt": "tilt of the head, -1 the lowest, 1 the highest",
+}
+DISCRETE: dict[str, tuple[float, float, float, float]] = {
+    "stand": (0, 0, 0, 0),
+    "forward": (1, 0, 0, 0),
+    "back": (-1, 0, 0, 0),
+    "left": (0, 1, 0, 0),
+    "right": (0, -1, 0, 0),
+    "turn left": (0, 0, 1, 0),
+    "turn right": (0, 0, -1, 0),
+    "curve left": (1, 0, 0.5, 0),
+    "curve right": (1, 0, -0.5, 0),
+    "forward slowly": (0.4, 0, 0, 0),
+    "kick": (0, 0, 0, 1),
+    "pass": (0, 0, 0, 0.4),
+}
+KINDS = ("box", "full", "discrete")
+DISCRETE_TABLE = np.array(list(DISCRETE.values()), dtype=np.float64)
+
+
+@dataclass(frozen=True)
+class ActionKind:
+    """How a learner's actions are given."""
+
+    name: str
+
+    def __post_init__(self) -> None:
+        if self.name not in KINDS:
+            raise ValueError(f"unknown actions {self.name!r}; known: {', '.join(KINDS)}")
+
+    @property
+    def size(self) -> int:
+        """Return how many numbers an action has (a discrete one is expanded to four)."""
+        return len(FULL) if self.name == "full" else len(BOX)
+
+    def space(self) -> Any:
+        """Return a new gymnasium space of one robot's actions."""
+        from gymnasium import spaces
+
+        if self.name == "discrete":
+            return spaces.Discrete(len(DISCRETE))
+        return spaces.Box(-1.0, 1.0, (self.size,), np.float32)
+
+    def numbers(self, action: Any, agent: str) -> np.ndarray:
+        """Return an agent's action as (size,) float64 numbers; ValueError names the agent and the value."""
+        if self.name == "discrete":
+            return DISCRETE_TABLE[discrete_index(action, agent)]
+        try:
+            numbers = np.asarray(action, dtype=np.float64)
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"action of {agent} must be {self.size} numbers, got {action!r}") from error
+        if numbers.shape != (self.size,):
+            raise ValueError(f"action of {agent} must have shape ({self.size},), got {numbers.shape}")
+        return numbers
+
+
+def discrete_index(action: Any, agent: str) -> int:
+    """Return a discrete action as an index; ValueError names the agent and the value."""
+    number = np.asarray(action)
+    if number.shape not in ((), (1,)) or number.dtype.kind not in "iu":
+        raise ValueError(f"action of {agent} must be one integer, got {action!r}")
+    index = int(number.reshape(()))
+    if not 0 <= index < len(DISCRETE):
+        raise ValueError(f"action of {agent} must be 0 to {len(DISCRETE) - 1}, got {index}")
+    return index
+
+
+@compiled
+def take_actions(robots, actions, first, last, learns):
+    """Clip actions (M, R, 4 or 7) into the commands of the robots that learn (R,); the rest keep their command."""
+    full = actions.shape[2] > 4
+    for m in range(first, last):
+        for r in range(robots.shape[1]):
+            if learns[r] == 0:
+                continue
+            command, action = robots[m, r].command, actions[m, r]
+            command.forward, command.left = clip(action[0], -1.0, 1.0), clip(action[1], -1.0, 1.0)
+            command.turn, command.kick = clip(action[2], -1.0, 1.0), clip(action[3], -1.0, 1.0)
+            command.head = clip(action[4], -1.0, 1.0) if full else -1.0
+            command.pan = clip(action[5], -1.0, 1.0) if full else 0.0
+            command.tilt = clip(action[6], -1.0, 1.0) if full else 0.0

@@ -1,0 +1,81 @@
+"""The one decorator that compiles the stages of a match.
+
+Plain Python over record fields goes in; machine code that runs without the interpreter lock comes out. Nothing is
+compiled before its first call, and what was compiled is kept on disk (`compiled_cache.py`).
+
+Environment variables: `SOCCER_ENV_CACHE` (folder of the cache), `SOCCER_ENV_QUIET=1` (say nothing while compiling),
+`NUMBA_DISABLE_JIT=1` (run everything as ordinary Python, for a debugger or for coverage).
+
+Constants that a function reads from its module must follow from source code alone: a value that comes from a data file
+or from the environment is frozen into the machine code on disk.
+"""
+
+import functools
+import os
+import threading
+from collections.abc import Callable
+from typing import Any, TypeVar, cast
+
+import numba
+import numpy as np
+
+from soccer_env.compiled_cache import SourceCache
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+config: Any = numba.config
+
+
+def compiled(function: F) -> F:
+    """Compile `function` for the types it is called with, at its first call, and cache the result on disk.
+
+    With NUMBA_DISABLE_JIT=1 it stays Python, and structured arrays reach it as recarrays. A function that is in no file
+    (typed into an interpreter, or in a notebook) is compiled but not cached.
+    """
+    if config.DISABLE_JIT:
+        return cast(F, _as_python(function))
+    dispatcher: Any = numba.njit(nogil=True, error_model="numpy", fastmath=False, boundscheck=False)(function)
+    if os.path.isfile(function.__code__.co_filename):
+        dispatcher._cache = SourceCache(function)  # what Dispatcher.enable_caching does with numba's own
+    return cast(F, dispatcher)
+
+
+class _Depth(threading.local):
+    """Count the compiled functions on this thread's stack."""
+
+    value = 0
+
+
+_depth = _Depth()
+
+
+def _as_python(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Wrap `function` so that records have attributes and integers wrap around silently, as in compiled code."""
+
+    @functools.wraps(function)
+    def call(*arguments: Any, **named: Any) -> Any:
+        if _depth.value:  # the outermost call has done it: parts of a recarray are recarrays and records
+            return function(*arguments, **named)
+        _depth.value += 1
+        try:
+            with np.errstate(all="ignore"):
+                return function(*map(with_attributes, arguments), **{k: with_attributes(v) for k, v in named.items()})
+        finally:
+            _depth.value -= 1
+
+    call.py_func = function  # type: ignore[attr-defined]  # the name that numba gives it
+    return call
+
+
+def with_attributes(value: Any) -> Any:
+    """Return a view of a structured array or record whose fields are attributes, and anything else as it is."""
+    if isinstance(value, np.ndarray):
+        is_plain = value.dtype.names is not None and not isinstance(value, np.recarray)
+        return value.view(np.recarray) if is_plain else value
+    if isinstance(value, np.void):
+        is_plain = value.dtype.names is not None and not isinstance(value, np.record)
+        return value.view((np.record, value.dtype)) if is_plain else value
+    if isinstance(value, tuple):
+        parts = [with_attributes(part) for part in value]
+        return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
+    return value

@@ -1,0 +1,205 @@
+"""Keep machine code on disk: one file for each compiled version of a function, named by all that it depends on.
+
+It stands in for numba's cache, from which it differs in two ways. The key holds a hash of every file that the
+function's file imports, so that nothing stale runs and an edit recompiles only what it could have changed. And there is
+no index file: two processes that write numba's at once can leave one version's code under another's key. Here a file is
+written aside, moved into place, and holds its full key, which is compared when it is read.
+"""
+
+import contextlib
+import functools
+import hashlib
+import os
+import pickle
+import sys
+import tempfile
+import time
+import uuid
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import llvmlite
+import numba
+import numpy as np
+from numba.core import caching, serialize
+from numba.core.dispatcher import Dispatcher
+
+from soccer_env.compiled_sources import PACKAGE, source_stamp
+
+STALE_AFTER = 30 * 24 * 3600.0  # [s] assumed; code of other versions is deleted at this age
+VERSIONS = (numba.__version__, llvmlite.__version__, np.__version__, sys.implementation.cache_tag)
+SETTINGS = ("OPT", "BOUNDSCHECK", "DEBUGINFO_DEFAULT")  # of numba.config, those that change the code
+
+config: Any = numba.config
+dumps: Any = serialize.dumps
+Base: Any = caching._Cache
+BaseResult: Any = caching.CompileResultCacheImpl
+
+
+class _Result(BaseResult):  # type: ignore[misc]
+    """Turn compile results into picklable objects and back, as numba does it, without a search for a cache folder."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self._lineno = function.__code__.co_firstlineno
+        self._locator = SimpleNamespace(_py_file=function.__code__.co_filename)  # where warnings point
+
+
+class SourceCache(Base):  # type: ignore[misc]
+    """The cache of one function; its methods are those that numba's Dispatcher calls."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self._function = function
+        self._result = _Result(function)
+        self._enabled = True
+        code = function.__code__
+        name = f"{Path(code.co_filename).stem}.{function.__qualname__.replace('<', '').replace('>', '')}"
+        self._base = f"{name[:100]}-{code.co_firstlineno}.{sys.implementation.cache_tag}"
+
+    @property
+    def cache_path(self) -> str:
+        """The first folder."""
+        return str(folders()[0])
+
+    def enable(self) -> None:
+        """Read and write files from now on."""
+        self._enabled = True
+
+    def disable(self) -> None:
+        """Leave the files alone from now on."""
+        self._enabled = False
+
+    def flush(self) -> None:
+        """Delete all versions of this function."""
+        for folder in folders():
+            _delete(folder.glob(f"{self._base}.*"))
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """Return the compile result for these argument types, or None if there is none yet."""
+        target_context.refresh()
+        stamp, key = self._key(sig, target_context.codegen())
+        if key is None:
+            return None
+        for folder in folders():
+            payload = _load(folder / self._file_name(stamp, key), key)
+            if payload is not None:
+                return self._result.rebuild(target_context, payload)
+        _announce()
+        return None
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        """Keep a compile result, unless a source file has changed since this process read it."""
+        stamp, key = self._key(sig, data.codegen)
+        if key is None or not self._result.check_cachable(data):
+            return
+        content = dumps((key, self._result.reduce(data)))
+        for folder in folders():
+            with contextlib.suppress(OSError):
+                folder.mkdir(parents=True, exist_ok=True)
+                _delete(self._outdated(folder, stamp))
+                _write(folder / self._file_name(stamp, key), content)
+                return
+
+    def _key(self, sig: Any, codegen: Any) -> tuple[str, Any]:
+        """Return the source hash and the full key, which is None where there is nothing to tell versions apart by."""
+        if not self._enabled or " at 0x" in str(sig):  # a function as an argument is another one in each process
+            return "", None
+        identity = _identity(self._function)
+        if identity is None:
+            return "", None
+        settings = str([getattr(config, name) for name in SETTINGS])
+        return identity[0], (identity, sig, codegen.magic_tuple(), VERSIONS, settings)
+
+    def _file_name(self, stamp: str, key: Any) -> str:
+        return f"{self._base}.{stamp[:16]}.{_sha(str(key).encode())[:16]}.nbc"
+
+    def _outdated(self, folder: Path, stamp: str) -> Iterator[Path]:
+        for file in folder.glob(f"{self._base}.*"):
+            if stamp[:16] not in file.name and time.time() - file.stat().st_mtime > STALE_AFTER:
+                yield file
+
+
+def _identity(function: Callable[..., Any], outer: tuple[Any, ...] = ()) -> tuple[str, ...] | None:
+    """Return hashes of the sources, the byte code and the closure of a function, or None if one is not known."""
+    stamp = source_stamp(function.__module__, Path(function.__code__.co_filename).resolve())
+    cells = tuple(_cell_identity(cell.cell_contents, (*outer, function)) for cell in function.__closure__ or ())
+    if stamp is None or None in cells:
+        return None
+    return stamp, function.__qualname__, _sha(function.__code__.co_code), _sha(str(cells).encode())
+
+
+def _cell_identity(value: Any, outer: tuple[Any, ...]) -> Any:
+    if isinstance(value, Dispatcher):  # its pickle differs from process to process
+        if value.py_func in outer:
+            return outer.index(value.py_func)
+        return _identity(value.py_func, outer)
+    if isinstance(value, tuple):
+        parts = tuple(_cell_identity(part, outer) for part in value)
+        return None if None in parts else parts
+    return _sha(dumps(value))
+
+
+def _sha(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()
+
+
+@functools.cache
+def folders() -> tuple[Path, ...]:
+    """Return the folders of the cache: all are read, and the first that can be written to is written to."""
+    chosen = os.environ.get("SOCCER_ENV_CACHE")
+    return (Path(chosen) if chosen else _user_folder(), *_temporary_folder())
+
+
+def _user_folder() -> Path:
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA") or os.path.expanduser("~\\AppData\\Local"), PACKAGE, "Cache")
+    if sys.platform == "darwin":
+        return Path(os.path.expanduser("~/Library/Caches"), PACKAGE)
+    return Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"), PACKAGE)
+
+
+def _temporary_folder() -> Iterator[Path]:
+    """Yield a temporary folder, if it is one that nobody else can write to: what lies in it is executed."""
+    user = os.getuid() if hasattr(os, "getuid") else 0
+    path = Path(tempfile.gettempdir()) / f"{PACKAGE}-{user}"
+    with contextlib.suppress(OSError):
+        path.mkdir(mode=0o700, exist_ok=True)
+        status = path.lstat()
+        if not path.is_symlink() and (os.name == "nt" or (status.st_uid == user and not status.st_mode & 0o022)):
+            yield path
+
+
+def _load(path: Path, key: Any) -> Any:
+    try:
+        found, payload = pickle.loads(path.read_bytes())
+    except Exception:  # not there, unreadable or damaged: it is compiled again and written over
+        return None
+    return payload if found == key else None
+
+
+def _write(path: Path, content: bytes) -> None:
+    """Write a file that other processes see whole or not at all."""
+    aside = path.with_name(f"{path.name}.{uuid.uuid4().hex}")
+    try:
+        aside.write_bytes(content)
+        os.replace(aside, path)
+    except OSError:
+        _delete([aside])
+        raise
+
+
+def _delete(files: Iterable[Path]) -> None:
+    with contextlib.suppress(OSError):
+        for file in files:
+            file.unlink(missing_ok=True)
+
+
+@functools.cache
+def _announce() -> None:
+    """Say once per process that compiling takes a while."""
+    if os.environ.get("SOCCER_ENV_QUIET", "0") not in ("", "0"):
+        return
+    filled = any(folder.is_dir() and any(folder.iterdir()) for folder in folders())
+    what = "what is new" if filled else "kernels (once, about half a minute)"
+    print(f"{PACKAGE}: compiling {what} ...", file=sys.stderr, flush=True)

@@ -1,0 +1,125 @@
+"""Find the source files that a function depends on, and hash them.
+
+The import statements of its file are parsed, not executed, and followed through the package. numba's own cache looks at
+the function's file alone, and runs old code after an edit in a file that it imports.
+"""
+
+import ast
+import functools
+import hashlib
+import os
+import sys
+import sysconfig
+import time
+from pathlib import Path
+
+PACKAGE = "soccer_env"
+ROOT = Path(__file__).resolve().parent
+OUTSIDE_FOLDERS = ("baselines", "agents", "train")  # beside the package in a checkout, inside it once installed
+STARTED = time.time_ns()  # [ns] a file changed after this moment may not be what this process imported
+
+
+def source_stamp(module: str, path: Path) -> str | None:
+    """Return one hash over `path` and all files that it depends on, or None if one changed while this process runs."""
+    try:
+        hashes = sources(module, path)
+        if any(_changed(file) for file in hashes):
+            return None
+    except (OSError, SyntaxError, ValueError):
+        return None  # deleted or half-written: what was imported is unknown
+    return hashlib.sha256("".join([hashes[path], *sorted(hashes.values())]).encode()).hexdigest()
+
+
+def _changed(file: Path) -> bool:
+    status = os.stat(file)
+    return max(status.st_mtime_ns, status.st_ctime_ns) > STARTED
+
+
+@functools.cache
+def sources(module: str, path: Path) -> dict[Path, str]:
+    """Return {file: sha256} of `path` and of every file that it imports, directly or not; once per process."""
+    waiting = [(module, path)]
+    hashes: dict[Path, str] = {}
+    while waiting:
+        name, file = waiting.pop()
+        if file in hashes:
+            continue
+        hashes[file], imports = _read(file, name)
+        waiting += [(target, found) for target in imports if (found := file_of(target, name))]
+    return hashes
+
+
+@functools.cache
+def _read(path: Path, module: str) -> tuple[str, frozenset[str]]:
+    """Return the hash of a file and the modules that it imports."""
+    content = path.read_bytes()
+    imports = _Imports(module, path.name == "__init__.py")
+    imports.visit(ast.parse(content))
+    return hashlib.sha256(content).hexdigest(), frozenset(imports.found)
+
+
+class _Imports(ast.NodeVisitor):
+    """Collect the modules that a file imports, also inside functions, but not those for type checkers only."""
+
+    def __init__(self, module: str, is_package: bool) -> None:
+        self.module = module
+        self.package = module if is_package else module.rpartition(".")[0]
+        self.found: set[str] = set()
+
+    def visit_If(self, node: ast.If) -> None:
+        """Leave out what stands under `if TYPE_CHECKING:`."""
+        unused = ast.unparse(node.test) in ("TYPE_CHECKING", "typing.TYPE_CHECKING")
+        for child in node.orelse if unused else [*node.body, *node.orelse]:
+            self.visit(child)
+
+    def visit_Import(self, node: ast.Import) -> None:
+        """Take a module, and the packages around it if the statement makes them reachable: `import a.b.c`."""
+        for alias in node.names:
+            self.found.add(alias.name)
+            if alias.asname is None:
+                parts = alias.name.split(".")
+                self.found.update(".".join(parts[:n]) for n in range(1, len(parts)))
+
+    def visit_ImportFrom(self, node: ast.ImportFrom) -> None:
+        """Take the submodule that a name stands for, or else the module that the name comes from."""
+        parents = self.package.split(".")
+        base = parents[: len(parents) - node.level + 1] if node.level else []
+        source = ".".join([*base, *([node.module] if node.module else [])])
+        for alias in node.names:
+            inner = f"{source}.{alias.name}"
+            self.found.add(inner if file_of(inner, self.module) else source)
+
+
+@functools.cache
+def file_of(module: str, importer: str) -> Path | None:
+    """Return the source file of a module that may change between two runs, without importing it; None for all others.
+
+    Those are the modules of this package and of the importer's package, and loaded modules that are not installed.
+    """
+    if module.partition(".")[0] == PACKAGE:
+        return _package_file(module)
+    name = getattr(sys.modules.get(module), "__file__", None)
+    if name is None or not name.endswith(".py"):
+        return None
+    neighbours = module.partition(".")[0] == importer.partition(".")[0]
+    return Path(name).resolve() if neighbours or not _is_installed(name) else None
+
+
+@functools.cache
+def _package_file(module: str) -> Path | None:
+    parts = module.split(".")[1:]
+    roots = [ROOT, ROOT.parent] if parts and parts[0] in OUTSIDE_FOLDERS else [ROOT]
+    for root in roots:
+        path = root.joinpath(*parts)
+        candidates = [path / "__init__.py", *([path.with_name(path.name + ".py")] if parts else [])]
+        for candidate in candidates:
+            if candidate.is_file():
+                return candidate
+    return None
+
+
+@functools.cache
+def _is_installed(name: str) -> bool:
+    path = Path(name).resolve()
+    library = Path(sysconfig.get_path("stdlib")).resolve()
+    return path.is_relative_to(library) or not {"site-packages", "dist-packages"}.isdisjoint(path.parts)

@@ -1,0 +1,82 @@
+"""How an episode of one match begins: empty records, streams, formation, and the scene on top."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.physics.kicker import holds_ball
+from soccer_env.physics.space import parking_place
+from soccer_env.random_numbers import start_streams
+from soccer_env.referee.restarts import carry_out_restart
+from soccer_env.scenes import Draw
+from soccer_env.settings import Settings
+from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
+
+KICK_OFF = int(Phase.KICK_OFF)
+PLAY = int(Phase.PLAY)
+
+
+@compiled
+def begin_episode(match, ball, robots, k, seed, episode, half_length):
+    """Fill the records of one match (robots (R,) with team, number, keeper and active set) for a kick-off by home."""
+    match.seed, match.episode = seed, episode
+    start_streams(match.noise, seed, episode, 0)
+    match.handedness = match.home_direction = 1.0
+    match.half_length = half_length
+    match.phase, match.restart_team, match.kick_off_team = KICK_OFF, HOME, HOME
+    match.last_touch_team, match.last_touch_robot = NO_TEAM, -1
+    for r in range(robots.shape[0]):
+        start_streams(robots[r].noise, seed, episode, 1 + r)
+        robots[r].slip.forward = robots[r].slip.left = robots[r].slip.turn = 1.0
+        robots[r].command.head = -1.0
+    carry_out_restart(match, ball, robots, k, 0)
+
+
+@compiled
+def note_possession(ball, robots, k):
+    """Note which robots have the ball."""
+    for r in range(robots.shape[0]):
+        robots[r].has_ball = 1 if robots[r].active == 1 and holds_ball(robots[r], k, ball.x, ball.y) else 0
+
+
+def line_up(settings: Settings, robots: np.ndarray) -> None:
+    """Set who is who in the robots (R,) of one match: teams, numbers, goalkeepers; park the padding."""
+    home_rows = settings.rows[HOME]
+    for r in range(len(robots)):
+        team, number = (HOME, r) if r < home_rows else (AWAY, r - home_rows)
+        size = settings.home if team == HOME else settings.away
+        robots[r]["team"], robots[r]["number"] = team, number
+        robots[r]["active"] = number < size
+        robots[r]["keeper"] = size >= 2 and number == settings.keeper
+        if number >= size:
+            robots[r]["x"], robots[r]["y"], robots[r]["heading"] = parking_place(r)
+
+
+def start_match(settings: Settings, constants: np.ndarray, match: Any, ball: Any, robots: np.ndarray, seed: int,
+                episode: int) -> None:
+    """Begin an episode in the records of one match: match (1,), ball (1,), robots (1, R)."""
+    for record in (match, ball, robots):
+        record[...] = np.zeros((), record.dtype)
+    line_up(settings, robots[0])
+    begin_episode_of(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length)
+    if settings.scene.place is not None:
+        settings.scene.place(settings.league, ball[0], robots[0], Draw(match[0]))
+    if settings.scene.in_play:
+        match["phase"], match["restart_team"] = PLAY, NO_TEAM
+    match["still_x"], match["still_y"] = ball["x"], ball["y"]
+    note_possession_of(ball, robots, constants)
+
+
+@compiled
+def begin_episode_of(matches, balls, robots, constants, seed, episode, half_length):
+    """Call `begin_episode` for the one match of (1,) arrays."""
+    begin_episode(matches[0], balls[0], robots[0], constants[0], seed, episode, half_length)
+
+
+@compiled
+def note_possession_of(balls, robots, constants):
+    """Call `note_possession` for the one match of (1,) arrays."""
+    note_possession(balls[0], robots[0], constants[0])

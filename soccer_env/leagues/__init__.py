@@ -1,0 +1,24 @@
+"""League presets and how to find them by name."""
+
+from __future__ import annotations
+
+from soccer_env.leagues import legged_2001, middle_size_2006
+from soccer_env.leagues.league import BallModel, Body, Drive, Head, Kicker, League, Pitch, Rules, Slots, Substeps
+
+LEAGUES: dict[str, League] = {
+    league.name: league
+    for league in (legged_2001.LEAGUE, middle_size_2006.LEAGUE, legged_2001.INNER, middle_size_2006.OLD_BASE)
+}
+
+
+def find_league(league: str | League) -> League:
+    """Return the league of that name, or the league itself; ValueError says which names exist."""
+    if isinstance(league, League):
+        return league
+    if league not in LEAGUES:
+        raise ValueError(f"unknown league {league!r}; known: {', '.join(LEAGUES)}")
+    return LEAGUES[league]
+
+
+__all__ = ["LEAGUES", "BallModel", "Body", "Drive", "Head", "Kicker", "League", "Pitch", "Rules", "Slots", "Substeps",
+           "find_league"]

@@ -1,0 +1,149 @@
+"""The middle-size league of 2006: omnidirectional robots on a field of 12 x 8 m.  [Heinemann et al. 2006, 2]  MH01, MH23
+
+    +-----------------------------------------------------+   12.0 x 8.0 m within a band of 1.0 m (0.5 m behind the
+    |  +-----------------------+-----------------------+  |   goal lines), outer boards
+    |  |                       |                       |  |   goals 2.0 m wide, 0.5 m deep
+    |  |----+                  |                  +----|  |   50 control steps a second
+    | +|-+  |               .--+--.               |  +-|+ |
+    | || |  |              (   o   )              |  | || |
+    | +|-+  |               '--+--'               |  +-|+ |
+    |  |----+                  |                  +----|  |
+    |  |                       |                       |  |
+    |  +-----------------------+-----------------------+  |
+    +-----------------------------------------------------+
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+
+from soccer_env.leagues.league import BallModel, Body, Drive, Head, Kicker, League, Pitch, Rules, Slots, Substeps
+
+PITCH = Pitch(
+    length=12.0,  # [m] Tribots 2005 field geometry
+    width=8.0,  # [m] the same
+    goal_width=2.0,  # [m] the same
+    goal_depth=0.5,  # [m] the same
+    penalty_depth=1.5,  # [m] the same
+    penalty_width=5.0,  # [m] the same
+    goal_area_depth=0.5,  # [m] the same
+    goal_area_width=3.0,  # [m] the same
+    circle=1.0,  # [m] radius; Paderborn 2005 field
+    walled=False,
+    band_side=1.0,  # [m] Tribots 2005
+    band_end=0.5,  # [m] Tribots 2005: the goals reach the boards
+    post_radius=0.0625,  # [m] assumed: posts as thick as the later lines, 125 mm
+    line=0.05,  # [m] Tribots 2005
+)
+
+BALL = BallModel(
+    radius=0.11,  # [m] FIFA size 5
+    mass=0.43,  # [kg] 410 to 450 g, FIFA
+    rolling=0.4,  # [m/s2] 0.3 to 0.6 on thin carpet, remembered
+    sliding=3.0,  # [m/s2] small-size reference
+    shell=2.0 / 3.0,  # a hollow ball: it rolls at 0.6 of the speed of a kick
+    elasticity=0.7,  # assumed
+    friction=0.3,  # assumed
+    top_speed=11.0,  # [m/s] the kicker's 10 m/s on a moving robot, assumed
+)
+
+BODY = Body(  # a round base that fits 50 x 50 cm, with a guide that holds a quarter of the ball
+    mass=30.0,  # [kg] at most 80 by the rules, assumed
+    disc_radius=0.22,  # [m] outline 440 x 470 mm, Tribots 2005
+    disc_x=-0.04,  # [m] so that the kicker lies at 180 mm, Tribots 2005
+    corners=(),
+    tip_x=0.19,  # [m] guide, assumed
+    tip_y=0.15,  # [m] guide, assumed
+    tip_radius=0.045,  # [m] guide, assumed
+    front=0.18,  # [m] kicker, Tribots 2005; 55 mm of the ball lie within the hull, a third (73 mm) may
+    reach=0.287,  # [m] outermost point of the guide
+    elasticity=0.4,  # assumed
+    friction=0.3,  # assumed
+    height=0.8,  # [m] at most 0.85 by the rules
+)
+
+DRIVE = Drive(
+    kind="omnidirectional",
+    forward=2.6,  # [m/s] Heinemann et al. 2006, 2
+    backward=2.6,  # [m/s] the same
+    sideways=2.6,  # [m/s] the same
+    turn=6.0,  # [rad/s] assumed; 3.0 in Tribots 2005
+    acceleration=4.0,  # [m/s2] 3 to 5, Falcons, Tribots 2005
+    turn_acceleration=20.0,  # [rad/s2] assumed; 12 in Tribots 2005
+    traction=4.0,  # [m/s2] braking of Tribots 2005
+    turn_traction=20.0,  # [rad/s2] assumed
+    delay=0.1,  # [s] 0.14 CAMBADA, 0.2 Tribots 2005; a default of this package
+    gait_steps=1,
+    slip=0.02,  # assumed
+    slip_time=0.5,  # [s] assumed
+    fall=0.0,
+    fall_time=0.0,
+)
+
+DIFFERENTIAL = Drive(  # the Pioneer 2 of the years before
+    kind="differential",
+    forward=1.6,  # [m/s] Heinemann et al. 2006, 1
+    backward=1.6,  # [m/s] the same
+    sideways=0.0,
+    turn=4.0,  # [rad/s] assumed
+    acceleration=2.0,  # [m/s2] assumed
+    turn_acceleration=10.0,  # [rad/s2] assumed
+    traction=4.0,  # [m/s2] assumed
+    turn_traction=20.0,  # [rad/s2] assumed
+    delay=0.1,  # [s] assumed
+    gait_steps=1,
+    slip=0.02,  # assumed
+    slip_time=0.5,  # [s] assumed
+    fall=0.0,
+    fall_time=0.0,
+)
+
+KICKER = Kicker(
+    slowest=0.0,  # [m/s] Heinemann et al. 2006, 2: strength is set in real time
+    fastest=10.0,  # [m/s] the same  MH04
+    least=0.0,
+    wind_up=0.0,
+    recharge=1.0,  # [s] assumed
+    spread=2.0 * pi / 180.0,  # [rad] assumed
+    reach=0.04,  # [m] assumed
+    half_width=0.08,  # [m] a kicker 210 mm wide, Tribots 2005; assumed to hit cleanly within 160 mm
+    keeper_kicks=False,  # "all field players", Heinemann et al. 2006, 2
+)
+
+RULES = Rules(
+    half_minutes=15.0,  # remembered
+    kick_off_distance=2.0,  # [m] remembered
+    restart_distance=1.0,  # [m] remembered
+    restart_time=10.0,  # [s] remembered
+    in_play_distance=0.2,  # [m] 0.2 to 0.5, remembered
+    placing_time=10.0,  # [s] assumed
+    stuck_time=10.0,  # [s] assumed
+    stuck_radius=0.3,  # [m] assumed
+    separation=1.0,  # [m] assumed
+    corner_offset=0.2,  # [m] assumed
+    goal_kick_x=1.5,  # [m] the penalty area's edge, assumed
+    goal_kick_y=1.5,  # [m] assumed
+    drop_x=3.0,  # [m] assumed
+    drop_y=2.0,  # [m] assumed
+)
+
+LEAGUE = League(
+    name="middle-size-2006",
+    control_rate=50,  # [1/s] Heinemann et al. 2006, 2: a global cycle of 20 ms  MH03
+    team_size=5,  # rules of 2006
+    pitch=PITCH,
+    ball=BALL,
+    body=BODY,
+    drive=DRIVE,
+    kicker=KICKER,
+    head=Head(camera_height=0.75),  # [m] omnidirectional camera, assumed
+    rules=RULES,
+    slots=Slots(teammates=4, opponents=5),
+    substeps=Substeps(least=2, most=8, travel=0.044, iterations=10, slop=0.002),
+    evaluation_minutes=4.0,
+    evaluation_placement="drive",
+    source="Heinemann et al. 2006, University of Tübingen",
+)
+
+OLD_BASE = replace(LEAGUE, name="middle-size-2006-differential", drive=DIFFERENTIAL)

@@ -1,0 +1,142 @@
+"""senses="ideal": copy the truth into the fields of beliefs and tracks, as a sensor without error or memory would.
+
+Everything is relative to the robot, and its own pose is in its team's frame (own goal behind), so that a team never learns
+which side it plays on.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, inf, pi, sin
+
+from soccer_env.compiled import compiled
+from soccer_env.frames import direction_of
+from soccer_env.geometry import length, wrap
+from soccer_env.types import NO_TEAM
+
+SURE = 100.0  # confidence of what is seen  MS03
+
+
+@compiled
+def believe_truth(match, ball, robots, beliefs, tracks, k, r):
+    """Fill robot r's belief and its (slots,) tracks with the truth."""
+    robot, belief = robots[r], beliefs[r]
+    cosine, sine = cos(robot.heading), sin(robot.heading)
+    own_pose(match, robot, belief.own, cosine, sine)
+    ball_truth(robot, ball, belief.ball, cosine, sine)
+    situation(match, robots, belief.situation, r)
+    fill_slots(robots, tracks, k, r, cosine, sine, 1, 0, k.teammate_slots)
+    fill_slots(robots, tracks, k, r, cosine, sine, 0, k.teammate_slots, k.opponent_slots)
+
+
+@compiled
+def own_pose(match, robot, own, cosine, sine):
+    """Fill in the robot's own pose, in its team's frame, and its speeds."""
+    side = direction_of(match, robot.team)
+    own.x, own.y = side * robot.x, side * robot.y
+    own.heading = robot.heading if side > 0.0 else wrap(robot.heading + pi)
+    own.forward = cosine * robot.vx + sine * robot.vy
+    own.left = cosine * robot.vy - sine * robot.vx
+    own.turn = robot.omega
+    own.confidence = SURE
+
+
+@compiled
+def ball_truth(robot, ball, believed, cosine, sine):
+    """Fill in where the ball lies and how it moves."""
+    x, y = ball.x - robot.x, ball.y - robot.y
+    ahead, left = cosine * x + sine * y, cosine * y - sine * x
+    believed.x, believed.y = ahead, left
+    believed.vx = cosine * ball.vx + sine * ball.vy
+    believed.vy = cosine * ball.vy - sine * ball.vx
+    distance, bearing = length(ahead, left), atan2(left, ahead)
+    believed.distance = believed.filtered_distance = distance
+    believed.bearing = believed.filtered_bearing = bearing
+    vx, vy = ball.vx - robot.vx, ball.vy - robot.vy
+    away = max(distance, 1e-9)
+    believed.radial = (x * vx + y * vy) / away
+    believed.angular = (x * vy - y * vx) / (away * away) - robot.omega
+    believed.confidence, believed.age = SURE, 0.0
+    believed.held = robot.has_ball
+
+
+@compiled
+def situation(match, robots, known, r):
+    """Fill in what robot r may know of the game."""
+    team = robots[r].team
+    known.phase, known.placing, known.phase_clock = match.phase, match.placing, match.phase_clock
+    known.ours = 0.0 if match.restart_team == NO_TEAM else (1.0 if match.restart_team == team else -1.0)
+    known.seconds_left = seconds_left(match)
+    known.goals_for, known.goals_against = match.score[team], match.score[1 - team]
+    known.number, known.keeper = robots[r].number, robots[r].keeper
+    known.active, known.penalty = robots[r].active, robots[r].penalty
+    known.teammates = known.opponents = 0
+    for other in range(robots.shape[0]):
+        if robots[other].active == 1 and other != r:
+            if robots[other].team == team:
+                known.teammates += 1
+            else:
+                known.opponents += 1
+
+
+@compiled
+def seconds_left(match):
+    """Return the time of play to the final whistle [s]; inf without an end."""
+    if match.half_length == inf:
+        return inf
+    return max((2 - match.half) * match.half_length - match.clock, 0.0)
+
+
+@compiled
+def nearest_after(robots, r, same_team, last_square, last_row):
+    """Return the row of the nearest player of a kind that lies beyond the last one found, and its squared distance.
+
+    `same_team` 1 asks for team-mates of robot r, 0 for opponents. Row -1: there is none. Equal distances go by row.
+    """
+    best, best_square = -1, inf
+    for other in range(robots.shape[0]):
+        mate = 1 if robots[other].team == robots[r].team else 0
+        if other == r or mate != same_team or robots[other].active == 0:
+            continue
+        x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
+        square = x * x + y * y
+        later = square > last_square or (square == last_square and other > last_row)
+        if later and square < best_square:
+            best, best_square = other, square
+    return best, best_square
+
+
+@compiled
+def fill_slots(robots, tracks, k, r, cosine, sine, same_team, first, slots):
+    """Fill `slots` slots from `first` on with the nearest players of a kind, nearest first."""
+    square, row = -1.0, -1
+    for slot in range(first, first + slots):
+        row, square = nearest_after(robots, r, same_team, square, row)
+        if row < 0:
+            clear_slots(tracks, slot, first + slots)
+            return
+        see_player(robots[r], robots[row], tracks[slot], cosine, sine)
+        tracks[slot].teammate = same_team
+
+
+@compiled
+def clear_slots(tracks, first, last):
+    """Mark slots as unused."""
+    for slot in range(first, last):
+        track = tracks[slot]
+        track.present = track.teammate = track.keeper = 0
+        track.number = -1
+        track.distance = track.bearing = track.x = track.y = track.vx = track.vy = track.heading = 0.0
+        track.confidence = track.age = 0.0
+
+
+@compiled
+def see_player(robot, other, track, cosine, sine):
+    """Fill a track with the truth about another player."""
+    x, y = other.x - robot.x, other.y - robot.y
+    track.x, track.y = cosine * x + sine * y, cosine * y - sine * x
+    track.distance, track.bearing = length(track.x, track.y), atan2(track.y, track.x)
+    track.vx = cosine * other.vx + sine * other.vy
+    track.vy = cosine * other.vy - sine * other.vx
+    track.heading = wrap(other.heading - robot.heading)
+    track.present, track.keeper, track.number = 1, other.keeper, other.number
+    track.confidence, track.age = SURE, 0.0

@@ -1,0 +1,1 @@
+"""The physical field: bodies, drive and ball, and the pymunk engine behind them."""

@@ -1,0 +1,198 @@
+"""Call Chipmunk, the C library under pymunk, from compiled loops over matches.
+
+The only file that knows pymunk's private names. pymunk's batch iterators copy the numbers of all bodies of a Space from
+or to an array. They and `cpSpaceStep` take addresses and doubles only, so a kernel can write velocities, step and read
+back without Python and without its lock, for about 0.3 us a match step on top of the steps themselves.
+
+The functions below take `links`, one record for each match with all addresses that it needs, and the match's index;
+`space_batch.py` makes `links` and owns the arrays that it points to:
+
+* `bodies[m]`, rows of x, y [m], angle [rad], vx, vy [m/s], angular velocity [rad/s]: read at every step, and written to
+  put bodies elsewhere;
+* `velocities[m]`, rows of vx, vy, angular velocity: written at every step.
+
+Row r is the r-th body added to the Space. The iterators visit a Space's static body too, after the dynamic ones, so a
+match has more rows than bodies: row B is the static body's and stays zero, since other numbers would move the walls.
+The getter reallocates an array once it is full but for one place; the other spare rows keep it away from there.
+"""
+
+from typing import Any
+
+import numpy as np
+import pymunk
+from llvmlite import ir
+from numba import types
+from numba.extending import intrinsic
+from numpy.typing import NDArray
+from pymunk._chipmunk_cffi import ffi, lib
+
+from soccer_env.compiled import compiled, config
+
+Links = Any  # array (M,) of LINK; Any because mypy knows no record fields
+
+SPARE_ROWS = 3  # the static body's, and two that the getter never reaches
+STATE_FIELDS = lib.POSITION | lib.ANGLE | lib.VELOCITY | lib.ANGULAR_VELOCITY
+VELOCITY_FIELDS = lib.VELOCITY | lib.ANGULAR_VELOCITY
+
+C_FUNCTIONS = {  # field of LINK: C function
+    "step": "cpSpaceStep",
+    "each_body": "cpSpaceEachBody",
+    "get_body": "pmSpaceBodyGetIteratorFuncBatched",
+    "set_body": "pmSpaceBodySetIteratorFuncBatched",
+}
+# struct pmFloatArray: the next place, the number of places, and where they are
+FLOAT_ARRAY = np.dtype([("num", "i4"), ("max", "i4"), ("arr", "u8")])
+# struct pmBatchedData: what an iterator moves; without BODY_ID among the fields it never looks at the intArray
+BATCHED_DATA = np.dtype([("intArray", "u8"), ("floatArray", "u8"), ("fields", "i4"), ("padding", "i4")])
+LINK = np.dtype(
+    [
+        ("space", "u8"),  # address of the match's cpSpace, 0 before there is one
+        *[(field, "u8") for field in C_FUNCTIONS],  # their addresses
+        ("body_data_at", "u8"),  # address of `body_data` in this record
+        ("velocity_data_at", "u8"),  # address of `velocity_data` in this record
+        ("body_data", BATCHED_DATA),  # moves all six numbers, to and from `bodies[m]`
+        ("velocity_data", BATCHED_DATA),  # moves three numbers, from `velocities[m]`
+        ("body_array", FLOAT_ARRAY),
+        ("velocity_array", FLOAT_ARRAY),
+    ]
+)
+
+
+# Calls of C functions by address. An address that is an argument, not a constant, lets the caller be cached on disk.
+
+
+def _build_call(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+    kinds = [context.get_value_type(kind) for kind in signature.args[1:]]
+    function = builder.inttoptr(arguments[0], ir.FunctionType(ir.VoidType(), kinds).as_pointer())
+    builder.call(function, arguments[1:])
+    return context.get_dummy_value()
+
+
+def _compiled_step(typing_context: Any, function: Any, space: Any, dt: Any) -> Any:
+    return types.void(types.uintp, types.uintp, types.float64), _build_call
+
+
+def _compiled_each(typing_context: Any, function: Any, space: Any, visitor: Any, data: Any) -> Any:
+    return types.void(types.uintp, types.uintp, types.uintp, types.uintp), _build_call
+
+
+def _python_step(function: Any, space: Any, dt: Any) -> None:
+    ffi.cast("void(*)(uintptr_t, double)", int(function))(int(space), float(dt))
+
+
+def _python_each(function: Any, space: Any, visitor: Any, data: Any) -> None:
+    ffi.cast("void(*)(uintptr_t, uintptr_t, uintptr_t)", int(function))(int(space), int(visitor), int(data))
+
+
+_call_step: Any = _python_step if config.DISABLE_JIT else intrinsic(_compiled_step)
+_call_each: Any = _python_each if config.DISABLE_JIT else intrinsic(_compiled_each)
+
+
+# For kernels
+
+
+@compiled
+def write_velocities(links: Links, m: int) -> None:
+    """Give match m's bodies the velocities in `velocities[m]`."""
+    links[m].velocity_array.num = 0
+    _visit(links[m], links[m].set_body, links[m].velocity_data_at)
+
+
+@compiled
+def write_bodies(links: Links, m: int) -> None:
+    """Put match m's bodies where `bodies[m]` says, with its velocities; rows left as they were read change nothing."""
+    links[m].body_array.num = 0
+    _visit(links[m], links[m].set_body, links[m].body_data_at)
+
+
+@compiled
+def read_bodies(links: Links, m: int) -> None:
+    """Fill `bodies[m]` with match m's poses and velocities."""
+    links[m].body_array.num = 0
+    _visit(links[m], links[m].get_body, links[m].body_data_at)
+
+
+@compiled
+def _visit(link: Any, visitor: int, data: int) -> None:
+    if link.space == 0:
+        raise ValueError("the match has no Space yet")
+    _call_each(link.each_body, link.space, visitor, data)
+
+
+@compiled
+def advance(links: Links, m: int, substeps: int, dt: float) -> None:
+    """Move match m on by dt [s] in equal substeps; with 0 substeps it stands still."""
+    link = links[m]
+    if link.space == 0:
+        raise ValueError("the match has no Space yet")
+    if substeps > 0:
+        substep = dt / substeps  # [s]
+        for _ in range(substeps):
+            _call_step(link.step, link.space, substep)
+
+
+@compiled
+def step_match(links: Links, m: int, substeps: int, dt: float) -> None:
+    """Write match m's velocities, move it on by dt [s], and read its bodies."""
+    write_velocities(links, m)
+    advance(links, m, substeps, dt)
+    read_bodies(links, m)
+
+
+@compiled
+def advance_slice(links: Links, substeps: NDArray[np.int64], dt: float, first: int, last: int) -> None:
+    """Step the matches first, ..., last - 1, match m by dt [s] in substeps[m] substeps."""
+    for m in range(first, last):
+        step_match(links, m, substeps[m], dt)
+
+
+# For the owner of the arrays
+
+
+def make_links(bodies: NDArray[np.float64], velocities: NDArray[np.float64]) -> Links:
+    """Return links (M,) that point to bodies (M, rows, 6) and velocities (M, rows, 3), and to no Space yet.
+
+    The caller keeps all three arrays alive and in place. Both need SPARE_ROWS rows more than there are bodies.
+    """
+    links = np.zeros(len(bodies), LINK)
+    for field, address in c_addresses().items():
+        links[field] = address
+    for name, rows, fields in (("body", bodies, STATE_FIELDS), ("velocity", velocities, VELOCITY_FIELDS)):
+        assert rows.flags.c_contiguous and rows.dtype == np.float64 and len(rows) == len(links)
+        array, data = links[f"{name}_array"], links[f"{name}_data"]
+        array["max"] = rows[0].size
+        array["arr"] = _addresses(rows)
+        data["floatArray"] = _addresses(array)
+        data["fields"] = fields
+        links[f"{name}_data_at"] = _addresses(data)
+    return links
+
+
+def _addresses(items: NDArray[Any]) -> NDArray[np.uint64]:
+    """Return the address of each item along the first axis."""
+    return np.uint64(items.ctypes.data) + np.arange(len(items), dtype=np.uint64) * np.uint64(items.strides[0])
+
+
+def space_address(space: pymunk.Space) -> int:
+    """Return the address of a Space's cpSpace."""
+    return int(ffi.cast("uintptr_t", space._space))
+
+
+def c_addresses() -> dict[str, int]:
+    """Return the addresses of the C functions, by their field in LINK."""
+    return {field: int(ffi.cast("uintptr_t", ffi.addressof(lib, name))) for field, name in C_FUNCTIONS.items()}
+
+
+def layout_fits() -> bool:
+    """Say whether this pymunk has the C functions and structs that this file is written for."""
+    try:
+        c_addresses()
+        found = [_layout(ffi.typeof(name)) for name in ("pmFloatArray", "pmBatchedData")]
+    except (AttributeError, ffi.error):
+        return False
+    expected = [(16, {"num": 0, "max": 4, "arr": 8}), (24, {"intArray": 0, "floatArray": 8, "fields": 16})]
+    return found == expected and ffi.sizeof("cpFloat") == 8
+
+
+def _layout(struct: Any) -> tuple[int, dict[str, int]]:
+    return ffi.sizeof(struct), {name: field.offset for name, field in struct.fields}

@@ -1,0 +1,119 @@
+"""From commands to velocities: delay, gait or wheels, acceleration and traction.  MH01
+
+A legged robot latches its walk when a gait step ends; wheels follow at every control step. What the legs or wheels want is held
+against what the body really does (it may be pushing something), and the ground bears only so much force.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, sin, sqrt
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length, toward
+from soccer_env.leagues.league import WHEELS_DIFFERENTIAL
+from soccer_env.random_numbers import normal
+from soccer_env.types import RobotStream
+
+SLIP = int(RobotStream.SLIP)
+
+
+@compiled
+def drive(robot, k, step, handedness):
+    """Turn a robot's command into the velocity with which it enters the physics."""
+    request_walk(robot, k, step)
+    if robot.gait_phase % k.slip_steps == 0 and k.drive_slip > 0.0:
+        draw_slip(robot, k, handedness)
+    if robot.gait_phase % k.gait_steps == 0:
+        latch_walk(robot, k, step)
+    robot.gait_phase += 1
+    if robot.gait_phase >= k.slip_steps and robot.gait_phase >= k.gait_steps:
+        robot.gait_phase = 0
+    change_walk(robot, k)
+    push_ground(robot, k)
+
+
+@compiled
+def request_walk(robot, k, step):
+    """Put this step's command into the delay line [m/s, rad/s]; ahead and aside together stay within full effort."""
+    forward, left, turn = robot.command.forward, robot.command.left, robot.command.turn
+    if k.drive_kind == WHEELS_DIFFERENTIAL:
+        left = 0.0
+    effort = sqrt(forward * forward + left * left)
+    if effort > 1.0:
+        forward, left = forward / effort, left / effort
+    slot = robot.delayed[step % (k.delay_steps + 1)]
+    slot.forward = forward * (k.drive_forward if forward > 0.0 else k.drive_backward)
+    slot.left = left * k.drive_sideways
+    slot.turn = turn * k.drive_turn
+
+
+@compiled
+def latch_walk(robot, k, step):
+    """Take the walk that was asked for a delay ago."""
+    asked = robot.delayed[(step + 1) % (k.delay_steps + 1)]
+    robot.target.forward = asked.forward
+    robot.target.left = asked.left
+    robot.target.turn = asked.turn
+
+
+@compiled
+def draw_slip(robot, k, handedness):
+    """Draw how far the coming steps fall short of the walk or beyond it."""
+    robot.slip.forward = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
+    robot.slip.left = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
+    robot.slip.turn = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
+
+
+@compiled
+def change_walk(robot, k):
+    """Bring the walk towards its target as fast as gait or motors allow; a robot that kicks, lies or is out stands."""
+    stands = robot.kick_clock > 0.0 or robot.fallen > 0.0 or robot.active == 0
+    ahead = (0.0 if stands else robot.target.forward) - robot.walk.forward
+    aside = (0.0 if stands else robot.target.left) - robot.walk.left
+    change = length(ahead, aside)
+    most = k.drive_acceleration * k.dt
+    share = 1.0 if change <= most else most / change
+    robot.walk.forward += share * ahead
+    robot.walk.left += share * aside
+    robot.walk.turn = toward(robot.walk.turn, 0.0 if stands else robot.target.turn, k.drive_turn_acceleration * k.dt)
+
+
+@compiled
+def push_ground(robot, k):
+    """Change the body's velocity towards the walk, within the traction of the ground."""
+    forward, left = robot.walk.forward * robot.slip.forward, robot.walk.left * robot.slip.left
+    cosine, sine = cos(robot.heading), sin(robot.heading)
+    ahead = cosine * forward - sine * left - robot.vx
+    aside = sine * forward + cosine * left - robot.vy
+    change = length(ahead, aside)
+    most = k.drive_traction * k.dt
+    share = 1.0 if change <= most else most / change
+    robot.vx += share * ahead
+    robot.vy += share * aside
+    most = k.drive_turn_traction * k.dt
+    robot.omega += clip(robot.walk.turn * robot.slip.turn - robot.omega, -most, most)
+
+
+@compiled
+def move_head(robot, k, ball):
+    """Move the head towards what was asked, or towards the ball, within its joint limits and speeds.  MS07"""
+    if k.head_pan_limit <= 0.0:
+        return
+    if robot.command.head >= 0.0:
+        pan = robot.command.pan * k.head_pan_limit
+        middle, span = 0.5 * (k.head_tilt_high + k.head_tilt_low), 0.5 * (k.head_tilt_high - k.head_tilt_low)
+        tilt = middle + span * robot.command.tilt
+    else:
+        pan, tilt = gaze_at(robot, k, ball)
+    robot.pan = toward(robot.pan, clip(pan, -k.head_pan_limit, k.head_pan_limit), k.head_pan_speed * k.dt)
+    robot.tilt = toward(robot.tilt, clip(tilt, k.head_tilt_low, k.head_tilt_high), k.head_tilt_speed * k.dt)
+
+
+@compiled
+def gaze_at(robot, k, ball):
+    """Return the pan and tilt [rad] at which the camera looks at the ball."""
+    cosine, sine = cos(robot.heading), sin(robot.heading)
+    x, y = ball.x - robot.x, ball.y - robot.y
+    ahead, left = cosine * x + sine * y, cosine * y - sine * x
+    down = k.head_camera_height - k.ball_radius
+    return atan2(left, ahead), -atan2(down, max(length(ahead, left) - k.head_camera_ahead, 0.0))

@@ -1,0 +1,159 @@
+"""Hold M pymunk Spaces, and the arrays through which kernels write velocities and read bodies.
+
+Two ways lead from the arrays to the Spaces and back, with bit-identical results: `"c"` calls Chipmunk from compiled
+code (`chipmunk.py`), `"batch"` is the public `pymunk.batch`, one match after the other from Python.
+
+At each reset `batch.set_space(m, space)`. At each step a kernel fills `batch.velocities`, `batch.step_all(dt, substeps)`
+goes either way, and the next kernel reads `batch.bodies`; with the C way one kernel can do all three.
+"""
+
+import functools
+import math
+import platform
+import sys
+import threading
+import warnings
+from typing import Literal, NoReturn
+
+import numpy as np
+import pymunk
+from numpy.typing import ArrayLike, NDArray
+from pymunk import batch as pymunk_batch
+from pymunk.batch import BodyFields
+
+from soccer_env.physics import chipmunk
+
+Way = Literal["c", "batch"]
+
+VELOCITY = BodyFields.VELOCITY | BodyFields.ANGULAR_VELOCITY
+STATE = BodyFields.POSITION | BodyFields.ANGLE | VELOCITY
+
+
+class SpaceBatch:
+    """M Spaces of B dynamic bodies each, and the arrays through which they are written and read.
+
+    `bodies` (M, B + SPARE_ROWS, 6) holds x, y [m], angle [rad], vx, vy [m/s], angular velocity [rad/s]; `velocities`
+    (M, B + SPARE_ROWS, 3) holds vx, vy, angular velocity. Rows from B on are not for the caller. `links` (M,) is what
+    kernels take (the C way only). It holds addresses: keep the batch as long as a kernel may use it.
+    """
+
+    def __init__(self, matches: int, bodies: int, way: Way | None = None) -> None:
+        if matches < 1 or bodies < 1:
+            raise ValueError(f"matches and bodies must be at least 1, got {matches} and {bodies}")
+        if way not in ("c", "batch", None):
+            raise ValueError(f"way must be 'c' or 'batch', got {way!r}")
+        self.way: Way = way or default_way()
+        self.size = bodies
+        self.spaces: list[pymunk.Space | None] = [None] * matches
+        self.bodies = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 6))
+        self.velocities = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 3))
+        self.links = chipmunk.make_links(self.bodies, self.velocities) if self.way == "c" else None
+        self._read_buffer, self._write_buffer = pymunk_batch.Buffer(), pymunk_batch.Buffer()
+        self._lock = threading.Lock()  # around the buffers
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a SpaceBatch holds addresses of this process and cannot be copied or pickled")
+
+    def set_space(self, m: int, space: pymunk.Space) -> None:
+        """Make `space` match m's, and read its bodies; the batch keeps it alive until the next one."""
+        _check_space(space, self.size)
+        if self.links is not None:
+            self.links["space"][m] = chipmunk.space_address(space)
+        self.spaces[m] = space
+        self.bodies[m] = self.velocities[m] = 0.0
+        self.read_bodies(m)
+
+    def step_all(self, dt: float, substeps: ArrayLike) -> None:
+        """Write the velocities of all matches, move them on by dt [s] and read their bodies; `substeps` () or (M,)."""
+        self.step_slice(dt, substeps, 0, len(self.spaces))
+
+    def step_slice(self, dt: float, substeps: ArrayLike, first: int, last: int) -> None:
+        """Do for the matches first, ..., last - 1 what `step_all` does for all; threads may share out the slices."""
+        if not 0 <= first <= last <= len(self.spaces):
+            raise ValueError(f"there is no slice {first}:{last} of {len(self.spaces)} matches")
+        if not (math.isfinite(dt) and dt > 0.0):
+            raise ValueError(f"dt must be a positive number of seconds, got {dt}")
+        counts = np.empty(len(self.spaces), np.int64)
+        counts[:] = substeps
+        if self.links is not None:
+            chipmunk.advance_slice(self.links, counts, float(dt), first, last)
+            return
+        for m in range(first, last):
+            self.write_velocities(m)
+            for _ in range(counts[m]):
+                self._space(m).step(dt / int(counts[m]))
+            self.read_bodies(m)
+
+    def write_velocities(self, m: int) -> None:
+        """Give match m's bodies the velocities in `velocities[m]`."""
+        if self.links is not None:
+            chipmunk.write_velocities(self.links, m)
+        else:
+            self._write(m, VELOCITY, self.velocities[m])
+
+    def write_bodies(self, m: int) -> None:
+        """Put match m's bodies where `bodies[m]` says, with its velocities; rows left as they were change nothing."""
+        if self.links is not None:
+            chipmunk.write_bodies(self.links, m)
+        else:
+            self._write(m, STATE, self.bodies[m])
+
+    def read_bodies(self, m: int) -> None:
+        """Fill `bodies[m]` with match m's poses and velocities."""
+        if self.links is not None:
+            chipmunk.read_bodies(self.links, m)
+            return
+        with self._lock:
+            self._read_buffer.clear()
+            pymunk_batch.get_space_bodies(self._space(m), STATE, self._read_buffer)
+            numbers = np.frombuffer(self._read_buffer.float_buf())
+            self.bodies[m].reshape(-1)[: len(numbers)] = numbers
+
+    def _write(self, m: int, fields: BodyFields, rows: NDArray[np.float64]) -> None:
+        # pymunk checks nothing here, and reads a row for the static body as well
+        assert rows.flags.c_contiguous and rows.dtype == np.float64 and len(rows) > self.size
+        with self._lock:
+            self._write_buffer.set_float_buf(rows)
+            pymunk_batch.set_space_bodies(self._space(m), fields, self._write_buffer)
+
+    def _space(self, m: int) -> pymunk.Space:
+        space = self.spaces[m]
+        if space is None:
+            raise ValueError("the match has no Space yet")
+        return space
+
+
+def _check_space(space: pymunk.Space, bodies: int) -> None:
+    """Refuse what pymunk would only notice in `Space.step`, which the C way bypasses, and what would move the rows."""
+    if len(space.bodies) != bodies or any(body.body_type != pymunk.Body.DYNAMIC for body in space.bodies):
+        raise ValueError(f"the Space must hold {bodies} dynamic bodies and no others; walls go on its static body")
+    if not all(0.0 < number < math.inf for body in space.bodies for number in (body.mass, body.moment)):
+        raise ValueError("every body needs a finite positive mass and moment")
+    if space.sleep_time_threshold != math.inf or space.threaded:
+        raise ValueError("the Space must neither let bodies sleep nor be threaded")
+
+
+@functools.cache
+def default_way() -> Way:
+    """Return "c" where it is known to work (Linux on 64-bit x86) or passes a test here, and "batch" elsewhere."""
+    if not chipmunk.layout_fits():
+        warnings.warn(f"pymunk {pymunk.version} is not the one known; physics is slower", RuntimeWarning, stacklevel=3)
+        return "batch"
+    known = sys.platform == "linux" and platform.machine() == "x86_64"
+    return "c" if known or _collision("c") == _collision("batch") else "batch"
+
+
+def _collision(way: Way) -> bytes:
+    """Play a short collision and return all that was read back at its end."""
+    space = pymunk.Space()
+    space.add(pymunk.Segment(space.static_body, (1.0, -1.0), (1.0, 1.0), 0.05))
+    for x in (-0.5, 0.0, 0.5):
+        body = pymunk.Body(1.0, 0.01)
+        body.position = (x, 0.1 * x)
+        space.add(body, pymunk.Circle(body, 0.1))
+    batch = SpaceBatch(1, 3, way)
+    batch.set_space(0, space)
+    for _ in range(20):
+        batch.velocities[0, :3] = (0.8, 0.1, 0.5), (0.0, 0.0, 0.0), (-0.4, 0.0, 0.2)
+        batch.step_all(0.1, 4)
+    return batch.bodies.tobytes()

@@ -1,0 +1,57 @@
+"""The small-state generator that lives in match and robot records.
+
+SplitMix64 [Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators"]: a 64-bit counter that advances by an odd
+constant, and a mixing function over it. One counter for each named stream, so that a new noise source takes a stream of
+its own and never shifts the others; a robot's streams are its own, so that a match of any size draws the same for it.
+Seeds come from `numpy.random.SeedSequence`.
+"""
+
+from __future__ import annotations
+
+from math import cos, log, pi, sqrt
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.types import NOISE_STREAMS
+
+GOLDEN = np.uint64(0x9E3779B97F4A7C15)  # the counter's step
+MIX_1 = np.uint64(0xBF58476D1CE4E5B9)
+MIX_2 = np.uint64(0x94D049BB133111EB)
+TO_UNIT = 1.0 / 9007199254740992.0  # 2**-53
+
+
+@compiled
+def mix(value):
+    """Return the 64 mixed bits of a 64-bit counter."""
+    value = (value ^ (value >> np.uint64(30))) * MIX_1
+    value = (value ^ (value >> np.uint64(27))) * MIX_2
+    return value ^ (value >> np.uint64(31))
+
+
+@compiled
+def uniform(noise, stream):
+    """Draw from [0, 1) out of stream `stream` of the (NOISE_STREAMS,) states `noise`."""
+    noise[stream] = noise[stream] + GOLDEN
+    return np.float64(mix(noise[stream]) >> np.uint64(11)) * TO_UNIT
+
+
+@compiled
+def normal(noise, stream):
+    """Draw from the normal distribution of mean 0 and deviation 1 (Box-Muller, two draws a value)."""
+    radius = sqrt(-2.0 * log(1.0 - uniform(noise, stream)))
+    return radius * cos(2.0 * pi * uniform(noise, stream))
+
+
+@compiled
+def start_streams(noise, seed, episode, owner):
+    """Start all streams of a record from a seed, the episode's number and its owner (0 the match, 1 + r robot r)."""
+    key = mix(np.uint64(seed) + GOLDEN * np.uint64(episode + 1))
+    key = mix(key ^ (GOLDEN * np.uint64(owner + 1)))
+    for stream in range(NOISE_STREAMS):
+        noise[stream] = mix(key + MIX_1 * np.uint64(stream + 1))
+
+
+def seeds_for(seed: int | None, matches: int) -> np.ndarray:
+    """Return the (matches,) uint64 seeds that follow from one seed; the first n do not depend on `matches`."""
+    return np.random.SeedSequence(seed).generate_state(matches, np.uint64)

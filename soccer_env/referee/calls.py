@@ -1,0 +1,168 @@
+"""What the referee calls: touches, goals, out of play, stuck ball, the end of a half.
+
+Each rule reads the truth of one match and either does nothing or notes an event and calls a restart; the restart is carried
+out by `referee.restarts`. Written for both teams at once through the direction in which home attacks.
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
+
+PLAY = int(Phase.PLAY)
+KICK_OFF = int(Phase.KICK_OFF)
+THROW_IN = int(Phase.THROW_IN)
+GOAL_KICK = int(Phase.GOAL_KICK)
+CORNER_KICK = int(Phase.CORNER_KICK)
+DROP_BALL = int(Phase.DROP_BALL)
+OVER = int(Phase.OVER)
+
+
+@compiled
+def judge(match, ball, robots, events, k, toucher):
+    """Apply the rules to one match after the physics of a control step; `toucher` is the row that touched the ball, or -1."""
+    events.ball_x, events.ball_y = ball.x, ball.y
+    match.clock += k.dt
+    match.phase_clock += k.dt
+    if toucher >= 0:
+        events.touch_team = robots[toucher].team
+        match.last_touch_team = robots[toucher].team
+        match.last_touch_robot = toucher
+    if match.placing == 0:
+        if match.phase != PLAY:
+            watch_restart(match, ball, events, k)
+        judge_ball(match, ball, events, k)
+    if match.clock >= match.half_length - 0.5 * k.dt:
+        end_half(match, events, k)
+
+
+@compiled
+def judge_ball(match, ball, events, k):
+    """Look at the ball: a goal, out of play, stuck."""
+    if goal_scored(ball, k):
+        give_goal(match, ball, events, k)
+    elif k.walled == 0 and out_of_play(ball, k):
+        give_restart_for_out(match, ball, events, k)
+    elif ball_stuck(match, ball, k):
+        events.stuck = 1
+        drop_ball(match, ball, events, k)
+
+
+@compiled
+def goal_scored(ball, k):
+    """Tell whether the whole ball is over a goal line, between the posts."""
+    return abs(ball.x) > 0.5 * k.pitch_length + k.ball_radius and abs(ball.y) < 0.5 * k.pitch_goal_width
+
+
+@compiled
+def out_of_play(ball, k):
+    """Tell whether the whole ball is over a touchline or goal line."""
+    return (
+        abs(ball.y) > 0.5 * k.pitch_width + k.ball_radius
+        or abs(ball.x) > 0.5 * k.pitch_length + k.ball_radius
+    )
+
+
+@compiled
+def give_goal(match, ball, events, k):
+    """Count a goal for the team that attacks the side the ball is on; the other team kicks off."""
+    scorer = HOME if (ball.x > 0.0) == (match.home_direction > 0.0) else AWAY
+    match.score[scorer] += 1
+    events.goal = scorer
+    events.scorer = match.last_touch_robot
+    call_restart(match, events, KICK_OFF, other_team(scorer), 0.0, 0.0)
+    if k.end_at_goal == 1:
+        match.over = 1
+        match.phase = OVER
+
+
+@compiled
+def give_restart_for_out(match, ball, events, k):
+    """Call a throw-in, a goal kick or a corner kick, by the team that touched the ball last."""
+    events.out = 1
+    side_y = 1.0 if ball.y > 0.0 else -1.0
+    side_x = 1.0 if ball.x > 0.0 else -1.0
+    half_length, half_width = 0.5 * k.pitch_length, 0.5 * k.pitch_width
+    defender = AWAY if side_x * match.home_direction > 0.0 else HOME
+    last = match.last_touch_team
+    if abs(ball.x) <= half_length + k.ball_radius:
+        taker = other_team(last) if last != NO_TEAM else defender
+        x = min(max(ball.x, -half_length + k.rules_corner_offset), half_length - k.rules_corner_offset)
+        call_restart(match, events, THROW_IN, taker, x, side_y * half_width)
+    elif last == defender:
+        x, y = half_length - k.rules_corner_offset, half_width - k.rules_corner_offset
+        call_restart(match, events, CORNER_KICK, other_team(defender), side_x * x, side_y * y)
+    else:
+        x, y = half_length - k.rules_goal_kick_x, k.rules_goal_kick_y
+        call_restart(match, events, GOAL_KICK, defender, side_x * x, side_y * y)
+
+
+@compiled
+def ball_stuck(match, ball, k):
+    """Tell whether the ball has stayed near one point for too long; restarts that nobody takes do not count."""
+    x, y = ball.x - match.still_x, ball.y - match.still_y
+    near = k.rules_stuck_radius
+    if match.phase != PLAY or x * x + y * y > near * near:
+        match.still_x, match.still_y, match.still_clock = ball.x, ball.y, 0.0
+        return False
+    match.still_clock += k.dt
+    return match.still_clock >= k.rules_stuck_time
+
+
+@compiled
+def drop_ball(match, ball, events, k):
+    """Call a dropped ball at the nearest drop spot (the ball's own side, or the right one on a middle line)."""
+    x = k.rules_drop_x if ball.x >= 0.0 else -k.rules_drop_x
+    y = k.rules_drop_y if ball.y >= 0.0 else -k.rules_drop_y
+    if abs(ball.x) < 0.5 * k.rules_drop_x and abs(ball.y) < 0.5 * k.rules_drop_y:
+        x = y = 0.0
+    call_restart(match, events, DROP_BALL, NO_TEAM, x, y)
+
+
+@compiled
+def watch_restart(match, ball, events, k):
+    """Let play go on once the ball has moved, or when the time for the restart is up."""
+    x, y = ball.x - match.restart_x, ball.y - match.restart_y
+    moved = x * x + y * y > k.rules_in_play_distance * k.rules_in_play_distance
+    if moved or match.phase_clock >= k.rules_restart_time:
+        match.phase = PLAY
+        match.phase_clock = 0.0
+        match.restart_team = NO_TEAM
+        events.in_play = 1
+
+
+@compiled
+def end_half(match, events, k):
+    """End a half: change ends and kick off, or blow the final whistle."""
+    if match.half == 0:
+        match.half = 1
+        match.clock = 0.0
+        match.home_direction = -match.home_direction
+        events.half_time = 1
+        call_restart(match, events, KICK_OFF, other_team(match.kick_off_team), 0.0, 0.0)
+    else:
+        match.over = 1
+        match.phase = OVER
+        match.restart_team = NO_TEAM
+        events.final_whistle = 1
+        events.restart = 0
+
+
+@compiled
+def call_restart(match, events, phase, team, x, y):
+    """Note a restart: what it is, who takes it and where the ball goes [m, field frame]."""
+    match.phase = phase
+    match.phase_clock = 0.0
+    match.restart_team = team
+    match.restart_x, match.restart_y = x, y
+    match.still_x, match.still_y, match.still_clock = x, y, 0.0
+    match.last_touch_team = NO_TEAM
+    match.last_touch_robot = -1
+    events.restart = phase
+    events.restart_team = team
+
+
+@compiled
+def other_team(team):
+    """Return the opponents of a team."""
+    return AWAY if team == HOME else HOME

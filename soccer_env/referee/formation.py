@@ -1,0 +1,93 @@
+"""Where robots stand at a restart, for any number of players, written for the team that attacks +x."""
+
+from __future__ import annotations
+
+from math import atan2, pi
+
+from soccer_env.compiled import compiled
+from soccer_env.frames import direction_of
+from soccer_env.geometry import clip, length, wrap
+from soccer_env.random_numbers import uniform
+from soccer_env.types import NO_TEAM, Phase, RobotStream
+
+KICK_OFF = int(Phase.KICK_OFF)
+PLACEMENT = int(RobotStream.PLACEMENT)
+ROW = 4  # field players side by side
+DEPTH = 0.14  # [1] of the pitch's length between rows, assumed
+SPREAD = 0.7  # [1] of the pitch's width over which a row is spread, assumed
+FOLLOW = 0.5  # [1] how far a formation follows the ball up and down the pitch, assumed
+GAP = 0.03  # [m] between the taker of a restart and the ball, assumed
+JITTER = 0.02  # [m] greatest deviation of a robot from its place, assumed
+JITTER_TURN = 5.0 * pi / 180.0  # [rad] the same for its heading, assumed
+
+
+@compiled
+def choose_places(match, robots, k):
+    """Set the place of each active robot for the match's current restart."""
+    for r in range(robots.shape[0]):
+        if robots[r].active == 0:
+            continue
+        side = direction_of(match, robots[r].team)
+        spot_x, spot_y = side * match.restart_x, side * match.restart_y
+        index, count = rank(robots, r)
+        if robots[r].keeper == 1:
+            x, y, heading = keeper_place(k, spot_x, spot_y)
+        elif robots[r].team == match.restart_team and index == count - 1:
+            x, y, heading = taker_place(k, spot_x, spot_y)
+        else:
+            x, y, heading = field_place(match, k, index, count, spot_x, spot_y)
+        x += JITTER * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0)
+        y += match.handedness * JITTER * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0)
+        heading += match.handedness * JITTER_TURN * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0)
+        robots[r].place_x, robots[r].place_y = side * x, side * y
+        robots[r].place_heading = wrap(heading if side > 0.0 else heading + pi)
+
+
+@compiled
+def rank(robots, r):
+    """Return the place of robot r among the active field players of its team, by number, and how many there are."""
+    index = count = 0
+    for other in range(robots.shape[0]):
+        if robots[other].team == robots[r].team and robots[other].active == 1 and robots[other].keeper == 0:
+            count += 1
+            if robots[other].number < robots[r].number:
+                index += 1
+    return index, count
+
+
+@compiled
+def is_taker(match, robots, r):
+    """Tell whether robot r takes the match's current restart."""
+    if match.restart_team == NO_TEAM or robots[r].team != match.restart_team or robots[r].keeper == 1:
+        return False
+    index, count = rank(robots, r)
+    return index == count - 1
+
+
+@compiled
+def keeper_place(k, spot_x, spot_y):
+    """Return the goalkeeper's place [m, m, rad]: in its goal, on the ball's side."""
+    x = -0.5 * k.pitch_length + k.body_reach + 0.05
+    y = clip(0.3 * spot_y, -0.35 * k.pitch_goal_width, 0.35 * k.pitch_goal_width)
+    return x, y, atan2(spot_y - y, spot_x - x)
+
+
+@compiled
+def taker_place(k, spot_x, spot_y):
+    """Return the place behind the ball, facing the opponent's goal."""
+    ahead, aside = 0.5 * k.pitch_length - spot_x, -spot_y
+    away = length(ahead, aside)
+    back = (k.body_front + k.ball_radius + GAP) / away
+    return spot_x - back * ahead, spot_y - back * aside, atan2(aside, ahead)
+
+
+@compiled
+def field_place(match, k, index, count, spot_x, spot_y):
+    """Return the place of the index-th of count field players: rows across the own half that follow the ball."""
+    row = index // ROW
+    columns = min(ROW, count - ROW * row)
+    x = -DEPTH * k.pitch_length * (row + 1) + FOLLOW * spot_x
+    y = SPREAD * k.pitch_width * ((index - ROW * row + 0.5) / columns - 0.5)
+    if match.phase == KICK_OFF:
+        x = min(x, -k.body_reach - JITTER)
+    return x, y, atan2(spot_y - y, spot_x - x)

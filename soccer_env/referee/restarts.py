@@ -1,0 +1,215 @@
+"""Carry out a restart: put the ball down, choose places, keep the distances, put robots there or let them drive.
+
+Under instant placement the robots stand at their places at once. Under drive placement the referee steers them for up to the
+league's placing time while the ball lies still and the clock runs; whoever is then still too near the ball is put at a legal place.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, sin
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.frames import direction_of
+from soccer_env.geometry import clip, length, wrap
+from soccer_env.physics.ball import hold
+from soccer_env.referee.formation import choose_places, is_taker
+from soccer_env.types import Phase
+
+KICK_OFF = int(Phase.KICK_OFF)
+DROP_BALL = int(Phase.DROP_BALL)
+PASSES = 24  # over the robots, to pull overlapping places apart
+MARGIN = 0.02  # [m] between robots, assumed
+ARRIVED = 0.10  # [m] from its place, assumed
+SLOW_ZONE = 0.25  # [s] of travel before the place in which a robot slows down, assumed
+
+
+@compiled
+def carry_out_restart(match, ball, robots, k, drive):
+    """Put the ball on its spot; put the robots at their places, or (drive 1) let them drive there."""
+    put_ball(ball, match.restart_x, match.restart_y)
+    if match.phase == DROP_BALL:
+        for r in range(robots.shape[0]):
+            stay(robots[r])
+    else:
+        choose_places(match, robots, k)
+    keep_distances(match, robots, k)
+    if drive == 1 and match.phase != DROP_BALL:
+        match.placing = 1
+    else:
+        place_robots(robots)
+
+
+@compiled
+def put_ball(ball, x, y):
+    """Lay the ball down [m, field frame]."""
+    ball.x, ball.y = x, y
+    hold(ball)
+
+
+@compiled
+def stay(robot):
+    """Make a robot's present pose its place."""
+    robot.place_x, robot.place_y, robot.place_heading = robot.x, robot.y, robot.heading
+
+
+@compiled
+def place_robots(robots):
+    """Put all active robots at their places, at rest."""
+    for r in range(robots.shape[0]):
+        if robots[r].active == 1:
+            put_robot(robots[r])
+
+
+@compiled
+def put_robot(robot):
+    """Put a robot at its place, at rest."""
+    robot.x, robot.y, robot.heading = robot.place_x, robot.place_y, robot.place_heading
+    stop(robot)
+
+
+@compiled
+def stop(robot):
+    """Let a robot stand: no speed, no walk on its way, no kick begun."""
+    robot.vx = robot.vy = robot.omega = 0.0
+    robot.walk.forward = robot.walk.left = robot.walk.turn = 0.0
+    robot.target.forward = robot.target.left = robot.target.turn = 0.0
+    for i in range(robot.delayed.shape[0]):
+        robot.delayed[i].forward = robot.delayed[i].left = robot.delayed[i].turn = 0.0
+    robot.kick_clock = 0.0
+    robot.has_ball = 0
+
+
+@compiled
+def keep_distances(match, robots, k):
+    """Move places until nobody overlaps, opponents keep their distance from the ball and all stand on the pitch.
+
+    All moves of a pass are made at once, so that no robot is favoured by its number.
+    """
+    count = robots.shape[0]
+    move_x, move_y = np.zeros(count), np.zeros(count)
+    for _ in range(PASSES):
+        busy = False
+        for r in range(count):
+            move_x[r], move_y[r] = push_of_others(robots, r, k)
+            busy = busy or move_x[r] != 0.0 or move_y[r] != 0.0
+        for r in range(count):
+            if robots[r].active == 1 and not is_taker(match, robots, r):
+                robots[r].place_x += move_x[r]
+                robots[r].place_y += move_y[r]
+                busy = leave_ball(match, robots[r], k) or busy
+                stay_on_pitch(match, robots[r], k)
+        if not busy:
+            return
+
+
+@compiled
+def push_of_others(robots, r, k):
+    """Return how far the places that overlap with robot r's push it [m, m]."""
+    push_x = push_y = 0.0
+    if robots[r].active == 0:
+        return push_x, push_y
+    apart = 2.0 * k.body_reach + MARGIN
+    for other in range(robots.shape[0]):
+        if other == r or robots[other].active == 0:
+            continue
+        x, y = robots[r].place_x - robots[other].place_x, robots[r].place_y - robots[other].place_y
+        gap = length(x, y)
+        if gap >= apart:
+            continue
+        if gap < 1e-6:
+            x, y, gap = 0.0, 1.0 if r > other else -1.0, 1.0
+            push_y += 0.5 * apart * y
+        else:
+            push_x += 0.55 * (apart - gap) * x / gap
+            push_y += 0.55 * (apart - gap) * y / gap
+    return push_x, push_y
+
+
+@compiled
+def distance_from_ball(match, robot, k):
+    """Return how far a robot has to stay from the ball at the current restart [m]."""
+    if match.phase == DROP_BALL:
+        return k.rules_separation
+    if robot.team == match.restart_team:
+        return k.body_reach + k.ball_radius + 2.0 * MARGIN
+    return k.rules_kick_off_distance if match.phase == KICK_OFF else k.rules_restart_distance
+
+
+@compiled
+def leave_ball(match, robot, k):
+    """Move a place out of the forbidden ring round the ball; tell whether it had to."""
+    far = distance_from_ball(match, robot, k) + k.body_reach
+    x, y = robot.place_x - match.restart_x, robot.place_y - match.restart_y
+    gap = length(x, y)
+    if gap >= far:
+        return False
+    if robot.keeper == 1 and match.phase != DROP_BALL and gap >= k.body_reach + k.ball_radius:
+        return False  # the goalkeeper may stand on its goal line
+    if gap < 1e-6:
+        x, y, gap = -direction_of(match, robot.team), 0.0, 1.0
+    robot.place_x = match.restart_x + x * far / gap
+    robot.place_y = match.restart_y + y * far / gap
+    return True
+
+
+@compiled
+def stay_on_pitch(match, robot, k):
+    """Hold a place on the pitch, and in the own half at a kick-off."""
+    edge_x = 0.5 * k.pitch_length - k.body_reach - MARGIN
+    edge_y = 0.5 * k.pitch_width - k.body_reach - MARGIN
+    robot.place_x = clip(robot.place_x, -edge_x, edge_x)
+    robot.place_y = clip(robot.place_y, -edge_y, edge_y)
+    if match.phase == KICK_OFF:
+        side = direction_of(match, robot.team)
+        robot.place_x = side * min(side * robot.place_x, -k.body_reach)
+
+
+@compiled
+def steer_to_place(robot, k):
+    """Command a robot towards its place, whatever its team asked for."""
+    x, y = robot.place_x - robot.x, robot.place_y - robot.y
+    cosine, sine = cos(robot.heading), sin(robot.heading)
+    ahead, left = cosine * x + sine * y, cosine * y - sine * x
+    turn = wrap(robot.place_heading - robot.heading)
+    if k.drive_sideways <= 0.0:  # a differential base cannot step aside: it turns towards the place first
+        ahead, left, turn = aim_ahead(ahead, left, turn)
+    slow = SLOW_ZONE * k.drive_forward + 1e-9
+    robot.command.forward = clip(ahead / slow, -1.0, 1.0)
+    robot.command.left = clip(left / slow, -1.0, 1.0)
+    robot.command.turn = clip(turn, -1.0, 1.0)
+    robot.command.kick = 0.0
+
+
+@compiled
+def aim_ahead(ahead, left, turn):
+    """Return what a base that cannot step aside should do: face the place, drive, then take up the heading."""
+    distance = length(ahead, left)
+    if distance < ARRIVED:
+        return 0.0, 0.0, turn
+    bearing = atan2(left, ahead)
+    return (distance if abs(bearing) < 0.5 else 0.0), 0.0, bearing
+
+
+@compiled
+def end_placing(match, ball, robots, k):
+    """End the placement when all have arrived or the time is up; tell whether somebody had to be put somewhere."""
+    put_ball(ball, match.restart_x, match.restart_y)
+    arrived = True
+    for r in range(robots.shape[0]):
+        x, y = robots[r].x - robots[r].place_x, robots[r].y - robots[r].place_y
+        if robots[r].active == 1 and length(x, y) > ARRIVED:
+            arrived = False
+    if not arrived and match.phase_clock < k.rules_placing_time:
+        return
+    match.placing = 0
+    match.phase_clock = 0.0
+    for r in range(robots.shape[0]):
+        x, y = robots[r].x - match.restart_x, robots[r].y - match.restart_y
+        too_near = length(x, y) < distance_from_ball(match, robots[r], k)
+        wrong_half = match.phase == KICK_OFF and robots[r].x * direction_of(match, robots[r].team) > 0.0
+        if robots[r].active == 1 and (too_near or wrong_half) and not is_taker(match, robots, r):
+            put_robot(robots[r])
+        elif robots[r].active == 1 and is_taker(match, robots, r) and length(x, y) < k.body_reach:
+            put_robot(robots[r])

@@ -1,0 +1,225 @@
+"""A surface that is drawn too large and shrunk, so that every edge comes out smooth."""
+
+from __future__ import annotations
+
+import importlib
+import os
+from collections.abc import Sequence
+from math import hypot
+from typing import TYPE_CHECKING
+
+from soccer_env.render.colours import Colour
+
+if TYPE_CHECKING:
+    import pygame
+
+FACTOR = 2  # how much too large
+LETTERS_KEPT = 1024  # rendered words in memory
+LEAST_SHRINK = 0.5  # [1] letters are not made smaller than this, to fit
+FAR = 100_000.0  # [px] nothing is drawn farther out, SDL counts in 32-bit integers
+
+Point = tuple[float, float]
+
+
+def require_pygame() -> None:
+    """Import pygame-ce without its greeting; ImportError says how to install it."""
+    os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
+    how = 'pip install "soccer_env[render]"'
+    try:
+        module = importlib.import_module("pygame")
+    except ImportError as error:
+        raise ImportError(f"pictures need pygame-ce, which is not installed: {how}") from error
+    if not getattr(module, "IS_CE", False):
+        raise ImportError(f"pictures need pygame-ce, but the older pygame is installed: pip uninstall pygame; {how}")
+
+
+def new_surface(width: int, height: int, glass: bool = False) -> pygame.Surface:
+    """Return a surface of 32 bits a pixel whatever the display has; `glass` gives it an alpha channel."""
+    import pygame
+
+    return pygame.Surface((width, height), pygame.SRCALPHA if glass else 0, 32)
+
+
+class Letters:
+    """Words as surfaces, in the font that pygame brings along, so that pictures agree between machines."""
+
+    def __init__(self) -> None:
+        self._fonts: dict[int, pygame.font.Font] = {}
+        self._words: dict[tuple[str, int, Colour], pygame.Surface] = {}
+
+    def word(self, text: str, size: int, colour: Colour) -> pygame.Surface:
+        """Return the text as a surface with alpha, `size` pixels high."""
+        import pygame
+
+        key = (text, size, colour)
+        if key not in self._words:
+            if len(self._words) >= LETTERS_KEPT:
+                self._words.clear()
+            try:
+                self._words[key] = self._font(size).render(text, True, colour)
+            except pygame.error:  # someone called pygame.quit(), which ends all fonts
+                self._fonts.clear()
+                self._words[key] = self._font(size).render(text, True, colour)
+        return self._words[key]
+
+    def _font(self, size: int) -> pygame.font.Font:
+        import pygame
+
+        if size not in self._fonts:
+            pygame.font.init()
+            self._fonts[size] = pygame.font.Font(None, size)
+        return self._fonts[size]
+
+
+class Canvas:
+    """Draw in pixels of the small surface; only what was touched is shrunk and cleaned again.
+
+    Coordinates, radii and widths are floats in pixels of `small`, y downwards.
+    """
+
+    def __init__(self, small: pygame.Surface) -> None:
+        self.small = small
+        self.width, self.height = small.get_size()
+        self.large = new_surface(self.width * FACTOR, self.height * FACTOR)
+        self.letters = Letters()
+        self._background: pygame.Surface | None = None
+        self._touched: list[pygame.Rect] = []
+        self._stale: list[pygame.Rect] = []  # touched in the frame before
+
+    def fill(self, colour: Colour) -> None:
+        """Paint everything."""
+        self._touched = [self.large.fill(colour)]
+
+    def polygon(self, points: Sequence[Point], colour: Colour) -> None:
+        """Fill a polygon."""
+        import pygame
+
+        self._touched.append(pygame.draw.polygon(self.large, colour, [enlarge(point) for point in points]))
+
+    def disc(self, centre: Point, radius: float, colour: Colour) -> None:
+        """Fill a disc."""
+        import pygame
+
+        self._touched.append(pygame.draw.circle(self.large, colour, enlarge(centre), radius * FACTOR))
+
+    def ring(self, centre: Point, radius: float, width: float, colour: Colour, quarter: str = "") -> None:
+        """Draw a circle whose line has its middle at the radius; `quarter` keeps one, named as "top left"."""
+        import pygame
+
+        outer, line = (radius + width / 2) * FACTOR, max(1, round(width * FACTOR))
+        if not quarter:
+            rect = pygame.draw.circle(self.large, colour, enlarge(centre), outer, line)
+        else:
+            flag = {f"draw_{quarter.replace(' ', '_')}": True}
+            rect = pygame.draw.circle(self.large, colour, enlarge(centre), outer, line, **flag)
+        self._touched.append(rect)
+
+    def stroke(self, start: Point, end: Point, width: float, colour: Colour) -> None:
+        """Draw a straight line with round ends."""
+        away = hypot(end[0] - start[0], end[1] - start[1])
+        if away > 0.0 and max(map(abs, (*start, *end))) < FAR:
+            x, y = (end[0] - start[0]) / away * width / 2, (end[1] - start[1]) / away * width / 2
+            self.polygon(
+                [
+                    (start[0] - y, start[1] + x),
+                    (end[0] - y, end[1] + x),
+                    (end[0] + y, end[1] - x),
+                    (start[0] + y, start[1] - x),
+                ],
+                colour,
+            )
+        for point in (start, end):
+            self.disc(point, width / 2, colour)
+
+    def box(self, left: float, top: float, width: float, height: float, colour: Colour, rounding: float = 0.0) -> None:
+        """Fill a rectangle, with round corners if asked."""
+        import pygame
+
+        rect = pygame.Rect(round(left * FACTOR), round(top * FACTOR), round(width * FACTOR), round(height * FACTOR))
+        self._touched.append(pygame.draw.rect(self.large, colour, rect, border_radius=round(rounding * FACTOR)))
+
+    def text(
+        self, words: str, place: Point, size: float, colour: Colour, align: str = "centre", room: float = float("inf")
+    ) -> float:
+        """Write words with their middle, left or right end at a place, and return their width.
+
+        Where `room` [px] is too little, letters get smaller by up to half, then words lose their end.
+        """
+        letters = max(6, round(size * FACTOR))
+        image = self.letters.word(words, letters, colour)
+        if image.get_width() > room * FACTOR:
+            letters = max(6, int(letters * max(LEAST_SHRINK, room * FACTOR / image.get_width())))
+            image = self.letters.word(words, letters, colour)
+        while image.get_width() > room * FACTOR and len(words) > 1:
+            words = words[: max(1, min(len(words) - 2, int(len(words) * room * FACTOR / image.get_width())))]
+            image = self.letters.word(f"{words}…", letters, colour)
+        shift = {"left": 0.0, "centre": 0.5, "right": 1.0}[align]
+        x, y = enlarge(place)
+        self._touched.append(self.large.blit(image, (x - shift * image.get_width(), y - image.get_height() * 0.48)))
+        return image.get_width() / FACTOR
+
+    def stamp(self, image: pygame.Surface, centre: Point) -> None:
+        """Put an image of the large size with its middle at a place, alpha blended."""
+        x, y = enlarge(centre)
+        self._touched.append(self.large.blit(image, (x - image.get_width() / 2, y - image.get_height() / 2)))
+
+    def glass(self, points: Sequence[Point], colour: Colour, alpha: int) -> None:
+        """Fill a polygon with a colour that lets the ground shine through, alpha from 0 to 255."""
+        import pygame
+
+        large = [enlarge(point) for point in points]
+        left, top = min(x for x, _ in large), min(y for _, y in large)
+        wide, high = max(x for x, _ in large) - left, max(y for _, y in large) - top
+        if wide > self.large.get_width() or high > self.large.get_height():
+            return
+        pane = new_surface(int(wide) + 2, int(high) + 2, glass=True)
+        pygame.draw.polygon(pane, (*colour, alpha), [(x - left, y - top) for x, y in large])
+        self._touched.append(self.large.blit(pane, (left, top)))
+
+    def keep(self) -> None:
+        """Make what is on the canvas its background."""
+        self._background = self.large.copy()
+        self._stale, self._touched = [], [self.large.get_rect()]
+        self.shrink()
+
+    def clean(self) -> None:
+        """Bring the background back wherever something was drawn since."""
+        if self._background is None:
+            raise RuntimeError("a canvas is cleaned only after keep()")
+        for rect in self._stale:
+            self.large.blit(self._background, rect, rect)
+
+    def shrink(self) -> None:
+        """Bring every touched part onto the small surface."""
+        import pygame
+
+        touched = merged(self._touched, self.large.get_rect())
+        for rect in merged(self._stale + touched, self.large.get_rect()):
+            x, y, width, height = (side // FACTOR for side in rect)
+            part = self.small.subsurface((x, y, width, height))
+            pygame.transform.smoothscale(self.large.subsurface(rect), (width, height), part)
+        self._stale, self._touched = touched, []
+
+
+def enlarge(point: Point) -> Point:
+    """Return a place in pixels of the large surface, held within what SDL can count."""
+    return min(max(point[0], -FAR), FAR) * FACTOR, min(max(point[1], -FAR), FAR) * FACTOR
+
+
+def merged(rects: list[pygame.Rect], bounds: pygame.Rect) -> list[pygame.Rect]:
+    """Return fewer rectangles that cover these, cut to the bounds, on whole pixels of the small surface."""
+    import pygame
+
+    found: list[pygame.Rect] = []
+    for rect in rects:
+        left, top = rect.left // FACTOR * FACTOR, rect.top // FACTOR * FACTOR
+        right, bottom = -(-rect.right // FACTOR) * FACTOR, -(-rect.bottom // FACTOR) * FACTOR
+        whole = pygame.Rect(left, top, right - left, bottom - top).clip(bounds)
+        if whole.width == 0 or whole.height == 0:
+            continue
+        index = whole.collidelist(found)
+        if index < 0:
+            found.append(whole)
+        else:
+            found[index].union_ip(whole)
+    return found

@@ -1,0 +1,105 @@
+"""A picture of a match, drawn from its records alone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isfinite
+
+import numpy as np
+
+from soccer_env.leagues import find_league
+from soccer_env.leagues.league import League
+from soccer_env.render.bench import draw_bench
+from soccer_env.render.canvas import Canvas, Point, new_surface, require_pygame
+from soccer_env.render.colours import TEAM_NAMES
+from soccer_env.render.header import Header, height_of, story_of
+from soccer_env.render.overlays import Overlay
+from soccer_env.render.pitch import Ground
+from soccer_env.render.players import Players, figures_of
+from soccer_env.render.view import view_of
+
+LEAST_WIDTH, MOST_WIDTH = 240, 2560  # [px]
+
+
+class Picture:
+    """Draws frames of one size for one league; no display is needed, and many live side by side.
+
+    A `width` in pixels from 240 to 2560; the height follows from the pitch and is even. `draw` keeps the background and
+    redraws what changed, but a frame depends on nothing except the arguments of its own call.
+    """
+
+    def __init__(self, league: League | str, width: int = 960) -> None:
+        if isinstance(width, bool) or not isinstance(width, (int, np.integer)):
+            raise ValueError(f"width must be a whole number of pixels, got {width!r}")
+        if not LEAST_WIDTH <= width <= MOST_WIDTH:
+            raise ValueError(f"width must be {LEAST_WIDTH} to {MOST_WIDTH} pixels, got {width}")
+        require_pygame()
+        self.league = find_league(league)
+        self.width = int(width)
+        self.view, pitch_height = view_of(self.league.pitch, self.width)
+        self.header_height = height_of(self.width)
+        self.height = self.header_height + pitch_height
+        self._screen = new_surface(self.width, self.height)
+        self._canvas = Canvas(self._screen.subsurface((0, self.header_height, self.width, pitch_height)))
+        self._header = Header(Canvas(self._screen.subsurface((0, 0, self.width, self.header_height))), self.league)
+        self._ground = Ground(self.league.pitch, self.view, self._canvas)
+        self._ground.draw()
+        self._players = Players(self.league, self.view, self._canvas)
+
+    def pixel(self, x: float, y: float) -> Point:
+        """Return column and row of a point of the field frame [m] in the frames."""
+        column, row = self.view.pixel(x, y)
+        return column, row + self.header_height
+
+    def draw(
+        self,
+        match: np.void,
+        ball: np.void,
+        robots: np.ndarray,
+        *,
+        title: tuple[str, str] | None = None,
+        overlays: Sequence[Overlay] = (),
+    ) -> np.ndarray:
+        """Return a new frame, (height, width, 3) uint8, of one match record, its ball and its robots (R,).
+
+        `title` names home and away. ValueError for records of other shapes or a pose that is not finite.
+        """
+        check_records(match, ball, robots)
+        home, away = (name.upper() for name in TEAM_NAMES) if title is None else (one_line(name) for name in title)
+        self._header.draw(story_of(match, robots, (home, away), self.league))
+        self._canvas.clean()
+        self._ground.draw_directions(float(match["home_direction"]))
+        figures = figures_of(robots)
+        for overlay in overlays:
+            if overlay.under:
+                overlay.draw_on(self._canvas, self.view)
+        self._players.draw_robots(figures)
+        draw_bench(figures, self.view, self._canvas)
+        self._players.draw_ball(*(float(ball[name]) for name in ("x", "y", "vx", "vy")))
+        for overlay in overlays:
+            if not overlay.under:
+                overlay.draw_on(self._canvas, self.view)
+        self._canvas.shrink()
+        return self._pixels()
+
+    def _pixels(self) -> np.ndarray:
+        import pygame
+
+        pixels = bytearray(pygame.image.tobytes(self._screen, "RGB"))
+        return np.frombuffer(pixels, np.uint8).reshape(self.height, self.width, 3)
+
+
+def one_line(name: str) -> str:
+    """Return a name that a font can write: one line, no control characters."""
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in name).split())
+
+
+def check_records(match: np.void, ball: np.void, robots: np.ndarray) -> None:
+    """Raise ValueError unless these are one match, one ball and a row of robots, the ball at finite coordinates."""
+    for name, record, dimensions in (("match", match, 0), ("ball", ball, 0), ("robots", robots, 1)):
+        if np.ndim(record) != dimensions:
+            expected = "one record" if dimensions == 0 else "records of shape (R,)"
+            raise ValueError(f"{name} must be {expected}, got shape {np.shape(record)}")
+    for name in ("x", "y", "vx", "vy"):
+        if not isfinite(ball[name]):
+            raise ValueError(f"ball has {name} = {ball[name]}, a picture needs finite numbers")

@@ -1,0 +1,109 @@
+"""Things drawn over a picture in the field frame: what a robot believes, where it plans to go, what pulls at it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import atan2, cos, hypot, sin
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from soccer_env.render.canvas import Canvas
+from soccer_env.render.colours import INK, Colour
+from soccer_env.render.view import View
+
+HEAD_LENGTH = 4.0  # of an arrow, in widths of its line
+
+
+class Overlay(Protocol):
+    """Anything that can draw itself; `under` puts it beneath the robots."""
+
+    @property
+    def under(self) -> bool:
+        """Tell whether it lies beneath robots and ball."""
+
+    def draw_on(self, canvas: Canvas, view: View) -> None:
+        """Draw onto the canvas through the view."""
+
+
+def pairs(name: str, values: ArrayLike) -> list[tuple[float, float]]:
+    """Return points or vectors as a list of pairs; ValueError unless they are finite and of shape (N, 2)."""
+    array = np.asarray(values, dtype=float)
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise ValueError(f"{name} must have shape (N, 2), got {array.shape}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name} must be finite, got {array[~np.isfinite(array).all(axis=1)][0].tolist()}")
+    return [(x, y) for x, y in array.tolist()]
+
+
+@dataclass(frozen=True, eq=False)
+class Points:
+    """Dots with a dark rim, or open circles."""
+
+    xy: ArrayLike  # (N, 2) [m] field frame
+    colour: Colour
+    radius: float = 4.0  # [px]
+    hollow: bool = False
+    under: bool = False
+
+    def draw_on(self, canvas: Canvas, view: View) -> None:
+        """Draw every dot."""
+        for x, y in pairs("Points.xy", self.xy):
+            place = view.pixel(x, y)
+            if self.hollow:
+                canvas.ring(place, self.radius, max(1.5, self.radius / 4), self.colour)
+            else:
+                canvas.disc(place, self.radius + 1.0, INK)
+                canvas.disc(place, self.radius, self.colour)
+
+
+@dataclass(frozen=True, eq=False)
+class Polyline:
+    """A path, closed if asked."""
+
+    xy: ArrayLike  # (N, 2) [m] field frame
+    colour: Colour
+    width: float = 2.5  # [px]
+    closed: bool = False
+    under: bool = False
+
+    def draw_on(self, canvas: Canvas, view: View) -> None:
+        """Draw every piece."""
+        places = [view.pixel(x, y) for x, y in pairs("Polyline.xy", self.xy)]
+        if self.closed and places:
+            places.append(places[0])
+        for start, end in zip(places, places[1:]):
+            canvas.stroke(start, end, self.width, self.colour)
+
+
+@dataclass(frozen=True, eq=False)
+class Arrows:
+    """Arrows, as of a force field."""
+
+    tails: ArrayLike  # (N, 2) [m] field frame
+    vectors: ArrayLike  # (N, 2) [m] from tail to tip, field frame
+    colour: Colour
+    width: float = 2.0  # [px]
+    under: bool = False
+
+    def draw_on(self, canvas: Canvas, view: View) -> None:
+        """Draw every arrow; ValueError when tails and vectors differ in number."""
+        tails, vectors = pairs("Arrows.tails", self.tails), pairs("Arrows.vectors", self.vectors)
+        if len(tails) != len(vectors):
+            raise ValueError(f"Arrows need a vector for each tail, got {len(vectors)} for {len(tails)} tails")
+        for (x, y), (across, up) in zip(tails, vectors):
+            self._draw_arrow(canvas, view.pixel(x, y), view.pixel(x + across, y + up))
+
+    def _draw_arrow(self, canvas: Canvas, tail: tuple[float, float], tip: tuple[float, float]) -> None:
+        length = hypot(tip[0] - tail[0], tip[1] - tail[1])
+        if length < 1.0:
+            return
+        angle = atan2(tip[1] - tail[1], tip[0] - tail[0])
+        head = min(HEAD_LENGTH * self.width, length)
+        neck = (tip[0] - head * cos(angle), tip[1] - head * sin(angle))
+        side = (-sin(angle) * head / 2, cos(angle) * head / 2)
+        canvas.stroke(tail, neck, self.width, self.colour)
+        canvas.polygon(
+            [tip, (neck[0] + side[0], neck[1] + side[1]), (neck[0] - side[0], neck[1] - side[1])], self.colour
+        )

@@ -1,0 +1,248 @@
+"""Robots and ball as seen from above, drawn from their records."""
+
+from __future__ import annotations
+
+from math import ceil, cos, hypot, sin
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from soccer_env.leagues.league import Body, League
+from soccer_env.render import colours
+from soccer_env.render.canvas import FACTOR, Canvas, Point, new_surface
+from soccer_env.render.colours import Colour
+from soccer_env.render.view import View, rounded
+
+if TYPE_CHECKING:
+    import pygame
+
+TRAIL_TIME = 0.25  # [s] of the ball's way behind it
+TRAIL_SPEED = 0.15  # [m/s] slower balls leave no trail
+TRAIL_PIECES = 5
+TRAIL_ALPHA = 170  # of 255, next to the ball
+LEAST_BALL = 4.0  # [px] radius
+KICK_SHOWN = 0.2  # [s] after a kick
+HIND_LEG = ((-0.105, 0.055), (-0.055, 0.055), 0.0175)  # [m] from, to, radius; of the ERS-210, for the eye
+NECK = 0.082  # [m] where the head turns, ahead of the origin, for the eye
+HEAD = (  # [m] discs of the head: ahead of the neck, to the left, radius; for the eye
+    (0.036, 0.0, 0.033),  # skull
+    (0.056, 0.0, 0.022),  # snout
+    (0.069, 0.0, 0.008),  # nose
+    (0.014, 0.031, 0.012),  # ears
+    (0.014, -0.031, 0.012),
+)
+
+
+class Figure(NamedTuple):
+    """The fields of a robot record that are drawn, as plain numbers."""
+
+    x: float
+    y: float
+    heading: float
+    pan: float
+    team: int
+    number: int
+    keeper: int
+    active: int
+    has_ball: int
+    fallen: float
+    penalty: float
+    kick_clock: float
+
+
+def figures_of(robots: np.ndarray) -> list[Figure]:
+    """Return the robots of shape (R,) as plain numbers; ValueError names a robot whose pose is not finite."""
+    for name in ("x", "y", "heading", "pan"):
+        bad = np.flatnonzero(~np.isfinite(robots[name]))
+        if len(bad):
+            raise ValueError(f"robot {bad[0]} has {name} = {robots[name][bad[0]]}, a picture needs finite numbers")
+    return [Figure(*row) for row in zip(*(robots[name].tolist() for name in Figure._fields))]
+
+
+class Part(NamedTuple):
+    """A piece of a robot in its own frame [m]: the outline with a rim, and the outline itself."""
+
+    rim: list[Point]
+    outline: list[Point]
+    role: str
+
+
+def parts_of(body: Body, rim: float, walks: bool) -> list[Part]:
+    """Return the pieces of a robot, the lowest first, with rims of that width [m]."""
+    root = min(body.front - body.tip_radius, body.tip_x)
+    pieces: list[tuple[list[Point], float, str]] = []
+    for side in (-1.0, 1.0):
+        inner = (root, side * body.tip_y) if walks else (body.disc_x + 0.5 * body.disc_radius, side * 0.6 * body.tip_y)
+        pieces.append(([inner, (body.tip_x, side * body.tip_y)], body.tip_radius, "tip"))
+    if body.corners:
+        pieces.append((list(body.corners), 0.0, "body"))
+    if walks:
+        (start, y), (end, _), radius = HIND_LEG
+        pieces += [([(start, side * y), (end, side * y)], radius, "leg") for side in (-1.0, 1.0)]
+    return [Part(rounded(corners, radius + rim), rounded(corners, radius), role) for corners, radius, role in pieces]
+
+
+class Players:
+    """Draws robots and ball through a view onto a canvas."""
+
+    def __init__(self, league: League, view: View, canvas: Canvas) -> None:
+        self.league, self.view, self.canvas = league, view, canvas
+        body = league.body
+        self.walks = league.head.pan_limit > 0.0
+        self.rim = max(1.2, 0.006 * view.scale)  # [px]
+        self.parts = parts_of(body, self.rim / view.scale, self.walks)
+        self.keeper_rim = 2.4 * self.rim  # [px]
+        self.keeper_parts = parts_of(body, self.keeper_rim / view.scale, self.walks)
+        self.keeper_edges = parts_of(body, (self.keeper_rim + 1.0) / view.scale, self.walks)
+        self.shadow = soft_shadow(1.25 * body.reach * view.scale)
+        half = league.kicker.half_width
+        depth = 0.14 * body.front
+        self.kicker = [(body.front - depth, -half), (body.front, -half), (body.front, half), (body.front - depth, half)]
+        self.nose = [
+            (0.50 * body.front, -0.42 * body.front),
+            (0.84 * body.front, 0.0),
+            (0.50 * body.front, 0.42 * body.front),
+        ]
+        self.number_x = -0.03 if self.walks else body.disc_x - 0.22 * body.disc_radius
+        self.number_size = max(13.0, (0.11 if self.walks else 0.32) * view.scale)
+
+    def draw_robots(self, figures: list[Figure]) -> None:
+        """Draw the robots that play, then what marks them."""
+        playing = [figure for figure in figures if figure.active and self._in_sight(figure)]
+        for figure in playing:
+            x, y = self.view.pixel(figure.x, figure.y)
+            self.canvas.stamp(self.shadow, (x + 1.5, y + 2.5))
+        for figure in playing:
+            if self.walks:
+                self._draw_walker(figure)
+            else:
+                self._draw_base(figure)
+            self._draw_number(figure)
+        for figure in playing:
+            self._draw_marks(figure)
+
+    def draw_ball(self, x: float, y: float, vx: float, vy: float) -> None:
+        """Draw the ball, with a trail of where it was a moment ago if it is fast."""
+        radius = max(self.league.ball.radius * self.view.scale, LEAST_BALL)
+        if hypot(vx, vy) > TRAIL_SPEED:
+            self._draw_trail(x, y, vx, vy, radius)
+        centre_x, centre_y = self.view.pixel(x, y)
+        self.canvas.disc((centre_x + 1.0, centre_y + 2.0), radius + 1.0, colours.INK)
+        self.canvas.disc((centre_x, centre_y), radius + 1.0, colours.BALL_EDGE)
+        self.canvas.disc((centre_x, centre_y), radius, colours.BALL)
+        self.canvas.disc((centre_x - 0.35 * radius, centre_y - 0.35 * radius), 0.22 * radius, colours.BALL_SHINE)
+
+    def _draw_trail(self, x: float, y: float, vx: float, vy: float, radius: float) -> None:
+        speed = hypot(vx, vy)
+        across, up = -vy / speed * radius / self.view.scale, vx / speed * radius / self.view.scale
+        for piece in range(TRAIL_PIECES):
+            corners = []
+            for edge, sides in ((piece / TRAIL_PIECES, (1.0, -1.0)), ((piece + 1) / TRAIL_PIECES, (-1.0, 1.0))):
+                back_x, back_y, thin = x - edge * TRAIL_TIME * vx, y - edge * TRAIL_TIME * vy, 0.9 * (1.0 - edge)
+                corners += [self.view.pixel(back_x + side * thin * across, back_y + side * thin * up) for side in sides]
+            self.canvas.glass(corners, colours.BALL, round(TRAIL_ALPHA * (1.0 - piece / TRAIL_PIECES)))
+
+    def _in_sight(self, figure: Figure) -> bool:
+        x, y = self.view.pixel(figure.x, figure.y)
+        reach = 2.0 * self.league.body.reach * self.view.scale
+        return -reach < x < self.canvas.width + reach and -reach < y < self.canvas.height + reach
+
+    def _pixels(self, points: list[Point], figure: Figure) -> list[Point]:
+        return self.view.pixels(points, figure.x, figure.y, figure.heading)
+
+    def _kicks(self, figure: Figure) -> bool:
+        """Tell whether a kick is being wound up or has just been made."""
+        recharge = self.league.kicker.recharge
+        return figure.kick_clock > 0.0 or (recharge > 0.0 and figure.kick_clock < -max(0.0, recharge - KICK_SHOWN))
+
+    def _draw_parts(self, figure: Figure, tip: Colour) -> None:
+        """Draw trunk and what holds the ball, a goalkeeper's trunk with a wide yellow rim."""
+        team = colours.TEAMS[figure.team]
+        fills = {"tip": tip, "body": faded(team) if figure.fallen > 0.0 else team, "leg": darker(team)}
+        for part, wide, edge in zip(self.parts, self.keeper_parts, self.keeper_edges):
+            if part.role == "body" and figure.keeper:
+                self.canvas.polygon(self._pixels(edge.rim, figure), colours.INK)
+                self.canvas.polygon(self._pixels(wide.rim, figure), colours.KEEPER)
+            elif part.role != "leg":
+                self.canvas.polygon(self._pixels(part.rim, figure), colours.INK)
+            self.canvas.polygon(self._pixels(part.outline, figure), fills[part.role])
+
+    def _draw_walker(self, figure: Figure) -> None:
+        """Draw a four-legged robot: forepaws, trunk, hind legs and a head that shows its pan."""
+        self._draw_parts(figure, colours.AMBER if self._kicks(figure) else colours.PAW)
+        ahead, aside = cos(figure.pan), sin(figure.pan)
+        places = [(NECK + along * ahead - across * aside, along * aside + across * ahead) for along, across, *_ in HEAD]
+        rounds = [
+            (place, radius * self.view.scale) for place, (_, _, radius) in zip(self._pixels(places, figure), HEAD)
+        ]
+        skull, snout, nose, *ears = rounds
+        for place, radius in (*ears, skull, snout):
+            self.canvas.disc(place, radius + self.rim, colours.INK)
+        for place, radius in (skull, snout):
+            self.canvas.disc(place, radius, colours.TEAMS_PALE[figure.team])
+        self.canvas.disc(nose[0], max(1.2, nose[1]), colours.INK)
+
+    def _draw_base(self, figure: Figure) -> None:
+        """Draw a round robot: guide, base, kicker, and a nose that shows its heading."""
+        self._draw_parts(figure, colours.STEEL)
+        body, scale = self.league.body, self.view.scale
+        centre = self._pixels([(body.disc_x, 0.0)], figure)[0]
+        radius = body.disc_radius * scale
+        if figure.keeper:
+            self.canvas.disc(centre, radius + self.keeper_rim + 1.0, colours.INK)
+            self.canvas.disc(centre, radius + self.keeper_rim, colours.KEEPER)
+        self.canvas.disc(centre, radius + (0.0 if figure.keeper else 0.5 * self.rim), colours.CHASSIS)
+        team = colours.TEAMS[figure.team]
+        self.canvas.disc(centre, radius - 1.6 * self.rim, faded(team) if figure.fallen > 0.0 else team)
+        self.canvas.polygon(self._pixels(self.kicker, figure), colours.AMBER if self._kicks(figure) else colours.STEEL)
+        self.canvas.polygon(self._pixels(self.nose, figure), colours.WHITE)
+
+    def _draw_number(self, figure: Figure) -> None:
+        place = self._pixels([(self.number_x, 0.0)], figure)[0]
+        self.canvas.text(str(figure.number), place, self.number_size, colours.WHITE)
+
+    def _draw_marks(self, figure: Figure) -> None:
+        """Mark the robot that has the ball, the goalkeeper, and one that fell."""
+        x, y = self.view.pixel(figure.x, figure.y)
+        reach = self.league.body.reach * self.view.scale
+        if figure.has_ball:
+            width = max(2.5, 0.1 * reach)
+            self.canvas.ring((x, y), 1.3 * reach + width, width + 2.0, colours.INK)
+            self.canvas.ring((x, y), 1.3 * reach + width, width, colours.BALL)
+        if figure.keeper:
+            radius = max(6.0, 0.2 * reach)
+            away = 0.7 * (reach + radius)
+            place = (x + away, y - away)
+            self.canvas.disc(place, radius + 1.0, colours.INK)
+            self.canvas.disc(place, radius, colours.KEEPER)
+            self.canvas.text("K", place, 1.75 * radius, colours.INK)
+        if figure.fallen > 0.0:
+            self._draw_tag(f"fallen {ceil(figure.fallen)} s", (x, y + 1.15 * reach), max(11.0, 0.4 * reach))
+
+    def _draw_tag(self, words: str, place: Point, size: float) -> None:
+        wide = 0.52 * size * len(words) + size
+        self.canvas.box(place[0] - wide / 2, place[1] - 0.62 * size, wide, 1.24 * size, colours.AMBER, 0.4 * size)
+        self.canvas.text(words, place, size, colours.INK, room=wide - 0.3 * size)
+
+
+def soft_shadow(radius: float) -> pygame.Surface:
+    """Return a round shadow that fades out at the radius [px], for `Canvas.stamp`."""
+    import pygame
+
+    large = int(radius * FACTOR)
+    image = new_surface(2 * large, 2 * large, glass=True)
+    steps = 24
+    for step in range(steps):
+        near = step / steps  # from the edge inwards; each disc replaces what it covers
+        pygame.draw.circle(image, (0, 0, 0, round(90 * near * near)), (large, large), large * (1.0 - near))
+    return image
+
+
+def faded(colour: Colour) -> Colour:
+    """Return the colour half way to grey."""
+    return tuple((part + grey) // 2 for part, grey in zip(colour, colours.GREY))  # type: ignore[return-value]
+
+
+def darker(colour: Colour) -> Colour:
+    """Return the colour in shade."""
+    return tuple(part * 7 // 10 for part in colour)  # type: ignore[return-value]

@@ -1,0 +1,97 @@
+"""A window that shows frames, in real time if asked."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from soccer_env.render.canvas import require_pygame
+from soccer_env.render.sheet import check_frame
+
+if TYPE_CHECKING:
+    import pygame
+
+
+class Window:
+    """Opens at the first frame; several can be open at once.
+
+    `fps` is how many frames a second to show, None as fast as they come. When the user closes the window (or presses
+    Escape) it stays closed: `show` then does nothing and returns False.
+    """
+
+    def __init__(self, caption: str = "soccer_env", fps: float | None = None) -> None:
+        if fps is not None and not 0.0 < fps <= 1000.0:
+            raise ValueError(f"fps must be above 0 and at most 1000, got {fps}")
+        require_pygame()
+        self.caption = caption
+        self.fps = fps
+        self.closed_by_user = False
+        self._window: pygame.Window | None = None
+        self._due = 0.0  # [s] of the performance counter: when the next frame may be shown
+
+    @property
+    def is_open(self) -> bool:
+        """Tell whether a window is on the screen."""
+        return self._window is not None
+
+    def show(self, frame: np.ndarray) -> bool:
+        """Show a frame (H, W, 3) uint8 when its time has come; return False once the user has closed the window."""
+        import pygame
+
+        check_frame(frame)
+        if self.closed_by_user:
+            return False
+        size = (frame.shape[1], frame.shape[0])
+        image = pygame.image.frombuffer(np.ascontiguousarray(frame).tobytes(), size, "RGB")
+        self._wait()
+        try:
+            self._flip(image)
+        except pygame.error:  # someone called pygame.quit(), which ends all windows
+            self._window = None
+            self._flip(image)
+        self._pump()
+        return not self.closed_by_user
+
+    def close(self) -> None:
+        """Close the window; a later frame opens a new one unless the user closed it. Safe to repeat."""
+        if self._window is not None:
+            self._window.destroy()
+            self._window = None
+        self._due = 0.0
+
+    def _wait(self) -> None:
+        """Sleep until the frame is due; a late one moves the beat and is not caught up."""
+        if self.fps is None:
+            return
+        now = time.perf_counter()
+        if now < self._due:
+            time.sleep(self._due - now)
+        self._due = max(self._due, now) + 1.0 / self.fps
+
+    def _flip(self, image: pygame.Surface) -> None:
+        """Put the image into the window, which opens or takes its size if need be."""
+        import pygame
+
+        if self._window is None:
+            pygame.display.init()
+            self._window = pygame.Window(self.caption, image.get_size())
+        elif self._window.size != image.get_size():
+            self._window.size = image.get_size()
+        self._window.get_surface().blit(image, (0, 0))
+        self._window.flip()
+
+    def _pump(self) -> None:
+        """Take this window's events off the queue and leave those of others."""
+        import pygame
+
+        for event in pygame.event.get((pygame.QUIT, pygame.WINDOWCLOSE, pygame.KEYDOWN)):
+            escape = event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE
+            mine = getattr(event, "window", None) is self._window
+            if event.type == pygame.QUIT or (mine and (escape or event.type == pygame.WINDOWCLOSE)):
+                self.closed_by_user = True
+            elif not mine:
+                pygame.event.post(event)
+        if self.closed_by_user:
+            self.close()

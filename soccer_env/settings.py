@@ -1,0 +1,178 @@
+"""The settings of a match, checked: every name resolved, every number in range."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field, is_dataclass, replace
+from math import inf, isfinite
+from typing import Any
+
+import numpy as np
+
+from soccer_env.actions import ActionKind
+from soccer_env.leagues import find_league
+from soccer_env.leagues.league import PLACEMENTS, League, Rules
+from soccer_env.observations import OBSERVE
+from soccer_env.rewards import Rewards, find_rewards
+from soccer_env.scenes import SUCCESS, Scene, find_scene
+from soccer_env.types import MAX_TEAM
+
+EPISODES = ("match", "goal", "drill")
+AUTORESETS = ("next_step", "same_step", "off")
+SENSES = ("ideal",)  # "sensors" comes with the perception layer
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What a Match follows from, beside its seeds and actions."""
+
+    league: League
+    home: int
+    away: int
+    max_players: int  # room for players a side in `state()`
+    padded: bool  # True: both teams have max_players rows, those too many inactive
+    observe: Any
+    senses: str
+    actions: ActionKind
+    scene: Scene
+    episode: str
+    rewards: Rewards
+    placement: str
+    keeper: int
+    minutes: float | None
+    action_repeat: int
+    max_cycles: int | None
+    autoreset: str
+    teams: Mapping[str, str] = field(default_factory=dict)  # agent id -> name of its team
+
+    @property
+    def rows(self) -> tuple[int, int]:
+        """Return how many rows the robots of home and of away take."""
+        return (self.max_players, self.max_players) if self.padded else (self.home, self.away)
+
+    @property
+    def half_length(self) -> float:
+        """Return the length of a half [s]; inf where no clock ends the episode."""
+        if self.minutes is not None:
+            return 30.0 * self.minutes
+        return 60.0 * self.league.rules.half_minutes if self.episode == "match" else inf
+
+    @property
+    def limit(self) -> int:
+        """Return the control steps after which an episode is truncated."""
+        return np.iinfo(np.int64).max if self.max_cycles is None else self.max_cycles * self.action_repeat
+
+    def constants(self) -> np.ndarray:
+        """Return the (1,) record of numbers for compiled code."""
+        record = self.league.constants()
+        record["drive_placement"] = self.placement == "drive"
+        record["end_at_goal"] = self.episode == "goal"
+        if self.episode == "drill":
+            record["drill"], record["drill_time"] = SUCCESS[self.scene.success], self.scene.time_limit
+        return record
+
+    def describe(self) -> dict[str, Any]:
+        """Return the settings as plain values, for reports and files."""
+        return {name: plain(getattr(self, name)) for name in self.__dataclass_fields__}
+
+    def fingerprint(self) -> str:
+        """Return a hash of everything that a match's future depends on."""
+        relevant = {name: value for name, value in self.describe().items() if name not in ("observe", "autoreset")}
+        return hashlib.sha256(json.dumps(relevant, sort_keys=True).encode()).hexdigest()[:16]
+
+
+def plain(value: Any) -> Any:
+    """Return a value as something that JSON can hold."""
+    if is_dataclass(value) and not isinstance(value, type):
+        return {name: plain(part) for name, part in vars(value).items()}
+    if isinstance(value, Mapping):
+        return {str(name): plain(part) for name, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(part) for part in value]
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value if not (isinstance(value, float) and not isfinite(value)) else str(value)
+    return f"{getattr(value, '__module__', '')}.{getattr(value, '__qualname__', type(value).__qualname__)}"
+
+
+def whole_number(name: str, value: Any, low: int, high: int) -> int:
+    """Return a whole number in a range; ValueError names it and the range."""
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not low <= value <= high:
+        raise ValueError(f"{name} must be {low} to {high}, got {value!r}")
+    return int(value)
+
+
+def one_of(name: str, value: Any, choices: tuple[str, ...]) -> str:
+    """Return one of the choices; ValueError names them."""
+    if not isinstance(value, str) or value not in choices:
+        raise ValueError(f"{name} must be one of {', '.join(choices)}, got {value!r}")
+    return value
+
+
+def check_senses(senses: Any) -> str:
+    """Return how beliefs are filled; a mapping by team is accepted."""
+    for value in senses.values() if isinstance(senses, Mapping) else (senses,):
+        one_of("senses", value, SENSES)
+    if isinstance(senses, Mapping) and not set(senses) <= {"home", "away"}:
+        raise ValueError(f"senses by team must have the keys home and away, got {sorted(senses)}")
+    return "ideal"
+
+
+def find_rules(league: League, rules: Any) -> League:
+    """Return the league with the rule set asked for."""
+    if isinstance(rules, Rules):
+        return replace(league, rules=rules)
+    if rules != "league":
+        raise ValueError(f"unknown rules {rules!r}; known: league, or a Rules object")
+    return league
+
+
+def check_observe(observe: Any) -> Any:
+    """Return what observations are built from: a name, or an object with `names` that can be called with a match."""
+    if callable(observe) and hasattr(observe, "names"):
+        return observe
+    return one_of("observe", observe, OBSERVE)
+
+
+def check_minutes(minutes: float | None) -> float | None:
+    """Return the minutes of play, or None for the episode's own."""
+    if minutes is None:
+        return None
+    if isinstance(minutes, bool) or not isinstance(minutes, (int, float)) or not (isfinite(minutes) and minutes > 0):
+        raise ValueError(f"minutes must be above zero, got {minutes!r}")
+    return float(minutes)
+
+
+def make_settings(
+    league: str | League, *, home: int | None, away: int | None, max_players: int | None = None, observe: Any = "truth",
+    senses: Any = "ideal", actions: str = "box", scene: str | Scene = "kick-off", episode: str = "match",
+    rules: Any = "league", rewards: str | Rewards = "default", placement: str = "instant", keeper: int = 0,
+    minutes: float | None = None, action_repeat: int = 1, max_cycles: int | None = None, autoreset: str = "off",
+    variation: Any = None,
+) -> Settings:
+    """Check every setting and return them; ValueError names the setting, the value and what is allowed."""
+    found = find_rules(find_league(league), rules)
+    home = whole_number("home", found.team_size if home is None else home, 1, MAX_TEAM)
+    away = whole_number("away", found.team_size if away is None else away, 1, MAX_TEAM)
+    largest = max(home, away)
+    if variation is not None:
+        raise ValueError(f"variation must be None: domain randomisation is not built yet, got {variation!r}")
+    if max_cycles is not None:
+        max_cycles = whole_number("max_cycles", max_cycles, 1, 2**40)
+    found_scene = find_scene(scene)
+    one_of("episode", episode, EPISODES)
+    if episode == "drill" and found_scene.success == "none":
+        raise ValueError(f"episode 'drill' needs a scene with a success test, and {found_scene.name!r} has none")
+    return Settings(
+        league=found, home=home, away=away,
+        max_players=whole_number("max_players", largest if max_players is None else max_players, largest, MAX_TEAM),
+        padded=max_players is not None, observe=check_observe(observe), senses=check_senses(senses), actions=ActionKind(actions), scene=found_scene,
+        episode=episode, rewards=find_rewards(rewards), placement=one_of("placement", placement, PLACEMENTS),
+        keeper=whole_number("keeper", keeper, 0, MAX_TEAM - 1), minutes=check_minutes(minutes),
+        action_repeat=whole_number("action_repeat", action_repeat, 1, 1000), max_cycles=max_cycles,
+        autoreset=one_of("autoreset", autoreset, AUTORESETS),
+    )
+
+
+__all__ = ["AUTORESETS", "EPISODES", "SENSES", "Settings", "make_settings"]

@@ -1,0 +1,234 @@
+"""One control step of a slice of matches, from commands to observations, in compiled code.
+
+    commands -> drive -> physics -> referee -> restart -> rewards -> observe
+
+The whole step of one match runs before the next match begins, so that its records stay in the cache. Rewards come after the restart:
+goals are read from the events, and shaping looks at the state that the next observation shows.
+"""
+
+from __future__ import annotations
+
+from math import ceil
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length, wrap
+from soccer_env.observations import observe_truth
+from soccer_env.physics.ball import hold, limit_speed, slow_down
+from soccer_env.physics.chipmunk import step_match, write_bodies
+from soccer_env.physics.contacts import find_collisions, find_touches
+from soccer_env.physics.drive import drive, move_head
+from soccer_env.physics.kicker import holds_ball, work_kicker
+from soccer_env.referee.calls import judge
+from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
+from soccer_env.rewards import measure_potentials, reward_robots
+from soccer_env.scenes import judge_drill
+from soccer_env.types import NO_TEAM
+
+
+@compiled
+def step_slice(matches, balls, robots, events, robot_events, links, bodies, velocities, constants, weights, terms, rewards,
+               observations, terminated, truncated, limit, first, last):
+    """Step the matches first, ..., last - 1; return the first whose physics broke down, or -1."""
+    k, weight = constants[0], weights[0]
+    before, after, scratch = np.empty((2, 2)), np.empty((2, 2)), np.empty((robots.shape[1], 2))
+    broken = -1
+    for m in range(first, last):
+        if matches[m].over == 1:
+            stand_still(events[m], robot_events[m], terms[m], rewards[m])
+            continue
+        substeps = begin_step(matches[m], balls[m], robots[m], events[m], robot_events[m], velocities[m], k, terms[m], before)
+        step_match(links, m, substeps, k.dt)
+        if not is_finite(bodies[m], robots.shape[1] + 1):
+            broken = m if broken < 0 else broken
+            continue
+        if finish_step(matches[m], balls[m], robots[m], events[m], robot_events[m], bodies[m], velocities[m], k):
+            write_bodies(links, m)
+        end_step(matches[m], balls[m], robots[m], events[m], k, weight, before, after, terms[m], rewards[m],
+                 observations[m], scratch)
+        terminated[m] = matches[m].over == 1
+        truncated[m] = not terminated[m] and (matches[m].step >= limit or out_of_time(matches[m], k))
+    return broken
+
+
+@compiled
+def begin_step(match, ball, robots, events, robot_events, velocities, k, terms, before):
+    """Do what comes before the physics: drive, kicks, friction; return the number of substeps."""
+    clear_events(events, robot_events)
+    terms[:] = 0.0
+    measure_potentials(match, ball, robots, k, before)
+    for r in range(robots.shape[0]):
+        robot = robots[r]
+        if match.placing == 1:
+            steer_to_place(robot, k)
+        drive(robot, k, match.step, match.handedness)
+        work_kicker(robot, robot_events[r], k, ball, match.handedness)
+        move_head(robot, k, ball)
+        robot.fallen = max(robot.fallen - k.dt, 0.0)
+        robot.penalty = max(robot.penalty - k.dt, 0.0)
+    if match.placing == 1:
+        hold(ball)
+    slow_down(ball, k, 0.5 * k.dt)
+    write_twists(ball, robots, velocities)
+    return count_substeps(ball, robots, k)
+
+
+@compiled
+def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k):
+    """Do what comes after the physics: read back, referee, restarts; tell whether bodies were put elsewhere."""
+    read_records(ball, robots, bodies)
+    knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
+    slow_down(ball, k, 0.5 * k.dt)
+    limit_speed(ball, k)
+    toucher = find_touches(ball, robots, robot_events, k, knock_x, knock_y)
+    find_collisions(robots, robot_events, k)
+    match.step += 1
+    moved = match.placing == 1
+    if match.placing == 1:
+        end_placing(match, ball, robots, k)
+    judge(match, ball, robots, events, k, toucher if toucher >= 0 else kicked_by(robot_events))
+    judge_drill(match, ball, events, k)
+    if events.restart != 0 and match.over == 0:
+        carry_out_restart(match, ball, robots, k, k.drive_placement)
+        moved = True
+    for r in range(robots.shape[0]):
+        robots[r].has_ball = 1 if robots[r].active == 1 and holds_ball(robots[r], k, ball.x, ball.y) else 0
+        robot_events[r].possession = robots[r].has_ball
+    if moved:
+        write_rows(ball, robots, bodies)
+    return moved
+
+
+@compiled
+def end_step(match, ball, robots, events, k, weight, before, after, terms, rewards, observations, scratch):
+    """Reward and observe."""
+    measure_potentials(match, ball, robots, k, after)
+    reward_robots(robots, events, before, after, weight, terms, rewards)
+    if observations.shape[1] > 0:
+        observe_truth(match, ball, robots, observations, k, scratch)
+
+
+@compiled
+def stand_still(events, robot_events, terms, rewards):
+    """Let nothing happen to a match that is over."""
+    clear_events(events, robot_events)
+    terms[:] = 0.0
+    rewards[:] = 0.0
+
+
+@compiled
+def out_of_time(match, k):
+    """Tell whether a drill's time is up."""
+    return k.drill != 0 and match.step * k.dt >= k.drill_time - 0.5 * k.dt
+
+
+@compiled
+def clear_events(events, robot_events):
+    """Forget the events of the last step."""
+    events.goal = events.restart_team = events.touch_team = NO_TEAM
+    events.scorer = -1
+    events.out = events.restart = events.in_play = events.stuck = 0
+    events.half_time = events.final_whistle = events.drill = 0
+    for r in range(robot_events.shape[0]):
+        event = robot_events[r]
+        event.touch = event.kick = event.possession = event.collision = 0
+
+
+@compiled
+def kicked_by(robot_events):
+    """Return the row of the robot that kicked in this step, or -1."""
+    for r in range(robot_events.shape[0]):
+        if robot_events[r].kick == 1:
+            return r
+    return -1
+
+
+@compiled
+def count_substeps(ball, robots, k):
+    """Return how many substeps the fastest body needs, so that none travels too far in one."""
+    fastest = length(ball.vx, ball.vy)
+    for r in range(robots.shape[0]):
+        robot = robots[r]
+        fastest = max(fastest, length(robot.vx, robot.vy) + abs(robot.omega) * k.body_reach)
+    wanted = int(ceil(fastest * k.dt / k.substeps_travel))
+    return min(max(wanted, k.substeps_least), k.substeps_most)
+
+
+@compiled
+def write_twists(ball, robots, velocities):
+    """Copy the velocities of ball and robots into the rows that the physics is given."""
+    velocities[0, 0], velocities[0, 1], velocities[0, 2] = ball.vx, ball.vy, ball.spin
+    for r in range(robots.shape[0]):
+        velocities[r + 1, 0], velocities[r + 1, 1] = robots[r].vx, robots[r].vy
+        velocities[r + 1, 2] = robots[r].omega
+
+
+@compiled
+def read_records(ball, robots, bodies):
+    """Copy what the physics says into the records."""
+    ball.x, ball.y, ball.angle = bodies[0, 0], bodies[0, 1], wrap(bodies[0, 2])
+    ball.vx, ball.vy, ball.spin = bodies[0, 3], bodies[0, 4], bodies[0, 5]
+    for r in range(robots.shape[0]):
+        robot = robots[r]
+        robot.x, robot.y, robot.heading = bodies[r + 1, 0], bodies[r + 1, 1], wrap(bodies[r + 1, 2])
+        robot.vx, robot.vy, robot.omega = bodies[r + 1, 3], bodies[r + 1, 4], bodies[r + 1, 5]
+
+
+@compiled
+def write_rows(ball, robots, bodies):
+    """Copy poses and velocities into the rows from which the physics is put elsewhere."""
+    bodies[0, 0], bodies[0, 1], bodies[0, 2] = ball.x, ball.y, ball.angle
+    bodies[0, 3], bodies[0, 4], bodies[0, 5] = ball.vx, ball.vy, ball.spin
+    for r in range(robots.shape[0]):
+        robot = robots[r]
+        bodies[r + 1, 0], bodies[r + 1, 1], bodies[r + 1, 2] = robot.x, robot.y, robot.heading
+        bodies[r + 1, 3], bodies[r + 1, 4], bodies[r + 1, 5] = robot.vx, robot.vy, robot.omega
+
+
+@compiled
+def is_finite(bodies, count):
+    """Tell whether all numbers of the first `count` bodies are finite."""
+    total = 0.0
+    for row in range(count):
+        for column in range(6):
+            total += bodies[row, column] - bodies[row, column]
+    return total == 0.0
+
+
+@compiled
+def begin_slice(matches, balls, robots, events, robot_events, velocities, constants, terms, rewards, before, substeps,
+                first, last):
+    """Do the part of a step before the physics, for physics that Python steps: `before` (M, 2, 2), `substeps` (M,)."""
+    for m in range(first, last):
+        substeps[m] = 0
+        if matches[m].over == 1:
+            stand_still(events[m], robot_events[m], terms[m], rewards[m])
+            continue
+        substeps[m] = begin_step(
+            matches[m], balls[m], robots[m], events[m], robot_events[m], velocities[m], constants[0], terms[m], before[m]
+        )
+
+
+@compiled
+def finish_slice(matches, balls, robots, events, robot_events, bodies, velocities, constants, weights, terms, rewards,
+                 observations, terminated, truncated, limit, before, substeps, moved, first, last):
+    """Do the part after the physics; `moved` (M,) marks the matches whose bodies have to be written back."""
+    k, weight = constants[0], weights[0]
+    after, scratch = np.empty((2, 2)), np.empty((robots.shape[1], 2))
+    broken = -1
+    for m in range(first, last):
+        moved[m] = False
+        if substeps[m] == 0:
+            continue
+        if not is_finite(bodies[m], robots.shape[1] + 1):
+            broken = m if broken < 0 else broken
+            continue
+        moved[m] = finish_step(
+            matches[m], balls[m], robots[m], events[m], robot_events[m], bodies[m], velocities[m], k
+        )
+        end_step(matches[m], balls[m], robots[m], events[m], k, weight, before[m], after, terms[m], rewards[m],
+                 observations[m], scratch)
+        terminated[m] = matches[m].over == 1
+        truncated[m] = not terminated[m] and (matches[m].step >= limit or out_of_time(matches[m], k))
+    return broken

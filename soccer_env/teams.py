@@ -1,0 +1,164 @@
+"""What a team is, and the registry of named teams.
+
+A team decides from beliefs alone. It is a protocol: anything with `name`, `memory_dtype` and `act` plays. The shipped teams also offer a
+compiled `kernel`, which a match runs without Python between its steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+from importlib.metadata import entry_points
+from typing import Any, Protocol, runtime_checkable
+
+import numpy as np
+
+from soccer_env.leagues.league import League
+from soccer_env.random_numbers import mix
+from soccer_env.types import RobotStream
+
+NAMES = {  # strings only: resolved at first use
+    "still": "soccer_env.baselines.still:team",
+    "random": "soccer_env.baselines.random:team",
+    "chaser": "soccer_env.baselines.chaser:team",
+}
+ENTRY_POINTS = "soccer_env.teams"
+TEAM_STREAM = int(RobotStream.TEAM)
+
+
+@dataclass(frozen=True)
+class View:
+    """What the P players of a team may know, in M matches: beliefs (M, P), tracks (M, P, slots), see `types`."""
+
+    league: League
+    beliefs: np.ndarray
+    tracks: np.ndarray
+
+    @property
+    def ball(self) -> np.ndarray:
+        """Return each player's belief about the ball (M, P), robot frame."""
+        return self.beliefs["ball"]
+
+    @property
+    def own(self) -> np.ndarray:
+        """Return each player's belief about its own pose (M, P), team frame: own goal at -x."""
+        return self.beliefs["own"]
+
+    @property
+    def situation(self) -> np.ndarray:
+        """Return what each player may know of the game (M, P)."""
+        return self.beliefs["situation"]
+
+    def stand(self) -> np.ndarray:
+        """Return commands (M, P, 7) that let every player stand: forward, left, turn, kick, head, pan, tilt."""
+        commands = np.zeros((*self.beliefs.shape, 7))
+        commands[..., 4] = -1.0  # the head tracks the ball by itself
+        return commands
+
+
+class TeamRandom:
+    """Random numbers of a team's players, out of streams that the match owns, saves and hashes."""
+
+    def __init__(self, states: np.ndarray, players: np.ndarray) -> None:
+        self._states, self._players = states, players
+
+    def uniform(self, low: float = 0.0, high: float = 1.0) -> np.ndarray:
+        """Draw one number from [low, high) for each player (M, P)."""
+        from soccer_env.random_numbers import GOLDEN, TO_UNIT
+
+        states = self._states[:, self._players, TEAM_STREAM] + GOLDEN
+        self._states[:, self._players, TEAM_STREAM] = states
+        return low + (high - low) * ((mix_array(states) >> np.uint64(11)).astype(np.float64) * TO_UNIT)
+
+
+def mix_array(states: np.ndarray) -> np.ndarray:
+    """Return `random_numbers.mix` of each of an array of states."""
+    python = getattr(mix, "py_func", mix)
+    with np.errstate(over="ignore"):
+        mixed: np.ndarray = python(states)
+    return mixed
+
+
+@runtime_checkable
+class Team(Protocol):
+    """A team. `act` sees the view of its own players and returns commands (M, P, 4) or (M, P, 7) in [-1, 1]."""
+
+    name: str
+    memory_dtype: np.dtype
+
+    def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
+        """Return the commands of all players; memory (M, P) of `memory_dtype` is the team's to change."""
+        ...
+
+
+@dataclass(frozen=True)
+class CompiledTeam:
+    """A shipped team: a kernel that decides for all its players in a slice of matches.
+
+    kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last), all arrays of the whole match;
+    `settings` is the team's own (1,) record.
+    """
+
+    name: str
+    kernel: Callable[..., None]
+    memory_dtype: np.dtype
+    settings: np.ndarray
+    leagues: tuple[str, ...] = ()  # names a league has to begin with; empty: all
+
+    def check_league(self, league: League) -> None:
+        """Raise ValueError if the team does not play this league."""
+        if self.leagues and not league.name.startswith(self.leagues):
+            raise ValueError(f"team {self.name!r} plays {', '.join(self.leagues)}, not {league.name}")
+
+    def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
+        """Return the commands (M, P, 7) of all players, as the match would have the kernel make them."""
+        from soccer_env.types import COMMAND
+
+        players = np.arange(view.beliefs.shape[1])
+        commands = np.zeros(view.beliefs.shape, COMMAND)
+        noise = np.ascontiguousarray(rng._states[:, rng._players])
+        self.kernel(view.beliefs, view.tracks, memory, noise, commands, players, view.league.constants(), self.settings,
+                    0, len(commands))
+        rng._states[:, rng._players] = noise
+        return np.stack([commands[name] for name in COMMAND.names or ()], axis=-1)
+
+
+def registered() -> dict[str, str]:
+    """Return the names of all known teams and where they are made, those of installed packages included."""
+    found = {point.name: point.value for point in entry_points(group=ENTRY_POINTS)}
+    return {**found, **NAMES}
+
+
+def team_names() -> list[str]:
+    """Return the names of all known teams."""
+    return list(registered())
+
+
+def parse_team(text: str) -> tuple[str, float]:
+    """Split NAME or NAME@STRENGTH; ValueError for a strength outside 0 to 1."""
+    name, _, strength = text.partition("@")
+    try:
+        number = float(strength) if "@" in text else 1.0
+    except ValueError:
+        number = -1.0
+    if not 0.0 <= number <= 1.0:
+        raise ValueError(f"strength of team {text!r} must be a number from 0 to 1, got {strength!r}")
+    return name, number
+
+
+def make_team(team: str | Team, strength: float | None = None, **settings: Any) -> Team:
+    """Return the team of a name (NAME or NAME@STRENGTH), or the team itself; ValueError says which names exist."""
+    if not isinstance(team, str):
+        if not (callable(getattr(team, "act", None)) and hasattr(team, "memory_dtype")):
+            raise ValueError(f"a team needs name, memory_dtype and act, got {team!r}")
+        return team
+    name, from_name = parse_team(team)
+    if strength is not None:
+        name, from_name = parse_team(f"{name}@{strength}")
+    known = registered()
+    if name not in known:
+        raise ValueError(f"unknown team {name!r}; known: {', '.join(known)}")
+    module, _, attribute = known[name].partition(":")
+    made: Team = getattr(import_module(module), attribute)(strength=from_name, **settings)
+    return made

@@ -1,0 +1,246 @@
+"""Every record of a match: its fields with unit and frame.
+
+A match is plain data. Each dtype here is declared once and is fixed: team size lives in the axes of the arrays, never
+in a dtype (a dtype that grows would compile every kernel again). Frames are those of the package:
+
+* field frame: origin at the centre spot, x towards the goal that away defends in the first half, y to the left,
+  heading counter-clockwise in (-pi, pi];
+* team frame: the field frame turned so that the team's own goal lies at -x and the opponent's at +x;
+* robot frame: x forward, y left; a bearing is an angle in it, 0 straight ahead.
+
+SI units and radians everywhere. Integers are used for flags and codes, so that a record has no padding surprises.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+import numpy as np
+
+MAX_TEAM = 11  # players a side that a match has room for, at most
+MAX_DELAY_STEPS = 12  # control steps of actuation delay that a robot record has room for
+NOISE_STREAMS = 16  # room for named noise streams in each match and robot record
+NO_TEAM = -1
+HOME = 0
+AWAY = 1
+
+
+class Phase(IntEnum):
+    """Phases of play; a restart phase lasts until the ball is in play again."""
+
+    PLAY = 0
+    KICK_OFF = 1
+    THROW_IN = 2
+    GOAL_KICK = 3
+    CORNER_KICK = 4
+    DROP_BALL = 5
+    FREE_KICK = 6  # filled by the foul rules of a later version
+    PENALTY_KICK = 7  # filled by the foul rules of a later version
+    OVER = 8
+
+
+class MatchStream(IntEnum):
+    """Named noise streams of a match record: a new one takes a free number and never shifts the others."""
+
+    PLACEMENT = 0
+    REFEREE = 1
+    SCENE = 2
+    VARIATION = 3
+
+
+class RobotStream(IntEnum):
+    """Named noise streams of a robot record."""
+
+    SLIP = 0
+    KICK = 1
+    TEAM = 2
+    PLACEMENT = 3
+
+
+COMMAND = np.dtype(
+    [
+        ("forward", "f8"),  # [-1, 1] of the league's top speed ahead
+        ("left", "f8"),  # [-1, 1] of the league's top speed to the left
+        ("turn", "f8"),  # [-1, 1] of the league's top turn rate, counter-clockwise
+        ("kick", "f8"),  # (0, 1] strength of a kick; 0 or less: no kick
+        ("head", "f8"),  # below 0: the head tracks the ball by itself; else pan and tilt below are obeyed
+        ("pan", "f8"),  # [-1, 1] of the pan limit, left positive
+        ("tilt", "f8"),  # [-1, 1]: -1 the lowest, 1 the highest tilt
+    ]
+)
+
+WALK = np.dtype(
+    [
+        ("forward", "f8"),  # [m/s] robot frame
+        ("left", "f8"),  # [m/s] robot frame
+        ("turn", "f8"),  # [rad/s]
+    ]
+)
+
+MATCH = np.dtype(
+    [
+        ("seed", "u8"),  # what the whole match follows from
+        ("episode", "i8"),  # episodes begun with this seed, the first is 0
+        ("step", "i8"),  # control steps since the reset
+        ("clock", "f8"),  # [s] of play in this half
+        ("half_length", "f8"),  # [s] of a half; inf: the match has no end of its own
+        ("half", "i8"),  # 0 first, 1 second
+        ("over", "i8"),  # 1 once the episode has ended
+        ("phase", "i8"),  # a Phase
+        ("phase_clock", "f8"),  # [s] since the phase began
+        ("placing", "i8"),  # 1 while robots drive to their places and the ball is held
+        ("restart_team", "i8"),  # who takes the restart: HOME, AWAY or NO_TEAM
+        ("restart_x", "f8"),  # [m] field frame: where the ball was put at the last restart
+        ("restart_y", "f8"),  # [m] field frame
+        ("kick_off_team", "i8"),  # who took the first kick-off
+        ("home_direction", "f8"),  # +1: home attacks +x, -1: home attacks -x
+        ("score", "i8", (2,)),  # goals of home, of away
+        ("last_touch_team", "i8"),  # HOME, AWAY or NO_TEAM
+        ("last_touch_robot", "i8"),  # row of the robot that touched the ball last, or -1
+        ("still_clock", "f8"),  # [s] that the ball has stayed near the still point
+        ("still_x", "f8"),  # [m] field frame: the still point
+        ("still_y", "f8"),  # [m] field frame
+        ("handedness", "f8"),  # +1; -1 mirrors each lateral noise draw (for symmetry tests)
+        ("noise", "u8", (NOISE_STREAMS,)),  # state of each MatchStream
+    ]
+)
+
+BALL = np.dtype(
+    [
+        ("x", "f8"),  # [m] field frame
+        ("y", "f8"),  # [m] field frame
+        ("vx", "f8"),  # [m/s] field frame
+        ("vy", "f8"),  # [m/s] field frame
+        ("roll_x", "f8"),  # [m/s] field frame: speed at which the ball would roll without sliding
+        ("roll_y", "f8"),  # [m/s] field frame
+        ("angle", "f8"),  # [rad] about the vertical, for the physics alone
+        ("spin", "f8"),  # [rad/s] about the vertical
+    ]
+)
+
+ROBOT = np.dtype(
+    [
+        ("x", "f8"),  # [m] field frame
+        ("y", "f8"),  # [m] field frame
+        ("heading", "f8"),  # [rad] field frame, (-pi, pi]
+        ("vx", "f8"),  # [m/s] field frame
+        ("vy", "f8"),  # [m/s] field frame
+        ("omega", "f8"),  # [rad/s]
+        ("team", "i8"),  # HOME or AWAY
+        ("number", "i8"),  # 0 ... within the team
+        ("keeper", "i8"),  # 1 for the goalkeeper
+        ("active", "i8"),  # 0: sent off or padding, parked off the field
+        ("command", COMMAND),  # what was asked in this step, clipped
+        ("delayed", WALK, (MAX_DELAY_STEPS,)),  # [m/s, rad/s] walk requests on their way to the legs or wheels
+        ("target", WALK),  # [m/s, rad/s] robot frame: the walk that the gait or the wheels now aim at
+        ("walk", WALK),  # [m/s, rad/s] robot frame: the walk after acceleration limits, before slip
+        ("slip", WALK),  # [1] factors on the walk during this gait step
+        ("gait_phase", "i8"),  # control steps since the gait step began
+        ("pan", "f8"),  # [rad] head, left positive
+        ("tilt", "f8"),  # [rad] head, up positive
+        ("kick_clock", "f8"),  # [s] left of a wind-up (negative: left of the recharge, as -s); 0 ready
+        ("kick_strength", "f8"),  # (0, 1] of the kick being wound up
+        ("has_ball", "i8"),  # 1: the ball lies in the pocket or at the kicker
+        ("fallen", "f8"),  # [s] left on the ground; 0 upright
+        ("penalty", "f8"),  # [s] left of a penalty; 0 none
+        ("place_x", "f8"),  # [m] field frame: its place at the current restart
+        ("place_y", "f8"),  # [m] field frame
+        ("place_heading", "f8"),  # [rad] field frame
+        ("noise", "u8", (NOISE_STREAMS,)),  # state of each RobotStream
+    ]
+)
+
+SITUATION = np.dtype(
+    [  # what a player may know of the game
+        ("phase", "i8"),  # a Phase
+        ("ours", "f8"),  # +1 our restart, -1 theirs, 0 neither
+        ("placing", "i8"),  # 1 while robots are driven to their places
+        ("phase_clock", "f8"),  # [s] since the phase began
+        ("seconds_left", "f8"),  # [s] of play to the final whistle; inf without an end
+        ("goals_for", "i8"),
+        ("goals_against", "i8"),
+        ("number", "i8"),  # own number
+        ("keeper", "i8"),  # 1: I am the goalkeeper
+        ("active", "i8"),  # 0: I am sent off
+        ("penalty", "f8"),  # [s] left of my penalty
+        ("teammates", "i8"),  # active team-mates, without me
+        ("opponents", "i8"),  # active opponents
+    ]
+)
+
+OWN_POSE = np.dtype(
+    [
+        ("x", "f8"),  # [m] team frame
+        ("y", "f8"),  # [m] team frame
+        ("heading", "f8"),  # [rad] team frame
+        ("forward", "f8"),  # [m/s] robot frame
+        ("left", "f8"),  # [m/s] robot frame
+        ("turn", "f8"),  # [rad/s]
+        ("confidence", "f8"),  # [0, 100]
+    ]
+)
+
+BALL_BELIEF = np.dtype(
+    [
+        ("distance", "f8"),  # [m] latest (raw) estimate
+        ("bearing", "f8"),  # [rad] robot frame
+        ("filtered_distance", "f8"),  # [m]
+        ("filtered_bearing", "f8"),  # [rad]
+        ("x", "f8"),  # [m] robot frame, best estimate
+        ("y", "f8"),  # [m] robot frame
+        ("vx", "f8"),  # [m/s] velocity over the ground, in the axes of the robot frame
+        ("vy", "f8"),  # [m/s]
+        ("radial", "f8"),  # [m/s] rate of the distance as the moving robot sees it
+        ("angular", "f8"),  # [rad/s] rate of the bearing as the moving, turning robot sees it
+        ("confidence", "f8"),  # [0, 100]
+        ("age", "f8"),  # [s] since it was seen
+        ("held", "i8"),  # 1: it lies in my pocket or at my kicker
+    ]
+)
+
+TRACK = np.dtype(
+    [  # what a robot believes about one other player; slots of team-mates come first, then opponents
+        ("present", "i8"),  # 1: the slot is in use
+        ("teammate", "i8"),  # 1 team-mate, 0 opponent
+        ("keeper", "i8"),  # 1: the goalkeeper of its team
+        ("number", "i8"),  # the player's number, -1 unknown
+        ("distance", "f8"),  # [m]
+        ("bearing", "f8"),  # [rad] robot frame
+        ("x", "f8"),  # [m] robot frame
+        ("y", "f8"),  # [m] robot frame
+        ("vx", "f8"),  # [m/s] velocity over the ground, in the axes of the robot frame
+        ("vy", "f8"),  # [m/s]
+        ("heading", "f8"),  # [rad] robot frame
+        ("confidence", "f8"),  # [0, 100]
+        ("age", "f8"),  # [s] since it was seen
+    ]
+)
+
+BELIEF = np.dtype([("own", OWN_POSE), ("ball", BALL_BELIEF), ("situation", SITUATION)])
+
+EVENTS = np.dtype(
+    [  # what happened to a match in this step
+        ("goal", "i8"),  # the team that scored, or NO_TEAM
+        ("scorer", "i8"),  # row of the robot that touched the ball last before the goal, or -1
+        ("out", "i8"),  # 1: the whole ball left the field of play
+        ("restart", "i8"),  # the Phase of a restart called in this step, or 0
+        ("restart_team", "i8"),  # who takes it, or NO_TEAM
+        ("in_play", "i8"),  # 1: a restart was taken or its time ran out
+        ("stuck", "i8"),  # 1: the referee called a stuck ball
+        ("half_time", "i8"),  # 1: the first half ended
+        ("final_whistle", "i8"),  # 1: the match ended
+        ("touch_team", "i8"),  # who touched the ball in this step, or NO_TEAM; both: the nearer
+        ("ball_x", "f8"),  # [m] field frame: the ball before any restart moved it
+        ("ball_y", "f8"),  # [m] field frame
+        ("drill", "i8"),  # +1 the drill succeeded, -1 it failed, 0 undecided
+    ]
+)
+
+ROBOT_EVENTS = np.dtype(
+    [  # what happened to a robot in this step
+        ("touch", "i8"),  # 1: touched the ball
+        ("kick", "i8"),  # 1: a kick reached the ball
+        ("possession", "i8"),  # 1: the ball lay in its pocket or at its kicker
+        ("collision", "i8"),  # 1: touched another robot
+    ]
+)

@@ -1,0 +1,260 @@
+"""Both ways of driving Chipmunk give the same bits, and neither touches memory that is not its own."""
+
+import copy
+import os
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pymunk
+import pytest
+
+from soccer_env.compiled import compiled
+from soccer_env.physics import chipmunk
+from soccer_env.physics.chipmunk import step_match
+from soccer_env.physics.space_batch import SpaceBatch, default_way
+
+ROBOTS = 6
+BODIES = ROBOTS + 1
+HALF_LENGTH, HALF_WIDTH = 1.0, 0.7  # [m] small, so that there is always contact
+DT = 0.02  # [s]
+
+
+def fill_space(seed, polygons=False):
+    """Return a Space with seven walls, six robots and a ball, placed at random."""
+    space = pymunk.Space()
+    space.collision_slop = 0.001
+    for start, end in walls():
+        wall = pymunk.Segment(space.static_body, start, end, 0.02)
+        wall.elasticity, wall.friction = 0.5, 0.4
+        space.add(wall)
+    rng = np.random.default_rng(seed)
+    for r in range(BODIES):
+        radius, mass = (0.1, 2.0) if r < ROBOTS else (0.05, 0.2)
+        body = pymunk.Body(mass, pymunk.moment_for_circle(mass, 0.0, radius))
+        body.position = tuple(rng.uniform(-0.8, 0.8, 2) * (HALF_LENGTH, HALF_WIDTH))
+        body.angle = rng.uniform(-3.0, 3.0)
+        box = polygons and r < ROBOTS
+        shape = pymunk.Poly.create_box(body, (0.25, 0.15), 0.01) if box else pymunk.Circle(body, radius)
+        shape.elasticity, shape.friction = 0.4, 0.5
+        space.add(body, shape)
+    return space
+
+
+def walls():
+    x, y = HALF_LENGTH, HALF_WIDTH
+    corners = [(-x, -y), (x, -y), (x, y), (-x, y)]
+    goal = [((-x, 0.3), (-x + 0.1, 0.3)), ((x, 0.3), (x - 0.1, 0.3)), ((-x, -0.3), (-x + 0.1, -0.3))]
+    return list(zip(corners, corners[1:] + corners[:1], strict=True)) + goal
+
+
+def fill_batch(matches, way=None, polygons=False):
+    batch = SpaceBatch(matches, BODIES, way)
+    for m in range(matches):
+        batch.set_space(m, fill_space(m, polygons))
+    return batch
+
+
+def command(batch, rng):
+    """Drive all robots at random, mostly towards the middle, and let the ball roll."""
+    bodies, velocities = batch.bodies[:, :BODIES], batch.velocities[:, :BODIES]
+    velocities[:] = bodies[:, :, 3:]
+    velocities[:, :ROBOTS, :2] = rng.uniform(-1.0, 1.0, (len(bodies), ROBOTS, 2)) - bodies[:, :ROBOTS, :2]
+    velocities[:, :ROBOTS, 2] = rng.uniform(-4.0, 4.0, (len(bodies), ROBOTS))
+    return rng.integers(2, 9, len(bodies))  # substeps
+
+
+@pytest.mark.parametrize("polygons", [False, True])
+def test_both_ways_agree_bit_for_bit_over_10000_match_steps(polygons):
+    ways = [fill_batch(10, way, polygons) for way in ("c", "batch")]
+    rngs = [np.random.default_rng(1) for _ in ways]
+    knocks = 0
+    for step in range(1000):
+        for batch, rng in zip(ways, rngs, strict=True):
+            batch.step_all(DT, command(batch, rng))
+            if step % 100 == 99:  # somebody puts things elsewhere, and the ball to the middle
+                batch.bodies[step // 100, :BODIES, :3] *= 0.9
+                batch.bodies[step // 100, ROBOTS, :2] = 0.0
+                batch.write_bodies(step // 100)
+        assert ways[0].bodies.tobytes() == ways[1].bodies.tobytes(), step
+        knocks += np.count_nonzero(ways[0].bodies[:, :ROBOTS, 3:5] != ways[0].velocities[:, :ROBOTS, :2]) / 2
+    assert knocks > 20000  # of 60,000: rich in contact
+
+
+@pytest.mark.parametrize("way", ["c", "batch"])
+def test_body_attributes_agree_with_the_rows(way):
+    batch = fill_batch(1, way)
+    bodies = list(batch.spaces[0].bodies)
+    batch.step_all(DT, command(batch, np.random.default_rng(2)))
+    rows = [[*body.position, body.angle, *body.velocity, body.angular_velocity] for body in bodies]
+    assert batch.bodies[0, :BODIES].tolist() == rows
+    assert not batch.bodies[0, BODIES:].any()
+    batch.bodies[0, 2] = 0.5, -0.25, 1.5, 0.125, 2.0, -3.0
+    batch.write_bodies(0)
+    body = bodies[2]
+    assert (*body.position, body.angle, *body.velocity, body.angular_velocity) == (0.5, -0.25, 1.5, 0.125, 2.0, -3.0)
+
+
+@pytest.mark.parametrize("way", ["c", "batch"])
+def test_writing_back_what_was_read_changes_nothing(way):
+    kept, rewritten = (fill_batch(2, way, polygons=True) for _ in range(2))
+    rngs = [np.random.default_rng(3) for _ in range(2)]
+    for _ in range(200):
+        for batch, rng in zip((kept, rewritten), rngs, strict=True):
+            batch.step_all(DT, command(batch, rng))
+        rewritten.write_bodies(0)
+        rewritten.write_bodies(1)
+    assert kept.bodies.tobytes() == rewritten.bodies.tobytes()
+
+
+@pytest.mark.parametrize("way", ["c", "batch"])
+def test_walls_stay_where_they_are_and_have_no_speed(way):
+    batch = fill_batch(1, way)
+    static = batch.spaces[0].static_body
+    for _ in range(100):
+        batch.step_all(DT, command(batch, np.random.default_rng(4)))
+        batch.write_bodies(0)
+    assert (*static.position, static.angle, *static.velocity, static.angular_velocity) == (0.0,) * 6
+
+
+@pytest.mark.parametrize("way", ["c", "batch"])
+def test_two_threads_play_what_one_plays(way):
+    alone, shared = fill_batch(40, way), fill_batch(40, way)
+    rngs = [np.random.default_rng(5) for _ in range(2)]
+    with ThreadPoolExecutor(2) as pool:
+        for _ in range(100):
+            alone.step_all(DT, command(alone, rngs[0]))
+            substeps = command(shared, rngs[1])
+            halves = [pool.submit(shared.step_slice, DT, substeps, first, first + 20) for first in (0, 20)]
+            for half in halves:
+                half.result()
+    assert alone.bodies.tobytes() == shared.bodies.tobytes()
+
+
+@compiled
+def drive_and_step(links, velocities, bodies, m, speed):
+    for r in range(velocities.shape[1] - 3):
+        velocities[m, r, 0] = speed - bodies[m, r, 0]
+        velocities[m, r, 1] = -bodies[m, r, 1]
+    step_match(links, m, 4, 0.02)
+    return bodies[m, 0, 0]
+
+
+def test_a_kernel_can_write_step_and_read_in_one_call():
+    inside, outside = fill_batch(2, "c"), fill_batch(2, "c")
+    for _ in range(50):
+        x = drive_and_step(inside.links, inside.velocities, inside.bodies, 1, 0.3)
+        outside.velocities[1, :BODIES, 0] = 0.3 - outside.bodies[1, :BODIES, 0]
+        outside.velocities[1, :BODIES, 1] = -outside.bodies[1, :BODIES, 1]
+        outside.step_slice(DT, 4, 1, 2)
+        assert x == outside.bodies[1, 0, 0]
+    assert inside.bodies.tobytes() == outside.bodies.tobytes()
+
+
+def test_a_body_at_1_m_per_s_is_2_cm_further_after_20_ms():
+    batch = SpaceBatch(1, 1)
+    space = pymunk.Space()
+    space.add(pymunk.Body(1.0, 1.0))  # no static body: Chipmunk visits this one only
+    batch.set_space(0, space)
+    batch.velocities[0, 0] = 1.0, 0.0, 0.5
+    batch.step_all(DT, 4)
+    assert batch.bodies[0, 0] == pytest.approx([0.02, 0.0, 0.01, 1.0, 0.0, 0.5])
+    before = batch.bodies.copy()
+    batch.step_all(DT, 0)
+    assert (batch.bodies == before).all()
+
+
+RESETS = """
+import gc, resource, sys
+sys.path[:0] = [{root!r}, {tests!r}]
+import numpy as np
+from test_chipmunk import BODIES, DT, command, fill_space
+from soccer_env.physics.space_batch import SpaceBatch
+def play(resets):
+    for k in range(resets):
+        batch.set_space(k % 4, fill_space(k, polygons=k % 2 == 1))
+        batch.step_all(DT, command(batch, rng))
+        batch.write_bodies(k % 4)
+        assert np.isfinite(batch.bodies).all()
+    gc.collect()
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss  # [KiB]
+batch, rng = SpaceBatch(4, BODIES, {way!r}), np.random.default_rng(0)
+for m in range(4):
+    batch.set_space(m, fill_space(m))
+before = play(300)
+print(play(1000) - before)
+"""
+
+
+@pytest.mark.parametrize("way", ["c", "batch"])
+@pytest.mark.skipif(sys.platform != "linux", reason="MALLOC_PERTURB_ is glibc's")
+def test_a_thousand_resets_neither_crash_nor_leak_with_freed_memory_overwritten(way):
+    root, tests = Path(chipmunk.__file__).parents[2], Path(__file__).parent
+    code = RESETS.format(root=str(root), tests=str(tests), way=way)
+    environment = os.environ | {"MALLOC_PERTURB_": "165"}
+    done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    assert int(done.stdout) < 4096  # [KiB] a Space is about 60
+
+
+def test_an_unknown_library_means_the_batch_way_and_a_warning(monkeypatch):
+    assert chipmunk.layout_fits()
+    monkeypatch.setitem(chipmunk.C_FUNCTIONS, "step", "cpNoSuchFunction")
+    assert not chipmunk.layout_fits()
+    default_way.cache_clear()
+    with pytest.warns(RuntimeWarning, match="slower"):
+        assert default_way() == "batch"
+    default_way.cache_clear()
+
+
+def test_another_platform_takes_the_c_way_only_after_a_test(monkeypatch):
+    monkeypatch.setattr("platform.machine", lambda: "riscv64")
+    default_way.cache_clear()
+    assert default_way() == "c"
+    answers = iter((b"this", b"that"))
+    monkeypatch.setattr("soccer_env.physics.space_batch._collision", lambda way: next(answers))
+    default_way.cache_clear()
+    assert default_way() == "batch"
+    default_way.cache_clear()
+
+
+@pytest.mark.parametrize("way", ["c", "batch"])
+def test_what_would_crash_or_mislead_is_refused(way):
+    batch = SpaceBatch(2, BODIES, way)
+    with pytest.raises(ValueError, match="no Space yet"):
+        batch.step_all(DT, 4)
+    with pytest.raises(ValueError, match="7 dynamic bodies"):
+        batch.set_space(0, pymunk.Space())
+    kinematic = fill_space(0)
+    next(iter(kinematic.bodies)).body_type = pymunk.Body.KINEMATIC
+    with pytest.raises(ValueError, match="dynamic"):
+        batch.set_space(0, kinematic)
+    sleepy = fill_space(0)
+    sleepy.sleep_time_threshold = 0.5
+    with pytest.raises(ValueError, match="sleep"):
+        batch.set_space(0, sleepy)
+    with pytest.raises(ValueError, match="dt"):
+        batch.step_all(float("nan"), 4)
+    with pytest.raises(ValueError, match="slice"):
+        batch.step_slice(DT, 4, 0, 3)
+    with pytest.raises(TypeError, match="addresses"):
+        copy.deepcopy(batch)
+    with pytest.raises(ValueError, match="way"):
+        SpaceBatch(1, 1, "fast")
+
+
+def test_the_c_way_works_without_the_compiler():
+    code = """
+from test_chipmunk import fill_batch, command, DT
+import numpy as np
+c, batch = fill_batch(2, "c"), fill_batch(2, "batch")
+for _ in range(5):
+    for b in (c, batch):
+        b.step_all(DT, command(b, np.random.default_rng(0)))
+assert c.bodies.tobytes() == batch.bodies.tobytes()
+"""
+    root, tests = Path(chipmunk.__file__).parents[2], Path(__file__).parent
+    environment = os.environ | {"NUMBA_DISABLE_JIT": "1", "PYTHONPATH": f"{root}{os.pathsep}{tests}"}
+    subprocess.run([sys.executable, "-c", code], env=environment, check=True, timeout=60)

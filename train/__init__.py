@@ -1,0 +1,1 @@
+"""Train, evaluate and compare teams, from Python or with the command `soccer`."""

@@ -1,0 +1,79 @@
+"""Files that survive a crash: written whole or not at all, or line by line with a torn last line dropped."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+
+def write_whole(path: Path, content: str | bytes) -> None:
+    """Write a file so that readers see the old or the new content and nothing between, also after a power failure."""
+    data = content.encode() if isinstance(content, str) else content
+    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    try:
+        with temporary.open("wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(temporary, path)
+    except BaseException:
+        temporary.unlink(missing_ok=True)
+        raise
+    _sync_folder(path.parent)
+
+
+def append_lines(path: Path, records: Iterable[dict[str, Any]]) -> None:
+    """Append one line of JSON for each record and wait until they are on the disk."""
+    with path.open("ab") as file:
+        for record in records:
+            file.write(json.dumps(record).encode() + b"\n")
+            file.flush()
+        os.fsync(file.fileno())
+
+
+def read_lines(path: Path) -> list[dict[str, Any]]:
+    """Return the records of a file of JSON lines, cutting off a last line that a crash tore; [] without a file.
+
+    Any other line that is not JSON is a ValueError: the file was edited or the disk is broken.
+    """
+    if not path.exists():
+        return []
+    content = path.read_bytes()
+    complete, records = 0, []
+    lines = content.splitlines(keepends=True)
+    for number, line in enumerate(lines, 1):
+        record = _parse(line)
+        if record is None:
+            if number < len(lines):
+                raise ValueError(f"{path}, line {number}: not a record: {line[:60]!r}")
+            break
+        records.append(record)
+        complete += len(line)
+    if complete < len(content):
+        os.truncate(path, complete)
+    return records
+
+
+def _parse(line: bytes) -> dict[str, Any] | None:
+    """Return the record of a line, None unless it is complete."""
+    if not line.endswith(b"\n"):
+        return None
+    try:
+        record = json.loads(line)
+    except ValueError:
+        return None
+    return record if isinstance(record, dict) else None
+
+
+def _sync_folder(folder: Path) -> None:
+    """Make a rename in a folder last; where folders cannot be opened (Windows) there is nothing to do."""
+    if os.name != "posix":
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)

@@ -1,0 +1,174 @@
+"""The settings of an evaluation: what the command line reads, and the conditions that follow from them.
+
+The help of `soccer evaluate` is the text beside each field here.
+"""
+
+from __future__ import annotations
+
+import shlex
+from dataclasses import dataclass, fields
+from math import isfinite
+from pathlib import Path
+from typing import Literal
+
+from soccer_env.leagues.league import PLACEMENTS, League
+from soccer_env.types import MAX_TEAM
+
+SENSES = ("ideal", "sensors")
+FULL = "full"  # minutes: the league's own length of a match
+
+
+@dataclass(frozen=True)
+class EvaluateSettings:
+    """Play one team against another and say how sure the result is.
+
+    Half as many seeds as matches are drawn; each is played twice, the teams changing sides. Results are from the side of
+    --home; intervals (95 %) are bootstraps over the pairs. The same settings give the same result, match by match,
+    whatever --threads is. A run that was stopped goes on where it was when the same command is given again.
+    """
+
+    league: str = "legged-2001"
+    """League to play in; `soccer list leagues` names them."""
+    home: str = "chaser"
+    """The team whose result this is: a name, NAME@STRENGTH such as chaser@0.5, or the path of a policy file."""
+    away: str = "random"
+    """The team it plays against, written like --home."""
+    matches: int = 20
+    """Number of matches, even: one pair for each seed."""
+    minutes: float | Literal["full"] | None = None
+    """Minutes of play in a match, both halves together; `full` for the league's own, None for 10 (legged) or 4."""
+    players: int | str | None = None
+    """Players a side, 1 to 11; 3v5 gives --home 3 and --away 5; None for the league's own number."""
+    seed: int = 0
+    """Seed from which the seeds of all matches follow, 0 or more."""
+    threads: int = 1
+    """Threads that share the matches; the result does not depend on them."""
+    senses: str = "ideal"
+    """What fills the teams' beliefs: ideal (the truth) or sensors; home=ideal,away=sensors for one each."""
+    observe: str = "truth"
+    """What a learned team's observations are built from: truth, percepts or belief."""
+    scene: str = "kick-off"
+    """Start of each match; `soccer list scenes` names them."""
+    placement: Literal["instant", "drive"] | None = None
+    """How robots reach their places at a restart; None for the league's choice in evaluations."""
+    out: Path | None = None
+    """Folder for matches.jsonl, result.json and report.md; without it nothing is written."""
+    picture: bool = False
+    """Draw the first match as a sheet of pictures, match.png in --out (needs pygame-ce)."""
+    at_least: float | None = None
+    """End with exit code 1 if --home's points (draws count half) are below this share of the matches, 0 to 1."""
+
+    def __post_init__(self) -> None:
+        whole("matches", self.matches, 2)
+        if self.matches % 2:
+            raise ValueError(f"matches must be even (each seed is played twice, sides swapped), got {self.matches}")
+        whole("seed", self.seed, 0)
+        whole("threads", self.threads, 1)
+        if self.minutes is not None and self.minutes != FULL:
+            if not (is_number(self.minutes) and 0.0 < float(self.minutes) < 10_000.0):
+                raise ValueError(f"minutes must be above 0 and below 10000, or {FULL!r}, got {self.minutes!r}")
+        if self.placement not in (None, *PLACEMENTS):
+            raise ValueError(f"placement must be one of {', '.join(PLACEMENTS)}, got {self.placement!r}")
+        if self.at_least is not None and not (is_number(self.at_least) and 0.0 <= self.at_least <= 1.0):
+            raise ValueError(f"at_least must be 0 to 1, got {self.at_least!r}")
+        if self.picture and self.out is None:
+            raise ValueError("picture needs a folder to stand in: give out as well")
+        split_players(self.players, 1)
+        split_senses(self.senses)
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """What decides the result of an evaluation, worked out: no None, no names of defaults."""
+
+    league: str
+    home: str
+    away: str
+    matches: int
+    minutes: float  # of play, both halves together
+    players: tuple[int, int]  # of the first team (home), of the second (away)
+    seed: int
+    senses: tuple[str, str]  # of the first team, of the second
+    observe: str
+    scene: str
+    placement: str
+
+    @property
+    def sizes(self) -> str:
+        """Return the team sizes as "3v3"."""
+        return f"{self.players[0]}v{self.players[1]}"
+
+    @property
+    def senses_text(self) -> str:
+        """Return the senses as the settings write them."""
+        first, second = self.senses
+        return first if first == second else f"home={first},away={second}"
+
+
+def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
+    """Fill in what the settings leave to the league."""
+    minutes = settings.minutes
+    if minutes is None:
+        minutes = league.evaluation_minutes
+    elif minutes == FULL:
+        minutes = 2.0 * league.rules.half_minutes
+    return Conditions(
+        league=league.name,
+        home=settings.home,
+        away=settings.away,
+        matches=settings.matches,
+        minutes=float(minutes),
+        players=split_players(settings.players, league.team_size),
+        seed=settings.seed,
+        senses=split_senses(settings.senses),
+        observe=settings.observe,
+        scene=settings.scene,
+        placement=settings.placement or league.evaluation_placement,
+    )
+
+
+def command_of(settings: EvaluateSettings) -> str:
+    """Return the command that asks for these settings; fields at their default are left out, but not the first ones."""
+    always = {"league", "home", "away", "matches", "seed"}
+    words = ["soccer", "evaluate"]
+    for field in fields(settings):
+        value, flag = getattr(settings, field.name), "--" + field.name.replace("_", "-")
+        if value == field.default and field.name not in always:
+            continue
+        if isinstance(value, bool):
+            words += [flag]  # a flag at its default, off, is left out above
+        else:
+            words += [flag, f"{value:g}" if isinstance(value, float) else str(value)]
+    return shlex.join(words)
+
+
+def split_players(players: int | str | None, default: int) -> tuple[int, int]:
+    """Return the team sizes of "3v5", of 3 or of None (the default)."""
+    parts = [default] if players is None else str(players).lower().split("v")
+    try:
+        sizes = [int(part) for part in parts]
+    except ValueError:
+        sizes = []
+    if len(sizes) not in (1, 2) or not all(1 <= size <= MAX_TEAM for size in sizes) or isinstance(players, bool):
+        raise ValueError(f"players must be 1 to {MAX_TEAM}, or two such numbers as in 3v5, got {players!r}")
+    return sizes[0], sizes[-1]
+
+
+def split_senses(senses: str) -> tuple[str, str]:
+    """Return the senses of the first and the second team of "ideal" or "home=ideal,away=sensors"."""
+    named = dict(part.strip().partition("=")[::2] for part in senses.split(","))
+    both = (named["home"], named["away"]) if set(named) == {"home", "away"} else (senses, senses)
+    if not set(both) <= set(SENSES):
+        raise ValueError(f"senses must be one of {', '.join(SENSES)}, or home=ideal,away=sensors, got {senses!r}")
+    return both
+
+
+def whole(name: str, value: object, least: int) -> None:
+    """Raise ValueError unless the value is an int of at least that."""
+    if not isinstance(value, int) or isinstance(value, bool) or value < least:
+        raise ValueError(f"{name} must be a whole number of at least {least}, got {value!r}")
+
+
+def is_number(value: object) -> bool:
+    """Tell whether a value is a finite int or float."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and isfinite(value)
