@@ -1,4 +1,4 @@
-"""Multi-agent robot soccer: two leagues of two published teams, physics by pymunk, play by policies and scripted teams."""
+"""Multi-agent robot soccer after two published teams: physics by pymunk, play by policies and scripted teams."""
 
 from __future__ import annotations
 

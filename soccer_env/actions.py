@@ -68,7 +68,8 @@ class ActionKind:
     def numbers(self, action: Any, agent: str) -> np.ndarray:
         """Return an agent's action as (size,) float64 numbers; ValueError names the agent and the value."""
         if self.name == "discrete":
-            return DISCRETE_TABLE[discrete_index(action, agent)]
+            row: np.ndarray = DISCRETE_TABLE[discrete_index(action, agent)]
+            return row
         try:
             numbers = np.asarray(action, dtype=np.float64)
         except (TypeError, ValueError) as error:

@@ -6,8 +6,8 @@ compiled before its first call, and what was compiled is kept on disk (`compiled
 Environment variables: `SOCCER_ENV_CACHE` (folder of the cache), `SOCCER_ENV_QUIET=1` (say nothing while compiling),
 `NUMBA_DISABLE_JIT=1` (run everything as ordinary Python, for a debugger or for coverage).
 
-Constants that a function reads from its module must follow from source code alone: a value that comes from a data file
-or from the environment is frozen into the machine code on disk.
+Constants that a function reads from its module must follow from source code alone: a value that comes from a data
+file or from the environment is frozen into the machine code on disk.
 """
 
 import functools
@@ -29,8 +29,8 @@ config: Any = numba.config
 def compiled(function: F) -> F:
     """Compile `function` for the types it is called with, at its first call, and cache the result on disk.
 
-    With NUMBA_DISABLE_JIT=1 it stays Python, and structured arrays reach it as recarrays. A function that is in no file
-    (typed into an interpreter, or in a notebook) is compiled but not cached.
+    With NUMBA_DISABLE_JIT=1 it stays Python, and structured arrays reach it as recarrays. A function that is in no
+    file (typed into an interpreter, or in a notebook) is compiled but not cached.
     """
     if config.DISABLE_JIT:
         return cast(F, _as_python(function))

@@ -1,9 +1,9 @@
 """Keep machine code on disk: one file for each compiled version of a function, named by all that it depends on.
 
 It stands in for numba's cache, from which it differs in two ways. The key holds a hash of every file that the
-function's file imports, so that nothing stale runs and an edit recompiles only what it could have changed. And there is
-no index file: two processes that write numba's at once can leave one version's code under another's key. Here a file is
-written aside, moved into place, and holds its full key, which is compared when it is read.
+function's file imports, so that nothing stale runs and an edit recompiles only what it could have changed. And there
+is no index file: two processes that write numba's at once can leave one version's code under another's key. Here a
+file is written aside, moved into place, and holds its full key, which is compared when it is read.
 """
 
 import contextlib

@@ -1,7 +1,7 @@
 """Find the source files that a function depends on, and hash them.
 
-The import statements of its file are parsed, not executed, and followed through the package. numba's own cache looks at
-the function's file alone, and runs old code after an edit in a file that it imports.
+The import statements of its file are parsed, not executed, and followed through the package. numba's own cache looks
+at the function's file alone, and runs old code after an edit in a file that it imports.
 """
 
 import ast

@@ -55,8 +55,9 @@ def line_up(settings: Settings, robots: np.ndarray) -> None:
             robots[r]["x"], robots[r]["y"], robots[r]["heading"] = parking_place(r)
 
 
-def start_match(settings: Settings, constants: np.ndarray, match: Any, ball: Any, robots: np.ndarray, seed: int,
-                episode: int) -> None:
+def start_match(
+    settings: Settings, constants: np.ndarray, match: Any, ball: Any, robots: np.ndarray, seed: int, episode: int
+) -> None:
     """Begin an episode in the records of one match: match (1,), ball (1,), robots (1, R)."""
     for record in (match, ball, robots):
         record[...] = np.zeros((), record.dtype)

@@ -2,8 +2,8 @@
 
     commands -> drive -> physics -> referee -> restart -> rewards -> sense -> observe
 
-The records are public arrays (see `types`): `match.balls["x"]` is (M,), `match.robots["heading"]` (M, R). One match is M = 1; match m of
-many is bit for bit the match that runs alone with its seed.
+The records are public arrays (see `types`): `match.balls["x"]` is (M,), `match.robots["heading"]` (M, R). One match
+is M = 1; match m of many is bit for bit the match that runs alone with its seed.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from soccer_env import saving, truth_state
 from soccer_env.actions import take_actions
 from soccer_env.episodes import start_match
 from soccer_env.observations import layout, observe_slice
-from soccer_env.physics.space_batch import SpaceBatch, Way
 from soccer_env.physics.space import build_space
+from soccer_env.physics.space_batch import SpaceBatch, Way
 from soccer_env.players import assign, believe_slice, empty_beliefs, make_squads, run_kernel, run_python
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import TERMS
@@ -26,20 +26,32 @@ from soccer_env.settings import Settings, make_settings
 from soccer_env.step import begin_slice, finish_slice, step_slice
 from soccer_env.types import BALL, EVENTS, MATCH, ROBOT, ROBOT_EVENTS
 
+Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
 
 
 class Match:
     """M matches of one league, stepped together.
 
-    Keyword settings are those of `soccer_v0.parallel_env`, and: matches, threads, seeds (M,) instead of seed, minutes of play,
-    autoreset "off", "next_step" or "same_step", physics way "c" or "batch". ValueError names what is wrong.
+    Keyword settings are those of `soccer_v0.parallel_env`, and: matches, threads, seeds (M,) instead of seed, minutes
+    of play, autoreset "off", "next_step" or "same_step", physics way "c" or "batch". ValueError names what is wrong.
     """
 
     def __init__(
-        self, league: Any = "legged-2001", *, matches: int = 1, threads: int = 1, seed: int | None = None,
-        seeds: Any = None, home: int | None = None, away: int | None = None, opponents: Any = None, teammates: Any = None,
-        controllers: Any = None, way: Way | None = None, **settings: Any,
+        self,
+        league: Any = "legged-2001",
+        *,
+        matches: int = 1,
+        threads: int = 1,
+        seed: int | None = None,
+        seeds: Any = None,
+        home: int | None = None,
+        away: int | None = None,
+        opponents: Any = None,
+        teammates: Any = None,
+        controllers: Any = None,
+        way: Way | None = None,
+        **settings: Any,
     ) -> None:
         if not (isinstance(matches, (int, np.integer)) and matches >= 1):
             raise ValueError(f"matches must be at least 1, got {matches!r}")
@@ -47,8 +59,11 @@ class Match:
             raise ValueError(f"threads must be 1 to 256, got {threads!r}")
         self.settings: Settings = make_settings(league, home=home, away=away, **settings)
         self.league, self.count, self.threads = self.settings.league, int(matches), int(threads)
-        self.agents = [f"{side}_{number}" for side, rows in zip(("home", "away"), self.settings.rows, strict=True)
-                       for number in range(rows)]
+        self.agents = [
+            f"{side}_{number}"
+            for side, rows in zip(("home", "away"), self.settings.rows, strict=True)
+            for number in range(rows)
+        ]
         self._make_arrays(way)
         self._make_players(assign(self.agents, opponents, teammates, controllers))
         self._pool = ThreadPoolExecutor(self.threads) if self.threads > 1 else None
@@ -85,8 +100,8 @@ class Match:
     def reset(self, seed: int | None = None, seeds: Any = None) -> np.ndarray:
         """Begin new episodes in all matches; return observations (M, R, n).
 
-        With a seed (or seeds (M,)) the matches start their streams anew; without, each goes on to its next episode. The very first
-        reset without a seed draws one from the system.
+        With a seed (or seeds (M,)) the matches start their streams anew; without, each goes on to its next episode.
+        The very first reset without a seed draws one from the system.
         """
         if seeds is not None:
             seeds = np.asarray(seeds)
@@ -104,13 +119,21 @@ class Match:
         self.rewards[:] = 0.0
         self.terms[:] = 0.0
         if self.recorder is not None:
-            self.recorder.note_reset(self)
+            self.recorder.note_seating(range(self.count))
         return self._observe(0, self.count)
 
     def _start(self, m: int, episode: int) -> None:
         """Begin an episode in match m, in a Space of its own."""
         at = slice(m, m + 1)
-        start_match(self.settings, self._constants, self.matches[at], self.balls[at], self.robots[at], int(self.seeds[m]), episode)
+        start_match(
+            self.settings,
+            self._constants,
+            self.matches[at],
+            self.balls[at],
+            self.robots[at],
+            int(self.seeds[m]),
+            episode,
+        )
         self._physics.set_space(m, build_space(self.league, self.balls[m], self.robots[m]))
         self.events[m] = np.zeros((), EVENTS)
         self.robot_events[m] = np.zeros((), ROBOT_EVENTS)
@@ -118,21 +141,26 @@ class Match:
         for squad in self.squads:
             squad.memory[m] = np.zeros((), squad.memory.dtype)
 
-    def reseat(self) -> None:
-        """Rebuild all Spaces from the records: the running match then shares its future with every copy of them."""
-        for m in range(self.count):
+    def reseat(self, rows: Any = None) -> None:
+        """Rebuild Spaces from the records (of all matches).
+
+        The running match then shares its future with every copy of them.
+        """
+        rows = range(self.count) if rows is None else rows
+        for m in rows:
             self._physics.set_space(m, build_space(self.league, self.balls[m], self.robots[m]))
         if self.recorder is not None:
-            self.recorder.note_reseat()
+            self.recorder.note_seating(rows)
 
     # Stepping
 
-    def step(self, actions: Any = None) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    def step(self, actions: Any = None) -> Transition:
         """Advance all matches by `action_repeat` control steps.
 
-        actions: (M, R, 4 or 7) in [-1, 1] for all robots (rows that teams play are ignored), discrete (M, R) integers, or None if teams
-        play them all. Returns observations (M, R, n) float32, rewards (M, R), terminated (M,), truncated (M,), the match's own
-        arrays, valid until the next step. ValueError for actions of a wrong shape or that are not finite.
+        actions: (M, R, 4 or 7) in [-1, 1] for all robots (rows that teams play are ignored), discrete (M, R)
+        integers, or None if teams play them all. Returns observations (M, R, n) float32, rewards (M, R), terminated
+        (M,), truncated (M,), the match's own arrays, valid until the next step. ValueError for actions of a wrong
+        shape or that are not finite.
         """
         numbers = self.check_actions(actions)
         if self.settings.autoreset == "next_step":
@@ -157,7 +185,9 @@ class Match:
             return self._expand(actions)
         numbers = np.asarray(actions)
         if numbers.dtype.kind not in "fiu" or numbers.shape != self._numbers.shape:
-            raise ValueError(f"actions must be numbers of shape {self._numbers.shape}, got {numbers.dtype} {numbers.shape}")
+            raise ValueError(
+                f"actions must be numbers of shape {self._numbers.shape}, got {numbers.dtype} {numbers.shape}"
+            )
         numbers = numbers.astype(np.float64, copy=False)
         if not np.isfinite(numbers.sum()):
             bad = np.argwhere(~np.isfinite(numbers) & (self.learns[:, None] == 1))
@@ -211,8 +241,10 @@ class Match:
             self._run(numbers, 0, self.count)
         else:
             edges = np.linspace(0, self.count, self.threads + 1).astype(int)
-            jobs = [self._pool.submit(self._run, numbers, first, last)
-                    for first, last in zip(edges[:-1], edges[1:], strict=True)]
+            jobs = [
+                self._pool.submit(self._run, numbers, first, last)
+                for first, last in zip(edges[:-1], edges[1:], strict=True)
+            ]
             for job in jobs:
                 job.result()
         self._finish_extras()
@@ -240,34 +272,87 @@ class Match:
                     run_kernel(squad, self._beliefs, self._tracks, self.robots, self._constants, first, last)
 
     def _believe(self, rows: np.ndarray, first: int, last: int) -> None:
-        believe_slice(self.matches, self.balls, self.robots, self._beliefs, self._tracks, self._constants, rows, first, last)
+        believe_slice(
+            self.matches, self.balls, self.robots, self._beliefs, self._tracks, self._constants, rows, first, last
+        )
 
     def _step_compiled(self, first: int, last: int) -> None:
         physics = self._physics
-        self._check(step_slice(
-            self.matches, self.balls, self.robots, self.events, self.robot_events, physics.links, physics.bodies,
-            physics.velocities, self._constants, self._weights, self.terms, self.rewards, self._written, self.terminated,
-            self.truncated, self.settings.limit, first, last,
-        ))
+        self._check(
+            step_slice(
+                self.matches,
+                self.balls,
+                self.robots,
+                self.events,
+                self.robot_events,
+                physics.links,
+                physics.bodies,
+                physics.velocities,
+                self._constants,
+                self._weights,
+                self.terms,
+                self.rewards,
+                self._written,
+                self.terminated,
+                self.truncated,
+                self.settings.limit,
+                first,
+                last,
+            )
+        )
 
     def _step_batch(self, first: int, last: int) -> None:
         """Step through the public `pymunk.batch`, between two compiled halves."""
         physics, count = self._physics, self.count
         before, substeps, moved = np.zeros((count, 2, 2)), np.zeros(count, np.int64), np.zeros(count, bool)
-        begin_slice(self.matches, self.balls, self.robots, self.events, self.robot_events, physics.velocities,
-                    self._constants, self.terms, self.rewards, before, substeps, first, last)
+        begin_slice(
+            self.matches,
+            self.balls,
+            self.robots,
+            self.events,
+            self.robot_events,
+            physics.velocities,
+            self._constants,
+            self.terms,
+            self.rewards,
+            before,
+            substeps,
+            first,
+            last,
+        )
         physics.step_slice(self.league.dt, substeps, first, last)
-        self._check(finish_slice(
-            self.matches, self.balls, self.robots, self.events, self.robot_events, physics.bodies, physics.velocities,
-            self._constants, self._weights, self.terms, self.rewards, self._written, self.terminated, self.truncated,
-            self.settings.limit, before, substeps, moved, first, last,
-        ))
+        self._check(
+            finish_slice(
+                self.matches,
+                self.balls,
+                self.robots,
+                self.events,
+                self.robot_events,
+                physics.bodies,
+                physics.velocities,
+                self._constants,
+                self._weights,
+                self.terms,
+                self.rewards,
+                self._written,
+                self.terminated,
+                self.truncated,
+                self.settings.limit,
+                before,
+                substeps,
+                moved,
+                first,
+                last,
+            )
+        )
         for m in np.flatnonzero(moved[first:last]) + first:
             physics.write_bodies(int(m))
 
     def _check(self, broken: int) -> None:
         if broken >= 0:
-            raise RuntimeError(f"the physics of match {broken} broke down at step {self.matches['step'][broken]}: a bug of soccer_env")
+            raise RuntimeError(
+                f"the physics of match {broken} broke down at step {self.matches['step'][broken]}: a bug of soccer_env"
+            )
 
     def _finish_extras(self) -> None:
         """Add what Python computes: reward terms and observations of one's own."""
@@ -278,16 +363,15 @@ class Match:
 
     # Starting again
 
-    def _step_and_restart(self, numbers: np.ndarray, ended: np.ndarray) -> tuple[np.ndarray, ...]:
-        """Step the matches that go on and begin new episodes in those that ended, which get no reward in this step."""
-        self.matches["over"][ended] = 1
+    def _step_and_restart(self, numbers: np.ndarray, ended: np.ndarray) -> Transition:
+        """Step all matches, then begin new episodes in those that had ended, which get no reward for this step."""
         self._advance(numbers)
         self._begin_again(ended)
         self.rewards[ended] = 0.0
         self.terms[ended] = 0.0
         return self.observations, self.rewards, self.terminated, self.truncated
 
-    def _restart_same_step(self, ended: np.ndarray) -> tuple[np.ndarray, ...]:
+    def _restart_same_step(self, ended: np.ndarray) -> Transition:
         """Begin new episodes at once; `final_observations` keeps the last ones of those that ended (rows `ended`)."""
         self.ended, self.final_observations = ended, self.observations[ended].copy()
         self.final_events = self.events[ended].copy()
@@ -300,7 +384,7 @@ class Match:
             self._start(int(m), int(self.matches["episode"][m]) + 1)
             self._observe(int(m), int(m) + 1)
         if self.recorder is not None:
-            self.recorder.note_restart(self, ended)
+            self.recorder.note_seating(ended)
 
     # Looking
 

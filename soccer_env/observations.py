@@ -1,7 +1,8 @@
 """Observations for learners: one flat float32 vector in [-1, 1] a robot, the same layout at every team size.
 
-Own goal behind, opponent's goal ahead, everything else relative to the robot. Other players fill the league's slots, nearest first;
-players beyond the slots are dropped, farthest first. `layout` names every entry; the compiled writer below follows it line by line.
+Own goal behind, opponent's goal ahead, everything else relative to the robot. Other players fill the league's slots,
+nearest first; players beyond the slots are dropped, farthest first. `layout` names every entry; the compiled writer
+below follows it line by line.
 """
 
 from __future__ import annotations

@@ -77,12 +77,29 @@ def believe_slice(matches, balls, robots, beliefs, tracks, constants, players, f
             believe_truth(matches[m], balls[m], robots[m], beliefs[m], tracks[m, r], constants[0], r)
 
 
-def run_kernel(squad: Squad, beliefs: np.ndarray, tracks: np.ndarray, robots: np.ndarray, constants: np.ndarray,
-               first: int, last: int) -> None:
+def run_kernel(
+    squad: Squad,
+    beliefs: np.ndarray,
+    tracks: np.ndarray,
+    robots: np.ndarray,
+    constants: np.ndarray,
+    first: int,
+    last: int,
+) -> None:
     """Let a compiled team decide in a slice of matches."""
     team: Any = squad.team
-    team.kernel(beliefs, tracks, squad.memory, robots["noise"], robots["command"], squad.players, constants,
-                team.settings, first, last)
+    team.kernel(
+        beliefs,
+        tracks,
+        squad.memory,
+        robots["noise"],
+        robots["command"],
+        squad.players,
+        constants,
+        team.settings,
+        first,
+        last,
+    )
 
 
 def run_python(squad: Squad, league: League, beliefs: np.ndarray, tracks: np.ndarray, robots: np.ndarray) -> None:

@@ -1,9 +1,9 @@
 """The small-state generator that lives in match and robot records.
 
-SplitMix64 [Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators"]: a 64-bit counter that advances by an odd
-constant, and a mixing function over it. One counter for each named stream, so that a new noise source takes a stream of
-its own and never shifts the others; a robot's streams are its own, so that a match of any size draws the same for it.
-Seeds come from `numpy.random.SeedSequence`.
+SplitMix64 [Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators"]: a 64-bit counter that advances
+by an odd constant, and a mixing function over it. One counter for each named stream, so that a new noise source takes
+a stream of its own and never shifts the others; a robot's streams are its own, so that a match of any size draws the
+same for it. Seeds come from `numpy.random.SeedSequence`.
 """
 
 from __future__ import annotations

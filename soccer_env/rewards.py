@@ -1,8 +1,8 @@
 """Named reward terms and their weights.
 
-Shaping is potential-based [Ng, Harada, Russell 1999]: gamma * phi(s') - phi(s), with s' the state that the next observation shows (after a
-restart, if one was carried out) and phi = 0 once the episode has ended. It sums to zero over a loop and cannot be farmed;
-a goal therefore also pays back the potential that led to it.
+Shaping is potential-based [Ng, Harada, Russell 1999]: gamma * phi(s') - phi(s), with s' the state that the next
+observation shows (after a restart, if one was carried out) and phi = 0 once the episode has ended. It sums to zero
+over a loop and cannot be farmed; a goal therefore also pays back the potential that led to it.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class Rewards:
 
     def weights(self) -> np.ndarray:
         """Return the (1,) record of weights for compiled code."""
-        return np.array([tuple(float(getattr(self, name)) for name in WEIGHTS.names)], WEIGHTS)
+        return np.array([tuple(float(getattr(self, name)) for name in WEIGHTS.names or ())], WEIGHTS)
 
 
 PRESETS = {"default": Rewards(), "sparse": Rewards(progress=0.0, approach=0.0, effort=0.0)}

@@ -1,6 +1,7 @@
 """Scenes: how an episode begins, and for drills what counts as success.
 
-`kick-off` is a match. The drills are named starts with a success test and a time limit; more come with the teams that need them.
+`kick-off` is a match. The drills are named starts with a success test and a time limit; more come with the teams that
+need them.
 """
 
 from __future__ import annotations
@@ -39,7 +40,10 @@ Place = Callable[[League, Any, Any, Draw], None]
 
 @dataclass(frozen=True)
 class Scene:
-    """A start: `place(league, ball, robots, draw)` moves what the kick-off formation put down. Field frame, home attacks +x."""
+    """A start: `place(league, ball, robots, draw)` moves what the kick-off formation put down.
+
+    Field frame, home attacks +x.
+    """
 
     name: str
     description: str
@@ -76,7 +80,9 @@ def place_empty_goal(league: League, ball: Any, robots: Any, draw: Draw) -> None
 
 
 def place_shot(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Shoot at away's goal from 4 m (a third of a shorter pitch) at 4 m/s (80 % of a weaker kicker), at a point between the posts."""
+    """Shoot at away's goal from 4 m (a third of a shorter pitch) at 4 m/s (80 % of a weaker kicker), at a point between
+    the posts.
+    """
     goal = league.pitch.length / 2
     away = min(4.0, league.pitch.length / 3)
     angle = draw.between(-0.5, 0.5)
@@ -107,10 +113,15 @@ SCENES = {
     scene.name: scene
     for scene in (
         Scene("kick-off", "a match from the kick-off on"),
-        Scene("empty-goal", "home's last robot, the ball and an empty goal close by",
-              place_empty_goal, "home scores", 60.0, in_play=True),
-        Scene("shot-at-keeper", "a shot on target at away's goalkeeper",
-              place_shot, "away saves", 10.0, in_play=True),
+        Scene(
+            "empty-goal",
+            "home's last robot, the ball and an empty goal close by",
+            place_empty_goal,
+            "home scores",
+            60.0,
+            in_play=True,
+        ),
+        Scene("shot-at-keeper", "a shot on target at away's goalkeeper", place_shot, "away saves", 10.0, in_play=True),
     )
 }
 
@@ -143,6 +154,3 @@ def judge_drill(match, ball, events, k):
     if result != 0:
         match.over = 1
         match.phase = OVER
-
-
-

@@ -21,6 +21,7 @@ from soccer_env.types import MAX_TEAM
 
 EPISODES = ("match", "goal", "drill")
 AUTORESETS = ("next_step", "same_step", "off")
+FREE = ("observe", "autoreset", "actions", "rewards", "action_repeat")  # what a match's future does not depend on
 SENSES = ("ideal",)  # "sensors" comes with the perception layer
 
 
@@ -79,7 +80,7 @@ class Settings:
 
     def fingerprint(self) -> str:
         """Return a hash of everything that a match's future depends on."""
-        relevant = {name: value for name, value in self.describe().items() if name not in ("observe", "autoreset")}
+        relevant = {name: value for name, value in self.describe().items() if name not in FREE}
         return hashlib.sha256(json.dumps(relevant, sort_keys=True).encode()).hexdigest()[:16]
 
 
@@ -145,10 +146,24 @@ def check_minutes(minutes: float | None) -> float | None:
 
 
 def make_settings(
-    league: str | League, *, home: int | None, away: int | None, max_players: int | None = None, observe: Any = "truth",
-    senses: Any = "ideal", actions: str = "box", scene: str | Scene = "kick-off", episode: str = "match",
-    rules: Any = "league", rewards: str | Rewards = "default", placement: str = "instant", keeper: int = 0,
-    minutes: float | None = None, action_repeat: int = 1, max_cycles: int | None = None, autoreset: str = "off",
+    league: str | League,
+    *,
+    home: int | None,
+    away: int | None,
+    max_players: int | None = None,
+    observe: Any = "truth",
+    senses: Any = "ideal",
+    actions: str = "box",
+    scene: str | Scene = "kick-off",
+    episode: str = "match",
+    rules: Any = "league",
+    rewards: str | Rewards = "default",
+    placement: str = "instant",
+    keeper: int = 0,
+    minutes: float | None = None,
+    action_repeat: int = 1,
+    max_cycles: int | None = None,
+    autoreset: str = "off",
     variation: Any = None,
 ) -> Settings:
     """Check every setting and return them; ValueError names the setting, the value and what is allowed."""
@@ -165,12 +180,22 @@ def make_settings(
     if episode == "drill" and found_scene.success == "none":
         raise ValueError(f"episode 'drill' needs a scene with a success test, and {found_scene.name!r} has none")
     return Settings(
-        league=found, home=home, away=away,
+        league=found,
+        home=home,
+        away=away,
         max_players=whole_number("max_players", largest if max_players is None else max_players, largest, MAX_TEAM),
-        padded=max_players is not None, observe=check_observe(observe), senses=check_senses(senses), actions=ActionKind(actions), scene=found_scene,
-        episode=episode, rewards=find_rewards(rewards), placement=one_of("placement", placement, PLACEMENTS),
-        keeper=whole_number("keeper", keeper, 0, MAX_TEAM - 1), minutes=check_minutes(minutes),
-        action_repeat=whole_number("action_repeat", action_repeat, 1, 1000), max_cycles=max_cycles,
+        padded=max_players is not None,
+        observe=check_observe(observe),
+        senses=check_senses(senses),
+        actions=ActionKind(actions),
+        scene=found_scene,
+        episode=episode,
+        rewards=find_rewards(rewards),
+        placement=one_of("placement", placement, PLACEMENTS),
+        keeper=whole_number("keeper", keeper, 0, MAX_TEAM - 1),
+        minutes=check_minutes(minutes),
+        action_repeat=whole_number("action_repeat", action_repeat, 1, 1000),
+        max_cycles=max_cycles,
         autoreset=one_of("autoreset", autoreset, AUTORESETS),
     )
 

@@ -2,8 +2,8 @@
 
     commands -> drive -> physics -> referee -> restart -> rewards -> observe
 
-The whole step of one match runs before the next match begins, so that its records stay in the cache. Rewards come after the restart:
-goals are read from the events, and shaping looks at the state that the next observation shows.
+The whole step of one match runs before the next match begins, so that its records stay in the cache. Rewards come
+after the restart: goals are read from the events, and shaping looks at the state that the next observation shows.
 """
 
 from __future__ import annotations
@@ -28,8 +28,26 @@ from soccer_env.types import NO_TEAM
 
 
 @compiled
-def step_slice(matches, balls, robots, events, robot_events, links, bodies, velocities, constants, weights, terms, rewards,
-               observations, terminated, truncated, limit, first, last):
+def step_slice(
+    matches,
+    balls,
+    robots,
+    events,
+    robot_events,
+    links,
+    bodies,
+    velocities,
+    constants,
+    weights,
+    terms,
+    rewards,
+    observations,
+    terminated,
+    truncated,
+    limit,
+    first,
+    last,
+):
     """Step the matches first, ..., last - 1; return the first whose physics broke down, or -1."""
     k, weight = constants[0], weights[0]
     before, after, scratch = np.empty((2, 2)), np.empty((2, 2)), np.empty((robots.shape[1], 2))
@@ -38,15 +56,29 @@ def step_slice(matches, balls, robots, events, robot_events, links, bodies, velo
         if matches[m].over == 1:
             stand_still(events[m], robot_events[m], terms[m], rewards[m])
             continue
-        substeps = begin_step(matches[m], balls[m], robots[m], events[m], robot_events[m], velocities[m], k, terms[m], before)
+        substeps = begin_step(
+            matches[m], balls[m], robots[m], events[m], robot_events[m], velocities[m], k, terms[m], before
+        )
         step_match(links, m, substeps, k.dt)
         if not is_finite(bodies[m], robots.shape[1] + 1):
             broken = m if broken < 0 else broken
             continue
         if finish_step(matches[m], balls[m], robots[m], events[m], robot_events[m], bodies[m], velocities[m], k):
             write_bodies(links, m)
-        end_step(matches[m], balls[m], robots[m], events[m], k, weight, before, after, terms[m], rewards[m],
-                 observations[m], scratch)
+        end_step(
+            matches[m],
+            balls[m],
+            robots[m],
+            events[m],
+            k,
+            weight,
+            before,
+            after,
+            terms[m],
+            rewards[m],
+            observations[m],
+            scratch,
+        )
         terminated[m] = matches[m].over == 1
         truncated[m] = not terminated[m] and (matches[m].step >= limit or out_of_time(matches[m], k))
     return broken
@@ -197,8 +229,9 @@ def is_finite(bodies, count):
 
 
 @compiled
-def begin_slice(matches, balls, robots, events, robot_events, velocities, constants, terms, rewards, before, substeps,
-                first, last):
+def begin_slice(
+    matches, balls, robots, events, robot_events, velocities, constants, terms, rewards, before, substeps, first, last
+):
     """Do the part of a step before the physics, for physics that Python steps: `before` (M, 2, 2), `substeps` (M,)."""
     for m in range(first, last):
         substeps[m] = 0
@@ -206,13 +239,41 @@ def begin_slice(matches, balls, robots, events, robot_events, velocities, consta
             stand_still(events[m], robot_events[m], terms[m], rewards[m])
             continue
         substeps[m] = begin_step(
-            matches[m], balls[m], robots[m], events[m], robot_events[m], velocities[m], constants[0], terms[m], before[m]
+            matches[m],
+            balls[m],
+            robots[m],
+            events[m],
+            robot_events[m],
+            velocities[m],
+            constants[0],
+            terms[m],
+            before[m],
         )
 
 
 @compiled
-def finish_slice(matches, balls, robots, events, robot_events, bodies, velocities, constants, weights, terms, rewards,
-                 observations, terminated, truncated, limit, before, substeps, moved, first, last):
+def finish_slice(
+    matches,
+    balls,
+    robots,
+    events,
+    robot_events,
+    bodies,
+    velocities,
+    constants,
+    weights,
+    terms,
+    rewards,
+    observations,
+    terminated,
+    truncated,
+    limit,
+    before,
+    substeps,
+    moved,
+    first,
+    last,
+):
     """Do the part after the physics; `moved` (M,) marks the matches whose bodies have to be written back."""
     k, weight = constants[0], weights[0]
     after, scratch = np.empty((2, 2)), np.empty((robots.shape[1], 2))
@@ -224,11 +285,21 @@ def finish_slice(matches, balls, robots, events, robot_events, bodies, velocitie
         if not is_finite(bodies[m], robots.shape[1] + 1):
             broken = m if broken < 0 else broken
             continue
-        moved[m] = finish_step(
-            matches[m], balls[m], robots[m], events[m], robot_events[m], bodies[m], velocities[m], k
+        moved[m] = finish_step(matches[m], balls[m], robots[m], events[m], robot_events[m], bodies[m], velocities[m], k)
+        end_step(
+            matches[m],
+            balls[m],
+            robots[m],
+            events[m],
+            k,
+            weight,
+            before[m],
+            after,
+            terms[m],
+            rewards[m],
+            observations[m],
+            scratch,
         )
-        end_step(matches[m], balls[m], robots[m], events[m], k, weight, before[m], after, terms[m], rewards[m],
-                 observations[m], scratch)
         terminated[m] = matches[m].over == 1
         truncated[m] = not terminated[m] and (matches[m].step >= limit or out_of_time(matches[m], k))
     return broken

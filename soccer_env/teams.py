@@ -1,7 +1,7 @@
 """What a team is, and the registry of named teams.
 
-A team decides from beliefs alone. It is a protocol: anything with `name`, `memory_dtype` and `act` plays. The shipped teams also offer a
-compiled `kernel`, which a match runs without Python between its steps.
+A team decides from beliefs alone. It is a protocol: anything with `name`, `memory_dtype` and `act` plays. The shipped
+teams also offer a compiled `kernel`, which a match runs without Python between its steps.
 """
 
 from __future__ import annotations
@@ -96,8 +96,8 @@ class Team(Protocol):
 class CompiledTeam:
     """A shipped team: a kernel that decides for all its players in a slice of matches.
 
-    kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last), all arrays of the whole match;
-    `settings` is the team's own (1,) record.
+    kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last), all arrays of the
+    whole match; `settings` is the team's own (1,) record.
     """
 
     name: str
@@ -118,8 +118,18 @@ class CompiledTeam:
         players = np.arange(view.beliefs.shape[1])
         commands = np.zeros(view.beliefs.shape, COMMAND)
         noise = np.ascontiguousarray(rng._states[:, rng._players])
-        self.kernel(view.beliefs, view.tracks, memory, noise, commands, players, view.league.constants(), self.settings,
-                    0, len(commands))
+        self.kernel(
+            view.beliefs,
+            view.tracks,
+            memory,
+            noise,
+            commands,
+            players,
+            view.league.constants(),
+            self.settings,
+            0,
+            len(commands),
+        )
         rng._states[:, rng._players] = noise
         return np.stack([commands[name] for name in COMMAND.names or ()], axis=-1)
 

@@ -2,19 +2,36 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
 from soccer_env.types import HOME, Phase
 
-if TYPE_CHECKING:
-    from soccer_env.match import Match
+Match = Any  # soccer_env.match.Match, which stands above this file
 
 GAME = ("clock", "half", "phase", "placing", "restart_home", "home_direction", "goals_home", "goals_away")
 BALL = ("ball_x", "ball_y", "ball_vx", "ball_vy", "ball_roll_x", "ball_roll_y")
-ROBOT = ("present", "keeper", "x", "y", "cos", "sin", "vx", "vy", "omega", "walk_forward", "walk_left", "walk_turn",
-         "gait_phase", "pan", "tilt", "kick", "has_ball", "fallen")
+ROBOT = (
+    "present",
+    "keeper",
+    "x",
+    "y",
+    "cos",
+    "sin",
+    "vx",
+    "vy",
+    "omega",
+    "walk_forward",
+    "walk_left",
+    "walk_turn",
+    "gait_phase",
+    "pan",
+    "tilt",
+    "kick",
+    "has_ball",
+    "fallen",
+)
 SECONDS = 60.0  # [s] half-way point of the soft scale for clocks without an end, assumed
 
 
@@ -25,7 +42,10 @@ def names(match: Match) -> list[str]:
 
 
 def write(match: Match) -> np.ndarray:
-    """Return (M, n) float32 in [-1, 1]: game, ball, then max_players rows for home and for away; absent players are zeros."""
+    """Return (M, n) float32 in [-1, 1]: game, ball, then max_players rows for home and for away.
+
+    Absent players are zeros.
+    """
     players = match.settings.max_players
     room = np.zeros((match.count, 2, players, len(ROBOT)))
     home_rows = match.settings.rows[HOME]
@@ -33,7 +53,8 @@ def write(match: Match) -> np.ndarray:
     room[:, 0, :home_rows] = numbers[:, :home_rows]
     room[:, 1, : numbers.shape[1] - home_rows] = numbers[:, home_rows:]
     parts = [game_numbers(match), ball_numbers(match), room.reshape(match.count, -1)]
-    return np.clip(np.concatenate(parts, axis=1), -1.0, 1.0).astype(np.float32)
+    state: np.ndarray = np.clip(np.concatenate(parts, axis=1), -1.0, 1.0).astype(np.float32)
+    return state
 
 
 def game_numbers(match: Match) -> np.ndarray:
@@ -43,8 +64,19 @@ def game_numbers(match: Match) -> np.ndarray:
     share = np.where(np.isfinite(half), game["clock"] / half, game["clock"] / (game["clock"] + SECONDS))
     side = np.select([game["restart_team"] == 0, game["restart_team"] == 1], [1.0, -1.0], 0.0)
     score = game["score"] / (game["score"] + 2.0)
-    return np.stack([share, game["half"], game["phase"] / max(Phase), game["placing"], side, game["home_direction"],
-                     score[:, 0], score[:, 1]], axis=1)
+    return np.stack(
+        [
+            share,
+            game["half"],
+            game["phase"] / max(Phase),
+            game["placing"],
+            side,
+            game["home_direction"],
+            score[:, 0],
+            score[:, 1],
+        ],
+        axis=1,
+    )
 
 
 def ball_numbers(match: Match) -> np.ndarray:
@@ -52,8 +84,17 @@ def ball_numbers(match: Match) -> np.ndarray:
     pitch, ball, top = match.league.pitch, match.balls, match.league.ball.top_speed
     length = pitch.length / 2 + pitch.goal_depth
     width = pitch.width / 2 + pitch.band_side
-    return np.stack([ball["x"] / length, ball["y"] / width, ball["vx"] / top, ball["vy"] / top, ball["roll_x"] / top,
-                     ball["roll_y"] / top], axis=1)
+    return np.stack(
+        [
+            ball["x"] / length,
+            ball["y"] / width,
+            ball["vx"] / top,
+            ball["vy"] / top,
+            ball["roll_x"] / top,
+            ball["roll_y"] / top,
+        ],
+        axis=1,
+    )
 
 
 def robot_numbers(match: Match) -> np.ndarray:
@@ -62,11 +103,23 @@ def robot_numbers(match: Match) -> np.ndarray:
     walk, heading, active = robots["walk"], robots["heading"], robots["active"].astype(float)
     kick = np.where(robots["kick_clock"] > 0.0, 1.0, np.where(robots["kick_clock"] < 0.0, -1.0, 0.0))
     columns = [
-        active, robots["keeper"], robots["x"] / (pitch.length / 2 + pitch.goal_depth),
-        robots["y"] / (pitch.width / 2 + pitch.band_side), np.cos(heading), np.sin(heading),
-        robots["vx"] / drive.forward, robots["vy"] / drive.forward, robots["omega"] / drive.turn,
-        walk["forward"] / drive.forward, walk["left"] / drive.forward, walk["turn"] / drive.turn,
-        robots["gait_phase"] / max(drive.gait_steps, 1), robots["pan"] / np.pi, robots["tilt"] / np.pi, kick,
-        robots["has_ball"], robots["fallen"] > 0.0,
+        active,
+        robots["keeper"],
+        robots["x"] / (pitch.length / 2 + pitch.goal_depth),
+        robots["y"] / (pitch.width / 2 + pitch.band_side),
+        np.cos(heading),
+        np.sin(heading),
+        robots["vx"] / drive.forward,
+        robots["vy"] / drive.forward,
+        robots["omega"] / drive.turn,
+        walk["forward"] / drive.forward,
+        walk["left"] / drive.forward,
+        walk["turn"] / drive.turn,
+        robots["gait_phase"] / max(drive.gait_steps, 1),
+        robots["pan"] / np.pi,
+        robots["tilt"] / np.pi,
+        kick,
+        robots["has_ball"],
+        robots["fallen"] > 0.0,
     ]
     return np.stack([np.asarray(column, float) * active for column in columns], axis=-1)

@@ -16,20 +16,22 @@ FOLDERS = {"soccer_env.baselines": "baselines", "soccer_env.agents": "agents", "
 
 # Lowest first. Members of one layer do not see each other, except in the groups of PEERS and as BESIDE says.
 LAYERS = (
-    ("types", "geometry", "frames", "compiled", "compiled_cache", "compiled_sources", "random_numbers", "teams"),
+    ("types", "geometry", "frames", "compiled", "compiled_cache", "compiled_sources", "random_numbers"),
     ("leagues",),
+    ("teams",),  # the protocol, and names as strings
     ("physics", "perception", "belief", "referee"),
     ("actions", "observations", "rewards", "scenes"),
-    ("step",),  # the stages in order, for one match
+    ("settings",),
+    ("step", "episodes", "players", "truth_state", "saving"),  # the parts of a match
     ("match",),
-    ("soccer_v0", "gymnasium_envs", "render"),
+    ("soccer_v0", "gymnasium_envs", "render", "replay"),
     ("baselines", "agents"),
     ("train",),
 )
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
 PEERS = (
     set(LAYERS[0]),  # one floor
-    {"soccer_v0", "gymnasium_envs", "render"},  # the single-agent face stands on the parallel one, both draw
+    {"soccer_v0", "gymnasium_envs", "render", "replay"},  # the single-agent face stands on the parallel one, both draw
 )
 # Who may import what stands beside it in the same layer: one entry each, with its reason.
 BESIDE = {
@@ -37,7 +39,7 @@ BESIDE = {
 }
 
 PLAYERS = {"baselines", "agents"}
-HIDDEN_FROM_PLAYERS = {"physics", "referee", "step", "match", "soccer_v0", "gymnasium_envs"}
+HIDDEN_FROM_PLAYERS = {"physics", "referee", "perception", "step", "episodes", "truth_state", "saving", "match", "replay", "soccer_v0", "gymnasium_envs"}
 # Belief works on percepts. The records of types.py that hold the truth, by name:
 BELIEF_MAY_SEE = {*LAYERS[0], "leagues", "belief"}
 TRUTH_RECORDS = {"MATCH", "BALL", "ROBOT", "EVENTS", "ROBOT_EVENTS"}
@@ -218,7 +220,6 @@ def test_a_good_package_passes(tmp_path: Path) -> None:
         ("soccer_env/geometry.py", "import soccer_env.match", "geometry imports match, which stands above"),
         ("soccer_env/types.py", "from .leagues import League", "types imports leagues, which stands above"),
         ("soccer_env/teams.py", "from soccer_env.baselines import chaser", "teams imports baselines"),
-        ("soccer_env/teams.py", "from soccer_env.leagues import League", "teams imports leagues, which stands above"),
         ("soccer_env/physics/ball.py", "def f():\n    from ..referee import goals", "physics imports referee"),
         ("soccer_env/physics/ball.py", "if TYPE_CHECKING:\n    from soccer_env import match", "physics imports match"),
         (

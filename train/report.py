@@ -36,8 +36,11 @@ def rows(result: EvaluationResult) -> list[tuple[str, str, str]]:
     return [
         ("matches", f"{games}", f"{games // 2} pairs, sides swapped"),
         ("won, drawn, lost", f"{result.wins}, {result.draws}, {result.losses}", ""),
-        ("goals", f"{result.goals_for} : {result.goals_against}",
-         f"{result.goals_for / minutes:.2f} : {result.goals_against / minutes:.2f} a minute"),
+        (
+            "goals",
+            f"{result.goals_for} : {result.goals_against}",
+            f"{result.goals_for / minutes:.2f} : {result.goals_against / minutes:.2f} a minute",
+        ),
         ("goal difference a match", f"{difference.mean:+.2f}", f"{difference.low:+.2f} to {difference.high:+.2f}"),
         ("its interquartile mean", f"{middle:+.2f}", ""),
         ("points (a draw is half)", percent(points.mean), f"{percent(points.low)} to {percent(points.high)}"),
@@ -62,6 +65,7 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         ("scene, placement", f"{conditions.scene}, {conditions.placement}"),
         ("seed", f"{conditions.seed}"),
         ("begun, commit", f"{about.get('date', '')}, {about.get('commit') or 'none'}"),
+        ("settings hash", result.lines[0].settings),
         *((name.replace("_", " "), value) for name, value in result.made_with.items()),
     ]
     lines = [
@@ -84,8 +88,10 @@ def needed(result: EvaluationResult) -> str:
     """Return how many matches a narrower interval needs."""
     if result.matches_needed is None:
         return ""
-    return (f"For an interval of ±{HALF_WIDTH:g} goals a match, {result.matches_needed} matches are needed "
-            f"if further ones scatter as these do.")
+    return (
+        f"For an interval of ±{HALF_WIDTH:g} goals a match, {result.matches_needed} matches are needed "
+        f"if further ones scatter as these do."
+    )
 
 
 def pairs(result: EvaluationResult) -> list[str]:
@@ -96,8 +102,10 @@ def pairs(result: EvaluationResult) -> list[str]:
         for first, second in both[:PAIRS_SHOWN]
     ]
     rest = len(both) - len(cells)
-    return [table(("pair", "seed", "as home", "as away"), cells),
-            f"{rest} more pairs stand in matches.jsonl." if rest else ""]
+    return [
+        table(("pair", "seed", "as home", "as away"), cells),
+        f"{rest} more pairs stand in matches.jsonl." if rest else "",
+    ]
 
 
 def table(head: tuple[str, ...], cells: list[tuple[str, ...]]) -> str:
@@ -111,8 +119,11 @@ def screen_table(result: EvaluationResult) -> Table:
     from rich.table import Table
 
     conditions = result.conditions
-    drawn = Table(title=f"{conditions.home} against {conditions.away}, {conditions.league}, {conditions.sizes}, "
-                        f"{conditions.minutes:g} min", caption=sentence(result))
+    drawn = Table(
+        title=f"{conditions.home} against {conditions.away}, {conditions.league}, {conditions.sizes}, "
+        f"{conditions.minutes:g} min",
+        caption=sentence(result),
+    )
     drawn.add_column("")
     drawn.add_column("value", justify="right")
     drawn.add_column("95 % interval", justify="right")

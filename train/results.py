@@ -61,7 +61,7 @@ class EvaluationResult:
     goal_difference: Estimate  # a match
     win_rate: Estimate  # wins / matches
     points: Estimate  # share: a draw counts half
-    matches_needed: int | None  # for +-HALF_WIDTH goals a match; None from one pair
+    matches_needed: int | None  # for +-HALF_WIDTH goals a match; None if pairs do not scatter
     verdict: str
     lines: tuple[MatchLine, ...]  # sorted
 
@@ -70,6 +70,7 @@ class EvaluationResult:
         record = asdict(self)
         conditions, lines = record.pop("conditions"), record.pop("lines")
         conditions |= {"players": self.conditions.sizes, "senses": self.conditions.senses_text}
+        record["settings_hash"] = self.lines[0].settings
         record["version"] = self.made_with.get("soccer_env", "")
         record["results"] = [{name: line[name] for name in line if name != "settings"} for line in lines]
         return {**conditions, **record}
@@ -94,7 +95,7 @@ def summarise(conditions: Conditions, made_with: dict[str, str], lines: Sequence
         goal_difference=difference,
         win_rate=Estimate(*paired_bootstrap(pair_means(ordered, lambda line: float(line.points == 1.0)))),
         points=points,
-        matches_needed=required_matches(differences, HALF_WIDTH) if len(differences) > 1 else None,
+        matches_needed=required_matches(differences, HALF_WIDTH) if len(set(differences)) > 1 else None,
         verdict=judge(difference, points, len(differences)),
         lines=ordered,
     )
@@ -116,8 +117,17 @@ def judge(difference: Estimate, points: Estimate, pairs: int) -> str:
     return "no difference shown"
 
 
+FILES = ("settings.json", "matches.jsonl", "result.json", "report.md", "match.png")
+
+
+def remove_files(path: Path | None) -> None:
+    """Remove the files of an evaluation from a folder; the settings last, since matches without them are refused."""
+    for name in reversed(FILES) if path is not None else ():
+        (path / name).unlink(missing_ok=True)
+
+
 class Folder:
-    """The files of one evaluation: settings.json, matches.jsonl, result.json and report.md; or, without a path, none.
+    """The files of one evaluation: FILES; or, without a path, none.
 
     `lines` are the matches already there. Raises ValueError if the folder holds an evaluation with other settings.
     """
@@ -179,5 +189,6 @@ def check_same(path: Path, mine: dict[str, Any]) -> dict[str, str]:
         if theirs[part].get(name) != mine[part].get(name)
     ]
     if differences:
-        raise ValueError(f"{path.parent} holds an evaluation with other settings ({'; '.join(differences)}); give another folder")
+        what = "; ".join(differences)
+        raise ValueError(f"{path.parent} holds an evaluation with other settings ({what}); give another folder or anew")
     return dict(theirs["about"])

@@ -22,15 +22,15 @@ FULL = "full"  # minutes: the league's own length of a match
 class EvaluateSettings:
     """Play one team against another and say how sure the result is.
 
-    Half as many seeds as matches are drawn; each is played twice, the teams changing sides. Results are from the side of
-    --home; intervals (95 %) are bootstraps over the pairs. The same settings give the same result, match by match,
+    Half as many seeds as matches are drawn; each is played twice, the teams changing sides. Results are from the side
+    of --home; intervals (95 %) are bootstraps over the pairs. The same settings give the same result, match by match,
     whatever --threads is. A run that was stopped goes on where it was when the same command is given again.
     """
 
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
     home: str = "chaser"
-    """The team whose result this is: a name, NAME@STRENGTH such as chaser@0.5, or the path of a policy file."""
+    """The team whose result this is: a name of `soccer list teams`, or NAME@STRENGTH such as chaser@0.5."""
     away: str = "random"
     """The team it plays against, written like --home."""
     matches: int = 20
@@ -53,6 +53,8 @@ class EvaluateSettings:
     """How robots reach their places at a restart; None for the league's choice in evaluations."""
     out: Path | None = None
     """Folder for matches.jsonl, result.json and report.md; without it nothing is written."""
+    anew: bool = False
+    """Remove the files that an earlier evaluation left in --out, instead of going on with it or refusing."""
     picture: bool = False
     """Draw the first match as a sheet of pictures, match.png in --out (needs pygame-ce)."""
     at_least: float | None = None
@@ -64,15 +66,15 @@ class EvaluateSettings:
             raise ValueError(f"matches must be even (each seed is played twice, sides swapped), got {self.matches}")
         whole("seed", self.seed, 0)
         whole("threads", self.threads, 1)
-        if self.minutes is not None and self.minutes != FULL:
-            if not (is_number(self.minutes) and 0.0 < float(self.minutes) < 10_000.0):
-                raise ValueError(f"minutes must be above 0 and below 10000, or {FULL!r}, got {self.minutes!r}")
+        timed = is_number(self.minutes) and 0.0 < float(self.minutes or 0.0) < 10_000.0
+        if not (timed or self.minutes in (None, FULL)):
+            raise ValueError(f"minutes must be above 0 and below 10000, or {FULL!r}, got {self.minutes!r}")
         if self.placement not in (None, *PLACEMENTS):
             raise ValueError(f"placement must be one of {', '.join(PLACEMENTS)}, got {self.placement!r}")
         if self.at_least is not None and not (is_number(self.at_least) and 0.0 <= self.at_least <= 1.0):
             raise ValueError(f"at_least must be 0 to 1, got {self.at_least!r}")
         if self.picture and self.out is None:
-            raise ValueError("picture needs a folder to stand in: give out as well")
+            raise ValueError("picture needs a folder: give out as well")
         split_players(self.players, 1)
         split_senses(self.senses)
 
@@ -132,6 +134,8 @@ def command_of(settings: EvaluateSettings) -> str:
     always = {"league", "home", "away", "matches", "seed"}
     words = ["soccer", "evaluate"]
     for field in fields(settings):
+        if field.name == "anew":  # would throw away the matches that the command is to go on with
+            continue
         value, flag = getattr(settings, field.name), "--" + field.name.replace("_", "-")
         if value == field.default and field.name not in always:
             continue

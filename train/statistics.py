@@ -1,4 +1,4 @@
-"""Intervals for what matches say: a bootstrap over pairs, Wilson's interval, the interquartile mean, numbers of matches."""
+"""Say how sure results are: bootstrap over pairs, Wilson's interval, interquartile mean, required number of matches."""
 
 from __future__ import annotations
 

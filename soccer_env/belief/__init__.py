@@ -1,1 +1,4 @@
-"""What robots believe, built from percepts and never from the truth. Filled by a later version; see `perception.ideal`."""
+"""What robots believe, built from percepts and never from the truth. Filled by a later version.
+
+See `perception.ideal`.
+"""

@@ -20,5 +20,17 @@ def find_league(league: str | League) -> League:
     return LEAGUES[league]
 
 
-__all__ = ["LEAGUES", "BallModel", "Body", "Drive", "Head", "Kicker", "League", "Pitch", "Rules", "Slots", "Substeps",
-           "find_league"]
+__all__ = [
+    "LEAGUES",
+    "BallModel",
+    "Body",
+    "Drive",
+    "Head",
+    "Kicker",
+    "League",
+    "Pitch",
+    "Rules",
+    "Slots",
+    "Substeps",
+    "find_league",
+]

@@ -14,7 +14,7 @@ GROUPS = {  # what of each part of a league goes into the record, as part_field
     "kicker": "slowest fastest least wind_up recharge spread reach half_width",
     "head": "pan_limit tilt_low tilt_high pan_speed tilt_speed camera_height camera_ahead",
     "rules": "kick_off_distance restart_distance restart_time in_play_distance placing_time stuck_time stuck_radius "
-             "separation corner_offset goal_kick_x goal_kick_y drop_x drop_y",
+    "separation corner_offset goal_kick_x goal_kick_y drop_x drop_y",
     "substeps": "travel",
 }
 NUMBERS = [f"{part}_{name}" for part, names in GROUPS.items() for name in names.split()]

@@ -97,8 +97,15 @@ class Pitch:
     net_elasticity: float = 0.05  # [1] assumed: a goal catches the ball
 
     def __post_init__(self) -> None:
-        check(self, length=positive, width=positive, goal_width=positive, goal_depth=positive,
-              wall_elasticity=between_0_and_1, net_elasticity=between_0_and_1)
+        check(
+            self,
+            length=positive,
+            width=positive,
+            goal_width=positive,
+            goal_depth=positive,
+            wall_elasticity=between_0_and_1,
+            net_elasticity=between_0_and_1,
+        )
         if not self.goal_width < self.width:
             raise ValueError(f"Pitch.goal_width must be less than the width {self.width}, got {self.goal_width}")
 
@@ -117,8 +124,7 @@ class BallModel:
     top_speed: float  # [m/s] nothing moves it faster
 
     def __post_init__(self) -> None:
-        check(self, radius=positive, mass=positive, shell=positive, top_speed=positive,
-              elasticity=between_0_and_1)
+        check(self, radius=positive, mass=positive, shell=positive, top_speed=positive, elasticity=between_0_and_1)
 
 
 @dataclass(frozen=True)
@@ -170,8 +176,18 @@ class Drive:
     fall_time: float  # [s] on the ground
 
     def __post_init__(self) -> None:
-        check(self, forward=positive, backward=positive, turn=positive, acceleration=positive,
-              turn_acceleration=positive, traction=positive, turn_traction=positive, gait_steps=positive, slip_time=positive)
+        check(
+            self,
+            forward=positive,
+            backward=positive,
+            turn=positive,
+            acceleration=positive,
+            turn_acceleration=positive,
+            traction=positive,
+            turn_traction=positive,
+            gait_steps=positive,
+            slip_time=positive,
+        )
         if self.kind not in DRIVE_KINDS:
             raise ValueError(f"Drive.kind must be one of {', '.join(DRIVE_KINDS)}, got {self.kind!r}")
         if self.delay > 0.2:
@@ -295,7 +311,9 @@ class League:
         if not 1 <= self.team_size <= MAX_TEAM:
             raise ValueError(f"League.team_size must be 1 to {MAX_TEAM}, got {self.team_size}")
         if self.evaluation_placement not in PLACEMENTS:
-            raise ValueError(f"League.evaluation_placement must be one of {PLACEMENTS}, got {self.evaluation_placement!r}")
+            raise ValueError(
+                f"League.evaluation_placement must be one of {PLACEMENTS}, got {self.evaluation_placement!r}"
+            )
         if self.delay_steps >= MAX_DELAY_STEPS:
             raise ValueError(f"Drive.delay spans {self.delay_steps} control steps, at most {MAX_DELAY_STEPS - 1} fit")
         if 2.0 * self.body.reach > min(self.pitch.length, self.pitch.width) / 4:

@@ -1,13 +1,13 @@
 """The Sony legged league of 2001: AIBO ERS-210 robots on a walled field of 3 x 2 m.  [Sacks 2001, 1]  MS56
 
-    +-----------------------------------------------+   3.0 x 2.0 m, boards all round
-    |                       |                       |   goals 0.6 m wide, 0.3 m deep
-    |---+                   |                   +---|   16 control steps a second, gait steps of half a second
-    +   |                  ( o )                |   +
-    +   |                   |                   |   +
-    |---+                   |                   +---|
-    |                       |                       |
-    +-----------------------------------------------+
++-----------------------------------------------+   3.0 x 2.0 m, boards all round
+|                       |                       |   goals 0.6 m wide, 0.3 m deep
+|---+                   |                   +---|   16 control steps a second, gait steps of half a second
++   |                  ( o )                |   +
++   |                   |                   |   +
+|---+                   |                   +---|
+|                       |                       |
++-----------------------------------------------+
 """
 
 from __future__ import annotations

@@ -1,16 +1,17 @@
-"""The middle-size league of 2006: omnidirectional robots on a field of 12 x 8 m.  [Heinemann et al. 2006, 2]  MH01, MH23
+"""The middle-size league of 2006: omnidirectional robots on a field of 12 x 8 m.  [Heinemann et al. 2006, 2]  MH01,
+MH23
 
-    +-----------------------------------------------------+   12.0 x 8.0 m within a band of 1.0 m (0.5 m behind the
-    |  +-----------------------+-----------------------+  |   goal lines), outer boards
-    |  |                       |                       |  |   goals 2.0 m wide, 0.5 m deep
-    |  |----+                  |                  +----|  |   50 control steps a second
-    | +|-+  |               .--+--.               |  +-|+ |
-    | || |  |              (   o   )              |  | || |
-    | +|-+  |               '--+--'               |  +-|+ |
-    |  |----+                  |                  +----|  |
-    |  |                       |                       |  |
-    |  +-----------------------+-----------------------+  |
-    +-----------------------------------------------------+
++-----------------------------------------------------+   12.0 x 8.0 m within a band of 1.0 m (0.5 m behind the
+|  +-----------------------+-----------------------+  |   goal lines), outer boards
+|  |                       |                       |  |   goals 2.0 m wide, 0.5 m deep
+|  |----+                  |                  +----|  |   50 control steps a second
+| +|-+  |               .--+--.               |  +-|+ |
+| || |  |              (   o   )              |  | || |
+| +|-+  |               '--+--'               |  +-|+ |
+|  |----+                  |                  +----|  |
+|  |                       |                       |  |
+|  +-----------------------+-----------------------+  |
++-----------------------------------------------------+
 """
 
 from __future__ import annotations

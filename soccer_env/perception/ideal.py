@@ -1,7 +1,7 @@
 """senses="ideal": copy the truth into the fields of beliefs and tracks, as a sensor without error or memory would.
 
-Everything is relative to the robot, and its own pose is in its team's frame (own goal behind), so that a team never learns
-which side it plays on.
+Everything is relative to the robot, and its own pose is in its team's frame (own goal behind), so that a team never
+learns which side it plays on.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The ball on the carpet: it slides after a blow until it rolls, then slows down at a constant rate.
 
-Friction acts for half a control step before the contacts are solved and for half a step after: speed is then exact at the
-ends of a step, and the distance is v^2 / 2a to the last digit of the integration.
+Friction acts for half a control step before the contacts are solved and for half a step after: speed is then exact at
+the ends of a step, and the distance is v^2 / 2a to the last digit of the integration.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Call Chipmunk, the C library under pymunk, from compiled loops over matches.
 
-The only file that knows pymunk's private names. pymunk's batch iterators copy the numbers of all bodies of a Space from
-or to an array. They and `cpSpaceStep` take addresses and doubles only, so a kernel can write velocities, step and read
-back without Python and without its lock, for about 0.3 us a match step on top of the steps themselves.
+The only file that knows pymunk's private names. pymunk's batch iterators copy the numbers of all bodies of a Space
+from or to an array. They and `cpSpaceStep` take addresses and doubles only, so a kernel can write velocities, step
+and read back without Python and without its lock, for about 0.3 us a match step on top of the steps themselves.
 
 The functions below take `links`, one record for each match with all addresses that it needs, and the match's index;
 `space_batch.py` makes `links` and owns the arrays that it points to:

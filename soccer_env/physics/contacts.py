@@ -1,4 +1,7 @@
-"""Who touched what, from positions and velocities: Chipmunk's own contacts come in an order that differs between processes."""
+"""Who touched what, from positions and velocities.
+
+Chipmunk's own contacts come in an order that differs between processes.
+"""
 
 from __future__ import annotations
 
@@ -49,8 +52,9 @@ def hull_gap(k, ahead, left):
 def find_touches(ball, robots, robot_events, k, knock_x, knock_y):
     """Mark the robots that touch the ball; return the row of the one that touched it last (the nearest), or -1.
 
-    The knock [m/s] is the change of velocity that the contacts of this step made. A ball that was knocked may already be on its
-    way: the nearest robot that it was knocked away from, within the distance that it can have covered, touched it.
+    The knock [m/s] is the change of velocity that the contacts of this step made. A ball that was knocked may already
+    be on its way: the nearest robot that it was knocked away from, within the distance that it can have covered,
+    touched it.
     """
     nearest, least = -1, 1e9
     knocked = knock_x * knock_x + knock_y * knock_y > KNOCK * KNOCK

@@ -1,7 +1,7 @@
 """From commands to velocities: delay, gait or wheels, acceleration and traction.  MH01
 
-A legged robot latches its walk when a gait step ends; wheels follow at every control step. What the legs or wheels want is held
-against what the body really does (it may be pushing something), and the ground bears only so much force.
+A legged robot latches its walk when a gait step ends; wheels follow at every control step. What the legs or wheels
+want is held against what the body really does (it may be pushing something), and the ground bears only so much force.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A pymunk Space for one match: boards, goals, ball and robots, always added in the same order.
 
-Bodies are added as ball, robot 0, robot 1, ...; that order is the order of rows in every body array. A Space is made anew at each
-reset: one that is reset in place remembers its past and breaks reproducibility.
+Bodies are added as ball, robot 0, robot 1, ...; that order is the order of rows in every body array. A Space is made
+anew at each reset: one that is reset in place remembers its past and breaks reproducibility.
 """
 
 from __future__ import annotations
@@ -54,7 +54,8 @@ def robot_shapes(body: pymunk.Body, league: League) -> list[pymunk.Shape]:
     """Return the hull or disc of a robot and the two tips of its pocket."""
     outline = league.body
     shapes: list[pymunk.Shape] = [
-        pymunk.Poly(body, outline.corners) if outline.corners
+        pymunk.Poly(body, outline.corners)
+        if outline.corners
         else pymunk.Circle(body, outline.disc_radius, (outline.disc_x, 0.0))
     ]
     if outline.tip_radius > 0.0:
@@ -68,12 +69,19 @@ def boards(static: pymunk.Body, league: League) -> list[pymunk.Shape]:
     shapes = walled_ends(static, league) if pitch.walled else banded_ends(static, league)
     half_length, half_width = pitch.length / 2 + pitch.band_end, pitch.width / 2 + pitch.band_side
     for side in (1, -1):
-        shapes.append(box(static, -half_length - BOARD, half_length + BOARD, side * half_width, side * (half_width + BOARD)))
+        shapes.append(
+            box(static, -half_length - BOARD, half_length + BOARD, side * half_width, side * (half_width + BOARD))
+        )
     for shape in shapes:
         shape.elasticity, shape.friction = pitch.wall_elasticity, pitch.wall_friction
     for side in (1, -1):
-        back = box(static, side * (pitch.length / 2 + pitch.goal_depth), side * (pitch.length / 2 + pitch.goal_depth + BOARD),
-                   -pitch.goal_width / 2, pitch.goal_width / 2)
+        back = box(
+            static,
+            side * (pitch.length / 2 + pitch.goal_depth),
+            side * (pitch.length / 2 + pitch.goal_depth + BOARD),
+            -pitch.goal_width / 2,
+            pitch.goal_width / 2,
+        )
         back.elasticity, back.friction = pitch.net_elasticity, pitch.wall_friction
         shapes.append(back)
     return shapes
@@ -85,7 +93,8 @@ def walled_ends(static: pymunk.Body, league: League) -> list[pymunk.Shape]:
     near, far = pitch.length / 2, pitch.length / 2 + pitch.goal_depth + BOARD
     return [
         box(static, end * near, end * far, side * pitch.goal_width / 2, side * (pitch.width / 2 + BOARD))
-        for end in (1, -1) for side in (1, -1)
+        for end in (1, -1)
+        for side in (1, -1)
     ]
 
 
@@ -99,8 +108,15 @@ def banded_ends(static: pymunk.Body, league: League) -> list[pymunk.Shape]:
             y = side * (pitch.goal_width / 2 + pitch.post_radius)
             start, stop = (end * (line + pitch.post_radius), y), (end * (line + pitch.goal_depth), y)
             shapes.append(pymunk.Segment(static, start, stop, pitch.post_radius))
-            shapes.append(box(static, end * edge, end * (edge + BOARD), side * pitch.goal_width / 2,
-                              side * (pitch.width / 2 + pitch.band_side + BOARD)))
+            shapes.append(
+                box(
+                    static,
+                    end * edge,
+                    end * (edge + BOARD),
+                    side * pitch.goal_width / 2,
+                    side * (pitch.width / 2 + pitch.band_side + BOARD),
+                )
+            )
     return shapes
 
 

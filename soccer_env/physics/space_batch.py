@@ -3,8 +3,8 @@
 Two ways lead from the arrays to the Spaces and back, with bit-identical results: `"c"` calls Chipmunk from compiled
 code (`chipmunk.py`), `"batch"` is the public `pymunk.batch`, one match after the other from Python.
 
-At each reset `batch.set_space(m, space)`. At each step a kernel fills `batch.velocities`, `batch.step_all(dt, substeps)`
-goes either way, and the next kernel reads `batch.bodies`; with the C way one kernel can do all three.
+At each reset `batch.set_space(m, space)`. At each step a kernel fills `batch.velocities`, `batch.step_all(dt,
+substeps)` goes either way, and the next kernel reads `batch.bodies`; with the C way one kernel can do all three.
 """
 
 import functools

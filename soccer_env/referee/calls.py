@@ -1,7 +1,7 @@
 """What the referee calls: touches, goals, out of play, stuck ball, the end of a half.
 
-Each rule reads the truth of one match and either does nothing or notes an event and calls a restart; the restart is carried
-out by `referee.restarts`. Written for both teams at once through the direction in which home attacks.
+Each rule reads the truth of one match and either does nothing or notes an event and calls a restart; the restart is
+carried out by `referee.restarts`. Written for both teams at once through the direction in which home attacks.
 """
 
 from __future__ import annotations
@@ -20,7 +20,10 @@ OVER = int(Phase.OVER)
 
 @compiled
 def judge(match, ball, robots, events, k, toucher):
-    """Apply the rules to one match after the physics of a control step; `toucher` is the row that touched the ball, or -1."""
+    """Apply the rules to one match after the physics of a control step.
+
+    `toucher` is the row that touched the ball, or -1.
+    """
     events.ball_x, events.ball_y = ball.x, ball.y
     match.clock += k.dt
     match.phase_clock += k.dt
@@ -57,10 +60,7 @@ def goal_scored(ball, k):
 @compiled
 def out_of_play(ball, k):
     """Tell whether the whole ball is over a touchline or goal line."""
-    return (
-        abs(ball.y) > 0.5 * k.pitch_width + k.ball_radius
-        or abs(ball.x) > 0.5 * k.pitch_length + k.ball_radius
-    )
+    return abs(ball.y) > 0.5 * k.pitch_width + k.ball_radius or abs(ball.x) > 0.5 * k.pitch_length + k.ball_radius
 
 
 @compiled

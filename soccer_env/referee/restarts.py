@@ -1,7 +1,8 @@
 """Carry out a restart: put the ball down, choose places, keep the distances, put robots there or let them drive.
 
-Under instant placement the robots stand at their places at once. Under drive placement the referee steers them for up to the
-league's placing time while the ball lies still and the clock runs; whoever is then still too near the ball is put at a legal place.
+Under instant placement the robots stand at their places at once. Under drive placement the referee steers them for up
+to the league's placing time while the ball lies still and the clock runs; whoever is then still too near the ball is
+put at a legal place.
 """
 
 from __future__ import annotations
@@ -209,7 +210,7 @@ def end_placing(match, ball, robots, k):
         x, y = robots[r].x - match.restart_x, robots[r].y - match.restart_y
         too_near = length(x, y) < distance_from_ball(match, robots[r], k)
         wrong_half = match.phase == KICK_OFF and robots[r].x * direction_of(match, robots[r].team) > 0.0
-        if robots[r].active == 1 and (too_near or wrong_half) and not is_taker(match, robots, r):
-            put_robot(robots[r])
-        elif robots[r].active == 1 and is_taker(match, robots, r) and length(x, y) < k.body_reach:
+        crowds_ball = is_taker(match, robots, r) and length(x, y) < k.body_reach
+        out_of_place = (too_near or wrong_half) and not is_taker(match, robots, r)
+        if robots[r].active == 1 and (out_of_place or crowds_ball):
             put_robot(robots[r])

@@ -186,6 +186,7 @@ class Canvas:
         """Bring the background back wherever something was drawn since."""
         if self._background is None:
             raise RuntimeError("a canvas is cleaned only after keep()")
+        self._stale, self._touched = self._stale + self._touched, []  # the latter only after a drawing that failed
         for rect in self._stale:
             self.large.blit(self._background, rect, rect)
 

@@ -89,9 +89,9 @@ class Picture:
         return np.frombuffer(pixels, np.uint8).reshape(self.height, self.width, 3)
 
 
-def one_line(name: str) -> str:
+def one_line(name: object) -> str:
     """Return a name that a font can write: one line, no control characters."""
-    return " ".join("".join(letter if letter.isprintable() else " " for letter in name).split())
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in str(name)).split())
 
 
 def check_records(match: np.void, ball: np.void, robots: np.ndarray) -> None:

@@ -44,9 +44,9 @@ def view_of(pitch: Pitch, width: int) -> tuple[View, int]:
 
 
 def rounded(corners: Sequence[Point], radius: float) -> list[Point]:
-    """Return the outline of all points within a radius of a convex polygon, counter-clockwise; of two corners, a capsule.
+    """Return the outline of all points within a radius of a convex polygon, both counter-clockwise.
 
-    The corners run counter-clockwise.
+    Two corners give a capsule.
     """
     outline = []
     for index, (x, y) in enumerate(corners):

@@ -1,0 +1,211 @@
+"""Replay files: a saved state, the commands of every robot, and what happened between the steps.
+
+Nobody decides anything in a replay, so it needs neither the teams nor their policies. Its log holds each reseat (a
+save or load rebuilds the physics) and the records of each episode that began; a hash of the play per control step
+proves that it plays again exactly.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import Any, get_type_hints
+from zipfile import BadZipFile
+
+import numpy as np
+
+from soccer_env import saving
+from soccer_env.leagues.league import League
+from soccer_env.match import Match
+from soccer_env.scenes import Scene
+from soccer_env.settings import plain
+from soccer_env.types import COMMAND
+
+FORMAT = "soccer_env replay 1"
+
+
+class Recorder:
+    """Write down a running match. Starting to record reseats it, as a save does."""
+
+    def __init__(self, match: Match) -> None:
+        match.recorder = None
+        self.start = saving.dump(match, memory=False)
+        match.reseat()
+        self.settings = match.settings
+        self.commands: list[np.ndarray] = []
+        self.hashes: list[str] = []
+        self.log: list[tuple[int, list[int], bytes]] = []  # (control steps before it, matches, all records)
+        self._match = match
+        match.recorder = self
+
+    def note_commands(self, commands: np.ndarray) -> None:
+        """Note the commands (M, R) of a control step."""
+        self.commands.append(commands.copy())
+
+    def note_state(self, match: Match) -> None:
+        """Note the hash of the play after a control step."""
+        self.hashes.append(saving.play_hash(match))
+
+    def note_seating(self, rows: Any) -> None:
+        """Note that the physics of some matches was rebuilt from records that may be new.
+
+        A reseat, a load or a new episode.
+        """
+        self.log.append((len(self.commands), [int(m) for m in rows], saving.dump(self._match, memory=False)))
+
+    def stop(self) -> Replay:
+        """Stop recording and return the replay."""
+        self._match.recorder = None
+        commands = np.array(self.commands) if self.commands else np.zeros((0, *self._match.robots.shape), COMMAND)
+        return Replay(describe(self._match), self.start, commands, list(self.hashes), list(self.log))
+
+
+class Replay:
+    """A recorded match: `play` runs it again, `write` and `read` keep it in a file."""
+
+    def __init__(
+        self,
+        settings: dict[str, Any],
+        start: bytes,
+        commands: np.ndarray,
+        hashes: list[str],
+        log: list[tuple[int, list[int], bytes]],
+    ) -> None:
+        self.settings, self.start, self.commands, self.hashes, self.log = settings, start, commands, hashes, log
+
+    def __len__(self) -> int:
+        return len(self.commands)
+
+    def make_match(self) -> Match:
+        """Return the match as it was when the recording began, all robots played from outside."""
+        wanted = dict(self.settings)
+        scene, teams = wanted.pop("scene"), wanted.pop("teams")
+        del teams
+        wanted["league"] = rebuild(League, wanted["league"])
+        wanted["scene"] = Scene(scene["name"], "replayed", None, scene["success"], float(scene["time_limit"]))
+        match = Match(actions="full", seed=0, **wanted | {"action_repeat": 1, "max_cycles": None})
+        saving.restore(match, self.start, memory=False)
+        match.reseat()
+        return match
+
+    def play(self) -> Iterator[Match]:
+        """Yield the match at its start and after every control step; ValueError names the first step that differs."""
+        match = self.make_match()
+        yield match
+        pending = list(self.log)
+        for step in range(len(self.commands) + 1):
+            while pending and pending[0][0] == step:
+                _, rows, records = pending.pop(0)
+                saving.restore(match, records, memory=False)
+                match.reseat(rows)
+            if step == len(self.commands):
+                return
+            match.step(as_actions(self.commands[step]))
+            if saving.play_hash(match) != self.hashes[step]:
+                raise ValueError(f"this replay differs from the recorded match at control step {step}")
+            yield match
+
+    def check(self) -> int:
+        """Play everything again; return the number of control steps that agreed.
+
+        ValueError names the first that differs.
+        """
+        return sum(1 for _ in self.play()) - 1
+
+    def write(self, path: str | Path) -> Path:
+        """Write the replay to a file, in one piece or not at all; return its path."""
+        path = Path(path)
+        header = {"format": FORMAT, "settings": self.settings, "log": [[step, rows] for step, rows, _ in self.log]}
+        arrays = {
+            "header": np.frombuffer(json.dumps(header).encode(), np.uint8),
+            "start": np.frombuffer(self.start, np.uint8),
+            "commands": as_actions(self.commands),
+            "hashes": np.array(self.hashes, "S32"),
+            **{f"records_{index}": np.frombuffer(entry[2], np.uint8) for index, entry in enumerate(self.log)},
+        }
+        partial = path.with_name(path.name + ".part")
+        with open(partial, "wb") as file:
+            np.savez_compressed(file, **arrays)  # type: ignore[arg-type]  # numpy's stubs take the arrays for allow_pickle
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(partial, path)
+        return path
+
+    @staticmethod
+    def read(path: str | Path) -> Replay:
+        """Read a replay file; ValueError if it is not one or is damaged. Nothing in it is executed."""
+        try:
+            with np.load(path, allow_pickle=False) as file:
+                arrays = {name: file[name] for name in file.files}
+            header = json.loads(arrays["header"].tobytes())
+            if header["format"] != FORMAT:
+                raise ValueError(f"its format is {header['format']!r}, this version reads {FORMAT!r}")
+            log = [
+                (int(step), [int(m) for m in rows], arrays[f"records_{index}"].tobytes())
+                for index, (step, rows) in enumerate(header["log"])
+            ]
+            hashes = [value.decode() for value in arrays["hashes"]]
+            commands = as_commands(arrays["commands"])
+            if len(commands) != len(hashes):
+                raise ValueError(f"it has {len(commands)} commands and {len(hashes)} hashes")
+            return Replay(header["settings"], arrays["start"].tobytes(), commands, hashes, log)
+        except (BadZipFile, KeyError, TypeError, ValueError, EOFError, AttributeError) as error:
+            raise ValueError(f"{path} is not a replay that can be read: {error}") from error
+
+
+def as_actions(commands: np.ndarray) -> np.ndarray:
+    """Return commands as numbers (..., 7)."""
+    return np.stack([commands[name] for name in COMMAND.names or ()], axis=-1)
+
+
+def as_commands(actions: np.ndarray) -> np.ndarray:
+    """Return numbers (T, M, R, 7) as commands (T, M, R); ValueError if they are not finite."""
+    if actions.ndim != 4 or actions.shape[-1] != 7 or actions.dtype != np.float64 or not np.isfinite(actions).all():
+        raise ValueError(f"its commands are {actions.dtype} of shape {actions.shape}, not finite (T, M, R, 7) float64")
+    commands = np.zeros(actions.shape[:-1], COMMAND)
+    for index, name in enumerate(COMMAND.names or ()):
+        commands[name] = actions[..., index]
+    return commands
+
+
+def rebuild(kind: type, values: dict[str, Any]) -> Any:
+    """Return a settings record from the plain values that `settings.plain` made of it; its own checks apply."""
+    types = get_type_hints(kind)
+    known = {item.name for item in fields(kind)}
+    if set(values) != known:
+        raise ValueError(f"{kind.__name__} has the fields {', '.join(sorted(known))}, got {', '.join(sorted(values))}")
+    made = {}
+    for name, value in values.items():
+        if is_dataclass(types[name]):
+            value = rebuild(types[name], value)
+        elif name == "corners":
+            value = tuple(tuple(corner) for corner in value)
+        made[name] = value
+    return kind(**made)
+
+
+def describe(match: Match) -> dict[str, Any]:
+    """Return what a replay needs to know of a match's settings."""
+    settings = match.settings
+    return {
+        "league": plain(settings.league),
+        "home": settings.home,
+        "away": settings.away,
+        "keeper": settings.keeper,
+        "max_players": settings.max_players if settings.padded else None,
+        "episode": settings.episode,
+        "placement": settings.placement,
+        "minutes": settings.minutes,
+        "max_cycles": settings.max_cycles,
+        "action_repeat": settings.action_repeat,
+        "scene": {
+            "name": settings.scene.name,
+            "success": settings.scene.success,
+            "time_limit": str(settings.scene.time_limit),
+        },
+        "matches": match.count,
+        "teams": {match.agents[r]: squad.team.name for squad in match.squads for r in squad.players},
+    }

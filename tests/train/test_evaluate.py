@@ -1,0 +1,203 @@
+"""An evaluation: pairs with sides swapped, the same whatever the threads, going on where it stopped."""
+
+import json
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+from soccer_env.random_numbers import seeds_for
+from soccer_env.train import evaluate as module
+from soccer_env.train.command_line import main
+from soccer_env.train.evaluate import EvaluateSettings, evaluate
+from soccer_env.train.results import EvaluationResult
+
+SHORT: dict[str, Any] = {"home": "random", "away": "still", "matches": 10, "minutes": 0.1, "seed": 5}
+
+
+def short(**changes: Any) -> EvaluationResult:
+    return evaluate(EvaluateSettings(**{**SHORT, **changes}))
+
+
+class Follower:
+    """A user's own team: run to the ball, or away from it."""
+
+    name = "follower"
+    memory_dtype = np.dtype([])
+
+    def __init__(self, speed: float = 1.0) -> None:
+        self.speed = speed
+
+    def act(self, view: Any, memory: np.ndarray, rng: Any) -> np.ndarray:
+        commands = view.stand()
+        commands[..., 0], commands[..., 2] = self.speed, np.clip(2.0 * view.ball["bearing"], -1.0, 1.0)
+        commands[..., 3] = 1.0
+        return commands
+
+
+@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
+def test_the_result_does_not_depend_on_threads_or_batches(league: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    one = short(league=league)
+    assert short(league=league, threads=2) == one
+    monkeypatch.setattr(module, "BATCH", 1)
+    assert short(league=league) == one
+    monkeypatch.setattr(module, "BATCH", 3)
+    assert short(league=league, threads=2) == one
+    assert len({line.state for line in one.lines}) == 10
+
+
+def test_another_seed_gives_other_matches() -> None:
+    states = {line.state for line in short().lines}
+    assert states.isdisjoint(line.state for line in short(seed=6).lines)
+
+
+def test_more_matches_begin_with_the_same_pairs() -> None:
+    assert [line.state for line in short(matches=4).lines] == [line.state for line in short().lines[:4]]
+
+
+def test_every_match_can_be_played_alone() -> None:
+    for line in short(matches=4).lines:
+        sides = {"home": "random", "away": "still"} if line.side == "home" else {"home": "still", "away": "random"}
+        match = Match("legged-2001", seeds=[line.seed], minutes=0.1, controllers=sides)
+        while not match.terminated[0]:
+            match.step(None)
+        assert match.state_hash(0) == line.state
+        assert match.matches["step"][0] == line.steps == 0.1 * 60 * 16
+
+
+def test_pairs_share_a_seed_and_swap_sides() -> None:
+    lines = short().lines
+    expected = seeds_for(5, 5).tolist()
+    assert [line.seed for line in lines] == [seed for seed in expected for _ in range(2)]
+    assert [line.pair for line in lines] == [0, 0, 1, 1, 2, 2, 3, 3, 4, 4]
+    assert [line.side for line in lines] == ["home", "away"] * 5
+
+
+def test_the_second_match_of_a_pair_swaps_teams_and_sizes() -> None:
+    settings = EvaluateSettings(home="random", away="still", players="1v2", minutes=0.1)
+    league = find_league("legged-2001")
+    contest = module.contest_of(module.conditions_of(settings, league), league, {})
+    there, back = contest.start("home", [1]), contest.start("away", [1])
+    assert there.agents == ["home_0", "away_0", "away_1"]
+    assert back.agents == ["home_0", "home_1", "away_0"]
+    assert [(squad.team.name, len(squad.players)) for squad in there.squads] == [("random", 1), ("still", 2)]
+    assert [(squad.team.name, len(squad.players)) for squad in back.squads] == [("still", 2), ("random", 1)]
+
+
+def test_goals_count_for_the_team_that_scored_them() -> None:
+    """5 : 2 for the side called home is 5 : 2 for the first team in an even match and 2 : 5 in an odd one."""
+    record = np.zeros(1, [("score", "i8", (2,)), ("step", "i8")])
+    record["score"] = (5, 2)
+    match: Any = SimpleNamespace(matches=record, seeds=[7], state_hash=lambda m: "f")
+    first, second = (module.line_of_match(match, 0, number, "s") for number in (8, 9))
+    assert (first.side, first.goals_for, first.goals_against) == ("home", 5, 2)
+    assert (second.side, second.goals_for, second.goals_against) == ("away", 2, 5)
+
+
+def test_a_team_of_ones_own_wins_on_both_sides() -> None:
+    """Whoever runs at the ball scores more than whoever stands still, from either side."""
+    settings = EvaluateSettings(
+        league="middle-size-2006", home="mine", away="still", matches=10, minutes=2.0, players=1, placement="instant"
+    )
+    result = evaluate(settings, teams={"mine": Follower()})
+    for side in ("home", "away"):
+        lines = [line for line in result.lines if line.side == side]
+        assert sum(line.goals_for for line in lines) > sum(line.goals_against for line in lines)
+
+
+def test_a_stopped_run_goes_on_and_ends_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "BATCH", 2)
+    whole = short(out=tmp_path / "whole")
+    played: list[list[int]] = []
+    play = module.play
+
+    def stop_at_the_third(contest: Any, batch: list[int], *rest: Any) -> Any:
+        if len(played) == 3:
+            raise KeyboardInterrupt
+        played.append(batch)
+        return play(contest, batch, *rest)
+
+    monkeypatch.setattr(module, "play", stop_at_the_third)
+    with pytest.raises(KeyboardInterrupt):
+        short(out=tmp_path / "parts")
+    path = tmp_path / "parts" / "matches.jsonl"
+    path.write_bytes(path.read_bytes()[:-20])  # and the last line was torn
+    assert not (tmp_path / "parts" / "result.json").exists()
+    played.clear()
+    monkeypatch.setattr(module, "play", lambda *given: played.append(given[1]) or play(*given))
+    assert short(out=tmp_path / "parts", threads=2) == whole
+    assert sum(map(len, played)) == 5, "five of ten matches were on disk whole"
+    one, other = (json.loads((tmp_path / name / "result.json").read_text()) for name in ("whole", "parts"))
+    assert one == other
+
+
+def test_a_finished_evaluation_is_not_played_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    first = short(out=tmp_path)
+    files = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    monkeypatch.setattr(module, "play", None)
+    assert short(out=tmp_path) == first
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == files
+    assert set(files) == {"settings.json", "matches.jsonl", "result.json", "report.md"}
+
+
+def test_other_settings_in_the_same_folder_are_refused_unless_anew(tmp_path: Path) -> None:
+    short(matches=2, out=tmp_path)
+    before = (tmp_path / "matches.jsonl").read_bytes()
+    with pytest.raises(ValueError, match="seed 5 there, 6 now"):
+        short(matches=2, seed=6, out=tmp_path)
+    assert (tmp_path / "matches.jsonl").read_bytes() == before
+    assert short(matches=2, seed=6, out=tmp_path, anew=True).lines[0].seed == seeds_for(6, 1)[0]
+
+
+def test_what_cannot_be_played_leaves_no_folder(tmp_path: Path) -> None:
+    for wrong in ({"observe": "x-rays"}, {"senses": "sensors"}, {"home": "nobody"}, {"scene": "empty-goal"}):
+        try:
+            short(out=tmp_path / "new", matches=2, **wrong)
+        except ValueError:
+            assert not (tmp_path / "new").exists()
+
+
+def test_result_json_is_the_contract(tmp_path: Path) -> None:
+    short(out=tmp_path, players="2v3", matches=2)
+    record = json.loads((tmp_path / "result.json").read_text())
+    expected = {
+        "league": "legged-2001", "home": "random", "away": "still", "matches": 2, "minutes": 0.1, "seed": 5,
+        "observe": "truth", "senses": "ideal", "players": "2v3", "placement": "instant",
+    }  # fmt: skip
+    assert {name: record[name] for name in expected} == expected
+    assert record["wins"] + record["draws"] + record["losses"] == 2
+    for name in ("goal_difference", "win_rate", "points"):
+        assert list(record[name]) == ["mean", "low", "high"]
+    assert [line["match"] for line in record["results"]] == [0, 1]
+
+
+def test_pictures_of_the_first_match(tmp_path: Path) -> None:
+    pytest.importorskip("pygame")
+    short(out=tmp_path, matches=2, picture=True)
+    assert (tmp_path / "match.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_without_pygame_there_is_a_note_and_no_picture(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def missing() -> None:
+        raise ImportError("pictures need pygame")
+
+    monkeypatch.setattr("soccer_env.train.pictures.require_pictures", missing)
+    short(out=tmp_path, matches=2, picture=True)
+    assert "no picture: pictures need pygame" in capsys.readouterr().err
+    assert not (tmp_path / "match.png").exists()
+
+
+def test_the_command_prints_a_table_and_judges(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["evaluate", "--home", "still", "--away", "still", "--matches", "2", "--minutes", "0.05", "--out"]
+    assert main([*words, str(tmp_path)]) == 0
+    printed = capsys.readouterr()
+    assert "still against still" in printed.out and "goal difference" in printed.out
+    assert printed.err == ""
+    assert main([*words, str(tmp_path), "--at-least", "0.6"]) == 1
+    assert "points 0.500 are below 0.6" in capsys.readouterr().err

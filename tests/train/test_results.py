@@ -1,0 +1,184 @@
+"""A result follows from its lines; a folder goes on where it was and refuses other settings."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from soccer_env.leagues import find_league
+from soccer_env.train.report import markdown, sentence
+from soccer_env.train.results import EvaluationResult, Folder, MatchLine, remove_files, summarise
+from soccer_env.train.settings import Conditions, EvaluateSettings, conditions_of
+
+MADE = {"soccer_env": "1.0", "code": "abc"}
+ABOUT = {"command": "soccer evaluate --seed 3", "date": "2026-01-02", "commit": "1234567"}
+KEYS = {
+    "league",
+    "home",
+    "away",
+    "matches",
+    "minutes",
+    "seed",
+    "observe",
+    "senses",
+    "wins",
+    "draws",
+    "losses",
+    "goals_for",
+    "goals_against",
+    "goal_difference",
+    "win_rate",
+    "points",
+}
+
+
+def conditions(matches: int = 20) -> Conditions:
+    return conditions_of(EvaluateSettings(matches=matches, seed=3), find_league("legged-2001"))
+
+
+def lines(scores: list[tuple[int, int]], settings: str = "s") -> list[MatchLine]:
+    return [
+        MatchLine(n, n // 2, 100 + n // 2, ("home", "away")[n % 2], ours, theirs, 9600, "f" * 32, settings)
+        for n, (ours, theirs) in enumerate(scores)
+    ]
+
+
+def result_of(scores: list[tuple[int, int]]) -> EvaluationResult:
+    return summarise(conditions(len(scores)), MADE, lines(scores))
+
+
+def test_what_is_counted() -> None:
+    result = result_of([(3, 0), (1, 1), (0, 2), (2, 1)])
+    assert (result.wins, result.draws, result.losses) == (2, 1, 1)
+    assert (result.goals_for, result.goals_against) == (6, 4)
+    assert result.goal_difference.mean == pytest.approx(0.5)
+    assert result.win_rate.mean == pytest.approx(0.5)
+    assert result.points.mean == pytest.approx(0.625)
+    record = result.as_dict()
+    assert set(record) >= KEYS
+    assert set(record["points"]) == {"mean", "low", "high"}
+    assert record["points"]["low"] <= 0.625 <= record["points"]["high"]
+    assert json.loads(json.dumps(record)) == record
+
+
+def test_the_pair_is_the_unit() -> None:
+    """Home advantage alone: each team wins at home by 5. Every pair is even, so nothing is unsure."""
+    result = result_of([(5, 0), (0, 5)] * 10)
+    assert (result.goal_difference.low, result.goal_difference.high) == (0.0, 0.0)
+    assert (result.points.low, result.points.high) == (0.5, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("scores", "verdict"),
+    [
+        ([(2, 0), (1, 0)] * 10, "beats clearly"),
+        ([(2, 0), (1, 0)] * 8 + [(1, 1)] * 4, "beats"),  # 90 % of the points
+        ([(0, 2), (0, 1)] * 10, "loses clearly"),
+        ([(0, 2), (0, 1)] * 8 + [(1, 1)] * 4, "loses"),
+        ([(2, 0), (2, 0), (0, 2), (0, 2)] * 5, "no difference shown"),
+        ([(9, 0)] * 8, "no verdict from fewer than 10 matches"),
+    ],
+)
+def test_the_verdict(scores: list[tuple[int, int]], verdict: str) -> None:
+    assert result_of(scores).verdict == verdict
+
+
+def test_a_swapped_evaluation_is_the_negative() -> None:
+    scores = [(3, 0), (1, 1), (0, 2), (2, 1)] * 5
+    there, back = result_of(scores), result_of([(theirs, ours) for ours, theirs in scores])
+    assert there.goal_difference.mean == -back.goal_difference.mean
+    assert there.points.mean == 1 - back.points.mean
+    assert there.goal_difference.low == pytest.approx(-back.goal_difference.high, abs=0.1)
+
+
+def test_order_of_the_lines_is_of_no_account() -> None:
+    ordered = lines([(3, 0), (1, 1), (0, 2), (2, 1)])
+    one, other = (summarise(conditions(4), MADE, chosen) for chosen in (ordered, ordered[::-1]))
+    assert one == other
+    assert markdown(one, ABOUT) == markdown(other, ABOUT)
+
+
+def test_missing_and_extra_matches_are_refused() -> None:
+    with pytest.raises(ValueError, match="expected matches 0 to 3, got 2 lines"):
+        summarise(conditions(4), MADE, lines([(1, 0), (1, 0)]))
+
+
+def test_the_report_says_who_won_and_how_to_make_it_again() -> None:
+    result = result_of([(2, 0), (1, 0)] * 10)
+    text = markdown(result, ABOUT)
+    assert sentence(result) == "chaser beats random clearly."
+    assert "chaser beats random clearly." in text
+    assert "```bash\nsoccer evaluate --seed 3\n```" in text
+    assert "| won, drawn, lost | 20, 0, 0 |  |" in text
+    assert "| 9 | 109 | 2 : 0 | 1 : 0 |" in text
+    assert "1234567" in text and "2026-01-02" in text
+
+
+def test_a_long_report_leaves_pairs_out() -> None:
+    text = markdown(result_of([(1, 0), (0, 1)] * 150), ABOUT)
+    assert "50 more pairs" in text
+
+
+def test_a_folder_remembers(tmp_path: Path) -> None:
+    first = Folder(tmp_path / "a" / "b", conditions(), MADE, ABOUT)
+    first.add(lines([(1, 0), (2, 0)], first.settings))
+    again = Folder(tmp_path / "a" / "b", conditions(), MADE, {"command": "another", "date": "later", "commit": ""})
+    assert again.lines == first.lines
+    assert again.about == ABOUT, "the report must not change because it is written on another day"
+
+
+def test_a_folder_drops_a_torn_line(tmp_path: Path) -> None:
+    first = Folder(tmp_path, conditions(), MADE, ABOUT)
+    first.add(lines([(1, 0), (2, 0)], first.settings))
+    path = tmp_path / "matches.jsonl"
+    path.write_bytes(path.read_bytes()[:-9])
+    assert Folder(tmp_path, conditions(), MADE, ABOUT).lines == first.lines[:1]
+
+
+def test_a_match_written_twice_counts_once(tmp_path: Path) -> None:
+    first = Folder(tmp_path, conditions(), MADE, ABOUT)
+    first.add(lines([(1, 0)], first.settings))
+    first.add(lines([(1, 0)], first.settings))
+    assert len(Folder(tmp_path, conditions(), MADE, ABOUT).lines) == 1
+
+
+@pytest.mark.parametrize(
+    ("change", "made", "complaint"),
+    [
+        ({"seed": 4}, MADE, "seed 3 there, 4 now"),
+        ({"minutes": 2.0}, MADE, "minutes 10.0 there, 2.0 now"),
+        ({"home": "chaser@0.5"}, MADE, "home 'chaser' there, 'chaser@0.5' now"),
+        ({"matches": 40}, MADE, "matches 20 there, 40 now"),
+        ({"players": (3, 5)}, MADE, "players"),
+        ({}, {**MADE, "code": "def"}, "code 'abc' there, 'def' now"),
+        ({}, {**MADE, "league": "1"}, "league None there, '1' now"),
+    ],
+)
+def test_a_folder_refuses_other_settings(tmp_path: Path, change: dict, made: dict, complaint: str) -> None:
+    Folder(tmp_path, conditions(), MADE, ABOUT)
+    with pytest.raises(ValueError, match=complaint):
+        Folder(tmp_path, replace(conditions(), **change), made, ABOUT)
+
+
+def test_lines_of_another_evaluation_are_refused(tmp_path: Path) -> None:
+    folder = Folder(tmp_path, conditions(), MADE, ABOUT)
+    folder.add(lines([(1, 0)], "other"))
+    with pytest.raises(ValueError, match="match 0 belongs to other settings"):
+        Folder(tmp_path, conditions(), MADE, ABOUT)
+
+
+def test_lines_without_settings_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "matches.jsonl").write_text("{}\n")
+    with pytest.raises(ValueError, match="no settings.json"):
+        Folder(tmp_path, conditions(), MADE, ABOUT)
+
+
+def test_files_are_removed_and_others_stay(tmp_path: Path) -> None:
+    folder = Folder(tmp_path, conditions(), MADE, ABOUT)
+    folder.add(lines([(1, 0)], folder.settings))
+    folder.write("report.md", "x")
+    (tmp_path / "notes.txt").write_text("mine")
+    remove_files(tmp_path)
+    remove_files(None)
+    assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]

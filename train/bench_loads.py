@@ -1,0 +1,177 @@
+"""What the benchmark times: the core under two loads, the bare physics of the same play, and a fixed reference scene.
+
+Every load is live play: matches are replaced as they end, their clocks are spread over a half, and they are played on for
+a while before anything is timed.
+"""
+
+from __future__ import annotations
+
+from time import perf_counter
+from typing import Any, Protocol
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.leagues import find_league
+from soccer_env.match import Match
+from soccer_env.physics.chipmunk import advance, read_bodies, write_velocities
+from soccer_env.physics.space import pymunk  # the bare physics, to compare with; no play is made here
+from soccer_env.physics.space_batch import SpaceBatch
+from soccer_env.step import begin_slice, finish_slice
+
+PLAYERS = 3  # a side
+HOLD = 0.5  # [s] for which a random action is kept: shorter ones cancel out and nobody moves
+WARM_UP = 10.0  # [s] of play before the first timing
+DRAWS = 32  # sets of random actions, used in turn
+
+REFERENCE_DISCS = 6
+REFERENCE_SUBSTEPS = 8
+REFERENCE_ITERATIONS = 10
+REFERENCE_DT = 0.02  # [s] of a control step
+REFERENCE_STEPS = 25  # control steps until the bodies get new velocities, untimed
+
+
+class Load(Protocol):
+    """Something that is timed."""
+
+    def sample(self, steps: int) -> float:
+        """Run so many control steps of all matches; return the seconds per match step."""
+        ...
+
+
+class CoreLoad:
+    """The batched core: random actions of learners, or one team against itself."""
+
+    kind: type[Match] = Match
+
+    def __init__(self, league: str, team: str | None, matches: int, threads: int, seed: int) -> None:
+        self.rng = np.random.default_rng(seed)
+        found = find_league(league)
+        self.match = self.kind(
+            league, home=PLAYERS, away=PLAYERS, matches=matches, threads=threads, seed=seed, autoreset="same_step",
+            controllers=None if team is None else {"home": team, "away": team}, minutes=found.evaluation_minutes,
+        )  # fmt: skip
+        rows = 2 * PLAYERS
+        self.draws = None if team is not None else self.rng.uniform(-1.0, 1.0, (DRAWS, matches, rows, 4))
+        self.hold, self.steps = round(HOLD * found.control_rate), 0
+        self.match.matches["clock"] = self.rng.uniform(0.0, self.match.settings.half_length, matches)
+        self.run(round(WARM_UP * found.control_rate))
+
+    def run(self, steps: int) -> None:
+        """Step all matches."""
+        for _ in range(steps):
+            actions = None if self.draws is None else self.draws[self.steps // self.hold % DRAWS]
+            self.match.step(actions)
+            self.steps += 1
+
+    def sample(self, steps: int) -> float:
+        """Return the seconds per match step."""
+        start = perf_counter()
+        self.run(steps)
+        return (perf_counter() - start) / (steps * self.match.count)
+
+
+class BareMatch(Match):
+    """A Match that plays as every other, and times the calls of cpSpaceStep alone."""
+
+    def __init__(self, *given: Any, **settings: Any) -> None:
+        self.bare = 0.0  # [s] in cpSpaceStep since the start
+        super().__init__(*given, **settings)
+
+    def _step_compiled(self, first: int, last: int) -> None:
+        physics, count = self._physics, self.count
+        before, substeps, moved = np.zeros((count, 2, 2)), np.zeros(count, np.int64), np.zeros(count, bool)
+        begin_slice(
+            self.matches, self.balls, self.robots, self.events, self.robot_events, physics.velocities, self._constants,
+            self.terms, self.rewards, before, substeps, first, last,
+        )  # fmt: skip
+        write_slice(physics.links, first, last)
+        start = perf_counter()
+        bare_slice(physics.links, substeps, self.league.dt, first, last)
+        self.bare += perf_counter() - start
+        read_slice(physics.links, first, last)
+        broken = finish_slice(
+            self.matches, self.balls, self.robots, self.events, self.robot_events, physics.bodies, physics.velocities,
+            self._constants, self._weights, self.terms, self.rewards, self._written, self.terminated, self.truncated,
+            self.settings.limit, before, substeps, moved, first, last,
+        )  # fmt: skip
+        assert broken < 0
+        for m in np.flatnonzero(moved[first:last]) + first:
+            physics.write_bodies(int(m))
+
+
+class OwnFloor(CoreLoad):
+    """Bare cpSpaceStep in the league's own Spaces, in the same play and with the substeps that the core takes."""
+
+    kind = BareMatch
+
+    def sample(self, steps: int) -> float:
+        """Return the seconds per match step that cpSpaceStep took."""
+        assert isinstance(self.match, BareMatch)
+        before = self.match.bare
+        self.run(steps)
+        return (self.match.bare - before) / (steps * self.match.count)
+
+
+class ReferenceFloor:
+    """Bare cpSpaceStep in a scene that never changes with the leagues: 6 discs, a ball, 7 wall segments."""
+
+    def __init__(self, matches: int, seed: int) -> None:
+        self.rng = np.random.default_rng(seed)
+        self.batch = SpaceBatch(matches, 1 + REFERENCE_DISCS, "c")
+        self.substeps = np.full(matches, REFERENCE_SUBSTEPS)
+        for m in range(matches):
+            self.batch.set_space(m, reference_space(self.rng))
+
+    def sample(self, steps: int) -> float:
+        """Return the seconds per match step, over at least so many of them."""
+        spent, matches = 0.0, len(self.substeps)
+        rounds = -(-steps // REFERENCE_STEPS)
+        for _ in range(rounds):
+            self.batch.velocities[:, : 1 + REFERENCE_DISCS] = self.rng.uniform(-1.0, 1.0, (matches, 1 + REFERENCE_DISCS, 3))
+            write_slice(self.batch.links, 0, matches)
+            start = perf_counter()
+            for _ in range(REFERENCE_STEPS):
+                bare_slice(self.batch.links, self.substeps, REFERENCE_DT, 0, matches)
+            spent += perf_counter() - start
+        return spent / (rounds * REFERENCE_STEPS * matches)
+
+
+def reference_space(rng: np.random.Generator) -> Any:
+    """Return the reference scene: a walled field of 9 x 6 m and a goal, six discs of 0.25 m and a ball, anywhere."""
+    space = pymunk.Space()
+    space.iterations, space.collision_slop = REFERENCE_ITERATIONS, 0.002
+    x, y, goal = 4.5, 3.0, 1.0
+    corners = [(-x, -y), (x, -y), (x, -goal), (x + 0.5, -goal), (x + 0.5, goal), (x, goal), (x, y), (-x, y)]
+    walls = [pymunk.Segment(space.static_body, *ends, 0.05) for ends in zip(corners[:-1], corners[1:], strict=True)]
+    assert len(walls) == 7  # the left side is open; nothing gets that far in a second
+    space.add(*walls)
+    for index in range(1 + REFERENCE_DISCS):
+        mass, radius = (0.43, 0.11) if index == 0 else (15.0, 0.25)
+        body = pymunk.Body(mass, pymunk.moment_for_circle(mass, 0.0, radius))
+        body.position = tuple(rng.uniform((-x + 1.0, -y + 1.0), (x - 1.0, y - 1.0)))
+        disc = pymunk.Circle(body, radius)
+        disc.elasticity, disc.friction = 0.5, 0.3
+        space.add(body, disc)
+    return space
+
+
+@compiled
+def write_slice(links, first, last):
+    """Give the bodies of a slice of matches their velocities."""
+    for m in range(first, last):
+        write_velocities(links, m)
+
+
+@compiled
+def bare_slice(links, substeps, dt, first, last):
+    """Call cpSpaceStep for a slice of matches and do nothing else."""
+    for m in range(first, last):
+        advance(links, m, substeps[m], dt)
+
+
+@compiled
+def read_slice(links, first, last):
+    """Read the bodies of a slice of matches."""
+    for m in range(first, last):
+        read_bodies(links, m)

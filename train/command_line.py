@@ -1,0 +1,169 @@
+"""The command `soccer`. Nothing heavy is imported before it is known what is asked for.
+
+Every flag is a field of a dataclass that Python code can use as well. What a user can get wrong ends with one line on
+stderr and exit code 2; SOCCER_ENV_TRACEBACK=1 shows where it came from.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import re
+import sys
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar, get_args
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+T = TypeVar("T")
+WRONG = 2  # exit code: the command cannot be carried out as given
+BELOW = 1  # exit code: a result is below what was asked for
+STOPPED = 130  # exit code: interrupted from the keyboard
+WIDTH = 120  # columns of a table that does not go to a terminal
+
+SUMMARIES = {
+    "evaluate": "play one team against another and say how sure the result is",
+    "list": "print the leagues, teams, scenes, observations, actions or rewards",
+    "bench": "measure the speed against the bare physics",
+    "record": "play a match into a replay file",
+    "replay": "play a replay file again and check every step",
+    "tournament": "play every team against every other",
+    "train": "train a policy",
+    "reproduce": "run the experiments behind the published tables",
+    "watch": "show a match in a window",
+    "export": "write matches for other tools",
+}
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line (sys.argv without its first word by default) and return the exit code."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    name, rest = (words[0], words[1:]) if words else ("--help", [])
+    if name in ("-h", "--help"):
+        print(help_text())
+        return 0 if words else WRONG
+    if name == "--version":
+        from soccer_env import __version__
+
+        print(f"soccer_env {__version__}")
+        return 0
+    if name not in SUMMARIES:
+        return complain(f"unknown command {name!r}; known: {', '.join(SUMMARIES)}")
+    if name not in COMMANDS:
+        return complain(f"not built yet: {name} ({SUMMARIES[name]})")
+    return guarded(COMMANDS[name], rest)
+
+
+def help_text() -> str:
+    """Return the help of `soccer` itself."""
+    built = [f"  {name:12}{text}" for name, text in SUMMARIES.items() if name in COMMANDS]
+    later = ", ".join(name for name in SUMMARIES if name not in COMMANDS)
+    return "\n".join(
+        [
+            "usage: soccer COMMAND [OPTIONS]",
+            "",
+            *built,
+            "",
+            f"not built yet: {later}",
+            "",
+            "`soccer COMMAND --help` explains the options of one; `soccer --version` prints the version.",
+        ]
+    )
+
+
+def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
+    """Run a command; turn what a user can get wrong into one line and an exit code."""
+    try:
+        return command(words)
+    except KeyboardInterrupt:
+        print("stopped; finished matches are kept where --out was given", file=sys.stderr)
+        return STOPPED
+    except BrokenPipeError:  # `soccer list teams | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except (ValueError, OSError, ImportError) as error:
+        if os.environ.get("SOCCER_ENV_TRACEBACK"):
+            raise
+        return complain(str(error))
+
+
+def complain(message: str) -> int:
+    """Print one line on stderr; return the exit code for a command that cannot be carried out."""
+    print(f"soccer: {' '.join(message.split())}", file=sys.stderr)
+    return WRONG
+
+
+def read_settings(kind: type[T], words: list[str], name: str) -> T:
+    """Return the settings dataclass that the words of a command describe; ValueError in one line for a wrong one."""
+    import tyro
+
+    errors = io.StringIO()
+    try:
+        with contextlib.redirect_stderr(errors):
+            return tyro.cli(kind, args=words, prog=f"soccer {name}", config=(tyro.conf.FlagCreatePairsOff,))
+    except SystemExit as end:
+        if not end.code:  # --help
+            raise
+    raise ValueError(f"{unboxed(errors.getvalue())} (see soccer {name} --help)")
+
+
+def unboxed(text: str) -> str:
+    """Return what a box of tyro's says, in one line: its first paragraph without the frame and the title."""
+    lines = [re.sub(r"\x1b\[[0-9;]*m", "", line).strip(" │|") for line in text.splitlines()]
+    lines = [line for line in lines if line and not line.startswith(("╭", "╰"))]
+    end = next((at for at, line in enumerate(lines) if line.startswith(("─", "Got errors"))), len(lines))
+    return re.sub(r"^Error parsing \w+Settings: ", "", " ".join(lines[:end]))
+
+
+def console() -> Console:
+    """Return where tables are printed: the terminal, or plain text of a fixed width."""
+    from rich.console import Console
+
+    return Console(width=None if sys.stdout.isatty() else WIDTH)
+
+
+def run_evaluate(words: list[str]) -> int:
+    """Run `soccer evaluate`."""
+    from soccer_env.train.settings import EvaluateSettings
+
+    settings = read_settings(EvaluateSettings, words, "evaluate")
+    from soccer_env.train.evaluate import evaluate
+    from soccer_env.train.report import screen_table
+
+    result = evaluate(settings)
+    console().print(screen_table(result))
+    if settings.out is not None:
+        print(f"written: {settings.out / 'result.json'}, {settings.out / 'report.md'}")
+    if settings.at_least is not None and result.points.mean < settings.at_least:
+        print(f"points {result.points.mean:.3f} are below {settings.at_least:g}", file=sys.stderr)
+        return BELOW
+    return 0
+
+
+def run_list(words: list[str]) -> int:
+    """Run `soccer list`."""
+    from soccer_env.train.listing import ListSettings, What, list_tables
+
+    kinds: tuple[Any, ...] = get_args(What)
+    if words and words[0] not in ("-h", "--help"):
+        if words[0] not in kinds:
+            raise ValueError(f"unknown list {words[0]!r}; known: {', '.join(kinds)}")
+        settings = read_settings(ListSettings, words[1:], f"list {words[0]}")
+        out = console()
+        for drawn in list_tables(words[0], settings):
+            out.print(drawn)
+        return 0
+    print(f"usage: soccer list {'|'.join(kinds)} [--league LEAGUE]")
+    return 0 if words else WRONG
+
+
+COMMANDS: dict[str, Callable[[list[str]], int]] = {
+    "evaluate": run_evaluate,
+    "list": run_list,
+}
+
+
+if __name__ == "__main__":
+    sys.exit(main())

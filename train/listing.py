@@ -1,0 +1,129 @@
+"""What there is to choose from: `soccer list leagues`, teams, scenes, observations, actions, rewards."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from math import isfinite
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+What = Literal["leagues", "teams", "scenes", "observations", "actions", "rewards"]
+
+
+@dataclass(frozen=True)
+class ListSettings:
+    """Print what can be chosen."""
+
+    league: str = "legged-2001"
+    """League whose observations are listed."""
+
+
+def list_tables(what: What, settings: ListSettings) -> Iterator[Table]:
+    """Yield the tables of one kind of thing."""
+    lists: dict[str, Callable[[], Iterator[Table]]] = {
+        "leagues": leagues,
+        "teams": teams,
+        "scenes": scenes,
+        "actions": actions,
+        "rewards": rewards,
+    }
+    return observations(settings.league) if what == "observations" else lists[what]()
+
+
+def leagues() -> Iterator[Table]:
+    """Yield the leagues with their main numbers."""
+    from soccer_env.leagues import LEAGUES
+
+    rows = [
+        ("pitch", *(f"{x.pitch.length:g} x {x.pitch.width:g} m" for x in LEAGUES.values())),
+        ("round it", *("boards" if x.pitch.walled else "lines, throw-ins" for x in LEAGUES.values())),
+        ("players a side", *(f"{x.team_size}" for x in LEAGUES.values())),
+        ("control steps a second", *(f"{x.control_rate}" for x in LEAGUES.values())),
+        ("drive", *(x.drive.kind for x in LEAGUES.values())),
+        ("top speed", *(f"{x.drive.forward:g} m/s" for x in LEAGUES.values())),
+        ("fastest kick", *(f"{x.kicker.fastest:g} m/s" for x in LEAGUES.values())),
+        ("minutes of a match", *(f"{2 * x.rules.half_minutes:g}" for x in LEAGUES.values())),
+        ("minutes of an evaluation", *(f"{x.evaluation_minutes:g}" for x in LEAGUES.values())),
+        ("placement in evaluations", *(x.evaluation_placement for x in LEAGUES.values())),
+        ("source", *(x.source for x in LEAGUES.values())),
+    ]
+    yield table("Leagues", ("", *LEAGUES), rows)
+
+
+def teams() -> Iterator[Table]:
+    """Yield the teams and the leagues that each plays."""
+    from soccer_env.teams import make_team, registered
+
+    rows = []
+    for name, where in registered().items():
+        try:
+            played = ", ".join(getattr(make_team(name), "leagues", ())) or "all"
+        except (ImportError, AttributeError) as error:
+            played = f"cannot be loaded: {error}"
+        rows.append((name, played, first_line(where.partition(":")[0]), where))
+    yield table("Teams: NAME, or NAME@0.5 for half its strength", ("name", "leagues", "what it is", "made by"), rows)
+
+
+def first_line(module: str) -> str:
+    """Return the first line of a module's docstring, "" if it has none or cannot be imported."""
+    from importlib import import_module
+
+    try:
+        return (import_module(module).__doc__ or "").strip().partition("\n")[0]
+    except ImportError:
+        return ""
+
+
+def scenes() -> Iterator[Table]:
+    """Yield the scenes."""
+    from soccer_env.scenes import SCENES
+
+    rows = [
+        (x.name, x.description, x.success, f"{x.time_limit:g} s" if isfinite(x.time_limit) else "none")
+        for x in SCENES.values()
+    ]
+    yield table("Scenes", ("name", "what it is", "success", "time limit"), rows)
+
+
+def observations(league: str) -> Iterator[Table]:
+    """Yield the numbers of one robot's observation."""
+    from soccer_env.leagues import find_league
+    from soccer_env.observations import layout
+
+    entries = layout(find_league(league))
+    title = f"Observation of a robot in {league}: {len(entries)} numbers (float32) in [-1, 1]"
+    rows = [(f"{index}", entry.name, entry.meaning, entry.scale) for index, entry in enumerate(entries)]
+    yield table(title, ("", "name", "meaning", "of"), rows)
+
+
+def actions() -> Iterator[Table]:
+    """Yield the action kinds: numbers and the discrete set."""
+    from soccer_env.actions import BOX, DISCRETE, MEANINGS
+
+    rows = [(name, meaning, "box, full" if name in BOX else "full") for name, meaning in MEANINGS.items()]
+    yield table("Actions: numbers in [-1, 1]", ("name", "meaning", "in"), rows)
+    sets = [(f"{n}", name, *(f"{number:g}" for number in row)) for n, (name, row) in enumerate(DISCRETE.items())]
+    yield table("Actions: discrete", ("", "name", *BOX), sets)
+
+
+def rewards() -> Iterator[Table]:
+    """Yield the reward terms with their weights in each preset."""
+    from soccer_env.rewards import PRESETS, TERMS
+
+    rows = [(name, text, *(f"{getattr(x, name):g}" for x in PRESETS.values())) for name, text in TERMS.items()]
+    yield table("Reward terms and their weights", ("term", "meaning", *PRESETS), rows)
+
+
+def table(title: str, columns: tuple[str, ...], rows: list[tuple[str, ...]]) -> Table:
+    """Return a table for the terminal."""
+    from rich.table import Table
+
+    drawn = Table(title=title, title_justify="left")
+    for column in columns:
+        drawn.add_column(column, overflow="fold")
+    for row in rows:
+        drawn.add_row(*row)
+    return drawn
