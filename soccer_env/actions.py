@@ -71,12 +71,14 @@ class ActionKind:
             row: np.ndarray = DISCRETE_TABLE[discrete_index(action, agent)]
             return row
         try:
-            numbers = np.asarray(action, dtype=np.float64)
+            numbers = np.asarray(action)
         except (TypeError, ValueError) as error:
             raise ValueError(f"action of {agent} must be {self.size} numbers, got {action!r}") from error
-        if numbers.shape != (self.size,):
-            raise ValueError(f"action of {agent} must have shape ({self.size},), got {numbers.shape}")
-        return numbers
+        if numbers.dtype.kind not in "fiu" or numbers.shape != (self.size,):
+            raise ValueError(
+                f"action of {agent} must be {self.size} numbers, got {numbers.dtype} of shape {numbers.shape}"
+            )
+        return numbers.astype(np.float64)
 
 
 def discrete_index(action: Any, agent: str) -> int:
@@ -88,6 +90,41 @@ def discrete_index(action: Any, agent: str) -> int:
     if not 0 <= index < len(DISCRETE):
         raise ValueError(f"action of {agent} must be 0 to {len(DISCRETE) - 1}, got {index}")
     return index
+
+
+def numbers_for(kind: ActionKind, actions: Any, agents: list[str], learns: np.ndarray, matches: int) -> np.ndarray:
+    """Return the actions of M matches as (M, R, 4 or 7) float64; ValueError names the first agent whose action is wrong.
+
+    Rows that teams play (`learns` (R,) is 0) may hold anything.
+    """
+    if kind.name == "discrete":
+        return expand_discrete(actions, agents, matches)
+    shape = (matches, len(agents), kind.size)
+    numbers = np.asarray(actions)
+    if numbers.dtype.kind not in "fiu" or numbers.shape != shape:
+        raise ValueError(f"actions must be numbers of shape {shape}, got {numbers.dtype} of shape {numbers.shape}")
+    numbers = numbers.astype(np.float64, copy=False)
+    finite = np.isfinite(numbers)
+    if not finite.all():
+        bad = np.argwhere(~finite & (learns[:, None] == 1))
+        if len(bad):
+            m, r, _ = bad[0]
+            raise ValueError(f"action of {agents[r]} in match {m} is not finite: {numbers[m, r].tolist()}")
+        numbers = np.where(finite, numbers, 0.0)
+    return numbers
+
+
+def expand_discrete(actions: Any, agents: list[str], matches: int) -> np.ndarray:
+    """Return discrete actions (M, R) as numbers (M, R, 4)."""
+    shape = (matches, len(agents))
+    numbers = np.asarray(actions)
+    if numbers.shape != shape:
+        raise ValueError(f"actions must be integers of shape {shape}, got shape {numbers.shape}")
+    if numbers.dtype.kind not in "iu" or numbers.min() < 0 or numbers.max() >= len(DISCRETE_TABLE):
+        for m, r in np.ndindex(*shape):
+            discrete_index(numbers[m, r], f"{agents[r]} in match {m}")
+    expanded: np.ndarray = DISCRETE_TABLE[numbers]
+    return expanded
 
 
 @compiled

@@ -29,7 +29,7 @@ def begin_episode(match, ball, robots, k, seed, episode, half_length):
     match.phase, match.restart_team, match.kick_off_team = KICK_OFF, HOME, HOME
     match.last_touch_team, match.last_touch_robot = NO_TEAM, -1
     for r in range(robots.shape[0]):
-        start_streams(robots[r].noise, seed, episode, 1 + r)
+        start_streams(robots[r].noise, seed, episode, 1 + 2 * robots[r].number + robots[r].team)
         robots[r].slip.forward = robots[r].slip.left = robots[r].slip.turn = 1.0
         robots[r].command.head = -1.0
     carry_out_restart(match, ball, robots, k, 0)

@@ -45,7 +45,7 @@ def normal(noise, stream):
 
 @compiled
 def start_streams(noise, seed, episode, owner):
-    """Start all streams of a record from a seed, the episode's number and its owner (0 the match, 1 + r robot r)."""
+    """Start all streams of a record from a seed, the episode's number and its owner (0 the match, 1 + 2 number + team a robot)."""
     key = mix(np.uint64(seed) + GOLDEN * np.uint64(episode + 1))
     key = mix(key ^ (GOLDEN * np.uint64(owner + 1)))
     for stream in range(NOISE_STREAMS):
@@ -53,5 +53,10 @@ def start_streams(noise, seed, episode, owner):
 
 
 def seeds_for(seed: int | None, matches: int) -> np.ndarray:
-    """Return the (matches,) uint64 seeds that follow from one seed; the first n do not depend on `matches`."""
+    """Return the (matches,) uint64 seeds that follow from one seed; the first n do not depend on `matches`.
+
+    None draws from the system. ValueError if the seed is not a whole number of 0 or more.
+    """
+    if seed is not None and (isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or seed < 0):
+        raise ValueError(f"seed must be a whole number of 0 or more, got {seed!r}")
     return np.random.SeedSequence(seed).generate_state(matches, np.uint64)

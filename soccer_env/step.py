@@ -8,17 +8,15 @@ after the restart: goals are read from the events, and shaping looks at the stat
 
 from __future__ import annotations
 
-from math import ceil
-
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length, wrap
 from soccer_env.observations import observe_truth
 from soccer_env.physics.ball import hold, limit_speed, slow_down
 from soccer_env.physics.chipmunk import step_match, write_bodies
 from soccer_env.physics.contacts import find_collisions, find_touches
 from soccer_env.physics.drive import drive, move_head
+from soccer_env.physics.exchange import count_substeps, is_finite, read_records, write_rows, write_twists
 from soccer_env.physics.kicker import holds_ball, work_kicker
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
@@ -174,58 +172,6 @@ def kicked_by(robot_events):
         if robot_events[r].kick == 1:
             return r
     return -1
-
-
-@compiled
-def count_substeps(ball, robots, k):
-    """Return how many substeps the fastest body needs, so that none travels too far in one."""
-    fastest = length(ball.vx, ball.vy)
-    for r in range(robots.shape[0]):
-        robot = robots[r]
-        fastest = max(fastest, length(robot.vx, robot.vy) + abs(robot.omega) * k.body_reach)
-    wanted = int(ceil(fastest * k.dt / k.substeps_travel))
-    return min(max(wanted, k.substeps_least), k.substeps_most)
-
-
-@compiled
-def write_twists(ball, robots, velocities):
-    """Copy the velocities of ball and robots into the rows that the physics is given."""
-    velocities[0, 0], velocities[0, 1], velocities[0, 2] = ball.vx, ball.vy, ball.spin
-    for r in range(robots.shape[0]):
-        velocities[r + 1, 0], velocities[r + 1, 1] = robots[r].vx, robots[r].vy
-        velocities[r + 1, 2] = robots[r].omega
-
-
-@compiled
-def read_records(ball, robots, bodies):
-    """Copy what the physics says into the records."""
-    ball.x, ball.y, ball.angle = bodies[0, 0], bodies[0, 1], wrap(bodies[0, 2])
-    ball.vx, ball.vy, ball.spin = bodies[0, 3], bodies[0, 4], bodies[0, 5]
-    for r in range(robots.shape[0]):
-        robot = robots[r]
-        robot.x, robot.y, robot.heading = bodies[r + 1, 0], bodies[r + 1, 1], wrap(bodies[r + 1, 2])
-        robot.vx, robot.vy, robot.omega = bodies[r + 1, 3], bodies[r + 1, 4], bodies[r + 1, 5]
-
-
-@compiled
-def write_rows(ball, robots, bodies):
-    """Copy poses and velocities into the rows from which the physics is put elsewhere."""
-    bodies[0, 0], bodies[0, 1], bodies[0, 2] = ball.x, ball.y, ball.angle
-    bodies[0, 3], bodies[0, 4], bodies[0, 5] = ball.vx, ball.vy, ball.spin
-    for r in range(robots.shape[0]):
-        robot = robots[r]
-        bodies[r + 1, 0], bodies[r + 1, 1], bodies[r + 1, 2] = robot.x, robot.y, robot.heading
-        bodies[r + 1, 3], bodies[r + 1, 4], bodies[r + 1, 5] = robot.vx, robot.vy, robot.omega
-
-
-@compiled
-def is_finite(bodies, count):
-    """Tell whether all numbers of the first `count` bodies are finite."""
-    total = 0.0
-    for row in range(count):
-        for column in range(6):
-            total += bodies[row, column] - bodies[row, column]
-    return total == 0.0
 
 
 @compiled

@@ -235,6 +235,9 @@ EVENTS = np.dtype(
         ("drill", "i8"),  # +1 the drill succeeded, -1 it failed, 0 undecided
     ]
 )
+QUIET = np.zeros((), EVENTS)  # the events of a step in which nothing happened
+for _name in ("goal", "scorer", "restart_team", "touch_team"):
+    QUIET[_name] = NO_TEAM
 
 ROBOT_EVENTS = np.dtype(
     [  # what happened to a robot in this step

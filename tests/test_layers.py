@@ -23,6 +23,7 @@ LAYERS = (
     ("actions", "observations", "rewards", "scenes"),
     ("settings",),
     ("step", "episodes", "players", "truth_state", "saving"),  # the parts of a match
+    ("field",),
     ("match",),
     ("soccer_v0", "gymnasium_envs", "render", "replay"),
     ("baselines", "agents"),
@@ -39,7 +40,7 @@ BESIDE = {
 }
 
 PLAYERS = {"baselines", "agents"}
-HIDDEN_FROM_PLAYERS = {"physics", "referee", "perception", "step", "episodes", "truth_state", "saving", "match", "replay", "soccer_v0", "gymnasium_envs"}
+HIDDEN_FROM_PLAYERS = {"physics", "referee", "perception", "step", "episodes", "field", "truth_state", "saving", "match", "replay", "soccer_v0", "gymnasium_envs"}
 # Belief works on percepts. The records of types.py that hold the truth, by name:
 BELIEF_MAY_SEE = {*LAYERS[0], "leagues", "belief"}
 TRUTH_RECORDS = {"MATCH", "BALL", "ROBOT", "EVENTS", "ROBOT_EVENTS"}

@@ -1,7 +1,7 @@
 """What the benchmark times: the core under two loads, the bare physics of the same play, and a fixed reference scene.
 
-Every load is live play: matches are replaced as they end, their clocks are spread over a half, and they are played on for
-a while before anything is timed.
+Every load is live play: matches are replaced as they end, their clocks are spread over a half, and they are played on
+for a while before anything is timed.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from soccer_env.match import Match
 from soccer_env.physics.chipmunk import advance, read_bodies, write_velocities
 from soccer_env.physics.space import pymunk  # the bare physics, to compare with; no play is made here
 from soccer_env.physics.space_batch import SpaceBatch
-from soccer_env.step import begin_slice, finish_slice
 
 PLAYERS = 3  # a side
 HOLD = 0.5  # [s] for which a random action is kept: shorter ones cancel out and nobody moves
@@ -77,27 +76,19 @@ class BareMatch(Match):
     def __init__(self, *given: Any, **settings: Any) -> None:
         self.bare = 0.0  # [s] in cpSpaceStep since the start
         super().__init__(*given, **settings)
+        self.field.step = self._step_bare  # type: ignore[method-assign]  # the same stages, one of them timed
 
-    def _step_compiled(self, first: int, last: int) -> None:
-        physics, count = self._physics, self.count
-        before, substeps, moved = np.zeros((count, 2, 2)), np.zeros(count, np.int64), np.zeros(count, bool)
-        begin_slice(
-            self.matches, self.balls, self.robots, self.events, self.robot_events, physics.velocities, self._constants,
-            self.terms, self.rewards, before, substeps, first, last,
-        )  # fmt: skip
-        write_slice(physics.links, first, last)
+    def _step_bare(self, first: int, last: int) -> None:
+        self.field.step_in_stages(first, last, self._advance_bare)
+
+    def _advance_bare(self, dt: float, substeps: np.ndarray, first: int, last: int) -> None:
+        """Move the Spaces on and time cpSpaceStep alone."""
+        links = self.field.physics.links
+        write_slice(links, first, last)
         start = perf_counter()
-        bare_slice(physics.links, substeps, self.league.dt, first, last)
+        bare_slice(links, substeps, dt, first, last)
         self.bare += perf_counter() - start
-        read_slice(physics.links, first, last)
-        broken = finish_slice(
-            self.matches, self.balls, self.robots, self.events, self.robot_events, physics.bodies, physics.velocities,
-            self._constants, self._weights, self.terms, self.rewards, self._written, self.terminated, self.truncated,
-            self.settings.limit, before, substeps, moved, first, last,
-        )  # fmt: skip
-        assert broken < 0
-        for m in np.flatnonzero(moved[first:last]) + first:
-            physics.write_bodies(int(m))
+        read_slice(links, first, last)
 
 
 class OwnFloor(CoreLoad):
@@ -128,7 +119,9 @@ class ReferenceFloor:
         spent, matches = 0.0, len(self.substeps)
         rounds = -(-steps // REFERENCE_STEPS)
         for _ in range(rounds):
-            self.batch.velocities[:, : 1 + REFERENCE_DISCS] = self.rng.uniform(-1.0, 1.0, (matches, 1 + REFERENCE_DISCS, 3))
+            self.batch.velocities[:, : 1 + REFERENCE_DISCS] = self.rng.uniform(
+                -1.0, 1.0, (matches, 1 + REFERENCE_DISCS, 3)
+            )
             write_slice(self.batch.links, 0, matches)
             start = perf_counter()
             for _ in range(REFERENCE_STEPS):
@@ -138,13 +131,14 @@ class ReferenceFloor:
 
 
 def reference_space(rng: np.random.Generator) -> Any:
-    """Return the reference scene: a walled field of 9 x 6 m and a goal, six discs of 0.25 m and a ball, anywhere."""
+    """Return the reference scene: a walled field of 9 x 6 m with three corners cut, six discs of 0.25 m and a ball."""
     space = pymunk.Space()
     space.iterations, space.collision_slop = REFERENCE_ITERATIONS, 0.002
-    x, y, goal = 4.5, 3.0, 1.0
-    corners = [(-x, -y), (x, -y), (x, -goal), (x + 0.5, -goal), (x + 0.5, goal), (x, goal), (x, y), (-x, y)]
-    walls = [pymunk.Segment(space.static_body, *ends, 0.05) for ends in zip(corners[:-1], corners[1:], strict=True)]
-    assert len(walls) == 7  # the left side is open; nothing gets that far in a second
+    x, y, cut = 4.5, 3.0, 0.5
+    corners = [(-x, -y), (x - cut, -y), (x, cut - y), (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut)]
+    ends = zip(corners, corners[1:] + corners[:1], strict=True)
+    walls = [pymunk.Segment(space.static_body, *both, 0.05) for both in ends]
+    assert len(walls) == 7
     space.add(*walls)
     for index in range(1 + REFERENCE_DISCS):
         mass, radius = (0.43, 0.11) if index == 0 else (15.0, 0.25)

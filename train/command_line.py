@@ -12,7 +12,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, TypeVar, get_args
+from typing import TYPE_CHECKING, Any, TypeVar, cast, get_args
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -84,7 +84,8 @@ def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except (ValueError, OSError, ImportError) as error:
-        if os.environ.get("SOCCER_ENV_TRACEBACK"):
+        own_bug = isinstance(error, ImportError) and (error.name or "").startswith("soccer_env")
+        if own_bug or os.environ.get("SOCCER_ENV_TRACEBACK"):
             raise
         return complain(str(error))
 
@@ -152,16 +153,28 @@ def run_list(words: list[str]) -> int:
             raise ValueError(f"unknown list {words[0]!r}; known: {', '.join(kinds)}")
         settings = read_settings(ListSettings, words[1:], f"list {words[0]}")
         out = console()
-        for drawn in list_tables(words[0], settings):
+        for drawn in list_tables(cast(What, words[0]), settings):
             out.print(drawn)
         return 0
     print(f"usage: soccer list {'|'.join(kinds)} [--league LEAGUE]")
     return 0 if words else WRONG
 
 
+def run_bench(words: list[str]) -> int:
+    """Run `soccer bench`."""
+    from soccer_env.train.bench_settings import BenchSettings
+
+    settings = read_settings(BenchSettings, words, "bench")
+    from soccer_env.train.bench import run, screen_table
+
+    console().print(screen_table(run(settings)))
+    return 0
+
+
 COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "evaluate": run_evaluate,
     "list": run_list,
+    "bench": run_bench,
 }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from soccer_env.train.results import HALF_WIDTH, EvaluationResult
@@ -108,7 +109,7 @@ def pairs(result: EvaluationResult) -> list[str]:
     ]
 
 
-def table(head: tuple[str, ...], cells: list[tuple[str, ...]]) -> str:
+def table(head: tuple[str, ...], cells: Sequence[tuple[str, ...]]) -> str:
     """Return a table in Markdown."""
     ruled = [head, ("---",) * len(head), *cells]
     return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in ruled)

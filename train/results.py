@@ -122,7 +122,9 @@ FILES = ("settings.json", "matches.jsonl", "result.json", "report.md", "match.pn
 
 def remove_files(path: Path | None) -> None:
     """Remove the files of an evaluation from a folder; the settings last, since matches without them are refused."""
-    for name in reversed(FILES) if path is not None else ():
+    if path is None:
+        return
+    for name in reversed(FILES):
         (path / name).unlink(missing_ok=True)
 
 

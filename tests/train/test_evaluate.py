@@ -109,6 +109,17 @@ def test_a_team_of_ones_own_wins_on_both_sides() -> None:
         assert sum(line.goals_for for line in lines) > sum(line.goals_against for line in lines)
 
 
+@pytest.mark.slow
+def test_the_first_evaluation_of_the_readme(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["evaluate", "--league", "legged-2001", "--home", "chaser", "--away", "random@0.5", "--matches", "20"]
+    words += ["--minutes", "4", "--players", "3", "--seed", "1", "--threads", "2", "--out", str(tmp_path)]
+    assert main([*words, "--at-least", "0.95"]) == 0
+    assert "chaser beats random@0.5 clearly." in capsys.readouterr().out
+    record = json.loads((tmp_path / "result.json").read_text())
+    assert record["goal_difference"]["low"] > 0.0
+    assert (tmp_path / "report.md").read_text().startswith("# chaser against random@0.5\n")
+
+
 def test_a_stopped_run_goes_on_and_ends_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "BATCH", 2)
     whole = short(out=tmp_path / "whole")

@@ -1,0 +1,130 @@
+"""The attacker of the chaser: meet the ball, get behind it, turn it to the goal, shoot; work it out where it is stuck."""
+
+from __future__ import annotations
+
+from math import acos, atan2, cos, sin, sqrt
+
+from soccer_env.baselines.sight import nearest_opponent, rolls_to, side_of
+from soccer_env.baselines.skills import choose_aim, go, lane_room, push, shot_room, turn_by
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length, wrap
+
+
+@compiled
+def attack(command, sight, memory, k, play):
+    """Bring the ball to the goal, with the first skill of the ladder that applies."""
+    ux, uy, room = choose_aim(sight, k)
+    ux, uy = turned(ux, uy, memory.aim_error)
+    if memory.wriggle > 0.0:
+        wriggle(command, sight, memory, k, play)
+    elif sight.held == 1:
+        turn_to_goal(command, sight, k, play, ux, uy)
+    else:
+        approach(command, sight, memory, k, play, ux, uy)
+    if wants_to_shoot(sight, memory, k, play):
+        command.kick = play.kick
+
+
+@compiled
+def turned(ux, uy, angle):
+    """Return a vector turned by an angle [rad]."""
+    cosine, sine = cos(angle), sin(angle)
+    return cosine * ux - sine * uy, sine * ux + cosine * uy
+
+
+@compiled
+def wants_to_shoot(sight, memory, k, play):
+    """Tell whether a kick now would go where it should."""
+    if sight.now_ahead > sight.touch + play.kick_gap or abs(sight.now_left) > play.kick_aside or sight.now_ahead <= 0.0:
+        return False
+    if k.kicker_wind_up > 0.0 and sight.held == 0:
+        return False
+    ux, uy = turned(sight.now_cosine, sight.now_sine, memory.aim_error)
+    goal = 0.5 * k.pitch_length - sight.ball_x
+    if shot_room(sight, k, ux, uy) > play.room and goal < play.shot_range:
+        return True
+    crowded = nearest_opponent(sight, sight.ball_x, sight.ball_y) < play.crowded * k.body_reach
+    return ux > play.forward_only and (goal >= play.shot_range or crowded) and lane_room(sight, k, ux, uy, 1.0) > play.room
+
+
+@compiled
+def turn_to_goal(command, sight, k, play, ux, uy):
+    """Turn with the ball in front, walking on so that it stays there."""
+    error = wrap(atan2(uy, ux) - sight.heading)
+    command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
+    command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
+
+
+@compiled
+def approach(command, sight, memory, k, play, ux, uy):
+    """Go to where the ball can be met: straight in from behind it, round it from its other side."""
+    gap = max(sight.distance - sight.touch, 0.0)
+    x, y = rolls_to(sight, k, clip(gap / (k.drive_forward * sight.pace), play.delay, play.lead))
+    ux, uy = clear_of_boards(x, y, ux, uy, sight, k)
+    away_x, away_y = sight.x - x, sight.y - y
+    away = max(length(away_x, away_y), 1e-6)
+    behind = -(away_x * ux + away_y * uy) / away
+    if behind > play.run_in_cosine or (away < play.near * sight.touch and behind > play.near_cosine):
+        run_in(command, sight, k, play, x, y, ux, uy)
+    else:
+        go_round(command, sight, memory, k, play, x, y, ux, uy)
+
+
+@compiled
+def run_in(command, sight, k, play, x, y, ux, uy):
+    """Run at a ball from behind it: a base that can step aside faces where the ball is to go."""
+    if play.square_up > 0.0:
+        into = sight.touch - play.square_up
+        go(command, sight, k, play, x - into * ux, y - into * uy, atan2(uy, ux), play.bump)
+    else:
+        go(command, sight, k, play, x, y, atan2(y - sight.y, x - sight.x), play.bump)
+
+
+@compiled
+def clear_of_boards(x, y, ux, uy, sight, k):
+    """Return the direction in which to push a ball, turned so that there is room for a robot behind it."""
+    if k.walled == 0:
+        return ux, uy
+    room = k.body_tip_y + k.body_tip_radius
+    edge_x, edge_y = 0.5 * k.pitch_length - room, 0.5 * k.pitch_width - room
+    back_x = x - clip(x - sight.touch * ux, -edge_x, edge_x)
+    back_y = y - clip(y - sight.touch * uy, -edge_y, edge_y)
+    size = length(back_x, back_y)
+    return (back_x / size, back_y / size) if size > 1e-6 else (ux, uy)
+
+
+@compiled
+def go_round(command, sight, memory, k, play, x, y, ux, uy):
+    """Go round the ball at (x, y) to its back, at a distance at which it is not touched."""
+    away_x, away_y = sight.x - x, sight.y - y
+    away = max(length(away_x, away_y), 1e-6)
+    radius = sight.touch + play.clearance
+    angle = acos(clip(-(away_x * ux + away_y * uy) / away, -1.0, 1.0))
+    way = side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius)
+    step = min(angle, play.orbit_step + acos(min(radius / away, 1.0)))
+    to_x, to_y = turned(away_x / away, away_y / away, way * step)
+    facing = atan2(uy, ux) if play.square_up > 0.0 else atan2(-away_y, -away_x)
+    go(command, sight, k, play, x + radius * to_x, y + radius * to_y, facing, play.orbit_speed)
+
+
+@compiled
+def side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
+    """Return on which side to go round a ball, +1 counter-clockwise: inside near a board, else the shorter way."""
+    way = side_of(away_y * ux - away_x * uy)
+    if k.walled == 1 and angle > 1.6:
+        room = radius + k.body_tip_y + k.body_tip_radius
+        if 0.5 * k.pitch_width - abs(y) < room:
+            return side_of(-away_x * side_of(y))
+        if 0.5 * k.pitch_length - abs(x) < room:
+            return side_of(away_y * side_of(x))
+    if angle > 2.6 and memory.way != 0.0:
+        way = memory.way
+    memory.way = way
+    return way
+
+
+@compiled
+def wriggle(command, sight, memory, k, play):
+    """Work a stuck ball out: turn at it with all force towards the remembered side."""
+    push(command, sight, k, play.wriggle_ahead, 0.0, k.drive_forward)
+    command.turn = memory.wriggle_side * sight.pace

@@ -1,0 +1,227 @@
+"""The chaser: a complete small scripted team for both leagues and any number of players.
+
+Each player decides from its own belief and tracks. One ladder for each role:
+
+    goalkeeper   meet a shot  >  clear the ball  >  guard the line from ball to goal            goalkeeping.py
+    attacker     work a stuck ball out  >  turn with the ball  >  get behind it; shoot when it can  attacking.py
+    supporter    keep the rules' distance  >  stand behind the ball, the next ones spread out   here
+
+Who attacks: the field player that believes itself nearest to the ball, counting the way round it. `strength` from 0 to 1 scales
+the pace, how often a player decides, how straight it aims and how hard it kicks; at 1 nothing is drawn at random but the
+patience with a stuck ball, so that mirrored beliefs give mirrored commands.
+"""
+
+from __future__ import annotations
+
+from math import atan2
+
+import numpy as np
+
+from soccer_env.baselines.attacking import attack
+from soccer_env.baselines.goalkeeping import keep_goal
+from soccer_env.baselines.sight import SIGHT, look, side_of
+from soccer_env.baselines.skills import go, stand
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
+from soccer_env.random_numbers import normal, uniform
+from soccer_env.teams import CompiledTeam
+from soccer_env.types import Phase, RobotStream
+
+PLAY = int(Phase.PLAY)
+KICK_OFF = int(Phase.KICK_OFF)
+TEAM = int(RobotStream.TEAM)
+
+MEMORY = np.dtype(
+    [
+        ("wait", "f8"),  # [s] until the next decision
+        ("rank", "i8"),  # field team-mates nearer to the ball: 0 the attacker
+        ("rank_age", "f8"),  # [s] that this rank has been held against a better or worse one
+        ("side", "f8"),  # +1 supports on the left of the ball, -1 on its right, 0 undecided
+        ("way", "f8"),  # +1 goes round the ball counter-clockwise, -1 clockwise
+        ("aim_error", "f8"),  # [rad]
+        ("stuck", "f8"),  # [s] that the ball at my feet has not moved
+        ("patience", "f8"),  # [s] of that until it is worked out
+        ("wriggle", "f8"),  # [s] left of working it out
+        ("wriggle_side", "f8"),  # +1 turning left, -1 right
+        ("forward", "f8"),  # the command that is repeated until the next decision
+        ("left", "f8"),
+        ("turn", "f8"),
+        ("kick", "f8"),
+    ]
+)
+
+NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential base
+    "settle": (0.7, 0.25, 0.3),  # [s] in which a turn or a step is to be done
+    "arrived": (0.03, 0.05, 0.08),  # [m] near enough
+    "walk_ahead": (0.25, 0.0, 0.0),  # [m] a walk this long is done facing ahead
+    "run_in_cosine": (0.0, 0.94, 0.9),  # cosine of the angle off the line behind the ball for a run straight in
+    "square_up": (0.0, 0.1, 0.0),  # [m] into the ball that a base which steps aside aims; 0: it faces the ball instead
+    "near": (1.6, 1.8, 1.3),  # [touch distances] within which the next one counts instead
+    "near_cosine": (-0.5, 0.85, 0.3),  # cosine
+    "clearance": (0.05, 0.15, 0.25),  # [m] between front and ball on the way round
+    "orbit_step": (0.6, 0.7, 0.6),  # [rad] of the way round that is looked ahead
+    "orbit_speed": (0.12, 1.0, 0.6),  # [m/s] least on the way round
+    "bump": (0.12, 1.6, 1.0),  # [m/s] at which the ball is met
+    "delay": (0.1, 0.12, 0.12),  # [s] least time by which the ball is led
+    "lead": (3.0, 1.5, 2.0),  # [s] greatest
+    "turn_share": (0.6, 0.7, 0.5),  # [1] of the top turn rate with the ball
+    "carry_share": (0.6, 0.15, 0.2),  # [1] of the top speed while turning with the ball
+    "push_share": (1.0, 0.8, 0.9),  # [1] of the top speed while pushing it straight
+    "aligned": (0.15, 0.2, 0.2),  # [rad] straight
+    "kick": (1.0, 1.0, 1.0),  # [1] strength
+    "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front
+    "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
+    "room": (0.03, 0.02, 0.02),  # [rad] beside a shot
+    "shot_range": (1.3, 7.0, 7.0),  # [m] of a shot at the goal
+    "forward_only": (0.8, 0.9, 0.9),  # cosine of the angle to straight ahead for a kick up the pitch
+    "crowded": (2.5, 3.0, 3.0),  # [body reaches] an opponent this near the ball makes a player kick it away
+    "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out
+    "wriggle_time": (1.5, 0.6, 0.8),  # [s]
+    "patience": (3.0, 1.2, 1.5),  # [s]
+    "still": (0.02, 0.15, 0.15),  # [m/s] a ball slower than this does not move
+    "rank_time": (1.0, 0.3, 0.4),  # [s] before a player changes its rank
+    "foresight": (1.0, 0.5, 0.6),  # [s] by which a player's own motion shortens its way to the ball
+    "wrong_side": (0.3, 0.8, 1.0),  # [m] that a way from ahead of the ball is longer
+    "back": (0.45, 1.5, 1.5),  # [m] of a supporter behind the ball, for each row
+    "aside": (0.35, 1.2, 1.2),  # [m] of a supporter beside it
+    "change_side": (0.2, 0.6, 0.6),  # [m] from the middle before a supporter changes sides
+    "keeper_line": (1.35, 1.2, 1.2),  # [body reaches] from the goal line
+    "keeper_out": (1.8, 2.2, 2.0),  # [body reaches] from the middle of the goal
+    "keeper_zone": (0.6, 1.5, 1.5),  # [m] round the middle of the goal from which balls are cleared
+    "shot_speed": (0.15, 0.5, 0.5),  # [m/s] a ball this fast towards the goal is a shot
+    "dive": (0.0, 0.0, 0.0),  # [m/s] at which a shot is met
+    "clear_cosine": (0.5, 0.5, 0.5),  # cosine of the angle to straight away from the goal for a clearing kick
+}
+SLOWEST = 0.45  # [1] pace at strength 0, assumed
+LAZY = 0.6  # [s] between decisions at strength 0, assumed
+CROOKED = 0.5  # [rad] deviation of the aim at strength 0, assumed
+SOFTEST = 0.5  # [1] strength of a kick at strength 0, assumed
+MARGIN = 0.05  # [m] beyond the rules' distance at the opponents' restart, assumed
+SETTINGS = np.dtype([("strength", "f8"), *((name, "f8") for name in NUMBERS)])
+
+
+def team(strength: float = 1.0) -> CompiledTeam:
+    """Return the team; `settings` has a row for each kind of base, in the order of `DRIVE_KINDS`."""
+    rows = [(strength, *(numbers[kind] for numbers in NUMBERS.values())) for kind in range(3)]
+    return CompiledTeam("chaser", chase, MEMORY, np.array(rows, SETTINGS))
+
+
+@compiled
+def chase(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
+    """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
+    sight = np.zeros(1, SIGHT)
+    k, play = constants[0], settings[constants[0].drive_kind]
+    for m in range(first, last):
+        for p in range(len(players)):
+            r = players[p]
+            act(beliefs[m, r], tracks[m, r], memory[m, p], noise[m, r], commands[m, r], k, play, sight[0])
+
+
+@compiled
+def act(belief, tracks, memory, noise, command, k, play, sight):
+    """Decide, or repeat the last decision until it is time for the next."""
+    stand(command)
+    memory.wait -= k.dt
+    if belief.situation.active == 0:
+        return
+    if memory.wait > 0.0:
+        command.forward, command.left, command.turn = memory.forward, memory.left, memory.turn
+        command.kick = memory.kick
+        return
+    weakness = 1.0 - play.strength
+    memory.wait = weakness * LAZY
+    memory.aim_error = weakness * CROOKED * normal(noise, TEAM)
+    sight.elapsed = max(k.dt, memory.wait)
+    sight.pace = 1.0 - weakness * (1.0 - SLOWEST)
+    look(sight, belief, tracks, k)
+    decide(belief.situation, command, sight, memory, noise, k, play)
+    command.kick *= 1.0 - weakness * (1.0 - SOFTEST)
+    memory.forward, memory.left, memory.turn = command.forward, command.left, command.turn
+    memory.kick = command.kick
+
+
+@compiled
+def decide(situation, command, sight, memory, noise, k, play):
+    """Play the role that the player has now."""
+    if situation.keeper == 1:
+        keep_goal(command, sight, memory, k, play)
+        return
+    choose_rank(sight, memory, play)
+    watch_ball(sight, memory, noise, k, play)
+    if situation.phase != PLAY and situation.ours < 0.0:
+        wait_for_them(situation, command, sight, memory, k, play)
+    elif memory.rank == 0:
+        attack(command, sight, memory, k, play)
+    else:
+        support(command, sight, memory, k, play)
+
+
+@compiled
+def way_to_ball(sight, play, x, y, vx, vy):
+    """Return how far a player at (x, y) has to go to the back of the ball [m]; running there already counts."""
+    ahead, left = sight.ball_x - x, sight.ball_y - y
+    away = max(length(ahead, left), 1e-6)
+    return away + play.wrong_side * max(-ahead / away, 0.0) - play.foresight * (vx * ahead + vy * left) / away
+
+
+@compiled
+def choose_rank(sight, memory, play):
+    """Count the field team-mates that are nearer to the ball; a change has to last before it counts."""
+    own = way_to_ball(sight, play, sight.x, sight.y, sight.vx, sight.vy)
+    rank = 0
+    for i in range(sight.others):
+        if sight.mate[i] == 1 and sight.field[i] == 1:
+            other = way_to_ball(sight, play, sight.other_x[i], sight.other_y[i], sight.other_vx[i], sight.other_vy[i])
+            if other < own:
+                rank += 1
+    memory.rank_age = memory.rank_age + sight.elapsed if rank != memory.rank else 0.0
+    if memory.rank_age > play.rank_time or memory.patience == 0.0:
+        memory.rank, memory.rank_age = rank, 0.0
+
+
+@compiled
+def watch_ball(sight, memory, noise, k, play):
+    """Notice a ball that is stuck at the player's feet, and when to begin to work it out."""
+    memory.wriggle = max(memory.wriggle - sight.elapsed, 0.0)
+    if memory.patience == 0.0:
+        memory.patience = play.patience * (0.7 + 0.6 * uniform(noise, TEAM))
+    near = sight.distance < sight.touch + k.body_reach
+    slow = length(sight.ball_vx, sight.ball_vy) < play.still
+    memory.stuck = memory.stuck + sight.elapsed if near and slow else 0.0
+    if memory.stuck > memory.patience:
+        memory.stuck, memory.patience = 0.0, play.patience * (0.7 + 0.6 * uniform(noise, TEAM))
+        memory.wriggle = play.wriggle_time
+        goal = atan2(-sight.ball_y, 0.5 * k.pitch_length - sight.ball_x) - sight.heading
+        memory.wriggle_side = side_of(goal)
+
+
+@compiled
+def wait_for_them(situation, command, sight, memory, k, play):
+    """Stand between the ball and the own goal, as far from the ball as the rules ask at the opponents' restart."""
+    if memory.rank > 0:
+        support(command, sight, memory, k, play)
+        return
+    far = k.rules_kick_off_distance if situation.phase == KICK_OFF else k.rules_restart_distance
+    far += k.body_reach + MARGIN
+    x, y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
+    away = max(length(x, y), 1e-6)
+    go(command, sight, k, play, sight.ball_x + far * x / away, sight.ball_y + far * y / away, facing_ball(sight), 0.0)
+
+
+@compiled
+def facing_ball(sight):
+    """Return the direction from the player to the ball [rad], team frame."""
+    return atan2(sight.ball_y - sight.y, sight.ball_x - sight.x)
+
+
+@compiled
+def support(command, sight, memory, k, play):
+    """Stand behind the ball and beside it; supporters of a higher rank stand farther back, in pairs."""
+    if memory.side == 0.0 or abs(sight.ball_y) > play.change_side:
+        memory.side = -side_of(sight.ball_y)
+    row, second = (memory.rank + 1) // 2, memory.rank % 2 == 0
+    side = -memory.side if second else memory.side
+    edge_x, edge_y = 0.5 * k.pitch_length - k.body_reach, 0.5 * k.pitch_width - k.body_reach
+    x = clip(sight.ball_x - play.back * row, -edge_x + 2.0 * k.body_reach, edge_x)
+    y = clip(sight.ball_y + side * play.aside, -edge_y, edge_y)
+    go(command, sight, k, play, x, y, facing_ball(sight), 0.0)

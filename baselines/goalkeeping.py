@@ -1,0 +1,74 @@
+"""The goalkeeper of the chaser: stand between ball and goal, meet shots where they cross the line, clear what lies near."""
+
+from __future__ import annotations
+
+from math import atan2
+
+from soccer_env.baselines.attacking import approach, turn_to_goal
+from soccer_env.baselines.sight import rolls_to
+from soccer_env.baselines.skills import go
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
+
+FOREVER = 60.0  # [s] any ball has stopped by then
+
+
+@compiled
+def keep_goal(command, sight, memory, k, play):
+    """Keep the goal, with the first skill of the ladder that applies."""
+    line = -0.5 * k.pitch_length + play.keeper_line * k.body_reach
+    coming, crossing = shot_crosses(sight, k, play, line)
+    if coming:
+        go(command, sight, k, play, line, crossing, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), play.dive)
+    elif may_clear(sight, k, play):
+        clear(command, sight, memory, k, play)
+    else:
+        guard(command, sight, k, play, line)
+
+
+@compiled
+def shot_crosses(sight, k, play, line):
+    """Tell whether the ball rolls over the keeper's line towards the goal, and where [m]."""
+    if sight.ball_vx > -play.shot_speed or sight.ball_x < line:
+        return False, 0.0
+    end_x, _ = rolls_to(sight, k, FOREVER)
+    crossing = sight.ball_y + sight.ball_vy * (line - sight.ball_x) / sight.ball_vx
+    widest = 0.5 * k.pitch_goal_width
+    return end_x < line and abs(crossing) < widest + k.body_reach, clip(crossing, -widest, widest)
+
+
+@compiled
+def guard(command, sight, k, play, line):
+    """Stand on the line between the ball and the middle of the goal, a little way out."""
+    x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
+    away = max(length(x, y), 1e-6)
+    out = play.keeper_out * k.body_reach
+    stand_x = max(-0.5 * k.pitch_length + out * x / away, line)
+    widest = 0.5 * k.pitch_goal_width - 0.5 * k.body_reach
+    stand_y = clip(out * y / away, -widest, widest)
+    go(command, sight, k, play, stand_x, stand_y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+
+
+@compiled
+def may_clear(sight, k, play):
+    """Tell whether the ball lies so near to the goal, and so far from a field player, that the keeper fetches it."""
+    x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
+    if length(x, y) > play.keeper_zone or length(sight.ball_vx, sight.ball_vy) > play.shot_speed:
+        return False
+    for i in range(sight.others):
+        if sight.mate[i] == 1 and length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y) < sight.distance:
+            return False
+    return True
+
+
+@compiled
+def clear(command, sight, memory, k, play):
+    """Play the ball away from the own goal."""
+    x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
+    away = max(length(x, y), 1e-6)
+    if sight.held == 1:
+        turn_to_goal(command, sight, k, play, x / away, y / away)
+        if sight.now_cosine * x + sight.now_sine * y > play.clear_cosine * away:
+            command.kick = play.kick
+    else:
+        approach(command, sight, memory, k, play, x / away, y / away)

@@ -1,0 +1,125 @@
+"""What a scripted player sees of the game, in its team's frame: own goal at -x, the opponents' at +x.
+
+Beliefs and tracks are relative to the robot; `look` turns them once a decision into one flat record, so that skills can be
+written for a team that attacks +x. Everything here is exact under a left-right mirror: cosine terms are even, sine terms odd.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, sin
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length, wrap
+from soccer_env.types import MAX_TEAM
+
+OTHERS = 2 * MAX_TEAM  # room for every other player
+
+SIGHT = np.dtype(
+    [
+        ("x", "f8"),  # [m] own pose, team frame
+        ("y", "f8"),  # [m]
+        ("heading", "f8"),  # [rad]
+        ("cosine", "f8"),  # of the heading
+        ("sine", "f8"),
+        ("now_cosine", "f8"),  # of the heading before the delay: a kick obeys at once
+        ("now_sine", "f8"),
+        ("vx", "f8"),  # [m/s] own velocity, team frame
+        ("vy", "f8"),  # [m/s]
+        ("ball_x", "f8"),  # [m] team frame
+        ("ball_y", "f8"),  # [m]
+        ("ball_vx", "f8"),  # [m/s] team frame
+        ("ball_vy", "f8"),  # [m/s]
+        ("distance", "f8"),  # [m] to the ball
+        ("bearing", "f8"),  # [rad] of the ball, robot frame
+        ("ahead", "f8"),  # [m] ball, robot frame
+        ("left", "f8"),  # [m] ball, robot frame
+        ("now_ahead", "f8"),  # [m] ball, robot frame, before the delay
+        ("now_left", "f8"),  # [m]
+        ("held", "i8"),  # 1: the ball lies in my pocket or at my kicker
+        ("touch", "f8"),  # [m] distance from my origin to a ball that rests on my front
+        ("pace", "f8"),  # [1] share of the top speeds that the team may use
+        ("elapsed", "f8"),  # [s] since the last decision
+        ("others", "i8"),  # players seen
+        ("other_x", "f8", (OTHERS,)),  # [m] team frame
+        ("other_y", "f8", (OTHERS,)),  # [m]
+        ("other_vx", "f8", (OTHERS,)),  # [m/s] team frame
+        ("other_vy", "f8", (OTHERS,)),  # [m/s]
+        ("mate", "i8", (OTHERS,)),  # 1: a team-mate
+        ("field", "i8", (OTHERS,)),  # 1: not a goalkeeper
+        ("number", "i8", (OTHERS,)),
+    ]
+)
+
+
+@compiled
+def look(sight, belief, tracks, k):
+    """Fill the sight of one robot from its belief and its (slots,) tracks, for the moment at which its command takes effect."""
+    own, ball = belief.own, belief.ball
+    delay = k.dt * k.delay_steps
+    cosine, sine = cos(own.heading), sin(own.heading)
+    sight.now_cosine, sight.now_sine = cosine, sine
+    sight.now_ahead, sight.now_left, sight.held = ball.x, ball.y, ball.held
+    sight.vx, sight.vy = cosine * own.forward - sine * own.left, sine * own.forward + cosine * own.left
+    sight.ball_vx, sight.ball_vy = cosine * ball.vx - sine * ball.vy, sine * ball.vx + cosine * ball.vy
+    look_at_others(sight, own, tracks, delay)
+    sight.ball_x, sight.ball_y = own.x + cosine * ball.x - sine * ball.y, own.y + sine * ball.x + cosine * ball.y
+    sight.ball_x, sight.ball_y = rolls_to(sight, k, delay)
+    sight.x, sight.y = own.x + delay * sight.vx, own.y + delay * sight.vy
+    sight.heading = wrap(own.heading + delay * own.turn)
+    sight.cosine, sight.sine = cos(sight.heading), sin(sight.heading)
+    x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
+    sight.ahead, sight.left = sight.cosine * x + sight.sine * y, sight.cosine * y - sight.sine * x
+    sight.distance, sight.bearing = length(x, y), atan2(sight.left, sight.ahead)
+    sight.touch = k.body_front + k.ball_radius
+
+
+@compiled
+def look_at_others(sight, own, tracks, delay):
+    """Note all players that are present, in the order of their slots."""
+    count = 0
+    cosine, sine = sight.now_cosine, sight.now_sine
+    for slot in range(min(tracks.shape[0], OTHERS)):
+        track = tracks[slot]
+        if track.present == 0:
+            continue
+        x, y = track.x + delay * track.vx, track.y + delay * track.vy
+        sight.other_x[count], sight.other_y[count] = own.x + cosine * x - sine * y, own.y + sine * x + cosine * y
+        sight.other_vx[count] = cosine * track.vx - sine * track.vy
+        sight.other_vy[count] = sine * track.vx + cosine * track.vy
+        sight.mate[count], sight.field[count] = track.teammate, 1 - track.keeper
+        sight.number[count] = track.number
+        count += 1
+    sight.others = count
+
+
+@compiled
+def side_of(value):
+    """Return +1 for the left (and for 0), -1 for the right."""
+    return 1.0 if value >= 0.0 else -1.0
+
+
+@compiled
+def rolls_to(sight, k, seconds):
+    """Return where the ball will be [m, m], team frame, held inside the boards of a walled pitch."""
+    speed = length(sight.ball_vx, sight.ball_vy)
+    if speed < 1e-6:
+        return sight.ball_x, sight.ball_y
+    rolling = min(seconds, speed / k.ball_rolling)
+    share = rolling * (1.0 - 0.5 * k.ball_rolling * rolling / speed)
+    x, y = sight.ball_x + share * sight.ball_vx, sight.ball_y + share * sight.ball_vy
+    if k.walled == 1:
+        edge_x, edge_y = 0.5 * k.pitch_length - k.ball_radius, 0.5 * k.pitch_width - k.ball_radius
+        x, y = clip(x, -edge_x, edge_x), clip(y, -edge_y, edge_y)
+    return x, y
+
+
+@compiled
+def nearest_opponent(sight, x, y):
+    """Return how far the nearest opponent is from a point [m]; 1e9 if none is seen."""
+    nearest = 1e9
+    for i in range(sight.others):
+        if sight.mate[i] == 0:
+            nearest = min(nearest, length(sight.other_x[i] - x, sight.other_y[i] - y))
+    return nearest

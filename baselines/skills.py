@@ -1,0 +1,151 @@
+"""What a scripted player can do with its legs or wheels, the ball, and its kicker.
+
+Skills hold no state and write a command. `go` is the only place that knows how a base moves: gait, omnidirectional or
+differential. Lengths are in metres of the team frame unless a name says otherwise.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, sin, sqrt
+
+from soccer_env.baselines.sight import side_of
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length, wrap
+from soccer_env.leagues.league import GAIT, WHEELS_DIFFERENTIAL
+
+SIDESTEP_CONE = 1.2  # [rad] a base that cannot step aside drives only towards what lies within it ahead, assumed
+REVERSE_ROOM = 0.6  # [m] such a base backs up to what lies nearer than this behind it, assumed
+BRAKE_SHARE = 0.7  # [1] of the acceleration is counted on for braking, assumed
+AVOID_AHEAD = 4.0  # [body reaches] how far ahead other robots are looked for, assumed
+AVOID_ASIDE = 2.3  # [body reaches] how far aside of the way they are avoided, assumed
+AVOID_WEIGHT = 1.2  # [1] how far the way turns aside at most, assumed
+GOAL_SPOTS = 4  # pairs of spots between the posts that a shot can be aimed at, beside the middle
+WIDE_ENOUGH = 0.12  # [rad] more room than this beside a shot is worth nothing, assumed
+TURN_COST = 0.02  # [1] room that a shot may lose for each radian less to turn, assumed
+
+
+@compiled
+def stand(command):
+    """Stand still; the head tracks the ball by itself."""
+    command.forward = command.left = command.turn = command.kick = 0.0
+    command.head = -1.0
+
+
+@compiled
+def turn_by(command, sight, k, play, angle):
+    """Turn by an angle [rad] within the settling time."""
+    command.turn = clip(angle / (play.settle * k.drive_turn), -1.0, 1.0) * sight.pace
+
+
+@compiled
+def push(command, sight, k, ahead, left, speed):
+    """Move along a direction of the robot frame (unit vector) at a speed [m/s]."""
+    top = k.drive_forward if ahead > 0.0 else k.drive_backward
+    command.forward = ahead * min(speed / top, 1.0) * sight.pace
+    if k.drive_sideways > 0.0:
+        command.left = left * min(speed / k.drive_sideways, 1.0) * sight.pace
+    else:
+        command.left = 0.0
+
+
+@compiled
+def braking_speed(k, play, distance):
+    """Return the speed [m/s] from which a robot still stops after a distance."""
+    return min(distance / play.settle, sqrt(2.0 * BRAKE_SHARE * k.drive_acceleration * distance))
+
+
+@compiled
+def go(command, sight, k, play, x, y, facing, final):
+    """Go to a point and face a team-frame direction [rad] there; `final` is the speed [m/s] on arrival."""
+    dx, dy = x - sight.x, y - sight.y
+    distance = length(dx, dy)
+    if distance < 1e-6:
+        turn_by(command, sight, k, play, wrap(facing - sight.heading))
+        return
+    dx, dy = avoid_others(sight, k, dx / distance, dy / distance, distance)
+    ahead, left = sight.cosine * dx + sight.sine * dy, sight.cosine * dy - sight.sine * dx
+    speed = max(final, braking_speed(k, play, distance))
+    if k.drive_kind == WHEELS_DIFFERENTIAL:
+        drive_differential(command, sight, k, play, ahead, left, distance, facing, speed)
+    elif k.drive_kind == GAIT and distance > play.walk_ahead:
+        walk_ahead(command, sight, k, play, ahead, left, speed)
+    else:
+        push(command, sight, k, ahead, left, speed)
+        turn_by(command, sight, k, play, wrap(facing - sight.heading))
+
+
+@compiled
+def walk_ahead(command, sight, k, play, ahead, left, speed):
+    """Turn to the way and walk along it: a walk is faster ahead than aside."""
+    turn_by(command, sight, k, play, atan2(left, ahead))
+    push(command, sight, k, max(ahead, 0.0) * max(ahead, 0.0), left * max(ahead, 0.0), speed)
+
+
+@compiled
+def drive_differential(command, sight, k, play, ahead, left, distance, facing, speed):
+    """Drive along the way with wheels that cannot step aside: backwards if it lies near behind."""
+    if distance < play.arrived:
+        turn_by(command, sight, k, play, wrap(facing - sight.heading))
+        return
+    back = ahead < 0.0 and distance < REVERSE_ROOM
+    bearing = atan2(-left, -ahead) if back else atan2(left, ahead)
+    turn_by(command, sight, k, play, bearing)
+    if abs(bearing) < SIDESTEP_CONE:
+        push(command, sight, k, ahead * abs(ahead), 0.0, speed)
+
+
+@compiled
+def avoid_others(sight, k, dx, dy, distance):
+    """Return a way (unit vector) bent aside from the robots that stand in it."""
+    aside = 0.0
+    ahead_limit, aside_limit = min(AVOID_AHEAD * k.body_reach, distance), AVOID_ASIDE * k.body_reach
+    for i in range(sight.others):
+        x, y = sight.other_x[i] - sight.x, sight.other_y[i] - sight.y
+        along, across = dx * x + dy * y, dx * y - dy * x
+        if 0.0 < along < ahead_limit and abs(across) < aside_limit:
+            aside -= side_of(across) * (1.0 - abs(across) / aside_limit)
+    aside = AVOID_WEIGHT * clip(aside, -1.0, 1.0)
+    size = sqrt(1.0 + aside * aside)
+    return (dx - aside * dy) / size, (dy + aside * dx) / size
+
+
+@compiled
+def shot_room(sight, k, ux, uy):
+    """Return the angle [rad] by which a ball played along (ux, uy) misses posts and opponents; below 0 it meets one."""
+    goal = 0.5 * k.pitch_length - sight.ball_x
+    if ux <= 1e-3 or goal <= 0.0:
+        return -1.0
+    crossing = sight.ball_y + goal * uy / ux
+    room = (0.5 * k.pitch_goal_width - k.ball_radius - abs(crossing)) * ux * ux / max(goal, k.ball_radius)
+    return min(room, lane_room(sight, k, ux, uy, goal / ux))
+
+
+@compiled
+def lane_room(sight, k, ux, uy, far):
+    """Return the angle [rad] by which a ball played along (ux, uy) passes the opponents up to a distance [m]."""
+    room = WIDE_ENOUGH
+    width = 0.7 * k.body_reach + k.ball_radius
+    for i in range(sight.others):
+        x, y = sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y
+        along = ux * x + uy * y
+        if sight.mate[i] == 0 and 0.0 < along < far:
+            room = min(room, (abs(ux * y - uy * x) - width) / max(along, width))
+    return room
+
+
+@compiled
+def choose_aim(sight, k):
+    """Return the unit vector from the ball to the best spot between the opponents' posts, and the room there [rad]."""
+    goal = 0.5 * k.pitch_length
+    widest = 0.5 * k.pitch_goal_width - k.ball_radius
+    side = side_of(sight.ball_y)
+    best, best_x, best_y, best_room = -1e9, 1.0, 0.0, -1.0
+    for i in range(-GOAL_SPOTS, GOAL_SPOTS + 1):
+        x, y = goal + k.ball_radius - sight.ball_x, side * widest * i / (GOAL_SPOTS + 1.0) - sight.ball_y
+        away = max(length(x, y), 1e-6)
+        x, y = x / away, y / away
+        room = shot_room(sight, k, x, y)
+        turn = abs(atan2(sight.cosine * y - sight.sine * x, sight.cosine * x + sight.sine * y))
+        if room - TURN_COST * turn > best:
+            best, best_x, best_y, best_room = room - TURN_COST * turn, x, y, room
+    return best_x, best_y, best_room

@@ -1,0 +1,101 @@
+"""Field: the records of M matches with the Spaces under them, and how a slice of them is stepped.
+
+It knows nothing of who plays: commands lie in the robots' records before a step, and what happened lies in the arrays
+after it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+import numpy as np
+
+from soccer_env.episodes import start_match
+from soccer_env.observations import observe_slice
+from soccer_env.physics.space import build_space
+from soccer_env.physics.space_batch import SpaceBatch, Way
+from soccer_env.rewards import TERMS
+from soccer_env.settings import Settings
+from soccer_env.step import begin_slice, finish_slice, step_slice
+from soccer_env.types import BALL, EVENTS, MATCH, QUIET, ROBOT, ROBOT_EVENTS
+
+Advance = Callable[[float, np.ndarray, int, int], None]  # moves the Spaces on: dt [s], substeps (M,), first, last
+
+
+class Field:
+    """M matches of R robots each: records (M,) and (M, R), rewards (M, R), observations (M, R, n)."""
+
+    def __init__(self, settings: Settings, matches: int, robots: int, observed: int, way: Way | None) -> None:
+        self.settings = settings
+        self.matches, self.balls = np.zeros(matches, MATCH), np.zeros(matches, BALL)
+        self.robots = np.zeros((matches, robots), ROBOT)
+        self.events, self.robot_events = np.zeros(matches, EVENTS), np.zeros((matches, robots), ROBOT_EVENTS)
+        terms = len(TERMS) + len(settings.rewards.extra)  # those of a user's own lie behind ours
+        self.rewards, self.terms = np.zeros((matches, robots)), np.zeros((matches, robots, terms))
+        self.observations = np.zeros((matches, robots, observed), np.float32)
+        self.terminated, self.truncated = np.zeros(matches, bool), np.zeros(matches, bool)
+        self.constants, self.weights = settings.constants(), settings.rewards.weights()
+        self.physics = SpaceBatch(matches, robots + 1, way)
+
+    def start(self, m: int, seed: int, episode: int) -> None:
+        """Begin an episode in match m, in a Space of its own."""
+        at = slice(m, m + 1)
+        records = self.matches[at], self.balls[at], self.robots[at]
+        start_match(self.settings, self.constants, *records, seed, episode)
+        self.seat([m])
+        self.events[m] = QUIET
+        self.robot_events[m] = np.zeros((), ROBOT_EVENTS)
+        self.terminated[m] = self.truncated[m] = False
+
+    def seat(self, rows: Iterable[int]) -> None:
+        """Rebuild the Spaces of some matches from their records."""
+        for m in rows:
+            self.physics.set_space(m, build_space(self.settings.league, self.balls[m], self.robots[m]))
+
+    def step(self, first: int, last: int) -> None:
+        """Run one control step of a slice of matches."""
+        if self.physics.way == "c":
+            self._step_at_once(first, last)
+        else:
+            self.step_in_stages(first, last, self.physics.step_slice)
+
+    def _step_at_once(self, first: int, last: int) -> None:
+        """Step a slice in one compiled call, match by match."""
+        physics = self.physics
+        broken = step_slice(
+            self.matches, self.balls, self.robots, self.events, self.robot_events,
+            physics.links, physics.bodies, physics.velocities, self.constants, self.weights,
+            self.terms, self.rewards, self.observations, self.terminated, self.truncated,
+            self.settings.limit, first, last,
+        )  # fmt: skip
+        self._check(broken)
+
+    def step_in_stages(self, first: int, last: int, advance: Advance) -> None:
+        """Step a slice with the physics left to `advance`, between two compiled halves."""
+        physics, count = self.physics, len(self.matches)
+        before, substeps, moved = np.zeros((count, 2, 2)), np.zeros(count, np.int64), np.zeros(count, bool)
+        begin_slice(
+            self.matches, self.balls, self.robots, self.events, self.robot_events, physics.velocities,
+            self.constants, self.terms, self.rewards, before, substeps, first, last,
+        )  # fmt: skip
+        advance(self.settings.league.dt, substeps, first, last)
+        broken = finish_slice(
+            self.matches, self.balls, self.robots, self.events, self.robot_events,
+            physics.bodies, physics.velocities, self.constants, self.weights,
+            self.terms, self.rewards, self.observations, self.terminated, self.truncated,
+            self.settings.limit, before, substeps, moved, first, last,
+        )  # fmt: skip
+        self._check(broken)
+        for m in np.flatnonzero(moved[first:last]) + first:
+            physics.write_bodies(int(m))
+
+    def observe(self, first: int, last: int) -> None:
+        """Write the observations of a slice anew."""
+        if self.observations.shape[2]:
+            observe_slice(self.matches, self.balls, self.robots, self.observations, self.constants, first, last)
+
+    def _check(self, broken: int) -> None:
+        """Raise RuntimeError if the physics of a match gave numbers that are not finite: a bug of ours."""
+        if broken >= 0:
+            step = self.matches["step"][broken]
+            raise RuntimeError(f"the physics of match {broken} broke down at step {step}; please report this")

@@ -1,0 +1,412 @@
+"""The PettingZoo face of a match: `parallel_env`, and `env` and `raw_env` for one agent at a time (AEC).
+
+| | |
+|---|---|
+| agents | `home_0`, ..., `away_0`, ...: every robot that no team plays |
+| observation | one float32 vector in [-1, 1] a robot, see `soccer_env.observations.layout` |
+| action | Box(4): forward, left, turn, kick; or Box(7): and head, pan, tilt; or Discrete; see `soccer_env.actions` |
+| reward | weighted terms, see `soccer_env.rewards.TERMS` |
+| state | the whole truth of the match in [-1, 1], see `soccer_env.truth_state` |
+
+`infos[agent]` holds "active" (False for a robot sent off), "score" (own goals, the opponents'), "phase", "rewards" (term ->
+weighted reward) and "events": only what happened in this step, in words. Finite actions outside [-1, 1] are clipped.
+
+Version history: v0, the first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from gymnasium import logger
+from gymnasium.spaces import Box
+from pettingzoo import AECEnv, ParallelEnv
+from pettingzoo.utils.conversions import parallel_to_aec_wrapper
+from pettingzoo.utils.wrappers import OrderEnforcingWrapper
+
+from soccer_env.actions import discrete_index
+from soccer_env.match import QUIET, Match
+from soccer_env.settings import one_of
+from soccer_env.types import ROBOT_EVENTS, Phase
+
+RENDER_MODES = ("rgb_array", "human")
+OPTIONS = ("match_seed",)  # of reset
+IGNORED_OPTION = "options"  # what PettingZoo's parallel_api_test passes to every env
+TEAMS = ("home", "away")
+PHASES = tuple(phase.name.lower().replace("_", "-") for phase in Phase)
+DRILL = ("open", "success", "failure")  # at 0, 1 and -1
+WORDS: dict[str, Sequence[str]] = {  # what the codes of an event mean; events that are not here are flags
+    "goal": TEAMS,
+    "restart": PHASES,
+    "restart_team": TEAMS,
+    "touch_team": TEAMS,
+    "drill": DRILL,
+}
+NO_EVENTS = ("ball_x", "ball_y")  # fields of the record that are always filled
+FLOATS = "fd"  # dtype characters of float32 and float64
+Infos = dict[str, dict[str, Any]]
+
+
+class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
+    """A match (M = 1, autoreset "off") as PettingZoo's ParallelEnv; `parallel_env` makes match and env together."""
+
+    metadata: dict[str, Any] = {"name": "soccer_v0", "render_modes": [*RENDER_MODES], "is_parallelizable": True}
+
+    def __init__(self, match: Match, render_mode: str | None = None) -> None:
+        if match.count != 1 or match.settings.autoreset != "off":
+            raise ValueError(
+                f"one match with autoreset 'off' is needed, got {match.count}, {match.settings.autoreset!r}"
+            )
+        if not match.learns.any():
+            raise ValueError("teams play all robots, so no agent is left: step a Match instead, or watch")
+        self.match = match
+        self.render_mode = check_render_mode(render_mode)
+        self.screen = Screen(match)
+        self.metadata = {**self.metadata, "render_fps": self.screen.fps}
+        rows = np.flatnonzero(match.learns)
+        self.possible_agents = [match.agents[row] for row in rows]
+        self.agents: list[str] = []
+        size = len(match.observation_names)
+        self.observation_spaces = {agent: Box(-1.0, 1.0, (size,), np.float32) for agent in self.possible_agents}
+        self.action_spaces = {agent: match.settings.actions.space() for agent in self.possible_agents}
+        self.state_space = Box(-1.0, 1.0, match.state().shape[1:], np.float32)
+        self._report = Report(match, rows)
+        together = len(rows) == rows[-1] - rows[0] + 1
+        self._rows = slice(rows[0], rows[-1] + 1) if together else rows
+        self._discrete = match.settings.actions.name == "discrete"
+        self._action_shape = () if self._discrete else (match.settings.actions.size,)
+        self._actions = np.zeros(
+            (1, len(match.agents), *self._action_shape), np.int64 if self._discrete else np.float64
+        )
+        self._begun = False
+
+    def observation_space(self, agent: str) -> Box:
+        """Return the agent's observation space, the same object at each call."""
+        return self.observation_spaces[agent]
+
+    def action_space(self, agent: str) -> Any:
+        """Return the agent's action space, the same object at each call."""
+        return self.action_spaces[agent]
+
+    def reset(
+        self, seed: int | None = None, options: Mapping[str, Any] | None = None
+    ) -> tuple[dict[str, np.ndarray], Infos]:
+        """Begin an episode; return observations and infos by agent.
+
+        With a seed the match starts its random streams anew, without it goes on to its next episode. The option
+        "match_seed" is one of a Match's `seeds`: this env then plays that one of its matches. ValueError, and the
+        running episode goes on, for anything else.
+        """
+        seeds = [check_options(options, OPTIONS)["match_seed"]] if options and "match_seed" in options else None
+        check_options(options, OPTIONS)
+        if seed is not None and seeds is not None:
+            raise ValueError("reset takes a seed or the option match_seed, got both")
+        self.match.reset(seed=seed, seeds=seeds)
+        self.agents = list(self.possible_agents)
+        self._begun = True
+        self._show()
+        return self._observations(), self._report.infos()
+
+    def step(
+        self, actions: Mapping[str, Any]
+    ) -> tuple[dict[str, np.ndarray], dict[str, float], dict[str, bool], dict[str, bool], Infos]:
+        """Play one step; return observations, rewards, terminations, truncations and infos by agent.
+
+        All agents end together, and `agents` is then empty. ValueError names the agent whose action is missing,
+        unknown, mis-shaped or not finite, RuntimeError tells that reset is due; in both cases nothing has changed.
+        """
+        if not self.agents:
+            raise RuntimeError(f"step {'after the end of the episode' if self._begun else 'before reset'}: call reset")
+        agents, match = self.agents, self.match
+        match.step(self._gather(actions))
+        terminated, truncated = bool(match.terminated[0]), bool(match.truncated[0])
+        rewards = dict(zip(agents, match.rewards[0, self._rows].tolist(), strict=True))
+        infos = self._report.infos()
+        if terminated or truncated:
+            self.agents = []
+        self._show()
+        return (
+            self._observations(),
+            rewards,
+            dict.fromkeys(agents, terminated),
+            dict.fromkeys(agents, truncated),
+            infos,
+        )
+
+    def _observations(self) -> dict[str, np.ndarray]:
+        """Return an array of its own for each agent: callers write into them."""
+        return dict(zip(self.possible_agents, self.match.observations[0, self._rows].copy(), strict=True))
+
+    def _gather(self, actions: Any) -> np.ndarray:
+        """Return the actions as the match takes them; ValueError names what is wrong with them."""
+        usual = self._usual(actions)
+        if usual is None:
+            check_agents(actions, self.agents)
+            usual = [self.check_action(agent, actions[agent]) for agent in self.agents]
+        self._actions[0, self._rows] = np.array(usual)
+        return self._actions
+
+    def _usual(self, actions: Any) -> list[np.ndarray] | None:
+        """Return the actions in order if all are float arrays of the right shape, else None; it is there for speed."""
+        if self._discrete or type(actions) is not dict or len(actions) != len(self.agents):
+            return None
+        found = []
+        for agent in self.agents:
+            action = actions.get(agent)
+            if type(action) is not np.ndarray or action.shape != self._action_shape or action.dtype.char not in FLOATS:
+                return None
+            found.append(action)
+        return found
+
+    def check_action(self, agent: str, action: Any) -> Any:
+        """Return one agent's action as numbers (or as an index); ValueError names the agent and the value."""
+        if self._discrete:
+            return discrete_index(action, agent)
+        numbers = self.match.settings.actions.numbers(action, agent)
+        if not np.isfinite(numbers).all():
+            raise ValueError(f"action of {agent} must be finite, got {numbers.tolist()}")
+        return numbers
+
+    def state(self) -> np.ndarray:
+        """Return the whole truth as one vector in [-1, 1]."""
+        state: np.ndarray = self.match.state()[0]
+        return state
+
+    def render(self) -> np.ndarray | None:
+        """Return a frame (H, W, 3) uint8, or show it in a window and return None, as `render_mode` says."""
+        if self.render_mode is None:
+            logger.warn("render was called without a render_mode; it can be 'rgb_array' or 'human'")
+            return None
+        if not self._begun:
+            raise RuntimeError("render before reset: call reset")
+        if self.render_mode == "rgb_array":
+            return self.screen.frame()
+        self.screen.show()
+        return None
+
+    def _show(self) -> None:
+        if self.render_mode == "human":
+            self.screen.show()
+
+    def close(self) -> None:
+        """Close the window; safe to repeat."""
+        self.screen.close()
+
+    @property
+    def unwrapped(self) -> ParallelSoccer:
+        """Return the env itself; `env.unwrapped.match` is the match inside, whatever the wrappers."""
+        return self
+
+
+class TurnSoccer(parallel_to_aec_wrapper):
+    """One agent acts after the other, the match is stepped when all have. A bad action is refused at once."""
+
+    def step(self, action: Any) -> None:
+        """Take the action of `agent_selection`; ValueError, and nothing has changed, if it is no good."""
+        agent = self.agent_selection
+        if not (self.terminations[agent] or self.truncations[agent]):
+            self.env.unwrapped.check_action(agent, action)
+        elif action is not None:
+            raise ValueError(f"the episode of {agent} has ended: its action must be None, got {action!r}")
+        super().step(action)
+
+
+def parallel_env(
+    *,
+    league: Any = "legged-2001",
+    home: int | None = None,
+    away: int | None = None,
+    observe: Any = "truth",
+    senses: Any = "ideal",
+    actions: str = "box",
+    opponents: Any = None,
+    teammates: Any = None,
+    controllers: Mapping[str, Any] | None = None,
+    scene: Any = "kick-off",
+    episode: str = "match",
+    rules: Any = "league",
+    rewards: Any = "default",
+    variation: Any = None,
+    placement: str = "instant",
+    keeper: int = 0,
+    max_players: int | None = None,
+    minutes: float | None = None,
+    action_repeat: int = 1,
+    max_cycles: int | None = None,
+    render_mode: str | None = None,
+) -> ParallelSoccer:
+    """Return one match as a PettingZoo ParallelEnv; ValueError names a setting that is wrong, and what is allowed.
+
+    league: a name or a League. home, away: robots, 1 to 11; None is the league's own team size.
+    observe: "truth", or an object with `names` that is called with the Match. senses: "ideal".
+    actions: "box" (4 numbers), "full" (7, with the head) or "discrete".
+    opponents: the team that plays away: then only home robots are agents. teammates: the team that plays home but for
+    its last robot. controllers: {agent or side: team} for any subset.
+    scene: a name or a Scene. episode: "match" ends by the clock, "goal" at the first goal, "drill" by the scene's test.
+    rules: "league" or Rules. rewards: a name or Rewards. placement: "instant" or "drive", at restarts.
+    keeper: number of the goalkeeper. max_players: room for robots a side, those too many are inactive.
+    minutes: of play; None is the league's own. action_repeat: control steps a step. max_cycles: steps until truncation.
+    render_mode: None, "rgb_array" or "human".
+    """
+    match = Match(
+        league,
+        home=home,
+        away=away,
+        observe=observe,
+        senses=senses,
+        actions=actions,
+        opponents=opponents,
+        teammates=teammates,
+        controllers=controllers,
+        scene=scene,
+        episode=episode,
+        rules=rules,
+        rewards=rewards,
+        variation=variation,
+        placement=placement,
+        keeper=keeper,
+        max_players=max_players,
+        minutes=minutes,
+        action_repeat=action_repeat,
+        max_cycles=max_cycles,
+    )
+    return ParallelSoccer(match, render_mode)
+
+
+def raw_env(**settings: Any) -> AECEnv:
+    """Return one match as a PettingZoo AECEnv; the settings are those of `parallel_env`."""
+    return TurnSoccer(parallel_env(**settings))
+
+
+def env(**settings: Any) -> AECEnv:
+    """Return `raw_env` with PettingZoo's check of the order of calls; the settings are those of `parallel_env`."""
+    return OrderEnforcingWrapper(raw_env(**settings))
+
+
+class Report:
+    """Says in words what a step of a match was, for the infos of some robots (rows)."""
+
+    def __init__(self, match: Match, rows: np.ndarray) -> None:
+        self._match = match
+        self.words = {**WORDS, "scorer": match.agents}
+        self._events = [
+            (index, name, int(QUIET[name]), self.words.get(name))
+            for index, name in enumerate(QUIET.dtype.names or ())
+            if name not in NO_EVENTS
+        ]
+        self._robots = [(match.agents[row], int(row), TEAMS.index(match.agents[row].split("_")[0])) for row in rows]
+        self._robot_events = ROBOT_EVENTS.names or ()
+        self._robot_quiet = (0,) * len(self._robot_events)
+
+    def infos(self) -> Infos:
+        """Return the infos of the first match, by agent."""
+        match = self._match
+        return self.of(match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
+
+    def of(
+        self, match: np.void, robots: np.ndarray, events: np.void, robot_events: np.ndarray, terms: np.ndarray
+    ) -> Infos:
+        """Return the infos that the records of one match stand for, by agent."""
+        happened = dict(self._say(events.item()))
+        home, away = match["score"].tolist()
+        scores, phase = ((home, away), (away, home)), PHASES[match["phase"]]
+        active, own, shares = robots["active"].tolist(), robot_events.tolist(), terms.tolist()
+        infos = {}
+        for agent, row, team in self._robots:
+            mine = dict(happened)
+            if own[row] != self._robot_quiet:
+                mine.update((name, True) for name, flag in zip(self._robot_events, own[row], strict=True) if flag)
+            infos[agent] = {
+                "active": active[row] == 1,
+                "events": mine,
+                "rewards": dict(zip(self._match.term_names, shares[row], strict=True)),
+                "score": scores[team],
+                "phase": phase,
+            }
+        return infos
+
+    def _say(self, values: tuple[Any, ...]) -> Iterator[tuple[str, Any]]:
+        """Yield name and meaning of the events of a record that happened."""
+        for index, name, quiet, words in self._events:
+            if values[index] != quiet:
+                yield name, True if words is None else words[values[index]]
+
+
+class Screen:
+    """Frames of a Match, and a window for its first; pygame is imported when the first frame is drawn."""
+
+    def __init__(self, match: Match) -> None:
+        self._match = match
+        self.fps = match.league.control_rate / match.settings.action_repeat  # [1/s] steps, in real time
+        self._title = title_of(match)
+        self._picture: Any = None
+        self._window: Any = None
+
+    def frame(self, m: int = 0) -> np.ndarray:
+        """Return a frame (H, W, 3) uint8 of match m."""
+        if self._picture is None:
+            from soccer_env.render import Picture
+
+            self._picture = Picture(self._match.league)
+        match = self._match
+        frame: np.ndarray = self._picture.draw(match.matches[m], match.balls[m], match.robots[m], title=self._title)
+        return frame
+
+    def show(self) -> None:
+        """Show a frame of the first match, in real time; nothing happens once the user has closed the window."""
+        if self._window is None:
+            from soccer_env.render import Window
+
+            self._window = Window("soccer_env", self.fps)
+        if not self._window.closed_by_user:
+            self._window.show(self.frame())
+
+    def close(self) -> None:
+        """Close the window, if there is one."""
+        if self._window is not None:
+            self._window.close()
+
+
+def title_of(match: Match) -> tuple[str, str] | None:
+    """Return who plays home and away, or None if no team plays."""
+    if not match.squads:
+        return None
+    names: tuple[list[str], list[str]] = ([], [])
+    for team, first, last in ((0, 0, match.settings.rows[0]), (1, match.settings.rows[0], len(match.agents))):
+        names[team].extend(["learner"] * bool(match.learns[first:last].any()))
+        names[team].extend(squad.team.name for squad in match.squads if first <= squad.players[0] < last)
+    return " + ".join(dict.fromkeys(names[0])), " + ".join(dict.fromkeys(names[1]))
+
+
+def check_render_mode(mode: str | None, modes: tuple[str, ...] = RENDER_MODES) -> str | None:
+    """Return the render mode; ValueError names those that exist."""
+    return None if mode is None else one_of("render_mode", mode, modes)
+
+
+def check_options(options: Any, known: tuple[str, ...]) -> dict[str, Any]:
+    """Return the options of a reset; ValueError names those that are known."""
+    if options is None:
+        return {}
+    if not isinstance(options, Mapping):
+        raise ValueError(f"options must be a dict, got {options!r}")
+    for name in options:
+        if name not in known and name != IGNORED_OPTION:
+            raise ValueError(f"unknown option {name!r}; known: {', '.join(known)}")
+    return dict(options)
+
+
+def check_agents(actions: Any, agents: list[str]) -> None:
+    """Raise ValueError unless there is an action for each agent and for nobody else."""
+    if not isinstance(actions, Mapping):
+        raise ValueError(f"actions must be a dict from agents to actions, got {type(actions).__name__}")
+    for agent in agents:
+        if agent not in actions:
+            raise ValueError(f"the action of {agent} is missing; actions are needed for {', '.join(agents)}")
+    for agent in actions:
+        if agent not in agents:
+            raise ValueError(f"unknown agent {agent!r} in actions; known: {', '.join(agents)}")
+
+
+__all__ = ["ParallelSoccer", "TurnSoccer", "env", "parallel_env", "raw_env"]

@@ -1,0 +1,139 @@
+"""Saves, loads, reseats and replays: one save has one future, and a replay plays again exactly."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from soccer_env import Match, saving
+from soccer_env.replay import Recorder, Replay
+
+LEAGUES = ("legged-2001", "middle-size-2006")
+
+
+def go(match: Match, steps: int, seed: int) -> str:
+    """Play random actions; return the hash at the end."""
+    rng = np.random.default_rng(seed)
+    for _ in range(steps):
+        match.step(rng.uniform(-1.0, 1.0, (match.count, len(match.agents), match.settings.actions.size)))
+    return match.state_hash()
+
+
+def lively(league: str, **settings: object) -> Match:
+    """Return a match in which much happens."""
+    return Match(
+        league, home=3, away=3, matches=2, seed=5, controllers={"away": "chaser", "home_0": "random"}, **settings
+    )
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_a_save_has_one_future(league: str) -> None:
+    match = lively(league)
+    go(match, 300, 1)
+    saved = match.save()
+    future = go(match, 300, 2)
+    assert go_on_from(match, saved) == future
+    assert go_on_from(lively(league), saved) == future
+
+
+def go_on_from(match: Match, saved: bytes) -> str:
+    """Load a save and play the same actions."""
+    match.load(saved)
+    return go(match, 300, 2)
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_team_memory_is_saved(league: str) -> None:
+    match = lively(league)
+    go(match, 100, 1)
+    saved, memory = match.save(), [squad.memory.copy() for squad in match.squads]
+    assert any(np.any(m.view(np.uint8)) for m in memory)
+    other = lively(league)
+    other.load(saved)
+    for squad, expected in zip(other.squads, memory, strict=True):
+        assert squad.memory.tobytes() == expected.tobytes()
+
+
+def test_reading_hashing_and_rendering_never_reseat() -> None:
+    watched, left = lively("legged-2001"), lively("legged-2001")
+    for step in range(200):
+        go(watched, 1, step)
+        go(left, 1, step)
+        watched.state_hash()
+        watched.state()
+        _ = watched.beliefs, watched.tracks
+    assert watched.state_hash() == left.state_hash()
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_a_match_with_three_saves_and_a_load_replays_bit_for_bit(league: str, tmp_path: Path) -> None:
+    match = lively(league, autoreset="same_step", max_cycles=170)
+    go(match, 50, 0)
+    recorder = Recorder(match)
+    go(match, 100, 1)
+    saved = match.save()
+    go(match, 100, 2)
+    match.save()
+    go(match, 100, 3)
+    match.load(saved)
+    go(match, 50, 4)
+    match.save()
+    go(match, 50, 5)
+    replay = recorder.stop()
+    assert Replay.read(replay.write(tmp_path / "match.replay")).check() == 400
+
+
+@pytest.mark.parametrize("mode", ["next_step", "same_step", "off"])
+def test_resets_replay_too(mode: str) -> None:
+    match = lively("middle-size-2006", autoreset=mode, max_cycles=40)
+    recorder = Recorder(match)
+    go(match, 100, 1)
+    match.reset()
+    go(match, 60, 2)
+    assert recorder.stop().check() == 160
+
+
+def test_a_replay_names_the_first_step_that_differs() -> None:
+    match = lively("legged-2001")
+    recorder = Recorder(match)
+    go(match, 60, 1)
+    replay = recorder.stop()
+    replay.commands["forward"][33, 1, 2] += 1e-12
+    with pytest.raises(ValueError, match="control step 33"):
+        replay.check()
+
+
+@pytest.mark.parametrize("damage", [b"", b"x", b"truncated", b"flipped", b"not bytes", b"other"])
+def test_a_damaged_save_is_refused_and_changes_nothing(damage: bytes) -> None:
+    match = Match(home=1, away=1, seed=1)
+    saved = match.save()
+    bad = {
+        b"truncated": saved[:-100],
+        b"flipped": saved[:500] + bytes([saved[500] ^ 1]) + saved[501:],
+        b"not bytes": "text",
+        b"other": Match("middle-size-2006", home=1, away=1, seed=1).save(),
+    }.get(damage, damage)
+    before = match.state_hash()
+    with pytest.raises(ValueError, match="save"):
+        match.load(bad)  # type: ignore[arg-type]
+    assert match.state_hash() == before
+
+
+@pytest.mark.parametrize("size", [0, 10, 2000])
+def test_a_damaged_replay_is_refused(size: int, tmp_path: Path) -> None:
+    match = Match(home=1, away=1, seed=1)
+    recorder = Recorder(match)
+    go(match, 10, 1)
+    path = recorder.stop().write(tmp_path / "a.replay")
+    path.write_bytes(path.read_bytes()[:size])
+    with pytest.raises(ValueError, match="not a replay"):
+        Replay.read(path)
+
+
+def test_a_save_with_a_nan_is_refused() -> None:
+    match, broken = Match(home=1, away=1, seed=1), Match(home=1, away=1, seed=1)
+    broken.robots["omega"][0, 1] = np.nan
+    before = match.state_hash()
+    with pytest.raises(ValueError, match="omega of robots is not finite"):
+        match.load(saving.dump(broken))
+    assert match.state_hash() == before

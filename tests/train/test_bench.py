@@ -1,0 +1,103 @@
+"""The benchmark times live play: the floors step the same Spaces as the core, and the arithmetic is right."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env.train import bench, bench_faces, bench_loads
+from soccer_env.train.bench_settings import BenchSettings
+
+
+@pytest.fixture(autouse=True)
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bench_loads, "WARM_UP", 0.5)
+    monkeypatch.setattr(bench_faces, "WARM_UP", 0.5)
+
+
+@pytest.mark.parametrize("league", bench.LEAGUES)
+def test_the_floor_plays_the_same_matches(league: str) -> None:
+    core, floor = (kind(league, None, 70, 1, 3) for kind in (bench_loads.CoreLoad, bench_loads.OwnFloor))
+    assert core.sample(60) > floor.sample(60) > 0.0
+    assert core.match.state_hash() == floor.match.state_hash()
+
+
+def test_two_threads_play_the_same_matches() -> None:
+    one, two = (bench_loads.CoreLoad("middle-size-2006", None, 70, threads, 3) for threads in (1, 2))
+    one.sample(60), two.sample(60)
+    assert one.match.state_hash() == two.match.state_hash()
+
+
+def test_play_is_live_and_spread_over_time() -> None:
+    """Robots move, the ball is touched, and clocks differ; a match that ends is replaced."""
+    load = bench_loads.CoreLoad("middle-size-2006", None, 64, 1, 0)
+    clocks = load.match.matches["clock"]
+    assert np.ptp(clocks) > 0.8 * load.match.settings.half_length
+    load.match.matches["half"], load.match.matches["clock"] = 1, load.match.settings.half_length
+    load.run(5)
+    assert (load.match.matches["episode"] == 1).all()
+    assert not load.match.matches["over"].any()
+    load.run(100)
+    assert np.abs(load.match.robots["vx"]).mean() > 0.1
+
+
+def test_the_reference_scene_is_the_one_of_the_issue() -> None:
+    space = bench_loads.reference_space(np.random.default_rng(0))
+    assert len(space.bodies) == 7
+    assert len(space.static_body.shapes) == 7
+    assert space.iterations == 10
+    assert bench_loads.REFERENCE_SUBSTEPS == 8
+
+
+def test_nothing_leaves_the_reference_scene() -> None:
+    load = bench_loads.ReferenceFloor(4, 0)
+    assert load.sample(1000) > 0.0
+    bench_loads.read_slice(load.batch.links, 0, 4)
+    assert np.abs(load.batch.bodies[:, :7, :2]).max() < 4.6
+
+
+def test_rows_compare_within_each_repetition() -> None:
+    samples = {
+        "reference": [1e-6, 3e-6, 1e-6], "random floor": [2e-6, 6e-6, 2e-6], "random": [3e-6, 9e-6, 4e-6],
+        "random, 2 threads": [1.5e-6, 5e-6, 2e-6], "chaser floor": [1e-5] * 3, "chaser": [1e-4] * 3,
+        "chaser, 2 threads": [6e-5] * 3,
+    }  # fmt: skip
+    rows = {row.name.partition(": ")[2]: row for row in bench.core_rows("legged-2001", samples)}
+    assert rows["random over its own scene"].value == pytest.approx(1.5)
+    assert rows["random over its own scene"].met
+    assert rows["random over the reference"].value == pytest.approx(3.0)
+    assert rows["chaser against chaser"].value == pytest.approx(10_000)
+    assert rows["chaser against chaser"].met
+    assert rows["chaser, two threads over one"].value == pytest.approx(1 / 0.6)
+    assert rows["chaser, two threads over one"].met is False
+
+
+def test_the_memory_of_a_match_is_counted_once() -> None:
+    from soccer_env import Match
+    from soccer_env.types import ROBOT
+
+    least = Match("legged-2001", home=3, away=3).robots.nbytes
+    assert least == 6 * ROBOT.itemsize
+    assert least < bench_faces.record_bytes("legged-2001", 4) < 64 * 1024
+    assert bench_faces.wrapper_bytes("legged-2001", 2) > 0
+
+
+def test_a_start_that_fails_says_why() -> None:
+    with pytest.raises(RuntimeError, match="no such luck"):
+        bench_faces.start_time("raise SystemExit('no such luck')", 1)
+
+
+@pytest.mark.slow
+def test_a_small_bench_ends_in_a_table(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("soccer_env.baselines.chaser")
+    small: dict[str, Any] = {"matches": 4, "repetitions": 2, "steps": 4}
+    for name, value in small.items():
+        monkeypatch.setattr(BenchSettings, name, property(lambda _, value=value: value))
+    monkeypatch.setattr(bench, "START_TIMES", {"soccer --help": bench.START_TIMES["soccer --help"]})
+    report = bench.run(BenchSettings(quick=True, out=tmp_path / "sub" / "bench.json"))
+    assert json.loads((tmp_path / "sub" / "bench.json").read_text())["rows"] == report["rows"]
+    table = bench.screen_table(report)
+    assert table.row_count == len(report["rows"]) > 20
+    assert {"processor", "cores", "commit", "pymunk"} <= set(report["machine"])
