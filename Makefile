@@ -15,7 +15,7 @@ BIN := $(VENV)/bin
 
 match: $(VENV)/.has-base
 	$(BIN)/soccer evaluate --league legged-2001 --home chaser --away random@0.5 --matches 20 --minutes 4 --players 3 \
-		--seed 1 --threads 2 --out runs/match --picture
+		--seed 1 --threads 2 --out runs/match --anew --picture
 
 test: $(VENV)/.has-train
 	$(BIN)/python -m pytest

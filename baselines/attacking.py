@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from math import acos, atan2, cos, sin, sqrt
+from math import acos, atan2
 
 from soccer_env.baselines.sight import nearest_opponent, rolls_to, side_of
-from soccer_env.baselines.skills import choose_aim, go, lane_room, push, shot_room, turn_by
+from soccer_env.baselines.skills import choose_shot, choose_way, go, free_way, lane_room, push, shot_room, strength_for, turned
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
 
@@ -13,7 +13,9 @@ from soccer_env.geometry import clip, length, wrap
 @compiled
 def attack(command, sight, memory, k, play):
     """Bring the ball to the goal, with the first skill of the ladder that applies."""
-    ux, uy, room = choose_aim(sight, k)
+    ux, uy, room = choose_shot(sight, k)
+    if room < play.room or 0.5 * k.pitch_length - sight.ball_x > play.shot_range:
+        ux, uy = choose_way(sight, k, play)
     ux, uy = turned(ux, uy, memory.aim_error)
     if memory.wriggle > 0.0:
         wriggle(command, sight, memory, k, play)
@@ -21,30 +23,23 @@ def attack(command, sight, memory, k, play):
         turn_to_goal(command, sight, k, play, ux, uy)
     else:
         approach(command, sight, memory, k, play, ux, uy)
-    if wants_to_shoot(sight, memory, k, play):
-        command.kick = play.kick
+    command.kick = choose_kick(sight, memory, k, play)
 
 
 @compiled
-def turned(ux, uy, angle):
-    """Return a vector turned by an angle [rad]."""
-    cosine, sine = cos(angle), sin(angle)
-    return cosine * ux - sine * uy, sine * ux + cosine * uy
-
-
-@compiled
-def wants_to_shoot(sight, memory, k, play):
-    """Tell whether a kick now would go where it should."""
+def choose_kick(sight, memory, k, play):
+    """Return the strength of a kick now, 0 for none: a shot with all force, a ball up the pitch so that it stays on it."""
     if sight.now_ahead > sight.touch + play.kick_gap or abs(sight.now_left) > play.kick_aside or sight.now_ahead <= 0.0:
-        return False
+        return 0.0
     if k.kicker_wind_up > 0.0 and sight.held == 0:
-        return False
+        return 0.0
     ux, uy = turned(sight.now_cosine, sight.now_sine, memory.aim_error)
     goal = 0.5 * k.pitch_length - sight.ball_x
     if shot_room(sight, k, ux, uy) > play.room and goal < play.shot_range:
-        return True
+        return 1.0
     crowded = nearest_opponent(sight, sight.ball_x, sight.ball_y) < play.crowded * k.body_reach
-    return ux > play.forward_only and (goal >= play.shot_range or crowded) and lane_room(sight, k, ux, uy, 1.0) > play.room
+    on = ux > play.forward_only and (goal >= play.shot_range or crowded) and lane_room(sight, k, ux, uy, play.way_on) > play.room
+    return strength_for(k, free_way(sight, k, ux, uy)) if on else 0.0
 
 
 @compiled
@@ -60,6 +55,7 @@ def approach(command, sight, memory, k, play, ux, uy):
     """Go to where the ball can be met: straight in from behind it, round it from its other side."""
     gap = max(sight.distance - sight.touch, 0.0)
     x, y = rolls_to(sight, k, clip(gap / (k.drive_forward * sight.pace), play.delay, play.lead))
+    x, y = reachable(x, y, k)
     ux, uy = clear_of_boards(x, y, ux, uy, sight, k)
     away_x, away_y = sight.x - x, sight.y - y
     away = max(length(away_x, away_y), 1e-6)
@@ -81,8 +77,23 @@ def run_in(command, sight, k, play, x, y, ux, uy):
 
 
 @compiled
+def reachable(x, y, k):
+    """Return the point nearest to a ball [m] over which a robot that rubs along the boards can walk: its paw fetches the ball."""
+    if k.walled == 0:
+        return x, y
+    room = k.body_tip_y + k.body_tip_radius
+    edge_x, edge_y = 0.5 * k.pitch_length - room, 0.5 * k.pitch_width - room
+    if abs(y) > 0.5 * k.pitch_goal_width:
+        x = clip(x, -edge_x, edge_x)
+    return x, clip(y, -edge_y, edge_y)
+
+
+@compiled
 def clear_of_boards(x, y, ux, uy, sight, k):
-    """Return the direction in which to push a ball, turned so that there is room for a robot behind it."""
+    """Return the direction in which to push a ball, turned so that there is room for a robot behind it.
+
+    Out of a corner there is no such room: run along one board, and turn along the other with the ball.
+    """
     if k.walled == 0:
         return ux, uy
     room = k.body_tip_y + k.body_tip_radius
@@ -90,7 +101,9 @@ def clear_of_boards(x, y, ux, uy, sight, k):
     back_x = x - clip(x - sight.touch * ux, -edge_x, edge_x)
     back_y = y - clip(y - sight.touch * uy, -edge_y, edge_y)
     size = length(back_x, back_y)
-    return (back_x / size, back_y / size) if size > 1e-6 else (ux, uy)
+    if size > 0.5 * k.ball_radius:
+        return back_x / size, back_y / size
+    return (0.0, side_of(y)) if abs(ux) > abs(uy) else (side_of(x), 0.0)
 
 
 @compiled

@@ -73,7 +73,8 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
     "room": (0.03, 0.02, 0.02),  # [rad] beside a shot
     "shot_range": (1.3, 7.0, 7.0),  # [m] of a shot at the goal
-    "forward_only": (0.8, 0.9, 0.9),  # cosine of the angle to straight ahead for a kick up the pitch
+    "way_on": (0.7, 2.0, 2.0),  # [m] that a way for the ball is looked at
+    "forward_only": (0.3, 0.9, 0.9),  # cosine of the angle to straight ahead for a kick up the pitch
     "crowded": (2.5, 3.0, 3.0),  # [body reaches] an opponent this near the ball makes a player kick it away
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out
     "wriggle_time": (1.5, 0.6, 0.8),  # [s]
@@ -82,7 +83,7 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "rank_time": (1.0, 0.3, 0.4),  # [s] before a player changes its rank
     "foresight": (1.0, 0.5, 0.6),  # [s] by which a player's own motion shortens its way to the ball
     "wrong_side": (0.3, 0.8, 1.0),  # [m] that a way from ahead of the ball is longer
-    "back": (0.45, 1.5, 1.5),  # [m] of a supporter behind the ball, for each row
+    "back": (0.7, 1.5, 1.5),  # [m] of a supporter behind the ball, for each row
     "aside": (0.35, 1.2, 1.2),  # [m] of a supporter beside it
     "change_side": (0.2, 0.6, 0.6),  # [m] from the middle before a supporter changes sides
     "keeper_line": (1.35, 1.2, 1.2),  # [body reaches] from the goal line

@@ -20,6 +20,11 @@ AVOID_AHEAD = 4.0  # [body reaches] how far ahead other robots are looked for, a
 AVOID_ASIDE = 2.3  # [body reaches] how far aside of the way they are avoided, assumed
 AVOID_WEIGHT = 1.2  # [1] how far the way turns aside at most, assumed
 GOAL_SPOTS = 4  # pairs of spots between the posts that a shot can be aimed at, beside the middle
+FAN = 5  # directions to either side of the goal's that are looked at when no shot is open
+FAN_STEP = 0.35  # [rad] between them, assumed
+FAN_COST = 0.1  # [1] room that a way may lose for each radian nearer to the goal, assumed
+OUT_COST = 0.5  # [1] the same for the share of a way that lies out of the pitch, assumed
+LEAST_KICK = 0.05  # [1] strength, assumed
 WIDE_ENOUGH = 0.12  # [rad] more room than this beside a shot is worth nothing, assumed
 TURN_COST = 0.02  # [1] room that a shot may lose for each radian less to turn, assumed
 
@@ -124,7 +129,7 @@ def shot_room(sight, k, ux, uy):
 def lane_room(sight, k, ux, uy, far):
     """Return the angle [rad] by which a ball played along (ux, uy) passes the opponents up to a distance [m]."""
     room = WIDE_ENOUGH
-    width = 0.7 * k.body_reach + k.ball_radius
+    width = max(k.body_disc_radius, k.body_tip_y + k.body_tip_radius) + k.ball_radius
     for i in range(sight.others):
         x, y = sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y
         along = ux * x + uy * y
@@ -134,7 +139,13 @@ def lane_room(sight, k, ux, uy, far):
 
 
 @compiled
-def choose_aim(sight, k):
+def turn_to(sight, ux, uy):
+    """Return the angle [rad] that the player would have to turn to face along (ux, uy), without its sign."""
+    return abs(atan2(sight.cosine * uy - sight.sine * ux, sight.cosine * ux + sight.sine * uy))
+
+
+@compiled
+def choose_shot(sight, k):
     """Return the unit vector from the ball to the best spot between the opponents' posts, and the room there [rad]."""
     goal = 0.5 * k.pitch_length
     widest = 0.5 * k.pitch_goal_width - k.ball_radius
@@ -145,7 +156,50 @@ def choose_aim(sight, k):
         away = max(length(x, y), 1e-6)
         x, y = x / away, y / away
         room = shot_room(sight, k, x, y)
-        turn = abs(atan2(sight.cosine * y - sight.sine * x, sight.cosine * x + sight.sine * y))
-        if room - TURN_COST * turn > best:
-            best, best_x, best_y, best_room = room - TURN_COST * turn, x, y, room
+        worth = room - TURN_COST * turn_to(sight, x, y)
+        if worth > best:
+            best, best_x, best_y, best_room = worth, x, y, room
     return best_x, best_y, best_room
+
+
+@compiled
+def choose_way(sight, k, play):
+    """Return the unit vector along which the ball is best brought on, round the opponents that stand before it."""
+    x, y = 0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
+    away = max(length(x, y), 1e-6)
+    side = side_of(sight.ball_y)
+    best, best_x, best_y = -1e9, 1.0, 0.0
+    for i in range(-FAN, FAN + 1):
+        ux, uy = turned(x / away, y / away, side * i * FAN_STEP)
+        room = lane_room(sight, k, ux, uy, min(play.way_on, away)) - FAN_COST * abs(i) * FAN_STEP
+        worth = room - TURN_COST * turn_to(sight, ux, uy) - OUT_COST * max(1.0 - free_way(sight, k, ux, uy) / play.way_on, 0.0)
+        if worth > best:
+            best, best_x, best_y = worth, ux, uy
+    return best_x, best_y
+
+
+@compiled
+def free_way(sight, k, ux, uy):
+    """Return how far a ball can go along (ux, uy) before it leaves the pitch or meets a board [m]."""
+    ahead = (0.5 * k.pitch_length - side_of(ux) * sight.ball_x) / max(abs(ux), 1e-6)
+    aside = (0.5 * k.pitch_width - side_of(uy) * sight.ball_y) / max(abs(uy), 1e-6)
+    return max(min(ahead, aside), 0.0)
+
+
+@compiled
+def strength_for(k, distance):
+    """Return the strength of a kick that rolls out after a distance [m], least what the kicker can do.
+
+    The ball slides until it rolls, at 1 / (1 + shell) of its speed, and then slows down at a constant rate.
+    """
+    rolls = 1.0 / (1.0 + k.ball_shell)
+    metres = (1.0 - rolls * rolls) / (2.0 * k.ball_sliding) + rolls * rolls / (2.0 * k.ball_rolling)
+    strength = (sqrt(distance / metres) - k.kicker_slowest) / (k.kicker_fastest - k.kicker_slowest)
+    return clip(strength, max(k.kicker_least, LEAST_KICK), 1.0)
+
+
+@compiled
+def turned(ux, uy, angle):
+    """Return a vector turned by an angle [rad]."""
+    cosine, sine = cos(angle), sin(angle)
+    return cosine * ux - sine * uy, sine * ux + cosine * uy

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from soccer_env.gymnasium_envs import register as _register
+
 __version__ = "0.1.0"
 __all__ = ["Match", "League", "Rewards", "Scene", "Team", "make_team", "soccer_v0"]
 
@@ -26,3 +28,6 @@ def __getattr__(name: str) -> Any:
     if name in _WHERE:
         return getattr(import_module(_WHERE[name]), name)
     raise AttributeError(f"module 'soccer_env' has no attribute {name!r}")
+
+
+_register()

@@ -186,9 +186,7 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
         self._actions = np.zeros((self.num_envs, len(self.match.agents), *shape), kind)
         self._begun = False
 
-    def reset(
-        self, *, seed: int | Sequence[int] | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[np.ndarray, dict[str, Any]]:
+    def reset(self, *, seed: Any = None, options: dict[str, Any] | None = None) -> tuple[np.ndarray, dict[str, Any]]:
         """Begin an episode in all matches; return observations (num_envs, n) and infos.
 
         seed: a number that all matches follow from (match 0 as `SoloSoccer` with it), or one for each, with which it
@@ -200,11 +198,11 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
         seeds = check_options(options, OPTIONS).get("match_seeds")
         if seed is not None and seeds is not None:
             raise ValueError("reset takes a seed or the option match_seeds, got both")
-        one = None if seed is None or is_sequence(seed) else seed
-        if seed is not None and one is None:
-            seeds = seeds_of_each(seed)
-        self.match.reset(seed=one, seeds=seeds)
-        super().reset(seed=None if one is None else int(one))
+        if isinstance(seed, (list, tuple, np.ndarray)):
+            self.match.reset(seeds=seeds_of_each(seed))
+        else:
+            self.match.reset(seed=seed, seeds=seeds)
+            super().reset(seed=None if seed is None else int(seed))
         self._begun = True
         return self._observations(), self._infos()
 
@@ -264,8 +262,8 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
 
     def _events(self) -> dict[str, Any]:
         """Return the events that happened in some match: a word or True where it happened, and the mask."""
-        from soccer_env.match import QUIET
         from soccer_env.soccer_v0 import NO_EVENTS
+        from soccer_env.types import QUIET
 
         match, found = self.match, {}
         for name in QUIET.dtype.names or ():
@@ -314,11 +312,6 @@ def check_mode(mode: str | AutoresetMode) -> AutoresetMode:
         if mode in (known, known.value, name):
             return known
     raise ValueError(f"autoreset_mode must be one of {', '.join(known.value for known in MODES)}, got {mode!r}")
-
-
-def is_sequence(seed: Any) -> bool:
-    """Tell whether there is a seed for each match."""
-    return isinstance(seed, (list, tuple, np.ndarray))
 
 
 def seeds_of_each(seeds: Any) -> list[int]:

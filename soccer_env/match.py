@@ -115,10 +115,10 @@ class Match:
 
     def _check_seeds(self, seeds: Any) -> np.ndarray:
         """Return one seed for each match; ValueError if they are not that."""
-        found = np.asarray(seeds)
-        if found.shape != (self.count,) or found.dtype.kind not in "iu" or (found < 0).any():
+        found = np.asarray(seeds, object)  # Python's own: numpy makes floats of a list of large and small ones
+        if found.shape != (self.count,):
             raise ValueError(f"seeds must be {self.count} whole numbers of 0 or more, got {seeds!r}")
-        return found
+        return np.array([whole_number("each of seeds", seed, 0, (1 << 64) - 1) for seed in found], np.uint64)
 
     def _begin(self, rows: Iterable[int], episodes: np.ndarray) -> None:
         """Begin the given episodes (M,) in some matches, and observe them."""

@@ -8,8 +8,9 @@
 | reward | weighted terms, see `soccer_env.rewards.TERMS` |
 | state | the whole truth of the match in [-1, 1], see `soccer_env.truth_state` |
 
-`infos[agent]` holds "active" (False for a robot sent off), "score" (own goals, the opponents'), "phase", "rewards" (term ->
-weighted reward) and "events": only what happened in this step, in words. Finite actions outside [-1, 1] are clipped.
+`infos[agent]` holds "active" (False for a robot sent off), "score" (own goals, the opponents'), "phase", "rewards"
+(term -> weighted reward) and "events": only what happened in this step, in words. Finite actions outside [-1, 1] are
+clipped.
 
 Version history: v0, the first.
 """
@@ -27,9 +28,9 @@ from pettingzoo.utils.conversions import parallel_to_aec_wrapper
 from pettingzoo.utils.wrappers import OrderEnforcingWrapper
 
 from soccer_env.actions import discrete_index
-from soccer_env.match import QUIET, Match
+from soccer_env.match import Match
 from soccer_env.settings import one_of
-from soccer_env.types import ROBOT_EVENTS, Phase
+from soccer_env.types import QUIET, ROBOT_EVENTS, Phase
 
 RENDER_MODES = ("rgb_array", "human")
 OPTIONS = ("match_seed",)  # of reset
@@ -56,9 +57,7 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
 
     def __init__(self, match: Match, render_mode: str | None = None) -> None:
         if match.count != 1 or match.settings.autoreset != "off":
-            raise ValueError(
-                f"one match with autoreset 'off' is needed, got {match.count}, {match.settings.autoreset!r}"
-            )
+            raise ValueError(f"needs 1 match and autoreset 'off', got {match.count} and {match.settings.autoreset!r}")
         if not match.learns.any():
             raise ValueError("teams play all robots, so no agent is left: step a Match instead, or watch")
         self.match = match
@@ -69,7 +68,7 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
         self.possible_agents = [match.agents[row] for row in rows]
         self.agents: list[str] = []
         size = len(match.observation_names)
-        self.observation_spaces = {agent: Box(-1.0, 1.0, (size,), np.float32) for agent in self.possible_agents}
+        self.observation_spaces: dict[str, Any] = {a: Box(-1.0, 1.0, (size,), np.float32) for a in self.possible_agents}
         self.action_spaces = {agent: match.settings.actions.space() for agent in self.possible_agents}
         self.state_space = Box(-1.0, 1.0, match.state().shape[1:], np.float32)
         self._report = Report(match, rows)
@@ -77,12 +76,11 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
         self._rows = slice(rows[0], rows[-1] + 1) if together else rows
         self._discrete = match.settings.actions.name == "discrete"
         self._action_shape = () if self._discrete else (match.settings.actions.size,)
-        self._actions = np.zeros(
-            (1, len(match.agents), *self._action_shape), np.int64 if self._discrete else np.float64
-        )
+        kind = np.int64 if self._discrete else np.float64
+        self._actions = np.zeros((1, len(match.agents), *self._action_shape), kind)
         self._begun = False
 
-    def observation_space(self, agent: str) -> Box:
+    def observation_space(self, agent: str) -> Any:
         """Return the agent's observation space, the same object at each call."""
         return self.observation_spaces[agent]
 
@@ -99,11 +97,10 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
         "match_seed" is one of a Match's `seeds`: this env then plays that one of its matches. ValueError, and the
         running episode goes on, for anything else.
         """
-        seeds = [check_options(options, OPTIONS)["match_seed"]] if options and "match_seed" in options else None
-        check_options(options, OPTIONS)
-        if seed is not None and seeds is not None:
+        wanted = check_options(options, OPTIONS)
+        if seed is not None and "match_seed" in wanted:
             raise ValueError("reset takes a seed or the option match_seed, got both")
-        self.match.reset(seed=seed, seeds=seeds)
+        self.match.reset(seed=seed, seeds=[wanted["match_seed"]] if "match_seed" in wanted else None)
         self.agents = list(self.possible_agents)
         self._begun = True
         self._show()
@@ -200,14 +197,16 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
         return self
 
 
-class TurnSoccer(parallel_to_aec_wrapper):
+class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
     """One agent acts after the other, the match is stepped when all have. A bad action is refused at once."""
+
+    env: ParallelSoccer
 
     def step(self, action: Any) -> None:
         """Take the action of `agent_selection`; ValueError, and nothing has changed, if it is no good."""
         agent = self.agent_selection
         if not (self.terminations[agent] or self.truncations[agent]):
-            self.env.unwrapped.check_action(agent, action)
+            self.env.check_action(agent, action)
         elif action is not None:
             raise ValueError(f"the episode of {agent} has ended: its action must be None, got {action!r}")
         super().step(action)
@@ -275,12 +274,12 @@ def parallel_env(
     return ParallelSoccer(match, render_mode)
 
 
-def raw_env(**settings: Any) -> AECEnv:
+def raw_env(**settings: Any) -> AECEnv[str, np.ndarray, Any]:
     """Return one match as a PettingZoo AECEnv; the settings are those of `parallel_env`."""
     return TurnSoccer(parallel_env(**settings))
 
 
-def env(**settings: Any) -> AECEnv:
+def env(**settings: Any) -> AECEnv[str, np.ndarray, Any]:
     """Return `raw_env` with PettingZoo's check of the order of calls; the settings are those of `parallel_env`."""
     return OrderEnforcingWrapper(raw_env(**settings))
 
@@ -305,9 +304,7 @@ class Report:
         match = self._match
         return self.of(match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
 
-    def of(
-        self, match: np.void, robots: np.ndarray, events: np.void, robot_events: np.ndarray, terms: np.ndarray
-    ) -> Infos:
+    def of(self, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray) -> Infos:
         """Return the infos that the records of one match stand for, by agent."""
         happened = dict(self._say(events.item()))
         home, away = match["score"].tolist()

@@ -42,6 +42,7 @@ RESET_TIME = 1e-3  # [s]
 RECORD_BYTES = 16 * 1024  # of a match outside Chipmunk
 START_LIMITS = {"import soccer_env": 1.5, "soccer --help": 0.6, "start of an evaluation": 3.0}  # [s]
 COLD_LIMIT = 60.0  # [s]
+BUSY = 0.5  # load of the last minute above which other programs take part in what is measured
 
 Samples = dict[str, list[float]]
 
@@ -162,7 +163,7 @@ def machine() -> dict[str, str]:
     return {
         "processor": processor(),
         "cores": f"{os.cpu_count()}",
-        "load before": f"{os.getloadavg()[0]:.2f}" if hasattr(os, "getloadavg") else "unknown",
+        "load before": f"{os.getloadavg()[0]:.2f}" if hasattr(os, "getloadavg") else "nan",
         "system": f"{platform.system()} {platform.release()} {platform.machine()}",
         "python": platform.python_version(),
         **{name: version_of(name) for name in LIBRARIES},
@@ -184,6 +185,10 @@ def screen_table(report: dict[str, Any]) -> Table:
     from rich.table import Table
 
     caption = ", ".join(f"{name} {value}" for name, value in report["machine"].items())
+    if float(report["machine"]["load before"]) > BUSY:
+        caption += (
+            f"\nThe machine was busy before it began (load above {BUSY:g}): trust none of this, threads least of all."
+        )
     drawn = Table(title="soccer bench", caption=caption)
     for name, side in (("", "left"), ("measured", "right"), ("target", "right"), ("", "left")):
         drawn.add_column(name, justify=side)  # type: ignore[arg-type]

@@ -11,11 +11,17 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.physics.chipmunk import advance, read_bodies, write_velocities
-from soccer_env.physics.space import pymunk  # the bare physics, to compare with; no play is made here
+from soccer_env.physics.reference import (
+    REFERENCE_DISCS,
+    REFERENCE_DT,
+    REFERENCE_SUBSTEPS,
+    bare_slice,
+    read_slice,
+    reference_space,
+    write_slice,
+)
 from soccer_env.physics.space_batch import SpaceBatch
 
 PLAYERS = 3  # a side
@@ -23,11 +29,7 @@ HOLD = 0.5  # [s] for which a random action is kept: shorter ones cancel out and
 WARM_UP = 10.0  # [s] of play before the first timing
 DRAWS = 32  # sets of random actions, used in turn
 
-REFERENCE_DISCS = 6
-REFERENCE_SUBSTEPS = 8
-REFERENCE_ITERATIONS = 10
-REFERENCE_DT = 0.02  # [s] of a control step
-REFERENCE_STEPS = 25  # control steps until the bodies get new velocities, untimed
+REFERENCE_STEPS = 25  # control steps of the reference until its bodies get new velocities, untimed
 
 
 class Load(Protocol):
@@ -128,44 +130,3 @@ class ReferenceFloor:
                 bare_slice(self.batch.links, self.substeps, REFERENCE_DT, 0, matches)
             spent += perf_counter() - start
         return spent / (rounds * REFERENCE_STEPS * matches)
-
-
-def reference_space(rng: np.random.Generator) -> Any:
-    """Return the reference scene: a walled field of 9 x 6 m with three corners cut, six discs of 0.25 m and a ball."""
-    space = pymunk.Space()
-    space.iterations, space.collision_slop = REFERENCE_ITERATIONS, 0.002
-    x, y, cut = 4.5, 3.0, 0.5
-    corners = [(-x, -y), (x - cut, -y), (x, cut - y), (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut)]
-    ends = zip(corners, corners[1:] + corners[:1], strict=True)
-    walls = [pymunk.Segment(space.static_body, *both, 0.05) for both in ends]
-    assert len(walls) == 7
-    space.add(*walls)
-    for index in range(1 + REFERENCE_DISCS):
-        mass, radius = (0.43, 0.11) if index == 0 else (15.0, 0.25)
-        body = pymunk.Body(mass, pymunk.moment_for_circle(mass, 0.0, radius))
-        body.position = tuple(rng.uniform((-x + 1.0, -y + 1.0), (x - 1.0, y - 1.0)))
-        disc = pymunk.Circle(body, radius)
-        disc.elasticity, disc.friction = 0.5, 0.3
-        space.add(body, disc)
-    return space
-
-
-@compiled
-def write_slice(links, first, last):
-    """Give the bodies of a slice of matches their velocities."""
-    for m in range(first, last):
-        write_velocities(links, m)
-
-
-@compiled
-def bare_slice(links, substeps, dt, first, last):
-    """Call cpSpaceStep for a slice of matches and do nothing else."""
-    for m in range(first, last):
-        advance(links, m, substeps[m], dt)
-
-
-@compiled
-def read_slice(links, first, last):
-    """Read the bodies of a slice of matches."""
-    for m in range(first, last):
-        read_bodies(links, m)

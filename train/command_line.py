@@ -171,10 +171,49 @@ def run_bench(words: list[str]) -> int:
     return 0
 
 
+def run_record(words: list[str]) -> int:
+    """Run `soccer record`."""
+    from soccer_env.train.play_settings import RecordSettings
+
+    settings = read_settings(RecordSettings, words, "record")
+    from soccer_env.train.recording import record
+
+    replay = record(settings)
+    print(f"written: {settings.out}, {len(replay)} control steps")
+    return 0
+
+
+def run_replay(words: list[str]) -> int:
+    """Run `soccer replay`."""
+    if len(words) != 1 or words[0] in ("-h", "--help"):
+        print("usage: soccer replay FILE: play a replay file again and check every step")
+        return 0 if words[:1] in (["-h"], ["--help"]) else WRONG
+    from pathlib import Path
+
+    from soccer_env.train.recording import play_again
+
+    print(f"{words[0]}: {play_again(Path(words[0]))} control steps agree")
+    return 0
+
+
+def run_watch(words: list[str]) -> int:
+    """Run `soccer watch`."""
+    from soccer_env.train.play_settings import WatchSettings
+
+    settings = read_settings(WatchSettings, words, "watch")
+    from soccer_env.train.recording import watch
+
+    watch(settings)
+    return 0
+
+
 COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "evaluate": run_evaluate,
     "list": run_list,
     "bench": run_bench,
+    "record": run_record,
+    "replay": run_replay,
+    "watch": run_watch,
 }
 
 

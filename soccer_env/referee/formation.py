@@ -16,19 +16,20 @@ ROW = 4  # field players side by side
 DEPTH = 0.14  # [1] of the pitch's length between rows, assumed
 SPREAD = 0.7  # [1] of the pitch's width over which a row is spread, assumed
 FOLLOW = 0.5  # [1] how far a formation follows the ball up and down the pitch, assumed
-GAP = 0.03  # [m] between the taker of a restart and the ball, assumed
+GAP = 0.06  # [m] between the taker of a restart and the ball, assumed; with less, jitter puts a paw on the ball
 JITTER = 0.02  # [m] greatest deviation of a robot from its place, assumed
 JITTER_TURN = 5.0 * pi / 180.0  # [rad] the same for its heading, assumed
 
 
 @compiled
 def choose_places(match, robots, k):
-    """Set the place of each active robot for the match's current restart."""
+    """Set the place of each active robot for the match's current restart; handedness -1 mirrors the formation."""
     for r in range(robots.shape[0]):
         if robots[r].active == 0:
             continue
         side = direction_of(match, robots[r].team)
-        spot_x, spot_y = side * match.restart_x, side * match.restart_y
+        across = side * match.handedness
+        spot_x, spot_y = side * match.restart_x, across * match.restart_y
         index, count = rank(robots, r)
         if robots[r].keeper == 1:
             x, y, heading = keeper_place(k, spot_x, spot_y)
@@ -37,9 +38,9 @@ def choose_places(match, robots, k):
         else:
             x, y, heading = field_place(match, k, index, count, spot_x, spot_y)
         x += JITTER * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0)
-        y += match.handedness * JITTER * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0)
-        heading += match.handedness * JITTER_TURN * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0)
-        robots[r].place_x, robots[r].place_y = side * x, side * y
+        y += JITTER * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0)
+        heading = match.handedness * (heading + JITTER_TURN * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0))
+        robots[r].place_x, robots[r].place_y = side * x, across * y
         robots[r].place_heading = wrap(heading if side > 0.0 else heading + pi)
 
 
@@ -83,10 +84,15 @@ def taker_place(k, spot_x, spot_y):
 
 @compiled
 def field_place(match, k, index, count, spot_x, spot_y):
-    """Return the place of the index-th of count field players: rows across the own half that follow the ball."""
+    """Return the place of the index-th of count field players: rows across the own half that follow the ball.
+
+    They follow only as far as the rearmost row stays on the pitch, so that no two rows are held at its edge.
+    """
     row = index // ROW
     columns = min(ROW, count - ROW * row)
-    x = -DEPTH * k.pitch_length * (row + 1) + FOLLOW * spot_x
+    step = DEPTH * k.pitch_length
+    least = step * ((count + ROW - 1) // ROW) - 0.5 * k.pitch_length + k.body_reach + JITTER
+    x = max(FOLLOW * spot_x, least) - step * (row + 1)
     y = SPREAD * k.pitch_width * ((index - ROW * row + 0.5) / columns - 0.5)
     if match.phase == KICK_OFF:
         x = min(x, -k.body_reach - JITTER)

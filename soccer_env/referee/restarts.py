@@ -1,8 +1,8 @@
 """Carry out a restart: put the ball down, choose places, keep the distances, put robots there or let them drive.
 
 Under instant placement the robots stand at their places at once. Under drive placement the referee steers them for up
-to the league's placing time while the ball lies still and the clock runs; whoever is then still too near the ball is
-put at a legal place.
+to the league's placing time while the ball lies still and the clock runs. Then the taker is put at its place, and
+whoever stands too near the ball, in the wrong half or in another robot is moved as far as it must be.
 """
 
 from __future__ import annotations
@@ -20,7 +20,8 @@ from soccer_env.types import Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
 DROP_BALL = int(Phase.DROP_BALL)
-PASSES = 24  # over the robots, to pull overlapping places apart
+PASSES = 200  # over the robots, to pull overlapping places apart
+SWIRL = 3.0  # [1] of the way out of the ring round the ball that late passes also go along it, out of a dead end
 MARGIN = 0.02  # [m] between robots, assumed
 ARRIVED = 0.10  # [m] from its place, assumed
 SLOW_ZONE = 0.25  # [s] of travel before the place in which a robot slows down, assumed
@@ -90,8 +91,9 @@ def keep_distances(match, robots, k):
     """
     count = robots.shape[0]
     move_x, move_y = np.zeros(count), np.zeros(count)
-    for _ in range(PASSES):
+    for number in range(PASSES):
         busy = False
+        swirl = 0.0 if number < PASSES // 2 else SWIRL * match.handedness
         for r in range(count):
             move_x[r], move_y[r] = push_of_others(robots, r, k)
             busy = busy or move_x[r] != 0.0 or move_y[r] != 0.0
@@ -99,7 +101,7 @@ def keep_distances(match, robots, k):
             if robots[r].active == 1 and not is_taker(match, robots, r):
                 robots[r].place_x += move_x[r]
                 robots[r].place_y += move_y[r]
-                busy = leave_ball(match, robots[r], k) or busy
+                busy = leave_ball(match, robots[r], k, swirl) or busy
                 stay_on_pitch(match, robots[r], k)
         if not busy:
             return
@@ -139,8 +141,8 @@ def distance_from_ball(match, robot, k):
 
 
 @compiled
-def leave_ball(match, robot, k):
-    """Move a place out of the forbidden ring round the ball; tell whether it had to."""
+def leave_ball(match, robot, k, swirl):
+    """Move a place out of the forbidden ring round the ball, and `swirl` times as far along it; tell whether it had to."""
     far = distance_from_ball(match, robot, k) + k.body_reach
     x, y = robot.place_x - match.restart_x, robot.place_y - match.restart_y
     gap = length(x, y)
@@ -150,8 +152,9 @@ def leave_ball(match, robot, k):
         return False  # the goalkeeper may stand on its goal line
     if gap < 1e-6:
         x, y, gap = -direction_of(match, robot.team), 0.0, 1.0
-    robot.place_x = match.restart_x + x * far / gap
-    robot.place_y = match.restart_y + y * far / gap
+    along = swirl * (far - gap)
+    robot.place_x = match.restart_x + (x * far - y * along) / gap
+    robot.place_y = match.restart_y + (y * far + x * along) / gap
     return True
 
 
@@ -195,7 +198,7 @@ def aim_ahead(ahead, left, turn):
 
 @compiled
 def end_placing(match, ball, robots, k):
-    """End the placement when all have arrived or the time is up; tell whether somebody had to be put somewhere."""
+    """End the placement when all have arrived or the time is up: put right what is not legal, all at rest."""
     put_ball(ball, match.restart_x, match.restart_y)
     arrived = True
     for r in range(robots.shape[0]):
@@ -207,10 +210,7 @@ def end_placing(match, ball, robots, k):
     match.placing = 0
     match.phase_clock = 0.0
     for r in range(robots.shape[0]):
-        x, y = robots[r].x - match.restart_x, robots[r].y - match.restart_y
-        too_near = length(x, y) < distance_from_ball(match, robots[r], k)
-        wrong_half = match.phase == KICK_OFF and robots[r].x * direction_of(match, robots[r].team) > 0.0
-        crowds_ball = is_taker(match, robots, r) and length(x, y) < k.body_reach
-        out_of_place = (too_near or wrong_half) and not is_taker(match, robots, r)
-        if robots[r].active == 1 and (out_of_place or crowds_ball):
-            put_robot(robots[r])
+        if not is_taker(match, robots, r):
+            stay(robots[r])
+    keep_distances(match, robots, k)
+    place_robots(robots)

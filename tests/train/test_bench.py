@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from soccer_env.physics import reference
 from soccer_env.train import bench, bench_faces, bench_loads
 from soccer_env.train.bench_settings import BenchSettings
 
@@ -44,17 +45,17 @@ def test_play_is_live_and_spread_over_time() -> None:
 
 
 def test_the_reference_scene_is_the_one_of_the_issue() -> None:
-    space = bench_loads.reference_space(np.random.default_rng(0))
+    space = reference.reference_space(np.random.default_rng(0))
     assert len(space.bodies) == 7
     assert len(space.static_body.shapes) == 7
     assert space.iterations == 10
-    assert bench_loads.REFERENCE_SUBSTEPS == 8
+    assert reference.REFERENCE_SUBSTEPS == 8
 
 
 def test_nothing_leaves_the_reference_scene() -> None:
     load = bench_loads.ReferenceFloor(4, 0)
     assert load.sample(1000) > 0.0
-    bench_loads.read_slice(load.batch.links, 0, 4)
+    reference.read_slice(load.batch.links, 0, 4)
     assert np.abs(load.batch.bodies[:, :7, :2]).max() < 4.6
 
 

@@ -9,7 +9,8 @@ import pytest
 from soccer_env.train import command_line
 from soccer_env.train.command_line import main
 
-HEAVY = ("numba", "torch", "pymunk", "tyro", "gymnasium", "pettingzoo", "rich", "scipy", "matplotlib", "pygame")
+# not gymnasium and pettingzoo: importing the package registers its environments there
+HEAVY = ("numba", "torch", "pymunk", "tyro", "rich", "scipy", "matplotlib", "pygame")
 
 
 @pytest.mark.parametrize("words", [["--help"], ["--version"], ["tournament"], ["nonsense"]])
