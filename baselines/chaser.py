@@ -74,6 +74,10 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "room": (0.03, 0.02, 0.02),  # [rad] beside a shot
     "shot_range": (1.3, 7.0, 7.0),  # [m] of a shot at the goal
     "way_on": (0.7, 2.0, 2.0),  # [m] that a way for the ball is looked at
+    "turn_cost": (0.02, 0.02, 0.02),
+    "fan_cost": (0.1, 0.1, 0.1),
+    "out_cost": (0.5, 0.5, 0.5),
+    "wing_cost": (0.2, 0.05, 0.05),
     "forward_only": (0.3, 0.9, 0.9),  # cosine of the angle to straight ahead for a kick up the pitch
     "crowded": (2.5, 3.0, 3.0),  # [body reaches] an opponent this near the ball makes a player kick it away
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out

@@ -171,8 +171,9 @@ def choose_way(sight, k, play):
     best, best_x, best_y = -1e9, 1.0, 0.0
     for i in range(-FAN, FAN + 1):
         ux, uy = turned(x / away, y / away, side * i * FAN_STEP)
-        room = lane_room(sight, k, ux, uy, min(play.way_on, away)) - FAN_COST * abs(i) * FAN_STEP
-        worth = room - TURN_COST * turn_to(sight, ux, uy) - OUT_COST * max(1.0 - free_way(sight, k, ux, uy) / play.way_on, 0.0)
+        room = lane_room(sight, k, ux, uy, min(play.way_on, away)) - play.fan_cost * abs(i) * FAN_STEP
+        worth = room - play.turn_cost * turn_to(sight, ux, uy) - play.out_cost * max(1.0 - free_way(sight, k, ux, uy) / play.way_on, 0.0)
+        worth -= play.wing_cost * abs(sight.ball_y + play.way_on * uy) / (0.5 * k.pitch_width)
         if worth > best:
             best, best_x, best_y = worth, ux, uy
     return best_x, best_y

@@ -93,7 +93,7 @@ def discrete_index(action: Any, agent: str) -> int:
 
 
 def numbers_for(kind: ActionKind, actions: Any, agents: list[str], learns: np.ndarray, matches: int) -> np.ndarray:
-    """Return the actions of M matches as (M, R, 4 or 7) float64; ValueError names the first agent whose action is wrong.
+    """Return the actions of M matches as (M, R, 4 or 7) float64; ValueError names the first agent at fault.
 
     Rows that teams play (`learns` (R,) is 0) may hold anything.
     """

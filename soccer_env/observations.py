@@ -18,8 +18,8 @@ from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
-from soccer_env.perception.ideal import nearest_after, seconds_left
-from soccer_env.types import NO_TEAM, Phase
+from soccer_env.perception.ideal import nearest_players, seconds_left
+from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
 
 OBSERVE = ("truth",)  # "percepts" and "belief" come with the sensors
 PLAY = int(Phase.PLAY)
@@ -92,6 +92,7 @@ PLAYER = (
     ("sin", "sine of its heading, seen from the robot", "1"),
 )
 FIXED = OWN + BALL + GOALS + GAME
+PLAYER_SIZE = len(PLAYER)
 
 
 def layout(league: League) -> list[Entry]:
@@ -115,27 +116,32 @@ class Observation(Protocol):
 
 
 @compiled
-def observe_truth(match, ball, robots, observations, k, scratch):
-    """Write the truth as each robot of a match would like to see it into observations (R, n); scratch is (R, 2)."""
+def observe_truth(match, ball, robots, observations, k, axes, rows, squares):
+    """Write the truth as each robot of a match would like to see it into observations (R, n).
+
+    Room to work in: `axes` (R, 2) for cosine and sine of the headings, `rows` and `squares` to sort players.
+    """
     for r in range(robots.shape[0]):
-        scratch[r, 0], scratch[r, 1] = cos(robots[r].heading), sin(robots[r].heading)
+        axes[r, 0], axes[r, 1] = cos(robots[r].heading), sin(robots[r].heading)
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
     for r in range(robots.shape[0]):
         row = observations[r]
-        at = write_own(match, robots[r], row, k, scratch[r, 0], scratch[r, 1])
-        at = write_ball(robots[r], ball, row, k, scratch[r, 0], scratch[r, 1], diagonal, at)
-        at = write_goals(match, robots[r], row, k, scratch[r, 0], scratch[r, 1], diagonal, at)
+        at = write_own(match, robots[r], row, k, axes[r, 0], axes[r, 1])
+        at = write_ball(robots[r], ball, row, k, axes[r, 0], axes[r, 1], diagonal, at)
+        at = write_goals(match, robots[r], row, k, axes[r, 0], axes[r, 1], 1.0 / diagonal, at)
         at = write_game(match, robots[r], row, at)
-        at = write_players(robots, r, row, k, scratch, diagonal, at, 1, k.teammate_slots)
-        at = write_players(robots, r, row, k, scratch, diagonal, at, 0, k.opponent_slots)
+        found = nearest_players(robots, r, 1, k.teammate_slots, rows, squares)
+        at = write_players(robots, r, row, k, axes, 1.0 / diagonal, at, rows, found, k.teammate_slots)
+        found = nearest_players(robots, r, 0, k.opponent_slots, rows, squares)
+        at = write_players(robots, r, row, k, axes, 1.0 / diagonal, at, rows, found, k.opponent_slots)
 
 
 @compiled
 def observe_slice(matches, balls, robots, observations, constants, first, last):
     """Write the observations (M, R, n) of a slice of matches."""
-    scratch = np.empty((robots.shape[1], 2))
+    axes, rows, squares = np.empty((robots.shape[1], 2)), np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
     for m in range(first, last):
-        observe_truth(matches[m], balls[m], robots[m], observations[m], constants[0], scratch)
+        observe_truth(matches[m], balls[m], robots[m], observations[m], constants[0], axes, rows, squares)
 
 
 @compiled
@@ -180,15 +186,15 @@ def write_ball(robot, ball, row, k, cosine, sine, diagonal, at):
 
 
 @compiled
-def write_goals(match, robot, row, k, cosine, sine, diagonal, at):
+def write_goals(match, robot, row, k, cosine, sine, scale, at):
     """Write where the two goals lie."""
     goal = 0.5 * k.pitch_length * direction_of(match, robot.team)
     x, y = goal - robot.x, -robot.y
-    row[at] = clip((cosine * x + sine * y) / diagonal, -1.0, 1.0)
-    row[at + 1] = clip((cosine * y - sine * x) / diagonal, -1.0, 1.0)
+    row[at] = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
+    row[at + 1] = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
     x = -goal - robot.x
-    row[at + 2] = clip((cosine * x + sine * y) / diagonal, -1.0, 1.0)
-    row[at + 3] = clip((cosine * y - sine * x) / diagonal, -1.0, 1.0)
+    row[at + 2] = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
+    row[at + 3] = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
     return at + 4
 
 
@@ -206,24 +212,23 @@ def write_game(match, robot, row, at):
 
 
 @compiled
-def write_players(robots, r, row, k, scratch, diagonal, at, same_team, slots):
-    """Write the nearest players of a kind into their slots."""
-    cosine, sine = scratch[r, 0], scratch[r, 1]
-    square, other = -1.0, -1
-    for slot in range(slots):
-        other, square = nearest_after(robots, r, same_team, square, other)
-        if other < 0:
-            for rest in range(at, at + 7 * (slots - slot)):
-                row[rest] = 0.0
-            return at + 7 * (slots - slot)
+def write_players(robots, r, row, k, axes, scale, at, rows, found, slots):
+    """Write the `found` players of a kind, nearest first, into their slots; the rest of the slots are zeros."""
+    cosine, sine = axes[r, 0], axes[r, 1]
+    speed = 1.0 / k.drive_forward
+    for slot in range(found):
+        other = rows[slot]
         x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
         vx, vy = robots[other].vx, robots[other].vy
         row[at] = 1.0
-        row[at + 1] = clip((cosine * x + sine * y) / diagonal, -1.0, 1.0)
-        row[at + 2] = clip((cosine * y - sine * x) / diagonal, -1.0, 1.0)
-        row[at + 3] = clip((cosine * vx + sine * vy) / k.drive_forward, -1.0, 1.0)
-        row[at + 4] = clip((cosine * vy - sine * vx) / k.drive_forward, -1.0, 1.0)
-        row[at + 5] = clip(cosine * scratch[other, 0] + sine * scratch[other, 1], -1.0, 1.0)
-        row[at + 6] = clip(cosine * scratch[other, 1] - sine * scratch[other, 0], -1.0, 1.0)
-        at += 7
-    return at
+        row[at + 1] = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
+        row[at + 2] = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
+        row[at + 3] = clip((cosine * vx + sine * vy) * speed, -1.0, 1.0)
+        row[at + 4] = clip((cosine * vy - sine * vx) * speed, -1.0, 1.0)
+        row[at + 5] = clip(cosine * axes[other, 0] + sine * axes[other, 1], -1.0, 1.0)
+        row[at + 6] = clip(cosine * axes[other, 1] - sine * axes[other, 0], -1.0, 1.0)
+        at += PLAYER_SIZE
+    rest = PLAYER_SIZE * (slots - found)
+    for column in range(at, at + rest):
+        row[column] = 0.0
+    return at + rest

@@ -12,7 +12,7 @@ from soccer_env.compiled import compiled
 from soccer_env.leagues.league import League
 from soccer_env.perception.ideal import believe_truth
 from soccer_env.teams import CompiledTeam, Team, TeamRandom, View, make_team
-from soccer_env.types import BELIEF, COMMAND, TRACK
+from soccer_env.types import BELIEF, COMMAND, MAX_TEAM, TRACK
 
 
 @dataclass
@@ -72,9 +72,10 @@ def make_squads(agents: list[str], who: dict[str, Any], league: League, matches:
 @compiled
 def believe_slice(matches, balls, robots, beliefs, tracks, constants, players, first, last):
     """Fill the beliefs of some robots with the truth, in a slice of matches."""
+    rows, squares = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
     for m in range(first, last):
         for r in players:
-            believe_truth(matches[m], balls[m], robots[m], beliefs[m], tracks[m, r], constants[0], r)
+            believe_truth(matches[m], balls[m], robots[m], beliefs[m], tracks[m, r], constants[0], r, rows, squares)
 
 
 def run_kernel(

@@ -45,7 +45,10 @@ def normal(noise, stream):
 
 @compiled
 def start_streams(noise, seed, episode, owner):
-    """Start all streams of a record from a seed, the episode's number and its owner (0 the match, 1 + 2 number + team a robot)."""
+    """Start all streams of a record from a seed, the episode's number and its owner.
+
+    The owner is 0 for the match and 1 + 2 number + team for a robot: the same robot in teams of any size.
+    """
     key = mix(np.uint64(seed) + GOLDEN * np.uint64(episode + 1))
     key = mix(key ^ (GOLDEN * np.uint64(owner + 1)))
     for stream in range(NOISE_STREAMS):

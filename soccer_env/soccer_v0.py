@@ -55,7 +55,7 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
 
     metadata: dict[str, Any] = {"name": "soccer_v0", "render_modes": [*RENDER_MODES], "is_parallelizable": True}
 
-    def __init__(self, match: Match, render_mode: str | None = None) -> None:
+    def __init__(self, match: Match, render_mode: str | None = None, infos: bool = True) -> None:
         if match.count != 1 or match.settings.autoreset != "off":
             raise ValueError(f"needs 1 match and autoreset 'off', got {match.count} and {match.settings.autoreset!r}")
         if not match.learns.any():
@@ -71,7 +71,7 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
         self.observation_spaces: dict[str, Any] = {a: Box(-1.0, 1.0, (size,), np.float32) for a in self.possible_agents}
         self.action_spaces = {agent: match.settings.actions.space() for agent in self.possible_agents}
         self.state_space = Box(-1.0, 1.0, match.state().shape[1:], np.float32)
-        self._report = Report(match, rows)
+        self._report = Report(match, rows) if infos else None
         together = len(rows) == rows[-1] - rows[0] + 1
         self._rows = slice(rows[0], rows[-1] + 1) if together else rows
         self._discrete = match.settings.actions.name == "discrete"
@@ -104,7 +104,7 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
         self.agents = list(self.possible_agents)
         self._begun = True
         self._show()
-        return self._observations(), self._report.infos()
+        return self._observations(), self._infos()
 
     def step(
         self, actions: Mapping[str, Any]
@@ -120,7 +120,7 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
         match.step(self._gather(actions))
         terminated, truncated = bool(match.terminated[0]), bool(match.truncated[0])
         rewards = dict(zip(agents, match.rewards[0, self._rows].tolist(), strict=True))
-        infos = self._report.infos()
+        infos = self._infos()
         if terminated or truncated:
             self.agents = []
         self._show()
@@ -135,6 +135,9 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
     def _observations(self) -> dict[str, np.ndarray]:
         """Return an array of its own for each agent: callers write into them."""
         return dict(zip(self.possible_agents, self.match.observations[0, self._rows].copy(), strict=True))
+
+    def _infos(self) -> Infos:
+        return {agent: {} for agent in self.possible_agents} if self._report is None else self._report.infos()
 
     def _gather(self, actions: Any) -> np.ndarray:
         """Return the actions as the match takes them; ValueError names what is wrong with them."""
@@ -235,6 +238,7 @@ def parallel_env(
     action_repeat: int = 1,
     max_cycles: int | None = None,
     render_mode: str | None = None,
+    infos: bool = True,
 ) -> ParallelSoccer:
     """Return one match as a PettingZoo ParallelEnv; ValueError names a setting that is wrong, and what is allowed.
 
@@ -247,7 +251,8 @@ def parallel_env(
     rules: "league" or Rules. rewards: a name or Rewards. placement: "instant" or "drive", at restarts.
     keeper: number of the goalkeeper. max_players: room for robots a side, those too many are inactive.
     minutes: of play; None is the league's own. action_repeat: control steps a step. max_cycles: steps until truncation.
-    render_mode: None, "rgb_array" or "human".
+    render_mode: None, "rgb_array" or "human". infos: False leaves them empty, which is faster, and what libraries need
+    that make tensors of them (TorchRL).
     """
     match = Match(
         league,
@@ -271,7 +276,7 @@ def parallel_env(
         action_repeat=action_repeat,
         max_cycles=max_cycles,
     )
-    return ParallelSoccer(match, render_mode)
+    return ParallelSoccer(match, render_mode, infos)
 
 
 def raw_env(**settings: Any) -> AECEnv[str, np.ndarray, Any]:

@@ -22,63 +22,76 @@ from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
 from soccer_env.rewards import measure_potentials, reward_robots
 from soccer_env.scenes import judge_drill
-from soccer_env.types import NO_TEAM
+from soccer_env.types import MAX_TEAM, NO_TEAM
 
 
 @compiled
 def step_slice(
-    matches,
-    balls,
-    robots,
-    events,
-    robot_events,
-    links,
-    bodies,
-    velocities,
-    constants,
-    weights,
-    terms,
-    rewards,
-    observations,
-    terminated,
-    truncated,
-    limit,
-    first,
-    last,
-):
+    matches, balls, robots, events, robot_events, links, bodies, velocities, constants, weights,
+    terms, rewards, observations, terminated, truncated, limit, first, last,
+):  # fmt: skip
     """Step the matches first, ..., last - 1; return the first whose physics broke down, or -1."""
-    k, weight = constants[0], weights[0]
-    before, after, scratch = np.empty((2, 2)), np.empty((2, 2)), np.empty((robots.shape[1], 2))
-    broken = -1
+    k, before, room, broken = constants[0], np.empty((2, 2)), make_room(robots.shape[1]), -1
     for m in range(first, last):
-        if matches[m].over == 1:
-            stand_still(events[m], robot_events[m], terms[m], rewards[m])
+        match, ball, team, happened = matches[m], balls[m], robots[m], events[m]
+        if match.over == 1:
+            stand_still(happened, robot_events[m], terms[m], rewards[m])
             continue
-        substeps = begin_step(
-            matches[m], balls[m], robots[m], events[m], robot_events[m], velocities[m], k, terms[m], before
-        )
+        substeps = begin_step(match, ball, team, happened, robot_events[m], velocities[m], k, terms[m], before)
         step_match(links, m, substeps, k.dt)
         if not is_finite(bodies[m], robots.shape[1] + 1):
             broken = m if broken < 0 else broken
             continue
-        if finish_step(matches[m], balls[m], robots[m], events[m], robot_events[m], bodies[m], velocities[m], k):
+        if finish_step(match, ball, team, happened, robot_events[m], bodies[m], velocities[m], k):
             write_bodies(links, m)
-        end_step(
+        end_step(match, ball, team, happened, k, weights[0], before, terms[m], rewards[m], observations[m], room)
+        terminated[m] = match.over == 1
+        truncated[m] = not terminated[m] and (match.step >= limit or out_of_time(match, k))
+    return broken
+
+
+@compiled
+def begin_slice(
+    matches, balls, robots, events, robot_events, velocities, constants, terms, rewards, before, substeps, first, last
+):
+    """Do the part of a step before the physics, for physics that Python steps: `before` (M, 2, 2), `substeps` (M,)."""
+    for m in range(first, last):
+        substeps[m] = 0
+        if matches[m].over == 1:
+            stand_still(events[m], robot_events[m], terms[m], rewards[m])
+            continue
+        substeps[m] = begin_step(
             matches[m],
             balls[m],
             robots[m],
             events[m],
-            k,
-            weight,
-            before,
-            after,
+            robot_events[m],
+            velocities[m],
+            constants[0],
             terms[m],
-            rewards[m],
-            observations[m],
-            scratch,
+            before[m],
         )
-        terminated[m] = matches[m].over == 1
-        truncated[m] = not terminated[m] and (matches[m].step >= limit or out_of_time(matches[m], k))
+
+
+@compiled
+def finish_slice(
+    matches, balls, robots, events, robot_events, bodies, velocities, constants, weights,
+    terms, rewards, observations, terminated, truncated, limit, before, substeps, moved, first, last,
+):  # fmt: skip
+    """Do the part after the physics; `moved` (M,) marks the matches whose bodies have to be written back."""
+    k, room, broken = constants[0], make_room(robots.shape[1]), -1
+    for m in range(first, last):
+        match, ball, team, happened = matches[m], balls[m], robots[m], events[m]
+        moved[m] = False
+        if substeps[m] == 0:
+            continue
+        if not is_finite(bodies[m], robots.shape[1] + 1):
+            broken = m if broken < 0 else broken
+            continue
+        moved[m] = finish_step(match, ball, team, happened, robot_events[m], bodies[m], velocities[m], k)
+        end_step(match, ball, team, happened, k, weights[0], before[m], terms[m], rewards[m], observations[m], room)
+        terminated[m] = match.over == 1
+        truncated[m] = not terminated[m] and (match.step >= limit or out_of_time(match, k))
     return broken
 
 
@@ -131,12 +144,19 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k
 
 
 @compiled
-def end_step(match, ball, robots, events, k, weight, before, after, terms, rewards, observations, scratch):
+def end_step(match, ball, robots, events, k, weight, before, terms, rewards, observations, room):
     """Reward and observe."""
+    after, axes, rows, squares = room
     measure_potentials(match, ball, robots, k, after)
     reward_robots(robots, events, before, after, weight, terms, rewards)
     if observations.shape[1] > 0:
-        observe_truth(match, ball, robots, observations, k, scratch)
+        observe_truth(match, ball, robots, observations, k, axes, rows, squares)
+
+
+@compiled
+def make_room(robots):
+    """Return arrays to work in: potentials (2, 2), axes of the robots (R, 2), rows and squared distances of players."""
+    return np.empty((2, 2)), np.empty((robots, 2)), np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
 
 
 @compiled
@@ -172,80 +192,3 @@ def kicked_by(robot_events):
         if robot_events[r].kick == 1:
             return r
     return -1
-
-
-@compiled
-def begin_slice(
-    matches, balls, robots, events, robot_events, velocities, constants, terms, rewards, before, substeps, first, last
-):
-    """Do the part of a step before the physics, for physics that Python steps: `before` (M, 2, 2), `substeps` (M,)."""
-    for m in range(first, last):
-        substeps[m] = 0
-        if matches[m].over == 1:
-            stand_still(events[m], robot_events[m], terms[m], rewards[m])
-            continue
-        substeps[m] = begin_step(
-            matches[m],
-            balls[m],
-            robots[m],
-            events[m],
-            robot_events[m],
-            velocities[m],
-            constants[0],
-            terms[m],
-            before[m],
-        )
-
-
-@compiled
-def finish_slice(
-    matches,
-    balls,
-    robots,
-    events,
-    robot_events,
-    bodies,
-    velocities,
-    constants,
-    weights,
-    terms,
-    rewards,
-    observations,
-    terminated,
-    truncated,
-    limit,
-    before,
-    substeps,
-    moved,
-    first,
-    last,
-):
-    """Do the part after the physics; `moved` (M,) marks the matches whose bodies have to be written back."""
-    k, weight = constants[0], weights[0]
-    after, scratch = np.empty((2, 2)), np.empty((robots.shape[1], 2))
-    broken = -1
-    for m in range(first, last):
-        moved[m] = False
-        if substeps[m] == 0:
-            continue
-        if not is_finite(bodies[m], robots.shape[1] + 1):
-            broken = m if broken < 0 else broken
-            continue
-        moved[m] = finish_step(matches[m], balls[m], robots[m], events[m], robot_events[m], bodies[m], velocities[m], k)
-        end_step(
-            matches[m],
-            balls[m],
-            robots[m],
-            events[m],
-            k,
-            weight,
-            before[m],
-            after,
-            terms[m],
-            rewards[m],
-            observations[m],
-            scratch,
-        )
-        terminated[m] = matches[m].over == 1
-        truncated[m] = not terminated[m] and (matches[m].step >= limit or out_of_time(matches[m], k))
-    return broken

@@ -17,15 +17,15 @@ SURE = 100.0  # confidence of what is seen  MS03
 
 
 @compiled
-def believe_truth(match, ball, robots, beliefs, tracks, k, r):
-    """Fill robot r's belief and its (slots,) tracks with the truth."""
+def believe_truth(match, ball, robots, beliefs, tracks, k, r, rows, squares):
+    """Fill robot r's belief and its (slots,) tracks with the truth; `rows` and `squares` are room to sort players."""
     robot, belief = robots[r], beliefs[r]
     cosine, sine = cos(robot.heading), sin(robot.heading)
     own_pose(match, robot, belief.own, cosine, sine)
     ball_truth(robot, ball, belief.ball, cosine, sine)
     situation(match, robots, belief.situation, r)
-    fill_slots(robots, tracks, k, r, cosine, sine, 1, 0, k.teammate_slots)
-    fill_slots(robots, tracks, k, r, cosine, sine, 0, k.teammate_slots, k.opponent_slots)
+    fill_slots(robots, tracks, k, r, cosine, sine, 1, 0, k.teammate_slots, rows, squares)
+    fill_slots(robots, tracks, k, r, cosine, sine, 0, k.teammate_slots, k.opponent_slots, rows, squares)
 
 
 @compiled
@@ -87,35 +87,38 @@ def seconds_left(match):
 
 
 @compiled
-def nearest_after(robots, r, same_team, last_square, last_row):
-    """Return the row of the nearest player of a kind that lies beyond the last one found, and its squared distance.
+def nearest_players(robots, r, same_team, slots, rows, squares):
+    """Fill `rows` with the `slots` nearest active players of a kind, nearest first; return how many there are.
 
-    `same_team` 1 asks for team-mates of robot r, 0 for opponents. Row -1: there is none. Equal distances go by row.
+    `same_team` 1 asks for team-mates of robot r, 0 for opponents; equal distances go by row. `squares` is room for
+    their squared distances.
     """
-    best, best_square = -1, inf
+    found = 0
     for other in range(robots.shape[0]):
         mate = 1 if robots[other].team == robots[r].team else 0
         if other == r or mate != same_team or robots[other].active == 0:
             continue
         x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
         square = x * x + y * y
-        later = square > last_square or (square == last_square and other > last_row)
-        if later and square < best_square:
-            best, best_square = other, square
-    return best, best_square
+        place = found if found < slots else slots
+        while place > 0 and square < squares[place - 1]:
+            if place < slots:
+                rows[place], squares[place] = rows[place - 1], squares[place - 1]
+            place -= 1
+        if place < slots:
+            rows[place], squares[place] = other, square
+            found = min(found + 1, slots)
+    return found
 
 
 @compiled
-def fill_slots(robots, tracks, k, r, cosine, sine, same_team, first, slots):
+def fill_slots(robots, tracks, k, r, cosine, sine, same_team, first, slots, rows, squares):
     """Fill `slots` slots from `first` on with the nearest players of a kind, nearest first."""
-    square, row = -1.0, -1
-    for slot in range(first, first + slots):
-        row, square = nearest_after(robots, r, same_team, square, row)
-        if row < 0:
-            clear_slots(tracks, slot, first + slots)
-            return
-        see_player(robots[r], robots[row], tracks[slot], cosine, sine)
-        tracks[slot].teammate = same_team
+    found = nearest_players(robots, r, same_team, slots, rows, squares)
+    for slot in range(found):
+        see_player(robots[r], robots[rows[slot]], tracks[first + slot], cosine, sine)
+        tracks[first + slot].teammate = same_team
+    clear_slots(tracks, first + found, first + slots)
 
 
 @compiled

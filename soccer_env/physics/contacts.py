@@ -53,16 +53,18 @@ def find_touches(ball, robots, robot_events, k, knock_x, knock_y):
     """Mark the robots that touch the ball; return the row of the one that touched it last (the nearest), or -1.
 
     The knock [m/s] is the change of velocity that the contacts of this step made. A ball that was knocked may already
-    be on its way: the nearest robot that it was knocked away from, within the distance that it can have covered,
-    touched it.
+    be on its way: the nearest robot that it was knocked away from, within the distance that the two can have moved
+    apart, touched it.
     """
     nearest, least = -1, 1e9
     knocked = knock_x * knock_x + knock_y * knock_y > KNOCK * KNOCK
-    gone = (length(ball.vx, ball.vy) * k.dt if knocked else 0.0) + TOUCH_GAP
-    reach = k.body_reach + k.ball_radius + gone
     for r in range(robots.shape[0]):
         robot = robots[r]
         x, y = ball.x - robot.x, ball.y - robot.y
+        gone = TOUCH_GAP
+        if knocked:
+            gone += k.dt * length(ball.vx - robot.vx, ball.vy - robot.vy)
+        reach = k.body_reach + k.ball_radius + gone
         if robot.active == 0 or x * x + y * y > reach * reach:
             continue
         gap = ball_gap(robot, k, ball.x, ball.y)

@@ -41,24 +41,34 @@ def may_kick(robot, k):
 
 @compiled
 def finish_kick(robot, events, k, ball, handedness):
-    """Let the ball leave, if it still lies in the pocket, with the robot's own speed along the kick added."""
+    """Push the ball off, if it still lies in the pocket; pushes of two robots at once add up, whoever comes first."""
     robot.kick_clock = -k.kicker_recharge
     if not holds_ball(robot, k, ball.x, ball.y):
         return
     direction = robot.heading + handedness * k.kicker_spread * normal(robot.noise, KICK)
     ahead, aside = cos(direction), sin(direction)
-    speed = k.kicker_slowest + (k.kicker_fastest - k.kicker_slowest) * robot.kick_strength
-    speed += max(robot.vx * ahead + robot.vy * aside, 0.0)
-    ball.vx, ball.vy = speed * ahead, speed * aside
+    speed = kick_speed(k, robot.kick_strength)
+    ball.vx += speed * ahead
+    ball.vy += speed * aside
     limit_speed(ball, k)
     events.kick = 1
     events.touch = 1
 
 
 @compiled
+def kick_speed(k, strength):
+    """Return the speed [m/s] that a kick adds to the ball's: slowest at the least strength, fastest at strength 1."""
+    share = (strength - k.kicker_least) / max(1.0 - k.kicker_least, 1e-9)
+    return k.kicker_slowest + (k.kicker_fastest - k.kicker_slowest) * min(share, 1.0)
+
+
+@compiled
 def holds_ball(robot, k, ball_x, ball_y):
     """Tell whether the ball lies in the robot's pocket or at its kicker."""
     x, y = ball_x - robot.x, ball_y - robot.y
+    far = k.body_front + k.ball_radius + k.kicker_reach + k.kicker_half_width
+    if x * x + y * y > far * far:  # most robots are nowhere near
+        return False
     cosine, sine = cos(robot.heading), sin(robot.heading)
     ahead, left = cosine * x + sine * y, cosine * y - sine * x
     gap = ahead - k.body_front - k.ball_radius

@@ -35,7 +35,7 @@ def judge(match, ball, robots, events, k, toucher):
         if match.phase != PLAY:
             watch_restart(match, ball, events, k)
         judge_ball(match, ball, events, k)
-    if match.clock >= match.half_length - 0.5 * k.dt:
+    if match.over == 0 and match.clock >= match.half_length - 0.5 * k.dt:
         end_half(match, events, k)
 
 

@@ -21,7 +21,8 @@ from soccer_env.types import Phase
 KICK_OFF = int(Phase.KICK_OFF)
 DROP_BALL = int(Phase.DROP_BALL)
 PASSES = 200  # over the robots, to pull overlapping places apart
-SWIRL = 3.0  # [1] of the way out of the ring round the ball that late passes also go along it, out of a dead end
+STIR = 20  # passes after which places in the ring round the ball also go along it, out of dead ends, for as many
+SWIRL = 3.0  # [1] how far along it, as a multiple of the way out
 MARGIN = 0.02  # [m] between robots, assumed
 ARRIVED = 0.10  # [m] from its place, assumed
 SLOW_ZONE = 0.25  # [s] of travel before the place in which a robot slows down, assumed
@@ -93,7 +94,7 @@ def keep_distances(match, robots, k):
     move_x, move_y = np.zeros(count), np.zeros(count)
     for number in range(PASSES):
         busy = False
-        swirl = 0.0 if number < PASSES // 2 else SWIRL * match.handedness
+        swirl = SWIRL * match.handedness if number // STIR % 2 == 1 else 0.0
         for r in range(count):
             move_x[r], move_y[r] = push_of_others(robots, r, k)
             busy = busy or move_x[r] != 0.0 or move_y[r] != 0.0
@@ -142,7 +143,7 @@ def distance_from_ball(match, robot, k):
 
 @compiled
 def leave_ball(match, robot, k, swirl):
-    """Move a place out of the forbidden ring round the ball, and `swirl` times as far along it; tell whether it had to."""
+    """Move a place out of the forbidden ring round the ball, `swirl` times as far along it; tell whether it had to."""
     far = distance_from_ball(match, robot, k) + k.body_reach
     x, y = robot.place_x - match.restart_x, robot.place_y - match.restart_y
     gap = length(x, y)
