@@ -113,7 +113,7 @@ RULES = Rules(
     drop_y=0.5,  # [m] a quarter of the width, assumed
 )
 
-LEAGUE = League(
+LEAGUE = League(  # MS56
     name="legged-2001",
     control_rate=16,  # [1/s] camera frames used: four of them are "about 1/4 second", Sacks 2001, 3.1.1
     team_size=3,  # Sacks 2001, 1

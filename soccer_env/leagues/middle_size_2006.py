@@ -1,10 +1,6 @@
-"""The middle-size league of 2006: omnidirectional robots on a field of 12 x 8 m.  [Heinemann et al. 2006, 2]  MH01,
-MH23
+"""The middle-size league of 2006: omnidirectional robots on a field of 12 x 8 m.  [Heinemann et al. 2006, 2]  MH23
 
-+-----------------------------------------------------+   12.0 x 8.0 m within a band of 1.0 m (0.5 m behind the
-|  +-----------------------+-----------------------+  |   goal lines), outer boards
-|  |                       |                       |  |   goals 2.0 m wide, 0.5 m deep
-|  |----+                  |                  +----|  |   50 control steps a second
+    +----|  |   50 control steps a second
 | +|-+  |               .--+--.               |  +-|+ |
 | || |  |              (   o   )              |  | || |
 | +|-+  |               '--+--'               |  +-|+ |
@@ -21,7 +17,7 @@ from math import pi
 
 from soccer_env.leagues.league import BallModel, Body, Drive, Head, Kicker, League, Pitch, Rules, Slots, Substeps
 
-PITCH = Pitch(
+PITCH = Pitch(  # MH23
     length=12.0,  # [m] Tribots 2005 field geometry
     width=8.0,  # [m] the same
     goal_width=2.0,  # [m] the same
@@ -64,7 +60,7 @@ BODY = Body(  # a round base that fits 50 x 50 cm, with a guide that holds a qua
     height=0.8,  # [m] at most 0.85 by the rules
 )
 
-DRIVE = Drive(
+DRIVE = Drive(  # MH01
     kind="omnidirectional",
     forward=2.6,  # [m/s] Heinemann et al. 2006, 2
     backward=2.6,  # [m/s] the same

@@ -1,4 +1,4 @@
-"""From commands to velocities: delay, gait or wheels, acceleration and traction.  MH01
+"""From commands to velocities: delay, gait or wheels, acceleration and traction.
 
 A legged robot latches its walk when a gait step ends; wheels follow at every control step. What the legs or wheels
 want is held against what the body really does (it may be pushing something), and the ground bears only so much force.
@@ -66,7 +66,10 @@ def draw_slip(robot, k, handedness):
 
 @compiled
 def change_walk(robot, k):
-    """Bring the walk towards its target as fast as gait or motors allow; a robot that kicks, lies or is out stands."""
+    """Bring the walk towards its target as fast as gait or motors allow.  MH01
+
+    A robot that kicks, lies on the ground or is out stands.
+    """
     stands = robot.kick_clock > 0.0 or robot.fallen > 0.0 or robot.active == 0
     ahead = (0.0 if stands else robot.target.forward) - robot.walk.forward
     aside = (0.0 if stands else robot.target.left) - robot.walk.left
