@@ -62,7 +62,7 @@ class Match:
         self.observation_names = self._observation_names()
         self.term_names = [*TERMS, *self.settings.rewards.extra]
         self._lay_field(way)
-        self._seat_players(assign(self.agents, opponents, teammates, controllers))
+        self._seat_players(assign(self.agents, self.settings.home, opponents, teammates, controllers))
         self._pool = ThreadPoolExecutor(self.threads) if self.threads > 1 else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)

@@ -29,8 +29,8 @@ class Squad:
         return isinstance(self.team, CompiledTeam)
 
 
-def assign(agents: list[str], opponents: Any, teammates: Any, controllers: Any) -> dict[str, Any]:
-    """Return agent id -> team for the agents that a team plays; the learner is then home_0 if team-mates are given.
+def assign(agents: list[str], home: int, opponents: Any, teammates: Any, controllers: Any) -> dict[str, Any]:
+    """Return agent id -> team for the agents that a team plays; team-mates leave home's last robot that plays.
 
     `controllers` maps agent ids, or "home" and "away", to teams.
     """
@@ -39,7 +39,8 @@ def assign(agents: list[str], opponents: Any, teammates: Any, controllers: Any) 
     if opponents is not None:
         who.update(dict.fromkeys(sides["away"], opponents))
     if teammates is not None:
-        who.update(dict.fromkeys(sides["home"][:-1], teammates))
+        learner = sides["home"][home - 1]
+        who.update({agent: teammates for agent in sides["home"] if agent != learner})
     if controllers is not None and not isinstance(controllers, Mapping):
         raise ValueError(f"controllers must map agents or sides to teams, got {controllers!r}")
     for name, team in sorted((controllers or {}).items(), key=lambda item: item[0] not in sides):

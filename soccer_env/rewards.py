@@ -64,7 +64,7 @@ def find_rewards(rewards: str | Rewards) -> Rewards:
     """Return the reward preset of that name, or the object itself; ValueError says which names exist."""
     if isinstance(rewards, Rewards):
         return rewards
-    if rewards not in PRESETS:
+    if not isinstance(rewards, str) or rewards not in PRESETS:
         raise ValueError(f"unknown rewards {rewards!r}; known: {', '.join(PRESETS)}, or a Rewards object")
     return PRESETS[rewards]
 

@@ -130,7 +130,7 @@ def find_scene(scene: str | Scene) -> Scene:
     """Return the scene of that name, or the object itself; ValueError says which names exist."""
     if isinstance(scene, Scene):
         return scene
-    if scene not in SCENES:
+    if not isinstance(scene, str) or scene not in SCENES:
         raise ValueError(f"unknown scene {scene!r}; known: {', '.join(SCENES)}")
     return SCENES[scene]
 

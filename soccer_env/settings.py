@@ -145,6 +145,12 @@ def check_minutes(minutes: float | None) -> float | None:
     return float(minutes)
 
 
+def check_keeper(keeper: Any, home: int, away: int) -> int:
+    """Return the goalkeeper's number; a team of one has none, every other team must have that number."""
+    sizes = [size for size in (home, away) if size >= 2]
+    return whole_number("keeper", keeper, 0, min(sizes, default=MAX_TEAM) - 1)
+
+
 def make_settings(
     league: str | League,
     *,
@@ -192,7 +198,7 @@ def make_settings(
         episode=episode,
         rewards=find_rewards(rewards),
         placement=one_of("placement", placement, PLACEMENTS),
-        keeper=whole_number("keeper", keeper, 0, MAX_TEAM - 1),
+        keeper=check_keeper(keeper, home, away),
         minutes=check_minutes(minutes),
         action_repeat=whole_number("action_repeat", action_repeat, 1, 1000),
         max_cycles=max_cycles,

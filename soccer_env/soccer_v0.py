@@ -17,7 +17,7 @@ Version history: v0, the first.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -28,26 +28,19 @@ from pettingzoo.utils.conversions import parallel_to_aec_wrapper
 from pettingzoo.utils.wrappers import OrderEnforcingWrapper
 
 from soccer_env.actions import discrete_index
+from soccer_env.faces import (
+    OPTIONS,
+    RENDER_MODES,
+    Infos,
+    Report,
+    Screen,
+    check_agents,
+    check_options,
+    check_render_mode,
+)
 from soccer_env.match import Match
-from soccer_env.settings import one_of
-from soccer_env.types import QUIET, ROBOT_EVENTS, Phase
 
-RENDER_MODES = ("rgb_array", "human")
-OPTIONS = ("match_seed",)  # of reset
-IGNORED_OPTION = "options"  # what PettingZoo's parallel_api_test passes to every env
-TEAMS = ("home", "away")
-PHASES = tuple(phase.name.lower().replace("_", "-") for phase in Phase)
-DRILL = ("open", "success", "failure")  # at 0, 1 and -1
-WORDS: dict[str, Sequence[str]] = {  # what the codes of an event mean; events that are not here are flags
-    "goal": TEAMS,
-    "restart": PHASES,
-    "restart_team": TEAMS,
-    "touch_team": TEAMS,
-    "drill": DRILL,
-}
-NO_EVENTS = ("ball_x", "ball_y")  # fields of the record that are always filled
 FLOATS = "fd"  # dtype characters of float32 and float64
-Infos = dict[str, dict[str, Any]]
 
 
 class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
@@ -287,128 +280,6 @@ def raw_env(**settings: Any) -> AECEnv[str, np.ndarray, Any]:
 def env(**settings: Any) -> AECEnv[str, np.ndarray, Any]:
     """Return `raw_env` with PettingZoo's check of the order of calls; the settings are those of `parallel_env`."""
     return OrderEnforcingWrapper(raw_env(**settings))
-
-
-class Report:
-    """Says in words what a step of a match was, for the infos of some robots (rows)."""
-
-    def __init__(self, match: Match, rows: np.ndarray) -> None:
-        self._match = match
-        self.words = {**WORDS, "scorer": match.agents}
-        self._events = [
-            (index, name, int(QUIET[name]), self.words.get(name))
-            for index, name in enumerate(QUIET.dtype.names or ())
-            if name not in NO_EVENTS
-        ]
-        self._robots = [(match.agents[row], int(row), TEAMS.index(match.agents[row].split("_")[0])) for row in rows]
-        self._robot_events = ROBOT_EVENTS.names or ()
-        self._robot_quiet = (0,) * len(self._robot_events)
-
-    def infos(self) -> Infos:
-        """Return the infos of the first match, by agent."""
-        match = self._match
-        return self.of(match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
-
-    def of(self, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray) -> Infos:
-        """Return the infos that the records of one match stand for, by agent."""
-        happened = dict(self._say(events.item()))
-        home, away = match["score"].tolist()
-        scores, phase = ((home, away), (away, home)), PHASES[match["phase"]]
-        active, own, shares = robots["active"].tolist(), robot_events.tolist(), terms.tolist()
-        infos = {}
-        for agent, row, team in self._robots:
-            mine = dict(happened)
-            if own[row] != self._robot_quiet:
-                mine.update((name, True) for name, flag in zip(self._robot_events, own[row], strict=True) if flag)
-            infos[agent] = {
-                "active": active[row] == 1,
-                "events": mine,
-                "rewards": dict(zip(self._match.term_names, shares[row], strict=True)),
-                "score": scores[team],
-                "phase": phase,
-            }
-        return infos
-
-    def _say(self, values: tuple[Any, ...]) -> Iterator[tuple[str, Any]]:
-        """Yield name and meaning of the events of a record that happened."""
-        for index, name, quiet, words in self._events:
-            if values[index] != quiet:
-                yield name, True if words is None else words[values[index]]
-
-
-class Screen:
-    """Frames of a Match, and a window for its first; pygame is imported when the first frame is drawn."""
-
-    def __init__(self, match: Match) -> None:
-        self._match = match
-        self.fps = match.league.control_rate / match.settings.action_repeat  # [1/s] steps, in real time
-        self._title = title_of(match)
-        self._picture: Any = None
-        self._window: Any = None
-
-    def frame(self, m: int = 0) -> np.ndarray:
-        """Return a frame (H, W, 3) uint8 of match m."""
-        if self._picture is None:
-            from soccer_env.render import Picture
-
-            self._picture = Picture(self._match.league)
-        match = self._match
-        frame: np.ndarray = self._picture.draw(match.matches[m], match.balls[m], match.robots[m], title=self._title)
-        return frame
-
-    def show(self) -> None:
-        """Show a frame of the first match, in real time; nothing happens once the user has closed the window."""
-        if self._window is None:
-            from soccer_env.render import Window
-
-            self._window = Window("soccer_env", self.fps)
-        if not self._window.closed_by_user:
-            self._window.show(self.frame())
-
-    def close(self) -> None:
-        """Close the window, if there is one."""
-        if self._window is not None:
-            self._window.close()
-
-
-def title_of(match: Match) -> tuple[str, str] | None:
-    """Return who plays home and away, or None if no team plays."""
-    if not match.squads:
-        return None
-    names: tuple[list[str], list[str]] = ([], [])
-    for team, first, last in ((0, 0, match.settings.rows[0]), (1, match.settings.rows[0], len(match.agents))):
-        names[team].extend(["learner"] * bool(match.learns[first:last].any()))
-        names[team].extend(squad.team.name for squad in match.squads if first <= squad.players[0] < last)
-    return " + ".join(dict.fromkeys(names[0])), " + ".join(dict.fromkeys(names[1]))
-
-
-def check_render_mode(mode: str | None, modes: tuple[str, ...] = RENDER_MODES) -> str | None:
-    """Return the render mode; ValueError names those that exist."""
-    return None if mode is None else one_of("render_mode", mode, modes)
-
-
-def check_options(options: Any, known: tuple[str, ...]) -> dict[str, Any]:
-    """Return the options of a reset; ValueError names those that are known."""
-    if options is None:
-        return {}
-    if not isinstance(options, Mapping):
-        raise ValueError(f"options must be a dict, got {options!r}")
-    for name in options:
-        if name not in known and name != IGNORED_OPTION:
-            raise ValueError(f"unknown option {name!r}; known: {', '.join(known)}")
-    return dict(options)
-
-
-def check_agents(actions: Any, agents: list[str]) -> None:
-    """Raise ValueError unless there is an action for each agent and for nobody else."""
-    if not isinstance(actions, Mapping):
-        raise ValueError(f"actions must be a dict from agents to actions, got {type(actions).__name__}")
-    for agent in agents:
-        if agent not in actions:
-            raise ValueError(f"the action of {agent} is missing; actions are needed for {', '.join(agents)}")
-    for agent in actions:
-        if agent not in agents:
-            raise ValueError(f"unknown agent {agent!r} in actions; known: {', '.join(agents)}")
 
 
 __all__ = ["ParallelSoccer", "TurnSoccer", "env", "parallel_env", "raw_env"]

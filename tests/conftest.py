@@ -1,7 +1,10 @@
-"""Windows and sound of every test go nowhere."""
+"""Windows and sound of every test go nowhere; tests import what they share (`staging`, `symmetry`) from this folder."""
 
 import os
+import sys
+from pathlib import Path
 
 import pettingzoo  # noqa: F401  # first, for it sets the sound driver as it is imported
 
 os.environ["SDL_VIDEODRIVER"] = os.environ["SDL_AUDIODRIVER"] = "dummy"
+sys.path.append(str(Path(__file__).parent))

@@ -1,4 +1,4 @@
-"""Bit-identity: the same settings, seed and actions give the same bits in any process, batch, order of threads, or mode."""
+"""Bit-identity: the same settings, seed and actions give the same bits in any process, batch, thread or mode."""
 
 import hashlib
 import os
@@ -15,7 +15,7 @@ PROGRAM = """
 import sys, numpy as np
 from soccer_env import Match
 league, steps, size = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
-match = Match(league, home=size, away=size, matches=1, seeds=[11], placement="drive" if len(sys.argv) > 4 else "instant")
+match = Match(league, home=size, away=size, matches=1, seeds=[11])
 rng = np.random.default_rng(5)
 for _ in range(steps):
     match.step(rng.uniform(-1.0, 1.0, (1, 2 * size, 4)))

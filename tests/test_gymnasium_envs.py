@@ -8,7 +8,8 @@ from gymnasium.utils.env_checker import check_env, data_equivalence
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 
 from soccer_env import Scene, soccer_v0
-from soccer_env.gymnasium_envs import SoccerVectorEnv, SoloSoccer, register
+from soccer_env.gymnasium_envs import SoloSoccer
+from soccer_env.gymnasium_vector import SoccerVectorEnv, register
 
 LEAGUES = ("legged-2001", "middle-size-2006")
 GAMES = [("legged-2001", 1, 1), ("legged-2001", 3, 5), ("middle-size-2006", 3, 3), ("middle-size-2006", 11, 11)]
@@ -141,15 +142,15 @@ def same_infos(mine, theirs):
     "settings",
     [
         {"max_cycles": 13},
-        {"episode": "goal", "scene": ROLLING, "action_repeat": 3, "max_cycles": 20},
+        {"episode": "goal", "scene": ROLLING, "agent": "away_0", "action_repeat": 3, "max_cycles": 20},
         {"actions": "discrete", "minutes": 0.02},
     ],
     ids=["time limit", "goals", "final whistle of discrete"],
 )
 def test_the_vector_env_is_gymnasiums_own_vector_of_single_envs(league, mode, settings):
-    settings = {"opponents": "still", "teammates": "random", **settings}
-    many = make_many(4, league, autoreset_mode=mode, agent="home_1", **settings)
-    each = SyncVectorEnv([lambda: make(league, agent="home_1", **settings)] * 4, autoreset_mode=mode)
+    settings = {"opponents": "still", "teammates": "random", "agent": "home_1", **settings}
+    many = make_many(4, league, autoreset_mode=mode, **settings)
+    each = SyncVectorEnv([lambda: make(league, **settings)] * 4, autoreset_mode=mode)
     assert many.observation_space == each.observation_space and many.action_space == each.action_space
     mine, theirs = many.reset(seed=[3, 4, 5, 6]), each.reset(seed=[3, 4, 5, 6])
     assert np.array_equal(mine[0], theirs[0])

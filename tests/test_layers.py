@@ -25,14 +25,14 @@ LAYERS = (
     ("step", "episodes", "players", "truth_state", "saving"),  # the parts of a match
     ("field",),
     ("match",),
-    ("soccer_v0", "gymnasium_envs", "render", "replay"),
+    ("soccer_v0", "gymnasium_envs", "gymnasium_vector", "faces", "render", "replay"),
     ("baselines", "agents"),
     ("train",),
 )
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
 PEERS = (
     set(LAYERS[0]),  # one floor
-    {"soccer_v0", "gymnasium_envs", "render", "replay"},  # the single-agent face stands on the parallel one, both draw
+    set(LAYERS[-3]),  # the single-agent faces stand on the parallel one, all draw
 )
 # Who may import what stands beside it in the same layer: one entry each, with its reason.
 BESIDE = {
@@ -40,7 +40,17 @@ BESIDE = {
 }
 
 PLAYERS = {"baselines", "agents"}
-HIDDEN_FROM_PLAYERS = {"physics", "referee", "perception", "step", "episodes", "field", "truth_state", "saving", "match", "replay", "soccer_v0", "gymnasium_envs"}
+HIDDEN_FROM_PLAYERS = {
+    "physics",
+    "referee",
+    "perception",
+    "step",
+    "episodes",
+    "truth_state",
+    "saving",
+    "field",
+    "match",
+} | {"replay", "soccer_v0", "gymnasium_envs", "gymnasium_vector", "faces"}
 # Belief works on percepts. The records of types.py that hold the truth, by name:
 BELIEF_MAY_SEE = {*LAYERS[0], "leagues", "belief"}
 TRUTH_RECORDS = {"MATCH", "BALL", "ROBOT", "EVENTS", "ROBOT_EVENTS"}

@@ -45,12 +45,12 @@ def standing(env):
     return {agent: np.zeros(env.action_space(agent).shape, np.float32) for agent in env.agents}
 
 
-def about_to_score(**settings):
-    """Return an env, begun, in which the ball rolls over away's goal line in the first step."""
+def about_to_score(after=1, **settings):
+    """Return an env, begun, in which home scores in a certain control step, and the rest stands still."""
     env = soccer_v0.parallel_env(home=2, away=2, **settings)
     env.reset(seed=1)
     league = env.unwrapped.match.league
-    put_ball(env, league.pitch.length / 2 + 0.9 * league.ball.radius, vx=2.0)
+    put_ball(env, league.pitch.length / 2 + league.ball.radius - (after - 0.5) * 2.0 * league.dt, vx=2.0)
     return env
 
 
@@ -147,6 +147,12 @@ def test_agents_are_the_robots_that_no_team_plays(teams, agents):
             assert rewards[agent] == env.unwrapped.match.rewards[0, row]
     if "random" in str(teams):
         assert (env.unwrapped.match.robots["command"] != before).any()
+
+
+def test_team_mates_leave_the_last_robot_that_plays_to_the_learner():
+    env = soccer_v0.parallel_env(home=2, away=1, max_players=3, teammates="still", opponents="still")
+    assert env.possible_agents == ["home_1"]
+    assert env.reset(seed=0)[1]["home_1"]["active"]
 
 
 def test_padding_robots_are_inactive_agents_off_the_field():
@@ -341,14 +347,16 @@ def test_reward_terms_of_ones_own_are_named_in_infos():
 # Ends
 
 
+@pytest.mark.parametrize("after", [1, 2])
 @pytest.mark.parametrize("league", LEAGUES)
-def test_repeated_actions_add_up_rewards_and_events(league):
-    once, thrice = about_to_score(league=league), about_to_score(league=league, action_repeat=3)
+def test_repeated_actions_add_up_rewards_and_events(league, after):
+    once, thrice = about_to_score(after, league=league), about_to_score(after, league=league, action_repeat=3)
     parts = [once.step(standing(once)) for _ in range(3)]
     observations, rewards, _, _, infos = thrice.step(standing(thrice))
     assert np.array_equal(observations["home_1"], parts[2][0]["home_1"])
     assert rewards["away_0"] == pytest.approx(sum(part[1]["away_0"] for part in parts), abs=1e-12)
     assert infos["away_0"]["events"]["goal"] == "home" and infos["away_0"]["score"] == (0, 1)
+    assert ["goal" in part[4]["home_0"]["events"] for part in parts] == [step == after for step in (1, 2, 3)]
     assert once.unwrapped.match.matches["step"] == thrice.unwrapped.match.matches["step"]
     assert thrice.metadata["render_fps"] == once.metadata["render_fps"] / 3
 
@@ -356,12 +364,14 @@ def test_repeated_actions_add_up_rewards_and_events(league):
 @pytest.mark.parametrize("repeat", [1, 4])
 @pytest.mark.parametrize("league", LEAGUES)
 def test_the_goal_that_ends_an_episode_terminates_all_agents_together(league, repeat):
-    env = about_to_score(league=league, episode="goal", action_repeat=repeat)
+    rewards = Rewards(extra={"one": lambda match: np.ones(match.rewards.shape)})
+    env = about_to_score(league=league, episode="goal", action_repeat=repeat, rewards=rewards)
     _, rewards, terminated, truncated, infos = env.step(standing(env))
     assert terminated == dict.fromkeys(env.possible_agents, True)
     assert truncated == dict.fromkeys(env.possible_agents, False)
     assert env.agents == [] and infos["home_0"]["events"]["goal"] == "home" and infos["home_0"]["phase"] == "over"
     assert infos["home_0"]["rewards"]["goal"] == 1.0 and rewards["home_0"] > 0.0
+    assert infos["home_0"]["rewards"]["one"] == 1.0
     assert env.unwrapped.match.matches["step"][0] == 1  # the repeated steps after it wait
     env.reset()
     assert env.agents == env.possible_agents and env.unwrapped.match.matches["step"][0] == 0
@@ -483,11 +493,14 @@ def test_bad_resets_are_refused_and_the_episode_goes_on(arguments, complaint):
     ("settings", "complaint"),
     [
         ({"league": "legged-2002"}, "unknown league 'legged-2002'; known: legged-2001"),
+        ({"league": ["legged-2001"]}, "unknown league"),
+        ({"scene": {}}, "unknown scene"),
+        ({"rewards": {"goal": 1.0}}, "unknown rewards.*or a Rewards object"),
         ({"home": 0}, "home must be 1 to 11, got 0"),
         ({"home": 14}, "home must be 1 to 11, got 14"),
         ({"away": 2.0}, "away must be 1 to 11, got 2.0"),
         ({"max_players": 2}, "max_players must be 3 to 11, got 2"),
-        ({"keeper": -1}, "keeper must be 0 to 10, got -1"),
+        ({"keeper": -1}, "keeper must be 0 to 2, got -1"),
         ({"observe": "smell"}, "observe must be one of truth, got 'smell'"),
         ({"observe": "percepts"}, "observe must be one of"),
         ({"senses": "sensors"}, "senses must be one of ideal, got 'sensors'"),

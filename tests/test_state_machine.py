@@ -1,4 +1,4 @@
-"""Any order of reset, step, save, load, look and render keeps a match finite, a save's future single and a replay exact."""
+"""Any order of reset, step, save, load and look keeps a match finite, a save's future single and a replay exact."""
 
 import numpy as np
 import pytest
@@ -25,8 +25,8 @@ class AnyOrder(RuleBasedStateMachine):
     )
     def begin(self, league: str, mode: str, placement: str, seed: int) -> None:
         self.match = Match(
-            league, home=2, away=1, matches=2, seed=seed, autoreset=mode, placement=placement, max_cycles=60, minutes=0.05,
-            controllers={"home_0": "chaser", "away": "random"},
+            league, home=2, away=1, matches=2, seed=seed, autoreset=mode, placement=placement, max_cycles=60,
+            minutes=0.05, controllers={"home_0": "chaser", "away": "random"},
         )  # fmt: skip
         self.recorder = Recorder(self.match)
         self.saved = self.match.save()

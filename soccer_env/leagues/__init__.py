@@ -15,7 +15,7 @@ def find_league(league: str | League) -> League:
     """Return the league of that name, or the league itself; ValueError says which names exist."""
     if isinstance(league, League):
         return league
-    if league not in LEAGUES:
+    if not isinstance(league, str) or league not in LEAGUES:
         raise ValueError(f"unknown league {league!r}; known: {', '.join(LEAGUES)}")
     return LEAGUES[league]
 

@@ -1,0 +1,256 @@
+"""Boards, posts and nets: what bounces, how much, and that nothing passes through."""
+
+import numpy as np
+import pytest
+from staging import (
+    LEAGUES,
+    LEGGED,
+    MIDDLE,
+    boarded,
+    each_league,
+    icy,
+    patient,
+    put,
+    put_ball,
+    speed,
+    stage,
+    stand,
+)
+
+from soccer_env.leagues import find_league
+from soccer_env.types import HOME, NO_TEAM
+
+HUNDREDS = 300
+
+
+def bounces(match, towards, steps):
+    """Step until each ball moves against `towards` (an axis "x" or "y"); return its speeds before and after."""
+    before, after = np.full(match.count, np.nan), np.full(match.count, np.nan)
+    for _ in range(steps):
+        last = match.balls[f"v{towards}"].copy()
+        match.step(stand(match))
+        now = match.balls[f"v{towards}"]
+        turned = np.isnan(after) & (last > 0.0) & (now <= 0.0)
+        before[turned], after[turned] = last[turned], -now[turned]
+    assert not np.isnan(after).any(), "a ball never came back"
+    return before, after
+
+
+@each_league
+def test_a_ball_comes_back_from_a_board_with_the_product_of_both_elasticities(name):
+    league = icy(boarded(name))
+    rng = np.random.default_rng(1)
+    v = rng.uniform(0.2, 1.0, 100) * league.ball.top_speed
+    match = stage(league, 100)
+    edge = league.pitch.width / 2 - league.ball.radius
+    put_ball(match, 0.3, edge - rng.uniform(0.1, 0.4, 100), 0.0, v, rolls=False)
+    match.reseat()
+    before, after = bounces(match, "y", 60)
+    np.testing.assert_allclose(after, before * league.ball.elasticity * league.pitch.wall_elasticity, rtol=1e-6)
+
+
+@each_league
+def test_a_glancing_ball_keeps_its_speed_along_the_board_but_for_friction(name):
+    league = icy(boarded(name))
+    angle = np.linspace(0.2, 1.4, 50)
+    v = 0.6 * league.ball.top_speed
+    match = stage(league, 50)
+    edge = league.pitch.width / 2 - league.ball.radius
+    put_ball(match, -0.5, edge - 0.1, v * np.cos(angle), v * np.sin(angle), rolls=False)
+    match.reseat()
+    before, after = bounces(match, "y", 30)
+    along = match.balls["vx"]
+    assert (along <= v * np.cos(angle) + 1e-9).all()
+    most = league.ball.friction * league.pitch.wall_friction * (before + after)
+    assert (along >= v * np.cos(angle) - most - 1e-9).all()
+
+
+@each_league
+def test_a_ball_comes_back_from_a_robot_with_the_product_of_both_elasticities(name):
+    league = icy(name)
+    rng = np.random.default_rng(2)
+    v = rng.uniform(0.2, 1.0, 100) * league.ball.top_speed
+    match = stage(league, 100)
+    back = league.body.reach
+    put(match, 0, 0.5, 0.0, 0.0)  # seen from behind
+    put_ball(match, 0.5 - back - league.ball.radius - rng.uniform(0.05, 0.4, 100), 0.0, v, 0.0, rolls=False)
+    match.reseat()
+    before, after = bounces(match, "x", 60)
+    both = league.ball.elasticity * league.body.elasticity
+    pushed = (league.ball.mass / (league.ball.mass + league.body.mass)) * (1.0 + both) * before
+    expected = both * before - pushed
+    np.testing.assert_allclose(after, expected, rtol=1e-3, atol=1e-3)
+
+
+@each_league
+def test_a_ball_loses_nothing_to_a_board_that_it_never_meets(name):
+    league = icy(boarded(name))
+    match = stage(league)
+    put_ball(match, -0.9, 0.0, 1.0, 0.0)
+    match.reseat()
+    for _ in range(10):
+        match.step(stand(match))
+    assert match.balls["vx"][0] == pytest.approx(1.0, abs=1e-6)
+
+
+def test_a_ball_on_the_post_stays_out():
+    league = patient(MIDDLE)
+    pitch, offsets = league.pitch, np.linspace(-0.06, 0.12, 60)  # [m] from the middle of the post, towards the corner
+    match = stage(league, 120)
+    y = np.concatenate([s * (pitch.goal_width / 2 + pitch.post_radius + offsets) for s in (1, -1)])
+    put_ball(match, pitch.length / 2 - 1.0, y, 9.0, 0.0)
+    match.reseat()
+    out = np.zeros(120, bool)
+    for _ in range(30):
+        match.step(stand(match))
+        out |= match.events["out"] == 1
+        assert (match.events["goal"] == NO_TEAM).all()
+    head_on = np.tile(abs(offsets) < 0.05, 2)
+    assert not out[head_on].any(), "it came back into the field"
+    assert (match.balls["vx"][head_on] < 0.0).all()
+
+
+def test_a_ball_off_the_inside_of_the_post_goes_in():
+    league = patient(MIDDLE)
+    pitch = league.pitch
+    match = stage(league, 2)
+    y = pitch.goal_width / 2 + pitch.post_radius - 0.14  # [m] the post turns it inwards
+    put_ball(match, pitch.length / 2 - 1.0, [y, -y], 9.0, 0.0)
+    match.reseat()
+    goals = 0
+    for _ in range(60):
+        match.step(stand(match))
+        goals += (match.events["goal"] == HOME).sum()
+    assert goals == 2
+
+
+@pytest.mark.parametrize("name", LEAGUES)
+def test_the_net_catches_the_ball(name):
+    league = find_league(name)
+    match = stage(league, 20)
+    speeds = np.linspace(0.3, 1.0, 20) * league.ball.top_speed
+    put_ball(match, league.pitch.length / 2 + 0.6 * league.ball.radius, 0.0, speeds, 0.0)
+    before = match.balls.copy()
+    for m in range(20):
+        assert caught(league, before[m], match.robots[m]) <= 0.051 * speeds[m]
+
+
+def caught(league, ball, robots):
+    """Return the speed of a ball after the net, which it cannot pass, on no carpet."""
+    from soccer_env.physics.space import build_space
+
+    space = build_space(league, ball, robots)
+    body = next(iter(space.bodies))
+    while body.velocity.x > 0.06 * ball["vx"]:
+        space.step(0.1 * league.ball.radius / league.ball.top_speed)
+        assert body.position.x < league.pitch.length / 2 + league.pitch.goal_depth
+    return body.velocity.length
+
+
+def crossings(league, old, new):
+    """Tell for each ball whether its way in a step crossed a board, a post or a net (as centre lines)."""
+    pitch = league.pitch
+    line, depth, half = pitch.length / 2, pitch.goal_depth, pitch.goal_width / 2 + pitch.post_radius
+    lines = []
+    for end in (1, -1):
+        back = end * (line + depth)
+        lines += [((end * (line + pitch.post_radius), s * half), (back, s * half)) for s in (1, -1)]
+        lines += [((back, -half), (back, half))]
+        if pitch.walled:
+            lines += [((end * line, s * (half + 0.01)), (end * line, s * pitch.width / 2)) for s in (1, -1)]
+    if pitch.walled:
+        lines += [((-line, s * pitch.width / 2), (line, s * pitch.width / 2)) for s in (1, -1)]
+    crossed = np.zeros(len(old), bool)
+    for start, stop in lines:
+        crossed |= crosses(np.array(start), np.array(stop), old, new)
+    return crossed
+
+
+def crosses(start, stop, old, new):
+    """Tell for each way old -> new (N, 2) whether it crosses the line from start to stop."""
+
+    def side(a, b, p):
+        return (b[..., 0] - a[..., 0]) * (p[..., 1] - a[..., 1]) - (b[..., 1] - a[..., 1]) * (p[..., 0] - a[..., 0])
+
+    over = side(start, stop, old) * side(start, stop, new) < 0.0
+    return over & (side(old, new, start) * side(old, new, stop) < 0.0)
+
+
+def places(match):
+    return np.stack([match.balls["x"], match.balls["y"]], axis=-1)
+
+
+@pytest.mark.parametrize("make", [find_league, boarded])
+@each_league
+def test_no_ball_passes_through_a_board_a_post_or_a_net_at_top_speed(name, make):
+    league = icy(make(name))
+    pitch = league.pitch
+    rng = np.random.default_rng(3)
+    match = stage(league, HUNDREDS)
+    x = rng.uniform(-1.0, 1.0, HUNDREDS) * (pitch.length / 2 - league.ball.radius - 0.01)
+    y = rng.uniform(-1.0, 1.0, HUNDREDS) * (pitch.width / 2 - league.ball.radius - 0.01)
+    aim = rng.uniform(-1.3, 1.3, HUNDREDS) * pitch.goal_width / 2  # half of them at a goal, its posts and side nets
+    direction = np.arctan2(aim - y, rng.choice([-1, 1], HUNDREDS) * (pitch.length / 2 + pitch.goal_depth / 2) - x)
+    direction[::2] = rng.uniform(-np.pi, np.pi, HUNDREDS // 2)
+    put_ball(match, x, y, league.ball.top_speed * np.cos(direction), league.ball.top_speed * np.sin(direction))
+    match.reseat()
+    bounced = np.zeros(HUNDREDS, bool)
+    for _ in range(60):
+        old, speeds = places(match), speed(match.balls)
+        match.step(stand(match))
+        free = match.events["restart"] == 0
+        assert not crossings(league, old[free], places(match)[free]).any()
+        bounced |= free & (speed(match.balls) < 0.99 * speeds)
+        if pitch.walled:
+            in_goal = abs(match.balls["x"]) > pitch.length / 2
+            assert (abs(match.balls["y"]) < np.where(in_goal, pitch.goal_width, pitch.width) / 2).all()
+    assert bounced.mean() > 0.1
+
+
+@pytest.mark.parametrize("depth", [0.0, 0.02])
+@each_league
+def test_no_ball_passes_through_a_robot_at_top_speed(name, depth):
+    league = icy(boarded(name))
+    rng = np.random.default_rng(4)
+    body, ball = league.body, league.ball
+    match = stage(league, HUNDREDS)
+    heading, angle = rng.uniform(-np.pi, np.pi, (2, HUNDREDS))
+    put(match, 0, 0.0, 0.0, heading)
+    away = body.reach + ball.radius + rng.uniform(0.0, 0.3, HUNDREDS) + depth
+    aside = rng.uniform(-1.0, 1.0, HUNDREDS) * 0.5 * min(body.disc_radius or 0.0775, 0.2)
+    x, y = away * np.cos(angle) - aside * np.sin(angle), away * np.sin(angle) + aside * np.cos(angle)
+    put_ball(match, x, y, -ball.top_speed * np.cos(angle), -ball.top_speed * np.sin(angle))
+    match.reseat()
+    knocked = np.zeros(HUNDREDS, bool)
+    for _ in range(12):
+        old = places(match)
+        match.step(stand(match))
+        robot, heading = match.robots[:, 0], match.robots["heading"][:, 0]
+        middle = np.stack([robot["x"] + body.disc_x * np.cos(heading), robot["y"] + body.disc_x * np.sin(heading)], -1)
+        inner = body.disc_radius or 0.0775  # [m] radius of a disc inside the body
+        nearest = nearest_on_way(old - middle, places(match) - middle)
+        assert (nearest > inner + ball.radius - 1.2 * league.substeps.travel).all()
+        knocked |= match.robot_events["touch"][:, 0] == 1
+    assert knocked.mean() > 0.95
+
+
+def nearest_on_way(old, new):
+    """Return how near each straight way old -> new (N, 2) comes to the origin."""
+    way = new - old
+    along = np.clip(-(old * way).sum(-1) / np.maximum((way * way).sum(-1), 1e-12), 0.0, 1.0)
+    return np.hypot(*(old + along[:, None] * way).T)
+
+
+def test_a_legged_robot_fits_into_the_goal_and_not_through_the_board_beside_it():
+    league = patient(LEGGED)
+    match = stage(league, 2)
+    put(match, 0, 1.3, [0.0, 0.55], 0.0)
+    put_ball(match, -1.0, 0.0)
+    match.reseat()
+    actions = stand(match)
+    actions[:, 0, 0] = 1.0
+    for _ in range(160):
+        match.step(actions)
+    inside, beside = match.robots["x"][:, 0] + league.body.tip_x + league.body.tip_radius
+    assert inside == pytest.approx(1.5 + league.pitch.goal_depth, abs=0.005)
+    assert beside == pytest.approx(1.5, abs=0.005)

@@ -1,0 +1,190 @@
+"""Set a scene for a test: put ball and robots somewhere, let robots act, look at what the bodies do.
+
+Records are set directly; `match.reseat()` then rebuilds the physics from them.
+"""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.leagues import League, find_league
+from soccer_env.physics.space import build_space, parking_place, robot_moment
+from soccer_env.types import NO_TEAM, Phase
+
+LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
+LEAGUES = (LEGGED, MIDDLE)
+WALK = ("forward", "left", "turn")
+each_league = pytest.mark.parametrize("name", LEAGUES)
+
+
+# Leagues with something taken out
+
+
+def patient(league: str | League) -> League:
+    """Return the league with a referee who never calls a stuck ball."""
+    found = find_league(league)
+    return replace(found, rules=replace(found.rules, stuck_time=1e9))
+
+
+def boarded(league: str | League) -> League:
+    """Return the league with boards on its lines instead of a band, and a patient referee."""
+    found = patient(league)
+    return replace(found, pitch=replace(found.pitch, walled=True, band_side=0.0, band_end=0.0))
+
+
+def steady(league: str | League) -> League:
+    """Return the league, with a patient referee, where no robot slips and no kick strays."""
+    found = patient(league)
+    drive, kicker = replace(found.drive, slip=0.0), replace(found.kicker, spread=0.0)
+    return replace(found, drive=drive, kicker=kicker)
+
+
+def icy(league: str | League) -> League:
+    """Return the league, with a patient referee, on a carpet without friction."""
+    found = patient(league)
+    return replace(found, ball=replace(found.ball, rolling=0.0, sliding=1e-9))
+
+
+# Putting things somewhere
+
+
+def stage(league: str | League, matches: int = 1, home: int = 1, away: int = 1, **settings: Any) -> Match:
+    """Return matches in play, the ball at rest on the centre spot, all robots sent off until `put` brings them on."""
+    match = Match(league, matches=matches, home=home, away=away, **{"seed": 1, **settings})
+    set_phase(match, Phase.PLAY)
+    send_off(match, range(home + away))
+    return match
+
+
+def set_phase(match: Match, phase: int) -> None:
+    """Set the phase of play, nobody to take a restart."""
+    match.matches["phase"], match.matches["restart_team"] = phase, NO_TEAM
+    match.matches["phase_clock"] = 0.0
+
+
+def send_off(match: Match, rows: Any) -> None:
+    """Park robots off the field."""
+    for r in rows:
+        match.robots["active"][:, r] = 0
+        match.robots["x"][:, r], match.robots["y"][:, r], match.robots["heading"][:, r] = parking_place(r)
+
+
+def put(match: Match, r: Any, x: Any, y: Any, heading: Any = 0.0, forward: Any = 0.0, left: Any = 0.0) -> None:
+    """Put robot r of every match somewhere, on the field and already walking (robot frame)."""
+    robots = match.robots
+    robots["active"][:, r] = 1
+    robots["x"][:, r], robots["y"][:, r], robots["heading"][:, r] = x, y, heading
+    cosine, sine = np.cos(heading), np.sin(heading)
+    robots["vx"][:, r], robots["vy"][:, r] = cosine * forward - sine * left, sine * forward + cosine * left
+    robots["omega"][:, r] = 0.0
+    for name, speed in (("forward", forward), ("left", left), ("turn", 0.0)):
+        robots["walk"][name][:, r] = robots["target"][name][:, r] = speed
+        robots["delayed"][name][:, r] = np.asarray(speed)[..., None]
+
+
+def put_ball(match: Match, x: Any, y: Any, vx: Any = 0.0, vy: Any = 0.0, rolls: bool = True) -> None:
+    """Put the ball of every match somewhere, rolling, or sliding as after a kick."""
+    ball = match.balls
+    ball["x"], ball["y"], ball["vx"], ball["vy"] = x, y, vx, vy
+    ball["roll_x"], ball["roll_y"] = (vx, vy) if rolls else (0.0, 0.0)
+    ball["spin"] = 0.0
+    match.matches["still_x"], match.matches["still_y"], match.matches["still_clock"] = x, y, 0.0
+
+
+def scatter(match: Match, rng: np.random.Generator, share: float = 0.8) -> None:
+    """Put the ball and all robots at random, nobody in anybody's way; `share` of the pitch is used."""
+    league, count = match.league, match.robots.shape[1]
+    room = share * np.array([league.pitch.length, league.pitch.width]) / 2 - league.body.reach
+    apart = 2.0 * league.body.reach
+    for m in range(match.count):
+        places: list[np.ndarray] = []
+        tries = 0
+        while len(places) < count + 1:
+            tries += 1
+            assert tries < 100_000, "too many robots for so little room"
+            place = rng.uniform(-room, room)
+            if all(np.hypot(*(place - other)) > apart for other in places):
+                places.append(place)
+        match.balls["x"][m], match.balls["y"][m] = places[0]
+        match.robots["x"][m], match.robots["y"][m] = np.transpose(places[1:])
+    match.robots["heading"] = rng.uniform(-np.pi, np.pi, match.robots.shape)
+    match.matches["still_x"], match.matches["still_y"] = match.balls["x"], match.balls["y"]
+
+
+# Playing
+
+
+def stand(match: Match) -> np.ndarray:
+    """Return actions that let everybody stand."""
+    return np.zeros((match.count, match.robots.shape[1], 4))
+
+
+def asking(
+    match: Match, r: Any = 0, forward: Any = 0.0, left: Any = 0.0, turn: Any = 0.0, kick: Any = 0.0
+) -> np.ndarray:
+    """Return actions in which robot r (or several) asks for something and the others stand."""
+    actions = stand(match)
+    actions[:, r] = np.stack(np.broadcast_arrays(forward, left, turn, kick), axis=-1)
+    return actions
+
+
+def steps_in(match: Match, seconds: float) -> int:
+    """Return the control steps in a time [s]."""
+    return round(seconds * match.league.control_rate)
+
+
+# Looking
+
+
+def speed(records: np.ndarray) -> np.ndarray:
+    """Return the speed of balls or robots [m/s]."""
+    return np.hypot(records["vx"], records["vy"])
+
+
+def distance(records: np.ndarray, x: Any, y: Any) -> np.ndarray:
+    """Return how far balls or robots are from a point [m]."""
+    return np.hypot(records["x"] - x, records["y"] - y)
+
+
+def energy(match: Match) -> np.ndarray:
+    """Return the kinetic energy (M,) of ball and robots [J], rolling and spinning included."""
+    league, ball, robots = match.league, match.balls, match.robots
+    moving = ball["vx"] ** 2 + ball["vy"] ** 2
+    rolling = league.ball.shell * (ball["roll_x"] ** 2 + ball["roll_y"] ** 2)
+    spinning = 0.5 * league.ball.radius**2 * ball["spin"] ** 2
+    driving = league.body.mass * (robots["vx"] ** 2 + robots["vy"] ** 2) + robot_moment(league) * robots["omega"] ** 2
+    total: np.ndarray = 0.5 * league.ball.mass * (moving + rolling + spinning) + 0.5 * driving.sum(axis=1)
+    return total
+
+
+def overlaps(league: League, ball: np.void, robots: np.ndarray) -> dict[str, float]:
+    """Return how deep bodies of one match overlap [m]: "ball robot", "ball wall", "robot robot", "robot wall".
+
+    Asked of Chipmunk's own contacts in a fresh Space of the same shapes.
+    """
+    space = build_space(league, ball, robots)
+    bodies = list(space.bodies)
+    for body in bodies:
+        body.velocity, body.angular_velocity = (0.0, 0.0), 0.0
+    space.step(1e-9)
+    deepest = dict.fromkeys(("ball robot", "ball wall", "robot robot", "robot wall"), 0.0)
+
+    def note(arbiter: Any) -> None:
+        pair = [shape.body for shape in arbiter.shapes]
+        first = "ball" if bodies[0] in pair else "robot"
+        second = "wall" if space.static_body in pair else "robot"
+        for point in arbiter.contact_point_set.points:
+            deepest[f"{first} {second}"] = max(deepest[f"{first} {second}"], -point.distance)
+
+    for body in bodies:
+        body.each_arbiter(note)
+    return deepest
+
+
+def deepest_overlaps(match: Match) -> dict[str, float]:
+    """Return the deepest overlaps [m] in all matches."""
+    found = [overlaps(match.league, match.balls[m], match.robots[m]) for m in range(match.count)]
+    return {pair: max(one[pair] for one in found) for pair in found[0]}
