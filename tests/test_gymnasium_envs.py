@@ -8,8 +8,8 @@ from gymnasium.utils.env_checker import check_env, data_equivalence
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 
 from soccer_env import Scene, soccer_v0
-from soccer_env.gymnasium_envs import SoloSoccer
-from soccer_env.gymnasium_vector import SoccerVectorEnv, register
+from soccer_env.gymnasium_envs import SoloSoccer, register
+from soccer_env.gymnasium_vector import SoccerVectorEnv
 
 LEAGUES = ("legged-2001", "middle-size-2006")
 GAMES = [("legged-2001", 1, 1), ("legged-2001", 3, 5), ("middle-size-2006", 3, 3), ("middle-size-2006", 11, 11)]
