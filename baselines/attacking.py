@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import acos, atan2
 
-from soccer_env.baselines.sight import nearest_opponent, rolls_to, side_of
-from soccer_env.baselines.skills import choose_shot, choose_way, go, free_way, lane_room, push, shot_room, strength_for, turned
+from soccer_env.baselines.sight import rolls_to, side_of
+from soccer_env.baselines.skills import choose_shot, choose_way, go, push, shot_room, turned
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
 
@@ -23,23 +23,19 @@ def attack(command, sight, memory, k, play):
         turn_to_goal(command, sight, k, play, ux, uy)
     else:
         approach(command, sight, memory, k, play, ux, uy)
-    command.kick = choose_kick(sight, memory, k, play)
+    if wants_to_shoot(sight, memory, k, play):
+        command.kick = 1.0
 
 
 @compiled
-def choose_kick(sight, memory, k, play):
-    """Return the strength of a kick now, 0 for none: a shot with all force, a ball up the pitch so that it stays on it."""
+def wants_to_shoot(sight, memory, k, play):
+    """Tell whether a kick now would go in between the posts, past the opponents."""
     if sight.now_ahead > sight.touch + play.kick_gap or abs(sight.now_left) > play.kick_aside or sight.now_ahead <= 0.0:
-        return 0.0
+        return False
     if k.kicker_wind_up > 0.0 and sight.held == 0:
-        return 0.0
+        return False
     ux, uy = turned(sight.now_cosine, sight.now_sine, memory.aim_error)
-    goal = 0.5 * k.pitch_length - sight.ball_x
-    if shot_room(sight, k, ux, uy) > play.room and goal < play.shot_range:
-        return 1.0
-    crowded = nearest_opponent(sight, sight.ball_x, sight.ball_y) < play.crowded * k.body_reach
-    on = ux > play.forward_only and (goal >= play.shot_range or crowded) and lane_room(sight, k, ux, uy, play.way_on) > play.room
-    return strength_for(k, free_way(sight, k, ux, uy)) if on else 0.0
+    return 0.5 * k.pitch_length - sight.ball_x < play.shot_range and shot_room(sight, k, ux, uy) > play.room
 
 
 @compiled

@@ -54,32 +54,29 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "settle": (0.7, 0.25, 0.3),  # [s] in which a turn or a step is to be done
     "arrived": (0.03, 0.05, 0.08),  # [m] near enough
     "walk_ahead": (0.25, 0.0, 0.0),  # [m] a walk this long is done facing ahead
-    "run_in_cosine": (0.0, 0.94, 0.9),  # cosine of the angle off the line behind the ball for a run straight in
+    "run_in_cosine": (0.3, 0.94, 0.9),  # cosine of the angle off the line behind the ball for a run straight in
     "square_up": (0.0, 0.1, 0.0),  # [m] into the ball that a base which steps aside aims; 0: it faces the ball instead
     "near": (1.6, 1.8, 1.3),  # [touch distances] within which the next one counts instead
     "near_cosine": (-0.5, 0.85, 0.3),  # cosine
     "clearance": (0.05, 0.15, 0.25),  # [m] between front and ball on the way round
     "orbit_step": (0.6, 0.7, 0.6),  # [rad] of the way round that is looked ahead
     "orbit_speed": (0.12, 1.0, 0.6),  # [m/s] least on the way round
-    "bump": (0.12, 1.6, 1.0),  # [m/s] at which the ball is met
+    "bump": (0.12, 2.2, 1.0),  # [m/s] at which the ball is met
     "delay": (0.1, 0.12, 0.12),  # [s] least time by which the ball is led
     "lead": (3.0, 1.5, 2.0),  # [s] greatest
-    "turn_share": (0.6, 0.7, 0.5),  # [1] of the top turn rate with the ball
-    "carry_share": (0.6, 0.15, 0.2),  # [1] of the top speed while turning with the ball
-    "push_share": (1.0, 0.8, 0.9),  # [1] of the top speed while pushing it straight
-    "aligned": (0.15, 0.2, 0.2),  # [rad] straight
-    "kick": (1.0, 1.0, 1.0),  # [1] strength
+    "turn_share": (0.8, 0.7, 0.5),  # [1] of the top turn rate with the ball
+    "carry_share": (1.0, 0.15, 0.2),  # [1] of the top speed while turning with the ball
+    "push_share": (1.0, 1.0, 0.9),  # [1] of the top speed while pushing it straight
+    "aligned": (0.15, 0.3, 0.2),  # [rad] straight
     "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front
     "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
     "room": (0.03, 0.02, 0.02),  # [rad] beside a shot
-    "shot_range": (1.3, 7.0, 7.0),  # [m] of a shot at the goal
-    "way_on": (0.7, 2.0, 2.0),  # [m] that a way for the ball is looked at
+    "shot_range": (1.3, 5.0, 5.0),  # [m] of a shot at the goal
+    "way_on": (0.7, 1.0, 1.0),  # [m] that a way for the ball is looked at
     "turn_cost": (0.02, 0.02, 0.02),
     "fan_cost": (0.1, 0.1, 0.1),
     "out_cost": (0.5, 0.5, 0.5),
     "wing_cost": (0.2, 0.05, 0.05),
-    "forward_only": (0.3, 0.9, 0.9),  # cosine of the angle to straight ahead for a kick up the pitch
-    "crowded": (2.5, 3.0, 3.0),  # [body reaches] an opponent this near the ball makes a player kick it away
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out
     "wriggle_time": (1.5, 0.6, 0.8),  # [s]
     "patience": (3.0, 1.2, 1.5),  # [s]
@@ -88,11 +85,11 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "foresight": (1.0, 0.5, 0.6),  # [s] by which a player's own motion shortens its way to the ball
     "wrong_side": (0.3, 0.8, 1.0),  # [m] that a way from ahead of the ball is longer
     "back": (0.7, 1.5, 1.5),  # [m] of a supporter behind the ball, for each row
-    "aside": (0.35, 1.2, 1.2),  # [m] of a supporter beside it
+    "aside": (0.5, 1.2, 1.2),  # [m] of a supporter beside it
     "change_side": (0.2, 0.6, 0.6),  # [m] from the middle before a supporter changes sides
     "keeper_line": (1.35, 1.2, 1.2),  # [body reaches] from the goal line
     "keeper_out": (1.8, 2.2, 2.0),  # [body reaches] from the middle of the goal
-    "keeper_zone": (0.6, 1.5, 1.5),  # [m] round the middle of the goal from which balls are cleared
+    "keeper_zone": (0.4, 1.5, 1.5),  # [m] round the middle of the goal from which balls are cleared
     "shot_speed": (0.15, 0.5, 0.5),  # [m/s] a ball this fast towards the goal is a shot
     "dive": (0.0, 0.0, 0.0),  # [m/s] at which a shot is met
     "clear_cosine": (0.5, 0.5, 0.5),  # cosine of the angle to straight away from the goal for a clearing kick

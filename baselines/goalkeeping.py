@@ -69,6 +69,6 @@ def clear(command, sight, memory, k, play):
     if sight.held == 1:
         turn_to_goal(command, sight, k, play, x / away, y / away)
         if sight.now_cosine * x + sight.now_sine * y > play.clear_cosine * away:
-            command.kick = play.kick
+            command.kick = 1.0
     else:
         approach(command, sight, memory, k, play, x / away, y / away)

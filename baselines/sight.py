@@ -114,12 +114,3 @@ def rolls_to(sight, k, seconds):
         x, y = clip(x, -edge_x, edge_x), clip(y, -edge_y, edge_y)
     return x, y
 
-
-@compiled
-def nearest_opponent(sight, x, y):
-    """Return how far the nearest opponent is from a point [m]; 1e9 if none is seen."""
-    nearest = 1e9
-    for i in range(sight.others):
-        if sight.mate[i] == 0:
-            nearest = min(nearest, length(sight.other_x[i] - x, sight.other_y[i] - y))
-    return nearest

@@ -24,7 +24,6 @@ FAN = 5  # directions to either side of the goal's that are looked at when no sh
 FAN_STEP = 0.35  # [rad] between them, assumed
 FAN_COST = 0.1  # [1] room that a way may lose for each radian nearer to the goal, assumed
 OUT_COST = 0.5  # [1] the same for the share of a way that lies out of the pitch, assumed
-LEAST_KICK = 0.05  # [1] strength, assumed
 WIDE_ENOUGH = 0.12  # [rad] more room than this beside a shot is worth nothing, assumed
 TURN_COST = 0.02  # [1] room that a shot may lose for each radian less to turn, assumed
 
@@ -185,18 +184,6 @@ def free_way(sight, k, ux, uy):
     ahead = (0.5 * k.pitch_length - side_of(ux) * sight.ball_x) / max(abs(ux), 1e-6)
     aside = (0.5 * k.pitch_width - side_of(uy) * sight.ball_y) / max(abs(uy), 1e-6)
     return max(min(ahead, aside), 0.0)
-
-
-@compiled
-def strength_for(k, distance):
-    """Return the strength of a kick that rolls out after a distance [m], least what the kicker can do.
-
-    The ball slides until it rolls, at 1 / (1 + shell) of its speed, and then slows down at a constant rate.
-    """
-    rolls = 1.0 / (1.0 + k.ball_shell)
-    metres = (1.0 - rolls * rolls) / (2.0 * k.ball_sliding) + rolls * rolls / (2.0 * k.ball_rolling)
-    strength = (sqrt(distance / metres) - k.kicker_slowest) / (k.kicker_fastest - k.kicker_slowest)
-    return clip(strength, max(k.kicker_least, LEAST_KICK), 1.0)
 
 
 @compiled

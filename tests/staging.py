@@ -29,6 +29,12 @@ def patient(league: str | League) -> League:
     return replace(found, rules=replace(found.rules, stuck_time=1e9))
 
 
+def endless(league: str | League) -> League:
+    """Return the league, with a patient referee, on a pitch so large that nothing reaches its edge."""
+    found = patient(league)
+    return replace(found, pitch=replace(found.pitch, length=400.0, width=400.0))
+
+
 def boarded(league: str | League) -> League:
     """Return the league with boards on its lines instead of a band, and a patient referee."""
     found = patient(league)
@@ -158,6 +164,22 @@ def energy(match: Match) -> np.ndarray:
     driving = league.body.mass * (robots["vx"] ** 2 + robots["vy"] ** 2) + robot_moment(league) * robots["omega"] ** 2
     total: np.ndarray = 0.5 * league.ball.mass * (moving + rolling + spinning) + 0.5 * driving.sum(axis=1)
     return total
+
+
+def outline(league: League) -> np.ndarray:
+    """Return points (N, 2) along the outlines of a robot's base and tips, robot frame."""
+    body, angle = league.body, np.linspace(-np.pi, np.pi, 721)
+    ring = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    tips = [(body.tip_x, side * body.tip_y) + body.tip_radius * ring for side in (1, -1)]
+    base = edges(np.array(body.corners)) if body.corners else (body.disc_x, 0.0) + body.disc_radius * ring
+    return np.concatenate([base, *tips])
+
+
+def edges(corners: np.ndarray) -> np.ndarray:
+    """Return points (N, 2) along the edges of a hull."""
+    share = np.linspace(0.0, 1.0, 500)[:, None, None]
+    points: np.ndarray = (corners + share * (np.roll(corners, -1, axis=0) - corners)).reshape(-1, 2)
+    return points
 
 
 def overlaps(league: League, ball: np.void, robots: np.ndarray) -> dict[str, float]:

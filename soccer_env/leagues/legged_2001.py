@@ -126,7 +126,7 @@ LEAGUE = League(  # MS56
     rules=RULES,
     slots=Slots(teammates=2, opponents=3),  # Sacks 2001, 4.1.1
     substeps=Substeps(least=2, most=12, travel=0.0125, iterations=10, slop=0.001),
-    evaluation_minutes=10.0,
+    evaluation_minutes=10.0,  # [min] a half of the league's own length, assumed
     source="Sacks 2001, University of Pennsylvania",
 )
 

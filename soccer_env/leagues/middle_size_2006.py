@@ -138,7 +138,7 @@ LEAGUE = League(
     rules=RULES,
     slots=Slots(teammates=4, opponents=5),
     substeps=Substeps(least=2, most=8, travel=0.044, iterations=10, slop=0.002),
-    evaluation_minutes=4.0,
+    evaluation_minutes=4.0,  # [min] assumed
     evaluation_placement="drive",
     source="Heinemann et al. 2006, University of Tübingen",
 )

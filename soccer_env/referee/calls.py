@@ -106,7 +106,7 @@ def ball_stuck(match, ball, k):
         match.still_x, match.still_y, match.still_clock = ball.x, ball.y, 0.0
         return False
     match.still_clock += k.dt
-    return match.still_clock >= k.rules_stuck_time
+    return match.still_clock >= k.rules_stuck_time - 0.5 * k.dt
 
 
 @compiled
@@ -124,7 +124,7 @@ def watch_restart(match, ball, events, k):
     """Let play go on once the ball has moved, or when the time for the restart is up."""
     x, y = ball.x - match.restart_x, ball.y - match.restart_y
     moved = x * x + y * y > k.rules_in_play_distance * k.rules_in_play_distance
-    if moved or match.phase_clock >= k.rules_restart_time:
+    if moved or match.phase_clock >= k.rules_restart_time - 0.5 * k.dt:
         match.phase = PLAY
         match.phase_clock = 0.0
         match.restart_team = NO_TEAM

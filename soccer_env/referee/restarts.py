@@ -206,7 +206,7 @@ def end_placing(match, ball, robots, k):
         x, y = robots[r].x - robots[r].place_x, robots[r].y - robots[r].place_y
         if robots[r].active == 1 and length(x, y) > ARRIVED:
             arrived = False
-    if not arrived and match.phase_clock < k.rules_placing_time:
+    if not arrived and match.phase_clock < k.rules_placing_time - 1.5 * k.dt:  # the referee's clock is one step behind
         return
     match.placing = 0
     match.phase_clock = 0.0

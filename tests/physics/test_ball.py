@@ -9,6 +9,7 @@ from staging import (
     MIDDLE,
     distance,
     each_league,
+    endless,
     patient,
     put_ball,
     speed,
@@ -17,15 +18,9 @@ from staging import (
 )
 
 from soccer_env import Match
-from soccer_env.leagues import League, find_league
+from soccer_env.leagues import find_league
 
 DIRECTIONS = 32
-
-
-def on_a_plain(name: str) -> League:
-    """Return the league on a pitch so large that no ball leaves it."""
-    league = patient(name)
-    return replace(league, pitch=replace(league.pitch, length=400.0, width=400.0))
 
 
 def roll_out(match: Match, most: int) -> int:
@@ -40,7 +35,7 @@ def roll_out(match: Match, most: int) -> int:
 @pytest.mark.parametrize("rate", [16, 50])
 @pytest.mark.parametrize(("name", "speeds"), [(LEGGED, (0.05, 0.3, 1.0, 2.0)), (MIDDLE, (0.05, 0.3, 3.0, 10.0))])
 def test_a_rolling_ball_stops_after_v_squared_over_2a_in_every_direction(name, speeds, rate):
-    league = replace(on_a_plain(name), control_rate=rate)
+    league = replace(endless(name), control_rate=rate)
     a = league.ball.rolling
     v = np.repeat(speeds, DIRECTIONS) * np.tile(np.linspace(0.9, 1.0, DIRECTIONS), len(speeds))
     angle = np.tile(np.linspace(-np.pi, np.pi, DIRECTIONS), len(speeds))
@@ -59,7 +54,7 @@ def test_a_rolling_ball_stops_after_v_squared_over_2a_in_every_direction(name, s
 
 @each_league
 def test_a_rolling_ball_loses_speed_at_a_constant_rate(name):
-    match = stage(on_a_plain(name))
+    match = stage(endless(name))
     put_ball(match, 0.0, 0.0, 2.0, 0.0)
     match.reseat()
     speeds = []
@@ -72,7 +67,7 @@ def test_a_rolling_ball_loses_speed_at_a_constant_rate(name):
 
 @each_league
 def test_a_kicked_ball_slides_until_it_rolls_at_three_fifths_of_its_speed(name):
-    league = on_a_plain(name)
+    league = endless(name)
     model = league.ball
     assert model.shell == pytest.approx(2 / 3)
     v = np.linspace(0.5, model.top_speed, 40)
@@ -95,7 +90,7 @@ def test_a_kicked_ball_slides_until_it_rolls_at_three_fifths_of_its_speed(name):
 
 @each_league
 def test_a_ball_that_rolls_never_slides_again_by_itself(name):
-    match = stage(on_a_plain(name))
+    match = stage(endless(name))
     put_ball(match, 0.0, 0.0, 1.0, -0.7)
     match.reseat()
     while speed(match.balls).any():
@@ -116,7 +111,7 @@ def test_a_ball_at_rest_stays_exactly_where_it_is(name):
 
 @each_league
 def test_backspin_slows_a_ball_and_can_bring_it_back(name):
-    match = stage(on_a_plain(name))
+    match = stage(endless(name))
     put_ball(match, 0.0, 0.0, 0.3, 0.0)
     match.balls["roll_x"] = -1.0
     match.reseat()
@@ -124,13 +119,13 @@ def test_backspin_slows_a_ball_and_can_bring_it_back(name):
     while speed(match.balls).any():
         match.step(stand(match))
         furthest = max(furthest, match.balls["x"][0])
-    assert 0.0 < furthest and match.balls["x"][0] < furthest
+    assert furthest > 0.0 and match.balls["x"][0] < furthest
 
 
 @each_league
 def test_nothing_moves_faster_than_the_balls_top_speed(name):
     top = find_league(name).ball.top_speed
-    match = stage(on_a_plain(name), 2)
+    match = stage(endless(name), 2)
     put_ball(match, 0.0, 0.0, [3.0 * top, -30.0 * top], [4.0 * top, 40.0 * top])
     match.reseat()
     match.step(stand(match))

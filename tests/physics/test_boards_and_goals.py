@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from staging import (
-    LEAGUES,
     LEGGED,
     MIDDLE,
     boarded,
@@ -18,22 +17,24 @@ from staging import (
 )
 
 from soccer_env.leagues import find_league
+from soccer_env.physics.space import build_space
 from soccer_env.types import HOME, NO_TEAM
 
 HUNDREDS = 300
 
 
 def bounces(match, towards, steps):
-    """Step until each ball moves against `towards` (an axis "x" or "y"); return its speeds before and after."""
-    before, after = np.full(match.count, np.nan), np.full(match.count, np.nan)
+    """Step until each ball moves against `towards` (an axis "x" or "y"); return its speeds before, after and along."""
+    before, after, along = np.full((3, match.count), np.nan)
+    other = "vx" if towards == "y" else "vy"
     for _ in range(steps):
         last = match.balls[f"v{towards}"].copy()
         match.step(stand(match))
         now = match.balls[f"v{towards}"]
         turned = np.isnan(after) & (last > 0.0) & (now <= 0.0)
-        before[turned], after[turned] = last[turned], -now[turned]
+        before[turned], after[turned], along[turned] = last[turned], -now[turned], match.balls[other][turned]
     assert not np.isnan(after).any(), "a ball never came back"
-    return before, after
+    return before, after, along
 
 
 @each_league
@@ -45,7 +46,7 @@ def test_a_ball_comes_back_from_a_board_with_the_product_of_both_elasticities(na
     edge = league.pitch.width / 2 - league.ball.radius
     put_ball(match, 0.3, edge - rng.uniform(0.1, 0.4, 100), 0.0, v, rolls=False)
     match.reseat()
-    before, after = bounces(match, "y", 60)
+    before, after, _ = bounces(match, "y", 60)
     np.testing.assert_allclose(after, before * league.ball.elasticity * league.pitch.wall_elasticity, rtol=1e-6)
 
 
@@ -58,8 +59,7 @@ def test_a_glancing_ball_keeps_its_speed_along_the_board_but_for_friction(name):
     edge = league.pitch.width / 2 - league.ball.radius
     put_ball(match, -0.5, edge - 0.1, v * np.cos(angle), v * np.sin(angle), rolls=False)
     match.reseat()
-    before, after = bounces(match, "y", 30)
-    along = match.balls["vx"]
+    before, after, along = bounces(match, "y", 30)
     assert (along <= v * np.cos(angle) + 1e-9).all()
     most = league.ball.friction * league.pitch.wall_friction * (before + after)
     assert (along >= v * np.cos(angle) - most - 1e-9).all()
@@ -75,7 +75,7 @@ def test_a_ball_comes_back_from_a_robot_with_the_product_of_both_elasticities(na
     put(match, 0, 0.5, 0.0, 0.0)  # seen from behind
     put_ball(match, 0.5 - back - league.ball.radius - rng.uniform(0.05, 0.4, 100), 0.0, v, 0.0, rolls=False)
     match.reseat()
-    before, after = bounces(match, "x", 60)
+    before, after, _ = bounces(match, "x", 60)
     both = league.ball.elasticity * league.body.elasticity
     pushed = (league.ball.mass / (league.ball.mass + league.body.mass)) * (1.0 + both) * before
     expected = both * before - pushed
@@ -124,7 +124,7 @@ def test_a_ball_off_the_inside_of_the_post_goes_in():
     assert goals == 2
 
 
-@pytest.mark.parametrize("name", LEAGUES)
+@each_league
 def test_the_net_catches_the_ball(name):
     league = find_league(name)
     match = stage(league, 20)
@@ -137,8 +137,6 @@ def test_the_net_catches_the_ball(name):
 
 def caught(league, ball, robots):
     """Return the speed of a ball after the net, which it cannot pass, on no carpet."""
-    from soccer_env.physics.space import build_space
-
     space = build_space(league, ball, robots)
     body = next(iter(space.bodies))
     while body.velocity.x > 0.06 * ball["vx"]:
@@ -180,8 +178,7 @@ def places(match):
     return np.stack([match.balls["x"], match.balls["y"]], axis=-1)
 
 
-@pytest.mark.parametrize("make", [find_league, boarded])
-@each_league
+@pytest.mark.parametrize(("name", "make"), [(LEGGED, find_league), (MIDDLE, find_league), (MIDDLE, boarded)])
 def test_no_ball_passes_through_a_board_a_post_or_a_net_at_top_speed(name, make):
     league = icy(make(name))
     pitch = league.pitch
@@ -252,5 +249,6 @@ def test_a_legged_robot_fits_into_the_goal_and_not_through_the_board_beside_it()
     for _ in range(160):
         match.step(actions)
     inside, beside = match.robots["x"][:, 0] + league.body.tip_x + league.body.tip_radius
-    assert inside == pytest.approx(1.5 + league.pitch.goal_depth, abs=0.005)
-    assert beside == pytest.approx(1.5, abs=0.005)
+    pressed = 0.012  # [m] it goes into what it pushes against with its full force
+    assert inside == pytest.approx(1.5 + league.pitch.goal_depth, abs=pressed)
+    assert beside == pytest.approx(1.5, abs=pressed)

@@ -1,0 +1,214 @@
+"""From commands to motion: delay, gait steps, acceleration, top speeds, slip, and what a base cannot do."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from staging import LEGGED, MIDDLE, asking, each_league, endless, put, put_ball, speed, stage, stand, steady, steps_in
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+
+DIFFERENTIAL = "middle-size-2006-differential"
+
+
+def on_its_own(league, matches=1, **settings):
+    """Return matches with robot 0 at rest in the middle, the ball far away and nobody else."""
+    match = stage(league, matches, **settings)
+    put(match, 0, 0.0, 0.0)
+    put_ball(match, -0.4 * match.league.pitch.length, -0.4 * match.league.pitch.width)
+    match.reseat()
+    return match
+
+
+def walked(match: Match, actions: np.ndarray, steps: int) -> np.ndarray:
+    """Return the speed ahead of robot 0 of the first match after each step."""
+    speeds = []
+    for _ in range(steps):
+        match.step(actions)
+        heading = match.robots["heading"][0, 0]
+        speeds.append(np.cos(heading) * match.robots["vx"][0, 0] + np.sin(heading) * match.robots["vy"][0, 0])
+    return np.array(speeds)
+
+
+@pytest.mark.parametrize(("name", "steps"), [(LEGGED, 2), (MIDDLE, 5)])
+def test_a_command_moves_the_robot_a_tenth_of_a_second_later_to_the_control_step(name, steps):
+    league = replace(steady(name), drive=replace(steady(name).drive, gait_steps=1))
+    assert league.delay_steps == steps
+    speeds = walked(on_its_own(league), asking(on_its_own(league), forward=1.0), steps + 1)
+    assert (speeds[:steps] == 0.0).all() and speeds[steps] > 0.0
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.06, 0.14, 0.2])
+def test_the_delay_is_a_setting(delay):
+    league = replace(steady(MIDDLE), drive=replace(steady(MIDDLE).drive, delay=delay))
+    speeds = walked(on_its_own(league), asking(on_its_own(league), forward=1.0), 12)
+    assert np.argmax(speeds > 0.0) == round(50 * delay)
+
+
+def test_a_legged_robot_takes_a_new_command_only_when_its_gait_step_of_8_control_steps_ends():
+    match = on_its_own(steady(LEGGED))
+    targets, phases = [], []
+    for step in range(40):
+        match.step(asking(match, forward=(step + 1) / 40.0))  # another command at every step
+        targets.append(match.robots["target"]["forward"][0, 0])
+        phases.append(match.robots["gait_phase"][0, 0])
+    changes = np.flatnonzero(np.diff(targets) != 0.0) + 1
+    np.testing.assert_array_equal(changes, [8, 16, 24, 32])
+    np.testing.assert_array_equal(phases, (np.arange(40) + 1) % 8)
+    # what it takes was asked for two control steps before
+    np.testing.assert_allclose(np.array(targets)[changes], 0.12 * (changes - 2 + 1) / 40.0)
+
+
+def test_wheels_follow_at_every_control_step():
+    match = on_its_own(steady(MIDDLE))
+    targets = []
+    for step in range(20):
+        match.step(asking(match, forward=(step + 1) / 20.0))
+        targets.append(match.robots["target"]["forward"][0, 0])
+    np.testing.assert_allclose(targets[5:], 2.6 * np.arange(1, 16) / 20.0)
+
+
+def test_an_omnidirectional_robot_reaches_2_6_m_per_s_after_0_65_s():
+    match = on_its_own(steady(MIDDLE))
+    speeds = walked(match, asking(match, forward=1.0), 60)
+    delay, top = 5, 2.6
+    expected = np.minimum(4.0 * 0.02 * np.maximum(np.arange(60) + 1 - delay, 0), top)
+    np.testing.assert_allclose(speeds, expected, atol=1e-9)
+    assert np.argmax(speeds > top - 1e-9) + 1 - delay == np.ceil(0.65 / 0.02)
+
+
+@each_league
+def test_no_robot_gains_or_loses_speed_faster_than_it_can(name):
+    league = steady(name)
+    match = on_its_own(league, 50, seed=3)
+    rng = np.random.default_rng(0)
+    for _ in range(steps_in(match, 3.0)):
+        before = match.robots[:, 0].copy()
+        match.step(rng.uniform(-1.0, 1.0, (50, 2, 4)))
+        after = match.robots[:, 0]
+        change = np.hypot(after["vx"] - before["vx"], after["vy"] - before["vy"])
+        assert (change <= league.drive.traction * league.dt + 1e-9).all()
+        walk = np.hypot(*(after["walk"][axis] - before["walk"][axis] for axis in ("forward", "left")))
+        assert (walk <= league.drive.acceleration * league.dt + 1e-9).all()
+        turn = abs(after["omega"] - before["omega"])
+        assert (turn <= league.drive.turn_acceleration * league.dt + 1e-9).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "command", "expected"),
+    [
+        (LEGGED, (1.0, 0.0), 0.12),
+        (LEGGED, (-1.0, 0.0), 0.10),
+        (LEGGED, (0.0, 1.0), 0.08),
+        (LEGGED, (0.0, -0.5), 0.04),
+        (MIDDLE, (0.0, -1.0), 2.6),
+        (MIDDLE, (0.6, 0.8), 2.6),
+        (MIDDLE, (1.0, 1.0), 2.6),
+        (DIFFERENTIAL, (1.0, 0.0), 1.6),
+    ],
+)
+def test_robots_walk_at_the_speed_that_is_asked_of_them(name, command, expected):
+    match = on_its_own(steady(name))
+    actions = asking(match, forward=command[0], left=command[1])
+    for _ in range(steps_in(match, 1.5)):
+        match.step(actions)
+    assert speed(match.robots)[0, 0] == pytest.approx(expected, rel=1e-9)
+
+
+def test_robots_turn_at_their_top_rate_and_no_faster():
+    for name, rate in ((LEGGED, 0.8), (MIDDLE, 6.0)):
+        match = on_its_own(steady(name))
+        for _ in range(steps_in(match, 2.0)):
+            match.step(asking(match, turn=1.0))
+            assert match.robots["omega"][0, 0] <= rate + 1e-9
+        assert match.robots["omega"][0, 0] == pytest.approx(rate)
+
+
+def test_a_turn_counter_clockwise_is_positive_and_left_is_to_the_left():
+    match = on_its_own(steady(MIDDLE), 2)
+    actions = stand(match)
+    actions[0, 0, 2], actions[1, 0, 1] = 0.2, 0.5
+    for _ in range(25):
+        match.step(actions)
+    assert match.robots["heading"][0, 0] > 0.1 and match.robots["heading"][1, 0] == 0.0
+    assert match.robots["y"][1, 0] > 0.1 and abs(match.robots["x"][1, 0]) < 1e-9
+
+
+def test_a_differential_base_cannot_move_sideways():
+    match = on_its_own(find_league(DIFFERENTIAL), 20)
+    match.robots["heading"][:, 0] = np.linspace(-3.0, 3.0, 20)
+    match.reseat()
+    for _ in range(100):
+        match.step(asking(match, left=1.0))
+    assert not speed(match.robots)[:, 0].any()
+    aside = 0.0
+    for _ in range(100):  # in a curve, ground holds the wheels against the side
+        match.step(asking(match, forward=0.5, left=1.0, turn=0.1))
+        robot = match.robots[:, 0]
+        aside = max(aside, abs(np.cos(robot["heading"]) * robot["vy"] - np.sin(robot["heading"]) * robot["vx"]).max())
+    assert aside < 0.02
+
+
+@pytest.mark.parametrize(("name", "slip"), [(LEGGED, 0.08), (MIDDLE, 0.02)])
+def test_a_walk_misses_its_speed_by_the_leagues_slip(name, slip):
+    matches = 300
+    match = on_its_own(name, matches, home=1, away=1)
+    v = []
+    for step in range(steps_in(match, 4.0)):
+        match.step(asking(match, forward=0.5))
+        if step >= steps_in(match, 1.5):
+            v.append(speed(match.robots)[:, 0].copy())
+    asked = 0.5 * match.league.drive.forward
+    ratio = np.array(v)[:: steps_in(match, 0.5)] / asked  # one of each draw
+    assert ratio.size == 5 * matches
+    assert ratio.mean() == pytest.approx(1.0, abs=4.0 * slip / np.sqrt(ratio.size))
+    assert ratio.std() == pytest.approx(slip, rel=4.0 / np.sqrt(2.0 * ratio.size))
+
+
+@pytest.mark.parametrize("name", [LEGGED, MIDDLE])
+def test_slip_holds_for_half_a_second_and_then_is_drawn_anew(name):
+    match = on_its_own(name)
+    drawn = []
+    for _ in range(steps_in(match, 3.0)):
+        match.step(asking(match, forward=1.0))
+        drawn.append(match.robots["slip"]["forward"][0, 0])
+    assert len(np.unique(drawn)) == 6
+    assert (np.diff(np.flatnonzero(np.diff(drawn))) == steps_in(match, 0.5)).all()
+
+
+@each_league
+def test_a_robot_that_nobody_pushes_is_never_faster_than_its_top_speed_times_its_slip(name):
+    match = on_its_own(endless(name), 100, seed=5)
+    rng = np.random.default_rng(1)
+    drive = match.league.drive
+    greatest = np.ones(100)
+    commands = rng.uniform(-1.0, 1.0, (8, 100, 2, 4))
+    for step in range(steps_in(match, 4.0)):
+        match.step(commands[step * 8 // steps_in(match, 4.0)])
+        slip = match.robots["slip"][:, 0]
+        greatest = np.maximum(greatest, np.maximum(slip["forward"], slip["left"]))
+        assert (speed(match.robots)[:, 0] <= drive.forward * greatest + 1e-9).all()
+
+
+@each_league
+def test_a_robot_without_commands_stands_where_it_is(name):
+    match = on_its_own(name, 5)
+    before = match.robots[:, 0].copy()
+    for _ in range(100):
+        match.step(stand(match))
+    for axis in ("x", "y", "heading"):
+        np.testing.assert_array_equal(match.robots[axis][:, 0], before[axis])
+
+
+@each_league
+def test_a_robot_sent_off_neither_moves_nor_kicks_whatever_it_is_told(name):
+    match = stage(name, 4)
+    put(match, 1, 0.5, 0.5)
+    match.reseat()
+    before = match.robots[:, 0].copy()
+    for _ in range(100):
+        match.step(asking(match, forward=1.0, left=1.0, turn=1.0, kick=1.0))
+    for axis in ("x", "y", "heading", "vx", "vy", "omega"):
+        np.testing.assert_array_equal(match.robots[axis][:, 0], before[axis])
+    assert not match.robot_events["kick"].any()

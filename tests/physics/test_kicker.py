@@ -1,0 +1,216 @@
+"""Kicks: who can, when, how hard, and in which direction the ball leaves."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from staging import LEGGED, MIDDLE, asking, each_league, put, put_ball, speed, stage, stand, steady, steps_in
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+
+
+def at_the_ball(league, matches=1, ahead=0.005, aside=0.0, row=0, **settings) -> Match:
+    """Return matches in which one robot stands with the ball in its pocket, `ahead` of its front, and nobody else."""
+    match = stage(league, matches, **settings)
+    body, ball = match.league.body, match.league.ball
+    put(match, row, -0.3 * match.league.pitch.length, 0.1, 0.0)
+    put_ball(match, match.robots["x"][:, row] + body.front + ball.radius + ahead, 0.1 + aside)
+    match.reseat()
+    match.step(stand(match))  # from now on it knows that it has the ball
+    return match
+
+
+def kicks(match: Match, actions: np.ndarray, most: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the control step of each match's first kick (-1 none), the ball's speed and its direction then."""
+    at, v, direction = np.full(match.count, -1), np.zeros(match.count), np.zeros(match.count)
+    for step in range(1, most + 1):
+        match.step(actions)
+        kicked = (match.robot_events["kick"].max(axis=1) == 1) & (at < 0)
+        at[kicked], v[kicked] = step, speed(match.balls)[kicked]
+        direction[kicked] = np.arctan2(match.balls["vy"], match.balls["vx"])[kicked]
+    return at, v, direction
+
+
+def carpet(match: Match) -> float:
+    """Return what the carpet takes of a kicked ball's speed in its first control step [m/s]."""
+    return match.league.ball.sliding * match.league.dt
+
+
+@pytest.mark.parametrize(("strength", "expected"), [(0.3, 0.8), (0.5, 1.0), (0.65, 1.15), (1.0, 1.5)])
+def test_a_legged_kick_sends_the_ball_off_at_0_8_to_1_5_m_per_s(strength, expected):
+    match = at_the_ball(LEGGED)
+    _, v, _ = kicks(match, asking(match, kick=strength), 16)
+    assert v[0] == pytest.approx(expected - carpet(match), abs=1e-6)
+
+
+@pytest.mark.parametrize("strength", [0.05, 0.2, 0.29])
+def test_a_legged_robot_ignores_strengths_below_0_3(strength):
+    match = at_the_ball(LEGGED)
+    at, _, _ = kicks(match, asking(match, kick=strength), 40)
+    assert at[0] == -1 and not speed(match.balls).any()
+
+
+@pytest.mark.parametrize("strength", [0.02, 0.1, 0.5, 0.9, 1.0])
+def test_a_middle_size_kick_is_proportional_to_its_strength_up_to_10_m_per_s(strength):
+    match = at_the_ball(MIDDLE)
+    at, v, _ = kicks(match, asking(match, kick=strength), 1)
+    assert at[0] == 1
+    assert v[0] == pytest.approx(10.0 * strength - carpet(match), abs=1e-6)
+
+
+@each_league
+def test_no_strength_or_less_is_no_kick(name):
+    match = at_the_ball(name, 2)
+    at, _, _ = kicks(match, asking(match, kick=[0.0, -1.0]), 30)
+    assert (at == -1).all()
+
+
+def test_a_legged_kick_takes_0_6_s_in_which_the_robot_comes_to_a_stand_and_stays():
+    match = at_the_ball(steady(LEGGED))
+    put(match, 0, match.robots["x"][:, 0], 0.1, 0.0)
+    actions = asking(match, forward=1.0, kick=1.0)
+    speeds, clock = [], []
+    for _ in range(12):
+        match.step(actions)
+        speeds.append(speed(match.robots)[0, 0])
+        clock.append(match.robots["kick_clock"][0, 0])
+        if match.robot_events["kick"][0, 0]:
+            break
+    assert len(speeds) - 1 == np.ceil(0.6 * 16)  # the first step only begins it
+    assert max(speeds) == 0.0
+    assert clock[0] == pytest.approx(0.6) and clock[-1] == -0.5
+
+
+def test_a_walking_robot_brakes_as_soon_as_it_winds_up():
+    match = at_the_ball(steady(LEGGED))
+    put(match, 0, match.robots["x"][:, 0], 0.1, 0.0, forward=0.07)
+    put_ball(match, match.balls["x"], 0.1, 0.07, 0.0)
+    match.reseat()
+    actions, speeds = asking(match, forward=0.07 / 0.12, kick=1.0), []
+    while not match.robot_events["kick"][0, 0]:
+        match.step(actions)
+        speeds.append(speed(match.robots)[0, 0])
+    assert (np.diff(speeds[:-1]) <= 1e-9).all()
+    assert speeds[6] == 0.0, "0.07 m/s at 0.24 m/s2 takes 0.3 s"
+
+
+def test_a_ball_that_rolls_away_during_the_wind_up_is_missed():
+    match = at_the_ball(LEGGED)
+    actions = asking(match, kick=1.0)
+    match.step(actions)
+    match.balls["x"] += 0.2
+    match.reseat()
+    at, _, _ = kicks(match, actions, 12)
+    assert at[0] == -1 and not speed(match.balls).any()
+    assert match.robots["kick_clock"][0, 0] < 0.0, "it has kicked the air"
+
+
+@pytest.mark.parametrize(("name", "degrees"), [(LEGGED, 10.0), (MIDDLE, 2.0)])
+def test_kicks_stray_from_the_heading_with_the_leagues_deviation(name, degrees):
+    matches = 500
+    match = at_the_ball(name, matches, seed=11)
+    heading = np.linspace(-3.0, 3.0, matches)
+    reach = match.league.body.front + match.league.ball.radius + 0.002
+    put(match, 0, -0.5, 0.0, heading)
+    put_ball(match, -0.5 + reach * np.cos(heading), reach * np.sin(heading))
+    match.reseat()
+    at, _, direction = kicks(match, asking(match, kick=1.0), 12)
+    off = (direction - match.robots["heading"][:, 0] + np.pi) % (2.0 * np.pi) - np.pi
+    assert (at > 0).all()
+    assert off.mean() == pytest.approx(0.0, abs=np.radians(4.0 * degrees / np.sqrt(matches)))
+    assert off.std() == pytest.approx(np.radians(degrees), rel=4.0 / np.sqrt(2.0 * matches))
+    assert (abs(off) > np.radians(2.0 * degrees)).mean() == pytest.approx(0.0455, abs=0.04), "a normal deviation"
+
+
+@each_league
+def test_a_kicked_ball_flies_clear_of_the_robot_that_kicked_it(name):
+    match = at_the_ball(name, 200, seed=2)
+    kicks(match, asking(match, kick=1.0), 11)
+    direction = np.arctan2(match.balls["vy"], match.balls["vx"])
+    for _ in range(steps_in(match, 0.2)):
+        match.step(stand(match))
+    later = np.arctan2(match.balls["vy"], match.balls["vx"])
+    straight = abs(direction) < np.radians(20.0)
+    assert straight.mean() > 0.9
+    np.testing.assert_allclose(later[straight], direction[straight], atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("name", "ahead", "aside"),
+    [(LEGGED, 0.04, 0.0), (LEGGED, 0.031, 0.0), (LEGGED, 0.05, 0.046), (MIDDLE, 0.05, 0.0), (MIDDLE, 0.02, 0.09)],
+)
+def test_a_ball_outside_the_pocket_cannot_be_kicked(name, ahead, aside):
+    match = at_the_ball(name, ahead=ahead, aside=aside)
+    assert match.robots["has_ball"][0, 0] == 0
+    at, _, _ = kicks(match, asking(match, kick=1.0), 20)
+    assert at[0] == -1 and not speed(match.balls).any()
+
+
+@pytest.mark.parametrize(("name", "pause"), [(LEGGED, 0.5), (MIDDLE, 1.0)])
+def test_after_a_kick_the_kicker_recharges(name, pause):
+    match = at_the_ball(steady(name))
+    x, times = match.balls["x"].copy(), []
+    for step in range(steps_in(match, 4.0)):
+        match.step(asking(match, kick=1.0))
+        if match.robot_events["kick"][0, 0]:
+            times.append(step)
+        put_ball(match, x, 0.1)  # somebody puts the ball back
+        match.robots["has_ball"][:, 0] = 1
+        match.reseat()
+    wind_up = np.ceil(match.league.kicker.wind_up * match.league.control_rate)
+    gap = np.diff(times) / match.league.control_rate
+    assert len(gap) >= 2
+    np.testing.assert_allclose(gap, pause + wind_up * match.league.dt, atol=1.01 * match.league.dt)
+
+
+def test_the_middle_size_goalkeeper_has_no_kicker():
+    match = at_the_ball(MIDDLE, home=2)
+    assert match.robots["keeper"][0, 0] == 1 and match.robots["has_ball"][0, 0] == 1
+    at, _, _ = kicks(match, asking(match, kick=1.0), 60)
+    assert at[0] == -1
+
+
+def test_a_legged_goalkeeper_kicks():
+    match = at_the_ball(LEGGED, home=2)
+    assert match.robots["keeper"][0, 0] == 1
+    at, _, _ = kicks(match, asking(match, kick=1.0), 16)
+    assert at[0] > 0
+
+
+def test_a_dribbled_ball_leaves_with_the_robots_speed_on_top():
+    match = stage(steady(MIDDLE))
+    put(match, 0, -3.0, 0.0, 0.0, forward=1.5)
+    put_ball(match, -3.0 + 0.18 + 0.11 + 0.005, 0.0, 1.5, 0.0)
+    match.robots["has_ball"][:, 0] = 1
+    match.reseat()
+    at, v, _ = kicks(match, asking(match, forward=1.5 / 2.6, kick=0.4), 1)
+    assert at[0] == 1 and v[0] == pytest.approx(5.5 - carpet(match), abs=0.01)
+
+
+@each_league
+def test_two_robots_that_kick_against_each_other_at_once_are_equals(name):
+    """A trap: whoever came last in the list used to win every such duel."""
+    match = stage(steady(name))
+    body, ball = match.league.body, match.league.ball
+    apart = max(body.front + ball.radius + 0.012, body.tip_x + body.tip_radius + 0.003)
+    put(match, 0, -apart, 0.0, 0.0)
+    put(match, 1, apart, 0.0, np.pi)
+    put_ball(match, 0.0, 0.0)
+    match.robots["has_ball"] = 1
+    match.reseat()
+    kicked = False
+    for _ in range(20):
+        match.step(asking(match, r=slice(None), kick=1.0))
+        kicked |= bool(match.robot_events["kick"].all())
+        assert abs(match.balls["x"][0]) < 1e-9 and speed(match.balls)[0] < 1e-9
+    assert kicked
+
+
+@each_league
+def test_a_kick_never_gives_the_ball_more_than_its_top_speed(name):
+    league = find_league(name)
+    strong = replace(league, kicker=replace(league.kicker, fastest=3.0 * league.ball.top_speed))
+    match = at_the_ball(strong)
+    _, v, _ = kicks(match, asking(match, kick=1.0), 16)
+    assert 0.5 * league.ball.top_speed < v[0] <= league.ball.top_speed

@@ -1,0 +1,247 @@
+"""Restarts: who stands where, when play goes on, and that every placement is legal for teams of every size."""
+
+import numpy as np
+import pytest
+from staging import (
+    LEAGUES,
+    LEGGED,
+    MIDDLE,
+    asking,
+    deepest_overlaps,
+    distance,
+    each_league,
+    put_ball,
+    scatter,
+    set_phase,
+    speed,
+    stand,
+    steps_in,
+)
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM, Phase
+
+KINDS = {
+    LEGGED: (Phase.KICK_OFF,),
+    MIDDLE: (Phase.KICK_OFF, Phase.THROW_IN, Phase.GOAL_KICK, Phase.CORNER_KICK),
+}
+KIND_CASES = [(name, phase) for name in LEAGUES for phase in KINDS[name]]
+SIZES = (1, 2, 3, 5, 8, MAX_TEAM)
+TAKERS = np.repeat([HOME, AWAY], 4)  # of the eight matches of a case
+DIRECTIONS = np.tile([1.0, 1.0, -1.0, -1.0], 2)
+SIDES = np.tile([1.0, -1.0], 4)
+
+
+def called(name, phase, home, away, placement="instant", seed=0) -> Match:
+    """Return 8 matches in which the referee has just called a restart: both teams, both halves, both sides.
+
+    Everybody stood somewhere at random before.
+    """
+    match = Match(name, home=home, away=away, matches=8, seed=seed, placement=placement)
+    set_phase(match, Phase.PLAY)
+    match.matches["home_direction"], match.matches["half"] = DIRECTIONS, DIRECTIONS < 0.0
+    scatter(match, np.random.default_rng(seed), 0.95)
+    pitch, r = match.league.pitch, match.league.ball.radius + 0.01
+    attack = DIRECTIONS * np.where(TAKERS == HOME, 1.0, -1.0)  # the end that the takers attack
+    beyond, aside = pitch.length / 2 + r, SIDES * 0.35 * pitch.width
+    x, y, last = {
+        Phase.KICK_OFF: (-attack * beyond, 0.0, TAKERS),
+        Phase.THROW_IN: (np.linspace(-0.5, 0.5, 8) * pitch.length, SIDES * (pitch.width / 2 + r), 1 - TAKERS),
+        Phase.GOAL_KICK: (-attack * beyond, aside, 1 - TAKERS),
+        Phase.CORNER_KICK: (attack * beyond, aside, 1 - TAKERS),
+    }[phase]
+    match.matches["last_touch_team"] = last
+    put_ball(match, x, y)
+    match.reseat()
+    match.step(stand(match))
+    assert (match.events["restart"] == phase).all() and (match.events["restart_team"] == TAKERS).all()
+    return match
+
+
+def drive_to_places(match, rng=None):
+    """Step until the placing is over everywhere; return its control steps, and the matches at the moment of its end."""
+    steps = np.zeros(match.count, int)
+    balls, robots = match.balls.copy(), match.robots.copy()
+    where = match.balls[["x", "y"]].copy()
+    placing = match.matches["placing"] == 1
+    assert placing.all()
+    while placing.any():
+        clock = match.matches["clock"].copy()
+        actions = stand(match) if rng is None else rng.uniform(-1.0, 1.0, stand(match).shape)
+        match.step(np.where(placing[:, None, None], actions, 0.0))
+        assert (match.balls[["x", "y"]][placing] == where[placing]).all(), "the ball moved"
+        assert not speed(match.balls)[placing].any()
+        np.testing.assert_allclose(match.matches["clock"] - clock, match.league.dt)
+        ended = placing & (match.matches["placing"] == 0)
+        balls[ended], robots[ended] = match.balls[ended], match.robots[ended]
+        steps[placing] += 1
+        placing &= match.matches["placing"] == 1
+    match.balls[:], match.robots[:] = balls, robots
+    return steps
+
+
+def assert_legal(match, phase):
+    """Check the places of all robots against the rules of a restart."""
+    league, robots = match.league, match.robots
+    rules, reach = league.rules, league.body.reach
+    far = distance(robots, match.balls["x"][:, None], match.balls["y"][:, None])
+    opponents = (robots["team"] != TAKERS[:, None]) & (robots["keeper"] == 0)
+    required = rules.kick_off_distance if phase == Phase.KICK_OFF else rules.restart_distance
+    assert (far[opponents] >= required).all()
+    if phase == Phase.KICK_OFF:
+        attack = DIRECTIONS[:, None] * np.where(robots["team"] == HOME, 1.0, -1.0)
+        assert (attack * robots["x"] < 0.0).all(), "a robot is not in its own half"
+    found = deepest_overlaps(match)
+    assert max(found["robot robot"], found["robot wall"], found["ball robot"]) < 0.001
+    assert not speed(robots).any() and not robots["omega"].any() and not robots["walk"]["forward"].any()
+    beside = max(league.pitch.band_side, 0.0)
+    assert (abs(robots["x"]) <= league.pitch.length / 2 + max(league.pitch.band_end, 0.0)).all()
+    assert (abs(robots["y"]) <= league.pitch.width / 2 + beside).all()
+    takers = (robots["team"] == TAKERS[:, None]) & (far < reach + league.ball.radius + 0.15)
+    fielders = ((robots["team"] == TAKERS[:, None]) & (robots["keeper"] == 0)).any(axis=1)
+    assert (takers.sum(axis=1) >= fielders).all(), "nobody stands ready to take it"
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize(("name", "phase"), KIND_CASES)
+def test_instant_placement_is_legal_for_teams_of_every_size(name, phase, size):
+    match = called(name, phase, size, size, seed=size)
+    assert (match.matches["placing"] == 0).all()
+    assert_legal(match, phase)
+
+
+@pytest.mark.parametrize(("home", "away"), [(1, MAX_TEAM), (MAX_TEAM, 2), (4, 9)])
+@pytest.mark.parametrize(("name", "phase"), KIND_CASES)
+def test_instant_placement_is_legal_for_unequal_teams(name, phase, home, away):
+    assert_legal(called(name, phase, home, away, seed=home), phase)
+
+
+@pytest.mark.parametrize("size", [1, 3, 5, MAX_TEAM])
+@pytest.mark.parametrize(("name", "phase"), KIND_CASES)
+def test_robots_drive_to_their_places_for_10_s_at_most_and_then_stand_legally(name, phase, size):
+    match = called(name, phase, size, size, "drive", seed=size)
+    steps = drive_to_places(match, np.random.default_rng(size))
+    assert (steps * match.league.dt <= match.league.rules.placing_time + 1e-9).all()
+    assert_legal(match, phase)
+
+
+def test_a_middle_size_team_is_in_place_within_ten_seconds_and_drives_there():
+    match = called(MIDDLE, Phase.KICK_OFF, 3, 3, "drive", seed=7)
+    for _ in range(15):
+        before = match.robots.copy()
+        match.step(stand(match))
+        assert (distance(match.robots, before["x"], before["y"]) <= 2.7 * match.league.dt).all(), "somebody was put"
+    assert (speed(match.robots) > 0.0).mean() > 0.7
+    steps = drive_to_places(match)
+    assert (steps * match.league.dt < 10.0).mean() > 0.7
+
+
+def test_the_old_base_finds_its_place_without_stepping_aside():
+    match = Match("middle-size-2006-differential", home=1, away=1, matches=8, seed=3, placement="drive")
+    set_phase(match, Phase.PLAY)
+    scatter(match, np.random.default_rng(3), 0.8)
+    put_ball(match, match.league.pitch.length / 2 + 0.2, 0.0)
+    match.reseat()
+    match.step(stand(match))
+    places = match.robots[["place_x", "place_y"]].copy()
+    last = match.robots.copy()
+    placing = np.ones(8, bool)
+    while placing.any():
+        last[placing] = match.robots[placing]
+        match.step(stand(match))
+        placing &= match.matches["placing"] == 1
+    off = distance(last, places["place_x"], places["place_y"])
+    assert (off < 0.15).mean() >= 0.9, "before the referee puts anybody anywhere"
+
+
+def test_at_a_middle_size_kick_off_opponents_keep_2_m_and_stay_in_their_half():
+    match = Match(MIDDLE, home=5, away=5, matches=20, seed=5)
+    far = distance(match.robots, 0.0, 0.0)
+    assert (far[:, 5:] >= 2.0).all() and (match.robots["x"][:, 5:] > 0.0).all()
+    assert (match.robots["x"][:, :5] < 0.0).all() and (far[:, :5].min(axis=1) < 0.5).all()
+
+
+@each_league
+def test_the_taker_faces_the_ball_with_the_opponents_goal_ahead(name):
+    match = Match(name, home=3, away=3, matches=20, seed=6)
+    taker = match.robots[np.arange(20), distance(match.robots, 0.0, 0.0).argmin(axis=1)]
+    assert (taker["team"] == HOME).all() and (taker["keeper"] == 0).all()
+    assert (abs(taker["heading"]) < 0.1).all() and (taker["x"] < 0.0).all() and (abs(taker["y"]) < 0.03).all()
+
+
+@each_league
+def test_the_goalkeeper_stands_in_front_of_its_goal(name):
+    match = Match(name, home=3, away=3, matches=20, seed=6)
+    pitch = match.league.pitch
+    for row, end in ((0, -1.0), (3, 1.0)):
+        keeper = match.robots[:, row]
+        assert (keeper["keeper"] == 1).all()
+        assert (abs(keeper["x"] - end * pitch.length / 2) < 0.1 * pitch.length).all()
+        assert (abs(keeper["y"]) < pitch.goal_width / 2).all()
+
+
+@each_league
+def test_play_goes_on_once_the_ball_has_moved(name):
+    match = Match(name, home=1, away=1, matches=2, seed=1)
+    far = match.league.rules.in_play_distance
+    match.balls["x"] = [far - 0.001, far + 0.001]
+    match.robots["x"][:, 0] -= 0.3
+    match.reseat()
+    match.step(stand(match))
+    assert match.matches["phase"].tolist() == [Phase.KICK_OFF, Phase.PLAY]
+    assert match.events["in_play"].tolist() == [0, 1] and match.matches["restart_team"].tolist() == [HOME, NO_TEAM]
+
+
+@each_league
+def test_play_goes_on_after_ten_seconds_if_nobody_takes_the_restart(name):
+    match = Match(name, home=2, away=2, seed=1)
+    steps = 0
+    while match.matches["phase"][0] != Phase.PLAY:
+        match.step(stand(match))
+        steps += 1
+        assert steps < 1000
+    assert steps == steps_in(match, 10.0) and find_league(name).rules.restart_time == 10.0
+
+
+@each_league
+def test_taking_a_kick_off_puts_the_ball_in_play(name):
+    match = Match(name, home=1, away=1, seed=1)
+    for _ in range(steps_in(match, 9.0)):
+        match.step(asking(match, forward=0.5))
+        if match.matches["phase"][0] == Phase.PLAY:
+            break
+    assert match.matches["phase"][0] == Phase.PLAY and match.matches["last_touch_team"][0] == HOME
+
+
+@each_league
+def test_a_restart_forgets_who_touched_the_ball(name):
+    match = Match(name, home=1, away=1, seed=1)
+    set_phase(match, Phase.PLAY)
+    match.matches["last_touch_team"], match.matches["last_touch_robot"] = HOME, 0
+    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
+    match.reseat()
+    match.step(stand(match))
+    assert match.matches["last_touch_team"][0] == NO_TEAM and match.matches["last_touch_robot"][0] == -1
+
+
+@each_league
+def test_sent_off_robots_are_not_placed(name):
+    match = Match(name, home=2, away=2, max_players=4, matches=3, seed=2)
+    absent = match.robots["active"][0] == 0
+    before = match.robots[:, absent].copy()
+    set_phase(match, Phase.PLAY)
+    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
+    match.reseat()
+    match.step(stand(match))
+    assert (match.events["restart"] == Phase.KICK_OFF).all()
+    for axis in ("x", "y", "heading"):
+        np.testing.assert_array_equal(match.robots[axis][:, absent], before[axis])
+
+
+@each_league
+def test_formations_differ_from_seed_to_seed_by_centimetres(name):
+    match = Match(name, home=3, away=3, matches=50, seed=8)
+    spread = match.robots["x"].std(axis=0)
+    assert (spread > 0.002).all() and (spread < 0.05).all()
+    assert len(np.unique(match.robots["heading"])) == 50 * 6

@@ -1,0 +1,150 @@
+"""Lack of progress: only a ball that stays is stuck; it is dropped, and the robots are pulled apart."""
+
+import numpy as np
+import pytest
+from staging import (
+    LEAGUES,
+    LEGGED,
+    MIDDLE,
+    deepest_overlaps,
+    distance,
+    each_league,
+    put,
+    put_ball,
+    scatter,
+    set_phase,
+    speed,
+    stage,
+    stand,
+    steps_in,
+)
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
+
+
+@each_league
+def test_a_ball_that_stays_is_stuck_after_the_leagues_time(name):
+    match = stage(name)
+    put_ball(match, 0.4, 0.3)
+    match.reseat()
+    steps = 0
+    while not match.events["stuck"][0]:
+        match.step(stand(match))
+        steps += 1
+        assert steps < 2000
+    assert steps == steps_in(match, match.league.rules.stuck_time)
+    assert match.events["restart"][0] == Phase.DROP_BALL and match.events["restart_team"][0] == NO_TEAM
+
+
+@pytest.mark.parametrize("pace", [1.05, 3.0])
+@each_league
+def test_a_moving_ball_is_never_stuck_however_slowly_it_moves_on(name, pace):
+    """A trap: lack of progress called while the ball moves; it may also be carried round in a circle."""
+    match = stage(name, 2)
+    rules, dt = match.league.rules, match.league.dt
+    slowest = rules.stuck_radius / rules.stuck_time  # [m/s]
+    radius = 1.2 * rules.stuck_radius
+    for step in range(int(2.5 * rules.stuck_time / dt)):
+        way = pace * slowest * step * dt
+        put_clock = match.matches[["still_x", "still_y", "still_clock"]].copy()
+        put_ball(match, [-0.6 + 0.4 * way, radius * np.cos(way / radius)], [0.2, radius * np.sin(way / radius)])
+        match.balls["x"][0] += 0.6 * way
+        for field in put_clock.dtype.names:
+            match.matches[field] = put_clock[field]  # `put_ball` would start the clock again
+        match.reseat()
+        match.step(stand(match))
+        assert not match.events["stuck"].any()
+
+
+@each_league
+def test_a_ball_that_trembles_on_the_spot_is_stuck(name):
+    match = stage(name)
+    rules = match.league.rules
+    put_ball(match, 0.0, 0.0)
+    match.reseat()
+    called = 0
+    for step in range(steps_in(match, rules.stuck_time) + 2):
+        match.balls["x"] = 0.4 * rules.stuck_radius * np.sin(step)
+        match.reseat()
+        match.step(stand(match))
+        called += match.events["stuck"][0]
+    assert called == 1
+
+
+@pytest.mark.parametrize("phase", [Phase.KICK_OFF, Phase.DROP_BALL])
+@each_league
+def test_a_restart_that_nobody_takes_is_no_stuck_ball(name, phase):
+    match = stage(name)
+    set_phase(match, phase)
+    for _ in range(steps_in(match, match.league.rules.restart_time) + 2):
+        match.step(stand(match))
+        assert not match.events["stuck"].any()
+    assert match.matches["phase"][0] == Phase.PLAY
+    assert match.matches["still_clock"][0] < 1.0
+
+
+@each_league
+def test_a_stuck_ball_is_dropped_at_the_spot_on_its_own_side(name):
+    league = find_league(name)
+    rules = league.rules
+    x = np.array([1.2, 1.2, -1.2, -1.2, 0.1, -0.1])
+    y = np.array([0.9, -0.9, 0.9, -0.9, 0.1, -0.1]) * league.pitch.width / 2
+    match = stage(league, 6)
+    put_ball(match, x, y)
+    match.matches["still_clock"] = rules.stuck_time
+    match.reseat()
+    match.step(stand(match))
+    assert (match.events["stuck"] == 1).all()
+    middle = np.array([1, 1, 1, 1, 0, 0])
+    if name == MIDDLE:  # 1.2 m is within half a spot's distance of the middle, but not so far out as y
+        assert rules.drop_x > 2.0 * 1.2
+    np.testing.assert_allclose(match.balls["x"], np.sign(x) * rules.drop_x * middle)
+    np.testing.assert_allclose(match.balls["y"], np.sign(y) * rules.drop_y * middle)
+    assert not speed(match.balls).any()
+
+
+@pytest.mark.parametrize("placement", ["instant", "drive"])
+@pytest.mark.parametrize("name", LEAGUES)
+@pytest.mark.parametrize("size", [1, 3, 5, MAX_TEAM])
+def test_at_a_dropped_ball_the_robots_are_pulled_apart_and_away_from_it(name, size, placement):
+    match = Match(name, home=size, away=size, matches=6, seed=size, placement=placement)
+    rules = match.league.rules
+    set_phase(match, Phase.PLAY)
+    scatter(match, np.random.default_rng(size), 0.98)
+    match.balls["x"], match.balls["y"] = match.robots["x"][:, 0], match.robots["y"][:, 0]
+    match.robots["vx"], match.robots["vy"], match.robots["omega"] = 0.05, -0.03, 0.2
+    match.matches["still_x"], match.matches["still_y"] = match.balls["x"], match.balls["y"]
+    match.matches["still_clock"] = rules.stuck_time
+    match.reseat()
+    match.step(stand(match))
+    assert (match.events["stuck"] == 1).all() and (match.matches["placing"] == 0).all()
+    far = distance(match.robots, match.balls["x"][:, None], match.balls["y"][:, None])
+    assert (far >= rules.separation).all()
+    assert not speed(match.robots).any() and not match.robots["omega"].any()
+    found = deepest_overlaps(match)
+    assert found["robot robot"] < 0.001 and found["robot wall"] < 0.001
+
+
+@each_league
+def test_robots_far_from_a_dropped_ball_stay_where_they_are(name):
+    match = stage(name)
+    put(match, 0, -1.0, -0.6, 0.4)
+    put_ball(match, 1.2, 0.9 * match.league.pitch.width / 2)
+    match.matches["still_clock"] = match.league.rules.stuck_time
+    match.reseat()
+    match.step(stand(match))
+    assert match.events["stuck"][0] == 1
+    assert match.robots[["x", "y", "heading"]][0, 0].tolist() == (-1.0, -0.6, 0.4)
+
+
+def test_anybody_may_play_a_dropped_ball_at_once():
+    match = stage(LEGGED)
+    set_phase(match, Phase.DROP_BALL)
+    match.matches["restart_x"], match.matches["restart_y"] = 0.0, 0.0
+    put_ball(match, 0.0, 0.0, 0.5, 0.0)
+    match.reseat()
+    for _ in range(4):
+        match.step(stand(match))
+    assert match.matches["phase"][0] == Phase.PLAY

@@ -1,0 +1,107 @@
+"""Leagues: presets as published, frozen, and every number checked with a message that names it."""
+
+from dataclasses import FrozenInstanceError, fields, is_dataclass, replace
+from math import inf, nan
+from typing import Any
+
+import pytest
+
+from soccer_env.leagues import LEAGUES, find_league, legged_2001, middle_size_2006
+from soccer_env.leagues.constants import CONSTANTS
+
+PARTS = ("pitch", "ball", "body", "drive", "kicker", "head", "rules", "slots", "substeps")
+
+
+def numbers() -> list[tuple[str, str, str]]:
+    """Return every number of every part of both leagues, as (league, part, field)."""
+    found = []
+    for name in ("legged-2001", "middle-size-2006"):
+        for part in PARTS:
+            record = getattr(LEAGUES[name], part)
+            for field in fields(record):
+                value = getattr(record, field.name)
+                if isinstance(value, (int, float)) and not isinstance(value, bool):
+                    found.append((name, part, field.name))
+    return found
+
+
+@pytest.mark.parametrize(("league", "part", "field"), numbers())
+@pytest.mark.parametrize("bad", [nan, inf, -inf])
+def test_no_number_may_be_infinite_or_nan(league: str, part: str, field: str, bad: float) -> None:
+    record = getattr(LEAGUES[league], part)
+    with pytest.raises(ValueError, match=field):
+        replace(record, **{field: bad})
+
+
+@pytest.mark.parametrize(
+    ("part", "changes", "message"),
+    [
+        ("pitch", {"length": 0.0}, r"Pitch\.length must be positive, got 0"),
+        ("pitch", {"goal_width": 9.0}, r"Pitch\.goal_width must be less than the width 2\.0, got 9"),
+        ("ball", {"mass": -0.1}, r"BallModel\.mass must be positive"),
+        ("ball", {"elasticity": 1.5}, r"BallModel\.elasticity must be between 0 and 1"),
+        ("body", {"disc_radius": 0.1}, "either a disc_radius above zero or corners"),
+        ("body", {"mass": 0.0}, r"Body\.mass must be positive"),
+        ("drive", {"kind": "hover"}, r"Drive\.kind must be one of gait, omnidirectional, differential"),
+        ("drive", {"delay": 0.3}, r"Drive\.delay must be 0 to 0\.2 s, got 0\.3"),
+        ("drive", {"slip": -0.1}, r"Drive\.slip must be not negative"),
+        ("kicker", {"slowest": 3.0}, r"Kicker\.slowest must be at most fastest"),
+        ("rules", {"half_minutes": 0.0}, r"Rules\.half_minutes must be positive"),
+        ("slots", {"teammates": -1}, r"Slots\.teammates must be 0 to 11, got -1"),
+        ("slots", {"teammates": 0, "opponents": 0}, "Slots must hold at least one"),
+        ("substeps", {"least": 20}, r"Substeps\.least must be at most 12, got 20"),
+        ("substeps", {"iterations": 0}, r"Substeps\.iterations must be positive"),
+    ],
+)
+def test_a_number_out_of_range_is_named(part: str, changes: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        replace(getattr(legged_2001.LEAGUE, part), **changes)
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"control_rate": 0}, "control_rate must be 1 to 1000"),
+        ({"team_size": 12}, "team_size must be 1 to 11"),
+        ({"control_rate": 200}, r"Drive\.delay spans 20 control steps"),
+        ({"evaluation_placement": "walk"}, "evaluation_placement must be one of"),
+    ],
+)
+def test_a_league_checks_what_belongs_together(changes: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        replace(legged_2001.LEAGUE, **changes)
+
+
+@pytest.mark.parametrize("name", LEAGUES)
+def test_leagues_are_frozen_and_become_constants(name: str) -> None:
+    league = LEAGUES[name]
+    with pytest.raises(FrozenInstanceError):
+        league.control_rate = 5  # type: ignore[misc]
+    assert all(is_dataclass(getattr(league, part)) for part in PARTS)
+    record = league.constants()
+    assert record.dtype is CONSTANTS and record.shape == (1,)
+    assert record["pitch_length"][0] == league.pitch.length and record["dt"][0] == 1 / league.control_rate
+    assert record["delay_steps"][0] == {16: 2, 50: 5}[league.control_rate]
+
+
+def test_each_league_draws_its_pitch() -> None:
+    for module in (legged_2001, middle_size_2006):
+        assert module.__doc__ is not None and "---+" in module.__doc__
+
+
+def test_each_number_of_a_preset_has_its_source_beside_it() -> None:
+    """A number without unit and source, or the word assumed, is a guess that nobody can find."""
+    from pathlib import Path
+
+    for module in (legged_2001, middle_size_2006):
+        lines = Path(module.__file__ or "").read_text(encoding="utf-8").splitlines()
+        for line in lines:
+            code, _, comment = line.partition("#")
+            value = code.strip().rstrip(",").partition("=")[2]
+            if code.startswith("    ") and value and value.replace(".", "").replace("-", "").isdigit():
+                assert comment or float(value) in (0.0, 1.0), f"{module.__name__}: {line.strip()}"
+
+
+def test_an_unknown_league_names_those_that_exist() -> None:
+    with pytest.raises(ValueError, match="unknown league 'cricket'; known: legged-2001, middle-size-2006"):
+        find_league("cricket")
