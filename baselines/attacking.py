@@ -13,9 +13,7 @@ from soccer_env.geometry import clip, length, wrap
 @compiled
 def attack(command, sight, memory, k, play):
     """Bring the ball to the goal, with the first skill of the ladder that applies."""
-    ux, uy, room = choose_shot(sight, k)
-    if room < play.room or 0.5 * k.pitch_length - sight.ball_x > play.shot_range:
-        ux, uy = choose_way(sight, k, play)
+    ux, uy = choose_aim(sight, k, play)
     ux, uy = turned(ux, uy, memory.aim_error)
     if memory.wriggle > 0.0:
         wriggle(command, sight, memory, k, play)
@@ -25,6 +23,16 @@ def attack(command, sight, memory, k, play):
         approach(command, sight, memory, k, play, ux, uy)
     if wants_to_shoot(sight, memory, k, play):
         command.kick = 1.0
+
+
+@compiled
+def choose_aim(sight, k, play):
+    """Return the unit vector along which to play the ball: at the goal if a shot is open, else round the opponents."""
+    if 0.5 * k.pitch_length - sight.ball_x < play.shot_range:
+        ux, uy, room = choose_shot(sight, k)
+        if room > play.room:
+            return ux, uy
+    return choose_way(sight, k, play)
 
 
 @compiled
@@ -44,6 +52,7 @@ def turn_to_goal(command, sight, k, play, ux, uy):
     error = wrap(atan2(uy, ux) - sight.heading)
     command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
     command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
+    command.left = clip(error, -1.0, 1.0) * play.strafe * sight.pace
 
 
 @compiled

@@ -22,7 +22,7 @@ from soccer_env.baselines.goalkeeping import keep_goal
 from soccer_env.baselines.sight import SIGHT, look, side_of
 from soccer_env.baselines.skills import go, stand
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length
+from soccer_env.geometry import clip, length, wrap
 from soccer_env.random_numbers import normal, uniform
 from soccer_env.teams import CompiledTeam
 from soccer_env.types import Phase, RobotStream
@@ -67,16 +67,14 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "turn_share": (0.8, 0.7, 0.5),  # [1] of the top turn rate with the ball
     "carry_share": (1.0, 0.15, 0.2),  # [1] of the top speed while turning with the ball
     "push_share": (1.0, 1.0, 0.9),  # [1] of the top speed while pushing it straight
+    "strafe": (0.0, 0.0, 0.0),
     "aligned": (0.15, 0.3, 0.2),  # [rad] straight
     "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front
     "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
     "room": (0.03, 0.02, 0.02),  # [rad] beside a shot
     "shot_range": (1.3, 5.0, 5.0),  # [m] of a shot at the goal
     "way_on": (0.7, 1.0, 1.0),  # [m] that a way for the ball is looked at
-    "turn_cost": (0.02, 0.02, 0.02),
-    "fan_cost": (0.1, 0.1, 0.1),
-    "out_cost": (0.5, 0.5, 0.5),
-    "wing_cost": (0.2, 0.05, 0.05),
+    "wing_cost": (0.2, 0.05, 0.05),  # [rad] room that a way may lose for ending in the middle, not at a touchline
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out
     "wriggle_time": (1.5, 0.6, 0.8),  # [s]
     "patience": (3.0, 1.2, 1.5),  # [s]
@@ -93,11 +91,13 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "shot_speed": (0.15, 0.5, 0.5),  # [m/s] a ball this fast towards the goal is a shot
     "dive": (0.0, 0.0, 0.0),  # [m/s] at which a shot is met
     "clear_cosine": (0.5, 0.5, 0.5),  # cosine of the angle to straight away from the goal for a clearing kick
+    "slowest": (0.7, 0.8, 0.8),  # [1] pace at strength 0
+    "laziest": (0.5, 0.1, 0.1),  # [s] between decisions at strength 0
+    "crookedest": (0.3, 0.1, 0.1),  # [rad] deviation of the aim at strength 0
+    "softest": (0.7, 0.7, 0.7),  # [1] strength of a kick at strength 0
 }
-SLOWEST = 0.45  # [1] pace at strength 0, assumed
-LAZY = 0.6  # [s] between decisions at strength 0, assumed
-CROOKED = 0.5  # [rad] deviation of the aim at strength 0, assumed
-SOFTEST = 0.5  # [1] strength of a kick at strength 0, assumed
+LOST = 2.0  # [s] unseen for longer the ball has to be searched for, assumed
+SEARCH = 0.5  # [1] of the top turn rate while searching, assumed
 MARGIN = 0.05  # [m] beyond the rules' distance at the opponents' restart, assumed
 SETTINGS = np.dtype([("strength", "f8"), *((name, "f8") for name in NUMBERS)])
 
@@ -131,31 +131,32 @@ def act(belief, tracks, memory, noise, command, k, play, sight):
         command.kick = memory.kick
         return
     weakness = 1.0 - play.strength
-    memory.wait = weakness * LAZY
-    memory.aim_error = weakness * CROOKED * normal(noise, TEAM)
+    memory.wait = weakness * play.laziest
+    memory.aim_error = weakness * play.crookedest * normal(noise, TEAM)
     sight.elapsed = max(k.dt, memory.wait)
-    sight.pace = 1.0 - weakness * (1.0 - SLOWEST)
+    sight.pace = 1.0 - weakness * (1.0 - play.slowest)
     look(sight, belief, tracks, k)
-    decide(belief.situation, command, sight, memory, noise, k, play)
-    command.kick *= 1.0 - weakness * (1.0 - SOFTEST)
+    decide(belief, command, sight, memory, noise, k, play)
+    command.kick *= 1.0 - weakness * (1.0 - play.softest)
     memory.forward, memory.left, memory.turn = command.forward, command.left, command.turn
     memory.kick = command.kick
 
 
 @compiled
-def decide(situation, command, sight, memory, noise, k, play):
+def decide(belief, command, sight, memory, noise, k, play):
     """Play the role that the player has now."""
-    if situation.keeper == 1:
+    situation = belief.situation
+    if belief.ball.age > LOST:
+        command.turn = SEARCH * side_of(sight.bearing) * sight.pace
+    elif situation.keeper == 1:
         keep_goal(command, sight, memory, k, play)
-        return
-    choose_rank(sight, memory, play)
-    watch_ball(sight, memory, noise, k, play)
-    if situation.phase != PLAY and situation.ours < 0.0:
-        wait_for_them(situation, command, sight, memory, k, play)
-    elif memory.rank == 0:
-        attack(command, sight, memory, k, play)
     else:
-        support(command, sight, memory, k, play)
+        choose_rank(sight, memory, play)
+        watch_ball(sight, memory, noise, k, play)
+        if memory.rank > 0 or (situation.phase != PLAY and situation.ours < 0.0):
+            support(command, sight, memory, k, play, free_ring(situation, k))
+        else:
+            attack(command, sight, memory, k, play)
 
 
 @compiled
@@ -193,37 +194,34 @@ def watch_ball(sight, memory, noise, k, play):
     if memory.stuck > memory.patience:
         memory.stuck, memory.patience = 0.0, play.patience * (0.7 + 0.6 * uniform(noise, TEAM))
         memory.wriggle = play.wriggle_time
-        goal = atan2(-sight.ball_y, 0.5 * k.pitch_length - sight.ball_x) - sight.heading
-        memory.wriggle_side = side_of(goal)
+        goal = atan2(-sight.ball_y, 0.5 * k.pitch_length - sight.ball_x)
+        memory.wriggle_side = side_of(wrap(goal - sight.heading))
 
 
 @compiled
-def wait_for_them(situation, command, sight, memory, k, play):
-    """Stand between the ball and the own goal, as far from the ball as the rules ask at the opponents' restart."""
-    if memory.rank > 0:
-        support(command, sight, memory, k, play)
-        return
+def free_ring(situation, k):
+    """Return how far from the ball the rules ask a player to stay now [m]; 0 in play and at the own restart."""
+    if situation.phase == PLAY or situation.ours >= 0.0:
+        return 0.0
     far = k.rules_kick_off_distance if situation.phase == KICK_OFF else k.rules_restart_distance
-    far += k.body_reach + MARGIN
-    x, y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
-    away = max(length(x, y), 1e-6)
-    go(command, sight, k, play, sight.ball_x + far * x / away, sight.ball_y + far * y / away, facing_ball(sight), 0.0)
+    return far + k.body_reach + MARGIN
 
 
 @compiled
-def facing_ball(sight):
-    """Return the direction from the player to the ball [rad], team frame."""
-    return atan2(sight.ball_y - sight.y, sight.ball_x - sight.x)
+def support(command, sight, memory, k, play, ring):
+    """Stand behind the ball and beside it, outside the ring; players of a higher rank stand farther back, in pairs.
 
-
-@compiled
-def support(command, sight, memory, k, play):
-    """Stand behind the ball and beside it; supporters of a higher rank stand farther back, in pairs."""
+    The nearest player stands right behind the ball: it supports only while the opponents take a restart.
+    """
     if memory.side == 0.0 or abs(sight.ball_y) > play.change_side:
         memory.side = -side_of(sight.ball_y)
-    row, second = (memory.rank + 1) // 2, memory.rank % 2 == 0
-    side = -memory.side if second else memory.side
+    row = (memory.rank + 1) // 2
+    side = 0.0 if row == 0 else (memory.side if memory.rank % 2 == 1 else -memory.side)
+    back_x, back_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
+    away = max(length(back_x, back_y), 1e-6)
+    off_x, off_y = play.back * (back_x / away if row == 0 else -row), play.back * back_y / away if row == 0 else side * play.aside
+    stretch = max(ring / max(length(off_x, off_y), 1e-6), 1.0)
     edge_x, edge_y = 0.5 * k.pitch_length - k.body_reach, 0.5 * k.pitch_width - k.body_reach
-    x = clip(sight.ball_x - play.back * row, -edge_x + 2.0 * k.body_reach, edge_x)
-    y = clip(sight.ball_y + side * play.aside, -edge_y, edge_y)
-    go(command, sight, k, play, x, y, facing_ball(sight), 0.0)
+    x = clip(sight.ball_x + stretch * off_x, -edge_x + 2.0 * k.body_reach, edge_x)
+    y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
+    go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)

@@ -22,10 +22,11 @@ AVOID_WEIGHT = 1.2  # [1] how far the way turns aside at most, assumed
 GOAL_SPOTS = 4  # pairs of spots between the posts that a shot can be aimed at, beside the middle
 FAN = 5  # directions to either side of the goal's that are looked at when no shot is open
 FAN_STEP = 0.35  # [rad] between them, assumed
+FAN_COSINE, FAN_SINE = cos(FAN_STEP), sin(FAN_STEP)
 FAN_COST = 0.1  # [1] room that a way may lose for each radian nearer to the goal, assumed
 OUT_COST = 0.5  # [1] the same for the share of a way that lies out of the pitch, assumed
 WIDE_ENOUGH = 0.12  # [rad] more room than this beside a shot is worth nothing, assumed
-TURN_COST = 0.02  # [1] room that a shot may lose for each radian less to turn, assumed
+TURN_COST = 0.03  # [rad] room that a shot or way may lose for a quarter turn less, assumed
 
 
 @compiled
@@ -138,26 +139,26 @@ def lane_room(sight, k, ux, uy, far):
 
 
 @compiled
-def turn_to(sight, ux, uy):
-    """Return the angle [rad] that the player would have to turn to face along (ux, uy), without its sign."""
-    return abs(atan2(sight.cosine * uy - sight.sine * ux, sight.cosine * ux + sight.sine * uy))
+def turned_away(sight, ux, uy):
+    """Return how far the player is turned away from (ux, uy): 0 faces along it, 1 square to it, 2 against it."""
+    return 1.0 - sight.cosine * ux - sight.sine * uy
 
 
 @compiled
 def choose_shot(sight, k):
     """Return the unit vector from the ball to the best spot between the opponents' posts, and the room there [rad]."""
-    goal = 0.5 * k.pitch_length
+    goal = 0.5 * k.pitch_length + k.ball_radius - sight.ball_x
     widest = 0.5 * k.pitch_goal_width - k.ball_radius
     side = side_of(sight.ball_y)
     best, best_x, best_y, best_room = -1e9, 1.0, 0.0, -1.0
     for i in range(-GOAL_SPOTS, GOAL_SPOTS + 1):
-        x, y = goal + k.ball_radius - sight.ball_x, side * widest * i / (GOAL_SPOTS + 1.0) - sight.ball_y
-        away = max(length(x, y), 1e-6)
-        x, y = x / away, y / away
-        room = shot_room(sight, k, x, y)
-        worth = room - TURN_COST * turn_to(sight, x, y)
+        y = side * widest * i / (GOAL_SPOTS + 1.0) - sight.ball_y
+        away = max(length(goal, y), 1e-6)
+        ux, uy = goal / away, y / away
+        room = shot_room(sight, k, ux, uy)
+        worth = room - TURN_COST * turned_away(sight, ux, uy)
         if worth > best:
-            best, best_x, best_y, best_room = worth, x, y, room
+            best, best_x, best_y, best_room = worth, ux, uy, room
     return best_x, best_y, best_room
 
 
@@ -167,14 +168,16 @@ def choose_way(sight, k, play):
     x, y = 0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
     away = max(length(x, y), 1e-6)
     side = side_of(sight.ball_y)
-    best, best_x, best_y = -1e9, 1.0, 0.0
+    far = min(play.way_on, away)
+    ux, uy = turned(x / away, y / away, -side * FAN * FAN_STEP)
+    best, best_x, best_y = -1e9, ux, uy
     for i in range(-FAN, FAN + 1):
-        ux, uy = turned(x / away, y / away, side * i * FAN_STEP)
-        room = lane_room(sight, k, ux, uy, min(play.way_on, away)) - play.fan_cost * abs(i) * FAN_STEP
-        worth = room - play.turn_cost * turn_to(sight, ux, uy) - play.out_cost * max(1.0 - free_way(sight, k, ux, uy) / play.way_on, 0.0)
+        worth = lane_room(sight, k, ux, uy, far) - FAN_COST * abs(i) * FAN_STEP - TURN_COST * turned_away(sight, ux, uy)
+        worth -= OUT_COST * max(1.0 - free_way(sight, k, ux, uy) / play.way_on, 0.0)
         worth -= play.wing_cost * abs(sight.ball_y + play.way_on * uy) / (0.5 * k.pitch_width)
         if worth > best:
             best, best_x, best_y = worth, ux, uy
+        ux, uy = FAN_COSINE * ux - side * FAN_SINE * uy, side * FAN_SINE * ux + FAN_COSINE * uy
     return best_x, best_y
 
 

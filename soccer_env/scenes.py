@@ -99,14 +99,15 @@ def place_shot(league: League, ball: Any, robots: Any, draw: Draw) -> None:
 
 
 def send_away(league: League, robots: Any, but: int) -> None:
-    """Put every active robot but one at home's end of the pitch, in two columns, out of play."""
-    step = 2.5 * league.body.reach
+    """Put every active robot but one at home's end of the pitch, in two columns or three, out of play."""
+    columns = 2 if len(robots) <= 2 * league.team_size else 3
+    rows = -(-len(robots) // columns)
+    edge, step = league.pitch.width / 2 - league.body.reach, 2.5 * league.body.reach
     for r in range(len(robots)):
         if r != but and robots[r]["active"]:
-            column, row = r % 2, r // 2
-            edge = league.pitch.width / 2 - league.body.reach
+            column, row = r % columns, r // columns
             x = -league.pitch.length / 2 + (column + 0.6) * step
-            put(robots[r], x, max(edge - row * min(step, 2 * edge / max(len(robots) // 2, 1)), -edge), 0.0)
+            put(robots[r], x, edge - row * min(step, 2 * edge / max(rows - 1, 1)), 0.0)
 
 
 SCENES = {

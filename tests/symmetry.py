@@ -1,76 +1,194 @@
-"""Mirror a match left-right, or turn it half round with the teams swapped, and compare two matches."""
+"""The two symmetries of the game: a left-right mirror, and a half-turn with the teams swapped.
+
+    records = Records.of(match)
+    mirrored(records)   y -> -y: what was left is right; each lateral noise draw is mirrored too (handedness)
+    turned(records)     the field turned by 180 degrees, home and away swapped with their noise (equal team sizes)
+
+Both return copies. `assert_same` compares records field by field, angles as angles. For the other arrays:
+`mirrored_beliefs`, `mirrored_tracks`, `mirrored_commands`, `mirrored_actions`, `mirrored_observations`; a half-turn
+leaves all of them as they are but for the order of the rows, `swapped_rows`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from soccer_env import Match
+from soccer_env.types import NO_TEAM
 
-SWAPPED_TEAMS = ("restart_team", "kick_off_team", "last_touch_team")  # fields that hold HOME, AWAY or NO_TEAM
-LATERAL = ("y", "vy", "heading", "omega", "place_y", "place_heading", "pan")  # of a robot, odd under the mirror
-WALKS = ("target", "walk")
+MIRROR, HALF_TURN = 1e-12, 1e-9  # what TRUST.md 4 promises
 
-
-def mirror(match: Match) -> None:
-    """Mirror everything in a match left-right; noise draws are mirrored from then on."""
-    for field in ("y", "vy", "roll_y", "angle", "spin"):
-        match.balls[field] *= -1.0
-    for field in LATERAL:
-        match.robots[field] *= -1.0
-    for field in (*WALKS, "delayed", "command"):
-        for part in ("left", "turn", *(("pan",) if field == "command" else ())):
-            match.robots[field][part] *= -1.0
-    for field in ("restart_y", "still_y"):
-        match.matches[field] *= -1.0
-    match.matches["handedness"] *= -1.0
-    match.reseat()
+ANGLES = {"heading", "place_heading", "bearing", "filtered_bearing", "angle"}  # [rad], equal modulo a whole turn
+WALK_LATERAL = ("left", "turn")  # what a mirror turns round in a walk or command
+TEAM_CODES = ("restart_team", "kick_off_team", "last_touch_team")
+EVENT_TEAM_CODES = ("goal", "restart_team", "touch_team")
 
 
-def turn(match: Match) -> None:
-    """Turn a match of equal teams half round and swap the names of the teams; home still attacks the same way."""
-    half = len(match.agents) // 2
-    order = np.r_[half : 2 * half, 0:half]
-    for field in ("x", "y", "vx", "vy", "roll_x", "roll_y"):
-        match.balls[field] *= -1.0
-    match.balls["angle"] = wrapped(match.balls["angle"] + np.pi)
-    match.robots[:] = match.robots[:, order]
-    match.robots["team"] = 1 - match.robots["team"]
-    for field in ("x", "y", "vx", "vy", "place_x", "place_y"):
-        match.robots[field] *= -1.0
-    for field in ("heading", "place_heading"):
-        match.robots[field] = wrapped(match.robots[field] + np.pi)
-    for field in ("restart_x", "restart_y", "still_x", "still_y"):
-        match.matches[field] *= -1.0
-    for field in SWAPPED_TEAMS:
-        match.matches[field] = np.where(match.matches[field] >= 0, 1 - match.matches[field], -1)
-    last = match.matches["last_touch_robot"]
-    match.matches["last_touch_robot"] = np.where(last >= 0, (last + half) % (2 * half), -1)
-    match.matches["score"] = match.matches["score"][:, ::-1]
-    match.reseat()
+@dataclass
+class Records:
+    """The records of M matches: matches (M,), balls (M,), robots (M, R)."""
+
+    matches: np.ndarray
+    balls: np.ndarray
+    robots: np.ndarray
+
+    @classmethod
+    def of(cls, match: Any) -> Records:
+        """Copy the records of a Match."""
+        return cls(match.matches.copy(), match.balls.copy(), match.robots.copy())
+
+    def put_into(self, match: Any) -> None:
+        """Make them the records of a Match, and rebuild its physics."""
+        match.matches[:], match.balls[:], match.robots[:] = self.matches, self.balls, self.robots
+        match.reseat()
 
 
-def wrapped(angle: np.ndarray) -> np.ndarray:
-    """Return angles in (-pi, pi]."""
-    return np.pi - (np.pi - angle) % (2.0 * np.pi)
+# Left-right mirror
 
 
-def differences(one: np.ndarray, two: np.ndarray, prefix: str = "") -> dict[str, float]:
-    """Return the largest difference of each number of two record arrays; angles are compared round the circle."""
-    found = {}
-    for name in one.dtype.names or ():
-        a, b = one[name], two[name]
-        if a.dtype.names:
-            found |= differences(a, b, f"{prefix}{name}.")
-        elif name not in ("noise", "handedness", "seed", "ball_x", "ball_y"):
-            with np.errstate(invalid="ignore"):
-                gap = np.abs(np.nan_to_num(a - b, posinf=0.0, neginf=0.0))
-            if name in ("heading", "angle", "place_heading"):
-                gap = np.abs(wrapped(gap))
-            found[prefix + name] = float(gap.max()) if gap.size else 0.0
-    return found
+def mirrored(records: Records) -> Records:
+    """Return the records as a mirror along the x axis shows them."""
+    matches, balls, robots = records.matches.copy(), records.balls.copy(), records.robots.copy()
+    negate(matches, "restart_y", "still_y", "handedness")
+    negate(balls, "y", "vy", "roll_y", "angle", "spin")
+    negate(robots, "y", "heading", "vy", "omega", "pan", "place_y", "place_heading")
+    for name in ("command", "delayed", "target", "walk"):  # slips are factors and stay
+        negate(robots[name], *WALK_LATERAL)
+    negate(robots["command"], "pan")
+    return Records(matches, balls, robots)
 
 
-def assert_same(one: Match, two: Match, tolerance: float) -> None:
-    """Compare all records of two matches."""
-    for name in ("matches", "balls", "robots", "events", "robot_events"):
-        gaps = differences(getattr(one, name), getattr(two, name))
-        worst = max(gaps, key=lambda field: gaps[field])
-        assert gaps[worst] <= tolerance, f"{name}: {worst} differs by {gaps[worst]}"
+def negate(records: np.ndarray, *names: str) -> None:
+    for name in names:
+        records[name] = -records[name]
+
+
+def mirrored_beliefs(beliefs: np.ndarray) -> np.ndarray:
+    """Return beliefs (M, R) as the mirrored robots hold them."""
+    beliefs = beliefs.copy()
+    negate(beliefs["own"], "y", "heading", "left", "turn")
+    negate(beliefs["ball"], "bearing", "filtered_bearing", "y", "vy", "angular")
+    return beliefs
+
+
+def mirrored_tracks(tracks: np.ndarray) -> np.ndarray:
+    """Return tracks (M, R, slots) as the mirrored robots hold them."""
+    tracks = tracks.copy()
+    negate(tracks, "bearing", "y", "vy", "heading")
+    return tracks
+
+
+def mirrored_commands(commands: np.ndarray) -> np.ndarray:
+    """Return commands as the mirrored robots give them."""
+    commands = commands.copy()
+    negate(commands, *WALK_LATERAL, "pan")
+    return commands
+
+
+def mirrored_actions(actions: np.ndarray) -> np.ndarray:
+    """Return actions (..., 4 or 7) as the mirrored robots give them: left, turn and pan change sign."""
+    signs = np.array([1.0, -1.0, -1.0, 1.0, 1.0, -1.0, 1.0])
+    return actions * signs[: actions.shape[-1]]
+
+
+def mirrored_observations(observations: np.ndarray, names: list[str]) -> np.ndarray:
+    """Return observations (..., n) of the truth as the mirrored robots make them."""
+    lateral, upright = ("_y", "_vy", "_sin", "_left", "_turn", "pan"), ("gait_sin", "time_left")
+    signs = [-1.0 if name.endswith(lateral) and name not in upright else 1.0 for name in names]
+    return observations * np.array(signs, observations.dtype)
+
+
+# Half-turn with the teams swapped
+
+
+def turned(records: Records) -> Records:
+    """Return the records turned by 180 degrees about the centre spot, home and away swapped; equal team sizes only."""
+    matches, balls, robots = records.matches.copy(), records.balls.copy(), swapped_rows(records.robots)
+    negate(matches, "restart_x", "restart_y", "still_x", "still_y")
+    negate(balls, "x", "y", "vx", "vy", "roll_x", "roll_y")
+    negate(robots, "x", "y", "vx", "vy", "place_x", "place_y")
+    robots["heading"], robots["place_heading"] = opposite(robots["heading"]), opposite(robots["place_heading"])
+    robots["team"] = 1 - robots["team"]
+    for name in TEAM_CODES:
+        matches[name] = other_team(matches[name])
+    matches["score"] = matches["score"][:, ::-1]
+    matches["last_touch_robot"] = other_row(matches["last_touch_robot"], robots.shape[1])
+    return Records(matches, balls, robots)  # home (that was away) attacks the way it did: home_direction stays
+
+
+def swapped_rows(array: np.ndarray) -> np.ndarray:
+    """Return an array (M, R, ...) with the rows of away before those of home."""
+    half = array.shape[1] // 2
+    return np.concatenate([array[:, half:], array[:, :half]], axis=1)
+
+
+def opposite(angle: np.ndarray) -> np.ndarray:
+    """Return the opposite direction, in (-pi, pi]."""
+    return np.where(angle > 0.0, angle - np.pi, angle + np.pi)
+
+
+def other_team(code: np.ndarray) -> np.ndarray:
+    """Return the code of the other team; none stays none."""
+    return np.where(code == NO_TEAM, NO_TEAM, 1 - code)
+
+
+def other_row(row: np.ndarray, robots: int) -> np.ndarray:
+    """Return the row that a robot has once the teams are swapped; none stays none."""
+    return np.where(row < 0, row, (row + robots // 2) % robots)
+
+
+def turned_events(events: np.ndarray, robots: int) -> np.ndarray:
+    """Return events (M,) with the teams swapped and the ball turned."""
+    events = events.copy()
+    for name in EVENT_TEAM_CODES:
+        events[name] = other_team(events[name])
+    events["scorer"] = other_row(events["scorer"], robots)
+    negate(events, "ball_x", "ball_y")
+    return events
+
+
+def mirrored_events(events: np.ndarray) -> np.ndarray:
+    """Return events (M,) with the ball mirrored."""
+    events = events.copy()
+    negate(events, "ball_y")
+    return events
+
+
+# In place
+
+
+def mirror(match: Any) -> None:
+    """Mirror a Match left-right."""
+    mirrored(Records.of(match)).put_into(match)
+
+
+def turn(match: Any) -> None:
+    """Turn a Match of equal teams by 180 degrees and swap the teams."""
+    turned(Records.of(match)).put_into(match)
+
+
+# Comparing
+
+
+def assert_same(one: np.ndarray, other: np.ndarray, tolerance: float, where: str = "") -> None:
+    """Raise AssertionError that names the first field in which two arrays differ by more than a tolerance."""
+    assert one.dtype == other.dtype and one.shape == other.shape
+    if one.dtype.names is None:
+        assert_close(one, other, tolerance, where)
+        return
+    for name in one.dtype.names:
+        assert_same(one[name], other[name], tolerance, f"{where}.{name}" if where else name)
+
+
+def assert_close(one: np.ndarray, other: np.ndarray, tolerance: float, where: str) -> None:
+    if one.dtype.kind != "f":
+        assert (one == other).all(), f"{where} differs"
+        return
+    with np.errstate(invalid="ignore"):  # inf - inf
+        difference = np.where(one == other, 0.0, one - other)
+    if where.rpartition(".")[2] in ANGLES:
+        difference = (difference + np.pi) % (2.0 * np.pi) - np.pi
+    worst = abs(difference).max(initial=0.0)
+    assert worst <= tolerance, f"{where} differs by {worst}"

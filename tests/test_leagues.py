@@ -4,6 +4,7 @@ from dataclasses import FrozenInstanceError, fields, is_dataclass, replace
 from math import inf, nan
 from typing import Any
 
+import numpy as np
 import pytest
 
 from soccer_env.leagues import LEAGUES, find_league, legged_2001, middle_size_2006
@@ -31,6 +32,56 @@ def test_no_number_may_be_infinite_or_nan(league: str, part: str, field: str, ba
     record = getattr(LEAGUES[league], part)
     with pytest.raises(ValueError, match=field):
         replace(record, **{field: bad})
+
+
+SIGNED = {"tip_x", "disc_x", "tilt_low"}  # may be negative
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_no_other_number_may_be_negative(part: str) -> None:
+    for league, where, field in numbers():
+        if where == part and field not in SIGNED:
+            record = getattr(LEAGUES[league], part)
+            with pytest.raises(ValueError, match=field):
+                replace(record, **{field: type(getattr(record, field))(-1)})
+
+
+@pytest.mark.parametrize("part", PARTS)
+@pytest.mark.parametrize("bad", ["1", None, True, np.float32("nan"), 1j])
+def test_a_number_must_be_one(part: str, bad: object) -> None:
+    """A NaN of numpy's, or a word, used to reach the physics and end the process."""
+    for league, where, field in numbers():
+        if where == part:
+            with pytest.raises(ValueError, match=field):
+                replace(getattr(LEAGUES[league], part), **{field: bad})
+
+
+@pytest.mark.parametrize(
+    ("part", "field"), [("drive", "gait_steps"), ("substeps", "iterations"), ("substeps", "least")]
+)
+def test_what_is_counted_must_be_whole(part: str, field: str) -> None:
+    with pytest.raises(ValueError, match=f"{field} must be a whole number, got 2.5"):
+        replace(getattr(legged_2001.LEAGUE, part), **{field: 2.5})
+
+
+def test_numbers_of_numpy_become_python_numbers() -> None:
+    ball = replace(legged_2001.BALL, mass=np.float32(0.5), radius=np.float64(0.04))
+    assert type(ball.mass) is float and type(ball.radius) is float and ball.mass == 0.5
+
+
+@pytest.mark.parametrize(
+    ("corners", "message"),
+    [
+        (((nan, 0.0), (0.1, -0.05), (0.1, 0.05)), "counter-clockwise"),
+        (tuple(reversed(legged_2001.BODY.corners)), "counter-clockwise"),
+        (((0.0, 0.0), (0.1, 0.0)), "counter-clockwise"),
+        (((-0.1, -0.1), (0.1, -0.1), (0.0, 0.0), (0.1, 0.1), (-0.1, 0.1)), "counter-clockwise"),
+        (((-0.3, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.3, 0.1)), r"Body\.reach must be at least 0\.316"),
+    ],
+)
+def test_a_body_must_be_a_convex_hull_within_its_reach(corners: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        replace(legged_2001.BODY, corners=corners)
 
 
 @pytest.mark.parametrize(

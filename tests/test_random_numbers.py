@@ -19,7 +19,9 @@ def reference(state: int) -> int:
 
 
 def test_the_sequence_is_the_published_one() -> None:
-    published = [6457827717110365317, 3203168211198807973, 9817491932198370423, 4593380528125082431]
+    published = [
+        6457827717110365317, 3203168211198807973, 9817491932198370423, 4593380528125082431, 16408922859458223821,
+    ]  # fmt: skip
     state, found = 1234567, []
     for _ in published:
         found.append(int(mix(np.uint64((state + int(GOLDEN)) & MASK))))

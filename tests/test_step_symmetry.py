@@ -1,182 +1,362 @@
-"""Left and right, home and away: every stage treats them alike, to the last bits (TRUST 4)."""
+"""Left and right are equal, and so are home and away: each stage of a step, and whole steps until the first contact.
 
-from typing import Any
+Left-right to 1e-12 with noise draws mirrored too, under a half-turn with the teams swapped to 1e-9.
+"""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from staging import LEAGUES, scatter, set_phase
-from symmetry import assert_same, differences, mirror, turn
+from staging import LEGGED, MIDDLE, each_league, patient, put_ball, scatter, set_phase, speed, stand, steps_in
+from symmetry import (
+    HALF_TURN,
+    MIRROR,
+    Records,
+    assert_close,
+    assert_same,
+    mirrored,
+    mirrored_actions,
+    mirrored_beliefs,
+    mirrored_events,
+    mirrored_observations,
+    mirrored_tracks,
+    swapped_rows,
+    turned,
+    turned_events,
+)
 
 from soccer_env import Match
-from soccer_env.types import Phase
+from soccer_env.compiled import compiled
+from soccer_env.leagues import find_league
+from soccer_env.observations import observe_slice
+from soccer_env.physics.drive import drive, move_head
+from soccer_env.physics.kicker import work_kicker
+from soccer_env.players import believe_slice, empty_beliefs
+from soccer_env.referee.calls import judge
+from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
+from soccer_env.rewards import measure_potentials
+from soccer_env.step import clear_events
+from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
-EXACT, NEARLY = 1e-12, 1e-9
-FLIPPED = ("_y", "_vy", "_left", "_turn", "_sin", "pan")  # endings of observations that are odd under the mirror
-
-
-def pair(league: str, size: int, matches: int = 40, **settings: Any) -> tuple[Match, Match]:
-    """Return twice the same matches in play, everybody scattered and walking, nobody near anybody."""
-    made = []
-    for _ in range(2):
-        match = Match(league, home=size, away=size, matches=matches, seed=5, **settings)
-        set_phase(match, Phase.PLAY)
-        rng = np.random.default_rng(2)
-        scatter(match, rng)
-        limits = match.league.drive
-        for field, top in (("vx", limits.forward), ("vy", limits.forward), ("omega", limits.turn)):
-            match.robots[field] = 0.5 * top * rng.uniform(-1.0, 1.0, match.robots.shape)
-        match.balls["vx"], match.balls["vy"] = rng.uniform(-1.0, 1.0, (2, matches))
-        match.reseat()
-        made.append(match)
-    return made[0], made[1]
+SIZE = 3  # robots a side
+DIFFERENTIAL = "middle-size-2006-differential"
 
 
-def odd(names: list[str]) -> np.ndarray:
-    """Return -1 for the observations that a mirror turns round, 1 for the others."""
-    return np.array([-1.0 if name.endswith(FLIPPED) and name not in ("gait_sin", "time_left") else 1.0 for name in names])
-
-
-@pytest.mark.parametrize("league", LEAGUES)
-@pytest.mark.parametrize("size", [1, 3])
-def test_a_mirrored_match_is_the_mirror_of_the_match_until_bodies_touch(league: str, size: int) -> None:
-    match, image = pair(league, size)
-    mirror(image)
-    rng = np.random.default_rng(0)
-    signs = odd(match.observation_names)
-    free = np.ones(match.count, bool)
-    for _ in range(12):
-        actions = rng.uniform(-1.0, 1.0, (match.count, 2 * size, 4))
+def mid_game(name, matches=60, seed=1, **settings) -> Match:
+    """Return matches with records as they are in mid-game: random play, both halves, ball anywhere and moving."""
+    match = Match(name, home=SIZE, away=SIZE, matches=matches, seed=seed, actions="full", **settings)
+    rng = np.random.default_rng(seed)
+    for step in range(40):
+        if step % 8 == 0:
+            actions = rng.uniform(-1.0, 1.0, (matches, 2 * SIZE, 7))
         match.step(actions)
-        image.step(actions * [1.0, -1.0, -1.0, 1.0])
-        free &= ~touched(match)
-        np.testing.assert_allclose(image.rewards[free], match.rewards[free], atol=EXACT)
-        np.testing.assert_allclose(image.observations[free], match.observations[free] * signs, atol=1e-6)
-    mirror(image)
-    assert free.sum() > match.count / 2
-    keep(match, free)
-    keep(image, free)
-    assert_same(match, image, EXACT)
+    scatter(match, rng, 0.95)
+    match.matches["half"] = rng.integers(0, 2, matches)
+    match.matches["home_direction"] = 1.0 - 2.0 * match.matches["half"]
+    match.matches["score"] = rng.integers(0, 4, (matches, 2))
+    touched = rng.integers(-1, 2 * SIZE, matches)
+    match.matches["last_touch_robot"] = touched
+    match.matches["last_touch_team"] = np.where(touched < 0, NO_TEAM, touched // SIZE)
+    angle, v = rng.uniform(-np.pi, np.pi, matches), rng.uniform(0.0, 0.5, matches) * match.league.ball.top_speed
+    put_ball(match, match.balls["x"], match.balls["y"], v * np.cos(angle), v * np.sin(angle))
+    match.robots["has_ball"] = rng.integers(0, 2, match.robots.shape)
+    match.robots["kick_clock"] = rng.choice([0.0, 0.0, match.league.dt / 2, -0.2], match.robots.shape)
+    match.robots["kick_strength"] = rng.uniform(0.3, 1.0, match.robots.shape)
+    match.robots["command"]["kick"] = rng.uniform(-1.0, 1.0, match.robots.shape)
+    match.reseat()
+    return match
 
 
-@pytest.mark.parametrize("league", LEAGUES)
-@pytest.mark.parametrize("size", [1, 3])
-def test_a_turned_match_with_swapped_teams_is_the_same_until_bodies_touch(league: str, size: int) -> None:
-    match, image = pair(league, size)
-    turn(image)
-    rng = np.random.default_rng(0)
-    order = np.r_[size : 2 * size, 0:size]
-    free = np.ones(match.count, bool)
-    for _ in range(12):
-        actions = rng.uniform(-1.0, 1.0, (match.count, 2 * size, 4))
-        match.step(actions)
-        image.step(actions[:, order])
-        free &= ~touched(match)
-        np.testing.assert_allclose(image.rewards[free][:, order], match.rewards[free], atol=NEARLY)
-        np.testing.assert_allclose(image.observations[free][:, order], match.observations[free], atol=1e-6)
-    turn(image)
-    assert free.sum() > match.count / 2
-    keep(match, free)
-    keep(image, free)
-    image.events["touch_team"] = match.events["touch_team"]
-    assert_same(match, image, NEARLY)
+def in_both_worlds(match, stage, events=False):
+    """Run a stage on the records, on their mirror image and on their half-turn, and compare what comes out."""
+    records, constants = Records.of(match), match.settings.constants()
+    happened = []
+    for image in (records, left_right := mirrored(records), half_turn := turned(records)):
+        happened.append((match.events.copy(), match.robot_events.copy()))
+        stage(image, *happened[-1], constants)
+    compare(left_right, mirrored(records), MIRROR)
+    compare(half_turn, turned(records), HALF_TURN)
+    if events:
+        (one, robots), (mirror, mirror_robots), (turn, turn_robots) = happened
+        assert_same(mirror, mirrored_events(one), MIRROR)
+        assert_same(turn, turned_events(one, 2 * SIZE), HALF_TURN)
+        assert_same(mirror_robots, robots, MIRROR)
+        assert_same(turn_robots, swapped_rows(robots), HALF_TURN)
+    return records
 
 
-def touched(match: Match) -> np.ndarray:
-    """Return the matches (M,) in which bodies touched, or in which anything was called."""
-    own = match.robot_events["touch"] | match.robot_events["collision"]
-    near_board = np.abs(match.balls["y"]) > match.league.pitch.width / 2 - 3 * match.league.ball.radius
-    far_x = np.abs(match.balls["x"]) > match.league.pitch.length / 2 - 3 * match.league.ball.radius
-    edge = np.abs(match.robots["y"]).max(axis=1) > match.league.pitch.width / 2 - 1.1 * match.league.body.reach
-    end = np.abs(match.robots["x"]).max(axis=1) > match.league.pitch.length / 2 - 1.1 * match.league.body.reach
-    found: np.ndarray = own.any(axis=1) | near_board | far_x | edge | end
-    return found
+def compare(one: Records, other: Records, tolerance: float) -> None:
+    for name in ("matches", "balls", "robots"):
+        assert_same(getattr(one, name), getattr(other, name), tolerance, name)
 
 
-def keep(match: Match, rows: np.ndarray) -> None:
-    """Copy a kept match over all others, so that only kept ones are compared."""
-    first = int(np.argmax(rows))
-    for name in ("matches", "balls", "robots", "events", "robot_events"):
-        records = getattr(match, name)
-        records[~rows] = records[first]
+# Stages
 
 
-@pytest.mark.parametrize("league", LEAGUES)
-@pytest.mark.parametrize("change", [mirror, turn])
-def test_beliefs_and_tracks_of_an_image_are_images(league: str, change: Any) -> None:
-    match, image = pair(league, 3)
-    change(image)
-    order = np.r_[3:6, 0:3] if change is turn else np.arange(6)
-    belief, seen = match.beliefs.copy(), image.beliefs[:, order].copy()
-    track, tracked = match.tracks.copy(), image.tracks[:, order].copy()
-    if change is mirror:
-        for part, names in (("own", ("y", "heading", "left", "turn")),
-                            ("ball", ("y", "vy", "bearing", "filtered_bearing", "angular"))):  # fmt: skip
-            for name in names:
-                seen[part][name] *= -1.0
-        for name in ("y", "vy", "bearing", "heading"):
-            tracked[name] *= -1.0
-    tolerance = EXACT if change is mirror else NEARLY
-    assert max(differences(belief, seen).values()) <= tolerance * 100  # bearings near a ball amplify the last bit
-    assert max(differences(track, tracked).values()) <= tolerance * 100
+@compiled
+def drive_all(matches, balls, robots, constants):
+    for m in range(len(matches)):
+        for r in range(robots.shape[1]):
+            drive(robots[m, r], constants[0], matches[m].step, matches[m].handedness)
+            move_head(robots[m, r], constants[0], balls[m])
+        matches[m].step += 1
 
 
-OUT = [
-    (1, 0.3, 1.02),
-    (1, -0.4, -1.02),
-    (1, 1.02, 0.7),
-    (0, 1.02, -0.7),
-    (0, -1.02, 0.6),
-    (1, -1.02, -0.9),
-    (0, 1.02, 0.05),
-]
+@compiled
+def steer_all(robots, constants):
+    for m in range(len(robots)):
+        for r in range(robots.shape[1]):
+            steer_to_place(robots[m, r], constants[0])
 
 
-@pytest.mark.parametrize("change", [mirror, turn])
-@pytest.mark.parametrize("league", LEAGUES)
-@pytest.mark.parametrize("half", [0, 1])
-def test_calls_and_restarts_of_an_image_are_images(league: str, change: Any, half: int) -> None:
-    match, image = pair(league, 3, matches=len(OUT))
-    pitch = match.league.pitch
-    for made in (match, image):
-        made.matches["half"], made.matches["home_direction"] = half, 1 - 2 * half
-        made.robots["vx"] = made.robots["vy"] = made.robots["omega"] = 0.0
-        last, x, y = np.transpose(OUT)
-        made.matches["last_touch_team"] = last
-        made.matches["last_touch_robot"] = 3 * last
-        made.balls["x"] = np.where(np.abs(x) > 1, np.sign(x) * (pitch.length / 2 + 1.2 * made.league.ball.radius), x)
-        made.balls["y"] = np.where(np.abs(y) > 1, np.sign(y) * (pitch.width / 2 + 1.2 * made.league.ball.radius), y)
-        made.balls["y"] = np.where(np.abs(x) > 1, y * pitch.goal_width, made.balls["y"])
-        made.balls["vx"] = made.balls["vy"] = 0.0
-        made.reseat()
-    change(image)
-    if pitch.walled:  # the ball can only be out in a goal there
-        for made in (match, image):
-            made.balls["y"][np.abs(made.balls["x"]) < pitch.length / 2] *= 0.5
-            made.balls["y"][np.abs(made.balls["x"]) > pitch.length / 2] *= 0.2
-            made.reseat()
-    match.step(np.zeros((match.count, 6, 4)))
-    image.step(np.zeros((match.count, 6, 4)))
-    assert match.events["restart"].any()
-    np.testing.assert_array_equal(match.events["restart"], image.events["restart"])
-    scorer = image.events["goal"]
-    if change is turn:
-        scorer = np.where(scorer >= 0, 1 - scorer, -1)
-    np.testing.assert_array_equal(match.events["goal"], scorer)
-    change(image)
-    for field in ("x", "y", "heading"):
-        gap = differences(match.robots[[field]], image.robots[[field]])[field]
-        assert gap <= NEARLY, field
-    for field in ("x", "y", "vx", "vy"):
-        np.testing.assert_allclose(image.balls[field], match.balls[field], atol=NEARLY)
+@compiled
+def kick_all(matches, balls, robots, robot_events, constants):
+    for m in range(len(matches)):
+        for r in range(robots.shape[1]):
+            work_kicker(robots[m, r], robot_events[m, r], constants[0], balls[m], matches[m].handedness)
 
 
-@pytest.mark.parametrize("league", LEAGUES)
-def test_a_team_against_itself_is_as_good_at_home_as_away(league: str) -> None:
-    matches, minutes = (400, 0.5) if league == "middle-size-2006" else (400, 2.0)
-    match = Match(league, home=2, away=2, matches=matches, threads=2, seed=3, minutes=minutes,
-                  controllers={"home": "chaser", "away": "chaser"})  # fmt: skip
+@compiled
+def judge_all(matches, balls, robots, events, robot_events, constants, placement):
+    for m in range(len(matches)):
+        clear_events(events[m], robot_events[m])
+        judge(matches[m], balls[m], robots[m], events[m], constants[0], matches[m].last_touch_robot)
+        if events[m].restart != 0 and matches[m].over == 0:
+            carry_out_restart(matches[m], balls[m], robots[m], constants[0], placement)
+
+
+@compiled
+def end_all(matches, balls, robots, constants):
+    for m in range(len(matches)):
+        end_placing(matches[m], balls[m], robots[m], constants[0])
+
+
+@compiled
+def measure_all(matches, balls, robots, constants, potentials):
+    for m in range(len(matches)):
+        measure_potentials(matches[m], balls[m], robots[m], constants[0], potentials[m])
+
+
+@pytest.mark.parametrize("name", [LEGGED, MIDDLE, DIFFERENTIAL])
+def test_driving_is_symmetric_over_many_gait_steps(name):
+    def stage(records, events, robot_events, constants):
+        for _ in range(40):
+            drive_all(records.matches, records.balls, records.robots, constants)
+
+    before = mid_game(name)
+    after = in_both_worlds(before, stage)
+    assert not np.array_equal(after.robots["slip"], before.robots["slip"])
+    assert speed(after.robots).max() > 0.3 * before.league.drive.forward
+
+
+@each_league
+def test_kicks_are_symmetric_and_stray_to_mirrored_sides(name):
+    match = mid_game(name, 200)
+    body, ball = match.league.body, match.league.ball
+    row, reach = np.arange(200) % (2 * SIZE), body.front + ball.radius + 0.004
+    robot = match.robots[np.arange(200), row]
+    put_ball(
+        match, robot["x"] + reach * np.cos(robot["heading"]), robot["y"] + reach * np.sin(robot["heading"]), 0.1, 0.2
+    )
+
+    def stage(records, events, robot_events, constants):
+        robot_events["kick"] = 0
+        kick_all(records.matches, records.balls, records.robots, robot_events, constants)
+
+    after = in_both_worlds(match, stage, events=False)
+    assert (speed(after.balls) > 0.5).mean() > 0.1
+
+
+@pytest.mark.parametrize("placement", [0, 1])
+@each_league
+def test_the_referee_and_restarts_are_symmetric(name, placement):
+    match = mid_game(name, 240, seed=2)
+    league, rng, count = match.league, np.random.default_rng(3), match.count
+    match.matches["phase"] = rng.choice([Phase.PLAY, Phase.KICK_OFF, Phase.THROW_IN], count)
+    match.matches["restart_team"] = rng.integers(0, 2, count)
+    outside = league.ball.radius + 0.01
+    end, side = rng.choice([-1.0, 1.0], (2, count))
+    x = end * (league.pitch.length / 2 + outside) * rng.choice([1.0, 0.3], count)
+    y = side * np.where(rng.random(count) < 0.4, 0.2, league.pitch.width / 2 + outside)
+    put_ball(match, np.where(np.arange(count) % 4 == 0, match.balls["x"], x), y)
+    stuck = np.arange(count) % 5 == 0
+    match.matches["still_clock"] = np.where(stuck, league.rules.stuck_time, 0.0)
+    match.balls["x"][stuck], match.balls["y"][stuck] = 0.4 * end[stuck], 0.3 * side[stuck]
+    match.matches["still_x"], match.matches["still_y"] = match.balls["x"], match.balls["y"]
+    match.matches["clock"][::7] = match.matches["half_length"][::7]
+
+    def stage(records, events, robot_events, constants):
+        judge_all(records.matches, records.balls, records.robots, events, robot_events, constants, placement)
+        kinds.update(events["restart"].tolist())
+
+    kinds: set[int] = set()
+    in_both_worlds(match, stage, events=True)
+    assert kinds >= {0, Phase.KICK_OFF, Phase.DROP_BALL}
+    assert name == LEGGED or kinds >= {Phase.THROW_IN, Phase.GOAL_KICK, Phase.CORNER_KICK}
+
+
+@pytest.mark.parametrize("name", [LEGGED, MIDDLE, DIFFERENTIAL])
+def test_driving_to_places_is_symmetric_and_so_is_its_end(name):
+    match = mid_game(name, 100, seed=4)
+    match.matches["phase"], match.matches["placing"] = Phase.KICK_OFF, 1
+    match.matches["restart_team"] = np.arange(100) % 2
+    match.matches["restart_x"], match.matches["restart_y"] = 0.3, -0.2
+    match.matches["phase_clock"] = match.league.rules.placing_time
+
+    def stage(records, events, robot_events, constants):
+        steer_all(records.robots, constants)
+        end_all(records.matches, records.balls, records.robots, constants)
+
+    after = in_both_worlds(match, stage)
+    assert (after.matches["placing"] == 0).all()
+
+
+@each_league
+def test_potentials_are_symmetric(name):
+    match = mid_game(name, 200, seed=5)
+    constants, records = match.settings.constants(), Records.of(match)
+    potentials = []
+    for image in (records, mirrored(records), turned(records)):
+        potentials.append(np.zeros((200, 2, 2)))
+        measure_all(image.matches, image.balls, image.robots, constants, potentials[-1])
+    assert_close(potentials[1], potentials[0], MIRROR, "mirror")
+    assert_close(potentials[2], potentials[0][:, ::-1], HALF_TURN, "half-turn")
+    assert abs(potentials[0]).max() > 0.1
+
+
+@each_league
+def test_ideal_beliefs_are_symmetric(name):
+    match = mid_game(name, 100, seed=6)
+    constants, records = match.settings.constants(), Records.of(match)
+    everyone = np.arange(2 * SIZE)
+    believed = []
+    for image in (records, mirrored(records), turned(records)):
+        beliefs, tracks = empty_beliefs(100, 2 * SIZE, match.league)
+        believe_slice(image.matches, image.balls, image.robots, beliefs, tracks, constants, everyone, 0, 100)
+        believed.append((beliefs, tracks))
+    (beliefs, tracks), (mirror, mirror_tracks), (turn, turn_tracks) = believed
+    assert_same(mirror, mirrored_beliefs(beliefs), MIRROR)
+    assert_same(mirror_tracks, mirrored_tracks(tracks), MIRROR)
+    assert_same(turn, swapped_rows(beliefs), HALF_TURN)
+    assert_same(turn_tracks, swapped_rows(tracks), HALF_TURN)
+
+
+@each_league
+def test_observations_are_symmetric(name):
+    match = mid_game(name, 100, seed=7)
+    constants, records = match.settings.constants(), Records.of(match)
+    seen = []
+    for image in (records, mirrored(records), turned(records)):
+        seen.append(np.zeros_like(match.observations))
+        observe_slice(image.matches, image.balls, image.robots, seen[-1], constants, 0, 100)
+    single = np.finfo(np.float32).eps  # the last bit of a float32
+    assert_close(seen[1], mirrored_observations(seen[0], match.observation_names), MIRROR + single, "mirror")
+    assert_close(seen[2], swapped_rows(seen[0]), HALF_TURN + 2.0 * single, "half-turn")
+
+
+# Whole steps
+
+
+def whole_steps(name, image, change_actions, tolerance, seed, **settings):
+    """Play a match and its image until the first contact; return how many match steps were compared."""
+    league = patient(name)
+    one, other = (
+        Match(league, home=SIZE, away=SIZE, matches=40, seed=seed, actions="full", **settings) for _ in range(2)
+    )
+    rng = np.random.default_rng(seed)
+    set_phase(one, Phase.PLAY)
+    scatter(one, rng, 0.8)
+    angle, v = rng.uniform(-np.pi, np.pi, 40), rng.uniform(0.0, 0.3, 40) * league.ball.top_speed
+    put_ball(one, one.balls["x"], one.balls["y"], v * np.cos(angle), v * np.sin(angle))
+    one.reseat()
+    image(Records.of(one)).put_into(other)
+    free, compared = np.ones(40, bool), 0
+    for step in range(steps_in(one, 6.0)):
+        if step % 10 == 0:
+            actions = rng.uniform(-1.0, 1.0, (40, 2 * SIZE, 7))
+        one.step(actions)
+        other.step(change_actions(actions))
+        free &= ~(one.robot_events["collision"].any(axis=1) | one.robot_events["touch"].any(axis=1))
+        free &= near_boards(one) == 0
+        expected = image(Records.of(one))
+        for name in ("matches", "balls", "robots"):
+            assert_same(getattr(other, name)[free], getattr(expected, name)[free], tolerance, f"step {step}: {name}")
+        mirror = image is mirrored
+        rewards = one.rewards if mirror else swapped_rows(one.rewards)
+        assert_close(other.rewards[free], rewards[free], 10.0 * tolerance, f"step {step}: rewards")
+        compared += free.sum()
+    return compared
+
+
+def near_boards(match):
+    """Count, for each match, the robots and balls that may touch a board."""
+    pitch, reach = match.league.pitch, match.league.body.reach + 0.02
+    x, y = pitch.length / 2 + min(pitch.band_end, 0.0), pitch.width / 2 + pitch.band_side
+    robots = (abs(match.robots["x"]) > x - reach) | (abs(match.robots["y"]) > y - reach)
+    ball = (abs(match.balls["x"]) > x - reach) | (abs(match.balls["y"]) > y - reach)
+    return robots.sum(axis=1) + ball
+
+
+@pytest.mark.parametrize("placement", ["instant", "drive"])
+@each_league
+def test_a_mirrored_match_is_played_in_the_mirror_until_the_first_contact(name, placement):
+    compared = whole_steps(name, mirrored, mirrored_actions, MIRROR, seed=8, placement=placement)
+    assert compared > 1000
+
+
+@pytest.mark.parametrize("placement", ["instant", "drive"])
+@each_league
+def test_swapping_sides_gives_the_same_match_until_the_first_contact(name, placement):
+    compared = whole_steps(name, turned, swapped_rows, HALF_TURN, seed=9, placement=placement)
+    assert compared > 1000
+
+
+@pytest.mark.parametrize("phase", ["kick-off", "throw-in", "goal kick", "corner"])
+def test_a_restart_in_a_whole_step_is_symmetric(phase):
+    league = find_league(MIDDLE)
+    one, left_right, half_turn = (Match(league, home=SIZE, away=SIZE, matches=8, seed=10) for _ in range(3))
+    set_phase(one, Phase.PLAY)
+    over, wide = league.pitch.length / 2 + 0.13, league.pitch.width / 2 + 0.13
+    x, y = {"kick-off": (over, 0.3), "throw-in": (2.0, wide), "goal kick": (over, 2.0), "corner": (over, -2.0)}[phase]
+    one.matches["last_touch_team"] = AWAY if phase == "corner" else HOME
+    put_ball(one, x, y)
+    one.reseat()
+    mirrored(Records.of(one)).put_into(left_right)
+    turned(Records.of(one)).put_into(half_turn)
+    for match in (one, left_right, half_turn):
+        match.step(stand(match))
+    assert (one.events["restart"] != 0).all()
+    compare(Records.of(left_right), mirrored(Records.of(one)), MIRROR)
+    compare(Records.of(half_turn), turned(Records.of(one)), HALF_TURN)
+
+
+def test_the_noise_of_a_mirrored_kick_is_mirrored():
+    """What handedness is for: the same draw strays to the left in one world and to the right in the other."""
+    league = replace(find_league(MIDDLE))
+    one, other = (Match(league, home=1, away=1, matches=20, seed=11) for _ in range(2))
+    gap = league.body.front + league.ball.radius + 0.005
+    one.robots["x"][:, 0], one.robots["y"][:, 0], one.robots["heading"][:, 0] = -1.0, 0.0, 0.0
+    put_ball(one, -1.0 + gap, 0.0)
+    one.robots["has_ball"][:, 0] = 1
+    one.reseat()
+    mirrored(Records.of(one)).put_into(other)
+    actions = stand(one)
+    actions[:, 0, 3] = 1.0
+    one.step(actions)
+    other.step(actions)
+    assert (abs(one.balls["vy"]) > 0.0).all()
+    np.testing.assert_array_equal(one.balls["vy"], -other.balls["vy"])
+    np.testing.assert_array_equal(one.balls["vx"], other.balls["vx"])
+
+
+@pytest.mark.slow
+@each_league
+def test_a_team_against_itself_is_as_good_at_home_as_away(name):
+    minutes = 0.5 if name == MIDDLE else 2.0
+    both = {"home": "chaser", "away": "chaser"}
+    match = Match(name, home=2, away=2, matches=400, threads=2, seed=3, minutes=minutes, controllers=both)
     while not match.terminated.all():
         match.step()
     gap = match.matches["score"][:, 0] - match.matches["score"][:, 1]
     assert np.abs(gap).sum() > 20, "too few goals to tell"
-    assert abs(gap.mean()) < 2.6 * gap.std() / np.sqrt(matches)  # 99 %
+    assert abs(gap.mean()) < 2.6 * gap.std() / np.sqrt(400)  # 99 %

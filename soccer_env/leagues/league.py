@@ -27,7 +27,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from math import isfinite
+from math import hypot, isfinite
+from typing import Any
 
 import numpy as np
 
@@ -38,20 +39,31 @@ WHEELS_OMNI = 1
 WHEELS_DIFFERENTIAL = 2
 DRIVE_KINDS = {"gait": GAIT, "omnidirectional": WHEELS_OMNI, "differential": WHEELS_DIFFERENTIAL}
 PLACEMENTS = ("instant", "drive")
+NUMBERS = {"int": "a whole number", "float": "a number"}  # annotations of fields that hold one
 
 
 def check(record: object, **tests: Callable[[float], bool]) -> None:
-    """Raise ValueError for each number of a settings record that is not finite or fails its test."""
+    """Raise ValueError for each number of a settings record that is none, is not finite or fails its test."""
     where = type(record).__name__
     for field in fields(record):  # type: ignore[arg-type]
-        value = getattr(record, field.name)
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
+        value, kind = getattr(record, field.name), str(field.type)
+        if kind not in NUMBERS:
             continue
+        if not is_number(value, kind):
+            raise ValueError(f"{where}.{field.name} must be {NUMBERS[kind]}, got {value!r}")
         if not isfinite(value):
             raise ValueError(f"{where}.{field.name} must be finite, got {value}")
+        if isinstance(value, np.generic):  # so that settings compare and are written as Python's own numbers
+            object.__setattr__(record, field.name, value.item())
         test = tests.get(field.name, not_negative)
         if not test(value):
             raise ValueError(f"{where}.{field.name} must be {test.__name__.replace('_', ' ')}, got {value}")
+
+
+def is_number(value: Any, kind: str) -> bool:
+    """Tell whether a value is a number, Python's or numpy's, and a whole one if the kind is "int"."""
+    whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+    return whole or (kind == "float" and isinstance(value, (float, np.floating)))
 
 
 def not_negative(value: float) -> bool:
@@ -72,6 +84,15 @@ def between_0_and_1(value: float) -> bool:
 def any_number(value: float) -> bool:
     """Accept every finite number."""
     return True
+
+
+def is_convex(corners: tuple[tuple[float, float], ...]) -> bool:
+    """Tell whether finite corners run counter-clockwise round a convex hull."""
+    points = np.asarray(corners, float)
+    edges = np.roll(points, -1, axis=0) - points
+    after = np.roll(edges, -1, axis=0)
+    left_turns = edges[:, 0] * after[:, 1] - edges[:, 1] * after[:, 0] > 0.0
+    return len(points) >= 3 and bool(np.isfinite(points).all() and left_turns.all())
 
 
 @dataclass(frozen=True)
@@ -153,6 +174,15 @@ class Body:
             raise ValueError("Body needs either a disc_radius above zero or corners, not both")
         if len(self.corners) > 8:
             raise ValueError(f"Body.corners must be at most 8, got {len(self.corners)}")
+        if self.corners and not is_convex(self.corners):
+            raise ValueError(f"Body.corners must be finite and run counter-clockwise round a hull, got {self.corners}")
+        outermost = max(
+            hypot(self.tip_x, self.tip_y) + self.tip_radius,
+            abs(self.disc_x) + self.disc_radius,
+            *(hypot(x, y) for x, y in self.corners),
+        )
+        if self.reach < outermost - 0.001:
+            raise ValueError(f"Body.reach must be at least {outermost:.3f}, got {self.reach}")
 
 
 @dataclass(frozen=True)
@@ -263,7 +293,7 @@ class Slots:
     def __post_init__(self) -> None:
         for name in ("teammates", "opponents"):
             value = getattr(self, name)
-            if not (isinstance(value, int) and 0 <= value <= MAX_TEAM):
+            if not (is_number(value, "int") and 0 <= value <= MAX_TEAM):
                 raise ValueError(f"Slots.{name} must be 0 to {MAX_TEAM}, got {value!r}")
         if self.teammates + self.opponents == 0:
             raise ValueError("Slots must hold at least one player")
@@ -306,6 +336,7 @@ class League:
     source: str = ""
 
     def __post_init__(self) -> None:
+        check(self)
         if not 1 <= self.control_rate <= 1000:
             raise ValueError(f"League.control_rate must be 1 to 1000 a second, got {self.control_rate}")
         if not 1 <= self.team_size <= MAX_TEAM:

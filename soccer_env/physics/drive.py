@@ -26,7 +26,7 @@ def drive(robot, k, step, handedness):
     if robot.gait_phase % k.gait_steps == 0:
         latch_walk(robot, k, step)
     robot.gait_phase += 1
-    if robot.gait_phase >= k.slip_steps and robot.gait_phase >= k.gait_steps:
+    if robot.gait_phase % k.slip_steps == 0 and robot.gait_phase % k.gait_steps == 0:
         robot.gait_phase = 0
     change_walk(robot, k)
     push_ground(robot, k)

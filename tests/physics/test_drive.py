@@ -60,6 +60,17 @@ def test_a_legged_robot_takes_a_new_command_only_when_its_gait_step_of_8_control
     np.testing.assert_allclose(np.array(targets)[changes], 0.12 * (changes - 2 + 1) / 40.0)
 
 
+def test_gait_steps_are_even_even_if_slip_is_drawn_at_other_times():
+    """A trap: a slip of 12 control steps used to cut every second gait step of 8 short."""
+    league = find_league(LEGGED)
+    match = on_its_own(replace(league, drive=replace(league.drive, slip_time=0.75)))
+    targets = []
+    for step in range(48):
+        match.step(asking(match, forward=(step + 1) / 48.0))
+        targets.append(match.robots["target"]["forward"][0, 0])
+    np.testing.assert_array_equal(np.flatnonzero(np.diff(targets)) + 1, [8, 16, 24, 32, 40])
+
+
 def test_wheels_follow_at_every_control_step():
     match = on_its_own(steady(MIDDLE))
     targets = []

@@ -1,0 +1,76 @@
+"""The chaser's floor: what it can do at strength 1 with ideal senses may be improved by later versions, never weakened."""
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+
+LEAGUES = ("legged-2001", "middle-size-2006")
+
+
+def finish(match: Match) -> Match:
+    """Play matches to their end."""
+    while not (match.terminated | match.truncated).all():
+        match.step()
+    match.close()
+    return match
+
+
+def score(league: str, home: str, away: str, matches: int, minutes: float, seed: int = 11) -> np.ndarray:
+    """Return the scores (M, 2) of 3 v 3 matches; in half of them the first team starts as away."""
+    scores = []
+    for swapped in (False, True):
+        teams = {"home": away, "away": home} if swapped else {"home": home, "away": away}
+        match = Match(
+            league, home=3, away=3, matches=matches // 2, threads=2, seed=seed, minutes=minutes, controllers=teams
+        )
+        scores.append(finish(match).matches["score"][:, :: -1 if swapped else 1])
+    return np.concatenate(scores)
+
+
+def points(scores: np.ndarray) -> float:
+    """Return the share of points of the first team; a draw is half."""
+    ours, theirs = scores.T
+    return float(((ours > theirs) + 0.5 * (ours == theirs)).mean())
+
+
+def drill(league: str, scene: str, home: str, away: str, matches: int) -> float:
+    """Return the share of drills that succeed."""
+    match = Match(
+        league, home=3, away=3, matches=matches, threads=2, seed=3, scene=scene, episode="drill",
+        controllers={"home": home, "away": away},
+    )  # fmt: skip
+    succeeded = np.zeros(matches, bool)
+    while not (match.terminated | match.truncated).all():
+        match.step()
+        succeeded |= match.events["drill"] == 1
+    match.close()
+    return float(succeeded.mean())
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_it_scores_into_an_empty_goal_close_by(league: str) -> None:
+    assert drill(league, "empty-goal", "chaser", "still", 300) >= 0.95
+
+
+@pytest.mark.parametrize(("league", "minutes", "rate"), [("legged-2001", 4.0, 0.5), ("middle-size-2006", 2.0, 2.0)])
+def test_it_scores_against_a_team_that_stands_still(league: str, minutes: float, rate: float) -> None:
+    assert score(league, "chaser", "still", 60, minutes)[:, 0].mean() / minutes >= rate
+
+
+def test_its_middle_size_keeper_saves_shots() -> None:
+    assert drill("middle-size-2006", "shot-at-keeper", "still", "chaser", 300) >= 0.30
+    assert drill("middle-size-2006", "shot-at-keeper", "still", "still", 300) < 0.30, "the shots would go in"
+
+
+@pytest.mark.parametrize(("league", "minutes"), [("legged-2001", 10.0), ("middle-size-2006", 4.0)])
+def test_it_beats_random_players(league: str, minutes: float) -> None:
+    assert points(score(league, "chaser", "random", 60, minutes)) >= 0.95
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("league", "minutes"), [("legged-2001", 10.0), ("middle-size-2006", 4.0)])
+def test_every_step_of_strength_wins_points(league: str, minutes: float) -> None:
+    """200 matches each against strength 1, which against itself has half of the points by symmetry."""
+    ladder = [points(score(league, f"chaser@{s}", "chaser", 200, minutes, seed=1)) for s in (0, 0.25, 0.5, 0.75)]
+    assert all(lower < higher for lower, higher in zip(ladder, [*ladder[1:], 0.5], strict=True)), ladder

@@ -1,0 +1,115 @@
+"""The shipped teams: still stands, random wanders, every team plays at any size, from beliefs alone, left as right."""
+
+import numpy as np
+import pytest
+from staging import LEAGUES, scatter, set_phase
+from symmetry import mirror, turn
+
+from soccer_env import Match, make_team
+from soccer_env.teams import CompiledTeam, TeamRandom, View, parse_team, team_names
+from soccer_env.types import COMMAND
+
+TEAMS = ("still", "random", "chaser")
+EVEN, ODD = ("forward", "kick", "head", "tilt"), ("left", "turn", "pan")
+
+
+def numbers(commands: np.ndarray) -> np.ndarray:
+    """Return commands as numbers (..., 7)."""
+    return np.stack([commands[name] for name in COMMAND.names or ()], axis=-1)
+
+
+def test_still_stands_still() -> None:
+    match = Match(seed=1, controllers={"home": "still", "away": "still"})
+    start = match.robots[["x", "y", "heading"]].copy()
+    for _ in range(100):
+        match.step()
+    assert (match.robots[["x", "y", "heading"]] == start).all()
+
+
+def test_random_moves_as_strength_says() -> None:
+    commands = {}
+    for strength in (1.0, 0.5):
+        match = Match(seed=1, matches=50, controllers={"home": f"random@{strength}", "away": "still"})
+        match.step()
+        commands[strength] = numbers(match.robots["command"])[:, :3, :3].copy()
+    assert np.abs(commands[1.0]).max() > 0.9
+    np.testing.assert_allclose(commands[0.5], 0.5 * commands[1.0])
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize(("home", "away"), [(1, 1), (2, 1), (1, 5), (11, 11)])
+def test_every_team_plays_at_every_size(league: str, team: str, home: int, away: int) -> None:
+    match = Match(league, home=home, away=away, seed=1, controllers={"home": team, "away": team})
+    for _ in range(150):
+        match.step()
+    commands = numbers(match.robots["command"])
+    assert np.isfinite(commands).all() and np.abs(commands).max() <= 1.0
+    assert np.isfinite(match.robots["x"]).all()
+
+
+@pytest.mark.parametrize("league", [*LEAGUES, "middle-size-2006-differential", "legged-2001-inner"])
+def test_the_chaser_plays_every_league(league: str) -> None:
+    match = Match(league, seed=1, matches=4, controllers={"home": "chaser", "away": "still"}, minutes=2)
+    while not match.terminated.all():
+        match.step()
+    assert match.matches["score"][:, 0].sum() > 0 == match.matches["score"][:, 1].sum()
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+@pytest.mark.parametrize("team", TEAMS)
+def test_act_is_what_the_match_runs(league: str, team: str) -> None:
+    """`act`, for callers from Python, and the kernel inside a match give the same commands."""
+    match = Match(league, home=3, away=3, seed=1, controllers={"home": team, "away": "still"})
+    for _ in range(40):
+        match.step()
+    squad = match.squads[0]
+    view = View(match.league, match.beliefs[:, squad.players].copy(), match.tracks[:, squad.players].copy())
+    states, memory = match.robots["noise"].copy(), squad.memory.copy()
+    commands = squad.team.act(view, memory, TeamRandom(states, squad.players))
+    match.step()
+    np.testing.assert_array_equal(commands, numbers(match.robots["command"])[:, squad.players])
+    assert memory.tobytes() == squad.memory.tobytes()
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+@pytest.mark.parametrize("change", [mirror, turn])
+def test_the_chaser_decides_for_an_image_as_for_the_scene(league: str, change: object) -> None:
+    made = []
+    for _ in range(2):
+        match = Match(league, home=3, away=3, matches=60, seed=5, controllers={"home": "chaser", "away": "chaser"})
+        set_phase(match, 0)
+        scatter(match, np.random.default_rng(2))
+        match.balls["vx"], match.balls["vy"] = np.random.default_rng(3).normal(0.0, 0.5, (2, 60))
+        match.reseat()
+        made.append(match)
+    scene, image = made
+    change(image)  # type: ignore[operator]
+    scene.step()
+    image.step()
+    ours, theirs = numbers(scene.robots["command"]), numbers(image.robots["command"])
+    if change is mirror:
+        theirs = theirs * np.array([1.0 if name in EVEN else -1.0 for name in COMMAND.names or ()])
+    else:
+        theirs = theirs[:, np.r_[3:6, 0:3]]
+    np.testing.assert_allclose(theirs, ours, atol=1e-9)
+
+
+def test_names_are_parsed_and_checked() -> None:
+    assert set(TEAMS) <= set(team_names())
+    assert parse_team("chaser") == ("chaser", 1.0) and parse_team("chaser@0.25") == ("chaser", 0.25)
+    for wrong in ("chaser@", "chaser@2", "chaser@-1", "chaser@x", "chaser@nan"):
+        with pytest.raises(ValueError, match="must be a number from 0 to 1"):
+            parse_team(wrong)
+    with pytest.raises(ValueError, match="unknown team 'lions'; known: "):
+        make_team("lions")
+    assert make_team("chaser", strength=0.5).name == "chaser"
+
+
+def test_a_team_for_other_leagues_is_refused() -> None:
+    still = make_team("still")
+    assert isinstance(still, CompiledTeam)
+    dogs = CompiledTeam("dogs", still.kernel, still.memory_dtype, still.settings, leagues=("legged",))
+    Match("legged-2001", controllers={"home": dogs, "away": dogs}, seed=1)
+    with pytest.raises(ValueError, match="'dogs' plays legged, not middle-size-2006"):
+        Match("middle-size-2006", controllers={"home": dogs}, seed=1)
