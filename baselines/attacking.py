@@ -52,7 +52,6 @@ def turn_to_goal(command, sight, k, play, ux, uy):
     error = wrap(atan2(uy, ux) - sight.heading)
     command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
     command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
-    command.left = clip(error, -1.0, 1.0) * play.strafe * sight.pace
 
 
 @compiled

@@ -21,7 +21,7 @@ from soccer_env.baselines.attacking import attack
 from soccer_env.baselines.goalkeeping import keep_goal
 from soccer_env.baselines.sight import SIGHT, look, side_of
 from soccer_env.baselines.skills import go, stand
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, records
 from soccer_env.geometry import clip, length, wrap
 from soccer_env.random_numbers import normal, uniform
 from soccer_env.teams import CompiledTeam
@@ -64,10 +64,9 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "bump": (0.12, 2.2, 1.0),  # [m/s] at which the ball is met
     "delay": (0.1, 0.12, 0.12),  # [s] least time by which the ball is led
     "lead": (3.0, 1.5, 2.0),  # [s] greatest
-    "turn_share": (0.8, 0.7, 0.5),  # [1] of the top turn rate with the ball
+    "turn_share": (1.0, 0.7, 0.5),  # [1] of the top turn rate with the ball
     "carry_share": (1.0, 0.15, 0.2),  # [1] of the top speed while turning with the ball
     "push_share": (1.0, 1.0, 0.9),  # [1] of the top speed while pushing it straight
-    "strafe": (0.0, 0.0, 0.0),
     "aligned": (0.15, 0.3, 0.2),  # [rad] straight
     "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front
     "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
@@ -76,7 +75,7 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "way_on": (0.7, 1.0, 1.0),  # [m] that a way for the ball is looked at
     "wing_cost": (0.2, 0.05, 0.05),  # [rad] room that a way may lose for ending in the middle, not at a touchline
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out
-    "wriggle_time": (1.5, 0.6, 0.8),  # [s]
+    "wriggle_time": (3.0, 0.6, 0.8),  # [s]
     "patience": (3.0, 1.2, 1.5),  # [s]
     "still": (0.02, 0.15, 0.15),  # [m/s] a ball slower than this does not move
     "rank_time": (1.0, 0.3, 0.4),  # [s] before a player changes its rank
@@ -111,7 +110,7 @@ def team(strength: float = 1.0) -> CompiledTeam:
 @compiled
 def chase(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
     """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
-    sight = np.zeros(1, SIGHT)
+    sight = records(1, SIGHT)
     k, play = constants[0], settings[constants[0].drive_kind]
     for m in range(first, last):
         for p in range(len(players)):
@@ -219,7 +218,10 @@ def support(command, sight, memory, k, play, ring):
     side = 0.0 if row == 0 else (memory.side if memory.rank % 2 == 1 else -memory.side)
     back_x, back_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
     away = max(length(back_x, back_y), 1e-6)
-    off_x, off_y = play.back * (back_x / away if row == 0 else -row), play.back * back_y / away if row == 0 else side * play.aside
+    off_x, off_y = (
+        play.back * (back_x / away if row == 0 else -row),
+        play.back * back_y / away if row == 0 else side * play.aside,
+    )
     stretch = max(ring / max(length(off_x, off_y), 1e-6), 1.0)
     edge_x, edge_y = 0.5 * k.pitch_length - k.body_reach, 0.5 * k.pitch_width - k.body_reach
     x = clip(sight.ball_x + stretch * off_x, -edge_x + 2.0 * k.body_reach, edge_x)

@@ -56,7 +56,10 @@ def may_clear(sight, k, play):
     if length(x, y) > play.keeper_zone or length(sight.ball_vx, sight.ball_vy) > play.shot_speed:
         return False
     for i in range(sight.others):
-        if sight.mate[i] == 1 and length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y) < sight.distance:
+        if (
+            sight.mate[i] == 1
+            and length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y) < sight.distance
+        ):
             return False
     return True
 

@@ -113,4 +113,3 @@ def rolls_to(sight, k, seconds):
         edge_x, edge_y = 0.5 * k.pitch_length - k.ball_radius, 0.5 * k.pitch_width - k.ball_radius
         x, y = clip(x, -edge_x, edge_x), clip(y, -edge_y, edge_y)
     return x, y
-

@@ -18,6 +18,7 @@ from typing import Any, TypeVar, cast
 
 import numba
 import numpy as np
+from numba.extending import overload
 
 from soccer_env.compiled_cache import SourceCache
 
@@ -38,6 +39,16 @@ def compiled(function: F) -> F:
     if os.path.isfile(function.__code__.co_filename):
         dispatcher._cache = SourceCache(function)  # what Dispatcher.enable_caching does with numba's own
     return cast(F, dispatcher)
+
+
+def records(count: int, dtype: Any) -> Any:
+    """Return `count` zeroed records to work in, inside a compiled function: with attributes in plain Python as well."""
+    return np.zeros(count, dtype).view(np.recarray)
+
+
+@overload(records)
+def _compiled_records(count, dtype):  # type: ignore[no-untyped-def]  # numba compares the signatures
+    return lambda count, dtype: np.zeros(count, dtype)
 
 
 class _Depth(threading.local):

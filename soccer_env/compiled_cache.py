@@ -126,7 +126,13 @@ def _identity(function: Callable[..., Any], outer: tuple[Any, ...] = ()) -> tupl
     cells = tuple(_cell_identity(cell.cell_contents, (*outer, function)) for cell in function.__closure__ or ())
     if stamp is None or None in cells:
         return None
-    return stamp, function.__qualname__, _sha(function.__code__.co_code), _sha(str(cells).encode())
+    return stamp, function.__qualname__, _code_identity(function.__code__), _sha(str(cells).encode())
+
+
+def _code_identity(code: Any) -> str:
+    """Return a hash of what a code object does: byte code, constants and names, those of inner functions included."""
+    constants = [_code_identity(one) if hasattr(one, "co_code") else repr(one) for one in code.co_consts]
+    return _sha(repr((code.co_code, constants, code.co_names, code.co_varnames)).encode())
 
 
 def _cell_identity(value: Any, outer: tuple[Any, ...]) -> Any:

@@ -20,10 +20,11 @@ from soccer_env.field import Field
 from soccer_env.observations import layout
 from soccer_env.physics.space_batch import Way
 from soccer_env.players import assign, believe_slice, empty_beliefs, make_squads, run_kernel, run_python
-from soccer_env.random_numbers import seeds_for
+from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import TERMS
-from soccer_env.settings import make_settings, whole_number
+from soccer_env.settings import check_known, make_settings, whole_number
 from soccer_env.types import QUIET, ROBOT_EVENTS
+from soccer_env.user_code import checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
@@ -55,6 +56,7 @@ class Match:
     ) -> None:
         self.count = whole_number("matches", matches, 1, 1 << 20)
         self.threads = whole_number("threads", threads, 1, 256)
+        check_known(settings)
         self.settings = make_settings(league, home=home, away=away, **settings)
         self.league = self.settings.league
         rows = self.settings.rows
@@ -66,6 +68,7 @@ class Match:
         self._pool = ThreadPoolExecutor(self.threads) if self.threads > 1 else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)
+        self.ended, self.final = np.zeros(0, np.int64), dict[str, np.ndarray]()  # see _restart_same_step
         self._started = False
         self.reset(seed=seed, seeds=seeds)
 
@@ -101,9 +104,11 @@ class Match:
         With a seed (or seeds (M,)) the matches start their streams anew; without, each goes on to its next episode.
         The very first reset without a seed draws one from the system.
         """
+        if seed is not None and seeds is not None:
+            raise ValueError("give seed or seeds, not both")
         fresh = seed is not None or seeds is not None or not self._started
         if seeds is not None:
-            self.seeds[:] = self._check_seeds(seeds)
+            self.seeds[:] = check_seeds(seeds, self.count)
         elif fresh:
             self.seeds[:] = seeds_for(seed, self.count)
         self._started = True
@@ -112,13 +117,6 @@ class Match:
         self.rewards[:] = 0.0
         self.terms[:] = 0.0
         return self.observations
-
-    def _check_seeds(self, seeds: Any) -> np.ndarray:
-        """Return one seed for each match; ValueError if they are not that."""
-        found = np.asarray(seeds, object)  # Python's own: numpy makes floats of a list of large and small ones
-        if found.shape != (self.count,):
-            raise ValueError(f"seeds must be {self.count} whole numbers of 0 or more, got {seeds!r}")
-        return np.array([whole_number("each of seeds", seed, 0, (1 << 64) - 1) for seed in found], np.uint64)
 
     def _begin(self, rows: Iterable[int], episodes: np.ndarray) -> None:
         """Begin the given episodes (M,) in some matches, and observe them."""
@@ -133,7 +131,7 @@ class Match:
 
     def reseat(self, rows: Iterable[int] | None = None) -> None:
         """Rebuild Spaces from the records: the running match then shares its future with every copy of them."""
-        rows = range(self.count) if rows is None else rows
+        rows = range(self.count) if rows is None else list(rows)
         self.field.seat(rows)
         if self.recorder is not None:
             self.recorder.note_seating(rows)
@@ -197,8 +195,8 @@ class Match:
             jobs = [self._pool.submit(self._run, numbers, *edge) for edge in zip(edges, edges[1:], strict=False)]
             for job in jobs:
                 job.result()
-        for index, term in enumerate(self.settings.rewards.extra.values(), start=len(TERMS)):
-            self.terms[..., index] = term(self)
+        for index, (name, term) in enumerate(self.settings.rewards.extra.items(), start=len(TERMS)):
+            self.terms[..., index] = checked(term(self), self.rewards.shape, f"reward term {name!r}")
             self.terms[waiting, :, index] = 0.0
             self.rewards += self.terms[..., index]
         self._observe_own()
@@ -257,7 +255,7 @@ class Match:
     def _observe_own(self) -> None:
         """Fill observations of a user's own making."""
         if not isinstance(self.settings.observe, str):
-            self.observations[:] = self.settings.observe(self)
+            self.observations[:] = checked(self.settings.observe(self), self.observations.shape, "observe", limit=1.0)
 
     @property
     def beliefs(self) -> np.ndarray:
@@ -287,6 +285,8 @@ class Match:
         """Go on from what `save` returned; ValueError (and no change) if it is damaged or from other settings."""
         saving.restore(self, saved)
         self.reseat()
+        self.rewards[:] = 0.0
+        self.terms[:] = 0.0
         self.field.observe(0, self.count)
         self._observe_own()
 

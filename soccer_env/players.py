@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
 from soccer_env.perception.ideal import believe_truth
 from soccer_env.teams import CompiledTeam, Team, TeamRandom, View, make_team
@@ -22,6 +23,12 @@ class Squad:
     team: Team
     players: np.ndarray  # (P,) rows
     memory: np.ndarray
+
+    def describe(self) -> list[Any]:
+        """Return who plays whom: what a save has to agree with."""
+        settings = getattr(self.team, "settings", None)
+        told = settings.tobytes().hex() if isinstance(settings, np.ndarray) else ""
+        return [self.team.name, told, self.players.tolist()]
 
     @property
     def compiled(self) -> bool:
@@ -65,9 +72,20 @@ def make_squads(agents: list[str], who: dict[str, Any], league: League, matches:
         check = getattr(team, "check_league", None)
         if check is not None:
             check(league)
-        memory = np.zeros((matches, len(rows)), team.memory_dtype)
+        memory = np.zeros((matches, len(rows)), check_memory(team))
         squads.append(Squad(team, np.array(rows, np.int64), memory))
     return squads
+
+
+def check_memory(team: Team) -> np.dtype:
+    """Return the dtype of a team's memory; ValueError if a match cannot save it."""
+    try:
+        dtype = np.dtype(team.memory_dtype)
+    except TypeError as error:
+        raise ValueError(f"memory_dtype of team {team.name!r} is no dtype: {team.memory_dtype!r}") from error
+    if dtype.hasobject or dtype.itemsize == 0:
+        raise ValueError(f"memory_dtype of team {team.name!r} must hold plain numbers, got {dtype}")
+    return dtype
 
 
 @compiled
@@ -79,6 +97,23 @@ def believe_slice(matches, balls, robots, beliefs, tracks, constants, players, f
             believe_truth(matches[m], balls[m], robots[m], beliefs[m], tracks[m, r], constants[0], r, rows, squares)
 
 
+@compiled
+def clip_commands(commands, players, first, last):
+    """Clip the commands of some robots into [-1, 1]; return the first (m, r) that is not finite, or (-1, -1)."""
+    for m in range(first, last):
+        for r in players:
+            command = commands[m, r]
+            total = command.forward + command.left + command.turn + command.kick
+            total += command.head + command.pan + command.tilt
+            if total - total != 0.0:
+                return m, r
+            command.forward, command.left = clip(command.forward, -1.0, 1.0), clip(command.left, -1.0, 1.0)
+            command.turn, command.kick = clip(command.turn, -1.0, 1.0), clip(command.kick, -1.0, 1.0)
+            command.head, command.pan = clip(command.head, -1.0, 1.0), clip(command.pan, -1.0, 1.0)
+            command.tilt = clip(command.tilt, -1.0, 1.0)
+    return -1, -1
+
+
 def run_kernel(
     squad: Squad,
     beliefs: np.ndarray,
@@ -88,32 +123,33 @@ def run_kernel(
     first: int,
     last: int,
 ) -> None:
-    """Let a compiled team decide in a slice of matches."""
+    """Let a compiled team decide in a slice of matches; ValueError if a command is not finite."""
     team: Any = squad.team
+    commands = robots["command"]
     team.kernel(
-        beliefs,
-        tracks,
-        squad.memory,
-        robots["noise"],
-        robots["command"],
-        squad.players,
-        constants,
-        team.settings,
-        first,
-        last,
+        beliefs, tracks, squad.memory, robots["noise"], commands, squad.players, constants, team.settings, first, last
     )
+    m, r = clip_commands(commands, squad.players, first, last)
+    if m >= 0:
+        command = commands[m, r].item()
+        for name in COMMAND.names or ():
+            commands[name][m, r] = 0.0
+        raise ValueError(f"team {team.name!r} gave robot {r} of match {m} a command that is not finite: {command}")
 
 
 def run_python(squad: Squad, league: League, beliefs: np.ndarray, tracks: np.ndarray, robots: np.ndarray) -> None:
-    """Let a Python team decide in all matches; ValueError if it returns nonsense."""
+    """Let a Python team decide in all matches; ValueError, and nothing changed, if it returns nonsense."""
     view = View(league, beliefs[:, squad.players], tracks[:, squad.players])
-    rng = TeamRandom(robots["noise"], squad.players)
-    commands = np.asarray(squad.team.act(view, squad.memory, rng), np.float64)
+    memory, states = squad.memory.copy(), robots["noise"].copy()
+    commands = np.asarray(squad.team.act(view, memory, TeamRandom(states, squad.players)), np.float64)
     shape = view.beliefs.shape
     if commands.shape not in ((*shape, 4), (*shape, 7)):
         raise ValueError(f"team {squad.team.name!r} returned commands of shape {commands.shape}, not {shape} x 4 or 7")
     if not np.isfinite(commands).all():
         raise ValueError(f"team {squad.team.name!r} returned a command that is not finite")
+    if memory.shape != squad.memory.shape:
+        raise ValueError(f"team {squad.team.name!r} gave its memory the shape {memory.shape}, not {squad.memory.shape}")
+    squad.memory[...], robots["noise"][...] = memory, states
     commands = np.clip(commands, -1.0, 1.0)
     for index, name in enumerate(COMMAND.names or ()):
         column = commands[..., index] if index < commands.shape[-1] else (-1.0 if name == "head" else 0.0)

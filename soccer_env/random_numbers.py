@@ -9,6 +9,7 @@ same for it. Seeds come from `numpy.random.SeedSequence`.
 from __future__ import annotations
 
 from math import cos, log, pi, sqrt
+from typing import Any
 
 import numpy as np
 
@@ -53,6 +54,15 @@ def start_streams(noise, seed, episode, owner):
     key = mix(key ^ (GOLDEN * np.uint64(owner + 1)))
     for stream in range(NOISE_STREAMS):
         noise[stream] = mix(key + MIX_1 * np.uint64(stream + 1))
+
+
+def check_seeds(seeds: Any, matches: int) -> np.ndarray:
+    """Return the seeds of M matches as (M,) uint64; ValueError if they are not that."""
+    found = np.asarray(seeds, object)  # Python's own: numpy makes floats of a list of large and small ones
+    whole = all(isinstance(seed, (int, np.integer)) and not isinstance(seed, bool) for seed in found.ravel())
+    if found.shape != (matches,) or not whole or not all(0 <= seed < 1 << 64 for seed in found):
+        raise ValueError(f"seeds must be {matches} whole numbers of 0 or more below 2**64, got {seeds!r}")
+    return found.astype(np.uint64)
 
 
 def seeds_for(seed: int | None, matches: int) -> np.ndarray:

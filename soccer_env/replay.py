@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any, get_type_hints
-from zipfile import BadZipFile
+from zipfile import ZipFile
 
 import numpy as np
 
@@ -25,6 +25,17 @@ from soccer_env.settings import plain
 from soccer_env.types import COMMAND
 
 FORMAT = "soccer_env replay 1"
+KEPT = (
+    "home",
+    "away",
+    "keeper",
+    "max_players",
+    "episode",
+    "placement",
+    "minutes",
+    "matches",
+)  # settings that play needs
+LARGEST = 1 << 30  # [bytes] of a replay's parts, unpacked
 
 
 class Recorder:
@@ -81,12 +92,17 @@ class Replay:
 
     def make_match(self) -> Match:
         """Return the match as it was when the recording began, all robots played from outside."""
-        wanted = dict(self.settings)
-        scene, teams = wanted.pop("scene"), wanted.pop("teams")
-        del teams
-        wanted["league"] = rebuild(League, wanted["league"])
-        wanted["scene"] = Scene(scene["name"], "replayed", None, scene["success"], float(scene["time_limit"]))
-        match = Match(actions="full", seed=0, **wanted | {"action_repeat": 1, "max_cycles": None})
+        told = self.settings
+        try:
+            scene = told["scene"]
+            wanted = {name: told[name] for name in KEPT}
+            wanted["league"] = rebuild(League, told["league"])
+            wanted["scene"] = Scene(scene["name"], "replayed", None, scene["success"], float(scene["time_limit"]))
+            if wanted["matches"] * (told["home"] + told["away"]) > len(self.start):
+                raise ValueError(f"it has no room for {wanted['matches']} matches")
+            match = Match(actions="full", seed=0, **wanted)
+        except (KeyError, TypeError, AttributeError, OverflowError) as error:
+            raise ValueError(f"the settings of this replay are damaged: {error!r}") from error
         saving.restore(match, self.start, memory=False)
         match.reseat()
         return match
@@ -99,6 +115,8 @@ class Replay:
         for step in range(len(self.commands) + 1):
             while pending and pending[0][0] == step:
                 _, rows, records = pending.pop(0)
+                if not all(0 <= m < match.count for m in rows):
+                    raise ValueError(f"this replay is damaged: it seats matches {rows} of {match.count}")
                 saving.restore(match, records, memory=False)
                 match.reseat(rows)
             if step == len(self.commands):
@@ -138,6 +156,7 @@ class Replay:
     def read(path: str | Path) -> Replay:
         """Read a replay file; ValueError if it is not one or is damaged. Nothing in it is executed."""
         try:
+            check_size(path)
             with np.load(path, allow_pickle=False) as file:
                 arrays = {name: file[name] for name in file.files}
             header = json.loads(arrays["header"].tobytes())
@@ -152,8 +171,18 @@ class Replay:
             if len(commands) != len(hashes):
                 raise ValueError(f"it has {len(commands)} commands and {len(hashes)} hashes")
             return Replay(header["settings"], arrays["start"].tobytes(), commands, hashes, log)
-        except (BadZipFile, KeyError, TypeError, ValueError, EOFError, AttributeError) as error:
+        except FileNotFoundError:
+            raise
+        except Exception as error:  # zipfile, zlib, tokenize, ...: a damaged file can raise almost anything
             raise ValueError(f"{path} is not a replay that can be read: {error}") from error
+
+
+def check_size(path: str | Path) -> None:
+    """Raise ValueError if the parts of a file would unpack to more than a replay ever is."""
+    with ZipFile(path) as file:
+        total = sum(part.file_size for part in file.infolist())
+    if total > LARGEST:
+        raise ValueError(f"it would unpack to {total} bytes, at most {LARGEST} are read")
 
 
 def as_actions(commands: np.ndarray) -> np.ndarray:

@@ -96,7 +96,7 @@ def nearest_distance(ball, robots, team):
 
 
 @compiled
-def reward_robots(robots, events, before, after, weights, terms, rewards):
+def reward_robots(match, robots, events, before, after, weights, terms, rewards):
     """Write the weighted terms (R, 4) of each robot and add them to rewards (R,)."""
     for r in range(robots.shape[0]):
         team, command = robots[r].team, robots[r].command
@@ -107,5 +107,6 @@ def reward_robots(robots, events, before, after, weights, terms, rewards):
         square = command.forward * command.forward + command.left * command.left + command.turn * command.turn
         terms[r, PROGRESS] += progress
         terms[r, APPROACH] += approach
-        terms[r, EFFORT] -= weights.effort * square / 3.0
+        if match.placing == 0:  # the referee steers robots to their places, at no cost of theirs
+            terms[r, EFFORT] -= weights.effort * square / 3.0
         rewards[r] = terms[r, GOAL] + terms[r, PROGRESS] + terms[r, APPROACH] + terms[r, EFFORT]

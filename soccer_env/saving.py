@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.types import RobotStream
+from soccer_env.types import AWAY, HOME, NO_TEAM, Phase, RobotStream
 
 Match = Any  # soccer_env.match.Match, which stands above this file
 
@@ -41,7 +41,7 @@ def header_of(match: Match, memory: bool) -> dict[str, Any]:
     arrays = parts(match, memory)
     return {
         "settings": match.settings.fingerprint() if memory else "",
-        "teams": [[squad.team.name, squad.players.tolist()] for squad in match.squads] if memory else [],
+        "teams": [squad.describe() for squad in match.squads] if memory else [],
         "parts": [[name, str(array.dtype), list(array.shape), array.nbytes] for name, array in arrays.items()],
     }
 
@@ -65,7 +65,9 @@ def restore(match: Match, saved: Any, memory: bool = True) -> None:
     for name, array in parts(match, memory).items():
         found[name] = np.frombuffer(body, array.dtype, array.size, start).reshape(array.shape)
         start += array.nbytes
-    check_numbers(found)
+    if start != len(body):
+        raise ValueError("this save is damaged: something follows its end")
+    check_numbers(match, found)
     for name, array in parts(match, memory).items():
         array[...] = found[name]
 
@@ -82,26 +84,59 @@ def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:
     size = int.from_bytes(data[len(MAGIC) : start], "little")
     try:
         header = json.loads(body[start : start + size])
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise ValueError("this save is damaged: its header cannot be read") from error
     if not isinstance(header, dict):
         raise ValueError("this save is damaged: its header is not an object")
     return body, start + size, header
 
 
-def check_numbers(arrays: dict[str, np.ndarray]) -> None:
-    """Raise ValueError if a pose or speed of a save is not finite: the physics must never see it."""
-    for name, fields in (
-        ("balls", ("x", "y", "vx", "vy", "spin")),
-        ("robots", ("x", "y", "heading", "vx", "vy", "omega")),
-    ):
-        for field in fields:
-            if not np.isfinite(arrays[name][field]).all():
-                raise ValueError(f"this save is damaged: {field} of {name} is not finite")
+RANGES = {  # of whole numbers in matches and robots, both ends allowed
+    "half": (0, 1), "over": (0, 1), "phase": (0, max(Phase)), "placing": (0, 1), "restart_team": (NO_TEAM, AWAY),
+    "kick_off_team": (HOME, AWAY), "last_touch_team": (NO_TEAM, AWAY), "active": (0, 1), "has_ball": (0, 1),
+    "step": (0, 1 << 60), "episode": (0, 1 << 60), "gait_phase": (0, 1 << 20), "score": (0, 1 << 31),
+}  # fmt: skip
+FIXED = ("team", "number", "keeper")  # of a robot: as the match lined up
+FAR = 1e6  # no number of a match is larger; the length of a half may be infinite
+
+
+def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
+    """Raise ValueError if a number of a save cannot come from a match: kernels trust what lies in the records."""
+    for name in ("matches", "balls", "robots"):
+        check_floats(name, arrays[name])
+        for field, (low, high) in RANGES.items():
+            if field in (arrays[name].dtype.names or ()) and not within(arrays[name][field], low, high):
+                raise ValueError(f"this save is damaged: {field} of {name} is out of range")
+    for field in FIXED:
+        if not np.array_equal(arrays["robots"][field], match.robots[field]):
+            raise ValueError(f"this save is damaged: {field} of robots is not that of the match")
+    if not within(arrays["matches"]["last_touch_robot"], -1, len(match.agents) - 1):
+        raise ValueError("this save is damaged: last_touch_robot of matches is out of range")
+    if not (np.abs(arrays["matches"]["home_direction"]) == 1.0).all():
+        raise ValueError("this save is damaged: home_direction of matches is neither 1 nor -1")
+
+
+def check_floats(name: str, array: np.ndarray) -> None:
+    """Raise ValueError for the first number of records that is not finite or absurdly large."""
+    for field in array.dtype.names or ():
+        values = array[field]
+        if values.dtype.names:
+            check_floats(f"{field} of {name}", values)
+        elif values.dtype.kind == "f" and field != "half_length" and not within(values, -FAR, FAR):
+            raise ValueError(f"this save is damaged: {field} of {name} is not finite or too large")
+    if name == "matches" and not (array["half_length"] > 0.0).all():
+        raise ValueError("this save is damaged: half_length of matches is not above zero")
+
+
+def within(values: np.ndarray, low: float, high: float) -> bool:
+    """Tell whether all values lie in a range; not a number does not."""
+    return bool(((values >= low) & (values <= high)).all())
 
 
 def state_hash(match: Match, m: int | None = None) -> str:
     """Return the hash (32 hex digits) of the state of all matches, or of match m alone."""
+    if m is not None and not 0 <= m < match.count:
+        raise ValueError(f"m must be 0 to {match.count - 1}, got {m}")
     at = slice(None) if m is None else slice(m, m + 1)
     digest = hashlib.blake2b(digest_size=16)
     for array in parts(match).values():

@@ -5,7 +5,8 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field, is_dataclass, replace
+from dataclasses import dataclass, is_dataclass, replace
+from inspect import signature
 from math import inf, isfinite
 from typing import Any
 
@@ -21,8 +22,16 @@ from soccer_env.types import MAX_TEAM
 
 EPISODES = ("match", "goal", "drill")
 AUTORESETS = ("next_step", "same_step", "off")
-FREE = ("observe", "autoreset", "actions", "rewards", "action_repeat")  # what a match's future does not depend on
-SENSES = ("ideal",)  # "sensors" comes with the perception layer
+FREE = (
+    "observe",
+    "autoreset",
+    "actions",
+    "rewards",
+    "action_repeat",
+    "max_cycles",
+)  # what a match's future does not depend on
+SENSES = ("ideal",)
+LATER = ("percepts", "belief", "sensors")  # what comes with the perception layer
 
 
 @dataclass(frozen=True)
@@ -46,7 +55,6 @@ class Settings:
     action_repeat: int
     max_cycles: int | None
     autoreset: str
-    teams: Mapping[str, str] = field(default_factory=dict)  # agent id -> name of its team
 
     @property
     def rows(self) -> tuple[int, int]:
@@ -80,7 +88,7 @@ class Settings:
 
     def fingerprint(self) -> str:
         """Return a hash of everything that a match's future depends on."""
-        relevant = {name: value for name, value in self.describe().items() if name not in FREE}
+        relevant = {name: value for name, value in self.describe().items() if name not in FREE} | {"limit": self.limit}
         return hashlib.sha256(json.dumps(relevant, sort_keys=True).encode()).hexdigest()[:16]
 
 
@@ -106,6 +114,8 @@ def whole_number(name: str, value: Any, low: int, high: int) -> int:
 
 def one_of(name: str, value: Any, choices: tuple[str, ...]) -> str:
     """Return one of the choices; ValueError names them."""
+    if isinstance(value, str) and value in LATER:
+        raise ValueError(f"{name}={value!r} is not built yet; this version has: {', '.join(choices)}")
     if not isinstance(value, str) or value not in choices:
         raise ValueError(f"{name} must be one of {', '.join(choices)}, got {value!r}")
     return value
@@ -133,6 +143,8 @@ def check_observe(observe: Any) -> Any:
     """Return what observations are built from: a name, or an object with `names` that can be called with a match."""
     if callable(observe) and hasattr(observe, "names"):
         return observe
+    if not isinstance(observe, str):
+        raise ValueError(f"observe must be a name or an object with `names` to call with a match, got {observe!r}")
     return one_of("observe", observe, OBSERVE)
 
 
@@ -143,6 +155,14 @@ def check_minutes(minutes: float | None) -> float | None:
     if isinstance(minutes, bool) or not isinstance(minutes, (int, float)) or not (isfinite(minutes) and minutes > 0):
         raise ValueError(f"minutes must be above zero, got {minutes!r}")
     return float(minutes)
+
+
+def check_known(settings: Mapping[str, Any]) -> None:
+    """Raise TypeError for a setting that does not exist, and say which do."""
+    known = [name for name in signature(make_settings).parameters if name != "league"]
+    for name in settings:
+        if name not in known:
+            raise TypeError(f"unknown setting {name!r}; known: {', '.join(known)}")
 
 
 def check_keeper(keeper: Any, home: int, away: int) -> int:
@@ -185,6 +205,8 @@ def make_settings(
     one_of("episode", episode, EPISODES)
     if episode == "drill" and found_scene.success == "none":
         raise ValueError(f"episode 'drill' needs a scene with a success test, and {found_scene.name!r} has none")
+    if episode == "drill" and minutes is not None:
+        raise ValueError(f"minutes must be None in a drill, whose scene has its own time limit, got {minutes!r}")
     return Settings(
         league=found,
         home=home,

@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.geometry import length
 from soccer_env.observations import observe_truth
 from soccer_env.physics.ball import hold, limit_speed, slow_down
 from soccer_env.physics.chipmunk import step_match, write_bodies
@@ -110,6 +111,7 @@ def begin_step(match, ball, robots, events, robot_events, velocities, k, terms, 
         move_head(robot, k, ball)
         robot.fallen = max(robot.fallen - k.dt, 0.0)
         robot.penalty = max(robot.penalty - k.dt, 0.0)
+    limit_speed(ball, k)
     if match.placing == 1:
         hold(ball)
     slow_down(ball, k, 0.5 * k.dt)
@@ -124,13 +126,14 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k
     knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
     slow_down(ball, k, 0.5 * k.dt)
     limit_speed(ball, k)
-    toucher = find_touches(ball, robots, robot_events, k, knock_x, knock_y)
+    dead = match.placing == 1  # a ball that is held cannot be touched
+    toucher = -1 if dead else find_touches(ball, robots, robot_events, k, knock_x, knock_y)
     find_collisions(robots, robot_events, k)
     match.step += 1
-    moved = match.placing == 1
-    if match.placing == 1:
+    moved = dead
+    if dead:
         end_placing(match, ball, robots, k)
-    judge(match, ball, robots, events, k, toucher if toucher >= 0 else kicked_by(robot_events))
+    judge(match, ball, robots, events, k, toucher if toucher >= 0 else kicked_by(ball, robots, robot_events))
     judge_drill(match, ball, events, k)
     if events.restart != 0 and match.over == 0:
         carry_out_restart(match, ball, robots, k, k.drive_placement)
@@ -148,7 +151,7 @@ def end_step(match, ball, robots, events, k, weight, before, terms, rewards, obs
     """Reward and observe."""
     after, axes, rows, squares = room
     measure_potentials(match, ball, robots, k, after)
-    reward_robots(robots, events, before, after, weight, terms, rewards)
+    reward_robots(match, robots, events, before, after, weight, terms, rewards)
     if observations.shape[1] > 0:
         observe_truth(match, ball, robots, observations, k, axes, rows, squares)
 
@@ -186,9 +189,11 @@ def clear_events(events, robot_events):
 
 
 @compiled
-def kicked_by(robot_events):
-    """Return the row of the robot that kicked in this step, or -1."""
+def kicked_by(ball, robots, robot_events):
+    """Return the row of the robot that kicked in this step (of several the one nearest to the ball), or -1."""
+    row, least = -1, 0.0
     for r in range(robot_events.shape[0]):
-        if robot_events[r].kick == 1:
-            return r
-    return -1
+        distance = length(ball.x - robots[r].x, ball.y - robots[r].y)
+        if robot_events[r].kick == 1 and (row < 0 or distance < least):
+            row, least = r, distance
+    return row

@@ -160,6 +160,8 @@ def parse_team(text: str) -> tuple[str, float]:
 def make_team(team: str | Team, strength: float | None = None, **settings: Any) -> Team:
     """Return the team of a name (NAME or NAME@STRENGTH), or the team itself; ValueError says which names exist."""
     if not isinstance(team, str):
+        if isinstance(team, type):
+            raise ValueError(f"a team is an object: give {team.__name__}(), not the class")
         if not (callable(getattr(team, "act", None)) and hasattr(team, "memory_dtype")):
             raise ValueError(f"a team needs name, memory_dtype and act, got {team!r}")
         return team

@@ -15,7 +15,8 @@ PROGRAM = """
 import sys, numpy as np
 from soccer_env import Match
 league, steps, size = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
-match = Match(league, home=size, away=size, matches=1, seeds=[11])
+teams = {"home_0": "chaser"} if len(sys.argv) > 4 else None
+match = Match(league, home=size, away=size, matches=1, seeds=[11], controllers=teams)
 rng = np.random.default_rng(5)
 for _ in range(steps):
     match.step(rng.uniform(-1.0, 1.0, (1, 2 * size, 4)))
@@ -52,6 +53,7 @@ def test_500_steps_agree_across_processes_and_hash_seeds(league: str) -> None:
 @pytest.mark.parametrize("league", LEAGUES)
 def test_plain_python_plays_what_the_compiled_code_plays(league: str) -> None:
     assert run(league, 100, 1) == run(league, 100, 1, NUMBA_DISABLE_JIT="1")
+    assert run(league, 60, 2, "chaser") == run(league, 60, 2, "chaser", NUMBA_DISABLE_JIT="1")
 
 
 @pytest.mark.parametrize("league", LEAGUES)

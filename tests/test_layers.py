@@ -22,7 +22,7 @@ LAYERS = (
     ("physics", "perception", "belief", "referee"),
     ("actions", "observations", "rewards", "scenes"),
     ("settings",),
-    ("step", "episodes", "players", "truth_state", "saving"),  # the parts of a match
+    ("step", "episodes", "players", "truth_state", "saving", "user_code"),  # the parts of a match
     ("field",),
     ("match",),
     ("soccer_v0", "gymnasium_envs", "gymnasium_vector", "faces", "render", "replay"),

@@ -61,6 +61,11 @@ class EvaluateSettings:
     """End with exit code 1 if --home's points (draws count half) are below this share of the matches, 0 to 1."""
 
     def __post_init__(self) -> None:
+        for side in ("home", "away"):
+            if not isinstance(getattr(self, side), str):
+                raise ValueError(f"{side} must be a name; evaluate(settings, teams={{name: team}}) names team objects")
+        if isinstance(self.out, str):
+            object.__setattr__(self, "out", Path(self.out))
         whole("matches", self.matches, 2)
         if self.matches % 2:
             raise ValueError(f"matches must be even (each seed is played twice, sides swapped), got {self.matches}")

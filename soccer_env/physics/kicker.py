@@ -5,7 +5,6 @@ from __future__ import annotations
 from math import cos, sin
 
 from soccer_env.compiled import compiled
-from soccer_env.physics.ball import limit_speed
 from soccer_env.random_numbers import normal
 from soccer_env.types import RobotStream
 
@@ -50,7 +49,6 @@ def finish_kick(robot, events, k, ball, handedness):
     speed = kick_speed(k, robot.kick_strength)
     ball.vx += speed * ahead
     ball.vy += speed * aside
-    limit_speed(ball, k)
     events.kick = 1
     events.touch = 1
 

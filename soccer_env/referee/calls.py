@@ -146,6 +146,7 @@ def end_half(match, events, k):
         match.restart_team = NO_TEAM
         events.final_whistle = 1
         events.restart = 0
+        events.restart_team = NO_TEAM
 
 
 @compiled

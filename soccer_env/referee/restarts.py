@@ -198,15 +198,24 @@ def aim_ahead(ahead, left, turn):
 
 
 @compiled
+def is_ready(match, robots, r, k):
+    """Tell whether robot r is ready for a restart: the taker at its place, the others where the rules let them."""
+    robot = robots[r]
+    if is_taker(match, robots, r):
+        return length(robot.x - robot.place_x, robot.y - robot.place_y) <= ARRIVED
+    if length(robot.x - match.restart_x, robot.y - match.restart_y) < distance_from_ball(match, robot, k):
+        return False
+    return match.phase != KICK_OFF or robot.x * direction_of(match, robot.team) <= 0.0
+
+
+@compiled
 def end_placing(match, ball, robots, k):
-    """End the placement when all have arrived or the time is up: put right what is not legal, all at rest."""
+    """End the placement when all are ready or the time is up: put right what is not legal, all at rest."""
     put_ball(ball, match.restart_x, match.restart_y)
-    arrived = True
+    ready = True
     for r in range(robots.shape[0]):
-        x, y = robots[r].x - robots[r].place_x, robots[r].y - robots[r].place_y
-        if robots[r].active == 1 and length(x, y) > ARRIVED:
-            arrived = False
-    if not arrived and match.phase_clock < k.rules_placing_time - 1.5 * k.dt:  # the referee's clock is one step behind
+        ready = ready and (robots[r].active == 0 or is_ready(match, robots, r, k))
+    if not ready and match.phase_clock < k.rules_placing_time - 1.5 * k.dt:  # the referee's clock is one step behind
         return
     match.placing = 0
     match.phase_clock = 0.0

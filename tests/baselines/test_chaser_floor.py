@@ -1,4 +1,4 @@
-"""The chaser's floor: what it can do at strength 1 with ideal senses may be improved by later versions, never weakened."""
+"""The chaser's floor: what it does at strength 1 with ideal senses may be improved by later versions, never weakened."""
 
 import numpy as np
 import pytest
@@ -59,8 +59,9 @@ def test_it_scores_against_a_team_that_stands_still(league: str, minutes: float,
 
 
 def test_its_middle_size_keeper_saves_shots() -> None:
-    assert drill("middle-size-2006", "shot-at-keeper", "still", "chaser", 300) >= 0.30
-    assert drill("middle-size-2006", "shot-at-keeper", "still", "still", 300) < 0.30, "the shots would go in"
+    saved = drill("middle-size-2006", "shot-at-keeper", "still", "chaser", 300)
+    hit_by_chance = drill("middle-size-2006", "shot-at-keeper", "still", "still", 300)
+    assert saved >= 0.30 and saved > hit_by_chance + 0.20
 
 
 @pytest.mark.parametrize(("league", "minutes"), [("legged-2001", 10.0), ("middle-size-2006", 4.0)])

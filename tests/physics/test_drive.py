@@ -117,6 +117,7 @@ def test_no_robot_gains_or_loses_speed_faster_than_it_can(name):
         (MIDDLE, (0.6, 0.8), 2.6),
         (MIDDLE, (1.0, 1.0), 2.6),
         (DIFFERENTIAL, (1.0, 0.0), 1.6),
+        (DIFFERENTIAL, (1.0, 1.0), 1.6),
     ],
 )
 def test_robots_walk_at_the_speed_that_is_asked_of_them(name, command, expected):

@@ -147,6 +147,14 @@ def test_a_ball_outside_the_pocket_cannot_be_kicked(name, ahead, aside):
     assert at[0] == -1 and not speed(match.balls).any()
 
 
+@each_league
+def test_a_robot_without_the_ball_does_not_begin_to_kick(name):
+    match = at_the_ball(name, ahead=0.5)
+    for _ in range(20):
+        match.step(asking(match, kick=1.0))
+        assert match.robots["kick_clock"][0, 0] == 0.0
+
+
 @pytest.mark.parametrize(("name", "pause"), [(LEGGED, 0.5), (MIDDLE, 1.0)])
 def test_after_a_kick_the_kicker_recharges(name, pause):
     match = at_the_ball(steady(name))

@@ -87,6 +87,16 @@ def test_a_bounce_off_a_board_is_nobodys_touch(name):
     assert bounced.mean() > 0.7
 
 
+def test_a_ball_that_a_board_sends_towards_a_robot_has_not_touched_it_yet():
+    match = stage(LEGGED)
+    put(match, 0, 0.0, 1.0 - 0.042 - 0.042 - 0.05 - 0.0775, 0.0)  # its flank is 5 cm from a ball at the board
+    put_ball(match, 0.0, 0.93, 0.0, 1.5)
+    match.reseat()
+    match.step(stand(match))
+    assert match.balls["vy"][0] < 0.0, "it has come back from the board"
+    assert not match.robot_events["touch"].any()
+
+
 @pytest.mark.xfail(reason="contacts alone cannot tell a board from a robot beside it; needs the robots' own knocks")
 def test_a_bounce_off_a_board_beside_a_robot_that_hugs_it_is_nobodys_touch():
     match = stage(LEGGED, MANY)
