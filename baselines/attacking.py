@@ -1,4 +1,4 @@
-"""The attacker of the chaser: meet the ball, get behind it, turn it to the goal, shoot; work it out where it is stuck."""
+"""The attacker of the chaser: meet the ball, get behind it, turn it to the goal, shoot; work it loose when stuck."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def run_in(command, sight, k, play, x, y, ux, uy):
 
 @compiled
 def reachable(x, y, k):
-    """Return the point nearest to a ball [m] over which a robot that rubs along the boards can walk: its paw fetches the ball."""
+    """Return the point nearest to a ball [m] that a robot rubbing along the boards can walk over: its paw fetches it."""
     if k.walled == 0:
         return x, y
     room = k.body_tip_y + k.body_tip_radius

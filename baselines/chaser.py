@@ -6,9 +6,9 @@ Each player decides from its own belief and tracks. One ladder for each role:
     attacker     work a stuck ball out  >  turn with the ball  >  get behind it; shoot when it can  attacking.py
     supporter    keep the rules' distance  >  stand behind the ball, the next ones spread out   here
 
-Who attacks: the field player that believes itself nearest to the ball, counting the way round it. `strength` from 0 to 1 scales
-the pace, how often a player decides, how straight it aims and how hard it kicks; at 1 nothing is drawn at random but the
-patience with a stuck ball, so that mirrored beliefs give mirrored commands.
+Who attacks: the field player that believes itself nearest to the ball, counting the way round it. `strength` from 0 to
+1 scales the pace, how often a player decides, how straight it aims and how hard it kicks; at 1 nothing is drawn at
+random but the patience with a stuck ball, so that mirrored beliefs give mirrored commands.
 """
 
 from __future__ import annotations
@@ -81,8 +81,10 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "rank_time": (1.0, 0.3, 0.4),  # [s] before a player changes its rank
     "foresight": (1.0, 0.5, 0.6),  # [s] by which a player's own motion shortens its way to the ball
     "wrong_side": (0.3, 0.8, 1.0),  # [m] that a way from ahead of the ball is longer
-    "back": (0.7, 1.5, 1.5),  # [m] of a supporter behind the ball, for each row
-    "aside": (0.5, 1.2, 1.2),  # [m] of a supporter beside it
+    "cover": (0.8, 2.5, 2.5),  # [m] of the first supporter behind the ball, on its way to the own goal
+    "cover_aside": (0.3, 0.5, 0.5),  # [m] and beside that way
+    "back": (0.6, 2.0, 2.0),  # [m] between the next pairs of supporters
+    "aside": (0.5, 1.5, 1.5),  # [m] of a pair beside the ball
     "change_side": (0.2, 0.6, 0.6),  # [m] from the middle before a supporter changes sides
     "keeper_line": (1.35, 1.2, 1.2),  # [body reaches] from the goal line
     "keeper_out": (1.8, 2.2, 2.0),  # [body reaches] from the middle of the goal
@@ -97,6 +99,8 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
 }
 LOST = 2.0  # [s] unseen for longer the ball has to be searched for, assumed
 SEARCH = 0.5  # [1] of the top turn rate while searching, assumed
+ROOM = 2.5  # [body reaches] between the first two players that keep away from the opponents' restart, assumed
+HOME_EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assumed
 MARGIN = 0.05  # [m] beyond the rules' distance at the opponents' restart, assumed
 SETTINGS = np.dtype([("strength", "f8"), *((name, "f8") for name in NUMBERS)])
 
@@ -208,22 +212,31 @@ def free_ring(situation, k):
 
 @compiled
 def support(command, sight, memory, k, play, ring):
-    """Stand behind the ball and beside it, outside the ring; players of a higher rank stand farther back, in pairs.
-
-    The nearest player stands right behind the ball: it supports only while the opponents take a restart.
-    """
+    """Stand where the player's rank asks, at least `ring` [m] from the ball, and look at the ball."""
     if memory.side == 0.0 or abs(sight.ball_y) > play.change_side:
         memory.side = -side_of(sight.ball_y)
-    row = (memory.rank + 1) // 2
-    side = 0.0 if row == 0 else (memory.side if memory.rank % 2 == 1 else -memory.side)
-    back_x, back_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
-    away = max(length(back_x, back_y), 1e-6)
-    off_x, off_y = (
-        play.back * (back_x / away if row == 0 else -row),
-        play.back * back_y / away if row == 0 else side * play.aside,
-    )
-    stretch = max(ring / max(length(off_x, off_y), 1e-6), 1.0)
-    edge_x, edge_y = 0.5 * k.pitch_length - k.body_reach, 0.5 * k.pitch_width - k.body_reach
-    x = clip(sight.ball_x + stretch * off_x, -edge_x + 2.0 * k.body_reach, edge_x)
-    y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
+    back, aside = support_place(memory, play)
+    home_x, home_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
+    away = max(length(home_x, home_y), 1e-6)
+    home_x, home_y = home_x / away, home_y / away
+    off_x, off_y = back * home_x + aside * home_y, back * home_y - aside * home_x
+    ring += ROOM * k.body_reach * min(memory.rank, 1)
+    stretch = max(ring / length(off_x, off_y), 1.0) if ring > 0.0 else 1.0
+    edge_x, edge_y = 0.5 * k.pitch_length - HOME_EDGE * k.body_reach, 0.5 * k.pitch_width - k.body_reach
+    x, y = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x), clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
     go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+
+
+@compiled
+def support_place(memory, play):
+    """Return how far back from the ball towards the own goal, and how far to the left of that way, a rank stands [m].
+
+                3            ball  ->  opponents' goal       rank 0 goes to the ball, or stands right before it
+    5                1   (0)           (mirrored while the   while the opponents take a restart; 1 covers the goal;
+                2                      ball is on the left)  the others follow in pairs, one on either side
+    """
+    if memory.rank < 2:
+        return play.cover, memory.side * play.cover_aside * memory.rank
+    pair = memory.rank // 2
+    side = memory.side if memory.rank % 2 == 0 else -memory.side
+    return play.back * (pair - 0.5), side * play.aside

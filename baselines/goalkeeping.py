@@ -1,4 +1,4 @@
-"""The goalkeeper of the chaser: stand between ball and goal, meet shots where they cross the line, clear what lies near."""
+"""The goalkeeper of the chaser: stand between ball and goal, meet shots on the line, clear what lies near."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """What a scripted player sees of the game, in its team's frame: own goal at -x, the opponents' at +x.
 
-Beliefs and tracks are relative to the robot; `look` turns them once a decision into one flat record, so that skills can be
-written for a team that attacks +x. Everything here is exact under a left-right mirror: cosine terms are even, sine terms odd.
+Beliefs and tracks are relative to the robot; `look` turns them once a decision into one flat record, so that skills
+can be written for a team that attacks +x. Everything here is exact under a left-right mirror: cosine terms are even,
+sine terms odd.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ SIGHT = np.dtype(
 
 @compiled
 def look(sight, belief, tracks, k):
-    """Fill the sight of one robot from its belief and its (slots,) tracks, for the moment at which its command takes effect."""
+    """Fill one robot's sight from its belief and (slots,) tracks, for the moment at which its command takes effect."""
     own, ball = belief.own, belief.ball
     delay = k.dt * k.delay_steps
     cosine, sine = cos(own.heading), sin(own.heading)

@@ -136,7 +136,8 @@ def run_evaluate(words: list[str]) -> int:
     result = evaluate(settings)
     console().print(screen_table(result))
     if settings.out is not None:
-        print(f"written: {settings.out / 'result.json'}, {settings.out / 'report.md'}")
+        files = [settings.out / name for name in ("result.json", "report.md", "match.png")]
+        print(f"written: {', '.join(str(file) for file in files if file.exists())}")
     if settings.at_least is not None and result.points.mean < settings.at_least:
         print(f"points {result.points.mean:.3f} are below {settings.at_least:g}", file=sys.stderr)
         return BELOW

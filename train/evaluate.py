@@ -28,7 +28,7 @@ from soccer_env.train.report import markdown
 from soccer_env.train.results import EvaluationResult, Folder, MatchLine, remove_files, summarise
 from soccer_env.train.settings import Conditions, EvaluateSettings, command_of, conditions_of
 
-BATCH = 64  # matches side by side for each thread; measured: more gain little and are lost together
+BATCH = 32  # matches side by side for each thread; more gain little, and a run that is killed loses the batch
 REPORT_EVERY = 50  # steps between two movements of the progress bar
 
 __all__ = ["EvaluateSettings", "EvaluationResult", "evaluate"]

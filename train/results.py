@@ -15,6 +15,7 @@ from soccer_env.train.statistics import paired_bootstrap, required_matches
 
 CLEAR_POINTS = 0.95  # [1] share of the points that "beats clearly" asks for [DESIGN.md]
 LEAST_PAIRS = 5  # fewer say nothing about how results scatter: no verdict
+MIRRORED = "no verdict: a team against itself plays each match of a pair twice, which says nothing"
 HALF_WIDTH = 0.25  # [goals a match] for which the number of matches is worked out
 
 
@@ -96,7 +97,7 @@ def summarise(conditions: Conditions, made_with: dict[str, str], lines: Sequence
         win_rate=Estimate(*paired_bootstrap(pair_means(ordered, lambda line: float(line.points == 1.0)))),
         points=points,
         matches_needed=required_matches(differences, HALF_WIDTH) if len(set(differences)) > 1 else None,
-        verdict=judge(difference, points, len(differences)),
+        verdict=MIRRORED if is_mirrored(conditions) else judge(difference, points, len(differences)),
         lines=ordered,
     )
 
@@ -104,6 +105,12 @@ def summarise(conditions: Conditions, made_with: dict[str, str], lines: Sequence
 def pair_means(lines: Sequence[MatchLine], value: Callable[[MatchLine], float]) -> list[float]:
     """Return the mean of a quantity over the two matches of each pair, from sorted lines."""
     return [(value(first) + value(second)) / 2 for first, second in zip(lines[::2], lines[1::2], strict=True)]
+
+
+def is_mirrored(conditions: Conditions) -> bool:
+    """Tell whether a team plays itself: with sides swapped, both matches of a pair are then one and the same."""
+    sizes, senses = conditions.players, conditions.senses
+    return conditions.home == conditions.away and sizes[0] == sizes[1] and senses[0] == senses[1]
 
 
 def judge(difference: Estimate, points: Estimate, pairs: int) -> str:

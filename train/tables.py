@@ -29,7 +29,7 @@ from soccer_env.train.settings import EvaluateSettings, command_of, conditions_o
 DATA = Path(__file__).with_name("tables.json")
 README = Path(__file__).resolve().parents[1] / "README.md"
 MATCHES = 200
-OPPONENTS = ("still", "random", "chaser@0", "chaser@0.25", "chaser@0.5", "chaser@0.75", "chaser")
+OPPONENTS = ("still", "random", "chaser@0", "chaser@0.25", "chaser@0.5", "chaser@0.75")
 LEAGUES = ("legged-2001", "middle-size-2006")
 LIBRARIES = ("pymunk", "numba", "numpy")
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy

@@ -36,6 +36,7 @@ VELOCITY_FIELDS = lib.VELOCITY | lib.ANGULAR_VELOCITY
 
 C_FUNCTIONS = {  # field of LINK: C function
     "step": "cpSpaceStep",
+    "set_time_step": "cpSpaceSetCurrentTimeStep",
     "each_body": "cpSpaceEachBody",
     "get_body": "pmSpaceBodyGetIteratorFuncBatched",
     "set_body": "pmSpaceBodySetIteratorFuncBatched",
@@ -127,6 +128,7 @@ def advance(links: Links, m: int, substeps: int, dt: float) -> None:
         raise ValueError("the match has no Space yet")
     if substeps > 0:
         substep = dt / substeps  # [s]
+        _call_step(link.set_time_step, link.space, substep)  # see `keep_impulses`
         for _ in range(substeps):
             _call_step(link.step, link.space, substep)
 
@@ -171,6 +173,15 @@ def make_links(bodies: NDArray[np.float64], velocities: NDArray[np.float64]) -> 
 def _addresses(items: NDArray[Any]) -> NDArray[np.uint64]:
     """Return the address of each item along the first axis."""
     return np.uint64(items.ctypes.data) + np.arange(len(items), dtype=np.uint64) * np.uint64(items.strides[0])
+
+
+def keep_impulses(space: pymunk.Space, substep: float) -> None:
+    """Let a Space begin with the impulses of its last substep as they are, although this one has another length [s].
+
+    Chipmunk would scale them by the ratio of the lengths and the solver then takes them back unscaled: a bounce whose
+    substep is followed by a longer one pays twice.
+    """
+    lib.cpSpaceSetCurrentTimeStep(space._space, substep)
 
 
 def space_address(space: pymunk.Space) -> int:

@@ -80,6 +80,8 @@ class SpaceBatch:
             return
         for m in range(first, last):
             self.write_velocities(m)
+            if counts[m] > 0:
+                chipmunk.keep_impulses(self._space(m), dt / int(counts[m]))
             for _ in range(counts[m]):
                 self._space(m).step(dt / int(counts[m]))
             self.read_bodies(m)

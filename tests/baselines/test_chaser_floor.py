@@ -1,4 +1,4 @@
-"""The chaser's floor: what it does at strength 1 with ideal senses may be improved by later versions, never weakened."""
+"""The chaser's floor at strength 1 with ideal senses: later versions may improve it, never weaken it."""
 
 import numpy as np
 import pytest

@@ -1,7 +1,6 @@
 """Energy: without commands nothing ever speeds up, whatever meets whatever."""
 
 import numpy as np
-import pytest
 from staging import boarded, each_league, energy, put_ball, scatter, set_phase, speed, stage, stand, steps_in
 
 from soccer_env import Match
@@ -26,7 +25,6 @@ def let_loose(name: str, matches: int, seed: int) -> Match:
     return match
 
 
-@pytest.mark.xfail(reason="Chipmunk's warm start scales impulses when the length of a substep changes", strict=True)
 @each_league
 def test_without_commands_the_kinetic_energy_of_a_match_never_grows(name):
     match = let_loose(name, 150, seed=3)
@@ -43,7 +41,6 @@ def test_without_commands_the_kinetic_energy_of_a_match_never_grows(name):
     assert (before[playing] < 0.6 * began[playing]).all(), "and most of it is spent"
 
 
-@pytest.mark.xfail(reason="Chipmunk's warm start scales impulses when the length of a substep changes", strict=True)
 @each_league
 def test_a_ball_that_has_come_back_from_a_board_gets_no_faster(name):
     rng = np.random.default_rng(0)
