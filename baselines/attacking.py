@@ -82,7 +82,7 @@ def run_in(command, sight, k, play, x, y, ux, uy):
 
 @compiled
 def reachable(x, y, k):
-    """Return the point nearest to a ball [m] that a robot rubbing along the boards can walk over: its paw fetches it."""
+    """Return the point [m] nearest to a ball that a robot rubbing along the boards can reach with a paw."""
     if k.walled == 0:
         return x, y
     room = k.body_tip_y + k.body_tip_radius

@@ -71,9 +71,9 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front
     "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
     "room": (0.03, 0.02, 0.02),  # [rad] beside a shot
-    "shot_range": (1.3, 5.0, 5.0),  # [m] of a shot at the goal
+    "shot_range": (1.3, 7.0, 7.0),  # [m] of a shot at the goal
     "way_on": (0.7, 1.0, 1.0),  # [m] that a way for the ball is looked at
-    "wing_cost": (0.2, 0.05, 0.05),  # [rad] room that a way may lose for ending in the middle, not at a touchline
+    "wing_cost": (0.2, 0.0, 0.0),  # [rad] room that a way may lose for ending in the middle, not at a touchline
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out
     "wriggle_time": (3.0, 0.6, 0.8),  # [s]
     "patience": (3.0, 1.2, 1.5),  # [s]
@@ -82,12 +82,11 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "foresight": (1.0, 0.5, 0.6),  # [s] by which a player's own motion shortens its way to the ball
     "wrong_side": (0.3, 0.8, 1.0),  # [m] that a way from ahead of the ball is longer
     "cover": (0.8, 2.5, 2.5),  # [m] of the first supporter behind the ball, on its way to the own goal
-    "cover_aside": (0.3, 0.5, 0.5),  # [m] and beside that way
     "back": (0.6, 2.0, 2.0),  # [m] between the next pairs of supporters
     "aside": (0.5, 1.5, 1.5),  # [m] of a pair beside the ball
     "change_side": (0.2, 0.6, 0.6),  # [m] from the middle before a supporter changes sides
     "keeper_line": (1.35, 1.2, 1.2),  # [body reaches] from the goal line
-    "keeper_out": (1.8, 2.2, 2.0),  # [body reaches] from the middle of the goal
+    "keeper_out": (1.8, 1.8, 2.0),  # [body reaches] from the middle of the goal
     "keeper_zone": (0.4, 1.5, 1.5),  # [m] round the middle of the goal from which balls are cleared
     "shot_speed": (0.15, 0.5, 0.5),  # [m/s] a ball this fast towards the goal is a shot
     "dive": (0.0, 0.0, 0.0),  # [m/s] at which a shot is met
@@ -215,7 +214,7 @@ def support(command, sight, memory, k, play, ring):
     """Stand where the player's rank asks, at least `ring` [m] from the ball, and look at the ball."""
     if memory.side == 0.0 or abs(sight.ball_y) > play.change_side:
         memory.side = -side_of(sight.ball_y)
-    back, aside = support_place(memory, play)
+    back, aside = support_place(memory, play, ring)
     home_x, home_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
     away = max(length(home_x, home_y), 1e-6)
     home_x, home_y = home_x / away, home_y / away
@@ -228,7 +227,7 @@ def support(command, sight, memory, k, play, ring):
 
 
 @compiled
-def support_place(memory, play):
+def support_place(memory, play, ring):
     """Return how far back from the ball towards the own goal, and how far to the left of that way, a rank stands [m].
 
                 3            ball  ->  opponents' goal       rank 0 goes to the ball, or stands right before it
@@ -236,7 +235,7 @@ def support_place(memory, play):
                 2                      ball is on the left)  the others follow in pairs, one on either side
     """
     if memory.rank < 2:
-        return play.cover, memory.side * play.cover_aside * memory.rank
+        return (ring if memory.rank == 0 else play.cover), 0.0
     pair = memory.rank // 2
     side = memory.side if memory.rank % 2 == 0 else -memory.side
     return play.back * (pair - 0.5), side * play.aside

@@ -83,7 +83,7 @@ def check_memory(team: Team) -> np.dtype:
         dtype = np.dtype(team.memory_dtype)
     except TypeError as error:
         raise ValueError(f"memory_dtype of team {team.name!r} is no dtype: {team.memory_dtype!r}") from error
-    if dtype.hasobject or dtype.itemsize == 0:
+    if dtype.hasobject or (dtype.itemsize == 0 and dtype.names != ()):
         raise ValueError(f"memory_dtype of team {team.name!r} must hold plain numbers, got {dtype}")
     return dtype
 

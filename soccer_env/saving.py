@@ -63,13 +63,14 @@ def restore(match: Match, saved: Any, memory: bool = True) -> None:
             raise ValueError(f"this save does not fit the match: its {name} differ")
     found = {}
     for name, array in parts(match, memory).items():
-        found[name] = np.frombuffer(body, array.dtype, array.size, start).reshape(array.shape)
+        if array.nbytes:  # a team may remember nothing
+            found[name] = np.frombuffer(body, array.dtype, array.size, start).reshape(array.shape)
         start += array.nbytes
     if start != len(body):
         raise ValueError("this save is damaged: something follows its end")
     check_numbers(match, found)
-    for name, array in parts(match, memory).items():
-        array[...] = found[name]
+    for name, values in found.items():
+        parts(match, memory)[name][...] = values
 
 
 def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:

@@ -14,10 +14,10 @@ from soccer_env import Match
 
 MADE_WITH = "pymunk 7.3.1, numba 0.68.1, numpy 2.4.6, Linux x86_64"
 GOLDEN = {
-    ("legged-2001", "actions"): "",
-    ("legged-2001", "teams"): "",
-    ("middle-size-2006", "actions"): "",
-    ("middle-size-2006", "teams"): "",
+    ("legged-2001", "actions"): "71187e72cc9a7f8e9810559ee4875380",
+    ("legged-2001", "teams"): "6b88e442ef17b0f5b711243218585ba3",
+    ("middle-size-2006", "actions"): "fb7c8d2be52447ee004cba03f6a87bd9",
+    ("middle-size-2006", "teams"): "ffbfa439879f4c17be22b0d078debbbe",
 }
 
 

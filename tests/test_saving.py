@@ -137,3 +137,48 @@ def test_a_save_with_a_nan_is_refused() -> None:
     with pytest.raises(ValueError, match="omega of robots is not finite"):
         match.load(saving.dump(broken))
     assert match.state_hash() == before
+
+
+class Forgetful:
+    """A team that remembers nothing."""
+
+    name = "forgetful"
+    memory_dtype = np.dtype([])
+
+    def act(self, view, memory, rng):  # type: ignore[no-untyped-def]
+        return view.stand()
+
+
+def test_a_team_without_memory_can_be_saved() -> None:
+    match = Match(home=1, away=1, seed=1, controllers={"home": Forgetful(), "away": "still"})
+    saved = match.save()
+    match.step()
+    after = match.state_hash()
+    match.load(saved)
+    match.step()
+    assert match.state_hash() == after
+
+
+@pytest.mark.parametrize(
+    ("records", "field", "value"),
+    [
+        ("robots", "team", 10**6), ("robots", "number", 7), ("robots", "x", np.inf), ("robots", "place_x", 1e300),
+        ("matches", "phase", 99), ("matches", "clock", np.nan), ("matches", "last_touch_robot", 10**6),
+        ("matches", "home_direction", 0.5), ("matches", "step", -1), ("balls", "angle", np.nan),
+    ],
+)  # fmt: skip
+def test_a_forged_save_is_refused(records: str, field: str, value: float) -> None:
+    """Kernels index by what lies in the records: a wrong number would end the process."""
+    match, forged = Match(home=1, away=1, seed=1), Match(home=1, away=1, seed=1)
+    getattr(forged, records)[field] = value
+    before = match.state_hash()
+    with pytest.raises(ValueError, match=field):
+        match.load(saving.dump(forged))
+    assert match.state_hash() == before
+
+
+def test_a_save_of_the_same_team_at_another_strength_is_refused() -> None:
+    weak = Match(home=1, away=1, seed=1, controllers={"home": "chaser@0.2", "away": "still"})
+    strong = Match(home=1, away=1, seed=1, controllers={"home": "chaser", "away": "still"})
+    with pytest.raises(ValueError, match="teams differ"):
+        strong.load(weak.save())

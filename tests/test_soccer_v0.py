@@ -502,7 +502,7 @@ def test_bad_resets_are_refused_and_the_episode_goes_on(arguments, complaint):
         ({"max_players": 2}, "max_players must be 3 to 11, got 2"),
         ({"keeper": -1}, "keeper must be 0 to 2, got -1"),
         ({"observe": "smell"}, "observe must be one of truth, got 'smell'"),
-        ({"observe": "percepts"}, "observe must be one of"),
+        ({"observe": "percepts"}, "observe='percepts' is not built yet; this version has: truth"),
         ({"senses": "sensors"}, "senses='sensors' is not built yet; this version has: ideal"),
         ({"senses": {"north": "ideal"}}, "home and away"),
         ({"actions": "buttons"}, "unknown actions 'buttons'; known: box, full, discrete"),

@@ -97,7 +97,6 @@ def test_a_ball_that_a_board_sends_towards_a_robot_has_not_touched_it_yet():
     assert not match.robot_events["touch"].any()
 
 
-@pytest.mark.xfail(reason="contacts alone cannot tell a board from a robot beside it; needs the robots' own knocks")
 def test_a_bounce_off_a_board_beside_a_robot_that_hugs_it_is_nobodys_touch():
     match = stage(LEGGED, MANY)
     rng = np.random.default_rng(1)

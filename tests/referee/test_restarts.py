@@ -152,7 +152,8 @@ def test_the_old_base_finds_its_place_without_stepping_aside():
         match.step(stand(match))
         placing &= match.matches["placing"] == 1
     off = distance(last, places["place_x"], places["place_y"])
-    assert (off < 0.15).mean() >= 0.85, "but for two that meet head-on"
+    assert (off[:, 1] < 0.15).mean() >= 0.85, "away takes the kick-off; a few are held up by home's robot"
+    assert (match.robots["x"][:, 0] <= 0.0).all(), "the other one only has to be where the rules let it"
 
 
 def test_at_a_middle_size_kick_off_opponents_keep_2_m_and_stay_in_their_half():

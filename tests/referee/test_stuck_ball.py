@@ -127,6 +127,23 @@ def test_at_a_dropped_ball_the_robots_are_pulled_apart_and_away_from_it(name, si
     assert found["robot robot"] < 0.001 and found["robot wall"] < 0.001
 
 
+def test_robots_crowded_into_a_corner_behind_a_dropped_ball_find_a_way_out():
+    """A trap: the ring round the ball leaves room for one robot there, and they pushed each other to and fro."""
+    match, rng = stage(LEGGED, 60, home=2, away=1), np.random.default_rng(0)
+    end, side = rng.choice([-1, 1], (2, 60))
+    put(match, 0, end * rng.uniform(1.2, 1.33, 60), side * rng.uniform(0.75, 0.83, 60), np.pi / 2)
+    put(match, 1, end * rng.uniform(0.9, 1.1, 60), side * rng.uniform(0.75, 0.83, 60), 0.0)
+    put(match, 2, end * rng.uniform(1.2, 1.33, 60), side * rng.uniform(0.35, 0.5, 60), 0.0)
+    put_ball(match, end * 0.7, side * 0.55)
+    match.matches["still_clock"] = match.league.rules.stuck_time
+    match.reseat()
+    match.step(stand(match))
+    assert (match.events["stuck"] == 1).all()
+    assert deepest_overlaps(match)["robot robot"] < 0.001
+    far = distance(match.robots, match.balls["x"][:, None], match.balls["y"][:, None])
+    assert (far >= match.league.rules.separation).all()
+
+
 @each_league
 def test_robots_far_from_a_dropped_ball_stay_where_they_are(name):
     match = stage(name)
