@@ -342,3 +342,75 @@ def test_memory_stays_flat_over_thousands_of_resets() -> None:
 
 def test_a_league_has_room_for_eleven() -> None:
     assert MAX_TEAM == 11
+
+
+@pytest.mark.parametrize(
+    ("returned", "message"),
+    [
+        (np.zeros(3), "reward term 'mine' must return numbers of shape (1, 2), got shape (3,)"),
+        (np.nan, "reward term 'mine' must return finite numbers, got nan at (0, 0)"),
+        (None, "reward term 'mine' must return"),
+    ],
+)
+def test_a_reward_term_that_returns_nonsense_is_named(returned: Any, message: str) -> None:
+    match = Match(home=1, away=1, seed=1, rewards=Rewards(extra={"mine": lambda match: returned}))
+    with pytest.raises(ValueError) as error:
+        match.step(np.zeros((1, 2, 4)))
+    assert message in str(error.value)
+
+
+@pytest.mark.parametrize("value", [np.nan, 5.0])
+def test_an_observation_outside_the_box_is_refused(value: float) -> None:
+    class Wild:
+        names = ("wild",)
+
+        def __call__(self, match: Match) -> float:
+            return value
+
+    with pytest.raises(ValueError, match=r"observe must return numbers in \[-1, 1\]"):
+        Match(home=1, away=1, seed=1, observe=Wild())
+
+
+def test_a_class_is_no_team() -> None:
+    with pytest.raises(ValueError, match=r"give Walker\(\), not the class"):
+        Match(home=1, away=1, opponents=Walker, seed=1)
+
+
+def test_a_compiled_team_is_clipped_and_checked() -> None:
+    from soccer_env.baselines.still import MEMORY, SETTINGS
+    from soccer_env.compiled import compiled
+    from soccer_env.teams import CompiledTeam
+
+    @compiled
+    def ask(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):  # type: ignore[no-untyped-def]
+        for m in range(first, last):
+            for r in players:
+                commands[m, r].turn = settings[0].strength
+
+    for asked, expected in ((7.0, 1.0), (-3.0, -1.0)):
+        team = CompiledTeam("wild", ask, MEMORY, np.array([(asked,)], SETTINGS))
+        match = Match(home=1, away=1, seed=1, controllers={"home": team, "away": "still"})
+        match.step()
+        assert match.robots["command"]["turn"][0, 0] == expected
+    match = Match(home=1, away=1, seed=1, opponents=CompiledTeam("lost", ask, MEMORY, np.array([(np.nan,)], SETTINGS)))
+    with pytest.raises(ValueError, match="team 'lost' gave robot 1 of match 0 a command that is not finite"):
+        match.step(np.zeros((1, 2, 4)))
+    assert np.isfinite(match.robots["x"]).all()
+
+
+def test_a_seed_and_seeds_together_are_refused() -> None:
+    with pytest.raises(ValueError, match="give seed or seeds, not both"):
+        Match(seed=1, seeds=[2])
+
+
+def test_a_ball_that_is_held_is_not_touched_and_steering_costs_nothing() -> None:
+    match = Match("middle-size-2006", home=2, away=2, seed=1, placement="drive", minutes=1, rewards=Rewards(effort=1.0),
+                  controllers={"home": "chaser", "away": "chaser"})  # fmt: skip
+    placed = 0
+    while not match.terminated[0]:
+        match.step()
+        if match.matches["placing"][0]:
+            placed += 1
+            assert not match.robot_events["touch"].any() or match.events["restart"][0]
+            assert not match.terms[..., 3].any()
+    assert placed > 0

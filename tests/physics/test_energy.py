@@ -27,7 +27,7 @@ def let_loose(name: str, matches: int, seed: int) -> Match:
 
 @each_league
 def test_without_commands_the_kinetic_energy_of_a_match_never_grows(name):
-    match = let_loose(name, 150, seed=3)
+    match = let_loose(name, 100, seed=3)
     before, began = energy(match), energy(match)
     playing = np.ones(match.count, bool)
     growth = np.zeros(match.count)
@@ -44,12 +44,12 @@ def test_without_commands_the_kinetic_energy_of_a_match_never_grows(name):
 @each_league
 def test_a_ball_that_has_come_back_from_a_board_gets_no_faster(name):
     rng = np.random.default_rng(0)
-    match = stage(boarded(name), 400)
+    match = stage(boarded(name), 250)
     ball, pitch = match.league.ball, match.league.pitch
     edge = pitch.width / 2 - ball.radius
-    put_ball(match, 0.3, edge - rng.uniform(0.2, 0.5, 400), 0.0, rng.uniform(0.3, 1.0, 400) * ball.top_speed)
+    put_ball(match, 0.3, edge - rng.uniform(0.2, 0.5, 250), 0.0, rng.uniform(0.3, 1.0, 250) * ball.top_speed)
     match.reseat()
-    came, fastest = np.zeros((2, 400))
+    came, fastest = np.zeros((2, 250))
     for _ in range(40):
         last = match.balls["vy"].copy()
         match.step(stand(match))

@@ -108,7 +108,7 @@ def test_a_ball_that_rolls_away_during_the_wind_up_is_missed():
 
 @pytest.mark.parametrize(("name", "degrees"), [(LEGGED, 10.0), (MIDDLE, 2.0)])
 def test_kicks_stray_from_the_heading_with_the_leagues_deviation(name, degrees):
-    matches = 500
+    matches = 300
     match = at_the_ball(name, matches, seed=11)
     heading = np.linspace(-3.0, 3.0, matches)
     reach = match.league.body.front + match.league.ball.radius + 0.002

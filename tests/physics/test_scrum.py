@@ -53,7 +53,7 @@ def test_six_robots_that_push_a_ball_for_a_minute_never_push_it_out_or_into_each
             abs(match.balls["y"]) < pitch.width / 2 + pitch.band_side
         )
         assert inside.all()
-        if step % 12 == 0:
+        if step % steps_in(match, 1.0) == 0:
             found = deepest_overlaps(match)
             worst = {pair: max(depth, worst.get(pair, 0.0)) for pair, depth in found.items()}
     assert touches > 1000

@@ -22,7 +22,7 @@ from soccer_env.leagues import find_league
 from soccer_env.physics.contacts import ball_gap
 from soccer_env.types import AWAY, HOME, NO_TEAM
 
-MANY = 400
+MANY = 200
 
 
 def run_until_touched(match, seconds):
