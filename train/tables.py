@@ -1,6 +1,6 @@
 """The README's tables: measured by commands, kept as JSON beside this file, written between markers in README.md.
 
-    python -m soccer_env.train.tables            measure everything anew and write both
+    python -m soccer_env.train.tables [NAME]     measure all tables, or one, anew and write both
     python -m soccer_env.train.tables --check    replay a small part of each and fail where it no longer agrees
 
 The check plays the first pair of matches of every row again and compares score and final state; where versions or the
@@ -40,16 +40,23 @@ def settings_of(league: str, away: str, matches: int = MATCHES) -> EvaluateSetti
     return EvaluateSettings(league=league, home="chaser", away=away, matches=matches, players=3, seed=1, threads=2)
 
 
-def measure() -> dict[str, Any]:
-    """Measure every table."""
+def measure_scripted() -> dict[str, Any]:
+    """Measure the scripted teams against each other."""
     rows = []
     for league in LEAGUES:
         for away in OPPONENTS:
             settings = settings_of(league, away)
             rows.append(row_of(settings, evaluate(settings)))
+    return {"about": about(), "rows": rows}
+
+
+def measure_speed() -> dict[str, Any]:
+    """Measure the speed."""
     bench = run_bench(BenchSettings())
-    speed = {"machine": bench["machine"], "rows": bench["rows"]}
-    return {"scripted": {"about": about(), "rows": rows}, "speed": {"about": about(), **speed}}
+    return {"about": about(), "machine": bench["machine"], "rows": bench["rows"]}
+
+
+MEASURE = {"scripted": measure_scripted, "speed": measure_speed}
 
 
 def about() -> dict[str, str]:
@@ -173,11 +180,13 @@ def slower_rows(table: dict[str, Any]) -> list[str]:
 
 def main(arguments: list[str]) -> int:
     """Measure and write the tables, or check them; return the exit code."""
-    if arguments not in ([], ["--check"], ["--check", "--quick"]):
-        print("usage: python -m soccer_env.train.tables [--check [--quick]]", file=sys.stderr)
+    names = [name for name in arguments if name in MEASURE]
+    if arguments not in (names, ["--check"], ["--check", "--quick"]):
+        print(f"usage: python -m soccer_env.train.tables [{'|'.join(MEASURE)}] [--check [--quick]]", file=sys.stderr)
         return 2
-    if not arguments:
-        data = measure()
+    if arguments == names:
+        data = json.loads(DATA.read_text(encoding="utf-8")) if names else {}
+        data |= {name: MEASURE[name]() for name in names or MEASURE}
         write_whole(DATA, json.dumps(data, indent=1) + "\n")
         write_whole(README, with_tables(README.read_text(encoding="utf-8"), data))
         return 0
