@@ -58,7 +58,7 @@ SIGHT = np.dtype(
 def look(sight, belief, tracks, k):
     """Fill one robot's sight from its belief and (slots,) tracks, for the moment at which its command takes effect."""
     own, ball = belief.own, belief.ball
-    delay = k.dt * k.delay_steps
+    delay = k.dt * (k.delay_steps + 0.5 * (k.gait_steps - 1.0))
     cosine, sine = cos(own.heading), sin(own.heading)
     sight.now_cosine, sight.now_sine = cosine, sine
     sight.now_ahead, sight.now_left, sight.held = ball.x, ball.y, ball.held

@@ -25,7 +25,6 @@ FAN_STEP = 0.35  # [rad] between them, assumed
 FAN_COSINE, FAN_SINE = cos(FAN_STEP), sin(FAN_STEP)
 FAN_COST = 0.1  # [1] room that a way may lose for each radian nearer to the goal, assumed
 OUT_COST = 0.5  # [1] the same for the share of a way that lies out of the pitch, assumed
-SHARPEST = 0.4  # cosine of the sharpest angle to the goal line's normal from which a shot is tried, assumed
 WIDE_ENOUGH = 0.12  # [rad] more room than this beside a shot is worth nothing, assumed
 TURN_COST = 0.03  # [rad] room that a shot or way may lose for a quarter turn less, assumed
 
@@ -119,7 +118,7 @@ def avoid_others(sight, k, dx, dy, distance):
 def shot_room(sight, k, ux, uy):
     """Return the angle [rad] by which a ball played along (ux, uy) misses posts and opponents; below 0 it meets one."""
     goal = 0.5 * k.pitch_length - sight.ball_x
-    if ux < SHARPEST or goal <= 0.0:
+    if ux <= 1e-3 or goal <= 0.0:
         return -1.0
     crossing = sight.ball_y + goal * uy / ux
     room = (0.5 * k.pitch_goal_width - k.ball_radius - abs(crossing)) * ux * ux / max(goal, k.ball_radius)
