@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
+from soccer_env.leagues import find_league
 
 LEAGUES = ("legged-2001", "middle-size-2006")
 
@@ -16,13 +17,23 @@ def finish(match: Match) -> Match:
     return match
 
 
-def score(league: str, home: str, away: str, matches: int, minutes: float, seed: int = 11) -> np.ndarray:
+def score(
+    league: str, home: str, away: str, matches: int, minutes: float, seed: int = 11, placement: str = "instant"
+) -> np.ndarray:
     """Return the scores (M, 2) of 3 v 3 matches; in half of them the first team starts as away."""
     scores = []
     for swapped in (False, True):
         teams = {"home": away, "away": home} if swapped else {"home": home, "away": away}
         match = Match(
-            league, home=3, away=3, matches=matches // 2, threads=2, seed=seed, minutes=minutes, controllers=teams
+            league,
+            home=3,
+            away=3,
+            matches=matches // 2,
+            threads=2,
+            seed=seed,
+            minutes=minutes,
+            controllers=teams,
+            placement=placement,
         )
         scores.append(finish(match).matches["score"][:, :: -1 if swapped else 1])
     return np.concatenate(scores)
@@ -73,5 +84,6 @@ def test_it_beats_random_players(league: str, minutes: float) -> None:
 @pytest.mark.parametrize(("league", "minutes"), [("legged-2001", 10.0), ("middle-size-2006", 4.0)])
 def test_every_step_of_strength_wins_points(league: str, minutes: float) -> None:
     """200 matches each against strength 1, which against itself has half of the points by symmetry."""
-    ladder = [points(score(league, f"chaser@{s}", "chaser", 200, minutes, seed=1)) for s in (0, 0.25, 0.5, 0.75)]
+    placement = find_league(league).evaluation_placement  # as `soccer evaluate` and the README's table play
+    ladder = [points(score(league, f"chaser@{s}", "chaser", 200, minutes, 1, placement)) for s in (0, 0.25, 0.5, 0.75)]
     assert all(lower < higher for lower, higher in zip(ladder, [*ladder[1:], 0.5], strict=True)), ladder
