@@ -68,6 +68,7 @@ def start_match(
     if settings.scene.in_play:
         match["phase"], match["restart_team"] = PLAY, NO_TEAM
     match["still_x"], match["still_y"] = ball["x"], ball["y"]
+    robots["placed"] = robots["active"]
     note_possession_of(ball, robots, constants)
 
 

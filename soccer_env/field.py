@@ -11,10 +11,13 @@ from collections.abc import Callable, Iterable
 import numpy as np
 
 from soccer_env.episodes import start_match
-from soccer_env.observations import observe_slice
+from soccer_env.observations.belief import observe_belief_slice
+from soccer_env.observations.truth import observe_slice
 from soccer_env.physics.space import build_space
 from soccer_env.physics.space_batch import SpaceBatch, Way
+from soccer_env.players import believe_slice, empty_beliefs
 from soccer_env.rewards import TERMS
+from soccer_env.senses import Senses
 from soccer_env.settings import Settings
 from soccer_env.step import begin_slice, finish_slice, step_slice
 from soccer_env.types import BALL, EVENTS, MATCH, QUIET, ROBOT, ROBOT_EVENTS
@@ -33,6 +36,12 @@ class Field:
         terms = len(TERMS) + len(settings.rewards.extra)  # those of a user's own lie behind ours
         self.rewards, self.terms = np.zeros((matches, robots)), np.zeros((matches, robots, terms))
         self.observations = np.zeros((matches, robots, observed), np.float32)
+        sees_truth = settings.observe == "truth"  # then the step itself observes
+        self._truth_seen = self.observations if sees_truth else np.zeros((matches, robots, 0), np.float32)
+        self.senses: Senses | None = None  # where a team or a learner uses its sensors
+        self._ideal = empty_beliefs(matches, robots, settings.league)  # filled with the truth when they are read
+        home = settings.rows[0]
+        self._ideal_rows = np.repeat([senses == "ideal" for senses in settings.senses], [home, robots - home])
         self.terminated, self.truncated = np.zeros(matches, bool), np.zeros(matches, bool)
         self.constants, self.weights = settings.constants(), settings.rewards.weights()
         self.physics = SpaceBatch(matches, robots + 1, way)
@@ -42,6 +51,8 @@ class Field:
         at = slice(m, m + 1)
         records = self.matches[at], self.balls[at], self.robots[at]
         start_match(self.settings, self.constants, *records, seed, episode)
+        if self.senses is not None:
+            self.senses.start(m, self.robots)
         self.seat([m])
         self.events[m] = QUIET
         self.robot_events[m] = np.zeros((), ROBOT_EVENTS)
@@ -58,6 +69,7 @@ class Field:
             self._step_at_once(first, last)
         else:
             self.step_in_stages(first, last, self.physics.step_slice)
+        self.look(first, last)
 
     def _step_at_once(self, first: int, last: int) -> None:
         """Step a slice in one compiled call, match by match."""
@@ -65,7 +77,7 @@ class Field:
         broken = step_slice(
             self.matches, self.balls, self.robots, self.events, self.robot_events,
             physics.links, physics.bodies, physics.velocities, self.constants, self.weights,
-            self.terms, self.rewards, self.observations, self.terminated, self.truncated,
+            self.terms, self.rewards, self._truth_seen, self.terminated, self.truncated,
             self.settings.limit, first, last,
         )  # fmt: skip
         self._check(broken)
@@ -82,17 +94,68 @@ class Field:
         broken = finish_slice(
             self.matches, self.balls, self.robots, self.events, self.robot_events,
             physics.bodies, physics.velocities, self.constants, self.weights,
-            self.terms, self.rewards, self.observations, self.terminated, self.truncated,
+            self.terms, self.rewards, self._truth_seen, self.terminated, self.truncated,
             self.settings.limit, before, substeps, moved, first, last,
         )  # fmt: skip
         self._check(broken)
         for m in np.flatnonzero(moved[first:last]) + first:
             physics.write_bodies(int(m))
 
+    def look(self, first: int, last: int) -> None:
+        """Let the robots of a slice sense, believe and, unless learners see the truth, observe."""
+        if self.senses is not None:
+            self.senses.step(self, first, last)
+        if not self._truth_seen.shape[2]:
+            self.observe(first, last)
+
+    def look_up(self, m: int) -> None:
+        """Let the robots of a match that has just begun sense, believe and observe."""
+        if self.senses is not None:
+            self.senses.step(self, m, m + 1)
+        self.observe(m, m + 1)
+
+    def believe_truth(self, rows: np.ndarray, first: int, last: int) -> None:
+        """Fill the beliefs of those of some robots that have ideal senses."""
+        ideal = rows[self._ideal_rows[rows]]
+        if len(ideal):
+            believe_slice(self.matches, self.balls, self.robots, *self._ideal, self.constants, ideal, first, last)
+
+    def minds(self, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return beliefs (M, R) and tracks (M, R, slots) that hold for some robots."""
+        ideal = self._ideal_rows[rows]
+        if self.senses is None or ideal.all():
+            return self._ideal
+        if not ideal.any():
+            return self.senses.beliefs, self.senses.tracks
+        beliefs, tracks = self.senses.beliefs.copy(), self.senses.tracks.copy()
+        at = rows[ideal]
+        beliefs[:, at], tracks[:, at] = self._ideal[0][:, at], self._ideal[1][:, at]
+        return beliefs, tracks
+
     def observe(self, first: int, last: int) -> None:
         """Write the observations of a slice anew."""
-        if self.observations.shape[2]:
+        observe = self.settings.observe
+        if not self.observations.shape[2]:
+            return
+        if observe == "truth":
             observe_slice(self.matches, self.balls, self.robots, self.observations, self.constants, first, last)
+        elif observe == "percepts" and self.senses is not None:
+            self.senses.observe_percepts(self, first, last)
+        elif observe == "belief":
+            self._observe_beliefs(first, last)
+
+    def _observe_beliefs(self, first: int, last: int) -> None:
+        """Write what robots believe: from the sensors of those that use them, from the truth for ideal ones."""
+        rows = np.arange(self.robots.shape[1])
+        self.believe_truth(rows, first, last)
+        sensing = rows[:0] if self.senses is None else self.senses.rows
+        for told, those in ((self._ideal, rows[self._ideal_rows]), (self.senses, sensing)):
+            if len(those):
+                beliefs, tracks = (told.beliefs, told.tracks) if isinstance(told, Senses) else self._ideal
+                observe_belief_slice(
+                    beliefs, tracks, self.robots, self.observations, self.constants,
+                    self.settings.half_length, those, first, last,
+                )  # fmt: skip
 
     def _check(self, broken: int) -> None:
         """Raise RuntimeError if the physics of a match gave numbers that are not finite: a bug of ours."""

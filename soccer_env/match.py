@@ -19,15 +19,20 @@ from soccer_env.actions import numbers_for, take_actions
 from soccer_env.field import Field
 from soccer_env.observations import layout
 from soccer_env.physics.space_batch import Way
-from soccer_env.players import assign, believe_slice, empty_beliefs, make_squads, run_kernel, run_python
+from soccer_env.players import assign, make_squads, run_kernel, run_python
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import TERMS
+from soccer_env.senses import Senses
 from soccer_env.settings import check_known, make_settings, whole_number
-from soccer_env.types import QUIET, ROBOT_EVENTS
+from soccer_env.types import AWAY, HOME, QUIET, ROBOT_EVENTS
 from soccer_env.user_code import checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
+UNUSED = (
+    "nobody in this match uses its sensors: robots are played from outside and observe the truth; "
+    "give observe='belief' or 'percepts', a team, or senses='ideal'"
+)
 FINAL = ("observations", "matches", "robots", "events", "robot_events", "terms")  # kept of a match begun again at once
 
 
@@ -74,7 +79,7 @@ class Match:
 
     def _observation_names(self) -> list[str]:
         if isinstance(self.settings.observe, str):
-            return [entry.name for entry in layout(self.league)]
+            return [entry.name for entry in layout(self.league, self.settings.observe)]
         return list(self.settings.observe.names)
 
     def _lay_field(self, way: Way | None) -> None:
@@ -92,9 +97,22 @@ class Match:
         """Make the teams that play inside, their memories, and room for what robots believe."""
         self.squads = make_squads(self.agents, who, self.league, self.count)
         self.learns = np.array([agent not in who for agent in self.agents], np.int64)
-        self._beliefs, self._tracks = empty_beliefs(self.count, len(self.agents), self.league)
         self._readers = np.array([r for squad in self.squads for r in squad.players], np.int64)
+        sides = self._sensing_sides()
+        if sides:
+            self.field.senses = Senses(self.settings, self.count, sides)
         self._no_actions = np.zeros((self.count, len(self.agents), self.settings.actions.size))
+
+    def _sensing_sides(self) -> tuple[int, ...]:
+        """Return the teams whose sensors somebody uses: a team that plays them, or what learners observe."""
+        observe, home = self.settings.observe, self.settings.rows[HOME]
+        found = []
+        for side, rows in ((HOME, range(home)), (AWAY, range(home, len(self.agents)))):
+            played = any(self.learns[r] == 0 for r in rows)
+            watched = observe != "truth" and any(self.learns[r] == 1 for r in rows)
+            if (self.settings.senses[side] == "sensors" and (played or watched)) or (watched and observe == "percepts"):
+                found.append(side)
+        return tuple(found)
 
     # Starting
 
@@ -124,7 +142,7 @@ class Match:
             self.field.start(int(m), int(self.seeds[m]), int(episodes[m]))
             for squad in self.squads:
                 squad.memory[m] = np.zeros((), squad.memory.dtype)
-            self.field.observe(m, m + 1)
+            self.field.look_up(m)
         self._observe_own()
         if self.recorder is not None:
             self.recorder.note_seating(rows)
@@ -207,8 +225,8 @@ class Match:
         """Let teams without a kernel decide, in all matches at once."""
         for squad in self.squads:
             if not squad.compiled:
-                self._believe(squad.players, 0, self.count)
-                run_python(squad, self.league, self._beliefs, self._tracks, self.robots)
+                self.field.believe_truth(squad.players, 0, self.count)
+                run_python(squad, self.league, *self.field.minds(squad.players), self.robots)
 
     def _run(self, numbers: np.ndarray, first: int, last: int) -> None:
         """Decide and step a slice of matches, block by block."""
@@ -222,10 +240,11 @@ class Match:
         """Fill the commands of a slice: learners' actions, and compiled teams."""
         take_actions(self.robots, numbers, first, last, self.learns)
         if len(self._readers):
-            self._believe(self._readers, first, last)
+            self.field.believe_truth(self._readers, first, last)
         for squad in self.squads:
             if squad.compiled:
-                run_kernel(squad, self._beliefs, self._tracks, self.robots, self.field.constants, first, last)
+                minds = self.field.minds(squad.players)
+                run_kernel(squad, *minds, self.robots, self.field.constants, first, last)
 
     # Starting again
 
@@ -246,12 +265,6 @@ class Match:
 
     # Looking
 
-    def _believe(self, rows: np.ndarray, first: int, last: int) -> None:
-        field = self.field
-        believe_slice(
-            field.matches, field.balls, field.robots, self._beliefs, self._tracks, field.constants, rows, first, last
-        )
-
     def _observe_own(self) -> None:
         """Fill observations of a user's own making."""
         if not isinstance(self.settings.observe, str):
@@ -259,15 +272,28 @@ class Match:
 
     @property
     def beliefs(self) -> np.ndarray:
-        """Return what every robot believes (M, R)."""
-        self._believe(np.arange(len(self.agents)), 0, self.count)
-        return self._beliefs
+        """Return what every robot believes (M, R); ValueError if robots have sensors that nobody uses."""
+        return self._all_minds()[0]
 
     @property
     def tracks(self) -> np.ndarray:
-        """Return what every robot believes about other players (M, R, slots)."""
-        self._believe(np.arange(len(self.agents)), 0, self.count)
-        return self._tracks
+        """Return what every robot believes about other players (M, R, slots); ValueError as for `beliefs`."""
+        return self._all_minds()[1]
+
+    @property
+    def percepts(self) -> np.ndarray:
+        """Return what every robot's sensors delivered (M, R); ValueError if nobody uses them."""
+        if self.field.senses is None:
+            raise ValueError(UNUSED)
+        return self.field.senses.percepts
+
+    def _all_minds(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return beliefs and tracks of all robots."""
+        ideal = [side for side in (HOME, AWAY) if self.settings.senses[side] == "ideal"]
+        if self.field.senses is None and not ideal:
+            raise ValueError(UNUSED)
+        self.field.believe_truth(np.arange(len(self.agents)), 0, self.count)
+        return self.field.minds(np.arange(len(self.agents)))
 
     def state(self) -> np.ndarray:
         """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players a side and present flags."""

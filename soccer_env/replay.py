@@ -22,9 +22,9 @@ from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.scenes import Scene
 from soccer_env.settings import plain
-from soccer_env.types import COMMAND
+from soccer_env.types import COMMAND, GAZE
 
-FORMAT = "soccer_env replay 1"
+FORMAT = "soccer_env replay 2"
 KEPT = (
     "home",
     "away",
@@ -47,14 +47,16 @@ class Recorder:
         match.reseat()
         self.settings = match.settings
         self.commands: list[np.ndarray] = []
+        self.gazes: list[np.ndarray] = []
         self.hashes: list[str] = []
         self.log: list[tuple[int, list[int], bytes]] = []  # (control steps before it, matches, all records)
         self._match = match
         match.recorder = self
 
     def note_commands(self, commands: np.ndarray) -> None:
-        """Note the commands (M, R) of a control step."""
+        """Note the commands (M, R) of a control step, and where the heads look by themselves."""
         self.commands.append(commands.copy())
+        self.gazes.append(self._match.robots["gaze"].copy())
 
     def note_state(self, match: Match) -> None:
         """Note the hash of the play after a control step."""
@@ -71,7 +73,8 @@ class Recorder:
         """Stop recording and return the replay."""
         self._match.recorder = None
         commands = np.array(self.commands) if self.commands else np.zeros((0, *self._match.robots.shape), COMMAND)
-        return Replay(describe(self._match), self.start, commands, list(self.hashes), list(self.log))
+        gazes = np.array(self.gazes) if self.gazes else np.zeros(commands.shape, GAZE)
+        return Replay(describe(self._match), self.start, commands, gazes, list(self.hashes), list(self.log))
 
 
 class Replay:
@@ -82,10 +85,12 @@ class Replay:
         settings: dict[str, Any],
         start: bytes,
         commands: np.ndarray,
+        gazes: np.ndarray,
         hashes: list[str],
         log: list[tuple[int, list[int], bytes]],
     ) -> None:
-        self.settings, self.start, self.commands, self.hashes, self.log = settings, start, commands, hashes, log
+        self.settings, self.start, self.hashes, self.log = settings, start, hashes, log
+        self.commands, self.gazes = commands, gazes
 
     def __len__(self) -> int:
         return len(self.commands)
@@ -121,6 +126,7 @@ class Replay:
                 match.reseat(rows)
             if step == len(self.commands):
                 return
+            match.robots["gaze"] = self.gazes[step]
             match.step(as_actions(self.commands[step]))
             if saving.play_hash(match) != self.hashes[step]:
                 raise ValueError(f"this replay differs from the recorded match at control step {step}")
@@ -141,6 +147,7 @@ class Replay:
             "header": np.frombuffer(json.dumps(header).encode(), np.uint8),
             "start": np.frombuffer(self.start, np.uint8),
             "commands": as_actions(self.commands),
+            "gazes": as_numbers(self.gazes),
             "hashes": np.array(self.hashes, "S32"),
             **{f"records_{index}": np.frombuffer(entry[2], np.uint8) for index, entry in enumerate(self.log)},
         }
@@ -167,10 +174,13 @@ class Replay:
                 for index, (step, rows) in enumerate(header["log"])
             ]
             hashes = [value.decode() for value in arrays["hashes"]]
-            commands = as_commands(arrays["commands"])
+            commands = as_records(arrays["commands"], COMMAND, "commands")
+            gazes = as_records(arrays["gazes"], GAZE, "gazes")
+            if commands.shape != gazes.shape:
+                raise ValueError(f"it has commands of shape {commands.shape} and gazes of {gazes.shape}")
             if len(commands) != len(hashes):
                 raise ValueError(f"it has {len(commands)} commands and {len(hashes)} hashes")
-            return Replay(header["settings"], arrays["start"].tobytes(), commands, hashes, log)
+            return Replay(header["settings"], arrays["start"].tobytes(), commands, gazes, hashes, log)
         except FileNotFoundError:
             raise
         except Exception as error:  # zipfile, zlib, tokenize, ...: a damaged file can raise almost anything
@@ -187,17 +197,24 @@ def check_size(path: str | Path) -> None:
 
 def as_actions(commands: np.ndarray) -> np.ndarray:
     """Return commands as numbers (..., 7)."""
-    return np.stack([commands[name] for name in COMMAND.names or ()], axis=-1)
+    return as_numbers(commands)
 
 
-def as_commands(actions: np.ndarray) -> np.ndarray:
-    """Return numbers (T, M, R, 7) as commands (T, M, R); ValueError if they are not finite."""
-    if actions.ndim != 4 or actions.shape[-1] != 7 or actions.dtype != np.float64 or not np.isfinite(actions).all():
-        raise ValueError(f"its commands are {actions.dtype} of shape {actions.shape}, not finite (T, M, R, 7) float64")
-    commands = np.zeros(actions.shape[:-1], COMMAND)
-    for index, name in enumerate(COMMAND.names or ()):
-        commands[name] = actions[..., index]
-    return commands
+def as_numbers(records: np.ndarray) -> np.ndarray:
+    """Return records of numbers as numbers (..., fields)."""
+    return np.stack([records[name] for name in records.dtype.names or ()], axis=-1)
+
+
+def as_records(numbers: np.ndarray, dtype: np.dtype, what: str) -> np.ndarray:
+    """Return numbers (T, M, R, fields) as records (T, M, R); ValueError if they are not finite."""
+    names = dtype.names or ()
+    well = numbers.ndim == 4 and numbers.shape[-1] == len(names) and numbers.dtype == np.float64
+    if not well or not np.isfinite(numbers).all():
+        raise ValueError(f"its {what} are {numbers.dtype} {numbers.shape}, not finite (T, M, R, {len(names)}) float64")
+    records = np.zeros(numbers.shape[:-1], dtype)
+    for index, name in enumerate(names):
+        records[name] = numbers[..., index]
+    return records
 
 
 def rebuild(kind: type, values: dict[str, Any]) -> Any:
@@ -210,6 +227,8 @@ def rebuild(kind: type, values: dict[str, Any]) -> Any:
     for name, value in values.items():
         if is_dataclass(types[name]):
             value = rebuild(types[name], value)
+        elif name in ("sensors", "memory"):
+            value = None  # a replay gives commands; nobody senses
         elif name == "corners":
             value = tuple(tuple(corner) for corner in value)
         made[name] = value

@@ -12,9 +12,12 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.types import AWAY, HOME, NO_TEAM, Phase, RobotStream
+from soccer_env.types import AWAY, GAZE, HOME, NO_TEAM, Phase, RobotStream
 
 Match = Any  # soccer_env.match.Match, which stands above this file
+
+SENSING = range(int(RobotStream.CAMERA), len(RobotStream))
+THOUGHT = [int(RobotStream.TEAM), *SENSING]  # streams that teams and senses draw from, not the play itself
 
 MAGIC = b"soccer_env save 1\n"
 
@@ -33,6 +36,8 @@ def parts(match: Match, memory: bool = True) -> dict[str, np.ndarray]:
     }
     if not memory:
         return arrays
+    if match.field.senses is not None:
+        arrays |= match.field.senses.parts
     return {**arrays, **{f"memory_{index}": squad.memory for index, squad in enumerate(match.squads)}}
 
 
@@ -149,7 +154,8 @@ def play_hash(match: Match) -> str:
     """Return a hash of the play alone: what follows from commands, whoever gave them."""
     digest = hashlib.blake2b(digest_size=16)
     robots = match.robots.copy()
-    robots["noise"][..., int(RobotStream.TEAM)] = 0
+    robots["noise"][..., THOUGHT] = 0
+    robots["gaze"] = np.zeros((), GAZE)  # what the head looks at is in its pan and tilt
     for array in (match.matches, match.balls, robots):
         digest.update(np.ascontiguousarray(array).tobytes())
     return digest.hexdigest()

@@ -30,8 +30,8 @@ FREE = (
     "action_repeat",
     "max_cycles",
 )  # what a match's future does not depend on
-SENSES = ("ideal",)
-LATER = ("percepts", "belief", "sensors")  # what comes with the perception layer
+SENSES = ("ideal", "sensors")
+POSES = ("percept", "particles")
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,8 @@ class Settings:
     max_players: int  # room for players a side in `state()`
     padded: bool  # True: both teams have max_players rows, those too many inactive
     observe: Any
-    senses: str
+    senses: tuple[str, str]  # of home, of away
+    pose: str  # how a robot that lives by its sensors knows where it is
     actions: ActionKind
     scene: Scene
     episode: str
@@ -114,20 +115,45 @@ def whole_number(name: str, value: Any, low: int, high: int) -> int:
 
 def one_of(name: str, value: Any, choices: tuple[str, ...]) -> str:
     """Return one of the choices; ValueError names them."""
-    if isinstance(value, str) and value in LATER:
-        raise ValueError(f"{name}={value!r} is not built yet; this version has: {', '.join(choices)}")
     if not isinstance(value, str) or value not in choices:
         raise ValueError(f"{name} must be one of {', '.join(choices)}, got {value!r}")
     return value
 
 
-def check_senses(senses: Any) -> str:
-    """Return how beliefs are filled; a mapping by team is accepted."""
-    for value in senses.values() if isinstance(senses, Mapping) else (senses,):
-        one_of("senses", value, SENSES)
-    if isinstance(senses, Mapping) and not set(senses) <= {"home", "away"}:
-        raise ValueError(f"senses by team must have the keys home and away, got {sorted(senses)}")
-    return "ideal"
+def check_senses(senses: Any) -> tuple[str, str]:
+    """Return how the beliefs of home and of away are filled; a mapping by team leaves out what stays at "sensors"."""
+    if isinstance(senses, Mapping):
+        if not set(senses) <= {"home", "away"}:
+            raise ValueError(f"senses by team must have the keys home and away, got {sorted(map(str, senses))}")
+        both = (senses.get("home", "sensors"), senses.get("away", "sensors"))
+    elif isinstance(senses, tuple) and len(senses) == 2:
+        both = senses
+    else:
+        both = (senses, senses)
+    return one_of("senses", both[0], SENSES), one_of("senses", both[1], SENSES)
+
+
+def check_options(name: str, value: Any, base: Any) -> Any:
+    """Return sensor or memory settings: the league's own, changed by a mapping of names, or an object of that kind."""
+    if value is None:
+        return base
+    if isinstance(value, Mapping):
+        changed: Any = base.changed(value)
+        return changed
+    if isinstance(value, type(base)):
+        return value
+    raise ValueError(f"{name} must be a mapping of names to values or a {type(base).__name__}, got {value!r}")
+
+
+def with_sensors(league: League, sensors: Any, memory: Any) -> League:
+    """Return the league with the sensors and the memory asked for."""
+    if sensors is None and memory is None:
+        return league
+    return replace(
+        league,
+        sensors=check_options("sensors", sensors, league.sensors),
+        memory=check_options("memory", memory, league.memory),
+    )
 
 
 def find_rules(league: League, rules: Any) -> League:
@@ -178,7 +204,10 @@ def make_settings(
     away: int | None,
     max_players: int | None = None,
     observe: Any = "truth",
-    senses: Any = "ideal",
+    senses: Any = "sensors",
+    pose: str = "percept",
+    sensors: Any = None,
+    memory: Any = None,
     actions: str = "box",
     scene: str | Scene = "kick-off",
     episode: str = "match",
@@ -193,7 +222,7 @@ def make_settings(
     variation: Any = None,
 ) -> Settings:
     """Check every setting and return them; ValueError names the setting, the value and what is allowed."""
-    found = find_rules(find_league(league), rules)
+    found = with_sensors(find_rules(find_league(league), rules), sensors, memory)
     home = whole_number("home", found.team_size if home is None else home, 1, MAX_TEAM)
     away = whole_number("away", found.team_size if away is None else away, 1, MAX_TEAM)
     largest = max(home, away)
@@ -215,6 +244,7 @@ def make_settings(
         padded=max_players is not None,
         observe=check_observe(observe),
         senses=check_senses(senses),
+        pose=one_of("pose", pose, POSES),
         actions=ActionKind(actions),
         scene=found_scene,
         episode=episode,

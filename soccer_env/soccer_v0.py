@@ -214,7 +214,10 @@ def parallel_env(
     home: int | None = None,
     away: int | None = None,
     observe: Any = "truth",
-    senses: Any = "ideal",
+    senses: Any = "sensors",
+    pose: str = "percept",
+    sensors: Any = None,
+    memory: Any = None,
     actions: str = "box",
     opponents: Any = None,
     teammates: Any = None,
@@ -236,7 +239,9 @@ def parallel_env(
     """Return one match as a PettingZoo ParallelEnv; ValueError names a setting that is wrong, and what is allowed.
 
     league: a name or a League. home, away: robots, 1 to 11; None is the league's own team size.
-    observe: "truth", or an object with `names` that is called with the Match. senses: "ideal".
+    observe: "truth", "percepts", "belief", or an object with `names` that is called with the Match.
+    senses: "sensors" or "ideal", or {"home": ..., "away": ...}: what fills beliefs. pose: "percept" (a noisy pose is
+    given) or "particles" (robots localise themselves). sensors, memory: {name: value} of the league's, or an object.
     actions: "box" (4 numbers), "full" (7, with the head) or "discrete".
     opponents: the team that plays away: then only home robots are agents. teammates: the team that plays home but for
     its last robot. controllers: {agent or side: team} for any subset.
@@ -253,6 +258,9 @@ def parallel_env(
         away=away,
         observe=observe,
         senses=senses,
+        pose=pose,
+        sensors=sensors,
+        memory=memory,
         actions=actions,
         opponents=opponents,
         teammates=teammates,

@@ -12,7 +12,7 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.observations import observe_truth
+from soccer_env.observations.truth import observe_truth
 from soccer_env.physics.ball import hold, limit_speed, slow_down
 from soccer_env.physics.chipmunk import step_match, write_bodies
 from soccer_env.physics.contacts import find_collisions, find_touches
@@ -109,6 +109,7 @@ def begin_step(match, ball, robots, events, robot_events, velocities, k, terms, 
         drive(robot, k, match.step, match.handedness)
         work_kicker(robot, robot_events[r], k, ball, match.handedness)
         move_head(robot, k, ball)
+        robot.placed = 0
         robot.fallen = max(robot.fallen - k.dt, 0.0)
         robot.penalty = max(robot.penalty - k.dt, 0.0)
     limit_speed(ball, k)

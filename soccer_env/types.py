@@ -55,6 +55,14 @@ class RobotStream(IntEnum):
     KICK = 1
     TEAM = 2
     PLACEMENT = 3
+    CAMERA = 4  # dither, missed blobs
+    FALSE_BLOBS = 5
+    INFRARED = 6
+    ODOMETRY = 7
+    POSE = 8  # the noisy pose, and the pose told at a placement
+    PARTICLES = 9
+    RADIO = 10  # loss of messages
+    LIGHT = 11
 
 
 COMMAND = np.dtype(
@@ -74,6 +82,13 @@ WALK = np.dtype(
         ("forward", "f8"),  # [m/s] robot frame
         ("left", "f8"),  # [m/s] robot frame
         ("turn", "f8"),  # [rad/s]
+    ]
+)
+
+GAZE = np.dtype(
+    [
+        ("pan", "f8"),  # [rad] where the head would look by itself, left positive
+        ("tilt", "f8"),  # [rad] up positive
     ]
 )
 
@@ -138,6 +153,8 @@ ROBOT = np.dtype(
         ("gait_phase", "i8"),  # control steps since the gait step began
         ("pan", "f8"),  # [rad] head, left positive
         ("tilt", "f8"),  # [rad] head, up positive
+        ("senses", "i8"),  # 1: it lives by its sensors, `gaze` comes from its belief; 0: the head follows the true ball
+        ("gaze", GAZE),  # [rad] where the head looks unless the command says otherwise
         ("kick_clock", "f8"),  # [s] left of a wind-up (negative: left of the recharge, as -s); 0 ready
         ("kick_strength", "f8"),  # (0, 1] of the kick being wound up
         ("has_ball", "i8"),  # 1: the ball lies in the pocket or at the kicker
@@ -146,6 +163,7 @@ ROBOT = np.dtype(
         ("place_x", "f8"),  # [m] field frame: its place at the current restart
         ("place_y", "f8"),  # [m] field frame
         ("place_heading", "f8"),  # [rad] field frame
+        ("placed", "i8"),  # 1: it was put somewhere in this step, and was told where
         ("noise", "u8", (NOISE_STREAMS,)),  # state of each RobotStream
     ]
 )

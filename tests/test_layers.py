@@ -15,14 +15,15 @@ ROOT = Path(__file__).parents[1]
 FOLDERS = {"soccer_env.baselines": "baselines", "soccer_env.agents": "agents", "soccer_env.train": "train"}
 
 # Lowest first. Members of one layer do not see each other, except in the groups of PEERS and as BESIDE says.
+COMPILING = ("compiled", "compiled_cache", "compiled_sources")
 LAYERS = (
-    ("types", "geometry", "frames", "compiled", "compiled_cache", "compiled_sources", "random_numbers"),
+    ("types", "percept_types", "geometry", "frames", "random_numbers", *COMPILING),
     ("leagues",),
     ("teams",),  # the protocol, and names as strings
     ("physics", "perception", "belief", "referee"),
     ("actions", "observations", "rewards", "scenes"),
     ("settings",),
-    ("step", "episodes", "players", "truth_state", "saving", "user_code"),  # the parts of a match
+    ("step", "episodes", "players", "senses", "truth_state", "saving", "user_code"),  # the parts of a match
     ("field",),
     ("match",),
     ("soccer_v0", "gymnasium_envs", "gymnasium_vector", "faces", "render", "replay"),
@@ -48,6 +49,7 @@ HIDDEN_FROM_PLAYERS = {
     "episodes",
     "truth_state",
     "saving",
+    "senses",
     "field",
     "match",
 } | {"replay", "soccer_v0", "gymnasium_envs", "gymnasium_vector", "faces"}

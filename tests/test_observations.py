@@ -6,7 +6,8 @@ from staging import LEAGUES, put, put_ball, scatter, stage, stand
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from soccer_env.observations import PLAYER, PLAYER_SIZE, layout
+from soccer_env.observations import layout
+from soccer_env.observations.truth import PLAYER, PLAYER_SIZE
 
 
 def entry(match: Match, r: int, name: str, m: int = 0) -> float:

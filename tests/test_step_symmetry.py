@@ -28,7 +28,7 @@ from symmetry import (
 from soccer_env import Match
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
-from soccer_env.observations import observe_slice
+from soccer_env.observations.truth import observe_slice
 from soccer_env.physics.drive import drive, move_head
 from soccer_env.physics.kicker import work_kicker
 from soccer_env.players import believe_slice, empty_beliefs

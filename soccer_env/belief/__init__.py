@@ -1,4 +1,1 @@
-"""What robots believe, built from percepts and never from the truth. Filled by a later version.
-
-See `perception.ideal`.
-"""
+"""What robots make of their percepts over time. Nothing here ever sees the truth."""

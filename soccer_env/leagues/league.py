@@ -334,6 +334,8 @@ class League:
     evaluation_minutes: float  # [min] of play in an evaluation
     evaluation_placement: str = "instant"
     source: str = ""
+    sensors: Any = None  # a LeggedSensors or OmniSensors
+    memory: Any = None  # a LeggedMemory or OmniMemory, what goes with the sensors
 
     def __post_init__(self) -> None:
         check(self)

@@ -16,6 +16,7 @@ from dataclasses import replace
 from math import pi
 
 from soccer_env.leagues.league import BallModel, Body, Drive, Head, Kicker, League, Pitch, Rules, Slots, Substeps
+from soccer_env.leagues.legged_sensors import LeggedMemory, LeggedSensors
 
 PITCH = Pitch(
     length=3.0,  # [m] Sacks 2001, 1
@@ -128,6 +129,8 @@ LEAGUE = League(  # MS56
     substeps=Substeps(least=2, most=12, travel=0.0125, iterations=10, slop=0.001),
     evaluation_minutes=10.0,  # [min] a half of the league's own length, assumed
     source="Sacks 2001, University of Pennsylvania",
+    sensors=LeggedSensors(),
+    memory=LeggedMemory(),
 )
 
 INNER = replace(LEAGUE, name="legged-2001-inner", pitch=replace(PITCH, length=2.8, width=1.8))  # the other reading

@@ -16,6 +16,7 @@ from dataclasses import replace
 from math import pi
 
 from soccer_env.leagues.league import BallModel, Body, Drive, Head, Kicker, League, Pitch, Rules, Slots, Substeps
+from soccer_env.leagues.omni_sensors import OmniMemory, OmniSensors
 
 PITCH = Pitch(  # MH23
     length=12.0,  # [m] Tribots 2005 field geometry
@@ -141,6 +142,8 @@ LEAGUE = League(
     evaluation_minutes=4.0,  # [min] assumed
     evaluation_placement="drive",
     source="Heinemann et al. 2006, University of Tübingen",
+    sensors=OmniSensors(),
+    memory=OmniMemory(),
 )
 
 OLD_BASE = replace(LEAGUE, name="middle-size-2006-differential", drive=DIFFERENTIAL)

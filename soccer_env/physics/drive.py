@@ -99,13 +99,18 @@ def push_ground(robot, k):
 
 @compiled
 def move_head(robot, k, ball):
-    """Move the head towards what was asked, or towards the ball, within its joint limits and speeds.  MS07"""
+    """Move the head towards what was asked, within its joint limits and speeds.  MS07
+
+    Left to itself it follows the gaze that the robot's belief asks for, or the true ball under ideal senses.
+    """
     if k.head_pan_limit <= 0.0:
         return
     if robot.command.head >= 0.0:
         pan = robot.command.pan * k.head_pan_limit
         middle, span = 0.5 * (k.head_tilt_high + k.head_tilt_low), 0.5 * (k.head_tilt_high - k.head_tilt_low)
         tilt = middle + span * robot.command.tilt
+    elif robot.senses == 1:
+        pan, tilt = robot.gaze.pan, robot.gaze.tilt
     else:
         pan, tilt = gaze_at(robot, k, ball)
     robot.pan = toward(robot.pan, clip(pan, -k.head_pan_limit, k.head_pan_limit), k.head_pan_speed * k.dt)

@@ -24,6 +24,7 @@ PASSES = 200  # over the robots, to pull overlapping places apart
 STIR = 20  # passes after which places in the ring round the ball also go along it, out of dead ends, for as many
 SWIRL = 3.0  # [1] how far along it, as a multiple of the way out
 MARGIN = 0.02  # [m] between robots, assumed
+CARRIED = 0.03  # [m] a robot that is moved farther was carried, assumed
 ARRIVED = 0.10  # [m] from its place, assumed
 SLOW_ZONE = 0.25  # [s] of travel before the place in which a robot slows down, assumed
 
@@ -67,7 +68,9 @@ def place_robots(robots):
 
 @compiled
 def put_robot(robot):
-    """Put a robot at its place, at rest."""
+    """Put a robot at its place, at rest; one that was not there already is told where it is."""
+    if length(robot.place_x - robot.x, robot.place_y - robot.y) > CARRIED:
+        robot.placed = 1
     robot.x, robot.y, robot.heading = robot.place_x, robot.place_y, robot.place_heading
     stop(robot)
 

@@ -1,16 +1,12 @@
-"""Observations for learners: one flat float32 vector in [-1, 1] a robot, the same layout at every team size.
+"""observe="truth": everything a robot could wish to know, without error.
 
-Own goal behind, opponent's goal ahead, everything else relative to the robot. Other players fill the league's slots,
-nearest first; players beyond the slots are dropped, farthest first. `layout` names every entry; the compiled writer
-below follows it line by line.
+Other players fill the league's slots, nearest first; players beyond the slots are dropped, farthest first. `entries`
+names every number; the compiled writer below follows it line by line.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
 from math import cos, inf, pi, sin, sqrt
-from typing import Any, Protocol
 
 import numpy as np
 
@@ -18,22 +14,13 @@ from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
+from soccer_env.observations.entry import Entry, slot_entries
 from soccer_env.perception.ideal import nearest_players, seconds_left
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
 
-OBSERVE = ("truth",)  # "percepts" and "belief" come with the sensors
 PLAY = int(Phase.PLAY)
 NEAR = 0.1  # [1] of the pitch's diagonal: half-way point of the soft scale for positions, assumed
 SLOW = 0.1  # [1] of the ball's top speed: half-way point of the soft scale for ball speeds, assumed
-
-
-@dataclass(frozen=True)
-class Entry:
-    """One number of an observation."""
-
-    name: str
-    meaning: str
-    scale: str
 
 
 OWN = (
@@ -95,24 +82,9 @@ FIXED = OWN + BALL + GOALS + GAME
 PLAYER_SIZE = len(PLAYER)
 
 
-def layout(league: League) -> list[Entry]:
+def entries(league: League) -> list[Entry]:
     """Return the entries of a robot's observation in a league, in order."""
-    entries = [Entry(*row) for row in FIXED]
-    kinds = (("teammate", league.slots.teammates), ("opponent", league.slots.opponents))
-    for kind, slots in kinds:
-        for slot in range(slots):
-            entries += [Entry(f"{kind}_{slot}_{name}", meaning, scale) for name, meaning, scale in PLAYER]
-    return entries
-
-
-class Observation(Protocol):
-    """An observation of one's own: `soccer_v0.parallel_env(observe=MyObservation())`."""
-
-    names: Sequence[str]  # one for each number; their count is the length of the vector
-
-    def __call__(self, match: Any) -> np.ndarray:
-        """Return (M, R, len(names)) numbers in [-1, 1] from a match's records."""
-        ...
+    return [Entry(*row) for row in FIXED] + slot_entries(league, PLAYER)
 
 
 @compiled

@@ -1,0 +1,139 @@
+"""The sensors of an ERS-210 and the memory that Sacks's software keeps, as numbers with their sources.
+
+Every number was written down before the first claim was measured with it. "assumed" marks a guess of ours.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+from soccer_env.leagues.options import Options
+
+DEGREE = pi / 180.0
+RESOLUTIONS = {"44x36": 0, "88x72": 1, "176x144": 2}  # working layers of the camera, ERS-210 data sheet
+RANGES = {"size": 0, "infrared": 1}
+SIZES = {"closer": 0, "height": 1, "width": 2}
+ODOMETRY = {"full": 0, "rotation": 1, "none": 2}
+POSITIONS = {"filtered": 0, "raw": 1}
+SLOTS = {"all": 0, "nearest": 1}
+PLAYER_BLOBS = {"largest": 0, "combined": 1}
+PLAYER_VIEWS = {"front": 0, "side": 1}
+
+
+@dataclass(frozen=True)
+class LeggedSensors(Options):
+    """Camera, infrared ranger, odometry, touch, tilt and loudspeaker of an ERS-210.  MS04, MS05, MS06, MS37"""
+
+    NAMES = {"resolution": RESOLUTIONS}
+    SIGNED = ("camera_up", "sticker_head_x")
+
+    resolution: str = "88x72"  # [px] the layer that the paper's "low resolution camera" is; see CLAIMS S15
+    view_width: float = 57.6 * DEGREE  # [rad] ERS-210 data sheet
+    view_height: float = 47.8 * DEGREE  # [rad] the same
+    neck_ahead: float = 0.075  # [m] neck pivot ahead of the body's centre, CMPack'02 kinematics
+    neck_height: float = 0.155  # [m] neck pivot over the ground: 105 mm stance and 50 mm, the same
+    camera_ahead: float = 0.0666  # [m] camera ahead of the pivot, head level, the same
+    camera_up: float = 0.048  # [m] camera above the pivot, head level, the same
+    dither: float = 0.45  # [px] sd of a blob's width, height and place: walk and threshold flicker, 0.3 to 0.6 assumed
+    scale_error: float = 0.03  # [1] sd of a robot's own scale of sizes, drawn once an episode, assumed
+    ball_miss: float = 0.02  # [1] probability that a frame misses the ball, assumed
+    player_miss: float = 0.05  # [1] the same for each sticker, assumed
+    landmark_miss: float = 0.05  # [1] the same for goals and landmarks, assumed
+    patches: float = 2.0  # orange patches round the field in each match, assumed
+    patch_size: float = 0.08  # [m] across, assumed
+    patch_low: float = 0.3  # [m] lowest height of a patch: above the boards, assumed
+    patch_high: float = 1.0  # [m] greatest height, assumed
+    patch_away: float = 0.5  # [m] distance from the boards, assumed
+    red_as_orange: float = 0.02  # [1] probability that a frame shows an orange spot on a red sticker, assumed
+    board_height: float = 0.10  # [m] boards hide what lies lower behind them, assumed
+    goal_height: float = 0.30  # [m] league rules, remembered, unverified
+    landmark_radius: float = 0.05  # [m] cylinders about 10 cm wide, remembered, unverified
+    landmark_low: float = 0.20  # [m] of the colours, the same
+    landmark_high: float = 0.40  # [m] the same
+    trunk_height: float = 0.18  # [m] of a robot's trunk, assumed
+    trunk_low: float = 0.05  # [m] underside of the trunk between the legs, assumed
+    head_size: float = 0.09  # [m] cube that stands for the head, assumed
+    jersey: float = 1.0  # [1] scale of all stickers; S37 to S39 are run from 0.7 to 1.3
+    sticker_flank_width: float = 0.10  # [m] assumed
+    sticker_flank_height: float = 0.06  # [m] assumed
+    sticker_chest_width: float = 0.07  # [m] assumed
+    sticker_chest_height: float = 0.055  # [m] assumed: "slightly smaller", Sacks 2001, 4.1.2
+    sticker_rump_width: float = 0.07  # [m] assumed
+    sticker_rump_height: float = 0.055  # [m] assumed
+    sticker_head_width: float = 0.05  # [m] assumed
+    sticker_head_height: float = 0.035  # [m] assumed
+    sticker_head_x: float = 0.02  # [m] head stickers ahead of the neck pivot, assumed
+    trunk_sticker_middle: float = 0.13  # [m] height of the trunk stickers' middle, assumed
+    head_sticker_middle: float = 0.225  # [m] height of the head stickers' middle, head level, assumed
+    head_down: float = 30.0 * DEGREE  # [rad] lower heads hide stickers, Sacks 2001, 4.3.3; assumed
+    infrared_near: float = 0.10  # [m] readings below are discarded, Sacks 2001, 2  MS05
+    infrared_far: float = 0.90  # [m] readings above are discarded, the same  MS05
+    infrared_noise: float = 0.004  # [m] sd close by, assumed so that the law crosses the size law at 40 cm (FACTS 4)
+    infrared_growth: float = 0.018  # [m] sd at 0.4 m, the same
+    infrared_power: float = 3.0  # [1] growth with the distance over 0.4 m, the same
+    infrared_pointing: float = 1.5 * DEGREE  # [rad] sd of the beam's direction, the same
+    odometry_noise: float = 0.03  # [1] sd of each component of a step's displacement, assumed; slip comes on top
+    pose_noise: float = 0.08  # [m] sd of the noisy pose made by perception/pose.py, assumed
+    pose_turn_noise: float = 0.10  # [rad] the same
+    pose_time: float = 1.0  # [s] correlation time of its errors, assumed
+    place_noise: float = 0.03  # [m] sd of where a robot is put at a restart against where it is told, assumed
+    place_turn_noise: float = 0.05  # [rad] the same
+    audio_period: float = 1.0  # [s] between two words of 4 bits: 4 bits a second, assumed
+    audio_delay: float = 0.5  # [s] assumed
+    audio_loss: float = 0.2  # [1] share of words that are not understood, assumed
+
+
+@dataclass(frozen=True)
+class LeggedMemory(Options):
+    """What a robot of Sacks's team keeps of its percepts; every rule of the paper is a switch.  [Sacks 2001, 3, 4.1]"""
+
+    NAMES = {
+        "ball_range": RANGES, "ball_size": SIZES, "odometry": ODOMETRY, "radial_from": POSITIONS,
+        "angular_from": POSITIONS, "slots": SLOTS, "player_blob": PLAYER_BLOBS, "player_view": PLAYER_VIEWS,
+    }  # fmt: skip
+
+    fading: float = 10.0  # [1/s] loss of confidence (0 to 100) of what is not seen, assumed  MS03
+    ball_range: str = "size"  # infrared: the ranger alone, the experiment of 3.1.1  MS09
+    ball_size: str = "closer"  # the closer of height and width  MS11
+    under_head: bool = True  # height / tan(tilt) when the ball is almost under the head  MS10
+    under_head_tilt: float = 55.0 * DEGREE  # [rad] down to the ball from where that holds, assumed
+    infrared_override: bool = True  # the ranger wins below a share of the size range  MS12
+    infrared_share: float = 2.0 / 3.0  # [1] Sacks 2001, 3.1.1
+    centred: float = 3.0 * DEGREE  # [rad] beside the blob's edge at which the beam still counts as on it, assumed
+    horizon: bool = True  # what lies much above the horizontal is no ball  MS13
+    horizon_angle: float = 5.0 * DEGREE  # [rad] "much above", assumed
+    double_area: bool = True  # a larger least area after a near sighting  MS14
+    area_small: float = 2.0  # [px] at 88x72, least area, assumed
+    area_large: float = 12.0  # [px] at 88x72, least area after a near sighting, assumed
+    area_recent: float = 1.0  # [s] "recently", assumed
+    area_near: float = 0.8  # [m] "nearby", assumed
+    odometry: str = "full"  # rotation: the old memory, bearing alone; none  MS15
+    odometry_while_dribbling: bool = False  # footnote 2  MS15
+    averaged: int = 4  # estimates in the filtered position; 1 switches the filter off  MS16
+    velocity_interval: float = 1.0 / 3.0  # [s] Sacks 2001, 3.2  MS17
+    velocity_gap: float = 1.5  # [s] longest time between two sightings for a velocity, the same  MS17
+    velocity_gate: bool = True  # False: a velocity after every gap  MS17
+    radial_from: str = "filtered"  # footnote 4  MS18
+    angular_from: str = "raw"  # footnote 4  MS18
+    slots: str = "all"  # nearest: the old memory, the nearest player of each team alone  MS28
+    grouping: float = 3.0  # [mean sizes] gap within which two blobs are one player  MS29
+    distance_power: float = 3.0  # [1] of the matching  MS30, MS31
+    angle_power: float = 1.0  # [1] of the matching, 0 switches the angle off  MS30, MS31
+    uncertainty_least: float = 0.5  # just seen  MS32
+    uncertainty_most: float = 100.0  # not seen in a long time  MS32
+    uncertainty_growth: float = 100.0 / 30.0  # [1/s] assumed: a long time is half a minute  MS32
+    player_blob: str = "largest"  # combined: the box round all blobs of a player  MS34
+    player_view: str = "front"  # the view that the height table was made from  MS33
+    player_infrared: bool = True  # MS35
+    player_infrared_far: float = 0.40  # [m] "its maximum reliable range", Sacks 2001, 4.1.2  MS35
+    player_odometry: bool = True  # MS36
+    ghost_time: float = 20.0  # [s] unseen after which a slot counts as empty, assumed
+    dribbling_distance: float = 0.20  # [m] a ball nearer than this and ahead is being dribbled, assumed: chest and ball
+    search_after: float = 1.0  # [s] unseen before the head searches, assumed
+    search_period: float = 3.0  # [s] of one sweep of the searching head, assumed
+    particles: int = 96  # of the own pose  MH08
+    pose_every: int = 4  # frames between two updates of the particles, assumed
+    pose_bearing_noise: float = 4.0 * DEGREE  # [rad] sd that a landmark's bearing is trusted to, assumed
+    pose_range_noise: float = 0.25  # [1] of the distance, the same
+    pose_fresh: float = 0.02  # [1] share of particles drawn anew from what is seen, at least, assumed

@@ -1,0 +1,81 @@
+"""The sensors of a middle-size robot of 2006 and the tracking of its world model, as numbers with their sources.
+
+Every number was written down before the first claim was measured with it. "assumed" marks a guess of ours.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+from soccer_env.leagues.options import Options
+
+DEGREE = pi / 180.0
+COLOUR_TABLES = {"adaptive": 0, "fixed": 1}
+FILTERS = {"kalman": 0, "least-squares": 1, "none": 2}
+
+
+@dataclass(frozen=True)
+class OmniSensors(Options):
+    """Omnidirectional camera, wheel encoders, light barrier, radio.  [Heinemann et al. 2006, 1, 2]  MH02, MH05, MH07"""
+
+    NAMES = {"colour_table": COLOUR_TABLES}
+
+    image: int = 580  # [px] across, Heinemann et al. 2006, 2  MH02
+    camera_height: float = 0.75  # [m] assumed (FACTS 2)
+    mirror_edge: float = 10.0  # [m] distance of the ground at the image's edge, assumed
+    mirror_curve: float = 2.5  # [m] half-way distance of the hyperbola: radius = edge * d / (d + curve), assumed
+    hidden_radius: float = 0.35  # [m] ground that the robot's own body hides, assumed
+    pixel_noise: float = 0.7  # [px] sd of a blob's place in the image, assumed
+    ball_range: float = 8.0  # [m] at which half of the frames show the ball, assumed
+    player_range: float = 9.0  # [m] the same for players, assumed
+    detection_width: float = 1.0  # [m] over which detection falls off, assumed
+    ball_miss: float = 0.02  # [1] probability that a frame misses a near ball, assumed
+    player_miss: float = 0.05  # [1] the same for a player, assumed
+    false_balls: float = 0.01  # [1/frame] wrong balls, assumed
+    light_drift: float = 0.0  # [1] amplitude of the change of light (1: from dark to glaring); 0: constant light  MH07
+    light_period: float = 120.0  # [s] of that change, assumed
+    colour_table: str = "adaptive"  # fixed: the static look-up table of before  MH07
+    table_time: float = 2.0  # [s] in which the adapting table follows, assumed
+    table_width: float = 0.25  # [1] difference of light at which a table misses half of what it should see, assumed
+    lines: int = 24  # directions in which white lines are looked for, assumed
+    line_range: float = 4.0  # [m] assumed
+    line_miss: float = 0.2  # [1] assumed
+    goal_miss: float = 0.1  # [1] assumed
+    camera_delay: int = 1  # [frames] from exposure to percept, assumed: the image is taken and searched
+    odometry_noise: float = 0.02  # [1] sd of each component of a step's displacement, assumed; slip comes on top
+    barrier_miss: float = 0.01  # [1] frames in which the light barrier at the kicker errs, assumed
+    pose_noise: float = 0.10  # [m] sd of the noisy pose made by perception/pose.py, assumed
+    pose_turn_noise: float = 0.05  # [rad] the same
+    pose_time: float = 1.0  # [s] correlation time of its errors, assumed
+    place_noise: float = 0.05  # [m] sd of where a robot is put at a restart against where it is told, assumed
+    place_turn_noise: float = 0.05  # [rad] the same
+    radio_period: float = 0.1  # [s] between two messages, assumed  MH05
+    radio_delay: float = 0.06  # [s] assumed  MH05
+    radio_loss: float = 0.05  # [1] share of messages that are lost, assumed  MH05
+
+
+@dataclass(frozen=True)
+class OmniMemory(Options):
+    """How positions and velocities of ball and robots are tracked over time.  [Heinemann et al. 2006, 1, 3]  MH06"""
+
+    NAMES = {"filter": FILTERS}
+
+    fading: float = 25.0  # [1/s] loss of confidence (0 to 100) of what is not seen, assumed
+    filter: str = "kalman"  # least-squares: a fading line fit; none: the last reading  MH06
+    ball_agility: float = 4.0  # [m/s2] sd of a ball's unforeseen acceleration, assumed
+    player_agility: float = 3.0  # [m/s2] the same for players, assumed
+    window: float = 8.0  # [frames] of the least-squares fit: 3 to 10, Tribots 2005
+    surprise: float = 0.5  # [m] a prediction that errs by more starts a track anew, Tribots 2005
+    surprise_count: int = 2  # readings in a row that must surprise, so that one outlier does not, assumed
+    gate: float = 1.0  # [m] beyond which a reading belongs to no player that is known, assumed
+    delay_compensation: bool = True
+    shared: bool = True  # what team-mates tell fills in for what is not seen  MH05
+    shared_age: float = 0.5  # [s] unseen before a team-mate's ball is believed, assumed
+    ghost_time: float = 1.0  # [s] unseen after which an opponent is forgotten, assumed
+    particles: int = 96  # of the own pose  MH08
+    pose_every: int = 5  # frames between two updates of the particles, assumed
+    pose_line_noise: float = 0.20  # [m] sd that a line point is trusted to, assumed
+    pose_bearing_noise: float = 4.0 * DEGREE  # [rad] sd that a goal's bearing is trusted to, assumed
+    pose_range_noise: float = 0.25  # [1] of a goal's distance, the same
+    pose_fresh: float = 0.02  # [1] share of particles drawn anew from what is seen, at least, assumed

@@ -1,0 +1,96 @@
+"""Records of percepts: what a robot's sensors delivered in one frame, and nothing else.
+
+A robot names what it sees from its own side: own goal, team-mates. It knows its jersey and the half that it defends,
+so colours need no names of their own. Pixels are whole numbers, everything else is single precision: a percept is as
+fine as the sensor, and small.
+
+    legged        LEGGED_PERCEPT: blobs in the image of a camera on a moving head, an infrared ranger on its axis
+    middle size   OMNI_PERCEPT: bearings and distances from an omnidirectional camera, white lines, a light barrier
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from soccer_env.types import MAX_TEAM
+
+BLOBS = 4  # largest blobs of a colour that the vision delivers, Sacks 2001, 2  MS04
+LANDMARKS = 6  # of the legged field: own left, own right, halfway left, right, opponents' left, right corner
+LINES = 32  # room for directions in which white lines are looked for
+OTHERS = 2 * MAX_TEAM - 1  # room for every other player
+
+NO_POSE = 0
+POSE_SENSED = 1  # the noisy pose of perception/pose.py
+POSE_TOLD = 2  # the robot was put somewhere and told where
+
+BLOB = np.dtype(
+    [  # box round a blob [px] from the image's centre, left and up positive; the vision counts whole pixels
+        ("left", "i2"),
+        ("right", "i2"),  # right <= left
+        ("high", "i2"),
+        ("low", "i2"),
+        ("area", "i2"),  # [px] coloured pixels; 0: no blob
+    ]
+)
+
+BODY_PERCEPT = np.dtype(
+    [  # what every robot feels of itself
+        ("frame", "i4"),  # frames since the reset
+        ("handedness", "f4"),  # +1; -1 mirrors each lateral noise draw (for symmetry tests)
+        ("forward", "f4"),  # [m] odometry: own displacement since the last frame, in the last frame's axes
+        ("left", "f4"),  # [m]
+        ("turn", "f4"),  # [rad]
+        ("touch", "i1"),  # 1: a touch sensor or bumper is pressed
+        ("upright", "i1"),  # 0: the accelerometer says that the robot lies on its side  MS06
+        ("held", "i1"),  # 1: the light barrier at the kicker is broken (middle size)
+        ("kicked", "i1"),  # 1: the kicker fired in this frame
+        ("pose", "i1"),  # NO_POSE, POSE_SENSED or POSE_TOLD
+        ("active", "i1"),  # 0: sent off
+        ("x", "f4"),  # [m] team frame, if there is a pose
+        ("y", "f4"),  # [m] team frame
+        ("heading", "f4"),  # [rad] team frame
+        ("drift_x", "f4"),  # [m] the sensor's own state: error of the noisy pose, which changes slowly
+        ("drift_y", "f4"),  # [m]
+        ("drift_heading", "f4"),  # [rad]
+    ]
+)
+
+LEGGED_PERCEPT = np.dtype(
+    [
+        ("body", BODY_PERCEPT),
+        ("pan", "f4"),  # [rad] joint angles at the moment of the picture, left positive
+        ("tilt", "f4"),  # [rad] up positive
+        ("infrared", "f4"),  # [m] range along the camera's axis; 0: no valid reading  MS05
+        ("scale", "f4"),  # [1] the camera's own state: scale of the sizes that it reports, drawn once an episode
+        ("ball", BLOB, (BLOBS,)),  # orange, largest first
+        ("teammates", BLOB, (BLOBS,)),  # own jersey colour
+        ("opponents", BLOB, (BLOBS,)),  # their jersey colour
+        ("own_goal", BLOB, (BLOBS,)),
+        ("opponent_goal", BLOB, (BLOBS,)),
+        ("landmarks", BLOB, (LANDMARKS,)),
+    ]
+)
+
+SIGHTING = np.dtype(
+    [  # a thing in the picture of the omnidirectional camera
+        ("distance", "f4"),  # [m] along the ground, by the mirror's curve
+        ("bearing", "f4"),  # [rad] robot frame
+        ("seen", "i1"),  # 1: in the picture; else the numbers are 0
+        ("teammate", "i1"),  # of a player: 1 by its marker's colour
+    ]
+)
+
+OMNI_PERCEPT = np.dtype(
+    [
+        ("body", BODY_PERCEPT),
+        ("age", "f4"),  # [s] since the exposure of this picture
+        ("ball", SIGHTING),
+        ("own_goal", SIGHTING),  # middle of the part that is seen
+        ("opponent_goal", SIGHTING),
+        ("players", SIGHTING, (OTHERS,)),  # nearest first
+        ("lines", "f4", (LINES,)),  # [m] distance of the first white line in direction i of s.lines, from the front
+        # counter-clockwise, each in the middle of its sector; 0: none seen
+        ("light", "f4"),  # [1] brightness of the picture, which the camera can measure
+        ("table", "f4"),  # [1] the camera's own state: the light that its colour table is made for
+    ]
+)

@@ -1,0 +1,29 @@
+"""What the sensors of a legged robot deliver: camera, infrared ranger, own body.  [Sacks 2001, 1, 2]  MS06"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.perception.body import sense_body
+from soccer_env.perception.ideal import situation
+from soccer_env.perception.infrared import measure_range
+from soccer_env.perception.picture import take_picture
+
+
+@compiled
+def sense_slice(
+    matches, balls, robots, robot_events, percepts, pending, beliefs, constants, sensors, pose_sensed, rows, first, last
+):
+    """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game.
+
+    `pose_sensed` 1 gives them the noisy pose as a percept; `pending` is for cameras that deliver late, unused here.
+    """
+    k, s = constants[0], sensors[0]
+    for m in range(first, last):
+        match, ball, team = matches[m], balls[m], robots[m]
+        for r in rows:
+            percept, robot = percepts[m, r], team[r]
+            sense_body(match, robot, robot_events[m, r], percept.body, k, s, pose_sensed)
+            situation(match, team, beliefs[m, r].situation, r)
+            percept.pan, percept.tilt = robot.pan, robot.tilt
+            take_picture(match, ball, team, percept, k, s, r)
+            percept.infrared = measure_range(match, ball, team, k, s, r)
