@@ -39,9 +39,10 @@ class Field:
         sees_truth = settings.observe == "truth"  # then the step itself observes
         self._truth_seen = self.observations if sees_truth else np.zeros((matches, robots, 0), np.float32)
         self.senses: Senses | None = None  # where a team or a learner uses its sensors
-        self._ideal = empty_beliefs(matches, robots, settings.league)  # filled with the truth when they are read
-        home = settings.rows[0]
-        self._ideal_rows = np.repeat([senses == "ideal" for senses in settings.senses], [home, robots - home])
+        home, ideal = settings.rows[0], [senses == "ideal" for senses in settings.senses]
+        self._ideal_rows = np.repeat(ideal, [home, robots - home])
+        # filled with the truth when they are read
+        self._ideal = empty_beliefs(matches if any(ideal) else 0, robots, settings.league)
         self.terminated, self.truncated = np.zeros(matches, bool), np.zeros(matches, bool)
         self.constants, self.weights = settings.constants(), settings.rewards.weights()
         self.physics = SpaceBatch(matches, robots + 1, way)

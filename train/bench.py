@@ -23,7 +23,7 @@ from soccer_env.train.bench_faces import (
     start_time,
     wrapper_bytes,
 )
-from soccer_env.train.bench_loads import CoreLoad, Load, OwnFloor, ReferenceFloor
+from soccer_env.train.bench_loads import CoreLoad, Load, OwnFloor, ParticlesLoad, ReferenceFloor, SensesLoad
 from soccer_env.train.bench_settings import BenchSettings
 from soccer_env.train.files import write_whole
 from soccer_env.train.progress import Progress
@@ -36,6 +36,10 @@ LEAGUES = ("legged-2001", "middle-size-2006")
 OWN_RATIO = 1.8  # core over its own scene, random load; this and all below: issue 2
 REFERENCE_RATIO = {"legged-2001": 5.0, "middle-size-2006": 2.5}
 CHASER_SPEED = {"legged-2001": 8_000.0, "middle-size-2006": 20_000.0}  # [match steps/s]
+SENSES_RATIO = 3.0  # sensors and beliefs of all robots over the core that sees the truth; this and below: issue 3
+PARTICLES_RATIO = 2.0  # own poses by particle filters over a given noisy pose
+SENSES_BYTES = {"percept": 16 * 1024, "particles": 64 * 1024}  # of a match outside Chipmunk
+BELIEF_FACE_SPEED = 6_000.0  # [steps/s] with observe="belief"
 THREADS_RATIO = 1.7  # two threads over one
 FACE_SPEED = 10_000.0  # [steps/s]
 RESET_TIME = 1e-3  # [s]
@@ -99,6 +103,8 @@ def measure_core(league: str, settings: BenchSettings) -> Samples:
         "random floor": OwnFloor(league, None, matches, 1, seed),
         "random": CoreLoad(league, None, matches, 1, seed),
         "random, 2 threads": CoreLoad(league, None, matches, 2, seed),
+        "senses": SensesLoad(league, None, matches, 1, seed),
+        "particles": ParticlesLoad(league, None, matches, 1, seed),
         "chaser floor": OwnFloor(league, "chaser", matches, 1, seed),
         "chaser": CoreLoad(league, "chaser", matches, 1, seed),
         "chaser, 2 threads": CoreLoad(league, "chaser", matches, 2, seed),
@@ -109,7 +115,13 @@ def measure_core(league: str, settings: BenchSettings) -> Samples:
 def measure_faces(league: str, settings: BenchSettings) -> Samples:
     """Return the samples [s] of a step and of a reset of the PettingZoo face."""
     step, reset = FaceLoad(league, settings.seed), ResetLoad(league, settings.seed)
-    return interleaved({"step": partial(step.sample, 1000), "reset": partial(reset.sample, 50)}, settings.repetitions)
+    belief = FaceLoad(league, settings.seed, observe="belief")
+    loads = {
+        "step": partial(step.sample, 1000),
+        "belief": partial(belief.sample, 1000),
+        "reset": partial(reset.sample, 50),
+    }
+    return interleaved(loads, settings.repetitions)
 
 
 def ratio(samples: Samples, above: str, below: str) -> float:
@@ -125,6 +137,12 @@ def core_rows(league: str, samples: Samples) -> Iterator[Row]:
     yield at_most(f"{league}: random over its own scene", ratio(samples, "random", "random floor"), "", OWN_RATIO)
     limit = REFERENCE_RATIO[league]
     yield at_most(f"{league}: random over the reference", ratio(samples, "random", "reference"), "", limit)
+    yield at_most(f"{league}: sensors and beliefs over the truth", ratio(samples, "senses", "random"), "", SENSES_RATIO)
+    found = ratio(samples, "particles", "senses")
+    yield at_most(f"{league}: particle filters over a given pose", found, "", PARTICLES_RATIO)
+    for load in ("senses", "particles"):
+        speed = 1 / median(samples[load])
+        yield Row(f"{league}: {load}", speed, f"{speed:,.0f} match steps/s ({speed / rate:,.0f} simulated s/s)")
     for load in ("random", "chaser"):
         speed, double = 1 / median(samples[load]), 1 / median(samples[f"{load}, 2 threads"])
         unit = f"match steps/s ({speed / rate:,.0f} simulated s/s)"
@@ -142,9 +160,13 @@ def core_rows(league: str, samples: Samples) -> Iterator[Row]:
 def face_rows(league: str, samples: Samples) -> Iterator[Row]:
     """Yield the PettingZoo face's speed and the memory of a match in one league."""
     yield at_least(f"{league}: parallel_env.step", 1 / median(samples["step"]), "steps/s", FACE_SPEED)
+    belief = 1 / median(samples["belief"])
+    yield at_least(f"{league}: parallel_env.step, observe belief", belief, "steps/s", BELIEF_FACE_SPEED)
     yield at_most(f"{league}: parallel_env.reset", median(samples["reset"]), "ms", RESET_TIME, 1e3)
     name = f"{league}: memory of a match outside Chipmunk"
     yield at_most(name, record_bytes(league), "KiB", RECORD_BYTES, 1 / 1024)
+    for pose, limit in SENSES_BYTES.items():
+        yield at_most(f"{name}, sensing ({pose})", record_bytes(league, pose), "KiB", limit, 1 / 1024)
     wrappers = wrapper_bytes(league)
     yield Row(f"{league}: pymunk's Python objects of a match", wrappers, f"{wrappers / 1024:.3g} KiB")
 

@@ -30,11 +30,11 @@ START_TIMES = {  # Python programs by what they start
 class FaceLoad:
     """`parallel_env.step` with random actions: dictionaries in and out, one match."""
 
-    def __init__(self, league: str, seed: int) -> None:
+    def __init__(self, league: str, seed: int, observe: str = "truth") -> None:
         from soccer_env import soccer_v0
 
         rng, rate = np.random.default_rng(seed), find_league(league).control_rate
-        self.env: Any = soccer_v0.parallel_env(league=league, home=PLAYERS, away=PLAYERS)
+        self.env: Any = soccer_v0.parallel_env(league=league, home=PLAYERS, away=PLAYERS, observe=observe)
         agents = self.env.possible_agents
         draws = rng.uniform(-1.0, 1.0, (32, len(agents), 4)).astype(np.float32)
         self.actions = [dict(zip(agents, rows, strict=True)) for rows in draws]
@@ -69,9 +69,13 @@ class ResetLoad(FaceLoad):
         return spent / steps
 
 
-def record_bytes(league: str, matches: int = 64) -> float:
-    """Return the bytes of a 3 v 3 match outside Chipmunk: every array that a Match and its parts hold."""
-    match = Match(league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, controllers={"home": "chaser"})
+def record_bytes(league: str, pose: str | None = None, matches: int = 64) -> float:
+    """Return the bytes of a 3 v 3 match outside Chipmunk: every array that a Match and its parts hold.
+
+    With ideal senses, or with the sensors and beliefs of all robots and one of the ways to their own poses.
+    """
+    senses = {"senses": "ideal"} if pose is None else {"senses": "sensors", "observe": "belief", "pose": pose}
+    match = Match(league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, controllers={"home": "chaser"}, **senses)
     return sum(array.nbytes for array in arrays_of(match)) / matches
 
 

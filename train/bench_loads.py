@@ -6,7 +6,9 @@ for a while before anything is timed.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from time import perf_counter
+from types import MappingProxyType
 from typing import Any, Protocol
 
 import numpy as np
@@ -41,9 +43,10 @@ class Load(Protocol):
 
 
 class CoreLoad:
-    """The batched core: random actions of learners, or one team against itself."""
+    """The batched core: random actions of learners, or one team against itself, with ideal senses."""
 
     kind: type[Match] = Match
+    senses: Mapping[str, Any] = {"senses": "ideal"}
 
     def __init__(self, league: str, team: str | None, matches: int, threads: int, seed: int) -> None:
         self.rng = np.random.default_rng(seed)
@@ -51,6 +54,7 @@ class CoreLoad:
         self.match = self.kind(
             league, home=PLAYERS, away=PLAYERS, matches=matches, threads=threads, seed=seed, autoreset="same_step",
             controllers=None if team is None else {"home": team, "away": team}, minutes=found.evaluation_minutes,
+            **self.senses,
         )  # fmt: skip
         rows = 2 * PLAYERS
         self.draws = None if team is not None else self.rng.uniform(-1.0, 1.0, (DRAWS, matches, rows, 4))
@@ -70,6 +74,18 @@ class CoreLoad:
         start = perf_counter()
         self.run(steps)
         return (perf_counter() - start) / (steps * self.match.count)
+
+
+class SensesLoad(CoreLoad):
+    """The core with sensors and beliefs of all robots, which are given a noisy pose, under random actions."""
+
+    senses = MappingProxyType({"senses": "sensors", "observe": "belief", "pose": "percept"})
+
+
+class ParticlesLoad(CoreLoad):
+    """The same, the robots finding their own poses by particle filters."""
+
+    senses = MappingProxyType({"senses": "sensors", "observe": "belief", "pose": "particles"})
 
 
 class BareMatch(Match):

@@ -59,6 +59,7 @@ class Contest:
             seeds=np.array(seeds, np.uint64),
             observe=asked.observe,
             senses=dict(zip(sides, senses, strict=True)),
+            pose=asked.pose,
             controllers=dict(zip(sides, teams, strict=True)),
             scene=asked.scene,
             placement=asked.placement,

@@ -1,4 +1,4 @@
-"""What there is to choose from: `soccer list leagues`, teams, scenes, observations, actions, rewards."""
+"""What there is to choose from: `soccer list leagues`, teams, scenes, observations, sensors, actions, rewards."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal
 if TYPE_CHECKING:
     from rich.table import Table
 
-What = Literal["leagues", "teams", "scenes", "observations", "actions", "rewards"]
+What = Literal["leagues", "teams", "scenes", "observations", "sensors", "actions", "rewards"]
 
 
 @dataclass(frozen=True)
@@ -18,7 +18,9 @@ class ListSettings:
     """Print what can be chosen."""
 
     league: str = "legged-2001"
-    """League whose observations are listed."""
+    """League whose observations or sensors are listed."""
+    observe: Literal["truth", "percepts", "belief"] = "truth"
+    """What the listed observations are built from."""
 
 
 def list_tables(what: What, settings: ListSettings) -> Iterator[Table]:
@@ -30,7 +32,9 @@ def list_tables(what: What, settings: ListSettings) -> Iterator[Table]:
         "actions": actions,
         "rewards": rewards,
     }
-    return observations(settings.league) if what == "observations" else lists[what]()
+    if what == "observations":
+        return observations(settings.league, settings.observe)
+    return sensors(settings.league) if what == "sensors" else lists[what]()
 
 
 def leagues() -> Iterator[Table]:
@@ -88,15 +92,31 @@ def scenes() -> Iterator[Table]:
     yield table("Scenes", ("name", "what it is", "success", "time limit"), rows)
 
 
-def observations(league: str) -> Iterator[Table]:
+def observations(league: str, observe: str) -> Iterator[Table]:
     """Yield the numbers of one robot's observation."""
     from soccer_env.leagues import find_league
     from soccer_env.observations import layout
 
-    entries = layout(find_league(league))
-    title = f"Observation of a robot in {league}: {len(entries)} numbers (float32) in [-1, 1]"
+    entries = layout(find_league(league), observe)
+    title = f"Observation of a robot in {league}, observe={observe}: {len(entries)} numbers (float32) in [-1, 1]"
     rows = [(f"{index}", entry.name, entry.meaning, entry.scale) for index, entry in enumerate(entries)]
     yield table(title, ("", "name", "meaning", "of"), rows)
+
+
+def sensors(league: str) -> Iterator[Table]:
+    """Yield the numbers and switches of a league's sensors and of the memory behind them."""
+    from rich.markup import escape
+
+    from soccer_env.leagues import find_league
+
+    found = find_league(league)
+    for name, options in (("sensors", found.sensors), ("memory", found.memory)):
+        rows = [
+            (key, f"{value:g}" if isinstance(value, float) else str(value), allowed, escape(note))
+            for key, value, allowed, note in options.rows()
+        ]
+        title = f"{type(options).__name__} of {league}; changed by {name}={{name: value}}"
+        yield table(title, ("name", "value", "allowed", "unit and source"), rows)
 
 
 def actions() -> Iterator[Table]:

@@ -27,6 +27,10 @@ class PlaySettings:
     """Seed of the match, 0 or more."""
     placement: Literal["instant", "drive"] = "instant"
     """How robots reach their places at a restart."""
+    senses: Literal["sensors", "ideal"] = "sensors"
+    """What fills the teams' beliefs: their sensors, or the truth."""
+    pose: Literal["particles", "percept"] = "particles"
+    """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given."""
 
     def __post_init__(self) -> None:
         whole("seed", self.seed, 0)

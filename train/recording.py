@@ -27,6 +27,8 @@ def start(settings: PlaySettings) -> Match:
         minutes=settings.minutes,
         seed=settings.seed,
         placement=settings.placement,
+        senses=settings.senses,
+        pose=settings.pose,
     )
 
 

@@ -62,7 +62,7 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         ("league", conditions.league),
         ("players", conditions.sizes),
         ("minutes of play", f"{conditions.minutes:g}"),
-        ("senses, observe", f"{conditions.senses_text}, {conditions.observe}"),
+        ("senses, pose, observe", f"{conditions.senses_text}, {conditions.pose}, {conditions.observe}"),
         ("scene, placement", f"{conditions.scene}, {conditions.placement}"),
         ("seed", f"{conditions.seed}"),
         ("begun, commit", f"{about.get('date', '')}, {about.get('commit') or 'none'}"),

@@ -15,6 +15,7 @@ from soccer_env.leagues.league import PLACEMENTS, League
 from soccer_env.types import MAX_TEAM
 
 SENSES = ("ideal", "sensors")
+POSES = ("particles", "percept")
 FULL = "full"  # minutes: the league's own length of a match
 
 
@@ -43,8 +44,10 @@ class EvaluateSettings:
     """Seed from which the seeds of all matches follow, 0 or more."""
     threads: int = 1
     """Threads that share the matches; the result does not depend on them."""
-    senses: str = "ideal"
-    """What fills the teams' beliefs: ideal (the truth) or sensors; home=ideal,away=sensors for one each."""
+    senses: str = "sensors"
+    """What fills the teams' beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each."""
+    pose: Literal["particles", "percept"] = "particles"
+    """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given."""
     observe: str = "truth"
     """What a learned team's observations are built from: truth, percepts or belief."""
     scene: str = "kick-off"
@@ -80,6 +83,8 @@ class EvaluateSettings:
             raise ValueError(f"at_least must be 0 to 1, got {self.at_least!r}")
         if self.picture and self.out is None:
             raise ValueError("picture needs a folder: give out as well")
+        if self.pose not in POSES:
+            raise ValueError(f"pose must be one of {', '.join(POSES)}, got {self.pose!r}")
         split_players(self.players, 1)
         split_senses(self.senses)
 
@@ -96,6 +101,7 @@ class Conditions:
     players: tuple[int, int]  # of the first team (home), of the second (away)
     seed: int
     senses: tuple[str, str]  # of the first team, of the second
+    pose: str  # of robots that use their sensors
     observe: str
     scene: str
     placement: str
@@ -128,6 +134,7 @@ def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
         players=split_players(settings.players, league.team_size),
         seed=settings.seed,
         senses=split_senses(settings.senses),
+        pose=settings.pose,
         observe=settings.observe,
         scene=settings.scene,
         placement=settings.placement or league.evaluation_placement,

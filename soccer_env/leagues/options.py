@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import inspect
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
 from math import isfinite
 from typing import Any, ClassVar, TypeVar
@@ -56,6 +58,16 @@ class Options:
                 raise ValueError(f"unknown name {name!r} in {type(self).__name__}; known: {', '.join(known)}")
         return replace(self, **changes)  # type: ignore[type-var]
 
+    def rows(self) -> Iterator[tuple[str, Any, str, str]]:
+        """Yield name, value, what is allowed, and the note beside each field in its source: unit and source."""
+        notes = notes_of(type(self))
+        for field in fields(self):  # type: ignore[arg-type]
+            kinds = {"bool": "True, False", "int": "whole, 0 or more"}
+            allowed = ", ".join(self.NAMES.get(field.name, ())) or kinds.get(str(field.type), "0 or more")
+            if field.name in self.SIGNED:
+                allowed = "any number"
+            yield field.name, getattr(self, field.name), allowed, notes.get(field.name, "")
+
     def record(self) -> np.ndarray:
         """Return the (1,) record for compiled code: f8 for numbers, i8 for whole numbers, switches and codes."""
         found = np.zeros(1, record_type(type(self)))
@@ -63,6 +75,13 @@ class Options:
             value = getattr(self, field.name)
             found[field.name] = self.NAMES[field.name][value] if field.name in self.NAMES else value
         return found
+
+
+def notes_of(kind: type[Options]) -> dict[str, str]:
+    """Return the comment beside each field of a settings class."""
+    lines = inspect.getsource(kind).splitlines()
+    found = (re.match(r"    (\w+): \w+ = .*?  # (.*)", line) for line in lines)
+    return {match[1]: match[2] for match in found if match}
 
 
 def record_type(kind: type[Options]) -> np.dtype:

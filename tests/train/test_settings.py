@@ -31,7 +31,7 @@ def test_senses_for_one_team_each() -> None:
     both = conditions_of(EvaluateSettings(senses="home=ideal,away=sensors"), LEGGED)
     assert both.senses == ("ideal", "sensors")
     assert both.senses_text == "home=ideal,away=sensors"
-    assert conditions_of(EvaluateSettings(senses="sensors"), LEGGED).senses_text == "sensors"
+    assert conditions_of(EvaluateSettings(senses="ideal"), LEGGED).senses_text == "ideal"
 
 
 @pytest.mark.parametrize(
@@ -58,6 +58,7 @@ def test_senses_for_one_team_each() -> None:
         {"senses": "home=ideal"},
         {"senses": "home=ideal,away=eyes"},
         {"senses": ""},
+        {"pose": "compass"},
         {"placement": "walk"},
         {"at_least": 95},
         {"picture": True},
