@@ -25,7 +25,7 @@ TEAM = int(RobotStream.TEAM)
 
 def team(strength: float = 1.0) -> CompiledTeam:
     """Return a team of random walkers; `strength` scales their speed and how often they kick."""
-    return CompiledTeam("random", wander, MEMORY, np.array([(strength,)], SETTINGS))
+    return CompiledTeam("random", wander, MEMORY, np.array([(strength,)], SETTINGS), blind=True)
 
 
 @compiled

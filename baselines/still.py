@@ -13,7 +13,7 @@ SETTINGS = np.dtype([("strength", "f8")])
 
 def team(strength: float = 1.0) -> CompiledTeam:
     """Return a team whose players never move."""
-    return CompiledTeam("still", stand_still, MEMORY, np.array([(strength,)], SETTINGS))
+    return CompiledTeam("still", stand_still, MEMORY, np.array([(strength,)], SETTINGS), blind=True)
 
 
 @compiled

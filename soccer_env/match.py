@@ -108,7 +108,8 @@ class Match:
         observe, home = self.settings.observe, self.settings.rows[HOME]
         found = []
         for side, rows in ((HOME, range(home)), (AWAY, range(home, len(self.agents)))):
-            played = any(self.learns[r] == 0 for r in rows)
+            teams = [squad.team for squad in self.squads if squad.players[0] in rows]
+            played = not all(getattr(team, "blind", False) for team in teams)
             watched = observe != "truth" and any(self.learns[r] == 1 for r in rows)
             if (self.settings.senses[side] == "sensors" and (played or watched)) or (watched and observe == "percepts"):
                 found.append(side)

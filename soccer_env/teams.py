@@ -105,6 +105,7 @@ class CompiledTeam:
     memory_dtype: np.dtype
     settings: np.ndarray
     leagues: tuple[str, ...] = ()  # names a league has to begin with; empty: all
+    blind: bool = False  # True: it reads no belief, so that nothing has to be sensed for it
 
     def check_league(self, league: League) -> None:
         """Raise ValueError if the team does not play this league."""

@@ -6,7 +6,7 @@
 
 Both return copies. `assert_same` compares records field by field, angles as angles. For the other arrays:
 `mirrored_beliefs`, `mirrored_tracks`, `mirrored_commands`, `mirrored_actions`, `mirrored_observations`; a half-turn
-leaves all of them as they are but for the order of the rows, `swapped_rows`.
+leaves all of them, and percepts (`mirrored_percepts`), as they are but for the order of the rows, `swapped_rows`.
 """
 
 from __future__ import annotations
@@ -57,6 +57,7 @@ def mirrored(records: Records) -> Records:
     for name in ("command", "delayed", "target", "walk"):  # slips are factors and stay
         negate(robots[name], *WALK_LATERAL)
     negate(robots["command"], "pan")
+    negate(robots["gaze"], "pan")
     return Records(matches, balls, robots)
 
 
@@ -78,6 +79,23 @@ def mirrored_tracks(tracks: np.ndarray) -> np.ndarray:
     tracks = tracks.copy()
     negate(tracks, "bearing", "y", "vy", "heading")
     return tracks
+
+
+def mirrored_percepts(percepts: np.ndarray, lines: int = 0) -> np.ndarray:
+    """Return percepts (M, R) as the mirrored robots get them; `lines` directions are searched for white lines."""
+    percepts = percepts.copy()
+    negate(percepts["body"], "handedness", "left", "turn", "y", "heading", "drift_y", "drift_heading")
+    if "pan" in (percepts.dtype.names or ()):
+        negate(percepts, "pan")
+        for name in ("ball", "teammates", "opponents", "own_goal", "opponent_goal", "landmarks"):
+            blobs = percepts[name].copy()
+            percepts[name]["left"], percepts[name]["right"] = -blobs["right"], -blobs["left"]
+        percepts["landmarks"] = percepts["landmarks"][..., [1, 0, 3, 2, 5, 4]]
+        return percepts
+    for name in ("ball", "own_goal", "opponent_goal", "players"):
+        negate(percepts[name], "bearing")
+    percepts["lines"][..., :lines] = percepts["lines"][..., [-i % lines for i in range(lines)]]
+    return percepts
 
 
 def mirrored_commands(commands: np.ndarray) -> np.ndarray:

@@ -62,7 +62,7 @@ def test_more_matches_begin_with_the_same_pairs() -> None:
 def test_every_match_can_be_played_alone() -> None:
     for line in short(matches=4).lines:
         sides = {"home": "random", "away": "still"} if line.side == "home" else {"home": "still", "away": "random"}
-        match = Match("legged-2001", seeds=[line.seed], minutes=0.1, controllers=sides)
+        match = Match("legged-2001", seeds=[line.seed], minutes=0.1, controllers=sides, pose="particles")
         while not match.terminated[0]:
             match.step(None)
         assert match.state_hash(0) == line.state
