@@ -2,6 +2,7 @@
 # make test     run the tests            make lint          ruff and mypy
 # make bench    measure the speed        make tables        regenerate the README's tables
 # make clean    remove what make built   make tables-check  replay a small part of each table
+# make mutants  switch every mechanism of the papers off in turn: the test that names it has to fail
 #
 # pip takes its settings from the environment and its own files; PYTHON=python3.12 chooses the interpreter of a new .venv.
 
@@ -10,7 +11,7 @@ TORCH := torch==2.13.0
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: match test lint bench tables tables-check clean
+.PHONY: match test lint bench tables tables-check mutants clean
 .DELETE_ON_ERROR:
 
 match: $(VENV)/.has-base
@@ -33,6 +34,9 @@ tables: $(VENV)/.has-base
 
 tables-check: $(VENV)/.has-base
 	$(BIN)/python -m soccer_env.train.tables --check
+
+mutants: $(VENV)/.has-train
+	$(BIN)/python tests/mutate.py
 
 # Everything here can be made again, .venv included. runs/ holds results and stays.
 clean:

@@ -16,7 +16,7 @@ import sys, numpy as np
 from soccer_env import Match
 league, steps, size = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
 teams = {"home_0": "chaser"} if len(sys.argv) > 4 else None
-match = Match(league, home=size, away=size, matches=1, seeds=[11], controllers=teams)
+match = Match(league, home=size, away=size, matches=1, seeds=[11], controllers=teams, pose="particles")
 rng = np.random.default_rng(5)
 for _ in range(steps):
     match.step(rng.uniform(-1.0, 1.0, (1, 2 * size, 4)))

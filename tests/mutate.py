@@ -1,0 +1,92 @@
+"""The mutation check: every mechanism is switched off in turn, and the test that names it has to fail.
+
+    python tests/mutate.py              all mutants
+    python tests/mutate.py MS12 MH06    those of some mechanisms
+    python tests/mutate.py --sample 6   every so many-th, for continuous integration
+
+A mutant is one replaced piece of source (tests/mutants.py). It runs in a copy of the checkout; the checkout itself is
+never touched. A mutant whose test still passes has survived: exit code 1.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+from tests.mutants import MUTANTS, Mutant  # noqa: E402  # the folder above has to be known first
+
+COPIED = ("soccer_env", "baselines", "agents", "train", "tests", "pyproject.toml", "README.md")
+INNER = ("baselines", "agents", "train")  # stand at the top, are imported from inside the package
+FAILED = 1  # pytest's exit code when tests ran and some failed
+
+
+def copy_checkout(to: Path) -> None:
+    """Copy what tests need, so that it is imported instead of what is installed."""
+    for name in COPIED:
+        source = ROOT / name
+        ignored = shutil.ignore_patterns("__pycache__", "*.pyc")
+        shutil.copytree(source, to / name, ignore=ignored) if source.is_dir() else shutil.copy(source, to / name)
+    for name in INNER:
+        (to / "soccer_env" / name).symlink_to(to / name, target_is_directory=True)
+
+
+@contextmanager
+def mutated(where: Path, mutant: Mutant) -> Iterator[None]:
+    """Replace the mutant's piece of source in the copy for a while; ValueError if it is not there exactly once."""
+    file = where / mutant.file
+    text = file.read_text(encoding="utf-8")
+    if text.count(mutant.original) != 1:
+        raise ValueError(
+            f"{mutant.id}: {mutant.original!r} stands {text.count(mutant.original)} times in {mutant.file}"
+        )
+    file.write_text(text.replace(mutant.original, mutant.replacement), encoding="utf-8")
+    try:
+        yield
+    finally:
+        file.write_text(text, encoding="utf-8")
+
+
+def run_test(where: Path, test: str) -> int:
+    """Run one test in the copy; return pytest's exit code."""
+    environment = {**os.environ, "PYTHONPATH": str(where), "SOCCER_ENV_QUIET": "1", "PYTHONDONTWRITEBYTECODE": "1"}
+    command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", test]
+    return subprocess.run(command, cwd=where, env=environment, capture_output=True, check=False).returncode
+
+
+def chosen(words: list[str]) -> list[Mutant]:
+    """Return the mutants that the command line asks for; ValueError for an unknown id."""
+    if words[:1] == ["--sample"]:
+        return MUTANTS[:: max(len(MUTANTS) // int(words[1]), 1)]
+    unknown = set(words) - {mutant.id for mutant in MUTANTS}
+    if unknown:
+        raise ValueError(f"unknown mechanisms {sorted(unknown)}")
+    return [mutant for mutant in MUTANTS if not words or mutant.id in words]
+
+
+def main(words: list[str]) -> int:
+    """Run the mutants; print a line for each, return 1 if one survived."""
+    survived = []
+    with tempfile.TemporaryDirectory() as folder:
+        where = Path(folder)
+        copy_checkout(where)
+        for mutant in chosen(words):
+            with mutated(where, mutant):
+                code = run_test(where, mutant.test)
+            killed = code == FAILED
+            print(f"{mutant.id}  {'killed' if killed else f'SURVIVED (exit code {code})'}  {mutant.test}", flush=True)
+            survived += [] if killed else [mutant.id]
+    print(f"{len(survived)} of {len(chosen(words))} mutants survived")
+    return 1 if survived else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
