@@ -7,7 +7,8 @@ import numpy as np
 from soccer_env.leagues.league import DRIVE_KINDS, League
 
 GROUPS = {  # what of each part of a league goes into the record, as part_field
-    "pitch": "length width goal_width goal_depth penalty_depth penalty_width circle band_side band_end post_radius",
+    "pitch": "length width goal_width goal_depth penalty_depth penalty_width goal_area_depth goal_area_width circle "
+    "band_side band_end post_radius",
     "ball": "radius mass rolling sliding shell top_speed",
     "body": "mass disc_radius disc_x tip_x tip_y tip_radius front reach",
     "drive": "forward backward sideways turn acceleration turn_acceleration traction turn_traction slip fall fall_time",

@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from soccer_env.compiled import compiled
-from soccer_env.leagues.league import League
 from soccer_env.perception.body import sense_body
 from soccer_env.perception.ideal import situation
+from soccer_env.perception.lines import TABLES, line_tables
 
-TABLES = np.dtype([("unused", "f8")])
-
-
-def line_tables(league: League) -> np.ndarray:
-    """Return the (1,) record of what a robot knows beforehand of its field."""
-    return np.zeros(1, TABLES)
+__all__ = ["TABLES", "line_tables", "sense_slice"]
 
 
 @compiled

@@ -1,0 +1,67 @@
+"""The white lines of a pitch: what a robot knows of them beforehand, and how many there are.
+
++--------------+--------------+     border, halfway line, centre circle, and at both ends
+|---+          |          +---|     penalty area and goal area; their widths are not modelled: a line is
+|-+ |        .-+-.        | +-|     where its middle runs
+| | |       (  |  )       | | |
+|-+ |        '-+-'        | +-|
+|---+          |          +---|
++--------------+--------------+
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from soccer_env.leagues.league import League, Pitch
+
+COLUMNS, ROWS = 160, 120  # cells of the grid along x and along y
+CELL = 0.10  # [m] side of a cell; more on a pitch that would not fit, so that tables of all pitches are of one type
+MARGIN = 1.0  # [m] round the pitch that the grid covers as well
+
+TABLES = np.dtype(
+    [  # what a middle-size robot knows of its field. A point (x, y) of the team frame lies in the cell
+        # i = floor((x - first_x) / cell), j = floor((y - first_y) / cell), if 0 <= i < COLUMNS and 0 <= j < ROWS.
+        # The pitch looks the same after a half-turn: nearest_line[i, j] == nearest_line[-1 - i, -1 - j].
+        ("cell", "f8"),  # [m] side of a cell
+        ("first_x", "f8"),  # [m] team frame: lower edge of the cells i = 0
+        ("first_y", "f8"),  # [m] team frame: lower edge of the cells j = 0
+        ("nearest_line", "f4", (COLUMNS, ROWS)),  # [m] from the middle of a cell to the nearest white line
+    ]
+)
+
+
+@lru_cache(maxsize=8)
+def line_tables(league: League) -> np.ndarray:
+    """Return the (1,) TABLES of a league: what a robot knows of the lines of its field.  MH08"""
+    pitch, table = league.pitch, np.zeros(1, TABLES)
+    cell = max(CELL, (pitch.length + 2.0 * MARGIN) / COLUMNS, (pitch.width + 2.0 * MARGIN) / ROWS)
+    x = cell * (np.arange(COLUMNS) - 0.5 * (COLUMNS - 1))
+    y = cell * (np.arange(ROWS) - 0.5 * (ROWS - 1))
+    table["cell"], table["first_x"], table["first_y"] = cell, -0.5 * cell * COLUMNS, -0.5 * cell * ROWS
+    table["nearest_line"] = nearest_line(pitch, x[:, None], y[None, :])
+    return table
+
+
+def nearest_line(pitch: Pitch, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Return the distance [m] of points in the team or field frame from the nearest white line."""
+    x, y = abs(x), abs(y)  # the lines are symmetric about both axes
+    found = [abs(np.sqrt(x * x + y * y) - pitch.circle)]
+    for from_x, from_y, to_x, to_y in quarter(pitch):
+        beside_x = np.maximum(np.maximum(from_x - x, x - to_x), 0.0)
+        beside_y = np.maximum(np.maximum(from_y - y, y - to_y), 0.0)
+        found.append(np.sqrt(beside_x * beside_x + beside_y * beside_y))
+    nearest: np.ndarray = np.min(np.broadcast_arrays(*found), axis=0)
+    return nearest
+
+
+def quarter(pitch: Pitch) -> list[tuple[float, float, float, float]]:
+    """Return the straight lines of the quarter x, y >= 0 of a pitch as (from x, from y, to x, to y) [m]."""
+    end, side = 0.5 * pitch.length, 0.5 * pitch.width
+    pieces = [(0.0, 0.0, 0.0, side), (end, 0.0, end, side), (0.0, side, end, side)]
+    areas = ((pitch.penalty_depth, pitch.penalty_width), (pitch.goal_area_depth, pitch.goal_area_width))
+    for depth, width in areas:
+        pieces += [(end - depth, 0.0, end - depth, 0.5 * width), (end - depth, 0.5 * width, end, 0.5 * width)]
+    return pieces
