@@ -1,0 +1,25 @@
+"""Where a remembered thing lies after the robot itself has moved.  [Sacks 2001, 3.1.1, 4.1.2]  MS15, MS36"""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from soccer_env.compiled import compiled
+
+
+@compiled
+def move_point(x, y, forward, left, turn):
+    """Return a still point of the ground in the robot frame after the robot's own motion.  MS15, MS36
+
+    x, y: the point before [m]; forward, left: the displacement [m] in the axes of before; turn [rad], left positive.
+    Exact for any motion: of a rigid body only where it was and where it is counts, not the way between.
+    """
+    x, y, cosine, sine = x - forward, y - left, cos(turn), sin(turn)
+    return cosine * x + sine * y, cosine * y - sine * x
+
+
+@compiled
+def move_vector(x, y, turn):
+    """Return a vector of the ground, such as a velocity, in the axes of the robot after it has turned [rad]."""
+    cosine, sine = cos(turn), sin(turn)
+    return cosine * x + sine * y, cosine * y - sine * x
