@@ -8,7 +8,7 @@ in a dtype (a dtype that grows would compile every kernel again). Frames are tho
 * team frame: the field frame turned so that the team's own goal lies at -x and the opponent's at +x;
 * robot frame: x forward, y left; a bearing is an angle in it, 0 straight ahead.
 
-SI units and radians everywhere. Integers are used for flags and codes, so that a record has no padding surprises.
+SI units and radians everywhere. Integers are used for flags and codes; fields of eight bytes start at a multiple of eight.
 """
 
 from __future__ import annotations
@@ -170,19 +170,19 @@ ROBOT = np.dtype(
 
 SITUATION = np.dtype(
     [  # what a player may know of the game
-        ("phase", "i8"),  # a Phase
+        ("phase", "i2"),  # a Phase
+        ("placing", "i2"),  # 1 while robots are driven to their places
+        ("number", "i2"),  # own number
+        ("keeper", "i2"),  # 1: I am the goalkeeper
+        ("active", "i2"),  # 0: I am sent off
+        ("teammates", "i2"),  # active team-mates, without me
+        ("opponents", "i4"),  # active opponents
+        ("goals_for", "i4"),
+        ("goals_against", "i4"),
         ("ours", "f8"),  # +1 our restart, -1 theirs, 0 neither
-        ("placing", "i8"),  # 1 while robots are driven to their places
         ("phase_clock", "f8"),  # [s] since the phase began
         ("seconds_left", "f8"),  # [s] of play to the final whistle; inf without an end
-        ("goals_for", "i8"),
-        ("goals_against", "i8"),
-        ("number", "i8"),  # own number
-        ("keeper", "i8"),  # 1: I am the goalkeeper
-        ("active", "i8"),  # 0: I am sent off
         ("penalty", "f8"),  # [s] left of my penalty
-        ("teammates", "i8"),  # active team-mates, without me
-        ("opponents", "i8"),  # active opponents
     ]
 )
 
@@ -218,10 +218,10 @@ BALL_BELIEF = np.dtype(
 
 TRACK = np.dtype(
     [  # what a robot believes about one other player; slots of team-mates come first, then opponents
-        ("present", "i8"),  # 1: the slot is in use
-        ("teammate", "i8"),  # 1 team-mate, 0 opponent
-        ("keeper", "i8"),  # 1: the goalkeeper of its team
-        ("number", "i8"),  # the player's number, -1 unknown
+        ("present", "i2"),  # 1: the slot is in use
+        ("teammate", "i2"),  # 1 team-mate, 0 opponent
+        ("keeper", "i2"),  # 1: the goalkeeper of its team
+        ("number", "i2"),  # the player's number, -1 unknown
         ("distance", "f8"),  # [m]
         ("bearing", "f8"),  # [rad] robot frame
         ("x", "f8"),  # [m] robot frame
