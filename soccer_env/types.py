@@ -8,7 +8,7 @@ in a dtype (a dtype that grows would compile every kernel again). Frames are tho
 * team frame: the field frame turned so that the team's own goal lies at -x and the opponent's at +x;
 * robot frame: x forward, y left; a bearing is an angle in it, 0 straight ahead.
 
-SI units and radians everywhere. Integers are used for flags and codes; fields of eight bytes start at a multiple of eight.
+SI units and radians everywhere. Integers are used for flags and codes; fields of eight bytes lie at multiples of eight.
 """
 
 from __future__ import annotations
