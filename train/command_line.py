@@ -25,13 +25,13 @@ WIDTH = 120  # columns of a table that does not go to a terminal
 
 SUMMARIES = {
     "evaluate": "play one team against another and say how sure the result is",
-    "list": "print the leagues, teams, scenes, observations, actions or rewards",
+    "list": "print the leagues, teams, scenes, observations, sensors, actions or rewards",
     "bench": "measure the speed against the bare physics",
     "record": "play a match into a replay file",
     "replay": "play a replay file again and check every step",
     "tournament": "play every team against every other",
     "train": "train a policy",
-    "reproduce": "run the experiments behind the published tables",
+    "reproduce": "measure what the two papers claim and say whether it holds",
     "watch": "show a match in a window",
     "export": "write matches for other tools",
 }
@@ -78,7 +78,7 @@ def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
     try:
         return command(words)
     except KeyboardInterrupt:
-        print("stopped; finished matches are kept where --out was given", file=sys.stderr)
+        print("stopped; what was finished is kept where --out was given", file=sys.stderr)
         return STOPPED
     except BrokenPipeError:  # `soccer list teams | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -197,6 +197,20 @@ def run_replay(words: list[str]) -> int:
     return 0
 
 
+def run_reproduce(words: list[str]) -> int:
+    """Run `soccer reproduce`."""
+    from soccer_env.train.reproduce_settings import ReproduceSettings
+
+    settings = read_settings(ReproduceSettings, words, "reproduce")
+    from soccer_env.train.reproduce import reproduce
+    from soccer_env.train.reproduce_report import screen_table
+
+    console().print(screen_table(reproduce(settings)))
+    if settings.out is not None:
+        print(f"written: {settings.out / 'report.md'}, {settings.out / 'results.json'}")
+    return 0
+
+
 def run_watch(words: list[str]) -> int:
     """Run `soccer watch`."""
     from soccer_env.train.play_settings import WatchSettings
@@ -214,6 +228,7 @@ COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "bench": run_bench,
     "record": run_record,
     "replay": run_replay,
+    "reproduce": run_reproduce,
     "watch": run_watch,
 }
 

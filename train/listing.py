@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal
 if TYPE_CHECKING:
     from rich.table import Table
 
-What = Literal["leagues", "teams", "scenes", "observations", "sensors", "actions", "rewards"]
+What = Literal["leagues", "teams", "scenes", "observations", "sensors", "actions", "rewards", "claims"]
 
 
 @dataclass(frozen=True)
@@ -31,6 +31,7 @@ def list_tables(what: What, settings: ListSettings) -> Iterator[Table]:
         "scenes": scenes,
         "actions": actions,
         "rewards": rewards,
+        "claims": claims,
     }
     if what == "observations":
         return observations(settings.league, settings.observe)
@@ -135,6 +136,17 @@ def rewards() -> Iterator[Table]:
 
     rows = [(name, text, *(f"{getattr(x, name):g}" for x in PRESETS.values())) for name, text in TERMS.items()]
     yield table("Reward terms and their weights", ("term", "meaning", *PRESETS), rows)
+
+
+def claims() -> Iterator[Table]:
+    """Yield the claims of the papers that `soccer reproduce` measures."""
+    from soccer_env.train.claims import all_claims
+
+    rows = [
+        (x.id, x.statement, f"{x.paper}, {x.section}".rstrip(", "), "\n".join(c.text for c in x.criteria if c.decides))
+        for x in all_claims().values()
+    ]
+    yield table("Claims", ("id", "what the paper says", "where", "counts as reproduced"), rows)
 
 
 def table(title: str, columns: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> Table:

@@ -188,7 +188,7 @@ def line_of(record: dict[str, Any], path: Path) -> MatchLine:
     return MatchLine(**record)
 
 
-def check_same(path: Path, mine: dict[str, Any]) -> dict[str, str]:
+def check_same(path: Path, mine: dict[str, Any], what: str = "an evaluation") -> dict[str, str]:
     """Return what else the settings file says; raise ValueError naming each condition that differs from mine."""
     theirs = json.loads(path.read_text(encoding="utf-8"))
     differences = [
@@ -198,6 +198,6 @@ def check_same(path: Path, mine: dict[str, Any]) -> dict[str, str]:
         if theirs[part].get(name) != mine[part].get(name)
     ]
     if differences:
-        what = "; ".join(differences)
-        raise ValueError(f"{path.parent} holds an evaluation with other settings ({what}); give another folder or anew")
+        which = "; ".join(differences)
+        raise ValueError(f"{path.parent} holds {what} with other settings ({which}); give another folder or anew")
     return dict(theirs["about"])

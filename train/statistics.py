@@ -1,8 +1,9 @@
-"""Say how sure results are: bootstrap over pairs, Wilson's interval, interquartile mean, required number of matches."""
+"""Say how sure results are: bootstraps, Wilson's interval, interquartile mean, required number of matches."""
 
 from __future__ import annotations
 
-from math import ceil, sqrt
+from collections.abc import Callable, Mapping
+from math import ceil, inf, isfinite, nan, sqrt
 from statistics import NormalDist
 
 import numpy as np
@@ -39,13 +40,61 @@ def wilson_interval(wins: int, trials: int, *, confidence: float = CONFIDENCE) -
     """Return share, low and high of a proportion by Wilson's score interval, which is honest at 0 and 1 as well."""
     if not 0 <= wins <= trials or trials < 1:
         raise ValueError(f"wins must be 0 to trials and trials at least 1, got {wins} of {trials}")
-    z = _quantile(confidence)
-    share, spread = wins / trials, z * z / trials
-    middle = (share + spread / 2) / (1 + spread)
-    half_width = sqrt(spread * (share * (1 - share) + spread / 4)) / (1 + spread)
-    low = 0.0 if wins == 0 else max(0.0, middle - half_width)  # exactly, whatever the rounding
-    high = 1.0 if wins == trials else min(1.0, middle + half_width)
-    return share, low, high
+    return (wins / trials, *_wilson(wins / trials, trials, confidence))
+
+
+def clustered_share(hits: ArrayLike, trials: ArrayLike, *, confidence: float = CONFIDENCE) -> Interval:
+    """Return share, low and high of a proportion counted in units of several trials each, as frames of one run.
+
+    hits, trials: (U,). Wilson's interval with the number of independent trials that the scatter between units shows
+    (Kish's effective size); if every trial went the same way that is the number of units. Without a trial: all
+    shares are possible.
+    """
+    hit, tried = _numbers(hits, "hits"), _numbers(trials, "trials")
+    if len(hit) != len(tried) or (hit < 0).any() or (hit > tried).any():
+        raise ValueError(f"hits must be 0 to trials in every unit, got {hits!r} of {trials!r}")
+    total, units = float(tried.sum()), int((tried > 0).sum())
+    if units == 0:
+        return nan, 0.0, 1.0
+    share = float(hit.sum()) / total
+    variance = float(((hit - share * tried) ** 2).sum()) / total**2
+    even = share * (1.0 - share)
+    effective = float(units) if even == 0.0 else min(even / variance, total) if variance > 0.0 else total
+    return (share, *_wilson(share, effective, confidence))
+
+
+def unit_bootstrap(
+    samples: Mapping[str, np.ndarray],
+    value: Callable[[dict[str, np.ndarray]], float],
+    *,
+    resamples: int = 1000,
+    confidence: float = CONFIDENCE,
+    seed: int = 0,
+) -> Interval:
+    """Return a quantity of samples, low and high, by resampling their units with replacement (percentile interval).
+
+    Each array of `samples` has the same independent units along its first axis (runs, pairs, matches); whatever hangs
+    together stays together: medians, ratios and paired differences are the same call. A value that is not finite
+    (a median of nothing) in some resamples leaves that side of the interval open.
+    """
+    counts = {name: len(array) for name, array in samples.items()}
+    if len(set(counts.values())) != 1 or not min(counts.values()):
+        raise ValueError(f"samples must have the same units, at least one, in each array, got {counts}")
+    units = next(iter(counts.values()))
+    rng = np.random.default_rng(seed)
+    tail = 0.5 * (1.0 - _fraction(confidence))
+    drawn = np.empty(resamples)
+    for index in range(resamples):
+        rows = rng.integers(0, units, units)
+        drawn[index] = value({name: array[rows] for name, array in samples.items()})
+    found = float(value(dict(samples)))
+    lows, highs = np.where(np.isnan(drawn), -inf, drawn), np.where(np.isnan(drawn), inf, drawn)
+    if not isfinite(found):
+        return found, -inf, inf
+    # order statistics, not interpolation, which is NaN between two infinities
+    low = np.quantile(lows, tail, method="inverted_cdf")
+    high = np.quantile(highs, 1.0 - tail, method="inverted_cdf")
+    return found, float(low), float(high)
 
 
 def interquartile_mean(values: ArrayLike) -> float:
@@ -67,6 +116,17 @@ def required_matches(pairs: ArrayLike, half_width: float, *, confidence: float =
         raise ValueError(f"half_width must be above 0, got {half_width}")
     needed = (_quantile(confidence) * float(values.std(ddof=1)) / half_width) ** 2
     return 2 * max(1, ceil(needed))
+
+
+def _wilson(share: float, trials: float, confidence: float) -> tuple[float, float]:
+    """Return low and high of Wilson's interval for a share of so many trials."""
+    z = _quantile(confidence)
+    spread = z * z / trials
+    middle = (share + spread / 2) / (1 + spread)
+    half_width = sqrt(spread * (share * (1 - share) + spread / 4)) / (1 + spread)
+    low = 0.0 if share == 0.0 else max(0.0, middle - half_width)  # exactly, whatever the rounding
+    high = 1.0 if share == 1.0 else min(1.0, middle + half_width)
+    return low, high
 
 
 def _numbers(values: ArrayLike, name: str) -> np.ndarray:

@@ -1,0 +1,261 @@
+"""The reproduction bench: stops when a claim is decided, resumes, refuses what does not belong together."""
+
+import dataclasses
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from soccer_env.train.claims import MODULES, all_claims, find_claims
+from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.command_line import main
+from soccer_env.train.reproduce import looks_at, reproduce
+from soccer_env.train.reproduce_folder import ClaimResult
+from soccer_env.train.reproduce_settings import ReproduceSettings, command_of
+from soccer_env.train.verdicts import Criterion, Samples, counted, measured, reported
+
+CALLS: list[tuple[str, int]] = []  # claim, batch
+
+
+def draw(batch: Batch, mean: float = 0.0, count: int = 20) -> Samples:
+    CALLS.append((batch.claim, batch.index))
+    return {"x": batch.rng().normal(mean, 1.0, count), "one": np.ones(count), "up": batch.rng().random(count) < 0.9}
+
+
+def mean(samples: Samples) -> float:
+    return float(samples["x"].mean())
+
+
+def plot(samples: Samples) -> tuple[Figure, ...]:
+    return (Figure("A title", "place [m]", "value", (Curve("a", [0.0, 1.0], [mean(samples), np.nan]),), rules=(0.5,)),)
+
+
+def claim(name: str, expected: float, *criteria: Criterion, **changes: object) -> Claim:
+    made = Claim(
+        id=name, paper=SACKS, section="0", statement=f"What {name} says.", method="Draws.",
+        criteria=criteria or (measured("mean above 0", mean, unit="cm", above=0.0),),
+        measure=lambda batch: draw(batch, expected), batches=8, figures=plot,
+    )  # fmt: skip
+    return dataclasses.replace(made, **changes)  # type: ignore[arg-type]
+
+
+KNOWN = {
+    made.id: made
+    for made in (
+        claim("A1", 3.0),
+        claim("A2", -3.0),
+        claim("A3", 0.0, measured("mean above -0.01", mean, above=-0.01)),
+        claim("A4", 3.0, without=Without("the shift", lambda batch: draw(batch, -3.0))),
+        claim("A5", 0.0, reported("mean", mean)),
+        claim("A6", 0.0, counted("at least 60 %", "up", "one", at_least=60.0), measured("mean < -1", mean, below=-1.0)),
+        claim("look", 0.0, study=True),
+    )
+}
+
+
+@pytest.fixture(autouse=True)
+def no_calls() -> None:
+    CALLS.clear()
+
+
+def run(*names: str, **settings: object) -> list[ClaimResult]:
+    return reproduce(ReproduceSettings(claims=names, **settings), known=KNOWN)  # type: ignore[arg-type]
+
+
+def test_sampling_stops_when_the_interval_decides() -> None:
+    (up,), (down,) = run("A1"), run("A2")
+    assert (up.verdict, down.verdict) == ("reproduced", "not")
+    assert CALLS == [("A1", 0), ("A2", 0)]
+    assert up.n == 20 and up.cap == 160
+    assert up.low > 0.0 > down.high
+
+
+def test_the_cap_ends_what_stays_undecided_and_n_says_so() -> None:
+    (result,) = run("A3")
+    assert result.verdict == "undecided"
+    assert (result.n, result.cap, len(CALLS)) == (160, 160, 8)
+    assert result.low < -0.01 < result.high
+
+
+def test_looks_double_and_share_the_five_per_cent() -> None:
+    (once,), (often,) = run("A1", quick=True), run("A1")
+    assert once.estimate == often.estimate and often.low < once.low < once.high < often.high
+    assert looks_at(1) == [1]
+    assert looks_at(8) == [1, 2, 4, 8]
+    assert looks_at(11) == [1, 2, 4, 8, 11]
+
+
+def test_what_was_put_in_is_by_construction_and_is_shown_without_it() -> None:
+    (result,) = run("A4")
+    assert result.verdict == "by construction"
+    assert result.without == "the shift"
+    assert [found["verdict"] for found in result.without_findings] == ["not"]
+    assert result.findings[0]["verdict"] == "reproduced"
+
+
+def test_context_decides_nothing_but_shows_its_numbers() -> None:
+    (result,) = run("A5")
+    assert result.verdict == "context" and result.criterion == "mean"
+    assert result.findings[0]["estimate"] is not None
+
+
+def test_one_violated_criterion_is_enough_and_each_is_shown() -> None:
+    (result,) = run("A6")
+    assert result.verdict == "not" and result.criterion == "mean < -1"
+    assert [found["criterion"] for found in result.findings] == ["at least 60 %", "mean < -1"]
+
+
+def test_quick_takes_few_samples_and_marks_its_verdicts(tmp_path: Path) -> None:
+    (result,) = run("A3", quick=True, out=tmp_path)
+    assert result.n == 20 and result.quick and result.marked == "undecided (quick)"
+    assert "undecided (quick)" in (tmp_path / "report.md").read_text()
+
+
+def test_minutes_choose_numbers_of_batches_not_times() -> None:
+    (result,) = run("A3", minutes=0.5)  # 30 s at 3 s a batch
+    assert result.cap == 200
+    run("A3", "A5", minutes=0.1)
+    assert CALLS[-2:] == [("A3", 0), ("A5", 0)]
+
+
+def test_same_seed_same_results_another_seed_others(tmp_path: Path) -> None:
+    for name, threads in (("a", 1), ("b", 4)):
+        run("A1", "A3", seed=5, threads=threads, out=tmp_path / name)
+    one, two = ((tmp_path / name / "results.json").read_bytes() for name in ("a", "b"))
+    assert one == two
+    alone, beside, other = run("A1", seed=5), run("A1", "A3", seed=5), run("A1", seed=6)
+    assert alone[0].as_dict() == beside[0].as_dict() != other[0].as_dict()
+
+
+def test_a_stopped_run_goes_on_where_it_was(tmp_path: Path) -> None:
+    whole = run("A1", "A2", "A3", out=tmp_path / "whole")
+    torn = tmp_path / "torn"
+    run("A1", "A2", "A3", out=torn)
+    lines = (torn / "claims.jsonl").read_bytes().splitlines(keepends=True)
+    (torn / "claims.jsonl").write_bytes(lines[0] + lines[1][:40])
+    CALLS.clear()
+    assert run("A1", "A2", "A3", out=torn) == whole
+    assert {name for name, _ in CALLS} == {"A2", "A3"}
+    assert (torn / "results.json").read_bytes() == (tmp_path / "whole" / "results.json").read_bytes()
+
+
+@pytest.mark.parametrize("change", [{"seed": 1}, {"quick": True}, {"claims": ("A1", "A2")}])
+def test_another_run_is_refused_unless_anew(tmp_path: Path, change: dict[str, object]) -> None:
+    settings = {"claims": ("A1",), "out": tmp_path}
+    reproduce(ReproduceSettings(**settings), known=KNOWN)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="holds a reproduction run with other settings"):
+        reproduce(ReproduceSettings(**(settings | change)), known=KNOWN)  # type: ignore[arg-type]
+    assert reproduce(ReproduceSettings(**(settings | change), anew=True), known=KNOWN)  # type: ignore[arg-type]
+
+
+def test_results_hold_what_was_agreed(tmp_path: Path) -> None:
+    run("A1", "A4", "A5", out=tmp_path)
+    records = json.loads((tmp_path / "results.json").read_text())
+    assert [record["id"] for record in records] == ["A1", "A4", "A5"]
+    fields = {"id", "paper", "verdict", "estimate", "low", "high", "criterion", "n", "seed", "command", "ingredients"}
+    assert all(fields | {"note"} <= set(record) for record in records)
+    assert records[0]["command"] == "soccer reproduce A1 --seed 0"
+
+
+def test_the_report_shows_each_claim_and_draws_its_figures(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    run("A1", "A4", "A6", out=tmp_path)
+    report = (tmp_path / "report.md").read_text()
+    assert "3 claims: 1 reproduced, 1 not, 1 by construction." in report
+    assert "| A1 | What A1 says. | reproduced |" in report
+    assert "With the ingredient off (the shift)" in report
+    assert "![A title](plots/A1-1.png)" in report
+    assert (tmp_path / "plots" / "A1-1.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_without_matplotlib_the_report_says_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    run("A1", out=tmp_path)
+    report = (tmp_path / "report.md").read_text()
+    assert 'pip install "soccer_env[plot]"' in report
+    assert "| place [m] | a |" in report and "plots/" not in report
+
+
+def test_drawing_is_repeatable(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    for name in ("a", "b"):
+        run("A1", out=tmp_path / name)
+    one, two = ((tmp_path / name / "plots" / "A1-1.png").read_bytes() for name in ("a", "b"))
+    assert one == two
+
+
+def test_all_leaves_out_studies_which_can_be_named() -> None:
+    results = reproduce(ReproduceSettings(all=True, quick=True), known=KNOWN)
+    assert [result.id for result in results] == ["A1", "A2", "A3", "A4", "A5", "A6"]
+    assert [result.id for result in run("look", "look", quick=True)] == ["look"]
+
+
+def test_an_unknown_claim_says_which_exist() -> None:
+    with pytest.raises(ValueError, match="unknown claim 'S99'; known: A1, A2"):
+        run("A1", "S99")
+
+
+@pytest.mark.parametrize(
+    ("words", "complaint"),
+    [
+        (["reproduce"], "give the ids of claims, or --all"),
+        (["reproduce", "S05", "--all"], "give the ids of claims, or --all"),
+        (["reproduce", "X99"], "unknown claim 'X99'; known: S05"),
+        (["reproduce", "S05", "--minutes", "0"], "minutes must be above 0"),
+        (["reproduce", "S05", "--minutes", "3", "--quick"], "give quick or minutes, not both"),
+        (["reproduce", "S05", "--seed", "-1"], "seed must be a whole number"),
+    ],
+)
+def test_a_mistake_is_one_line(words: list[str], complaint: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(words) == 2
+    printed = capsys.readouterr().err
+    assert complaint in printed and printed.count("\n") == 1
+
+
+def test_the_command_is_the_one_that_asks_for_the_same() -> None:
+    settings = ReproduceSettings(claims=("S05", "S06"), quick=True, seed=3, threads=2, out="runs/a")
+    assert command_of(settings) == "soccer reproduce S05 S06 --quick --seed 3 --threads 2 --out runs/a"
+    assert command_of(settings, "S06") == "soccer reproduce S06 --quick --seed 3"
+    assert command_of(ReproduceSettings(all=True, minutes=9.0), "S06") == "soccer reproduce --all --minutes 9 --seed 0"
+
+
+def test_batches_draw_from_seeds_of_their_own() -> None:
+    draws = {
+        tuple(Batch(name, seed, index).seeds(2).tolist()) for name in ("A", "B") for seed in (0, 1) for index in (0, 1)
+    }
+    assert len(draws) == 8
+    assert Batch("A", 0, 0).seeds(4)[:2].tolist() == Batch("A", 0, 0, threads=2).seeds(2).tolist()
+    assert Batch("A", 0, 0).rng().random() != Batch("A", 0, 0).rng(1).random()
+
+
+def test_every_built_claim_is_complete() -> None:
+    claims = all_claims()
+    assert len(MODULES) == len(set(MODULES))
+    for name, found in claims.items():
+        texts = (found.paper, found.statement, found.method, *(criterion.text for criterion in found.criteria))
+        assert name == found.id and all(texts), name
+        assert found.study or found.section, name
+        assert 1 <= found.quick <= found.batches and found.seconds > 0.0, name
+        assert found.quick * found.seconds <= 6.0 and found.batches * found.seconds <= 150.0, f"{name} takes too long"
+    assert find_claims(["S05", "S05"], claims) == [claims["S05"]]
+    measured_by_all = [found for found in claims.values() if not found.study]
+    assert sum(found.quick * found.seconds for found in measured_by_all) <= 300.0  # [s] on one core
+    assert sum(found.batches * found.seconds for found in measured_by_all) <= 5400.0
+
+
+def test_claims_can_be_listed(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list", "claims"]) == 0
+    printed = capsys.readouterr().out
+    assert "S05" in printed and "median range error" in printed
+
+
+def test_settings_import_nothing_heavy() -> None:
+    program = (
+        "import sys\nimport soccer_env.train.reproduce_settings\n"
+        "print(sorted({'numba', 'matplotlib', 'scipy', 'pymunk'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"

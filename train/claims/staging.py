@@ -1,0 +1,141 @@
+"""Stage scenes for claims: many matches at once, robots and ball put somewhere, sensors and memory as asked.
+
+    match = stage(batch, LEGGED, matches=128, memory={"infrared_override": False})
+    put(match, 0, x=0.0, y=0.0, heading=batch.rng().uniform(-pi, pi, 128))
+    put_ball(match, *ahead_of(match, 0, distance, bearing))
+    begin(match)
+    for _ in play(match, seconds=2.0): ...   # match.percepts, match.beliefs, match.tracks against the truth
+
+Nobody is on the field until `put` brings him on, and the referee calls nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from soccer_env.leagues import find_league
+from soccer_env.leagues.league import League
+from soccer_env.match import Match
+from soccer_env.physics.space import parking_place
+from soccer_env.train.claims.claim import Batch
+from soccer_env.types import NO_TEAM, Phase
+
+LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
+NEVER = 1e9  # [s]
+
+
+def neutral(league: str | League) -> League:
+    """Return the league with a referee who never calls a stuck ball."""
+    found = find_league(league)
+    return replace(found, rules=replace(found.rules, stuck_time=NEVER))
+
+
+def stage(
+    batch: Batch, league: str | League = LEGGED, *, matches: int = 128, home: int = 1, away: int = 1, **settings: Any
+) -> Match:
+    """Return matches in play whose robots use their sensors, all parked off the field, the ball at the centre.
+
+    `settings` are those of a Match: sensors={...}, memory={...}, pose=... Every variant of a batch has the same seeds.
+    """
+    asked = {"observe": "belief", "senses": "sensors", **settings}
+    match = Match(
+        neutral(league), matches=matches, home=home, away=away, seeds=batch.seeds(matches), threads=batch.threads,
+        **asked,
+    )  # fmt: skip
+    match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
+    match.matches["phase_clock"] = 0.0
+    for r in range(home + away):
+        match.robots["active"][:, r] = 0
+        match.robots["x"][:, r], match.robots["y"][:, r], match.robots["heading"][:, r] = parking_place(r)
+    return match
+
+
+def put(match: Match, r: int, x: Any, y: Any, heading: Any = 0.0, forward: Any = 0.0, left: Any = 0.0) -> None:
+    """Put robot r of every match somewhere [m, rad, field frame], already walking [m/s, robot frame]."""
+    robots = match.robots
+    robots["active"][:, r] = 1
+    robots["x"][:, r], robots["y"][:, r], robots["heading"][:, r] = x, y, heading
+    cosine, sine = np.cos(heading), np.sin(heading)
+    robots["vx"][:, r], robots["vy"][:, r] = cosine * forward - sine * left, sine * forward + cosine * left
+    robots["omega"][:, r] = 0.0
+    for name, speed in (("forward", forward), ("left", left), ("turn", 0.0)):
+        robots["walk"][name][:, r] = robots["target"][name][:, r] = speed
+        robots["delayed"][name][:, r] = np.asarray(speed)[..., None]
+
+
+def put_ball(match: Match, x: Any, y: Any, vx: Any = 0.0, vy: Any = 0.0) -> None:
+    """Put the ball of every match somewhere [m, field frame], rolling at a velocity [m/s]."""
+    ball = match.balls
+    ball["x"], ball["y"], ball["vx"], ball["vy"] = x, y, vx, vy
+    ball["roll_x"], ball["roll_y"], ball["spin"] = vx, vy, 0.0
+    match.matches["still_x"], match.matches["still_y"], match.matches["still_clock"] = x, y, 0.0
+
+
+def hide_ball(match: Match, rows: Any = slice(None)) -> None:
+    """Take the ball out of sight in some matches (rows or a mask), far behind the boards, where it lies still."""
+    for name, value in (("x", 50.0), ("y", 50.0), ("vx", 0.0), ("vy", 0.0), ("roll_x", 0.0), ("roll_y", 0.0)):
+        match.balls[name][rows] = value
+
+
+def begin(match: Match) -> None:
+    """Let the scene begin: bodies where the records say, and robots that have seen nothing yet."""
+    match.reseat()
+    senses = match.field.senses
+    if senses is not None:
+        for m in range(match.count):
+            senses.start(m, match.robots)
+
+
+def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Iterator[int]:
+    """Step all matches for a time, yielding 0, 1, ... after each control step; robots stand unless actions say more.
+
+    Actions (M, R, 4 or 7) may be changed between steps.
+    """
+    numbers = standing(match) if actions is None else actions
+    for step in range(round(seconds * match.league.control_rate)):
+        match.step(numbers)
+        yield step
+
+
+def standing(match: Match, columns: int = 4) -> np.ndarray:
+    """Return actions (M, R, 4) that let everybody stand, heads left to themselves; 7 columns to hold heads as well."""
+    actions = np.zeros((match.count, match.robots.shape[1], columns))
+    if columns == 7:
+        actions[..., 4] = -1.0
+    return actions
+
+
+def ahead_of(match: Match, r: int, distance: Any, bearing: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return the point (x, y) [m, field frame] at a distance and bearing from robot r."""
+    robot = match.robots[:, r]
+    angle = robot["heading"] + bearing
+    return robot["x"] + distance * np.cos(angle), robot["y"] + distance * np.sin(angle)
+
+
+def ball_from(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """Return the true distance [m] and bearing [rad] of the ball from robot r (M,)."""
+    return from_robot(match, r, match.balls["x"], match.balls["y"])
+
+
+def from_robot(match: Match, r: int, x: Any, y: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return the true distance [m] and bearing [rad] of a point from robot r (M,)."""
+    robot = match.robots[:, r]
+    dx, dy = x - robot["x"], y - robot["y"]
+    return np.hypot(dx, dy), wrapped(np.arctan2(dy, dx) - robot["heading"])
+
+
+def wrapped(angle: np.ndarray) -> np.ndarray:
+    """Return angles [rad] in [-pi, pi)."""
+    turned: np.ndarray = (angle + np.pi) % (2.0 * np.pi) - np.pi
+    return turned
+
+
+def watch(match: Match, seconds: float, actions: np.ndarray | None = None, settle: float = 0.0) -> Iterable[int]:
+    """Play, and yield only after the first `settle` seconds, in which heads and filters come to rest."""
+    for _ in play(match, settle, actions):
+        pass
+    return play(match, seconds, actions)

@@ -1,0 +1,54 @@
+"""Draw the figures of a reproduction run: matplotlib, imported only when there is something to draw."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Sequence
+from typing import Any
+
+from soccer_env.train.reproduce_folder import PLOTS, ClaimFolder, ClaimResult
+
+SIZE = (6.4, 4.0)  # [inch]
+DOTS = 110  # [1/inch]
+
+
+def draw_all(results: Sequence[ClaimResult], folder: ClaimFolder) -> tuple[dict[str, list[str]], str]:
+    """Draw every figure into the folder; return the files of each claim, and why nothing was drawn ("" if it was)."""
+    if folder.path is None or not any(result.figures for result in results):
+        return {}, ""
+    try:
+        import matplotlib
+    except ImportError:
+        return {}, 'plots need matplotlib: pip install "soccer_env[plot]" and run the same command again'
+    matplotlib.use("agg")
+    files: dict[str, list[str]] = {}
+    for result in results:
+        for number, figure in enumerate(result.figures, 1):
+            name = f"{PLOTS}/{re.sub(r'[^A-Za-z0-9]', '-', result.id)}-{number}.png"
+            folder.write(name, draw(figure))
+            files.setdefault(result.id, []).append(name)
+    return files, ""
+
+
+def draw(figure: dict[str, Any]) -> bytes:
+    """Return a figure as a PNG that depends on its data alone."""
+    import matplotlib.pyplot as plt
+
+    canvas, axes = plt.subplots(figsize=SIZE, dpi=DOTS)
+    for curve in figure["curves"]:
+        y = [float("nan") if value is None else value for value in curve["y"]]
+        (line,) = axes.plot(curve["x"], y, marker=".", label=curve["name"])
+        if curve["low"]:
+            low, high = ([float("nan") if v is None else v for v in curve[name]] for name in ("low", "high"))
+            axes.fill_between(curve["x"], low, high, color=line.get_color(), alpha=0.2, linewidth=0)
+    for rule in figure["rules"]:
+        axes.axhline(rule, color="grey", linestyle="--", linewidth=0.8)
+    axes.set(title=figure["title"], xlabel=figure["x_label"], ylabel=figure["y_label"])
+    axes.grid(alpha=0.3)
+    if len(figure["curves"]) > 1:
+        axes.legend(fontsize="small")
+    file = io.BytesIO()
+    canvas.savefig(file, format="png", bbox_inches="tight", metadata={"Software": ""})
+    plt.close(canvas)
+    return file.getvalue()

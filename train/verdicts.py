@@ -1,0 +1,135 @@
+"""Verdicts on claims: what a criterion asks for, and what an interval says about it.
+
+    reproduced        the whole interval satisfies the criterion
+    not               the whole interval violates it
+    undecided         neither, after the claim's cap on samples
+    by construction   satisfied, but because of something that we put in: never counted as reproduced
+    context           nothing to decide
+
+A claim with several criteria is reproduced if all of them are, and not reproduced if one of them is not. Intervals
+are 95 %: a claim that is looked at several times while samples come in shares the 5 % between its looks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import inf
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.statistics import CONFIDENCE, Interval, clustered_share, unit_bootstrap
+
+REPRODUCED, NOT, UNDECIDED = "reproduced", "not", "undecided"
+BY_CONSTRUCTION, CONTEXT = "by construction", "context"
+VERDICTS = (REPRODUCED, NOT, UNDECIDED, BY_CONSTRUCTION, CONTEXT)
+
+Samples = dict[str, np.ndarray]  # arrays by name; first axis: independent units; NaN: no value
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """What a claim comes to in numbers: a quantity of its samples, and where it must lie.
+
+    Made by `measured`, `counted`, `exact` or `reported`.
+    """
+
+    text: str
+    unit: str  # of estimate and bounds: "%", "cm", "" for a plain number
+    interval: Callable[[Samples, float], Interval]  # of samples and confidence
+    low: float = -inf
+    high: float = inf
+    strict: bool = False  # the bounds themselves violate it
+    decides: bool = True  # False: a number that is reported beside the criteria
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What the samples say about one criterion."""
+
+    criterion: str
+    unit: str
+    estimate: float
+    low: float
+    high: float
+    verdict: str
+
+
+def measured(text: str, value: Callable[[Samples], float], *, unit: str = "", **bounds: float) -> Criterion:
+    """Return a criterion on any quantity of the samples; its interval is a bootstrap over units."""
+    return Criterion(text, unit, bootstrapped(value), **_in(bounds))
+
+
+def counted(text: str, hits: str, trials: str, **bounds: float) -> Criterion:
+    """Return a criterion on a share [%]: counts (U,) of hits and of trials in each unit, by their names."""
+
+    def interval(samples: Samples, level: float) -> Interval:
+        share, low, high = clustered_share(samples[hits], samples[trials], confidence=level)
+        return 100.0 * share, 100.0 * low, 100.0 * high
+
+    return Criterion(text, "%", interval, **_in(bounds))
+
+
+def exact(text: str, value: Callable[[Samples], float], *, unit: str = "", **bounds: float) -> Criterion:
+    """Return a criterion on a number without scatter: arithmetic, or a property of a table."""
+
+    def interval(samples: Samples, level: float) -> Interval:
+        found = float(value(samples))
+        return found, found, found
+
+    return Criterion(text, unit, interval, **_in(bounds))
+
+
+def reported(text: str, value: Callable[[Samples], float], *, unit: str = "") -> Criterion:
+    """Return a number that stands beside the criteria and decides nothing."""
+    return Criterion(text, unit, bootstrapped(value), decides=False)
+
+
+def bootstrapped(value: Callable[[Samples], float]) -> Callable[[Samples, float], Interval]:
+    """Return the bootstrap interval of a quantity as a function of samples and confidence."""
+    return lambda samples, level: unit_bootstrap(samples, value, confidence=level)
+
+
+def _in(bounds: dict[str, float]) -> dict[str, Any]:
+    """Return the region that at_least, at_most, above or below describe."""
+    unknown = set(bounds) - {"at_least", "at_most", "above", "below"}
+    strict = bool({"above", "below"} & set(bounds))
+    if unknown or not bounds or (strict and {"at_least", "at_most"} & set(bounds)):
+        raise ValueError(f"bounds are at_least and at_most, or above and below, got {bounds}")
+    low, high = bounds.get("at_least", bounds.get("above", -inf)), bounds.get("at_most", bounds.get("below", inf))
+    return {"low": low, "high": high, "strict": strict}
+
+
+def find(criterion: Criterion, samples: Samples, confidence: float = CONFIDENCE) -> Finding:
+    """Return what samples say about a criterion, at a confidence."""
+    estimate, low, high = criterion.interval(samples, confidence)
+    return Finding(criterion.text, criterion.unit, estimate, low, high, judge(criterion, low, high))
+
+
+def judge(criterion: Criterion, low: float, high: float) -> str:
+    """Return the verdict on one criterion from the interval [low, high]."""
+    if not criterion.decides:
+        return CONTEXT
+    if criterion.strict:
+        inside = criterion.low < low and high < criterion.high
+        outside = high <= criterion.low or criterion.high <= low
+    else:
+        inside = criterion.low <= low and high <= criterion.high
+        outside = high < criterion.low or criterion.high < low
+    return REPRODUCED if inside else NOT if outside else UNDECIDED
+
+
+def combine(findings: Sequence[Finding]) -> str:
+    """Return the verdict on a claim from its criteria: all must hold."""
+    verdicts = {finding.verdict for finding in findings} - {CONTEXT}
+    for verdict in (NOT, UNDECIDED, REPRODUCED):
+        if verdict in verdicts:
+            return verdict
+    return CONTEXT
+
+
+def deciding(findings: Sequence[Finding]) -> Finding | None:
+    """Return the finding that a claim's verdict rests on: the first of those that have that verdict."""
+    verdict = combine(findings)
+    return next((finding for finding in findings if finding.verdict == verdict), None)
