@@ -10,7 +10,7 @@ GROUPS = {  # what of each part of a league goes into the record, as part_field
     "pitch": "length width goal_width goal_depth penalty_depth penalty_width goal_area_depth goal_area_width circle "
     "band_side band_end post_radius",
     "ball": "radius mass rolling sliding shell top_speed",
-    "body": "mass disc_radius disc_x tip_x tip_y tip_radius front reach",
+    "body": "mass disc_radius disc_x tip_x tip_y tip_radius front reach height",
     "drive": "forward backward sideways turn acceleration turn_acceleration traction turn_traction slip fall fall_time",
     "kicker": "slowest fastest least wind_up recharge spread reach half_width",
     "head": "pan_limit tilt_low tilt_high pan_speed tilt_speed camera_height camera_ahead",
