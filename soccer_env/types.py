@@ -63,6 +63,7 @@ class RobotStream(IntEnum):
     PARTICLES = 9
     RADIO = 10  # loss of messages
     LIGHT = 11
+    BARRIER = 12  # errors of the light barrier
 
 
 COMMAND = np.dtype(
@@ -234,7 +235,15 @@ TRACK = np.dtype(
     ]
 )
 
-BELIEF = np.dtype([("own", OWN_POSE), ("ball", BALL_BELIEF), ("situation", SITUATION)])
+HEARD = np.dtype(
+    [  # what team-mates say of the ball; the one that is nearest to it counts
+        ("word", "i8"),  # 1 ... 15: range of its distance to the ball, see `words`; 0: nobody tells
+        ("distance", "f8"),  # [m] its distance to the ball; inf if nobody tells
+        ("age", "f8"),  # [s] since it said so; inf if nobody tells
+    ]
+)
+
+BELIEF = np.dtype([("own", OWN_POSE), ("ball", BALL_BELIEF), ("situation", SITUATION), ("heard", HEARD)])
 
 EVENTS = np.dtype(
     [  # what happened to a match in this step

@@ -45,7 +45,9 @@ def look_again(match: Match) -> None:
 def finite(records: np.ndarray) -> bool:
     """Tell whether every number of records is finite; ages may be infinite."""
     if records.dtype.names:
-        return all(finite(records[name]) for name in records.dtype.names if name not in ("age", "seconds_left"))
+        return all(
+            finite(records[name]) for name in records.dtype.names if name not in ("age", "seconds_left", "heard")
+        )
     return records.dtype.kind != "f" or bool(np.isfinite(records).all())
 
 

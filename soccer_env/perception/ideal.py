@@ -12,6 +12,7 @@ from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
 from soccer_env.geometry import length, wrap
 from soccer_env.types import NO_TEAM
+from soccer_env.words import word_for
 
 SURE = 100.0  # confidence of what is seen  MS03
 
@@ -24,6 +25,7 @@ def believe_truth(match, ball, robots, beliefs, tracks, k, r, rows, squares):
     own_pose(match, robot, belief.own, cosine, sine)
     ball_truth(robot, ball, belief.ball, cosine, sine)
     situation(match, robots, belief.situation, r)
+    heard_truth(ball, robots, belief.heard, r)
     fill_slots(robots, tracks, k, r, cosine, sine, 1, 0, k.teammate_slots, rows, squares)
     fill_slots(robots, tracks, k, r, cosine, sine, 0, k.teammate_slots, k.opponent_slots, rows, squares)
 
@@ -76,6 +78,17 @@ def situation(match, robots, known, r):
                 known.teammates += 1
             else:
                 known.opponents += 1
+
+
+@compiled
+def heard_truth(ball, robots, heard, r):
+    """Fill in how far the team-mate that is nearest to the ball is from it, as if all told the truth at once."""
+    nearest = inf
+    for other in range(robots.shape[0]):
+        if other != r and robots[other].team == robots[r].team and robots[other].active == 1:
+            nearest = min(nearest, length(ball.x - robots[other].x, ball.y - robots[other].y))
+    heard.word, heard.distance = word_for(nearest), nearest
+    heard.age = inf if nearest == inf else 0.0
 
 
 @compiled
