@@ -1,0 +1,62 @@
+"""The pose that a robot is given from outside: a noisy one in every frame, or where it was put at a restart.
+
+Both are in the team frame, own goal behind. The noisy pose stands for a localisation that works: its error changes
+slowly, as that of a filter does, and never runs away.
+"""
+
+from __future__ import annotations
+
+from math import exp, pi, sqrt
+
+from soccer_env.compiled import compiled
+from soccer_env.frames import direction_of
+from soccer_env.geometry import wrap
+from soccer_env.percept_types import NO_POSE, POSE_SENSED, POSE_TOLD
+from soccer_env.random_numbers import normal
+from soccer_env.types import RobotStream
+
+POSE = int(RobotStream.POSE)
+LEAST_TIME = 1e-9  # [s] a correlation time of zero makes independent errors
+
+
+@compiled
+def no_pose(body):
+    """Tell the robot nothing of where it is."""
+    body.pose = NO_POSE
+    body.x = body.y = body.heading = 0.0
+
+
+@compiled
+def follow_pose(match, robot, body, k, s, first):
+    """Fill in the noisy pose: the truth plus an error that changes slowly.
+
+    Each component of the error is a first-order autoregressive process e' = a e + sqrt(1 - a^2) sd n with
+    a = exp(-dt / s.pose_time) and n standard normal; drawn from its stationary distribution in the first frame.
+    """
+    keep = 0.0 if first else exp(-k.dt / max(s.pose_time, LEAST_TIME))
+    fresh = sqrt(1.0 - keep * keep)
+    hand = match.handedness
+    body.drift_x = keep * body.drift_x + fresh * s.pose_noise * normal(robot.noise, POSE)
+    body.drift_y = keep * body.drift_y + fresh * s.pose_noise * hand * normal(robot.noise, POSE)
+    body.drift_heading = keep * body.drift_heading + fresh * s.pose_turn_noise * hand * normal(robot.noise, POSE)
+    body.pose = POSE_SENSED
+    give_pose(match, robot, body, body.drift_x, body.drift_y, body.drift_heading)
+
+
+@compiled
+def tell_pose(match, robot, body, s):
+    """Fill in where the robot was put: the place it is told, beside which it stands by a hand's breadth."""
+    hand = match.handedness
+    x = s.place_noise * normal(robot.noise, POSE)
+    y = s.place_noise * hand * normal(robot.noise, POSE)
+    body.pose = POSE_TOLD
+    give_pose(match, robot, body, x, y, s.place_turn_noise * hand * normal(robot.noise, POSE))
+
+
+@compiled
+def give_pose(match, robot, body, error_x, error_y, error_heading):
+    """Fill in the true pose in the team frame [m, m, rad] plus an error in the same axes."""
+    side = direction_of(match, robot.team)
+    heading = robot.heading if side > 0.0 else robot.heading + pi
+    body.x, body.y = side * robot.x + error_x, side * robot.y + error_y
+    body.heading = wrap(heading + error_heading)
