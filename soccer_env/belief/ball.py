@@ -1,14 +1,193 @@
-"""The ball that a legged robot believes in.  [Sacks 2001, 3]"""
+"""The ball that a legged robot believes in.  [Sacks 2001, 2, 3.1.1, 3.2]  MS02, MS03, MS08 to MS18
+
+Every frame: what is remembered is moved by the robot's own steps, the picture is searched for the ball, the last few
+sightings are averaged, and every third of a second the velocity is taken. A robot that lies on its side or is sent off
+does not look, and one that was carried somewhere forgets the ball.
+
+    BALL_BELIEF          distance and bearing of the latest sighting and of the filtered one (MS02); x, y: see below
+    BALL_MEMORY          the same in Cartesian coordinates, the sightings of the last second, the last reading
+
+`x`, `y` are the filtered place, while it is seen and after: of a still ball, and that is what a robot can know of a
+hidden one, the mean is the better estimate; of a rolling ball it lags by about a tenth of a second. `averaged` 1 makes
+it the latest sighting.
+"""
 
 from __future__ import annotations
 
+from math import atan2, cos, inf, sin
+
 import numpy as np
 
+from soccer_env.belief.ball_blob import choose_blob, place_of_ball
+from soccer_env.belief.odometry import turn_axes
+from soccer_env.belief.velocity import ROUNDING, turn_velocity, update_velocity
 from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.leagues.legged_sensors import AVERAGED_MOST, ODOMETRY
+from soccer_env.percept_types import POSE_TOLD
 
-BALL_MEMORY = np.dtype([("unused", "f4")])
+SURE = 100.0  # confidence of what is seen, Sacks 2001, 2  MS03
+HELD_TIME = 0.5  # [s] unseen after which no ball is believed to lie in the pocket, assumed
+FULL, ROTATION = ODOMETRY["full"], ODOMETRY["rotation"]
+
+BALL_SIGHTING = np.dtype(
+    [
+        ("x", "f4"),  # [m] robot frame of now: moved by odometry since
+        ("y", "f4"),  # [m]
+        ("frame", "i4"),  # in which it was seen
+    ]
+)
+
+BALL_MEMORY = np.dtype(
+    [
+        ("known", "i1"),  # 1: it has been seen since the robot was last told where it is
+        ("has_sample", "i1"),  # 1: there is a reading for the velocity
+        ("count", "i1"),  # sightings in `recent`
+        ("seen", "i4"),  # frame of the last sighting
+        ("x", "f4"),  # [m] robot frame: the last sighting, moved by odometry since
+        ("y", "f4"),  # [m]
+        ("filtered_x", "f4"),  # [m] mean of the recent sightings, moved by odometry since
+        ("filtered_y", "f4"),  # [m]
+        ("recent", BALL_SIGHTING, (AVERAGED_MOST,)),  # newest first
+        ("period", "i4"),  # number of the velocity interval that the last frame fell into
+        ("sampled", "i4"),  # frame of the last reading for the velocity
+        ("sample_distance", "f4"),  # [m] that reading
+        ("sample_bearing", "f4"),  # [rad]
+        ("sample_x", "f4"),  # [m] the same place of the ground in the robot frame of now
+        ("sample_y", "f4"),  # [m]
+    ]
+)
 
 
 @compiled
 def believe_ball(percept, own, ball, memory, k, s, w, table):
-    """Bring the belief about the ball up to the percept."""
+    """Bring the belief about the ball up to the percept of a frame.
+
+    ball: BALL_BELIEF, memory: BALL_MEMORY, table: CALIBRATION; own motion is taken from the percept's odometry.
+    """
+    body = percept.body
+    frame = int(body.frame)
+    if body.pose == POSE_TOLD:
+        forget_ball(memory)
+    move_memory(ball, memory, body, frame, k, w)
+    forget_old_sightings(memory, frame, k, w)
+    if body.active == 1 and body.upright == 1:
+        index = choose_blob(percept, was_near(memory, frame, k, w), s, w)
+        if index >= 0:
+            x, y = place_of_ball(percept, percept.ball[index], k, s, w, table)
+            remember_sighting(memory, x, y, frame, w)
+    fill_belief(ball, memory, frame, k, w)
+    update_velocity(ball, memory, frame, k.dt, w)
+
+
+@compiled
+def forget_ball(memory):
+    """Forget where the ball was and what it did: the robot was carried, and so was the ball perhaps."""
+    memory.known = memory.has_sample = memory.count = 0
+
+
+@compiled
+def move_memory(ball, memory, body, frame, k, w):
+    """Move what is remembered of the ball against the robot's own motion since the last frame.  MS15
+
+    `odometry` "rotation" turns it alone, the old memory of 3.1.1, and "none" leaves it. Nor is it moved while the
+    robot dribbles, footnote 2: then the ball comes along. Velocity and last reading belong to the ground: they are
+    carried along whatever is believed of the ball.
+    """
+    forward, left, turn = np.float64(body.forward), np.float64(body.left), np.float64(body.turn)
+    if memory.known == 0 or (forward == 0.0 and left == 0.0 and turn == 0.0):
+        return
+    cosine, sine = cos(turn), sin(turn)
+    turn_velocity(ball, memory, forward, left, cosine, sine)
+    if w.odometry == ROTATION:
+        forward, left = 0.0 * forward, 0.0 * left
+    elif w.odometry != FULL:
+        return
+    if w.odometry_while_dribbling == 0 and dribbles(body, memory, frame, k, w):
+        return
+    memory.x, memory.y = turn_axes(memory.x - forward, memory.y - left, cosine, sine)
+    x, y = memory.filtered_x - forward, memory.filtered_y - left
+    memory.filtered_x, memory.filtered_y = turn_axes(x, y, cosine, sine)
+    for i in range(memory.count):
+        sighting = memory.recent[i]
+        sighting.x, sighting.y = turn_axes(sighting.x - forward, sighting.y - left, cosine, sine)
+
+
+@compiled
+def dribbles(body, memory, frame, k, w):
+    """Tell whether the robot walks ahead with the ball at its chest: near, within 45 degrees (assumed).  MS15
+
+    A ball in which it has no confidence left is not being dribbled.
+    """
+    x, y = np.float64(memory.x), np.float64(memory.y)
+    near = x * x + y * y < w.dribbling_distance * w.dribbling_distance and abs(y) < x
+    return near and body.forward > 0.0 and confidence_in(memory, frame, k, w) > 0.0
+
+
+@compiled
+def confidence_in(memory, frame, k, w):
+    """Return the confidence in the ball: 100 when it is seen, less and less when not.  MS03"""
+    if memory.known == 0:
+        return 0.0
+    return max(SURE - w.fading * (frame - memory.seen) * k.dt, 0.0)
+
+
+@compiled
+def was_near(memory, frame, k, w):
+    """Tell whether the ball has been seen recently and nearby.  MS14"""
+    if memory.known == 0 or (frame - memory.seen) * k.dt > w.area_recent + ROUNDING:
+        return False
+    return length(np.float64(memory.x), np.float64(memory.y)) < w.area_near
+
+
+@compiled
+def remember_sighting(memory, x, y, frame, w):
+    """Take a new sighting, and average the last `averaged` in Cartesian coordinates.  MS16, footnote 3"""
+    count = min(memory.count + 1, w.averaged)
+    for i in range(count - 1, 0, -1):
+        older, newer = memory.recent[i], memory.recent[i - 1]
+        older.x, older.y, older.frame = newer.x, newer.y, newer.frame
+    newest = memory.recent[0]
+    newest.x, newest.y, newest.frame = x, y, frame
+    ahead = left = 0.0
+    for i in range(count):
+        ahead += memory.recent[i].x
+        left += memory.recent[i].y
+    memory.filtered_x, memory.filtered_y = ahead / count, left / count
+    memory.x, memory.y, memory.count = x, y, count
+    memory.known, memory.seen = 1, frame
+
+
+@compiled
+def forget_old_sightings(memory, frame, k, w):
+    """Drop sightings older than `averaged_within`: a ball that is found again is not averaged with them.  MS16"""
+    while memory.count > 0 and (frame - memory.recent[memory.count - 1].frame) * k.dt > w.averaged_within + ROUNDING:
+        memory.count -= 1
+
+
+@compiled
+def fill_belief(ball, memory, frame, k, w):
+    """Write down the ball in polar coordinates, 0 straight ahead, and how sure the robot is of it.  MS02, MS03
+
+    A ball that was never seen lies half a pitch ahead: a number like any other, and a confidence of 0 beside it.
+    """
+    if memory.known == 0:
+        memory.x = memory.filtered_x = 0.5 * k.pitch_length
+        memory.y = memory.filtered_y = 0.0
+    x, y = np.float64(memory.x), np.float64(memory.y)
+    ball.distance, ball.bearing = length(x, y), atan2(y, x)
+    ball.x, ball.y = memory.filtered_x, memory.filtered_y
+    ball.filtered_distance, ball.filtered_bearing = length(ball.x, ball.y), atan2(ball.y, ball.x)
+    ball.confidence = confidence_in(memory, frame, k, w)
+    ball.age = (frame - memory.seen) * k.dt if memory.known == 1 else inf
+    ball.held = 1 if ball.age <= HELD_TIME and lies_in_pocket(x, y, k) else 0
+
+
+@compiled
+def lies_in_pocket(x, y, k):
+    """Tell whether a ball at x, y [m], robot frame, lies between the paws, within the kicker's reach.
+
+    As the kicker itself has it, but for a ball that is believed to lie deeper in the chest than it can.
+    """
+    gap = x - k.body_front - k.ball_radius
+    return -k.ball_radius < gap < k.kicker_reach and -k.kicker_half_width < y < k.kicker_half_width

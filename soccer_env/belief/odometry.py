@@ -14,12 +14,10 @@ def move_point(x, y, forward, left, turn):
     x, y: the point before [m]; forward, left: the displacement [m] in the axes of before; turn [rad], left positive.
     Exact for any motion: of a rigid body only where it was and where it is counts, not the way between.
     """
-    x, y, cosine, sine = x - forward, y - left, cos(turn), sin(turn)
-    return cosine * x + sine * y, cosine * y - sine * x
+    return turn_axes(x - forward, y - left, cos(turn), sin(turn))
 
 
 @compiled
-def move_vector(x, y, turn):
-    """Return a vector of the ground, such as a velocity, in the axes of the robot after it has turned [rad]."""
-    cosine, sine = cos(turn), sin(turn)
+def turn_axes(x, y, cosine, sine):
+    """Return a vector, such as a velocity, in axes that have turned by the angle of this cosine and sine."""
     return cosine * x + sine * y, cosine * y - sine * x

@@ -19,6 +19,7 @@ POSITIONS = {"filtered": 0, "raw": 1}
 SLOTS = {"all": 0, "nearest": 1}
 PLAYER_BLOBS = {"largest": 0, "combined": 1}
 PLAYER_VIEWS = {"front": 0, "side": 1}
+AVERAGED_MOST = 6  # estimates of the ball's position that a robot's memory has room for
 
 
 @dataclass(frozen=True)
@@ -111,6 +112,7 @@ class LeggedMemory(Options):
     odometry: str = "full"  # rotation: the old memory, bearing alone; none  MS15
     odometry_while_dribbling: bool = False  # footnote 2  MS15
     averaged: int = 4  # estimates in the filtered position; 1 switches the filter off  MS16
+    averaged_within: float = 1.0  # [s] older estimates drop out of the filtered position, assumed  MS16
     velocity_interval: float = 1.0 / 3.0  # [s] Sacks 2001, 3.2  MS17
     velocity_gap: float = 1.5  # [s] longest time between two sightings for a velocity, the same  MS17
     velocity_gate: bool = True  # False: a velocity after every gap  MS17
@@ -137,3 +139,26 @@ class LeggedMemory(Options):
     pose_bearing_noise: float = 4.0 * DEGREE  # [rad] sd that a landmark's bearing is trusted to, assumed
     pose_range_noise: float = 0.25  # [1] of the distance, the same
     pose_fresh: float = 0.02  # [1] share of particles drawn anew from what is seen, at least, assumed
+    pose_slip: float = 0.15  # [1] of a motion: sd of what a particle adds to it, twice the gait's slip, assumed
+    pose_drift: float = 0.03  # [m/s^0.5] sd that time adds: pushes are not felt, assumed
+    pose_turn_drift: float = 0.10  # [rad/s^0.5] the same
+    pose_radius: float = 0.30  # [m] within which particles are one cluster, assumed
+    pose_angle: float = 0.50  # [rad] the same
+    pose_fast: float = 0.2  # [1] weight of the newest fit in its short-term average, assumed
+    pose_slow: float = 0.02  # [1] in its long-term average, assumed
+    pose_fit: float = 0.5  # [1] least fit that a robot expects that knows where it is, assumed
+    pose_fading: float = 3.0  # [1/s] loss of confidence (0 to 100) by dead reckoning alone, assumed
+
+    def check_together(self) -> None:
+        """Raise ValueError for what no memory of the ball can do."""
+        if not 1 <= self.averaged <= AVERAGED_MOST:
+            raise ValueError(f"LeggedMemory.averaged must be 1 to {AVERAGED_MOST}, got {self.averaged}")
+        if self.velocity_gap < self.velocity_interval:
+            raise ValueError(
+                f"LeggedMemory.velocity_gap must be velocity_interval ({self.velocity_interval}) or more, "
+                f"got {self.velocity_gap}: no two readings would make a velocity"
+            )
+        if self.area_large < self.area_small:
+            raise ValueError(
+                f"LeggedMemory.area_large must be area_small ({self.area_small}) or more, got {self.area_large}"
+            )

@@ -1,0 +1,67 @@
+"""How fast the ball moves, from two of its places a third of a second apart.  [Sacks 2001, 3.2]  MS17, MS18
+
+Two velocities come out of each pair of readings:
+
+    radial, angular    as the moving, turning robot sees it, whatever it does itself: what tells that it is stuck
+    vx, vy             over the ground: the first reading is moved along by odometry before the difference is taken.
+                       That is the relative velocity plus own velocity plus turn rate x place, and exact however the
+                       robot walked in between
+"""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from soccer_env.belief.odometry import turn_axes
+from soccer_env.compiled import compiled
+from soccer_env.geometry import wrap
+from soccer_env.leagues.legged_sensors import POSITIONS
+
+RAW = POSITIONS["raw"]
+ROUNDING = 1e-9  # [s] times of whole frames that differ by less are the same
+
+
+@compiled
+def update_velocity(ball, memory, frame, dt, w):
+    """Take a reading of the ball every `velocity_interval`, and its velocity if that is due.  MS17
+
+    memory is a BALL_MEMORY in which `sample_x`, `sample_y` have been moved along by odometry. Radial and angular
+    velocity are kept between readings; vx and vy too, in axes that turn with the robot.
+    """
+    since = (frame - memory.sampled) * dt
+    if memory.has_sample == 0 or since > w.velocity_gap + ROUNDING:
+        ball.vx = ball.vy = ball.radial = ball.angular = 0.0  # nothing that old says how the ball moves now
+    interval = max(w.velocity_interval, dt)
+    period = int((frame * dt + ROUNDING) / interval)
+    if period == memory.period:
+        return
+    memory.period = period
+    if memory.known == 1 and (frame - memory.seen) * dt <= interval + ROUNDING:
+        take_reading(ball, memory, frame, since, w)
+
+
+@compiled
+def take_reading(ball, memory, frame, since, w):
+    """Compare the ball's place with that of the last reading, `since` [s] ago, and store it.  MS17, MS18
+
+    After a gap of more than `velocity_gap` it is only stored. Both readings say where the ball was believed to be when
+    they were taken: a ball that was missed in just this frame has been moved by odometry meanwhile.
+    """
+    distance = ball.distance if w.radial_from == RAW else ball.filtered_distance
+    bearing = ball.bearing if w.angular_from == RAW else ball.filtered_bearing
+    x, y = distance * cos(bearing), distance * sin(bearing)
+    recent = since <= w.velocity_gap + ROUNDING or w.velocity_gate == 0
+    if memory.has_sample == 1 and since > 0.0 and recent:
+        ball.radial = (distance - memory.sample_distance) / since
+        ball.angular = wrap(bearing - memory.sample_bearing) / since
+        ball.vx, ball.vy = (x - memory.sample_x) / since, (y - memory.sample_y) / since
+    memory.sample_distance, memory.sample_bearing = distance, bearing
+    memory.sample_x, memory.sample_y = x, y
+    memory.sampled, memory.has_sample = frame, 1
+
+
+@compiled
+def turn_velocity(ball, memory, forward, left, cosine, sine):
+    """Carry velocity and last reading along with the robot's own motion since the last frame."""
+    ball.vx, ball.vy = turn_axes(ball.vx, ball.vy, cosine, sine)
+    memory.sample_x, memory.sample_y = turn_axes(memory.sample_x - forward, memory.sample_y - left, cosine, sine)
