@@ -23,7 +23,7 @@ from importlib import import_module
 
 from soccer_env.train.claims.claim import Claim
 
-MODULES: tuple[str, ...] = ("ball_range",)
+MODULES: tuple[str, ...] = ("ball_range", "ball_filter", "ball_velocity", "ball_gap", "ball_memory")
 
 
 def all_claims() -> dict[str, Claim]:

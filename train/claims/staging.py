@@ -101,11 +101,10 @@ def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Ite
         yield step
 
 
-def standing(match: Match, columns: int = 4) -> np.ndarray:
-    """Return actions (M, R, 4) that let everybody stand, heads left to themselves; 7 columns to hold heads as well."""
-    actions = np.zeros((match.count, match.robots.shape[1], columns))
-    if columns == 7:
-        actions[..., 4] = -1.0
+def standing(match: Match) -> np.ndarray:
+    """Return actions (M, R, 4), or 7 of a match with actions="full", by which all stand, heads left to themselves."""
+    actions = np.zeros((match.count, match.robots.shape[1], match.settings.actions.size))
+    actions[..., 4:5] = -1.0
     return actions
 
 
