@@ -6,13 +6,29 @@ Every number was written down before the first claim was measured with it. "assu
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi
+from math import inf, pi
 
 from soccer_env.leagues.options import Options
+from soccer_env.percept_types import LINES
 
 DEGREE = pi / 180.0
+LEAST = 1e-3  # [m, s, 1] of lengths, times and widths that are divided by
+MOST_DELAY = 3  # [frames] that a picture may be late
+PROBABILITIES = (
+    *("ball_miss", "player_miss", "false_balls", "line_miss", "goal_miss", "barrier_miss", "radio_loss"),
+    *("light_drift", "odometry_noise"),
+)
 COLOUR_TABLES = {"adaptive": 0, "fixed": 1}
 FILTERS = {"kalman": 0, "least-squares": 1, "none": 2}
+
+
+def within(settings: Options, low: float, high: float, names: tuple[str, ...]) -> None:
+    """Raise ValueError for each of some settings that does not lie between two bounds, both allowed."""
+    for name in names:
+        value = getattr(settings, name)
+        if not low <= value <= high:
+            allowed = f"{low:g} or more" if high == inf else f"{low:g} to {high:g}"
+            raise ValueError(f"{type(settings).__name__}.{name} must be {allowed}, got {value}")
 
 
 @dataclass(frozen=True)
@@ -25,7 +41,8 @@ class OmniSensors(Options):
     camera_height: float = 0.75  # [m] assumed (FACTS 2)
     mirror_edge: float = 10.0  # [m] distance of the ground at the image's edge, assumed
     mirror_curve: float = 2.5  # [m] half-way distance of the hyperbola: radius = edge * d / (d + curve), assumed
-    hidden_radius: float = 0.35  # [m] ground that the robot's own body hides, assumed
+    # A ball at the kicker (0.29 m) is hidden by the own body, one that touches the flank (0.33 m) is seen.
+    hidden_radius: float = 0.30  # [m] ground that the own body hides, assumed
     pixel_noise: float = 0.7  # [px] sd of a blob's place in the image, assumed
     ball_range: float = 8.0  # [m] at which half of the frames show the ball, assumed
     player_range: float = 9.0  # [m] the same for players, assumed
@@ -33,6 +50,7 @@ class OmniSensors(Options):
     ball_miss: float = 0.02  # [1] probability that a frame misses a near ball, assumed
     player_miss: float = 0.05  # [1] the same for a player, assumed
     false_balls: float = 0.01  # [1/frame] wrong balls, assumed
+    ball_coloured: bool = True  # False: a plain ball, found half as often and mistaken more often, assumed  MH24
     light_drift: float = 0.0  # [1] amplitude of the change of light (1: from dark to glaring); 0: constant light  MH07
     light_period: float = 120.0  # [s] of that change, assumed
     colour_table: str = "adaptive"  # fixed: the static look-up table of before  MH07
@@ -53,6 +71,19 @@ class OmniSensors(Options):
     radio_period: float = 0.1  # [s] between two messages, assumed  MH05
     radio_delay: float = 0.06  # [s] assumed  MH05
     radio_loss: float = 0.05  # [1] share of messages that are lost, assumed  MH05
+
+    def check_together(self) -> None:
+        """Raise ValueError for sensors that cannot be."""
+        within(self, 0.0, 1.0, PROBABILITIES)
+        within(self, 16, 4096, ("image",))
+        within(self, 1, LINES, ("lines",))
+        within(self, 0, MOST_DELAY, ("camera_delay",))
+        within(self, LEAST, inf, ("mirror_edge", "mirror_curve", "camera_height", "detection_width", "line_range"))
+        within(self, LEAST, inf, ("light_period", "table_width"))
+        if self.hidden_radius >= self.mirror_edge:
+            raise ValueError(
+                f"OmniSensors.hidden_radius must be less than mirror_edge {self.mirror_edge}, got {self.hidden_radius}"
+            )
 
 
 @dataclass(frozen=True)
@@ -79,3 +110,19 @@ class OmniMemory(Options):
     pose_bearing_noise: float = 4.0 * DEGREE  # [rad] sd that a goal's bearing is trusted to, assumed
     pose_range_noise: float = 0.25  # [1] of a goal's distance, the same
     pose_fresh: float = 0.02  # [1] share of particles drawn anew from what is seen, at least, assumed
+    pose_slip: float = 0.05  # [1] of a motion: sd of what a particle adds to it, twice the wheels' slip, assumed
+    pose_drift: float = 0.10  # [m/s^0.5] sd that time adds: pushes are not felt, assumed
+    pose_turn_drift: float = 0.10  # [rad/s^0.5] the same
+    pose_radius: float = 0.60  # [m] within which particles are one cluster, assumed
+    pose_angle: float = 0.50  # [rad] the same
+    pose_fast: float = 0.2  # [1] weight of the newest fit in its short-term average, assumed
+    pose_slow: float = 0.02  # [1] in its long-term average, assumed
+    pose_fit: float = 0.5  # [1] least fit that a robot expects that knows where it is, assumed
+    pose_fading: float = 3.0  # [1/s] loss of confidence (0 to 100) by dead reckoning alone, assumed
+
+    def check_together(self) -> None:
+        """Raise ValueError for a memory that cannot be."""
+        within(self, 1, 65536, ("particles",))
+        within(self, 1, 100, ("surprise_count", "pose_every"))
+        within(self, 2.0, 100.0, ("window",))
+        within(self, 0.0, 1.0, ("pose_fresh",))

@@ -1,11 +1,21 @@
-"""What the sensors of a middle-size robot deliver in a frame: mirror camera, wheels, light barrier."""
+"""What the sensors of a middle-size robot deliver in a frame: mirror camera, wheels, light barrier.  MH02, MH07
+
+    exposure -> pending, for `camera_delay` frames -> percept, with its age; what is felt is current
+
+A robot that was just put somewhere gets its first pictures at once, until those on the way are of its new place.
+"""
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
-from soccer_env.perception.body import sense_body
+from soccer_env.compiled import compiled, records
+from soccer_env.perception.around import AROUND, survey
+from soccer_env.perception.body import light_barrier, sense_body
 from soccer_env.perception.ideal import situation
+from soccer_env.perception.lighting import adapt_table, brightness, measure_light, recognised
+from soccer_env.perception.line_picture import LINE_MAP, draw_map, find_lines
 from soccer_env.perception.lines import TABLES, line_tables
+from soccer_env.perception.sightings import clear, find_ball, find_goals, find_players
+from soccer_env.types import MAX_TEAM
 
 __all__ = ["TABLES", "line_tables", "sense_slice"]
 
@@ -14,11 +24,90 @@ __all__ = ["TABLES", "line_tables", "sense_slice"]
 def sense_slice(
     matches, balls, robots, robot_events, percepts, pending, beliefs, constants, sensors, pose_sensed, rows, first, last
 ):
-    """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game."""
+    """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game.
+
+    pending (M, R, camera_delay) holds the pictures on their way.
+    """
     k, s = constants[0], sensors[0]
+    around, maps = records(2 * MAX_TEAM, AROUND), records(1, LINE_MAP)
+    draw_map(maps[0], k, s)
     for m in range(first, last):
-        match, team = matches[m], robots[m]
+        match, ball, team = matches[m], balls[m], robots[m]
+        light = brightness(match, s)
         for r in rows:
             percept, robot = percepts[m, r], team[r]
             sense_body(match, robot, robot_events[m, r], percept.body, k, s, pose_sensed)
+            light_barrier(robot, percept.body, s)
             situation(match, team, beliefs[m, r].situation, r)
+            look(match, ball, team, r, percept, pending[m, r], light, around, maps[0], k, s)
+
+
+@compiled
+def look(match, ball, robots, r, percept, pending, light, around, map, k, s):
+    """Take a picture, and deliver the one that is due.  MH02"""
+    late, robot = pending.shape[0], robots[r]
+    if late == 0:
+        percept.age = 0.0
+        take_picture(match, ball, robots, r, percept, percept.table, light, around, map, k, s)
+        return
+    newest, slot = pending[(match.step - 1) % late], pending[match.step % late]
+    if robot.placed == 1:  # what is on its way shows another place
+        for i in range(late):
+            pending[i].body.active = 0
+    due = slot.body.active == 1 and slot.body.frame + late == match.step
+    if due:
+        hand_over(slot, percept)
+    take_picture(match, ball, robots, r, slot, newest.table, light, around, map, k, s)
+    slot.body.frame, slot.body.active = match.step, robot.active
+    percept.age = late * k.dt if due else 0.0
+    if not due:
+        hand_over(slot, percept)
+
+
+@compiled
+def take_picture(match, ball, robots, r, picture, table, light, around, map, k, s):
+    """Fill in what the camera sees now; `table` is the light that its colour table was made for a frame ago."""
+    robot, handedness = robots[r], match.handedness
+    picture.light = measure_light(light, s, robot.noise)
+    picture.table = adapt_table(table, picture.light, s, k.dt, match.step == 0)
+    if robot.active == 0:
+        clear_picture(picture)
+        return
+    colour = recognised(light, picture.table, s)
+    count = survey(robots, r, k, around)
+    find_ball(ball, robot, picture, around, count, k, s, robot.noise, handedness, colour)
+    find_players(picture, around, count, k, s, robot.noise, handedness, colour)
+    find_goals(match, robot, picture, around, count, k, s, robot.noise, handedness, colour)
+    find_lines(robot, picture.lines, around, count, map, k, s, robot.noise, handedness, colour)
+
+
+@compiled
+def clear_picture(picture):
+    """See nothing: a robot that is sent off stands beside the field."""
+    clear(picture.ball)
+    clear(picture.own_goal)
+    clear(picture.opponent_goal)
+    for i in range(picture.players.shape[0]):
+        clear(picture.players[i])
+    picture.lines[:] = 0.0
+
+
+@compiled
+def hand_over(picture, percept):
+    """Copy a picture into the percept."""
+    copy(picture.ball, percept.ball)
+    copy(picture.own_goal, percept.own_goal)
+    copy(picture.opponent_goal, percept.opponent_goal)
+    for i in range(picture.players.shape[0]):
+        if picture.players[i].seen == 0 and percept.players[i].seen == 0:
+            break
+        copy(picture.players[i], percept.players[i])
+    percept.lines[:] = picture.lines
+    percept.light, percept.table = picture.light, picture.table
+
+
+@compiled
+def copy(one, other):
+    """Copy a sighting."""
+    other.distance, other.bearing = one.distance, one.bearing
+    other.seen, other.teammate = one.seen, one.teammate

@@ -1,0 +1,90 @@
+"""Who stands round a robot, and what they hide from a camera that looks in all directions.
+
+The camera stands 0.75 m high and robots are 0.8 m tall: a robot hides everything on the ground that lies behind it,
+within the angle that its round body fills.
+"""
+
+from __future__ import annotations
+
+from math import asin, atan2, cos, sin
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length, wrap
+
+AROUND = np.dtype(
+    [  # another robot, in the axes of the one that looks
+        ("distance", "f8"),  # [m]
+        ("bearing", "f8"),  # [rad]
+        ("half", "f8"),  # [rad] half of the angle that it fills
+        ("teammate", "i8"),
+    ]
+)
+NEAREST = 1e-9  # [m] below which a distance is not divided by
+
+
+@compiled
+def survey(robots, r, k, around):
+    """Fill `around` with the other active robots; return how many there are.
+
+    Team-mates come first, then opponents, each by number: an order that is the same on both sides of the field.
+    """
+    me, radius = robots[r], body_radius(k)
+    cosine, sine = cos(me.heading), sin(me.heading)
+    found = 0
+    for teammate in (1, 0):
+        for other in range(robots.shape[0]):
+            robot = robots[other]
+            if other == r or robot.active == 0 or (robot.team == me.team) != (teammate == 1):
+                continue
+            x, y = robot.x - me.x, robot.y - me.y
+            one = around[found]
+            one.distance = length(x, y)
+            one.bearing = atan2(cosine * y - sine * x, cosine * x + sine * y)
+            one.half = half_angle(radius, one.distance)
+            one.teammate = teammate
+            found += 1
+    return found
+
+
+@compiled
+def body_radius(k):
+    """Return the radius of a robot's round base [m]."""
+    return k.body_disc_radius if k.body_disc_radius > 0.0 else k.body_reach
+
+
+@compiled
+def half_angle(radius, distance):
+    """Return half of the angle [rad] that a disc fills; from within it a half turn's half."""
+    return asin(min(radius / max(distance, NEAREST), 1.0))
+
+
+@compiled
+def visible_part(around, count, bearing, half, distance, height, k, s, handedness):
+    """Return how far the middle of a thing's visible part lies aside of the thing's own [rad], and its share [1].  MH02
+
+    The thing fills `half` to both sides of `bearing`; nearer robots hide it where the line of sight over their heads
+    passes it above `height` [m]. Share 0: all of it is hidden. Of two parts the larger one is seen.
+    """
+    above = k.body_height - s.camera_height  # [m] by which robots are taller than the camera
+    low, high = -half, half
+    for j in range(count):
+        other = around[j]
+        if other.distance >= distance:
+            continue
+        if other.distance * s.camera_height + distance * above < other.distance * height:
+            continue
+        middle = wrap(other.bearing - bearing)
+        right, left = middle - other.half, middle + other.half
+        if right <= low:
+            low = max(low, left)
+        elif left >= high:
+            high = min(high, right)
+        elif high - left > right - low or (high - left == right - low and handedness > 0.0):
+            low = left
+        else:
+            high = right
+        if low >= high:
+            return 0.0, 0.0
+    return 0.5 * (low + high), (high - low) / (2.0 * half) if half > 0.0 else 1.0

@@ -1,0 +1,165 @@
+"""What the omnidirectional camera finds in its picture: ball, players, goals.  [Heinemann et al. 2006, 2]  MH02
+
+A thing is read where it touches the ground, so that the mirror's curve tells its distance. Its place in the picture
+is a whole pixel: bearings are good everywhere, distances fail with the square of the distance.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, exp, floor, inf, log, pi, sin, sqrt
+
+from soccer_env.compiled import compiled
+from soccer_env.frames import direction_of
+from soccer_env.geometry import clip, length, wrap
+from soccer_env.leagues.mirror import ground_distance, image_radius
+from soccer_env.perception.around import body_radius, half_angle, visible_part
+from soccer_env.random_numbers import uniform
+from soccer_env.types import RobotStream
+
+CAMERA = int(RobotStream.CAMERA)
+FALSE_BLOBS = int(RobotStream.FALSE_BLOBS)
+GOAL_HEIGHT = 1.0  # [m] Tribots 2005
+UNCOLOURED = 0.5  # [1] share of the frames in which a ball without colour is found that an orange one would be, assumed
+UNCOLOURED_FALSE = 0.04  # [1/frame] further wrong balls when the ball has no colour, assumed
+STEEPEST = 40.0  # [1] exponent beyond which a logistic is flat
+FOOT = 0.0  # [m] height of what is read where it touches the ground
+
+
+@compiled
+def to_pixel(place):
+    """Return the whole pixel nearest to a place in the image [px], the same on both sides of its centre."""
+    return floor(place + 0.5) if place >= 0.0 else -floor(0.5 - place)
+
+
+@compiled
+def clear(sighting):
+    """Take a thing out of the picture."""
+    sighting.seen = sighting.teammate = 0
+    sighting.distance = sighting.bearing = 0.0
+
+
+@compiled
+def find(sighting, distance, bearing, farthest, s, noise, handedness):
+    """Find a thing in the picture at a noisy, whole pixel; return whether it lies within `farthest` [px].  MH02"""
+    radius = image_radius(s, distance)
+    error = s.pixel_noise * sqrt(-2.0 * log(1.0 - uniform(noise, CAMERA)))  # Box-Muller: two normal draws from two
+    turn = 2.0 * pi * uniform(noise, CAMERA)
+    ahead = to_pixel(radius * cos(bearing) + error * cos(turn))
+    left = to_pixel(radius * sin(bearing) + handedness * error * sin(turn))
+    radius = length(ahead, left)
+    if radius > farthest:
+        return False
+    sighting.distance, sighting.bearing = ground_distance(s, radius), atan2(left, ahead)
+    sighting.seen = 1
+    return True
+
+
+@compiled
+def chance(distance, reach, miss, s):
+    """Return the probability that a frame shows a thing [1]: half of what it is nearby at `reach` [m]."""
+    return (1.0 - miss) / (1.0 + exp(clip((distance - reach) / s.detection_width, -STEEPEST, STEEPEST)))
+
+
+@compiled
+def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colour):
+    """Look for the ball; `colour` [1] is the share of pixels that the colour table recognises.  MH02, MH07, MH24
+
+    What lies within `hidden_radius` the own body hides, and what lies behind a robot is hidden by it. A blob that has
+    lost its rim seems farther. A ball without colour is found by its shape, more rarely, whatever the light.
+    """
+    sighting = percept.ball
+    clear(sighting)
+    cosine, sine = cos(robot.heading), sin(robot.heading)
+    x, y = ball.x - robot.x, ball.y - robot.y
+    distance, bearing = length(x, y), atan2(cosine * y - sine * x, cosine * x + sine * y)
+    kept = colour if s.ball_coloured == 1 else 1.0
+    if distance >= s.hidden_radius:
+        half = half_angle(k.ball_radius, distance)
+        aside, share = visible_part(around, count, bearing, half, distance, FOOT, k, s, handedness)
+        found = kept if s.ball_coloured == 1 else UNCOLOURED
+        if share > 0.0 and uniform(noise, CAMERA) < share * found * chance(distance, s.ball_range, s.ball_miss, s):
+            seems = distance + (1.0 - kept) * k.ball_radius
+            find(sighting, seems, bearing + aside, 0.5 * s.image, s, noise, handedness)
+    mistake_for_ball(sighting, s, noise, handedness)
+
+
+@compiled
+def mistake_for_ball(sighting, s, noise, handedness):
+    """Now and then take something else for the ball, in any direction; the nearer one looks larger and is taken."""
+    rate = s.false_balls + (0.0 if s.ball_coloured == 1 else UNCOLOURED_FALSE)
+    if rate <= 0.0 or uniform(noise, FALSE_BLOBS) >= rate:
+        return
+    nearest = image_radius(s, s.hidden_radius)
+    radius = nearest + (0.5 * s.image - nearest) * uniform(noise, FALSE_BLOBS)
+    bearing = handedness * pi * (1.0 - 2.0 * uniform(noise, FALSE_BLOBS))
+    distance = ground_distance(s, radius)
+    if sighting.seen == 0 or distance < sighting.distance:
+        sighting.distance, sighting.bearing, sighting.seen = distance, bearing, 1
+
+
+@compiled
+def find_players(percept, around, count, k, s, noise, handedness, colour):
+    """Look for the other robots, and sort them by the distances at which they seem to be, nearest first.  MH02, MH07"""
+    players, found = percept.players, 0
+    for j in range(count):
+        other = around[j]
+        aside, share = visible_part(around, count, other.bearing, other.half, other.distance, FOOT, k, s, handedness)
+        if share <= 0.0:
+            continue
+        if uniform(noise, CAMERA) >= share * colour * chance(other.distance, s.player_range, s.player_miss, s):
+            continue
+        seems = other.distance + (1.0 - colour) * body_radius(k)
+        if find(players[found], seems, other.bearing + aside, 0.5 * s.image, s, noise, handedness):
+            players[found].teammate = other.teammate
+            sink(players, found)
+            found += 1
+    for j in range(found, players.shape[0]):
+        if players[j].seen == 0:
+            break
+        clear(players[j])
+
+
+@compiled
+def sink(players, last):
+    """Bring the last of some players to its place among them; of equally near ones it stays behind."""
+    one = players[last]
+    distance, bearing, teammate = one.distance, one.bearing, one.teammate
+    while last > 0 and players[last - 1].distance > distance:
+        before, after = players[last - 1], players[last]
+        after.distance, after.bearing, after.teammate = before.distance, before.bearing, before.teammate
+        after.seen = 1
+        last -= 1
+    one = players[last]
+    one.distance, one.bearing, one.teammate = distance, bearing, teammate
+
+
+@compiled
+def find_goals(match, robot, percept, around, count, k, s, noise, handedness, colour):
+    """Look for the own goal and the opponents'.  MH02"""
+    end = 0.5 * direction_of(match, robot.team) * k.pitch_length
+    find_goal(percept.own_goal, robot, -end, around, count, k, s, noise, handedness, colour)
+    find_goal(percept.opponent_goal, robot, end, around, count, k, s, noise, handedness, colour)
+
+
+@compiled
+def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour):
+    """Look for the goal whose line lies at x [m]: bearing of the middle of what is seen, distance of the line's middle.
+
+    It stands 1 m tall: it is seen from everywhere, over the heads of robots that are not near, and where its foot is
+    beyond the picture's edge it is read as if the picture went on (assumed).
+    """
+    clear(sighting)
+    distance, middle = length(x - robot.x, -robot.y), wrap(atan2(-robot.y, x - robot.x) - robot.heading)
+    one = wrap(bearing_of(robot, x, 0.5 * k.pitch_goal_width) - middle)
+    other = wrap(bearing_of(robot, x, -0.5 * k.pitch_goal_width) - middle)
+    half = 0.5 * abs(one - other)
+    centre = middle + 0.5 * (one + other)
+    aside, share = visible_part(around, count, centre, half, distance, GOAL_HEIGHT, k, s, handedness)
+    if share > 0.0 and uniform(noise, CAMERA) < share * colour * (1.0 - s.goal_miss):
+        find(sighting, distance, centre + aside, inf, s, noise, handedness)
+
+
+@compiled
+def bearing_of(robot, x, y):
+    """Return the bearing [rad] of a point of the field frame."""
+    return wrap(atan2(y - robot.y, x - robot.x) - robot.heading)
