@@ -1,0 +1,124 @@
+"""The ball that a middle-size robot tracks: where it is, where it goes.  [Heinemann et al. 2006, 1, 4]  MH06
+
+frame    carried by the odometry, rolls on
+reading  by the camera, or by the light barrier while the own body hides the ball
+         near the prediction: filtered     far off: ignored, until some in a row agree with each other
+"""
+
+from __future__ import annotations
+
+from math import atan2, inf
+
+import numpy as np
+
+from soccer_env.belief.odometry import move_point
+from soccer_env.belief.tracking import (
+    FILTER,
+    at_exposure,
+    carry,
+    correct,
+    predict,
+    reading_of,
+    start,
+)
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+
+SURE = 100.0  # confidence of what is seen
+BALL_SPEED = 4.0  # [m/s] sd of the speed of a ball of which only one reading is known, assumed
+NEAREST = 1e-3  # [m] below which rates of distance and bearing are those at this distance
+
+BALL_MEMORY = np.dtype(
+    [
+        ("x", "f8"),  # [m] robot frame
+        ("y", "f8"),  # [m]
+        ("vx", "f8"),  # [m/s] over the ground, axes of the robot frame
+        ("vy", "f8"),  # [m/s]
+        ("raw_x", "f8"),  # [m] robot frame: the last reading, moved to now
+        ("raw_y", "f8"),  # [m]
+        ("odd_x", "f8"),  # [m] robot frame: the last reading that was too far off
+        ("odd_y", "f8"),  # [m]
+        ("age", "f8"),  # [s] since it was seen
+        ("confidence", "f8"),  # [0, 100]
+        ("filter", FILTER),
+    ]
+)
+
+
+@compiled
+def believe_ball(percept, own, believed, memory, motions, frames, k, s, w):
+    """Bring the tracked ball up to the percept, and the belief up to it.  MH06
+
+    The picture counts as `frames` old: a reading is compared with the state at the exposure.
+    """
+    body = percept.body
+    move_ball(memory, motions[body.frame % motions.shape[0]], body.kicked == 1, k, s, w)
+    if percept.ball.seen == 1:
+        x, y = reading_of(percept.ball, motions, body.frame, frames)
+        take(memory, x, y, frames * k.dt, np.float64(percept.age), True, k, s, w)
+    elif body.held == 1:  # the barrier errs now and then: it starts no track alone
+        take(memory, k.body_front + k.ball_radius, 0.0, 0.0, 0.0, False, k, s, w)
+    if memory.filter.seen == 0:
+        memory.confidence = max(memory.confidence - w.fading * k.dt, 0.0)
+        if memory.confidence <= 0.0:  # where it went is forgotten as well
+            memory.vx = memory.vy = 0.0
+    tell_ball(believed, memory, own)
+    believed.held = body.held
+
+
+@compiled
+def move_ball(memory, motion, kicked, k, s, w):
+    """Let the ball roll on for a frame, seen from a robot that moves itself; its own kick makes the speed uncertain."""
+    filter = memory.filter
+    memory.age += k.dt
+    filter.seen = 0
+    if filter.readings == 0:
+        return
+    predict(memory, filter, motion, w.ball_agility, k.ball_rolling, k, s)
+    carry(memory, motion)
+    forward, left, turn = np.float64(motion.forward), np.float64(motion.left), np.float64(motion.turn)
+    memory.raw_x, memory.raw_y = move_point(memory.raw_x, memory.raw_y, forward, left, turn)
+    memory.odd_x, memory.odd_y = move_point(memory.odd_x, memory.odd_y, forward, left, turn)
+    if kicked:
+        filter.along.vv = filter.across.vv = BALL_SPEED * BALL_SPEED
+
+
+@compiled
+def take(memory, x, y, late, age, alone, k, s, w):
+    """Take a reading (x, y) [m] of an age [s] that counts as `late` [s]; `alone` says that it may start a track.  MH06
+
+    One that is off by more than `surprise` is ignored, unless `surprise_count` of them in a row agree with each other:
+    then the ball was kicked, or what was tracked was none, and the track starts anew.
+    """
+    filter = memory.filter
+    memory.raw_x, memory.raw_y = x, y
+    was_x, was_y = at_exposure(memory, late)
+    near = filter.readings > 0 and memory.confidence > 0.0 and length(x - was_x, y - was_y) <= w.surprise
+    if near:
+        correct(memory, filter, x, y, late, max(memory.age - age, k.dt), s, w)
+        filter.surprises = 0
+    elif not (alone and filter.readings == 0):
+        within = w.surprise + k.ball_top_speed * k.dt
+        agrees = filter.surprises > 0 and length(x - memory.odd_x, y - memory.odd_y) <= within
+        filter.surprises = filter.surprises + 1 if agrees else 1
+        memory.odd_x, memory.odd_y = x, y
+        if filter.surprises < w.surprise_count:
+            return
+    if not near:
+        start(memory, filter, x, y, BALL_SPEED, s)
+    filter.seen, memory.age, memory.confidence = 1, age, SURE
+
+
+@compiled
+def tell_ball(believed, memory, own):
+    """Fill in the belief from what is tracked; rates are what the moving, turning robot sees."""
+    believed.distance, believed.bearing = length(memory.raw_x, memory.raw_y), atan2(memory.raw_y, memory.raw_x)
+    x, y = memory.x, memory.y
+    distance = length(x, y)
+    believed.filtered_distance, believed.filtered_bearing = distance, atan2(y, x)
+    believed.x, believed.y, believed.vx, believed.vy = x, y, memory.vx, memory.vy
+    vx, vy, away = memory.vx - own.forward, memory.vy - own.left, max(distance, NEAREST)
+    believed.radial = (x * vx + y * vy) / away
+    believed.angular = (x * vy - y * vx) / (away * away) - own.turn
+    believed.confidence = memory.confidence
+    believed.age = memory.age if memory.filter.readings > 0 else inf

@@ -1,0 +1,205 @@
+"""The players that a middle-size robot tracks.  [Heinemann et al. 2006, 1]  MH06
+
+    frame     tracks go on, each carried by the odometry
+    readings  the nearest pair of reading and track of the same team first, as long as they are within the gate
+    left over readings start tracks, the nearest players keep the slots; unseen ones coast, fade and are forgotten
+
+The filter of slot i lies in place i of the memory and moves with it when tracks are sorted, nearest first.
+"""
+
+from __future__ import annotations
+
+from math import atan2
+
+import numpy as np
+
+from soccer_env.belief.tracking import (
+    at_exposure,
+    carry,
+    correct,
+    predict,
+    reading_of,
+    start,
+)
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length, wrap
+from soccer_env.percept_types import OTHERS
+from soccer_env.types import MAX_TEAM
+
+SURE = 100.0  # confidence of what is seen
+PLAYER_SPEED = 1.5  # [m/s] sd of the speed of a player of whom only one reading is known, assumed
+UNKNOWN = -1  # number of a player that nobody has told yet
+SLOTS = 2 * MAX_TEAM  # room for tracks, at most
+
+READING = np.dtype(
+    [  # room: a player in the picture
+        ("x", "f8"),  # [m] robot frame of now
+        ("y", "f8"),  # [m]
+        ("taken", "i8"),  # 1: it belongs to a track
+        ("off", "f8", (SLOTS,)),  # [m] from the tracks, as they were at the exposure
+    ]
+)
+
+
+@compiled
+def believe_players(percept, tracks, filters, motions, frames, room, k, s, w):
+    """Bring the tracks of other players up to the percept.  MH06
+
+    The picture counts as `frames` old; room: OTHERS READINGs, one TRACK and one FILTER to work in.
+    """
+    readings, spare_tracks, spare_filters = room
+    move_players(tracks, filters, motions[percept.body.frame % motions.shape[0]], k, s, w)
+    count = read_players(percept, motions, frames, readings)
+    mates, everyone = k.teammate_slots, k.teammate_slots + k.opponent_slots
+    follow_team(percept, tracks, filters, readings, count, 1, 0, mates, frames * k.dt, k, s, w)
+    follow_team(percept, tracks, filters, readings, count, 0, mates, everyone, frames * k.dt, k, s, w)
+    fade_players(tracks, filters, k, w)
+    sort_players(tracks, filters, spare_tracks, spare_filters, 0, mates)
+    sort_players(tracks, filters, spare_tracks, spare_filters, mates, everyone)
+
+
+@compiled
+def move_players(tracks, filters, motion, k, s, w):
+    """Let the tracked players go on for a frame, seen from a robot that moves itself."""
+    for slot in range(tracks.shape[0]):
+        track, filter = tracks[slot], filters[slot]
+        filter.seen = 0
+        if track.present == 0:
+            filter.readings, track.number = 0, UNKNOWN
+            continue
+        if filter.readings == 0:  # a team-mate told of it
+            vx, vy = track.vx, track.vy
+            start(track, filter, track.x, track.y, PLAYER_SPEED, s)
+            track.vx, track.vy = vx, vy
+        predict(track, filter, motion, w.player_agility, 0.0, k, s)
+        carry(track, motion)
+        track.age += k.dt
+        if track.number != UNKNOWN:  # its heading was told
+            track.heading = wrap(track.heading - np.float64(motion.turn))
+
+
+@compiled
+def read_players(percept, motions, frames, readings):
+    """Fill in where the players of the picture are now, if they stand; return how many there are."""
+    count = 0
+    while count < OTHERS and percept.players[count].seen == 1:
+        reading = readings[count]
+        reading.x, reading.y = reading_of(percept.players[count], motions, percept.body.frame, frames)
+        reading.taken = 0
+        count += 1
+    return count
+
+
+@compiled
+def follow_team(percept, tracks, filters, readings, count, teammate, first, last, late, k, s, w):
+    """Bring the tracks of one team, in slots `first` to `last`, up to the readings that show its marker.  MH06"""
+    age = np.float64(percept.age)
+    measure_offsets(percept, tracks, readings, count, teammate, first, last, late)
+    while True:
+        best, slot = nearest_pair(percept, tracks, filters, readings, count, teammate, first, last, w.gate)
+        if best < 0:
+            break
+        reading, track, filter = readings[best], tracks[slot], filters[slot]
+        reading.taken, filter.seen = 1, 1
+        take(track, filter, reading.x, reading.y, reading.off[slot], late, age, k, s, w)
+    for best in range(count):
+        if readings[best].taken == 0 and percept.players[best].teammate == teammate:
+            add_player(tracks, filters, readings[best].x, readings[best].y, teammate, first, last, age, s)
+
+
+@compiled
+def measure_offsets(percept, tracks, readings, count, teammate, first, last, late):
+    """Fill in how far the readings of a team are off its tracks [m]."""
+    for slot in range(first, last):
+        if tracks[slot].present == 1:
+            x, y = at_exposure(tracks[slot], late)
+            for i in range(count):
+                readings[i].off[slot] = length(readings[i].x - x, readings[i].y - y)
+
+
+@compiled
+def nearest_pair(percept, tracks, filters, readings, count, teammate, first, last, gate):
+    """Return the reading and the track, both still free, that are nearest to each other within the gate; or -1, -1."""
+    best, best_slot, least = -1, -1, gate
+    for i in range(count):
+        if readings[i].taken == 1 or percept.players[i].teammate != teammate:
+            continue
+        for slot in range(first, last):
+            if tracks[slot].present == 1 and filters[slot].seen == 0 and readings[i].off[slot] < least:
+                best, best_slot, least = i, slot, readings[i].off[slot]
+    return best, best_slot
+
+
+@compiled
+def take(track, filter, x, y, off, late, age, k, s, w):
+    """Take a reading into a track; `surprise_count` in a row that are off by more than `surprise` start it anew."""
+    filter.surprises = filter.surprises + 1 if off > w.surprise else 0
+    if filter.surprises >= w.surprise_count:
+        start(track, filter, x, y, PLAYER_SPEED, s)
+    elif filter.surprises == 0:
+        correct(track, filter, x, y, late, max(track.age - age, k.dt), s, w)
+    else:
+        filter.seen = 2  # it is there, but not where it was thought to be
+        return
+    track.age, track.confidence = age, SURE
+
+
+@compiled
+def add_player(tracks, filters, x, y, teammate, first, last, age, s):
+    """Start a track in a free slot, or in that of the farthest player if that one is farther."""
+    place, farthest = -1, x * x + y * y
+    for slot in range(first, last):
+        track = tracks[slot]
+        if track.present == 0:
+            place = slot
+            break
+        square = track.x * track.x + track.y * track.y
+        if square > farthest:
+            place, farthest = slot, square
+    if place < 0:
+        return
+    track, filter = tracks[place], filters[place]
+    start(track, filter, x, y, PLAYER_SPEED, s)
+    filter.seen = 1
+    track.present, track.teammate, track.keeper, track.number = 1, teammate, 0, UNKNOWN
+    track.heading, track.age, track.confidence = 0.0, age, SURE
+
+
+@compiled
+def fade_players(tracks, filters, k, w):
+    """Fade what was not seen, forget what was not seen for long, and fill in distance and bearing."""
+    for slot in range(tracks.shape[0]):
+        track = tracks[slot]
+        if track.present == 1 and filters[slot].seen != 1:
+            track.confidence = max(track.confidence - w.fading * k.dt, 0.0)
+            if track.age > w.ghost_time:
+                forget(track)
+        if track.present == 1:
+            track.distance, track.bearing = length(track.x, track.y), atan2(track.y, track.x)
+
+
+@compiled
+def forget(track):
+    """Empty a slot."""
+    track.present = track.teammate = track.keeper = 0
+    track.number = UNKNOWN
+    track.distance = track.bearing = track.x = track.y = track.vx = track.vy = track.heading = 0.0
+    track.confidence = track.age = 0.0
+
+
+@compiled
+def sort_players(tracks, filters, spare_tracks, spare_filters, first, last):
+    """Sort the tracks of a team, nearest first and empty slots last; their filters go with them."""
+    for slot in range(first + 1, last):
+        place = slot
+        while place > first and comes_before(tracks[place], tracks[place - 1]):
+            spare_tracks[0], spare_filters[0] = tracks[place], filters[place]
+            tracks[place], filters[place] = tracks[place - 1], filters[place - 1]
+            tracks[place - 1], filters[place - 1] = spare_tracks[0], spare_filters[0]
+            place -= 1
+
+
+@compiled
+def comes_before(one, other):
+    """Tell whether a track belongs before another: one in use before an empty one, a nearer one before a farther."""
+    return one.present == 1 and (other.present == 0 or one.distance < other.distance)

@@ -1,0 +1,141 @@
+"""One thing tracked over time: place and speed (x, y, vx, vy).  [Heinemann et al. 2006, 1]  MH06
+
+A thing is any record with x, y [m] in the robot frame and vx, vy [m/s], its velocity over the ground in the robot
+frame's axes: the ball's memory, or a track. A filter goes with it.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin, sqrt
+
+import numpy as np
+
+from soccer_env.belief.kalman import (
+    COVARIANCE,
+    fit_gains,
+    predict_covariance,
+    start_covariance,
+    update_covariance,
+)
+from soccer_env.belief.odometry import move_point, turn_axes
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.leagues.mirror import metres_across, metres_along
+from soccer_env.leagues.omni_sensors import FILTERS
+
+KALMAN, LEAST_SQUARES = FILTERS["kalman"], FILTERS["least-squares"]
+DELAYS = 3  # frames that a picture may be late, at most
+MOST_READINGS = 100  # at which the count of readings stops
+ROUNDING = 1.0 / 12.0  # [px2] variance of a whole pixel
+NEAREST = 1e-6  # [m] below which a line of sight has no direction
+
+FILTER = np.dtype(
+    [
+        ("along", COVARIANCE),  # along the line of sight
+        ("across", COVARIANCE),  # across it
+        ("readings", "i1"),  # taken since it was started; 0: not started
+        ("surprises", "i1"),  # readings in a row that were too far off
+        ("seen", "i1"),  # 1: it got a reading in this frame
+        ("kind", "i1"),  # 1 team-mate, 0 opponent
+    ]
+)
+
+MOTION = np.dtype(
+    [  # odometry of a frame, in the axes of the frame before
+        ("forward", "f4"),  # [m]
+        ("left", "f4"),  # [m]
+        ("turn", "f4"),  # [rad]
+    ]
+)
+
+
+@compiled
+def note_motion(motions, body):
+    """Keep the odometry of this frame among the last DELAYS."""
+    motion = motions[body.frame % DELAYS]
+    motion.forward, motion.left, motion.turn = body.forward, body.left, body.turn
+
+
+@compiled
+def reading_of(sighting, motions, frame, frames):
+    """Return where a still thing that a picture shows, some frames old, lies in the robot frame of now [m]."""
+    distance, bearing = np.float64(sighting.distance), np.float64(sighting.bearing)
+    x, y = distance * cos(bearing), distance * sin(bearing)
+    for back in range(frames - 1, -1, -1):
+        motion = motions[(frame - back) % DELAYS]
+        x, y = move_point(x, y, np.float64(motion.forward), np.float64(motion.left), np.float64(motion.turn))
+    return x, y
+
+
+@compiled
+def carry(thing, motion):
+    """Bring a thing into the robot frame of now; where it goes by itself is not in this."""
+    forward, left, turn = np.float64(motion.forward), np.float64(motion.left), np.float64(motion.turn)
+    thing.x, thing.y = move_point(thing.x, thing.y, forward, left, turn)
+    thing.vx, thing.vy = turn_axes(thing.vx, thing.vy, cos(turn), sin(turn))
+
+
+@compiled
+def predict(thing, filter, motion, agility, slowing, k, s):
+    """Let a thing go on for a frame: x = F x, slowed down by a constant deceleration [m/s2], P = F P F' + Q.  MH06"""
+    speed = length(thing.vx, thing.vy)
+    lost = min(slowing * k.dt, speed)
+    share = 1.0 - lost / speed if speed > 0.0 else 1.0
+    thing.x += thing.vx * 0.5 * (1.0 + share) * k.dt
+    thing.y += thing.vy * 0.5 * (1.0 + share) * k.dt
+    thing.vx, thing.vy = thing.vx * share, thing.vy * share
+    step = s.odometry_noise * length(np.float64(motion.forward), np.float64(motion.left))
+    swing = s.odometry_noise * abs(np.float64(motion.turn)) * length(thing.x, thing.y)
+    predict_covariance(filter.along, k.dt, agility, step)
+    predict_covariance(filter.across, k.dt, agility, sqrt(step * step + swing * swing))
+
+
+@compiled
+def start(thing, filter, x, y, speed, s):
+    """Start to track a thing anew from one reading, its speed unknown but for a deviation [m/s]."""
+    thing.x, thing.y, thing.vx, thing.vy = x, y, 0.0, 0.0
+    along, across = reading_sd(length(x, y), s)
+    start_covariance(filter.along, along * along, speed)
+    start_covariance(filter.across, across * across, speed)
+    filter.readings, filter.surprises = 1, 0
+
+
+@compiled
+def reading_sd(distance, s):
+    """Return the sd of a reading along and across the line of sight [m]: a pixel through the mirror's curve.  MH02"""
+    pixels = sqrt(s.pixel_noise * s.pixel_noise + ROUNDING)
+    return pixels * metres_along(s, distance), pixels * metres_across(s, distance)
+
+
+@compiled
+def at_exposure(thing, age):
+    """Return where a thing was when a picture of some age [s] was taken, in the axes of now [m]."""
+    return thing.x - age * thing.vx, thing.y - age * thing.vy
+
+
+@compiled
+def correct(thing, filter, x, y, age, elapsed, s, w):
+    """Take a reading (x, y) [m] of some age [s] into a thing's state: x = x + K y.  MH06
+
+    elapsed: time since the last reading [s]. The filter of the settings makes the gains; without one the reading is
+    all there is, and speeds are unknown.
+    """
+    was_x, was_y = at_exposure(thing, age)
+    distance = length(was_x, was_y)
+    ux, uy = (was_x / distance, was_y / distance) if distance > NEAREST else (1.0, 0.0)
+    along, across = (x - was_x) * ux + (y - was_y) * uy, (y - was_y) * ux - (x - was_x) * uy
+    filter.readings = min(filter.readings + 1, MOST_READINGS)
+    if w.filter == KALMAN:
+        along_sd, across_sd = reading_sd(distance, s)
+        K_along, G_along = update_covariance(filter.along, age, along_sd * along_sd)
+        K_across, G_across = update_covariance(filter.across, age, across_sd * across_sd)
+    elif w.filter == LEAST_SQUARES:
+        K_along, G_along = fit_gains(filter.readings, w.window, elapsed, age)
+        K_across, G_across = K_along, G_along
+    else:
+        thing.x, thing.y, thing.vx, thing.vy = x, y, 0.0, 0.0
+        return
+    thing.x += K_along * along * ux - K_across * across * uy
+    thing.y += K_along * along * uy + K_across * across * ux
+    thing.vx += G_along * along * ux - G_across * across * uy
+    thing.vy += G_along * along * uy + G_across * across * ux
