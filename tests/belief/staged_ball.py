@@ -33,7 +33,7 @@ TINY = {"area_small": 1e-5, "area_large": 1e-5}  # [px] at 88x72: areas of so fi
 
 
 @compiled
-def believe(percepts, beliefs, memories, constants, sensors, settings, tables):  # type: ignore[no-untyped-def]
+def believe(percepts, beliefs, memories, constants, sensors, settings, tables):
     """Call the stage as its caller does: with records that lie in arrays."""
     belief = beliefs[0]
     k, s, w, table = constants[0], sensors[0], settings[0], tables[0]
@@ -48,8 +48,8 @@ class Watcher:
         self.sensors["resolution"] = resolution
         settings = {**(TINY if resolution == FINE else {}), **settings}
         self.settings = LEAGUE.memory.changed(settings).record()
-        self.percepts, self.beliefs = np.zeros(1, LEGGED_PERCEPT), np.zeros(1, BELIEF)
-        self.memories, self.tables = np.zeros(1, BALL_MEMORY), np.zeros(1, TABLES)
+        self.beliefs, self.memories = np.zeros(1, BELIEF), np.zeros(1, BALL_MEMORY)
+        self.tables = np.zeros(1, TABLES)
         sizes = np.maximum(np.arange(SIZES), 0.5)
         diameter = 2.0 * LEAGUE.ball.radius
         self.focal = focal_x(self.sensors[0]), focal_y(self.sensors[0])
@@ -85,17 +85,19 @@ class Watcher:
              infrared: float = 0.0, skip: int = 1, **body: int) -> np.void:  # fmt: skip
         """Believe a frame with blobs (left, right, high, low, area) [px], after own motion [m, rad]."""
         self.frame += skip
-        self.percepts[:] = np.zeros((), LEGGED_PERCEPT)
+        percepts = np.zeros(1, LEGGED_PERCEPT)
         felt = {"frame": self.frame, "handedness": 1, "forward": forward, "left": left, "turn": turn}
         for name, value in {**felt, "upright": 1, "active": 1, **body}.items():
-            self.percepts["body"][name] = value
-        self.percepts["pan"], self.percepts["tilt"] = self.head
-        self.percepts["infrared"] = infrared
+            percepts["body"][name] = value
+        percepts["pan"], percepts["tilt"] = self.head
+        percepts["infrared"] = infrared
         for i, blob in enumerate(blobs):
-            self.percepts["ball"][0, i] = blob
-        believe(
-            self.percepts, self.beliefs, self.memories, self.constants, self.sensors, self.settings, self.tables
-        )  # fmt: skip
+            percepts["ball"][0, i] = blob
+        return self.believe(percepts)
+
+    def believe(self, percepts: np.ndarray) -> np.void:
+        """Believe a percept (1,) as it is."""
+        believe(percepts, self.beliefs, self.memories, self.constants, self.sensors, self.settings, self.tables)
         return self.ball
 
     def see(self, x: float, y: float, **frame: Any) -> np.void:
