@@ -6,7 +6,7 @@ import numpy as np
 
 from soccer_env.belief.ball import BALL_MEMORY, believe_ball
 from soccer_env.belief.head import HEAD_MEMORY, choose_gaze
-from soccer_env.belief.own_pose import POSE_MEMORY, believe_pose
+from soccer_env.belief.own_pose import POSE_MEMORY, believe_pose_legged
 from soccer_env.belief.players import PLAYERS_MEMORY, believe_players
 from soccer_env.belief.talk import exchange
 from soccer_env.compiled import compiled
@@ -30,7 +30,7 @@ def believe_slice(
     for m in range(first, last):
         for r in rows:
             percept, belief, memory = percepts[m, r], beliefs[m, r], memories[m, r]
-            believe_pose(percept, belief.own, memory.pose, particles[m, r], noise[m, r], k, s, w)
+            believe_pose_legged(percept, belief.own, memory.pose, particles[m, r], noise[m, r], k, s, w)
             believe_ball(percept, belief.own, belief.ball, memory.ball, k, s, w, table)
             believe_players(percept, belief.own, tracks[m, r], memory.players, k, s, w, table)
             choose_gaze(percept, belief, memory.head, gazes[m, r], k, s, w)

@@ -1,23 +1,190 @@
-"""Where a robot believes itself to be."""
+"""Where a robot believes itself to be: told, given by a noisy sensor, by particles, or by its steps alone.  MH08
+
+* told where it was put: the pose as told, all particles round it;
+* given a noisy pose as a percept: that, the cheap path;
+* particles: the odometry in every frame, landmarks or lines every few frames;
+* no particles: the odometry alone. The error grows, the confidence falls.
+"""
 
 from __future__ import annotations
 
+from math import cos, exp, sin, sqrt
+
 import numpy as np
 
-from soccer_env.compiled import compiled
+from soccer_env.belief.field_lines import LINE_VIEW, draw_from_goal, look_at_lines, weigh_by_lines
+from soccer_env.belief.landmarks import LANDMARK_VIEW, draw_from_landmark, look_at_landmarks, weigh_by_landmarks
+from soccer_env.belief.particles import (
+    PARTICLE,
+    cluster_near,
+    estimate,
+    move_particles,
+    place_particles,
+    resample,
+    scatter_particles,
+    share_of_fresh,
+    weights_from_costs,
+)
+from soccer_env.compiled import compiled, records
+from soccer_env.geometry import wrap
+from soccer_env.percept_types import POSE_SENSED, POSE_TOLD
 
-POSE_MEMORY = np.dtype([("unused", "f4")])
+__all__ = ["PARTICLE", "POSE_MEMORY", "believe_pose_legged", "believe_pose_omni"]
 
-PARTICLE = np.dtype(
+SURE = 100.0  # confidence of a pose that was told or is given
+PATIENCE = 4  # [1] times `pose_every` without anything to see after which the particles move all the same, assumed
+
+POSE_MEMORY = np.dtype(
     [
-        ("x", "f4"),  # [m] team frame
-        ("y", "f4"),  # [m]
-        ("heading", "f4"),  # [rad]
-        ("weight", "f4"),
+        ("ahead", "f8"),  # [m] odometry since the particles were moved, in the axes of then
+        ("left", "f8"),  # [m]
+        ("turn", "f8"),  # [rad]
+        ("path", "f8"),  # [m] length of the way
+        ("turned", "f8"),  # [rad] sum of the turns to either side
+        ("fast", "f8"),  # [0, 1] short-term average of the fit of the particles to what is seen
+        ("slow", "f8"),  # [0, 1] long-term average
+        ("frames", "i4"),  # since the particles were moved
+        ("begun", "i1"),  # 1: the particles have been put somewhere
     ]
 )
 
 
 @compiled
-def believe_pose(percept, own, memory, particles, noise, k, s, w):
-    """Bring the own pose up to the percept: the noisy pose where it is given, else the particles."""
+def believe_pose_legged(percept, own, memory, particles, noise, k, s, w):
+    """Bring the own pose of a legged robot up to the percept; its particles go by landmarks and goals.  MH08"""
+    if not particles_are_due(percept.body, own, memory, particles, noise, k, s, w):
+        return
+    view = records(1, LANDMARK_VIEW)[0]
+    seen = look_at_landmarks(percept, view, k, s, w)
+    if seen == 0 and memory.frames < PATIENCE * w.pose_every:
+        return
+    hand = np.float64(percept.body.handedness)
+    motion = motion_since(memory, k, w)
+    half_length, half_width = field_of(k)
+    if seen == 0:
+        move_particles(particles, motion, half_length, half_width, noise, hand)
+        judge_blind(own, particles, w)
+        return
+    weigh_by_landmarks(particles, view, motion, noise, hand, k, w)
+    if conclude(own, memory, particles, seen, noise, w):
+        for i in range(particles.shape[0]):
+            if particles[i].weight == 0.0:
+                draw_from_landmark(particles[i], view, noise, hand, k, w)
+
+
+@compiled
+def believe_pose_omni(percept, own, memory, particles, noise, k, s, w, table):
+    """Bring the own pose of a middle-size robot up to the percept; its particles go by white lines and goals.  MH08
+
+    `table` is the record of `perception.omni.line_tables`.
+    """
+    if not particles_are_due(percept.body, own, memory, particles, noise, k, s, w):
+        return
+    view = records(1, LINE_VIEW)[0]
+    seen = look_at_lines(percept, own, view, k, s, w)
+    if seen == 0 and memory.frames < PATIENCE * w.pose_every:
+        return
+    hand = np.float64(percept.body.handedness)
+    motion = motion_since(memory, k, w)
+    half_length, half_width = field_of(k)
+    if seen == 0:
+        move_particles(particles, motion, half_length, half_width, noise, hand)
+        judge_blind(own, particles, w)
+        return
+    weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table)
+    if conclude(own, memory, particles, seen, noise, w):
+        for i in range(particles.shape[0]):
+            if particles[i].weight == 0.0:
+                draw_from_goal(particles[i], view, half_length, half_width, noise, hand, w)
+
+
+@compiled
+def particles_are_due(body, own, memory, particles, noise, k, s, w):
+    """Bring the own pose up to what the robot feels or is told; tell whether its particles are due."""
+    forward, left, turn = np.float64(body.forward), np.float64(body.left), np.float64(body.turn)
+    own.forward, own.left, own.turn = forward / k.dt, left / k.dt, turn / k.dt
+    if body.pose == POSE_SENSED or body.pose == POSE_TOLD:
+        own.x, own.y, own.heading, own.confidence = body.x, body.y, body.heading, SURE
+        if body.pose == POSE_TOLD and particles.shape[0] > 0:
+            hand = np.float64(body.handedness)
+            place_particles(particles, own, s.place_noise, s.place_turn_noise, noise, hand)
+            forget_motion(memory)
+            memory.begun, memory.fast, memory.slow = 1, 1.0, w.pose_fit
+        return False
+    cosine, sine = cos(own.heading), sin(own.heading)
+    own.x += cosine * forward - sine * left
+    own.y += sine * forward + cosine * left
+    own.heading = wrap(own.heading + turn)
+    if particles.shape[0] == 0:
+        own.confidence = max(own.confidence - w.pose_fading * k.dt, 0.0)
+        return False
+    if memory.begun == 0:
+        half_length, half_width = field_of(k)
+        scatter_particles(particles, half_length, half_width, noise, np.float64(body.handedness))
+        memory.begun = 1
+    add_motion(memory, forward, left, turn)
+    return memory.frames >= w.pose_every
+
+
+@compiled
+def add_motion(memory, forward, left, turn):
+    """Add a frame's odometry [m, m, rad] to the motion since the particles were moved."""
+    cosine, sine = cos(memory.turn), sin(memory.turn)
+    memory.ahead += cosine * forward - sine * left
+    memory.left += sine * forward + cosine * left
+    memory.turn += turn
+    memory.path += sqrt(forward * forward + left * left)
+    memory.turned += abs(turn)
+    memory.frames += 1
+
+
+@compiled
+def forget_motion(memory):
+    """Begin to add up the odometry anew."""
+    memory.ahead = memory.left = memory.turn = memory.path = memory.turned = 0.0
+    memory.frames = 0
+
+
+@compiled
+def motion_since(memory, k, w):
+    """Return the motion since the particles were moved, as `move_particle` wants it, and begin anew.
+
+    Its deviations grow with the way (feet and wheels slip), and with time, because pushes are not felt.
+    """
+    cosine, sine = cos(memory.turn), sin(memory.turn)
+    ahead = cosine * memory.ahead + sine * memory.left
+    left = cosine * memory.left - sine * memory.ahead
+    turn, passed = memory.turn, sqrt(memory.frames * k.dt)
+    spread = w.pose_slip * memory.path + w.pose_drift * passed
+    turn_spread = w.pose_slip * memory.turned + w.pose_turn_drift * passed
+    forget_motion(memory)
+    return ahead, left, turn, spread, turn_spread, w.pose_stuck
+
+
+@compiled
+def field_of(k):
+    """Return half the length and width of where a robot can be [m]."""
+    return 0.5 * k.pitch_length + k.pitch_band_end, 0.5 * k.pitch_width + k.pitch_band_side
+
+
+@compiled
+def judge_blind(own, particles, w):
+    """Set the confidence of a pose while nothing is seen: the share of the particles that are still near it."""
+    weight, _, _, _, spread = cluster_near(particles, own.x, own.y, own.heading, w)
+    own.confidence = SURE * weight / particles.shape[0] / (1.0 + spread / (w.pose_radius * w.pose_radius))
+
+
+@compiled
+def conclude(own, memory, particles, seen, noise, w):
+    """Draw the own pose from particles that bear the costs of `seen` numbers, and resample; tell whether some are free.
+
+    The confidence is the share of weight in the cluster, less the wider it is and the worse it fits.
+    """
+    count = particles.shape[0]
+    total, cost, best = weights_from_costs(particles)
+    fresh = int(count * share_of_fresh(memory, exp(-cost / seen), w) + 0.5)
+    weight, spread = estimate(particles, own, best, w)
+    fit = min(memory.fast / max(memory.slow, w.pose_fit), 1.0)
+    own.confidence = SURE * fit * weight / total / (1.0 + spread / (w.pose_radius * w.pose_radius))
+    resample(particles, total, count - fresh, noise)
+    return fresh > 0

@@ -122,6 +122,8 @@ class LeggedMemory(Options):
     grouping: float = 3.0  # [mean sizes] gap within which two blobs are one player  MS29
     distance_power: float = 3.0  # [1] of the matching  MS30, MS31
     angle_power: float = 1.0  # [1] of the matching, 0 switches the angle off  MS30, MS31
+    empty_distance: float = 1.0  # [m] that an empty slot is taken to be from a player that is seen, assumed  MS30
+    empty_angle: float = 1.0  # [rad] the same, assumed  MS30
     uncertainty_least: float = 0.5  # just seen  MS32
     uncertainty_most: float = 100.0  # not seen in a long time  MS32
     uncertainty_growth: float = 100.0 / 30.0  # [1/s] assumed: a long time is half a minute  MS32
@@ -140,8 +142,9 @@ class LeggedMemory(Options):
     pose_range_noise: float = 0.25  # [1] of the distance, the same
     pose_fresh: float = 0.02  # [1] share of particles drawn anew from what is seen, at least, assumed
     pose_slip: float = 0.15  # [1] of a motion: sd of what a particle adds to it, twice the gait's slip, assumed
+    pose_stuck: float = 0.05  # [1] share of particles that stay behind: a held robot walks on the spot, assumed
     pose_drift: float = 0.03  # [m/s^0.5] sd that time adds: pushes are not felt, assumed
-    pose_turn_drift: float = 0.10  # [rad/s^0.5] the same
+    pose_turn_drift: float = 0.05  # [rad/s^0.5] the same
     pose_radius: float = 0.30  # [m] within which particles are one cluster, assumed
     pose_angle: float = 0.50  # [rad] the same
     pose_fast: float = 0.2  # [1] weight of the newest fit in its short-term average, assumed

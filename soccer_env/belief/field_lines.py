@@ -1,0 +1,121 @@
+"""How well poses fit the white lines and goals that a middle-size robot sees.  MH08
+
+Each direction in which a line was seen gives a point on the ground; a pose fits if its points lie near white lines
+[Lauer, Lange, Riedmiller 2006]. Lines look the same after a half-turn: the goals say which half is the own one.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin, sqrt
+
+import numpy as np
+
+from soccer_env.belief.odometry import move_point
+from soccer_env.belief.particles import OUTLIER, bounded, draw_seeing, move_particle, scatter
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.percept_types import LINES
+from soccer_env.random_numbers import uniform
+from soccer_env.types import RobotStream
+
+PARTICLES = int(RobotStream.PARTICLES)
+HIDDEN_SHARE = 0.25  # [1] of half a goal: sd by which the middle of what is seen of it lies aside of its own, assumed
+
+LINE_POINT = np.dtype([("ahead", "f8"), ("left", "f8")])  # [m] robot frame
+
+GOAL_POINT = np.dtype(
+    [
+        ("seen", "i8"),
+        ("x", "f8"),  # [m] team frame, middle of the goal line
+        ("ahead", "f8"),  # [1] robot frame, unit vector towards it
+        ("left", "f8"),  # [1]
+        ("far", "f8"),  # [m]
+    ]
+)
+
+LINE_VIEW = np.dtype([("count", "i8"), ("points", LINE_POINT, (LINES,)), ("goals", GOAL_POINT, (2,))])
+
+
+@compiled
+def look_at_lines(percept, own, view, k, s, w):
+    """Fill in where lines and goals are seen; return how many numbers they give to weigh poses by.
+
+    The picture is old by the time it arrives: what it shows is moved by the robot's motion since the exposure.
+    """
+    age = np.float64(percept.age) if w.delay_compensation == 1 else 0.0
+    forward, aside, turn = own.forward * age, own.left * age, own.turn * age
+    sector = 2.0 * pi / s.lines
+    view.count = 0
+    for i in range(s.lines):
+        # a mirror takes direction i to -i; the same sums, to the last bit
+        direction = i if percept.body.handedness >= 0.0 else -i
+        distance = np.float64(percept.lines[direction % s.lines])
+        if distance > 0.0:
+            point = view.points[view.count]
+            bearing = sector * direction
+            x, y = distance * cos(bearing), distance * sin(bearing)
+            point.ahead, point.left = move_point(x, y, forward, aside, turn)
+            view.count += 1
+    read_goal(percept.own_goal, view.goals[0], -0.5 * k.pitch_length, forward, aside, turn)
+    read_goal(percept.opponent_goal, view.goals[1], 0.5 * k.pitch_length, forward, aside, turn)
+    return view.count + 2 * (view.goals[0].seen + view.goals[1].seen)
+
+
+@compiled
+def read_goal(sighting, goal, x, forward, aside, turn):
+    """Fill in direction and range of a goal, after the robot's motion since the exposure."""
+    goal.seen, goal.x = int(sighting.seen), x
+    if goal.seen == 0:
+        return
+    distance, bearing = np.float64(sighting.distance), np.float64(sighting.bearing)
+    ahead, left = move_point(distance * cos(bearing), distance * sin(bearing), forward, aside, turn)
+    goal.far = max(length(ahead, left), 1e-3)
+    goal.ahead, goal.left = ahead / goal.far, left / goal.far
+
+
+@compiled
+def weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table):
+    """Move all particles and give each the cost of what is seen, in place of its weight.  MH08"""
+    grid, per_metre = table.nearest_line, 1.0 / table.cell
+    columns, rows = grid.shape[0] // 2, grid.shape[1] // 2
+    sharp = 1.0 / (w.pose_line_noise * w.pose_line_noise)
+    for i in range(particles.shape[0]):
+        particle = particles[i]
+        x, y, cosine, sine = move_particle(particle, motion, half_length, half_width, noise, hand)
+        cost = 0.0
+        for j in range(view.count):
+            point = view.points[j]
+            at_x = abs(x + cosine * point.ahead - sine * point.left) * per_metre
+            at_y = abs(y + sine * point.ahead + cosine * point.left) * per_metre
+            # lines are symmetric about both axes: a quarter of the grid is read, alike in a mirror
+            off = np.float64(grid[columns + min(int(at_x), columns - 1), rows + min(int(at_y), rows - 1)])
+            cost += bounded(off * off * sharp, OUTLIER)
+        for j in range(2):
+            if view.goals[j].seen == 1:
+                cost += goal_cost(view.goals[j], x, y, cosine, sine, k, w)
+        particle.weight = cost
+
+
+@compiled
+def goal_cost(goal, x, y, cosine, sine, k, w):
+    """Return what bearing and range of a goal cost a robot at x, y with this heading."""
+    along, far = goal.x - x, sqrt((goal.x - x) * (goal.x - x) + y * y)
+    far = max(far, 1e-3)
+    straight = ((cosine * along - sine * y) * goal.ahead - (cosine * y + sine * along) * goal.left) / far
+    hidden = HIDDEN_SHARE * 0.5 * k.pitch_goal_width / far
+    square = max(2.0 - 2.0 * straight, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise + hidden * hidden)
+    miss = (goal.far / far - 1.0) / w.pose_range_noise
+    return bounded(square, OUTLIER) + bounded(miss * miss, OUTLIER)
+
+
+@compiled
+def draw_from_goal(particle, view, half_length, half_width, noise, hand, w):
+    """Draw a particle anew from a goal that is seen; without one, anywhere.  MH08"""
+    goals = view.goals[0].seen + view.goals[1].seen
+    if goals == 0:
+        scatter(particle, half_length, half_width, noise, hand)
+        return
+    other = view.goals[0].seen == 0 or (goals == 2 and uniform(noise, PARTICLES) < 0.5)
+    goal = view.goals[1] if other else view.goals[0]
+    sight = (goal.x, 0.0, goal.ahead, goal.left, goal.far, w.pose_range_noise, 0.0, 0.0)
+    draw_seeing(particle, sight, half_length, half_width, noise, hand)

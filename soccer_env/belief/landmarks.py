@@ -1,0 +1,213 @@
+"""How well poses fit the landmarks and goals that a legged robot sees.  MH08
+
+A landmark gives a bearing and, by its known height, a range. A goal gives the bearings of its two ends, unless the
+image's border or a robot cuts it: what is seen of it must lie between its posts, and most likely its ends are the
+posts.
+
+         opponents' goal
+    4 ------+=====+------ 5      landmarks in the order of `percept.landmarks`, +x up and +y to the left:
+    |                     |      own left, own right, halfway left, right, opponents' left, right corner
+    2                     3
+    |                     |      a mirror swaps each pair, so they are gone through in the order of the handedness:
+    0 ------+=====+------ 1      the same sums, to the last bit
+            own goal
+"""
+
+from __future__ import annotations
+
+from math import cos, sin, sqrt, tan
+
+import numpy as np
+
+from soccer_env.belief.particles import OUTLIER, bounded, draw_seeing, move_particle
+from soccer_env.compiled import compiled
+from soccer_env.optics import camera_place, direction_of_pixel, image_height, image_width
+from soccer_env.percept_types import BLOBS, LANDMARKS
+from soccer_env.random_numbers import uniform
+from soccer_env.types import RobotStream
+
+PARTICLES = int(RobotStream.PARTICLES)
+HIDDEN = 2.0  # [sd2] like OUTLIER, for an end of a goal that lies between its posts: the rest may be hidden, assumed
+
+SIGHT = np.dtype(
+    [  # a landmark that is seen
+        ("x", "f8"),  # [m] team frame, where it stands
+        ("y", "f8"),  # [m]
+        ("ahead", "f8"),  # [1] robot frame, unit vector towards it
+        ("left", "f8"),  # [1]
+        ("far", "f8"),  # [m] range along the ground; 0: unknown
+    ]
+)
+
+GOAL_SIGHT = np.dtype(
+    [  # what is seen of a goal
+        ("seen", "i8"),
+        ("side", "f8"),  # -1 own goal, +1 the opponents'
+        ("left_ahead", "f8"),  # [1] robot frame, unit vector towards its left end
+        ("left_left", "f8"),  # [1]
+        ("left_cut", "i8"),  # 1: that end is at the image's border
+        ("right_ahead", "f8"),  # [1]
+        ("right_left", "f8"),  # [1]
+        ("right_cut", "i8"),
+    ]
+)
+
+LANDMARK_VIEW = np.dtype(
+    [
+        ("camera_x", "f8"),  # [m] robot frame
+        ("camera_y", "f8"),  # [m]
+        ("count", "i8"),  # landmarks seen
+        ("sights", SIGHT, (LANDMARKS,)),
+        ("goals", GOAL_SIGHT, (2,)),
+    ]
+)
+
+
+@compiled
+def look_at_landmarks(percept, view, k, s, w):
+    """Fill in what is seen of landmarks and goals; return how many numbers it gives to weigh poses by.
+
+    Nothing if the robot lies on its side. A landmark cut at a side of the image is left out; one cut above or below
+    gives no range.
+    """
+    view.count = 0
+    view.goals[0].seen = view.goals[1].seen = 0
+    if percept.body.upright == 0:
+        return 0
+    pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
+    view.camera_x, view.camera_y, _ = camera_place(pan, tilt, s)
+    edge, top = 0.5 * image_width(s) - 1.0, 0.5 * image_height(s) - 1.0
+    numbers = 0
+    for i in range(LANDMARKS):
+        which = i if percept.body.handedness >= 0.0 else i ^ 1
+        blob = percept.landmarks[which]
+        if blob.area > 0 and blob.left < edge and blob.right > -edge:
+            sight = view.sights[view.count]
+            sight.x = 0.5 * k.pitch_length * (which // 2 - 1)
+            sight.y = 0.5 * k.pitch_width * (1 - 2 * (which % 2))
+            numbers += read_landmark(blob, sight, blob.high < top and blob.low > -top, pan, tilt, s)
+            view.count += 1
+    numbers += read_goal(percept.own_goal, view.goals[0], -1.0, edge, pan, tilt, s)
+    numbers += read_goal(percept.opponent_goal, view.goals[1], 1.0, edge, pan, tilt, s)
+    return numbers
+
+
+@compiled
+def read_landmark(blob, sight, whole, pan, tilt, s):
+    """Fill in direction and range of a landmark; return how many numbers that are.
+
+    The range is that at which the known height fills the angle between the blob's upper and lower edge.
+    """
+    middle = 0.5 * (blob.left + blob.right)
+    bearing, high = direction_of_pixel(middle, np.float64(blob.high), pan, tilt, s)
+    _, low = direction_of_pixel(middle, np.float64(blob.low), pan, tilt, s)
+    sight.ahead, sight.left, sight.far = cos(bearing), sin(bearing), 0.0
+    rise = tan(high) - tan(low)
+    if not whole or rise < 1e-6:
+        return 1
+    sight.far = (s.landmark_high - s.landmark_low) / rise
+    return 2
+
+
+@compiled
+def read_goal(blobs, goal, side, edge, pan, tilt, s):
+    """Fill in the directions of the ends of what is seen of a goal, in one piece or more; return how many are whole."""
+    left, right, height = -10_000, 10_000, 0.0
+    for i in range(BLOBS):
+        blob = blobs[i]
+        if blob.area > 0:
+            if blob.left > left:
+                left = int(blob.left)
+            if blob.right < right:
+                right = int(blob.right)
+            if goal.seen == 0:  # the largest comes first
+                height = 0.5 * (blob.high + blob.low)
+            goal.seen = 1
+    if goal.seen == 0:
+        return 0
+    goal.side = side
+    goal.left_cut, goal.right_cut = left >= edge, right <= -edge
+    bearing, _ = direction_of_pixel(np.float64(left), height, pan, tilt, s)
+    goal.left_ahead, goal.left_left = cos(bearing), sin(bearing)
+    bearing, _ = direction_of_pixel(np.float64(right), height, pan, tilt, s)
+    goal.right_ahead, goal.right_left = cos(bearing), sin(bearing)
+    return 2
+
+
+@compiled
+def weigh_by_landmarks(particles, view, motion, noise, hand, k, w):
+    """Move all particles and give each the cost of what is seen, in place of its weight.  MH08"""
+    half_length, half_width = 0.5 * k.pitch_length, 0.5 * k.pitch_width
+    for i in range(particles.shape[0]):
+        particle = particles[i]
+        x, y, cosine, sine = move_particle(particle, motion, half_length, half_width, noise, hand)
+        x, y = x + cosine * view.camera_x - sine * view.camera_y, y + sine * view.camera_x + cosine * view.camera_y
+        cost = 0.0
+        for j in range(view.count):
+            cost += landmark_cost(view.sights[j], x, y, cosine, sine, w)
+        for j in range(2):
+            if view.goals[j].seen == 1:
+                cost += goal_cost(view.goals[j], x, y, cosine, sine, hand, k, w)
+        particle.weight = cost
+
+
+@compiled
+def landmark_cost(sight, x, y, cosine, sine, w):
+    """Return what bearing and range of a landmark cost a camera at x, y in a body with this heading."""
+    ahead, left, far = in_robot_frame(sight.x - x, sight.y - y, cosine, sine)
+    miss = 2.0 - 2.0 * (ahead * sight.ahead + left * sight.left)  # square of the chord [rad2]
+    cost = bounded(max(miss, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise), OUTLIER)
+    if sight.far > 0.0:
+        miss = (sight.far / far - 1.0) / w.pose_range_noise
+        cost += bounded(miss * miss, OUTLIER)
+    return cost
+
+
+@compiled
+def goal_cost(goal, x, y, cosine, sine, hand, k, w):
+    """Return what the ends of a goal cost a camera at x, y in a body with this heading."""
+    across = goal.side * 0.5 * k.pitch_goal_width  # the left post as seen from the field
+    along = goal.side * 0.5 * k.pitch_length - x
+    ahead, left, _ = in_robot_frame(along, across - y, cosine, sine)
+    at_left = end_cost(ahead, left, goal.left_ahead, goal.left_left, goal.left_cut, 1.0, w)
+    ahead, left, _ = in_robot_frame(along, -across - y, cosine, sine)
+    at_right = end_cost(ahead, left, goal.right_ahead, goal.right_left, goal.right_cut, -1.0, w)
+    return at_left + at_right
+
+
+@compiled
+def end_cost(post_ahead, post_left, ahead, left, cut, outward, w):
+    """Return what an end of a goal in direction (ahead, left) costs, if its post lies in direction (post_ahead, ...).
+
+    Beyond the post, which is to the left for `outward` 1, nothing of the goal can be seen. Before it an end costs
+    little, as something may hide the rest, and none if the image's border cuts the goal there.
+    """
+    along = post_ahead * ahead + post_left * left
+    aside = outward * (post_ahead * left - post_left * ahead)
+    square = max(2.0 - 2.0 * along, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise)
+    if aside > 0.0 or along < 0.0:
+        return bounded(square, OUTLIER)
+    return 0.0 if cut == 1 else bounded(square, HIDDEN)
+
+
+@compiled
+def in_robot_frame(x, y, cosine, sine):
+    """Return the unit vector towards (x, y) [m] in the frame with this heading, and the distance [m]."""
+    far = max(sqrt(x * x + y * y), 1e-3)
+    return (cosine * x + sine * y) / far, (cosine * y - sine * x) / far, far
+
+
+@compiled
+def draw_from_landmark(particle, view, noise, hand, k, w):
+    """Draw a particle anew from one of the things that are seen.  MH08"""
+    things = view.count + view.goals[0].seen + view.goals[1].seen
+    which = int(things * uniform(noise, PARTICLES))
+    if which < view.count:
+        one = view.sights[which]
+        sight = (one.x, one.y, one.ahead, one.left, one.far, w.pose_range_noise, view.camera_x, view.camera_y)
+    else:
+        goal = view.goals[0] if view.goals[0].seen == 1 and which == view.count else view.goals[1]
+        ahead, left = goal.left_ahead + goal.right_ahead, goal.left_left + goal.right_left
+        x = 0.5 * goal.side * k.pitch_length
+        sight = (x, 0.0, ahead, left, 0.0, 0.0, view.camera_x, view.camera_y)
+    draw_seeing(particle, sight, 0.5 * k.pitch_length, 0.5 * k.pitch_width, noise, hand)

@@ -1,0 +1,231 @@
+"""Particles: many poses at which a robot may be, moved with it and kept where they fit what it sees.  MH08
+
+Monte-Carlo localisation [Fox, Burgard, Dellaert, Thrun 1999; Heinemann et al. 2006, 1, reference 2]:
+
+    move_particle -> weigh (landmarks.py, field_lines.py) -> estimate -> resample -> fresh particles from what is seen
+
+Two rules bring a robot back that was carried away: the share of fresh particles grows when what is seen fits worse than
+it used to [Gutmann, Fox 2002, augmented MCL], and fresh ones are drawn from what is seen [Lenser, Veloso 2000, sensor
+resetting]. Everything is in the team frame. A lateral draw is multiplied by `hand`, the handedness of the noise.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, exp, pi, sin, sqrt
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length, wrap
+from soccer_env.random_numbers import uniform
+from soccer_env.types import RobotStream
+
+PARTICLES = int(RobotStream.PARTICLES)
+TRIANGLE = sqrt(6.0)  # half base of the symmetric triangular distribution whose deviation is 1
+OUTLIER = 9.0  # [sd2] squared error at which a cost reaches half of what it can, assumed: three deviations
+REPLACED = 1.5  # [1] a cluster elsewhere must be heavier by this before the own pose jumps there, assumed
+SHARE_MOST = 0.5  # [1] largest share of fresh particles, assumed: what was believed keeps a chance
+
+PARTICLE = np.dtype(
+    [
+        ("x", "f4"),  # [m] team frame
+        ("y", "f4"),  # [m]
+        ("heading", "f4"),  # [rad]
+        ("weight", "f4"),  # [1]; while an update runs also the cost, then how often the particle is kept
+    ]
+)
+
+
+@compiled
+def draw(noise):
+    """Draw from the triangular distribution of mean 0 and deviation 1: cheap, and never far out."""
+    return TRIANGLE * (uniform(noise, PARTICLES) + uniform(noise, PARTICLES) - 1.0)
+
+
+@compiled
+def bounded(square, most):
+    """Return a cost that begins as half the squared error [sd2] and ends at half of `most`: an outlier costs no more.
+
+    Half of e2 / (1 + e2 / most), the shape of the error of [Lauer, Lange, Riedmiller 2006].
+    """
+    return 0.5 * square * most / (square + most)
+
+
+@compiled
+def place_particles(particles, own, spread, turn_spread, noise, hand):
+    """Put all particles round the own pose, with deviations [m] and [rad]."""
+    for i in range(particles.shape[0]):
+        particle = particles[i]
+        particle.x = own.x + spread * draw(noise)
+        particle.y = own.y + hand * spread * draw(noise)
+        particle.heading = wrap(own.heading + hand * turn_spread * draw(noise))
+        particle.weight = 1.0
+
+
+@compiled
+def scatter_particles(particles, half_length, half_width, noise, hand):
+    """Spread all particles evenly over the field: nothing is known."""
+    for i in range(particles.shape[0]):
+        scatter(particles[i], half_length, half_width, noise, hand)
+
+
+@compiled
+def scatter(particle, half_length, half_width, noise, hand):
+    """Put a particle anywhere on the field, facing anywhere."""
+    particle.x = half_length * (2.0 * uniform(noise, PARTICLES) - 1.0)
+    particle.y = hand * half_width * (2.0 * uniform(noise, PARTICLES) - 1.0)
+    particle.heading = hand * pi * (2.0 * uniform(noise, PARTICLES) - 1.0)
+    particle.weight = 1.0
+
+
+@compiled
+def move_particle(particle, motion, half_length, half_width, noise, hand):
+    """Move a particle by the robot's motion with noise; return its x, y, and the cosine and sine of its heading.
+
+    motion: ahead and left [m] in the axes at its end, turn [rad], the deviations of place [m] and heading [rad], and
+    the share of particles that stay behind: a robot that is held walks on the spot.
+    """
+    ahead, left, turn, spread, turn_spread, stuck = motion
+    if uniform(noise, PARTICLES) < stuck:
+        ahead = left = turn = 0.0
+    ahead += spread * draw(noise)
+    left += hand * spread * draw(noise)
+    heading = wrap(np.float64(particle.heading) + turn + hand * turn_spread * draw(noise))
+    cosine, sine = cos(heading), sin(heading)
+    x = clip(np.float64(particle.x) + cosine * ahead - sine * left, -half_length, half_length)
+    y = clip(np.float64(particle.y) + sine * ahead + cosine * left, -half_width, half_width)
+    particle.x, particle.y, particle.heading = x, y, heading
+    return x, y, cosine, sine
+
+
+@compiled
+def move_particles(particles, motion, half_length, half_width, noise, hand):
+    """Move all particles; nothing is seen by which they could be weighed."""
+    for i in range(particles.shape[0]):
+        move_particle(particles[i], motion, half_length, half_width, noise, hand)
+
+
+@compiled
+def weights_from_costs(particles):
+    """Turn costs into weights, 1 for the best; return their sum, the mean cost, and the number of the best particle."""
+    best = 0
+    summed = 0.0
+    for i in range(particles.shape[0]):
+        summed += np.float64(particles[i].weight)
+        if particles[i].weight < particles[best].weight:
+            best = i
+    least = np.float64(particles[best].weight)
+    total = 0.0
+    for i in range(particles.shape[0]):
+        particles[i].weight = exp(least - np.float64(particles[i].weight))
+        total += np.float64(particles[i].weight)
+    return total, summed / particles.shape[0], best
+
+
+@compiled
+def share_of_fresh(memory, fit, w):
+    """Return the share of particles to draw anew, from a fit in (0, 1] of the particles to what is seen.
+
+    It rises as the short-term average of the fit falls below the long-term one, or below what a robot that knows where
+    it is can expect.  [Gutmann, Fox 2002; Lenser, Veloso 2000]
+    """
+    memory.fast += w.pose_fast * (fit - memory.fast)
+    memory.slow += w.pose_slow * (fit - memory.slow)
+    expected = max(memory.slow, w.pose_fit)
+    lost = 1.0 - memory.fast / max(expected, 1e-9)
+    return min(max(lost, w.pose_fresh), SHARE_MOST)
+
+
+@compiled
+def cluster_near(particles, x, y, heading, w):
+    """Return weight, mean x, y, heading and squared spread [m2] of the particles near a pose.
+
+    Near is within `pose_radius` [m] and `pose_angle` [rad]; without any the pose itself, weight and spread 0.
+    """
+    weight = along = across = turned = squares = 0.0
+    most = w.pose_radius * w.pose_radius
+    for i in range(particles.shape[0]):
+        particle = particles[i]
+        dx, dy = np.float64(particle.x) - x, np.float64(particle.y) - y
+        square = dx * dx + dy * dy
+        if square < most:
+            turn = wrap(np.float64(particle.heading) - heading)
+            if -w.pose_angle < turn < w.pose_angle:
+                one = np.float64(particle.weight)
+                weight += one
+                along += one * dx
+                across += one * dy
+                turned += one * turn
+                squares += one * square
+    share = 1.0 / max(weight, 1e-30)
+    along, across, turned = share * along, share * across, share * turned
+    spread = max(share * squares - along * along - across * across, 0.0)
+    return weight, x + along, y + across, wrap(heading + turned), spread
+
+
+@compiled
+def estimate(particles, own, best, w):
+    """Take the mean of the heaviest cluster as the own pose; return its weight and squared spread [m2].
+
+    The cluster round the pose that the robot believed in is left only for one that is clearly heavier: the mean of a
+    set with two clusters would lie at neither.
+    """
+    weight, x, y, heading, spread = cluster_near(particles, own.x, own.y, own.heading, w)
+    other = particles[best]
+    there = cluster_near(particles, np.float64(other.x), np.float64(other.y), np.float64(other.heading), w)
+    if there[0] > REPLACED * weight:
+        weight, x, y, heading, spread = there
+    weight, own.x, own.y, own.heading, spread = cluster_near(particles, x, y, heading, w)
+    return weight, spread
+
+
+@compiled
+def resample(particles, total, kept, noise):
+    """Keep `kept` particles, each as often as its weight deserves (systematic resampling); the others get weight 0.
+
+    In place: a particle that is kept stays where it is and its copies go to the places of those that are not. The
+    weights sum to `total`; those of particles that are kept are 1 afterwards.
+    """
+    step = total / max(kept, 1)
+    pointer = step * uniform(noise, PARTICLES)
+    reached = 0.0
+    used = 0
+    for i in range(particles.shape[0]):
+        reached += np.float64(particles[i].weight)
+        copies = 0
+        while used < kept and pointer < reached:
+            copies += 1
+            used += 1
+            pointer += step
+        particles[i].weight = copies
+    free = 0
+    for i in range(particles.shape[0]):
+        for _ in range(int(particles[i].weight) - 1):
+            while particles[free].weight > 0.0:
+                free += 1
+            copy, particle = particles[free], particles[i]
+            copy.x, copy.y, copy.heading, copy.weight = particle.x, particle.y, particle.heading, 1.0
+        particles[i].weight = min(particles[i].weight, np.float32(1.0))
+
+
+@compiled
+def draw_seeing(particle, sight, half_length, half_width, noise, hand):
+    """Draw a pose from which a known thing is seen as it is: at its bearing, and if that is known at its range.
+
+    sight: x, y of the thing [m], its direction as a unit vector of the robot frame, its range [m] (0 unknown), the
+    share of the range by which that errs, and x, y of the camera in the robot frame [m].
+    """
+    x, y, ahead, left, far, error, camera_x, camera_y = sight
+    at_x = half_length * (2.0 * uniform(noise, PARTICLES) - 1.0)
+    at_y = hand * half_width * (2.0 * uniform(noise, PARTICLES) - 1.0)
+    away_x, away_y = at_x - x, at_y - y
+    away = max(length(away_x, away_y), 1e-6)
+    if far > 0.0:  # on the circle round the thing, in a direction that leads into the field
+        scale = far * max(1.0 + error * draw(noise), 0.1) / away
+        at_x, at_y = x + scale * away_x, y + scale * away_y
+    heading = wrap(atan2(-away_y, -away_x) - atan2(left, ahead))
+    cosine, sine = cos(heading), sin(heading)
+    particle.x = clip(at_x - cosine * camera_x + sine * camera_y, -half_length, half_length)
+    particle.y = clip(at_y - sine * camera_x - cosine * camera_y, -half_width, half_width)
+    particle.heading = heading
+    particle.weight = 1.0
