@@ -151,8 +151,8 @@ def remember_sighting(memory, x, y, frame, w):
     newest.x, newest.y, newest.frame = x, y, frame
     ahead = left = 0.0
     for i in range(count):
-        ahead += memory.recent[i].x
-        left += memory.recent[i].y
+        ahead += np.float64(memory.recent[i].x)
+        left += np.float64(memory.recent[i].y)
     memory.filtered_x, memory.filtered_y = ahead / count, left / count
     memory.x, memory.y, memory.count = x, y, count
     memory.known, memory.seen = 1, frame

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from soccer_env.belief.odometry import move_point, move_vector
+from soccer_env.belief.odometry import move_point, turn_axes
 
 
 def test_a_step_ahead_brings_a_thing_nearer() -> None:
@@ -41,4 +41,4 @@ def test_a_mirrored_motion_moves_a_mirrored_point_to_the_mirrored_place() -> Non
 
 
 def test_a_velocity_turns_with_the_axes_alone() -> None:
-    assert move_vector(1.0, 0.0, math.pi / 2) == pytest.approx((0.0, -1.0), abs=1e-15)
+    assert turn_axes(1.0, 0.0, math.cos(math.pi / 2), math.sin(math.pi / 2)) == pytest.approx((0.0, -1.0), abs=1e-15)
