@@ -42,9 +42,15 @@ def count_steps(robot, body, k, s):
     over the ground during a step, so that the walk is the displacement in the axes of the last frame. Errors are in
     proportion to what is measured; factors look the same in a mirror, so that handedness has no part in them.
     """
-    body.forward = robot.walk.forward * k.dt * (1.0 + s.odometry_noise * normal(robot.noise, ODOMETRY))
-    body.left = robot.walk.left * k.dt * (1.0 + s.odometry_noise * normal(robot.noise, ODOMETRY))
-    body.turn = robot.walk.turn * k.dt * (1.0 + s.odometry_noise * normal(robot.noise, ODOMETRY))
+    body.forward = measured(robot.walk.forward * k.dt, robot.noise, s)
+    body.left = measured(robot.walk.left * k.dt, robot.noise, s)
+    body.turn = measured(robot.walk.turn * k.dt, robot.noise, s)
+
+
+@compiled
+def measured(step, noise, s):
+    """Return a step as the encoders of legs or wheels measure it; what stands still is known to stand still."""
+    return 0.0 if step == 0.0 else step * (1.0 + s.odometry_noise * normal(noise, ODOMETRY))
 
 
 @compiled

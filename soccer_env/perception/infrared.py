@@ -1,11 +1,139 @@
-"""The infrared ranger on the camera's axis."""
+"""The infrared ranger on the camera's axis: it measures whatever its beam meets first.  [Sacks 2001, 1, 2]  MS05, MS06
+
+The beam is a ray. A robot is a trunk, a head and four legs: its trunk spans the hull, its legs are posts as thick as
+the paws, at the shoulders' width, between which a beam passes. The own body is never in the way.
+"""
 
 from __future__ import annotations
 
+from math import cos, inf, sin, sqrt
+
 from soccer_env.compiled import compiled
+from soccer_env.optics import camera_place
+from soccer_env.perception.solids import reach_boards, reach_box, reach_carpet, reach_post, reach_sphere
+from soccer_env.random_numbers import normal
+from soccer_env.types import RobotStream
+
+INFRARED = int(RobotStream.INFRARED)
+LAW_AT = 0.4  # [m] distance at which s.infrared_growth is the error
 
 
 @compiled
 def measure_range(match, ball, robots, k, s, r):
-    """Return the range along the camera's axis [m], 0 if there is no valid reading."""
-    return 0.0
+    """Return the range along the camera's axis [m]; 0 if there is no valid reading.  MS05
+
+    Readings below s.infrared_near or above s.infrared_far are discarded.  [Sacks 2001, 2]
+    """
+    robot = robots[r]
+    if robot.active == 0:
+        return 0.0
+    lateral = s.infrared_pointing * match.handedness * normal(robot.noise, INFRARED)
+    vertical = s.infrared_pointing * normal(robot.noise, INFRARED)
+    error = normal(robot.noise, INFRARED)
+    distance = trace_beam(ball, robots, k, s, r, lateral, vertical)
+    if distance == inf:
+        return 0.0
+    reading = distance + range_error(distance, s) * error
+    return reading if s.infrared_near <= reading <= s.infrared_far else 0.0
+
+
+@compiled
+def range_error(distance, s):
+    """Return the standard deviation of a reading at a distance [m]: sqrt(a^2 + (b (d / 0.4 m)^p)^2).
+
+    Beyond the far end of the window it grows no further, so that what is far outside never reads as near.
+    """
+    grown = s.infrared_growth * (min(distance, s.infrared_far) / LAW_AT) ** s.infrared_power
+    return sqrt(s.infrared_noise * s.infrared_noise + grown * grown)
+
+
+@compiled
+def trace_beam(ball, robots, k, s, r, lateral, vertical):
+    """Return how far the beam travels [m], inf for ever; it points aside by `lateral` and up by `vertical` [rad]."""
+    robot = robots[r]
+    x, y, z = camera_place(robot.pan, robot.tilt, s)
+    dx, dy, dz = beam_direction(robot.pan, robot.tilt, lateral, vertical)
+    cosine, sine = cos(robot.heading), sin(robot.heading)
+    x, y = robot.x + cosine * x - sine * y, robot.y + sine * x + cosine * y
+    dx, dy = cosine * dx - sine * dy, sine * dx + cosine * dy
+    nearest = min(reach_carpet(z, dz), reach_boards(x, y, z, dx, dy, dz, k, s))
+    nearest = min(nearest, reach_sphere(x - ball.x, y - ball.y, z - k.ball_radius, dx, dy, dz, k.ball_radius))
+    level = max(sqrt(dx * dx + dy * dy), 1e-9)
+    extent = robot_extent(k, s)
+    for other in range(robots.shape[0]):
+        if other == r or robots[other].active == 0:
+            continue
+        to_x, to_y = robots[other].x - x, robots[other].y - y
+        ahead, aside = to_x * dx + to_y * dy, to_x * dy - to_y * dx
+        if abs(aside) > extent * level or ahead < -extent * level or ahead > (nearest * level + extent) * level:
+            continue  # passes by on one side, lies behind, or farther than what is met already
+        nearest = min(nearest, reach_robot(-to_x, -to_y, z, dx, dy, dz, robots[other], k, s))
+    return nearest
+
+
+@compiled
+def beam_direction(pan, tilt, lateral, vertical):
+    """Return the unit vector of the beam, robot frame: the optical axis turned aside and up by small angles [rad]."""
+    ahead, up = cos(tilt) - vertical * sin(tilt), sin(tilt) + vertical * cos(tilt)
+    scale = 1.0 / sqrt(1.0 + lateral * lateral + vertical * vertical)
+    cosine, sine = cos(pan), sin(pan)
+    return scale * (ahead * cosine - lateral * sine), scale * (ahead * sine + lateral * cosine), scale * up
+
+
+@compiled
+def robot_extent(k, s):
+    """Return a distance from a robot's middle beyond which there is nothing of it [m]."""
+    return max(k.body_reach, s.neck_ahead + s.camera_ahead + s.camera_up + s.head_size)
+
+
+@compiled
+def reach_robot(x, y, z, dx, dy, dz, other, k, s):
+    """Return the distance to a robot [m]; the ray starts at x, y beside it, in the axes of the field."""
+    cosine, sine = cos(other.heading), sin(other.heading)
+    x, y = cosine * x + sine * y, cosine * y - sine * x
+    dx, dy = cosine * dx + sine * dy, cosine * dy - sine * dx
+    back, front, half_width = hull_edges(k)
+    middle, half_length = 0.5 * (front + back), 0.5 * (front - back)
+    half_height = 0.5 * (s.trunk_height - s.trunk_low)
+    high = z - s.trunk_low - half_height
+    trunk = reach_box(x - middle, y, high, dx, dy, dz, half_length, half_width, half_height)
+    head = reach_head(x, y, z, dx, dy, dz, other, s)
+    return min(trunk, head, reach_legs(x, y, z, dx, dy, dz, back, k, s))
+
+
+@compiled
+def reach_head(x, y, z, dx, dy, dz, other, s):
+    """Return the distance to a robot's head [m], robot frame: a cube behind the camera, its edges along the body's."""
+    half = 0.5 * s.head_size
+    forward = (s.camera_ahead - half) * cos(other.tilt) - s.camera_up * sin(other.tilt)
+    height = s.neck_height + s.camera_up * cos(other.tilt) + (s.camera_ahead - half) * sin(other.tilt)
+    ahead, left = s.neck_ahead + forward * cos(other.pan), forward * sin(other.pan)
+    return reach_box(x - ahead, y - left, z - height, dx, dy, dz, half, half, half)
+
+
+@compiled
+def reach_legs(x, y, z, dx, dy, dz, back, k, s):
+    """Return the distance to the nearest of a robot's four legs below the trunk [m], robot frame."""
+    hind, left, radius = back + k.body_tip_radius, k.body_tip_y, k.body_tip_radius
+    fore = min(
+        reach_post(x - k.body_tip_x, y - left, z, dx, dy, dz, radius, s.trunk_low),
+        reach_post(x - k.body_tip_x, y + left, z, dx, dy, dz, radius, s.trunk_low),
+    )
+    return min(
+        fore,
+        reach_post(x - hind, y - left, z, dx, dy, dz, radius, s.trunk_low),
+        reach_post(x - hind, y + left, z, dx, dy, dz, radius, s.trunk_low),
+    )
+
+
+@compiled
+def hull_edges(k):
+    """Return where the rectangle round a robot's hull ends: behind, ahead, and half its width [m], robot frame."""
+    if k.corners == 0:
+        return k.body_disc_x - k.body_disc_radius, k.body_disc_x + k.body_disc_radius, k.body_disc_radius
+    back = front = k.corner_x[0]
+    half_width = abs(k.corner_y[0])
+    for i in range(1, k.corners):
+        back, front = min(back, k.corner_x[i]), max(front, k.corner_x[i])
+        half_width = max(half_width, abs(k.corner_y[i]))
+    return back, front, half_width

@@ -1,0 +1,91 @@
+"""How far a ray travels before it meets something: a ball, a box, a post, the boards, the carpet.
+
+A ray starts at x, y, z [m] and goes along the unit vector dx, dy, dz; a distance is inf for a miss and 0 from within.
+"""
+
+from __future__ import annotations
+
+from math import inf, sqrt
+
+from soccer_env.compiled import compiled
+
+LEAST = 1e-12  # [1] smallest component of a direction that is divided by
+
+
+@compiled
+def steep(component):
+    """Return a component of a direction that can be divided by, of the same sign."""
+    if -LEAST < component < LEAST:
+        return -LEAST if component < 0.0 else LEAST
+    return component
+
+
+@compiled
+def reach_sphere(x, y, z, dx, dy, dz, radius):
+    """Return the distance to a sphere about the origin [m]."""
+    outside = x * x + y * y + z * z - radius * radius
+    if outside <= 0.0:
+        return 0.0
+    along = -(x * dx + y * dy + z * dz)  # to the point of the ray that is nearest to the centre
+    inside = along * along - outside
+    if along <= 0.0 or inside < 0.0:
+        return inf
+    return max(along - sqrt(inside), 0.0)
+
+
+@compiled
+def reach_box(x, y, z, dx, dy, dz, half_length, half_width, half_height):
+    """Return the distance to a box about the origin with its edges along the axes [m]."""
+    dx, dy, dz = steep(dx), steep(dy), steep(dz)
+    # Where the ray enters and leaves each of the three slabs whose common part is the box.
+    x_reach, y_reach, z_reach = half_length / abs(dx), half_width / abs(dy), half_height / abs(dz)
+    enter = max(-x / dx - x_reach, -y / dy - y_reach, -z / dz - z_reach)
+    leave = min(-x / dx + x_reach, -y / dy + y_reach, -z / dz + z_reach)
+    return inf if leave < max(enter, 0.0) else max(enter, 0.0)
+
+
+@compiled
+def reach_post(x, y, z, dx, dy, dz, radius, height):
+    """Return the distance to an upright cylinder of a height that stands on the origin [m], from the side or above."""
+    level = max(dx * dx + dy * dy, LEAST)
+    outside = x * x + y * y - radius * radius
+    along = -(x * dx + y * dy)
+    inside = along * along - level * outside
+    if inside < 0.0:
+        return inf
+    root, fall = sqrt(inside), steep(dz)
+    half = 0.5 * height / abs(fall)
+    middle = (0.5 * height - z) / fall
+    enter, leave = max((along - root) / level, middle - half), min((along + root) / level, middle + half)
+    return inf if leave < max(enter, 0.0) else max(enter, 0.0)
+
+
+@compiled
+def reach_carpet(z, dz):
+    """Return the distance to the ground [m]."""
+    return max(z, 0.0) / -dz if dz < -LEAST else inf
+
+
+@compiled
+def reach_boards(x, y, z, dx, dy, dz, k, s):
+    """Return the distance to the boards of a walled pitch, or to the back or a side of a goal [m], from within.
+
+    Boards are s.board_height high, goals s.goal_height; a pitch without boards has goals alone.
+    """
+    dx, dy = steep(dx), steep(dy)
+    end = (0.5 * k.pitch_length - (x if dx > 0.0 else -x)) / abs(dx)  # to the goal line ahead
+    side = (0.5 * k.pitch_width - (y if dy > 0.0 else -y)) / abs(dy)  # to the touchline ahead
+    if k.walled == 1 and side <= end:
+        return low_enough(side, z + side * dz, s.board_height)
+    if abs(y + max(end, 0.0) * dy) > 0.5 * k.pitch_goal_width:
+        return low_enough(end, z + end * dz, s.board_height) if k.walled == 1 else inf
+    back = end + k.pitch_goal_depth / abs(dx)
+    net = (0.5 * k.pitch_goal_width - (y if dy > 0.0 else -y)) / abs(dy)
+    distance = min(back, net)
+    return low_enough(distance, z + distance * dz, s.goal_height)
+
+
+@compiled
+def low_enough(distance, height, most):
+    """Return the distance if it lies ahead and the ray is then between the ground and a height, else inf."""
+    return distance if distance >= 0.0 and 0.0 <= height <= most else inf
