@@ -1,13 +1,25 @@
-"""The world model of a middle-size robot: tracked ball and players, own pose, radio.  [Heinemann et al. 2006, 1]"""
+"""The world model of a middle-size robot: ball, players, own pose, radio.  [Heinemann et al. 2006, 1]  MH06"""
 
 from __future__ import annotations
 
 import numpy as np
 
-from soccer_env.belief.own_pose import POSE_MEMORY
-from soccer_env.compiled import compiled
+from soccer_env.belief.omni_ball import BALL_MEMORY, believe_ball
+from soccer_env.belief.omni_players import READING, SLOTS, believe_players, forget
+from soccer_env.belief.own_pose import POSE_MEMORY, believe_pose_omni
+from soccer_env.belief.tracking import DELAYS, FILTER, MOTION, note_motion
+from soccer_env.compiled import compiled, records
+from soccer_env.percept_types import OTHERS, POSE_TOLD
+from soccer_env.types import TRACK
 
-OMNI_MEMORY = np.dtype([("pose", POSE_MEMORY)])
+OMNI_MEMORY = np.dtype(
+    [
+        ("ball", BALL_MEMORY),
+        ("pose", POSE_MEMORY),
+        ("motions", MOTION, (DELAYS,)),  # odometry of the last frames, a ring by frame
+        ("players", FILTER, (SLOTS,)),  # what goes with the tracks
+    ]
+)
 
 
 @compiled
@@ -15,4 +27,47 @@ def believe_slice(
     percepts, beliefs, tracks, memories, particles, messages, noise, gazes,
     constants, sensors, settings, tables, home, rows, first, last,
 ):  # fmt: skip
-    """Bring beliefs (M, R) and tracks (M, R, slots) of some robots up to their percepts, in a slice of matches."""
+    """Bring beliefs (M, R) and tracks (M, R, slots) of some robots up to their percepts, in a slice of matches.
+
+    memories (M, R), particles (M, R, N) and messages (M, R) are theirs; noise (M, R, streams) are the robots' own;
+    rows below `home` are team-mates of each other, as are those from it on. There is no head to turn.
+    """
+    k, s, w, table = constants[0], sensors[0], settings[0], tables[0]
+    room = records(OTHERS, READING), records(1, TRACK), records(1, FILTER)
+    for m in range(first, last):
+        for r in rows:
+            percept, belief, memory = percepts[m, r], beliefs[m, r], memories[m, r]
+            believe_pose_omni(percept, belief.own, memory.pose, particles[m, r], noise[m, r], k, s, w, table)
+            track_things(percept, belief, tracks[m, r], memory, room, k, s, w)
+
+
+@compiled
+def track_things(percept, belief, tracks, memory, room, k, s, w):
+    """Bring ball and players up to the percept; who is put somewhere else and told so begins anew.  MH06"""
+    note_motion(memory.motions, percept.body)
+    if percept.body.pose == POSE_TOLD:
+        forget_things(memory, tracks)
+    frames = picture_age(percept, k, w)
+    believe_ball(percept, belief.own, belief.ball, memory.ball, memory.motions, frames, k, s, w)
+    believe_players(percept, tracks, memory.players, memory.motions, frames, room, k, s, w)
+
+
+@compiled
+def picture_age(percept, k, w):
+    """Return how many frames old the picture counts as: 0 if delay is not compensated."""
+    if w.delay_compensation == 0:
+        return 0
+    return min(int(np.float64(percept.age) / k.dt + 0.5), DELAYS)
+
+
+@compiled
+def forget_things(memory, tracks):
+    """Forget the ball and all players."""
+    ball = memory.ball
+    ball.x = ball.y = ball.vx = ball.vy = 0.0
+    ball.raw_x = ball.raw_y = ball.odd_x = ball.odd_y = 0.0
+    ball.age = ball.confidence = 0.0
+    ball.filter.readings = ball.filter.surprises = 0
+    for slot in range(tracks.shape[0]):
+        forget(tracks[slot])
+        memory.players[slot].readings = memory.players[slot].surprises = 0

@@ -28,7 +28,7 @@ FOOT = 0.0  # [m] height of what is read where it touches the ground
 @compiled
 def to_pixel(place):
     """Return the whole pixel nearest to a place in the image [px], the same on both sides of its centre."""
-    return floor(place + 0.5) if place >= 0.0 else -floor(0.5 - place)
+    return 1.0 * floor(place + 0.5) if place >= 0.0 else -1.0 * floor(0.5 - place)
 
 
 @compiled
@@ -45,7 +45,8 @@ def find(sighting, distance, bearing, farthest, s, noise, handedness):
     error = s.pixel_noise * sqrt(-2.0 * log(1.0 - uniform(noise, CAMERA)))  # Box-Muller: two normal draws from two
     turn = 2.0 * pi * uniform(noise, CAMERA)
     ahead = to_pixel(radius * cos(bearing) + error * cos(turn))
-    left = to_pixel(radius * sin(bearing) + handedness * error * sin(turn))
+    # Straight behind is half a turn to either side: to the left, or in a mirrored match to the right.
+    left = handedness * to_pixel(handedness * radius * sin(bearing) + error * sin(turn))
     radius = length(ahead, left)
     if radius > farthest:
         return False
