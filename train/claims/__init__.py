@@ -23,7 +23,15 @@ from importlib import import_module
 
 from soccer_env.train.claims.claim import Claim
 
-MODULES: tuple[str, ...] = ("ball_range", "ball_filter", "ball_velocity", "ball_gap", "ball_memory")
+MODULES: tuple[str, ...] = (
+    "ball_range",
+    "ball_occlusion",
+    "ball_in_play",
+    "ball_memory",
+    "ball_filter",
+    "ball_velocity",
+    "ball_gap",
+)
 
 
 def all_claims() -> dict[str, Claim]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import ceil
 from typing import Any
 
 import numpy as np
@@ -88,15 +87,16 @@ def readings_at_60(batch: Batch, **settings: Any) -> Samples:
 
 def series_of_readings(batch: Batch) -> Samples:
     """Return means of the first 1 to 9 readings (M, 9) [m/s], of robots that walk in from 60 cm and of stuck ones."""
-    every = ceil(READING / find_league(LEGGED).dt)  # control steps from one reading to the next
-    seconds = READINGS * every * find_league(LEGGED).dt
-    start = np.full(MATCHES, PLACE + TOP_SPEED * (SETTLE + READING))
+    dt = find_league(LEGGED).dt
+    seconds = READINGS * READING
+    times = SETTLE + dt * np.arange(1, round(seconds / dt) + 1)
+    period = np.floor(times / READING + 1e-6)
+    last = np.flatnonzero(np.diff(period, append=period[-1] + 1))[:READINGS]  # the last frame of each reading
+    start = np.full(MATCHES, PLACE + TOP_SPEED * (SETTLE - 0.5 * READING))  # about 60 cm at the first reading
     free = walk_to_ball(batch, start, seconds, stuck=False)["radial"]
     stuck = walk_to_ball(batch, batch.rng(1).uniform(NEAREST, PLACE, MATCHES), seconds, stuck=True)["radial"]
-    counts = np.arange(1, READINGS + 1)
-    means = {
-        name: np.cumsum(x[:, every - 1 :: every], axis=1) / counts for name, x in (("free", free), ("stuck", stuck))
-    }
+    counts = np.arange(1, len(last) + 1)
+    means = {name: np.cumsum(x[:, last], axis=1) / counts for name, x in (("free", free), ("stuck", stuck))}
     wrong = (means["free"] >= HALF_WAY).astype(float) + (means["stuck"] < HALF_WAY)
     return {**means, "wrong": wrong, "wrong at last": wrong[:, -1], "judged": np.full(MATCHES, 2.0)}
 

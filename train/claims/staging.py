@@ -54,6 +54,14 @@ def stage(
     return match
 
 
+def kick_off(
+    batch: Batch, league: str | League = LEGGED, *, matches: int = 32, team: str = "chaser", **settings: Any
+) -> Match:
+    """Return matches of the league's own team sizes from the kick-off, both sides played by a team on its sensors."""
+    asked = {"senses": "sensors", "controllers": {"home": team, "away": team}, **settings}
+    return Match(find_league(league), matches=matches, seeds=batch.seeds(matches), threads=batch.threads, **asked)
+
+
 def put(match: Match, r: int, x: Any, y: Any, heading: Any = 0.0, forward: Any = 0.0, left: Any = 0.0) -> None:
     """Put robot r of every match somewhere [m, rad, field frame], already walking [m/s, robot frame]."""
     robots = match.robots
@@ -95,7 +103,7 @@ def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Ite
 
     Actions (M, R, 4 or 7) may be changed between steps.
     """
-    numbers = standing(match) if actions is None else actions
+    numbers = standing(match) if actions is None and match.learns.any() else actions
     for step in range(round(seconds * match.league.control_rate)):
         match.step(numbers)
         yield step
