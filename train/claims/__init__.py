@@ -31,6 +31,7 @@ MODULES: tuple[str, ...] = (
     "ball_filter",
     "ball_velocity",
     "ball_gap",
+    "sensors",
 )
 
 

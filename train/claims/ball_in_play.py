@@ -113,7 +113,7 @@ S11 = Claim(
     statement="Sudden jumps to much larger distances come from small orange patches seen when the ball is lost; a test "
     "of height and a larger area threshold after near sightings fix them.",
     method=f"{WATCHED} matches a batch of {TIME:g} s in which a robot runs after a ball that three opponents play, "
-    "with orange patches round the field and on red stickers; jumps: more than 50 cm farther in a frame, to a place more "
+    "with orange patches round the field and on red stickers; jumps: over 50 cm farther in a frame, to a place more "
     "than 50 cm wrong; the same play with the two rules and without.",
     criteria=(
         measured(
