@@ -113,7 +113,7 @@ class OmniMemory(Options):
     pose_slip: float = 0.05  # [1] of a motion: sd of what a particle adds to it, twice the wheels' slip, assumed
     pose_stuck: float = 0.02  # [1] share of particles that stay behind: a held robot walks on the spot, assumed
     pose_drift: float = 0.10  # [m/s^0.5] sd that time adds: pushes are not felt, assumed
-    pose_turn_drift: float = 0.10  # [rad/s^0.5] the same
+    pose_turn_drift: float = 0.05  # [rad/s^0.5] the same
     pose_radius: float = 0.60  # [m] within which particles are one cluster, assumed
     pose_angle: float = 0.50  # [rad] the same
     pose_fast: float = 0.2  # [1] weight of the newest fit in its short-term average, assumed

@@ -1,0 +1,137 @@
+"""What poses cost whose white lines and goals lie elsewhere than the robot sees them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from soccer_env.belief import field_lines as kernels
+from soccer_env.belief.field_lines import LINE_VIEW
+from soccer_env.belief.particles import PARTICLE
+from soccer_env.leagues import find_league
+from soccer_env.percept_types import OMNI_PERCEPT
+from soccer_env.perception.omni import line_tables, sense_slice
+from soccer_env.random_numbers import start_streams
+from soccer_env.types import BALL, BELIEF, MATCH, NOISE_STREAMS, OWN_POSE, ROBOT, ROBOT_EVENTS
+
+LEAGUE = find_league("middle-size-2006")
+SENSORS = LEAGUE.sensors.changed({"line_miss": 0.0, "goal_miss": 0.0, "camera_delay": 0})
+K, S, W, TABLES = LEAGUE.constants(), SENSORS.record(), LEAGUE.memory.record(), line_tables(LEAGUE)
+STAND_STILL = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+POSES = [(3.0, 2.0, 0.4), (-4.5, -1.0, 2.0), (0.5, -3.0, -2.8), (5.0, 3.3, 1.0)]
+
+
+def seen_from(x: float, y: float, heading: float) -> np.ndarray:
+    """Return the percept of a robot in the team frame that misses nothing."""
+    matches, robots, percepts = np.zeros(1, MATCH), np.zeros((1, 1), ROBOT), np.zeros((1, 1), OMNI_PERCEPT)
+    matches["home_direction"] = matches["handedness"] = 1.0
+    robots["x"], robots["y"], robots["heading"], robots["active"] = x, y, heading, 1
+    pending, events, beliefs = (
+        np.zeros((1, 1, 0), OMNI_PERCEPT),
+        np.zeros((1, 1), ROBOT_EVENTS),
+        np.zeros((1, 1), BELIEF),
+    )
+    sense_slice(
+        matches, np.zeros(1, BALL), robots, events, percepts, pending, beliefs, K, S, 0, np.zeros(1, np.int64), 0, 1
+    )
+    return percepts[:, 0]
+
+
+def look(percepts: np.ndarray, settings: np.ndarray = W, **own: float) -> tuple[np.ndarray, int]:
+    view, pose = np.zeros(1, LINE_VIEW), np.zeros(1, OWN_POSE)
+    for name, value in own.items():
+        pose[name] = value
+    return view, kernels.look_at_lines(percepts[0], pose[0], view[0], K[0], S[0], settings[0])
+
+
+def cost_at(percepts: np.ndarray, x: float, y: float, heading: float) -> float:
+    """Return what a pose costs."""
+    view, _ = look(percepts)
+    particles, noise = np.zeros(1, PARTICLE), np.zeros(NOISE_STREAMS, np.uint64)
+    particles["x"], particles["y"], particles["heading"] = x, y, heading
+    kernels.weigh_by_lines(particles, view[0], STAND_STILL, 6.5, 5.0, noise, 1.0, K[0], W[0], TABLES[0])
+    return float(particles["weight"][0])
+
+
+@pytest.mark.parametrize("pose", POSES)
+def test_mh08_the_true_pose_costs_next_to_nothing_and_others_more(pose: tuple[float, float, float]) -> None:
+    percepts, (x, y, heading) = seen_from(*pose), pose
+    _, seen = look(percepts)
+    assert seen >= 10
+    true = cost_at(percepts, *pose)
+    assert true < 0.1 * seen
+    for other in ((x + 0.5, y, heading), (x, y - 0.5, heading), (x, y, heading + 0.3), (x, y, heading + np.pi)):
+        assert cost_at(percepts, *other) > true + 2.0
+
+
+@pytest.mark.parametrize("pose", POSES)
+def test_mh08_goals_tell_a_pose_from_its_half_turn_which_lines_cannot(pose: tuple[float, float, float]) -> None:
+    percepts, turned = seen_from(*pose), (-pose[0], -pose[1], pose[2] + np.pi)
+    assert cost_at(percepts, *turned) > cost_at(percepts, *pose) + 6.0
+    percepts["own_goal"]["seen"] = percepts["opponent_goal"]["seen"] = 0
+    assert cost_at(percepts, *turned) == pytest.approx(cost_at(percepts, *pose), abs=0.01)
+
+
+def test_an_outlier_among_the_lines_costs_no_more_than_its_share() -> None:
+    percepts, pose = seen_from(*POSES[0]), POSES[0]
+    true = cost_at(percepts, *pose)
+    seen = np.flatnonzero(percepts["lines"][0])
+    percepts["lines"][0, seen[0]] = 0.5 * percepts["lines"][0, seen[0]]
+    assert cost_at(percepts, *pose) < true + 4.5
+
+
+def test_line_points_lie_where_the_directions_say_from_the_front_counter_clockwise() -> None:
+    percepts = seen_from(*POSES[0])
+    percepts["lines"] = 0.0
+    percepts["lines"][0, 6] = 2.0  # a quarter turn to the left, of 24 directions
+    view, _ = look(percepts)
+    point = view["points"][0, 0]
+    assert view["count"][0] == 1
+    assert (point["ahead"], point["left"]) == pytest.approx((0.0, 2.0), abs=1e-12)
+
+
+def test_what_an_old_picture_shows_is_moved_by_the_motion_since() -> None:
+    """At 2 m/s ahead and 3 rad/s, a line 2 m ahead is 1.96 m ahead 20 ms later, and 0.06 rad to the right."""
+    percepts = seen_from(*POSES[0])
+    percepts["lines"], percepts["age"] = 0.0, 0.02
+    percepts["lines"][0, 0] = 2.0
+    view, _ = look(percepts, forward=2.0, turn=3.0)
+    point = view["points"][0, 0]
+    assert np.hypot(point["ahead"], point["left"]) == pytest.approx(1.96, abs=1e-6)
+    assert np.arctan2(point["left"], point["ahead"]) == pytest.approx(-0.06, abs=1e-6)
+    raw, _ = look(percepts, replace(LEAGUE.memory, delay_compensation=False).record(), forward=2.0, turn=3.0)
+    assert raw["points"]["ahead"][0, 0] == 2.0
+
+
+def test_far_beyond_the_field_nothing_is_read_outside_the_table() -> None:
+    percepts = seen_from(*POSES[0])
+    percepts["lines"][0, :24] = 1e6
+    assert np.isfinite(cost_at(percepts, 6.5, 5.0, 0.0))
+
+
+def test_fresh_particles_see_the_goal_as_the_robot_sees_it() -> None:
+    percepts = seen_from(*POSES[0])
+    percepts["lines"], percepts["own_goal"]["seen"] = 0.0, 0
+    view, _ = look(percepts)
+    noise = np.zeros(NOISE_STREAMS, np.uint64)
+    start_streams(noise, 3, 0, 1)
+    costs = []
+    for _ in range(200):
+        particles = np.zeros(1, PARTICLE)
+        kernels.draw_from_goal(particles[0], view[0], 6.5, 5.0, noise, 1.0, W[0])
+        costs.append(cost_at(percepts, *(float(particles[name][0]) for name in ("x", "y", "heading"))))
+    assert np.median(costs) < 0.5  # the bearing fits exactly, the range within its noise
+
+
+def test_without_a_goal_fresh_particles_lie_anywhere_on_the_field() -> None:
+    percepts = seen_from(*POSES[0])
+    percepts["own_goal"]["seen"] = percepts["opponent_goal"]["seen"] = 0
+    view, _ = look(percepts)
+    noise = np.zeros(NOISE_STREAMS, np.uint64)
+    particles = np.zeros(500, PARTICLE)
+    for i in range(500):
+        kernels.draw_from_goal(particles[i], view[0], 6.5, 5.0, noise, 1.0, W[0])
+    assert abs(particles["x"]).max() <= 6.5 and abs(particles["y"]).max() <= 5.0
+    assert particles["x"].std() > 3.0 and particles["heading"].std() > 1.5
