@@ -2,13 +2,77 @@
 
 from __future__ import annotations
 
+from math import asin, atan2, cos, pi, sin, sqrt
+
 import numpy as np
 
+from soccer_env.belief.odometry import move_point
 from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
 
-HEAD_MEMORY = np.dtype([("unused", "f4")])
+DEGREE = pi / 180.0
+NEAR_TILT = -45.0 * DEGREE  # [rad] of a sweep over the ground at the robot's feet, 0.2 to 0.5 m away, assumed
+FAR_TILT = -10.0 * DEGREE  # [rad] of a sweep over the ground farther out, up to the horizon, assumed
+NEAR_BALL = 0.4  # [m] a ball believed nearer is searched for at the feet first, assumed
+LEAST = 1e-9  # [m]
+
+HEAD_MEMORY = np.dtype(
+    [
+        ("side", "f4"),  # 0: not searching; +1, -1: the first sweep of the cycle begins on the left, the right
+        ("clock", "f4"),  # [s] in the cycle of two sweeps, a near one and a far one
+    ]
+)
 
 
 @compiled
 def choose_gaze(percept, belief, memory, gaze, k, s, w):
-    """Choose pan and tilt for the next step."""
+    """Choose pan and tilt [rad] for the next step: at the believed ball, or in search of it.  [Sacks 2001, 3]  MS07
+
+    A ball that was seen less than w.search_after ago is looked at where it is believed to be in the next picture, if
+    the robot moves on as it did in the last frame: otherwise the head would lag behind a turning body.
+    """
+    ball = belief.ball
+    if ball.confidence > 0.0 and ball.age < w.search_after:
+        memory.side = 0.0
+        ahead, left = ball.distance * cos(ball.bearing), ball.distance * sin(ball.bearing)
+        ahead, left = move_point(ahead, left, percept.body.forward, percept.body.left, percept.body.turn)
+        pan, tilt = gaze_at_point(ahead, left, k.ball_radius, s)
+    else:
+        pan, tilt = search(ball, memory, percept.body.handedness, k, w)
+    gaze.pan = clip(pan, -k.head_pan_limit, k.head_pan_limit)
+    gaze.tilt = clip(tilt, k.head_tilt_low, k.head_tilt_high)
+
+
+@compiled
+def gaze_at_point(ahead, left, height, s):
+    """Return the pan and tilt [rad] that put a point in the robot's frame [m] at the image's centre.  MS07
+
+    The camera moves with the head: it looks along a line that passes the neck's pivot s.camera_up above it, so that
+    the tilt falls short of the point's elevation as seen from the pivot by asin(camera_up / distance).
+    """
+    ahead, up = ahead - s.neck_ahead, height - s.neck_height
+    level = length(ahead, left)
+    away = max(sqrt(level * level + up * up), LEAST)
+    return atan2(left, ahead), atan2(up, level) - asin(clip(s.camera_up / away, -1.0, 1.0))
+
+
+@compiled
+def search(ball, memory, handedness, k, w):
+    """Return the pan and tilt [rad] of a head in search: sweeps between the pan limits at two tilts in turn.  MS07
+
+    A sweep takes w.search_period. The first one begins on the side where the ball was believed last, low if it was
+    believed at the robot's feet.
+    """
+    period = max(w.search_period, k.dt)
+    if memory.side == 0.0:
+        side = ball.bearing if ball.bearing != 0.0 else handedness
+        near = ball.confidence > 0.0 and ball.distance < NEAR_BALL
+        memory.side = (1.0 if side > 0.0 else -1.0) * (1.0 if near else -1.0)
+        memory.clock = 0.0 if near else period  # the second sweep of a cycle is the far one, and runs the other way
+    near_sweep = memory.clock < period
+    share = memory.clock / period if near_sweep else memory.clock / period - 1.0
+    pan = memory.side * k.head_pan_limit * (1.0 - 2.0 * share) * (1.0 if near_sweep else -1.0)
+    memory.clock += k.dt
+    if memory.clock >= 2.0 * period:
+        memory.clock = 0.0
+    return pan, NEAR_TILT if near_sweep else FAR_TILT
