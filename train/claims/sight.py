@@ -54,16 +54,21 @@ def stare(match: Match, actions: np.ndarray, r: int = 0) -> None:
     actions[:, r, 6] = np.clip((tilt - middle) / span, -1.0, 1.0)
 
 
+BLIND = {"ball_miss": 1.0, "red_as_orange": 0.0, "false_balls": 0.0}  # of either league, where it has them
+
+
 def blind(match: Match) -> None:
-    """Let no frame show the ball any more, nor anything that looks like it, from now on."""
-    records_of(match)["ball_miss"] = 1.0
-    records_of(match)["red_as_orange"] = 0.0
+    """Let no frame show the ball any more, nor what robots take for it, from now on; patches are the caller's."""
+    for name, value in BLIND.items():
+        if hasattr(match.league.sensors, name):
+            records_of(match)[name] = value
 
 
 def see_again(match: Match) -> None:
     """End what `blind` did."""
-    for name in ("ball_miss", "red_as_orange"):
-        records_of(match)[name] = getattr(match.league.sensors, name)
+    for name in BLIND:
+        if hasattr(match.league.sensors, name):
+            records_of(match)[name] = getattr(match.league.sensors, name)
 
 
 def records_of(match: Match) -> np.ndarray:

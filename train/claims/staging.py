@@ -41,7 +41,7 @@ def stage(
 
     `settings` are those of a Match: sensors={...}, memory={...}, pose=... Every variant of a batch has the same seeds.
     """
-    asked = {"observe": "belief", "senses": "sensors", **settings}
+    asked = {"observe": "belief", "senses": "sensors", "pose": "particles", **settings}
     match = Match(
         neutral(league), matches=matches, home=home, away=away, seeds=batch.seeds(matches), threads=batch.threads,
         **asked,
@@ -58,7 +58,7 @@ def kick_off(
     batch: Batch, league: str | League = LEGGED, *, matches: int = 32, team: str = "chaser", **settings: Any
 ) -> Match:
     """Return matches of the league's own team sizes from the kick-off, both sides played by a team on its sensors."""
-    asked = {"senses": "sensors", "controllers": {"home": team, "away": team}, **settings}
+    asked = {"senses": "sensors", "pose": "particles", "controllers": {"home": team, "away": team}, **settings}
     return Match(find_league(league), matches=matches, seeds=batch.seeds(matches), threads=batch.threads, **asked)
 
 
