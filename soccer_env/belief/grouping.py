@@ -1,0 +1,105 @@
+"""From blobs of one jersey colour to players: which blobs belong together.  [Sacks 2001, 4.1.1, 4.1.2]  MS29, MS34
+
+A jersey is several stickers, so that two red blobs are one player or two. A blob belongs to the player of a larger
+blob if the two are closer than `grouping` times the size of the larger one:
+
+        +---+                  +-----+
+        | B |  - - gap - - -   |  A  |      B is part of A's player if gap < 3 x mean(width, height) of A
+        +---+                  +-----+
+
+The factor of three errs on the side of one player: it is better to miss a player that stands behind another than to
+see a ghost, which may take the memory slot of a player that is really there.
+
+The gap counts from middle to middle: vision delivers each blob's "size and position" (section 2), and the distance
+between two positions is the literal reading. Counted from edge to edge, more blobs would join at the same factor.
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.leagues.legged_sensors import PLAYER_BLOBS
+from soccer_env.percept_types import BLOBS
+
+COMBINED = PLAYER_BLOBS["combined"]
+SMALLEST = 1.0  # [px] a blob has a pixel at least, whatever its box says
+
+
+@compiled
+def size_of(blob):
+    """Return the size of a blob [px]: the mean of its width and height, linear in its dimensions.  MS29, footnote 6
+
+    Its area would fall with the square of the distance, while the gaps between a player's blobs do not.
+    """
+    width, height = int(blob.left) - int(blob.right), int(blob.high) - int(blob.low)
+    return max(0.5 * (width + height), SMALLEST)
+
+
+@compiled
+def is_larger(blobs, i, j):
+    """Tell whether blob i counts as larger than blob j: by size, then area, then as the vision orders them."""
+    one, other = size_of(blobs[i]), size_of(blobs[j])
+    if one != other:
+        return one > other
+    if blobs[i].area != blobs[j].area:
+        return blobs[i].area > blobs[j].area
+    return i < j
+
+
+@compiled
+def gap_between(one, other):
+    """Return the distance between the middles of two blobs [px]."""
+    aside = 0.5 * (int(one.left) + int(one.right) - int(other.left) - int(other.right))
+    above = 0.5 * (int(one.high) + int(one.low) - int(other.high) - int(other.low))
+    return length(aside, above)
+
+
+@compiled
+def largest_left(blobs, done):
+    """Return the index of the largest blob whose bit in `done` is not set, -1 if there is none."""
+    found = -1
+    for i in range(BLOBS):
+        if blobs[i].area > 0 and done & (1 << i) == 0 and (found < 0 or is_larger(blobs, i, found)):
+            found = i
+    return found
+
+
+@compiled
+def player_of(blobs, i, grouping):
+    """Return the index of the largest blob of the player that blob i is part of: i itself, if that is it.  MS29
+
+    A blob that is near another blob of a player belongs to that player.
+    """
+    larger = larger_nearby(blobs, i, grouping)
+    while larger >= 0:
+        i = larger
+        larger = larger_nearby(blobs, i, grouping)
+    return i
+
+
+@compiled
+def larger_nearby(blobs, i, grouping):
+    """Return the index of the largest of the blobs that are larger than blob i and near it, -1 without any.  MS29"""
+    found = -1
+    for j in range(BLOBS):
+        if blobs[j].area <= 0 or not is_larger(blobs, j, i) or (found >= 0 and not is_larger(blobs, j, found)):
+            continue
+        if gap_between(blobs[i], blobs[j]) < grouping * size_of(blobs[j]):
+            found = j
+    return found
+
+
+@compiled
+def box_of_player(blobs, i, w):
+    """Return the box [px] that stands for the player whose largest blob is i: left, right, high, low.  MS34
+
+    It is that blob's own: when a player walks away, its head stickers vanish, and the box round all its blobs is half
+    as high all of a sudden. With `player_blob` "combined" it is the box round all of them nevertheless.
+    """
+    left, right, high, low = int(blobs[i].left), int(blobs[i].right), int(blobs[i].high), int(blobs[i].low)
+    if w.player_blob == COMBINED:
+        for j in range(BLOBS):
+            if j != i and blobs[j].area > 0 and player_of(blobs, j, w.grouping) == i:
+                left, right = max(left, int(blobs[j].left)), min(right, int(blobs[j].right))
+                high, low = max(high, int(blobs[j].high)), min(low, int(blobs[j].low))
+    return left, right, high, low
