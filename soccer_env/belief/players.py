@@ -1,14 +1,197 @@
-"""The other players that a legged robot believes in.  [Sacks 2001, 4.1]"""
+"""The other players that a legged robot believes in.  [Sacks 2001, 4.1]  MS02, MS03, MS08, MS28 to MS36
+
+Every frame: the players in memory are moved by the robot's own steps and grow older, the blobs of each jersey colour
+are sorted into players (`grouping.py`), each gets a place, and replaces the likeliest player in memory (`matching.py`).
+Places are polar, relative to the robot (MS02). Vision tells no numbers, no goalkeepers, no headings, and nobody
+estimates velocities: these fields stay unknown or 0.
+
+The old memory, `slots` "nearest", knows a single player of each team: whichever is nearest at the moment.
+"""
 
 from __future__ import annotations
 
+from math import atan2, cos, sin, tan
+
 import numpy as np
 
+from soccer_env.belief.grouping import COMBINED, box_of_player, largest_left, player_of
+from soccer_env.belief.matching import likeliest_slot
+from soccer_env.belief.odometry import turn_axes
 from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.leagues.legged_sensors import PLAYER_VIEWS, SLOTS
+from soccer_env.optics import camera_place, direction_of_pixel, focal_x, focal_y
+from soccer_env.percept_types import BLOBS, POSE_TOLD
 
-PLAYERS_MEMORY = np.dtype([("unused", "f4")])
+SURE = 100.0  # confidence of what is seen, Sacks 2001, 2  MS03
+NEAREST = SLOTS["nearest"]
+SIDE = PLAYER_VIEWS["side"]
+
+PLAYERS_MEMORY = np.dtype(
+    [
+        ("teammates", "i2"),  # told apart in this frame's picture, whether there was a slot for each or not
+        ("opponents", "i2"),  # the same
+    ]
+)
 
 
 @compiled
 def believe_players(percept, own, tracks, memory, k, s, w, table):
-    """Bring the tracks of other players up to the percept."""
+    """Bring the tracks (slots,) of other players up to the percept of a frame.  MS28
+
+    tracks: TRACK, team-mates' slots first; memory: PLAYERS_MEMORY; table: CALIBRATION. `own` is not needed: places are
+    relative to the robot. One that lies on its side or is sent off does not look; one that was carried forgets.
+    """
+    body = percept.body
+    last = k.teammate_slots + k.opponent_slots
+    if body.pose == POSE_TOLD:
+        clear_slots(tracks, 0, last)
+    if w.player_odometry == 1:
+        move_tracks(tracks, body, last)
+    grow_older(tracks, last, k, w)
+    memory.teammates = memory.opponents = 0
+    if body.active == 1 and body.upright == 1:
+        memory.teammates = look(percept, percept.teammates, tracks, 0, k.teammate_slots, 1, k, s, w, table)
+        memory.opponents = look(percept, percept.opponents, tracks, k.teammate_slots, last, 0, k, s, w, table)
+
+
+@compiled
+def clear_slots(tracks, first, last):
+    """Mark slots as empty."""
+    for slot in range(first, last):
+        track = tracks[slot]
+        track.present = track.teammate = track.keeper = 0
+        track.number = -1
+        track.distance = track.bearing = track.x = track.y = track.vx = track.vy = track.heading = 0.0
+        track.confidence = track.age = 0.0
+
+
+@compiled
+def move_tracks(tracks, body, last):
+    """Move all players in memory against the robot's own motion since the last frame.  MS36"""
+    forward, left, turn = np.float64(body.forward), np.float64(body.left), np.float64(body.turn)
+    if forward == 0.0 and left == 0.0 and turn == 0.0:
+        return
+    cosine, sine = cos(turn), sin(turn)
+    for slot in range(last):
+        if tracks[slot].present == 1:
+            x, y = turn_axes(tracks[slot].x - forward, tracks[slot].y - left, cosine, sine)
+            put_at(tracks[slot], x, y)
+
+
+@compiled
+def put_at(track, x, y):
+    """Set the place of a track, x, y [m] in the robot frame, and the polar form of the paper.  MS02"""
+    track.x, track.y = x, y
+    track.distance, track.bearing = length(x, y), atan2(y, x)
+
+
+@compiled
+def grow_older(tracks, last, k, w):
+    """Let a frame pass: trust in players that are not seen fades.  MS03
+
+    Unlike in the paper, where nothing leaves a slot but another player, those unseen for `ghost_time` are forgotten.
+    """
+    for slot in range(last):
+        track = tracks[slot]
+        if track.present == 1:
+            track.age += k.dt
+            track.confidence = max(SURE - w.fading * track.age, 0.0)
+            if track.age >= w.ghost_time:
+                clear_slots(tracks, slot, slot + 1)
+
+
+@compiled
+def look(percept, blobs, tracks, first, last, teammate, k, s, w, table):
+    """Find the players among the blobs of one colour and remember them; return how many there are.  MS28
+
+    Slots from `first` to before `last` are this team's. Players come largest blob first. The old memory keeps only the
+    nearest of the view, in the first slot, whoever was there before.
+    """
+    done = seen = 0
+    nearest_x = nearest_y = nearest = 0.0
+    for _ in range(BLOBS):
+        i = largest_left(blobs, done)
+        if i < 0:
+            break
+        done |= 1 << i
+        if player_of(blobs, i, w.grouping) != i:
+            continue
+        x, y = place_of_player(percept, blobs, i, k, s, w, table)
+        seen += 1
+        if w.slots != NEAREST:
+            remember(tracks, likeliest_slot(tracks, first, last, x, y, w), x, y, teammate)
+        elif seen == 1 or length(x, y) < nearest:
+            nearest_x, nearest_y, nearest = x, y, length(x, y)
+    if w.slots == NEAREST and seen > 0 and first < last:
+        remember(tracks, first, nearest_x, nearest_y, teammate)
+    return seen
+
+
+@compiled
+def remember(tracks, slot, x, y, teammate):
+    """Replace what a slot holds by a player that is seen at x, y [m], robot frame; slot -1: there is none left."""
+    if slot < 0:
+        return
+    track = tracks[slot]
+    track.present, track.teammate, track.keeper, track.number = 1, teammate, 0, -1
+    put_at(track, x, y)
+    track.vx = track.vy = track.heading = 0.0
+    track.confidence, track.age = SURE, 0.0
+
+
+@compiled
+def place_of_player(percept, blobs, i, k, s, w, table):
+    """Return x, y [m], robot frame, of the player whose largest blob is i.
+
+    The direction is head angles plus place in the picture (MS08); ranges count from the camera, which the neck carries
+    about.
+    """
+    pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
+    left, right, high, low = box_of_player(blobs, i, w)
+    bearing, _ = direction_of_pixel(0.5 * (left + right), 0.5 * (high + low), pan, tilt, s)
+    ahead, aside, _ = camera_place(pan, tilt, s)
+    if w.player_infrared == 1 and is_in_beam(percept, left, right, high, low, s, w):
+        away = range_by_infrared(percept, tilt, k)
+    else:
+        away = range_by_height(high - low, w, table)
+    return ahead + away * cos(bearing), aside + away * sin(bearing)
+
+
+@compiled
+def range_by_height(height, w, table):
+    """Return the range [m] from the camera to the centre of a player whose box is `height` [px] high.  MS33
+
+    By height alone, which does not depend on the view as the width does; the table was made head-on ("front"), the
+    most common view, in which stickers look slightly smaller: from the side a player seems closer than it is, which is
+    the safer error.
+    """
+    combined = w.player_blob == COMBINED
+    if w.player_view == SIDE:
+        ranges = table.player_side_all if combined else table.player_side
+    else:
+        ranges = table.player_front_all if combined else table.player_front
+    return ranges[min(max(height, 0), ranges.shape[0] - 1)]
+
+
+@compiled
+def is_in_beam(percept, left, right, high, low, s, w):
+    """Tell whether a box [px] covers the picture's centre, where the ranger says something near.  MS35
+
+    Within `centred` beside it counts too. A reading of 0 is none.
+    """
+    if not 0.0 < percept.infrared < w.player_infrared_far:
+        return False
+    edge = tan(w.centred)
+    aside, above = edge * focal_x(s), edge * focal_y(s)
+    return right - aside <= 0.0 <= left + aside and low - above <= 0.0 <= high + above
+
+
+@compiled
+def range_by_infrared(percept, tilt, k):
+    """Return the range [m] along the ground to the centre of a player whose surface the ranger meets.  MS35
+
+    Unlike the paper, which takes the reading itself, half a body is added: as much as the centre lies behind the chest,
+    the most common view; assumed. From the side it is 3 cm less, from behind 2 cm more.
+    """
+    return np.float64(percept.infrared) * cos(tilt) + k.body_front
