@@ -199,8 +199,8 @@ def see_from(robots, percepts, constants, sensors):
         count_steps(robot, percept.body, k, s)
         percept.body.handedness = 1.0
         for which in range(LANDMARKS):
-            x = 0.5 * k.pitch_length * (which // 2 - 1)
-            y = 0.5 * k.pitch_width * (1 - 2 * (which % 2))
+            x = (0.5 * k.pitch_length + s.landmark_radius) * (which // 2 - 1)
+            y = (0.5 * k.pitch_width + s.landmark_radius) * (1 - 2 * (which % 2))
             see_box(
                 robot,
                 percept,

@@ -76,20 +76,27 @@ def look_at_landmarks(percept, view, k, s, w):
         return 0
     pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
     view.camera_x, view.camera_y, _ = camera_place(pan, tilt, s)
-    edge, top = 0.5 * image_width(s) - 1.0, 0.5 * image_height(s) - 1.0
+    edge, top = 0.5 * image_width(s), 0.5 * image_height(s)  # a blob that is cut ends there
     numbers = 0
     for i in range(LANDMARKS):
         which = i if percept.body.handedness >= 0.0 else i ^ 1
         blob = percept.landmarks[which]
         if blob.area > 0 and blob.left < edge and blob.right > -edge:
             sight = view.sights[view.count]
-            sight.x = 0.5 * k.pitch_length * (which // 2 - 1)
-            sight.y = 0.5 * k.pitch_width * (1 - 2 * (which % 2))
+            sight.x, sight.y = place_of_landmark(which, k, s)
             numbers += read_landmark(blob, sight, blob.high < top and blob.low > -top, pan, tilt, s)
             view.count += 1
     numbers += read_goal(percept.own_goal, view.goals[0], -1.0, edge, pan, tilt, s)
     numbers += read_goal(percept.opponent_goal, view.goals[1], 1.0, edge, pan, tilt, s)
     return numbers
+
+
+@compiled
+def place_of_landmark(which, k, s):
+    """Return where the middle of a landmark stands [m], team frame: just outside the field."""
+    x = 0.5 * k.pitch_length + k.pitch_band_end + s.landmark_radius
+    y = 0.5 * k.pitch_width + k.pitch_band_side + s.landmark_radius
+    return x * (which // 2 - 1), y * (1 - 2 * (which % 2))
 
 
 @compiled

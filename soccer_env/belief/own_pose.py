@@ -32,6 +32,7 @@ from soccer_env.percept_types import POSE_SENSED, POSE_TOLD
 __all__ = ["PARTICLE", "POSE_MEMORY", "believe_pose_legged", "believe_pose_omni"]
 
 SURE = 100.0  # confidence of a pose that was told or is given
+HELD = 0.3  # [1] share of the particles that stay behind while something is touched, assumed
 PATIENCE = 4  # [1] times `pose_every` without anything to see after which the particles move all the same, assumed
 
 POSE_MEMORY = np.dtype(
@@ -41,6 +42,7 @@ POSE_MEMORY = np.dtype(
         ("turn", "f8"),  # [rad]
         ("path", "f8"),  # [m] length of the way
         ("turned", "f8"),  # [rad] sum of the turns to either side
+        ("touched", "f8"),  # [s] of touching something
         ("fast", "f8"),  # [0, 1] short-term average of the fit of the particles to what is seen
         ("slow", "f8"),  # [0, 1] long-term average
         ("frames", "i4"),  # since the particles were moved
@@ -122,26 +124,27 @@ def particles_are_due(body, own, memory, particles, noise, k, s, w):
         half_length, half_width = field_of(k)
         scatter_particles(particles, half_length, half_width, noise, np.float64(body.handedness))
         memory.begun = 1
-    add_motion(memory, forward, left, turn)
+    add_motion(memory, forward, left, turn, k.dt if body.touch == 1 else 0.0)
     return memory.frames >= w.pose_every
 
 
 @compiled
-def add_motion(memory, forward, left, turn):
-    """Add a frame's odometry [m, m, rad] to the motion since the particles were moved."""
+def add_motion(memory, forward, left, turn, touched):
+    """Add a frame's odometry [m, m, rad], and how long something was touched [s], since the particles were moved."""
     cosine, sine = cos(memory.turn), sin(memory.turn)
     memory.ahead += cosine * forward - sine * left
     memory.left += sine * forward + cosine * left
     memory.turn += turn
     memory.path += sqrt(forward * forward + left * left)
     memory.turned += abs(turn)
+    memory.touched += touched
     memory.frames += 1
 
 
 @compiled
 def forget_motion(memory):
     """Begin to add up the odometry anew."""
-    memory.ahead = memory.left = memory.turn = memory.path = memory.turned = 0.0
+    memory.ahead = memory.left = memory.turn = memory.path = memory.turned = memory.touched = 0.0
     memory.frames = 0
 
 
@@ -149,16 +152,18 @@ def forget_motion(memory):
 def motion_since(memory, k, w):
     """Return the motion since the particles were moved, as `move_particle` wants it, and begin anew.
 
-    Its deviations grow with the way (feet and wheels slip), and with time, because pushes are not felt.
+    Its deviations grow with the way (feet and wheels slip), with time, and most of all while something is touched:
+    legs and wheels do not feel that the body is pushed, turned or held.
     """
     cosine, sine = cos(memory.turn), sin(memory.turn)
     ahead = cosine * memory.ahead + sine * memory.left
     left = cosine * memory.left - sine * memory.ahead
     turn, passed = memory.turn, sqrt(memory.frames * k.dt)
-    spread = w.pose_slip * memory.path + w.pose_drift * passed
-    turn_spread = w.pose_slip * memory.turned + w.pose_turn_drift * passed
+    spread = w.pose_slip * memory.path + w.pose_drift * passed + w.pose_push * memory.touched
+    turn_spread = w.pose_slip * memory.turned + w.pose_turn_drift * passed + w.pose_push_turn * memory.touched
+    stuck = w.pose_stuck if memory.touched == 0.0 else HELD
     forget_motion(memory)
-    return ahead, left, turn, spread, turn_spread, w.pose_stuck
+    return ahead, left, turn, spread, turn_spread, stuck
 
 
 @compiled

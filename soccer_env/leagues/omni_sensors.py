@@ -108,12 +108,14 @@ class OmniMemory(Options):
     pose_every: int = 5  # frames between two updates of the particles, assumed
     pose_line_noise: float = 0.20  # [m] sd that a line point is trusted to, assumed
     pose_bearing_noise: float = 4.0 * DEGREE  # [rad] sd that a goal's bearing is trusted to, assumed
-    pose_range_noise: float = 0.25  # [1] of a goal's distance, the same
+    pose_range_noise: float = 0.10  # [1] of a goal's distance, the same
     pose_fresh: float = 0.02  # [1] share of particles drawn anew from what is seen, at least, assumed
     pose_slip: float = 0.05  # [1] of a motion: sd of what a particle adds to it, twice the wheels' slip, assumed
     pose_stuck: float = 0.02  # [1] share of particles that stay behind: a held robot walks on the spot, assumed
     pose_drift: float = 0.10  # [m/s^0.5] sd that time adds: pushes are not felt, assumed
     pose_turn_drift: float = 0.05  # [rad/s^0.5] the same
+    pose_push: float = 1.0  # [m/s] sd that touching something adds, assumed
+    pose_push_turn: float = 2.0  # [rad/s] the same
     pose_radius: float = 0.60  # [m] within which particles are one cluster, assumed
     pose_angle: float = 0.50  # [rad] the same
     pose_fast: float = 0.2  # [1] weight of the newest fit in its short-term average, assumed

@@ -53,9 +53,9 @@ def test_a_robot_that_looks_at_the_opponents_left_corner_sees_landmark_4_there()
     assert names_seen(percepts) == {4}
     view, _ = look(percepts)
     sight = view["sights"][0, 0]
-    assert (sight["x"], sight["y"]) == (1.5, 1.0)
-    assert np.arctan2(sight["left"], sight["ahead"]) == pytest.approx(0.0, abs=0.01)
-    assert sight["far"] == pytest.approx(np.hypot(1.5, 1.0) - view["camera_x"][0], rel=0.03)
+    assert (sight["x"], sight["y"]) == (1.55, 1.05)  # a cylinder of 0.1 m just outside the corner
+    assert np.arctan2(sight["left"], sight["ahead"]) == pytest.approx(0.0, abs=0.02)
+    assert sight["far"] == pytest.approx(np.hypot(1.55, 1.05) - view["camera_x"][0], rel=0.03)
 
 
 @pytest.mark.parametrize("pan", [-1.2, 0.0, 0.7])
