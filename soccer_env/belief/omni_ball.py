@@ -58,6 +58,8 @@ def believe_ball(percept, own, believed, memory, motions, frames, k, s, w):
         take(memory, x, y, frames * k.dt, np.float64(percept.age), True, k, s, w)
     elif body.held == 1:  # the barrier errs now and then: it starts no track alone
         take(memory, k.body_front + k.ball_radius, 0.0, 0.0, 0.0, False, k, s, w)
+    else:
+        memory.filter.surprises = 0  # a row ends
     if memory.filter.seen == 0:
         memory.confidence = max(memory.confidence - w.fading * k.dt, 0.0)
         if memory.confidence <= 0.0:  # where it went is forgotten as well
@@ -87,8 +89,8 @@ def move_ball(memory, motion, kicked, k, s, w):
 def take(memory, x, y, late, age, alone, k, s, w):
     """Take a reading (x, y) [m] of an age [s] that counts as `late` [s]; `alone` says that it may start a track.  MH06
 
-    One that is off by more than `surprise` is ignored, unless `surprise_count` of them in a row agree with each other:
-    then the ball was kicked, or what was tracked was none, and the track starts anew.
+    One that is off by more than `surprise` is ignored, unless `surprise_count` of them, frame after frame, agree with
+    each other: then the ball was kicked, or what was tracked was none, and the track starts anew.
     """
     filter = memory.filter
     memory.raw_x, memory.raw_y = x, y
