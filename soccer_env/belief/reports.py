@@ -1,0 +1,194 @@
+"""What a middle-size robot makes of its team-mates' reports.  [Heinemann et al. 2006, 2]  MH05
+
+A report is in the team frame; it comes into the robot frame through the own believed pose, so that the errors of both
+poses are in it. What the own camera sees is trusted more.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, sin
+
+from soccer_env.belief.odometry import turn_axes
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length, wrap
+
+SURE = 100.0  # confidence of what is seen
+TOLD = 0.8  # [1] confidence of what is told against what is seen, assumed
+NEAREST = 1e-3  # [m] below which rates of distance and bearing are those at this distance
+UNKNOWN = -1  # number of a player that nobody has told yet
+
+
+@compiled
+def write_report(report, belief):
+    """Write own pose, ball and number into a report, in the team frame.  MH05"""
+    own, ball = belief.own, belief.ball
+    cosine, sine = cos(own.heading), sin(own.heading)
+    report.number, report.keeper = belief.situation.number, belief.situation.keeper
+    report.x, report.y, report.heading, report.confidence = own.x, own.y, own.heading, own.confidence
+    report.vx, report.vy = turn_axes(own.forward, own.left, cosine, -sine)
+    x, y = turn_axes(ball.x, ball.y, cosine, -sine)
+    report.ball_x, report.ball_y = own.x + x, own.y + y
+    report.ball_vx, report.ball_vy = turn_axes(ball.vx, ball.vy, cosine, -sine)
+    report.ball_age = ball.age
+    report.ball_confidence = ball.confidence * own.confidence / SURE
+
+
+# Team-mates
+
+
+@compiled
+def place_teammates(own, tracks, messages, r, frame, room, k, w, home, rows):
+    """Put the team-mates whose reports have just arrived into the tracks (slots,) of robot r.  MH05
+
+    The nearest pair of report and track within w.gate comes first. A track that the own camera has seen lately keeps
+    its place and gets the number; a report that is left over takes a free slot, or that of a team-mate farther away.
+    room (rows or slots, 4): of each speaker where it is in the robot frame [m] and whether its report is open; whether
+    each slot is taken.
+    """
+    room[:, 2:] = 0.0
+    axes = cos(own.heading), sin(own.heading)
+    locate_teammates(own, axes, messages, r, frame, room, k, w, home, rows)
+    while True:
+        other, slot = nearest_pair(tracks, room, k, w, rows)
+        if other < 0:
+            break
+        take_report(own, axes, tracks, slot, messages[other], room[other], room[slot], frame, k, w)
+    for other in rows:
+        if room[other, 2] == 1.0:
+            slot = free_slot(tracks, messages[other], room, other, frame, k, w)
+            if slot >= 0:
+                tracks[slot].present, tracks[slot].confidence = 1, 0.0
+                take_report(own, axes, tracks, slot, messages[other], room[other], room[slot], frame, k, w)
+
+
+@compiled
+def locate_teammates(own, axes, messages, r, frame, room, k, w, home, rows):
+    """Fill in where the team-mates are that have just reported; one who knows nothing of its own place does not count.
+
+    A report is late by the time that it was on its way: the team-mate has gone on since.
+    """
+    for other in rows:
+        message = messages[other]
+        report = message.reports[message.latest]
+        if (
+            other == r
+            or (other < home) != (r < home)
+            or message.fresh == 0
+            or told_confidence(report, frame, k, w) <= 0.0
+        ):
+            continue
+        late = (frame - report.frame) * k.dt if w.delay_compensation == 1 else 0.0
+        x, y = report.x + late * report.vx - own.x, report.y + late * report.vy - own.y
+        room[other, 0], room[other, 1] = turn_axes(x, y, axes[0], axes[1])
+        room[other, 2] = 1.0
+
+
+@compiled
+def nearest_pair(tracks, room, k, w, rows):
+    """Return the open report and the free track that are nearest to each other within the gate; -1, -1 if none are."""
+    best, best_slot, least = -1, -1, w.gate * w.gate
+    for other in rows:
+        if room[other, 2] == 0.0:
+            continue
+        for slot in range(k.teammate_slots):
+            if tracks[slot].present == 1 and room[slot, 3] == 0.0:
+                x, y = room[other, 0] - tracks[slot].x, room[other, 1] - tracks[slot].y
+                if x * x + y * y < least:
+                    best, best_slot, least = other, slot, x * x + y * y
+    return best, best_slot
+
+
+@compiled
+def free_slot(tracks, message, room, other, frame, k, w):
+    """Return the slot for a team-mate that no track is near to, or -1.
+
+    It is the one that it had, unless the own camera has seen somebody there lately; a free one; or that of the
+    team-mate farthest away, if that is farther than this one.
+    """
+    report = message.reports[message.latest]
+    empty, last, farthest = -1, -1, length(room[other, 0], room[other, 1])
+    for slot in range(k.teammate_slots):
+        track = tracks[slot]
+        if track.present == 0:
+            empty = slot if empty < 0 else empty
+        elif track.number == report.number and track.confidence <= told_confidence(report, frame, k, w):
+            return slot
+        elif length(track.x, track.y) > farthest:
+            last, farthest = slot, length(track.x, track.y)
+    return empty if empty >= 0 else last
+
+
+@compiled
+def take_report(own, axes, tracks, slot, message, place, taken, frame, k, w):
+    """Take a report into a track: who it is and where it looks, and where it is unless the camera knows better."""
+    report, track = message.reports[message.latest], tracks[slot]
+    place[2], taken[3] = 0.0, 1.0
+    for i in range(k.teammate_slots):
+        if tracks[i].number == report.number:
+            tracks[i].number, tracks[i].keeper = UNKNOWN, 0
+    track.number, track.keeper, track.teammate = report.number, report.keeper, 1
+    track.heading = wrap(report.heading - own.heading)
+    confidence = told_confidence(report, frame, k, w)
+    if confidence >= track.confidence:
+        track.x, track.y = place[0], place[1]
+        track.vx, track.vy = turn_axes(report.vx, report.vy, axes[0], axes[1])
+        track.distance, track.bearing = length(track.x, track.y), atan2(track.y, track.x)
+        track.confidence, track.age = confidence, (frame - report.frame) * k.dt
+
+
+@compiled
+def told_confidence(report, frame, k, w):
+    """Return the confidence in where a team-mate says that it is: it fades from when it was said."""
+    if report.confidence <= 0.0:
+        return 0.0
+    return TOLD * max(SURE - w.fading * (frame - report.frame) * k.dt, 0.0)
+
+
+# The ball
+
+
+@compiled
+def adopt_ball(belief, messages, r, frame, k, w, home, rows):
+    """Believe the ball of the most confident team-mate that saw it later than the robot itself.  MH05
+
+    Of equally confident ones the nearest to the ball counts, then the lowest number.
+    """
+    best, most, nearest = -1, 0.0, 0.0
+    for other in rows:
+        message = messages[other]
+        if other == r or (other < home) != (r < home) or message.known == 0:
+            continue
+        report = message.reports[message.latest]
+        elapsed = (frame - report.frame) * k.dt
+        confidence = report.ball_confidence - w.fading * elapsed
+        if confidence <= 0.0 or report.ball_age + elapsed >= belief.ball.age:
+            continue
+        if confidence > most or (confidence == most and report.distance < nearest):
+            best, most, nearest = other, confidence, report.distance
+    if best >= 0:
+        message = messages[best]
+        report = message.reports[message.latest]
+        elapsed = (frame - report.frame) * k.dt
+        believe_report(belief, report, elapsed, elapsed if w.delay_compensation == 1 else 0.0, TOLD * most, k)
+
+
+@compiled
+def believe_report(belief, report, elapsed, late, confidence, k):
+    """Fill in the ball as a team-mate told it `elapsed` ago; it has rolled on, and slowed down, for `late` [s]."""
+    own, ball = belief.own, belief.ball
+    cosine, sine = cos(own.heading), sin(own.heading)
+    speed = length(report.ball_vx, report.ball_vy)
+    lost = min(k.ball_rolling * late, speed)  # [m/s]
+    share = 1.0 - lost / speed if speed > 0.0 else 1.0
+    rolls = min(late, speed / k.ball_rolling) if k.ball_rolling > 0.0 else late  # [s] until it lies still
+    travel = 0.5 * (1.0 + share) * rolls
+    x, y = report.ball_x + travel * report.ball_vx - own.x, report.ball_y + travel * report.ball_vy - own.y
+    x, y = turn_axes(x, y, cosine, sine)
+    ball.x, ball.y = x, y
+    ball.vx, ball.vy = turn_axes(share * report.ball_vx, share * report.ball_vy, cosine, sine)
+    ball.distance, ball.bearing = length(x, y), atan2(y, x)
+    ball.filtered_distance, ball.filtered_bearing = ball.distance, ball.bearing
+    vx, vy, away = ball.vx - own.forward, ball.vy - own.left, max(ball.distance, NEAREST)
+    ball.radial = (x * vx + y * vy) / away
+    ball.angular = (x * vy - y * vx) / (away * away) - own.turn
+    ball.confidence, ball.age = confidence, report.ball_age + elapsed
