@@ -103,12 +103,16 @@ def reach_robot(x, y, z, dx, dy, dz, other, k, s):
 
 @compiled
 def reach_head(x, y, z, dx, dy, dz, other, s):
-    """Return the distance to a robot's head [m], robot frame: a cube behind the camera, its edges along the body's."""
+    """Return the distance to a robot's head [m], robot frame: an upright cube that turns with the pan, moves with the
+    tilt and has the camera in the middle of its face.
+    """
     half = 0.5 * s.head_size
-    forward = (s.camera_ahead - half) * cos(other.tilt) - s.camera_up * sin(other.tilt)
+    ahead = (s.camera_ahead - half) * cos(other.tilt) - s.camera_up * sin(other.tilt)
     height = s.neck_height + s.camera_up * cos(other.tilt) + (s.camera_ahead - half) * sin(other.tilt)
-    ahead, left = s.neck_ahead + forward * cos(other.pan), forward * sin(other.pan)
-    return reach_box(x - ahead, y - left, z - height, dx, dy, dz, half, half, half)
+    cosine, sine = cos(other.pan), sin(other.pan)
+    x, y = cosine * (x - s.neck_ahead) + sine * y, cosine * y - sine * (x - s.neck_ahead)
+    dx, dy = cosine * dx + sine * dy, cosine * dy - sine * dx
+    return reach_box(x - ahead, y, z - height, dx, dy, dz, half, half, half)
 
 
 @compiled
