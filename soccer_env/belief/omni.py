@@ -7,6 +7,7 @@ import numpy as np
 from soccer_env.belief.omni_ball import BALL_MEMORY, believe_ball
 from soccer_env.belief.omni_players import READING, SLOTS, believe_players, forget
 from soccer_env.belief.own_pose import POSE_MEMORY, believe_pose_omni
+from soccer_env.belief.talk import exchange_radio
 from soccer_env.belief.tracking import DELAYS, FILTER, MOTION, note_motion
 from soccer_env.compiled import compiled, records
 from soccer_env.percept_types import OTHERS, POSE_TOLD
@@ -39,6 +40,7 @@ def believe_slice(
             percept, belief, memory = percepts[m, r], beliefs[m, r], memories[m, r]
             believe_pose_omni(percept, belief.own, memory.pose, particles[m, r], noise[m, r], k, s, w, table)
             track_things(percept, belief, tracks[m, r], memory, room, k, s, w)
+        exchange_radio(percepts[m], beliefs[m], tracks[m], messages[m], noise[m], k, s, w, home, rows)
 
 
 @compiled

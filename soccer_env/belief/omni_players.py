@@ -174,6 +174,7 @@ def fade_players(tracks, filters, k, w):
             track.confidence = max(track.confidence - w.fading * k.dt, 0.0)
             if track.age > w.ghost_time:
                 forget(track)
+                filters[slot].readings = 0
         if track.present == 1:
             track.distance, track.bearing = length(track.x, track.y), atan2(track.y, track.x)
 
