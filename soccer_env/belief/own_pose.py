@@ -188,7 +188,7 @@ def conclude(own, memory, particles, seen, noise, w):
     count = particles.shape[0]
     total, cost, best = weights_from_costs(particles)
     fresh = int(count * share_of_fresh(memory, exp(-cost / seen), w) + 0.5)
-    weight, spread = estimate(particles, own, best, w)
+    weight, spread = estimate(particles, own, total, best, w)
     fit = min(memory.fast / max(memory.slow, w.pose_fit), 1.0)
     own.confidence = SURE * fit * weight / total / (1.0 + spread / (w.pose_radius * w.pose_radius))
     resample(particles, total, count - fresh, noise)

@@ -24,6 +24,7 @@ PARTICLES = int(RobotStream.PARTICLES)
 TRIANGLE = sqrt(6.0)  # half base of the symmetric triangular distribution whose deviation is 1
 OUTLIER = 9.0  # [sd2] squared error at which a cost reaches half of what it can, assumed: three deviations
 REPLACED = 1.5  # [1] a cluster elsewhere must be heavier by this before the own pose jumps there, assumed
+SETTLED = 0.3  # [1] and it must have this share of all weight: a cloud has no place to jump to, assumed
 SHARE_MOST = 0.5  # [1] largest share of fresh particles, assumed: what was believed keeps a chance
 
 PARTICLE = np.dtype(
@@ -164,7 +165,7 @@ def cluster_near(particles, x, y, heading, w):
 
 
 @compiled
-def estimate(particles, own, best, w):
+def estimate(particles, own, total, best, w):
     """Take the mean of the heaviest cluster as the own pose; return its weight and squared spread [m2].
 
     The cluster round the pose that the robot believed in is left only for one that is clearly heavier: the mean of a
@@ -173,7 +174,7 @@ def estimate(particles, own, best, w):
     weight, x, y, heading, spread = cluster_near(particles, own.x, own.y, own.heading, w)
     other = particles[best]
     there = cluster_near(particles, np.float64(other.x), np.float64(other.y), np.float64(other.heading), w)
-    if there[0] > REPLACED * weight:
+    if there[0] > REPLACED * weight and there[0] > SETTLED * total:
         weight, x, y, heading, spread = there
     weight, own.x, own.y, own.heading, spread = cluster_near(particles, x, y, heading, w)
     return weight, spread

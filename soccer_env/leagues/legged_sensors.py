@@ -143,10 +143,10 @@ class LeggedMemory(Options):
     pose_fresh: float = 0.02  # [1] share of particles drawn anew from what is seen, at least, assumed
     pose_slip: float = 0.15  # [1] of a motion: sd of what a particle adds to it, twice the gait's slip, assumed
     pose_stuck: float = 0.05  # [1] share of particles that stay behind: a held robot walks on the spot, assumed
-    pose_drift: float = 0.03  # [m/s^0.5] sd that time adds: pushes are not felt, assumed
-    pose_turn_drift: float = 0.05  # [rad/s^0.5] the same
-    pose_push: float = 0.1  # [m/s] sd that touching something adds, assumed
-    pose_push_turn: float = 0.5  # [rad/s] the same
+    pose_drift: float = 0.02  # [m/s^0.5] sd that time adds: pushes are not felt, assumed
+    pose_turn_drift: float = 0.03  # [rad/s^0.5] the same
+    pose_push: float = 0.02  # [m/s] sd that touching something adds, assumed
+    pose_push_turn: float = 0.1  # [rad/s] the same
     pose_radius: float = 0.30  # [m] within which particles are one cluster, assumed
     pose_angle: float = 0.50  # [rad] the same
     pose_fast: float = 0.2  # [1] weight of the newest fit in its short-term average, assumed

@@ -15,7 +15,7 @@ import pytest
 from pose_worlds import World, believe_all
 from staging import LEGGED, MIDDLE, each_league
 
-from soccer_env.belief.own_pose import POSE_MEMORY
+from soccer_env.belief.own_pose import POSE_MEMORY, add_motion, motion_since
 from soccer_env.percept_types import POSE_SENSED
 from soccer_env.types import OWN_POSE
 
@@ -111,6 +111,30 @@ def test_confidence_falls_when_what_is_seen_disagrees_and_comes_back(name: str) 
         lost.append(world.own["confidence"].mean())
     world.walk(RECOVERY)
     assert min(lost) < 0.7 * sure < world.own["confidence"].mean()
+
+
+@each_league
+def test_odometry_is_trusted_less_the_farther_the_way_and_while_something_is_touched(name: str) -> None:
+    world, memory = World(name), np.zeros(1, POSE_MEMORY)
+    spreads = []
+    for forward, touched in ((0.0, 0.0), (0.2, 0.0), (0.0, 0.2)):
+        add_motion(memory[0], forward, 0.0, 0.0, touched)
+        spreads.append(motion_since(memory[0], world.k[0], world.w[0])[3:])
+    (still, still_turn, few), (walking, _, _), (touching, touching_turn, many) = spreads
+    assert still < walking and still < touching and still_turn < touching_turn
+    assert few == world.league.memory.pose_stuck < many
+
+
+def test_steps_add_up_as_a_rigid_body_moves() -> None:
+    """A quarter circle of radius 1 in 90 steps ends 1 m ahead and 1 m to the left of where it began."""
+    world, memory = World(LEGGED), np.zeros(1, POSE_MEMORY)
+    angle = 0.5 * np.pi / 90
+    for _ in range(90):
+        add_motion(memory[0], np.sin(angle), 1.0 - np.cos(angle), angle, 0.0)
+    assert (memory["ahead"][0], memory["left"][0]) == pytest.approx((1.0, 1.0))
+    ahead, left, turn = motion_since(memory[0], world.k[0], world.w[0])[:3]
+    assert (ahead, left, turn) == pytest.approx((1.0, -1.0, 0.5 * np.pi))  # in the axes at its end
+    assert memory["path"][0] == memory["turn"][0] == 0.0
 
 
 # Seeing nothing

@@ -112,7 +112,7 @@ def test_resampling_leaves_particles_of_equal_weight_where_they_are() -> None:
 def test_mh08_of_two_clusters_the_pose_is_in_one_and_not_between_them() -> None:
     particles = set_of(np.where(np.arange(96) < 48, 1.0, -1.0))
     own = pose_at(0.9, 0.0, 0.1)
-    weight, spread = kernels.estimate(particles, own[0], 95, W)
+    weight, spread = kernels.estimate(particles, own[0], 96.0, 95, W)
     assert own["x"][0] == pytest.approx(1.0) and own["heading"][0] == pytest.approx(0.0)
     assert weight == 48.0 and spread == 0.0
 
@@ -121,14 +121,22 @@ def test_the_pose_jumps_to_another_cluster_only_if_that_is_clearly_heavier() -> 
     for others, at in ((50, 1.0), (80, -1.0)):
         particles = set_of(np.where(np.arange(96) < 96 - others, 1.0, -1.0))
         own = pose_at(1.0, 0.0, 0.0)
-        kernels.estimate(particles, own[0], 95, W)
+        kernels.estimate(particles, own[0], 96.0, 95, W)
         assert own["x"][0] == at
+
+
+def test_the_pose_does_not_jump_about_in_a_cloud() -> None:
+    spread = np.linspace(-1.4, 1.4, 96)
+    particles = set_of(spread, 0.9 * np.sin(40.0 * spread), 3.0 * np.cos(70.0 * spread))
+    own = pose_at(0.0, 5.0, 0.0)  # where there is no particle at all
+    kernels.estimate(particles, own[0], 96.0, 95, W)
+    assert (own["x"][0], own["y"][0]) == (0.0, 5.0)
 
 
 def test_headings_are_averaged_across_the_half_turn() -> None:
     particles = set_of(0.0, heading=np.where(np.arange(96) % 2 == 0, 3.1, -3.1))
     own = pose_at(0.0, 0.0, 3.0)
-    kernels.estimate(particles, own[0], 0, W)
+    kernels.estimate(particles, own[0], 96.0, 0, W)
     assert abs(own["heading"][0]) == pytest.approx(np.pi, abs=1e-6)
 
 
