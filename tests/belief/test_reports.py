@@ -92,7 +92,7 @@ def test_mh05_team_mates_are_where_they_say() -> None:
     assert (track["distance"], track["bearing"]) == pytest.approx(
         (np.hypot(track["x"], track["y"]), np.arctan2(track["y"], track["x"]))
     )
-    assert track["age"] == pytest.approx(0.06) and 70.0 < track["confidence"] < 80.0
+    assert track["age"] == pytest.approx(0.06) and 90.0 < track["confidence"] < 95.0
     assert radio.tracks["keeper"][1][radio.tracks["number"][1] == 0].tolist() == [1]
     assert track["keeper"] == 0 and track["teammate"] == 1
 
@@ -141,9 +141,18 @@ def test_two_that_are_seen_get_their_own_numbers() -> None:
 
 def test_a_stranger_beyond_the_gate_is_another_player() -> None:
     radio = Radio(home=2)
-    radio.film(0, 0, *turned(3.0 + 1.1, 0.5, -0.3))
+    radio.film(0, 0, *turned(3.0 + 1.4, 0.5, -0.3))  # 3 m away: 1 m, and 0.1 rad for the own heading
     radio.step(LATE + 1)
     assert radio.present(0) == [-1, 1]
+
+
+def test_what_is_told_takes_no_slot_from_what_is_seen() -> None:
+    radio = Radio(home=6)
+    for slot in range(4):  # all slots are full of players far away from what is told
+        radio.film(0, slot, *turned(7.0, 2.0 * slot - 4.0, -0.3))
+    radio.step(LATE + 1)
+    seen = radio.tracks[0, :4]
+    assert (seen["confidence"] == 100.0).all() and (seen["number"] == -1).all()
 
 
 def test_a_team_mate_that_was_told_moves_with_each_report() -> None:
@@ -199,7 +208,7 @@ def test_mh05_a_ball_that_one_sees_is_known_to_all() -> None:
         assert ball["distance"] == ball["filtered_distance"] == pytest.approx(np.hypot(ball["x"], ball["y"]))
         assert ball["bearing"] == ball["filtered_bearing"] == pytest.approx(np.arctan2(ball["y"], ball["x"]))
         assert ball["radial"] == pytest.approx((ball["x"] * ball["vx"] + ball["y"] * ball["vy"]) / ball["distance"])
-        assert 50.0 < ball["confidence"] < 80.0 and ball["age"] == pytest.approx(0.06)
+        assert 90.0 < ball["confidence"] < 95.0 and ball["age"] == pytest.approx(0.06)
     assert radio.beliefs["ball"]["confidence"][1] == 100.0
 
 
