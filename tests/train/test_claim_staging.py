@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env import optics
 from soccer_env.train.claims import all_claims
-from soccer_env.train.claims.ball_occlusion import APART, CLEAR, draw_scene
+from soccer_env.train.claims.ball_occlusion import APART, CLEAR, draw_scene, stands_before
 from soccer_env.train.claims.ball_velocity import true_radial, walk_to_ball
 from soccer_env.train.claims.claim import Batch
 from soccer_env.train.claims.sight import ball_angle, ball_in_sight, blind, camera_of, chase, see_again, stare
@@ -126,13 +126,16 @@ def test_who_chases_the_true_ball_reaches_it() -> None:
     assert (match.matches["last_touch_robot"] == 0).all()
 
 
-def test_hidden_balls_have_room() -> None:
+def test_hidden_balls_have_room_and_somebody_before_them() -> None:
     scene = draw_scene(BATCH)
-    ball_x, ball_y = (scene["distance"] * f(scene["bearing"]) for f in (np.cos, np.sin))
-    gap = np.hypot(scene["x"] - ball_x[:, None], scene["y"] - ball_y[:, None])
-    apart = np.hypot(scene["x"][:, 0] - scene["x"][:, 1], scene["y"][:, 0] - scene["y"][:, 1])
+    ball = np.stack([scene["distance"] * f(scene["bearing"]) for f in (np.cos, np.sin)], axis=1)
+    places = scene["others"][..., :2]
+    gap = np.linalg.norm(places - ball[:, None], axis=-1)
+    apart = np.linalg.norm(places[:, 0] - places[:, 1], axis=-1)
     assert np.nanmin(gap) > CLEAR and np.nanmin(apart) > APART
-    assert np.isfinite(scene["x"][:, 0]).mean() > 0.95
+    assert np.isfinite(gap[:, 0]).mean() > 0.9
+    assert stands_before(np.array([0.6, 0.0]), np.array([0.35, 0.1]), 0.0)
+    assert not stands_before(np.array([0.6, 0.0]), np.array([0.35, 0.2]), 0.0)
 
 
 def test_teams_play_from_the_kick_off() -> None:

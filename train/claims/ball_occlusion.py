@@ -1,7 +1,8 @@
 """A ball that other robots hide in part, and what the rules make of it.  [Sacks 2001, 3.1.1]
 
-Scenes: a robot looks at a ball 30 to 60 cm ahead of its camera; one or two others stand at random near the line of
-sight. What they hide is told by two pictures without noise at the finest resolution, with them and without.
+Scenes: a robot looks at a ball 30 to 60 cm ahead of its camera; one or two others stand at random before a part of
+it, on the ground plan. What they hide is told by two pictures without noise at the finest resolution, one with them and
+one without.
 """
 
 from __future__ import annotations
@@ -11,11 +12,23 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.train.claims.ball_range import OLD
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.claims.sight import ball_angle, ball_in_sight, camera_of, stare
-from soccer_env.train.claims.staging import ahead_of, ball_from, begin, play, put, put_ball, stage, standing
+from soccer_env.train.claims.staging import (
+    LEGGED,
+    ahead_of,
+    ball_from,
+    begin,
+    play,
+    put,
+    put_ball,
+    stage,
+    standing,
+    wrapped,
+)
 from soccer_env.train.claims.values import known, least_rise, mean, median
 from soccer_env.train.verdicts import Samples, counted, measured, reported
 
@@ -23,7 +36,9 @@ MATCHES = 192
 NEAR, FAR = 0.45, 0.75  # [m] of the ball from the body's centre: 30 to 60 cm from the camera
 SETTLE, SECONDS = 1.0, 0.5  # [s]
 APART, CLEAR = 0.30, 0.205  # [m] between two robots' middles, and from a robot's middle to the ball's: nothing overlaps
-SIGHT = 0.30  # [m] from the line of sight within which others are put
+SIGHT = 0.25  # [m] from the line of sight within which others are put
+START = -0.3  # [m] where the robot stands that looks, ahead along the field
+BODY, CAMERA_AHEAD = find_league(LEGGED).body, find_league(LEGGED).head.camera_ahead
 FINE = {"resolution": "176x144", "dither": 0.0, "scale_error": 0.0, "ball_miss": 0.0}
 PLAIN = {"patches": 0.0, "red_as_orange": 0.0}  # nothing but the ball is orange
 CUT = 0.9  # [1] share of a dimension that is left, below which it counts as cut; a pixel is up to 5 % of it
@@ -38,40 +53,52 @@ def draw_scene(batch: Batch) -> Scene:
     """Draw the ball's place and those of two others in the axes of the robot that looks; NaN: not there."""
     rng = batch.rng()
     scene = {"distance": rng.uniform(NEAR, FAR, MATCHES), "bearing": rng.uniform(-0.3, 0.3, MATCHES)}
-    scene |= {name: np.full((MATCHES, 2), np.nan) for name in ("x", "y", "heading")}
+    scene["others"] = np.full((MATCHES, 2, 3), np.nan)  # x, y, heading
     for m in range(MATCHES):
         ball = scene["distance"][m] * np.array([np.cos(scene["bearing"][m]), np.sin(scene["bearing"][m])])
         taken = [np.zeros(2)]
         for other in range(1 + int(rng.random() < 0.5)):
             place = free_place(rng, ball, taken)
             if place is not None:
-                taken.append(place)
-                scene["x"][m, other], scene["y"][m, other] = place
-                scene["heading"][m, other] = rng.uniform(-np.pi, np.pi)
+                taken.append(place[:2])
+                scene["others"][m, other] = place
     return scene
 
 
 def free_place(rng: np.random.Generator, ball: np.ndarray, taken: list[np.ndarray]) -> np.ndarray | None:
-    """Return a random place beside the line of sight that is free, None if there is none to be found."""
+    """Return a random place (x, y, heading) of a robot that is free and before a part of the ball, None without any."""
     along = ball / np.linalg.norm(ball)
-    for _ in range(50):
-        share, aside = rng.uniform(0.3, 1.1), rng.uniform(-SIGHT, SIGHT)
+    for _ in range(200):
+        share, aside = rng.uniform(0.3, 1.0), rng.uniform(-SIGHT, SIGHT)
         place: np.ndarray = share * ball + aside * np.array([-along[1], along[0]])
-        if np.linalg.norm(place - ball) > CLEAR and all(np.linalg.norm(place - other) > APART for other in taken):
-            return place
+        heading = rng.uniform(-np.pi, np.pi)
+        free = np.linalg.norm(place - ball) > CLEAR and all(np.linalg.norm(place - other) > APART for other in taken)
+        if free and stands_before(ball, place, heading):
+            return np.array([*place, heading])
     return None
+
+
+def stands_before(ball: np.ndarray, place: np.ndarray, heading: float) -> bool:
+    """Tell whether a robot's hull is before a part of the ball, seen from the camera on the ground plan."""
+    corners = np.array(BODY.corners)
+    turn = np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
+    camera = CAMERA_AHEAD * ball / np.linalg.norm(ball)
+    hull, away = place + corners @ turn - camera, ball - camera
+    angles = wrapped(np.arctan2(hull[:, 1], hull[:, 0]) - np.arctan2(away[1], away[0]))
+    half = np.arcsin(find_league(LEGGED).ball.radius / np.linalg.norm(away))
+    return bool(angles.min() < half and angles.max() > -half and np.ptp(angles) < np.pi)
 
 
 def set_up(batch: Batch, scene: Scene, others: bool, **settings: Any) -> Match:
     """Return matches of the scene, with the others or without."""
     match = stage(batch, matches=MATCHES, away=2, actions="full", **settings)
-    put(match, 0, -0.3, 0.0, 0.0)
+    put(match, 0, START, 0.0, 0.0)
     put_ball(match, *ahead_of(match, 0, scene["distance"], scene["bearing"]))
     for other in range(2):
-        there = np.isfinite(scene["x"][:, other]) & others
+        there = np.isfinite(scene["others"][:, other, 0]) & others
         row = match.robots[:, 1 + other]
-        for name, shift in (("x", -0.3), ("y", 0.0), ("heading", 0.0)):
-            row[name] = np.where(there, scene[name][:, other] + shift, row[name])
+        for axis, (name, shift) in enumerate((("x", START), ("y", 0.0), ("heading", 0.0))):
+            row[name] = np.where(there, scene["others"][:, other, axis] + shift, row[name])
         row["active"] = there
     begin(match)
     return match
@@ -180,7 +207,7 @@ def hidden_figure(samples: Samples) -> Sequence[Figure]:
     return (Figure("Range of a ball that is partly hidden", label, "median error [%]", tuple(curves)),)
 
 
-SCENES = f"{MATCHES} scenes a batch with one or two robots near the line of sight to a ball 30 to 60 cm from the camera"
+SCENES = f"{MATCHES} scenes a batch with one or two robots at random before a ball 30 to 60 cm from the camera"
 
 S07 = Claim(
     id="S07",
