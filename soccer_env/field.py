@@ -66,6 +66,8 @@ class Field:
 
     def step(self, first: int, last: int) -> None:
         """Run one control step of a slice of matches."""
+        if self.senses is not None:
+            self.senses.asleep[first:last] = self.matches["over"][first:last]
         if self.physics.way == "c":
             self._step_at_once(first, last)
         else:

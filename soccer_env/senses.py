@@ -96,6 +96,7 @@ class Senses:
         self.sensors, self.memory_settings = league.sensors.record(), league.memory.record()
         self.tables = chain.tables(league)
         self.observer = observe_kernel(chain.percept)
+        self.asleep = np.zeros(matches, bool)  # over before this step: a match that stands still draws no noise
         self.pose_sensed = int(settings.pose == "percept")
 
     @property
@@ -109,6 +110,7 @@ class Senses:
         for array in self.parts.values():
             array[m] = np.zeros((), array.dtype)
         robots["senses"][m, self.rows] = 1
+        self.asleep[m] = False
 
     def step(self, field: Any, first: int, last: int) -> None:
         """Sense and believe in a slice of matches of a Field."""
@@ -119,7 +121,7 @@ class Senses:
         """Fill the percepts from the truth."""
         self.chain.sense(
             field.matches, field.balls, field.robots, field.robot_events, self.percepts, self.pending, self.beliefs,
-            field.constants, self.sensors, self.pose_sensed, self.rows, first, last,
+            field.constants, self.sensors, self.pose_sensed, self.asleep, self.rows, first, last,
         )  # fmt: skip
 
     def believe(self, field: Any, first: int, last: int) -> None:
@@ -127,7 +129,7 @@ class Senses:
         self.chain.believe(
             self.percepts, self.beliefs, self.tracks, self.memories, self.particles, self.messages,
             field.robots["noise"], field.robots["gaze"], field.constants, self.sensors, self.memory_settings,
-            self.tables, self.home, self.rows, first, last,
+            self.tables, self.home, self.asleep, self.rows, first, last,
         )  # fmt: skip
 
     def observe_percepts(self, field: Any, first: int, last: int) -> None:

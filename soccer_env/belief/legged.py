@@ -19,7 +19,7 @@ LEGGED_MEMORY = np.dtype(
 @compiled
 def believe_slice(
     percepts, beliefs, tracks, memories, particles, messages, noise, gazes,
-    constants, sensors, settings, tables, home, rows, first, last,
+    constants, sensors, settings, tables, home, asleep, rows, first, last,
 ):  # fmt: skip
     """Bring beliefs (M, R) and tracks (M, R, slots) of some robots up to their percepts, in a slice of matches.
 
@@ -28,6 +28,8 @@ def believe_slice(
     """
     k, s, w, table = constants[0], sensors[0], settings[0], tables[0]
     for m in range(first, last):
+        if asleep[m]:
+            continue
         for r in rows:
             percept, belief, memory = percepts[m, r], beliefs[m, r], memories[m, r]
             believe_pose_legged(percept, belief.own, memory.pose, particles[m, r], noise[m, r], k, s, w)

@@ -17,7 +17,7 @@ from soccer_env.leagues.legged_sensors import LeggedSensors
 from soccer_env.observations.belief import write_game
 from soccer_env.observations.entry import Entry
 from soccer_env.observations.truth import GAME
-from soccer_env.percept_types import BLOBS, LANDMARKS, LEGGED_PERCEPT
+from soccer_env.percept_types import BLOBS, LANDMARKS, LEGGED_PERCEPT, OTHERS
 
 BODY = (
     ("pose_known", "1: a pose was given in this frame; else its entries are 0", "1"),
@@ -74,7 +74,7 @@ def entries(league: League) -> list[Entry]:
             found += [entry for name in names for entry in numbered(name, count, BLOB)]
     else:
         found += [entry for name in ("ball", "own_goal", "opponent_goal") for entry in numbered(name, 1, SIGHTING)]
-        slots = league.slots.teammates + league.slots.opponents
+        slots = min(league.slots.teammates + league.slots.opponents, OTHERS)
         found += numbered("player", slots, (*SIGHTING, ("teammate", "1 team-mate, -1 opponent, by its marker", "1")))
         line = ("line", "distance of the first white line in this direction, 1 if none is seen", "greatest range")
         found += [Entry(f"line_{i}", *line[1:]) for i in range(league.sensors.lines)]
@@ -118,7 +118,7 @@ def observe_omni_slice(percepts, beliefs, robots, observations, constants, senso
             at = write_sighting(percept.ball, row, at)
             at = write_sighting(percept.own_goal, row, at)
             at = write_sighting(percept.opponent_goal, row, at)
-            for slot in range(k.teammate_slots + k.opponent_slots):
+            for slot in range(min(k.teammate_slots + k.opponent_slots, OTHERS)):
                 player = percept.players[slot]
                 at = write_sighting(player, row, at)
                 row[at] = player.seen * (2.0 * player.teammate - 1.0)

@@ -7,23 +7,29 @@ from soccer_env.perception.body import sense_body
 from soccer_env.perception.ideal import situation
 from soccer_env.perception.infrared import measure_range
 from soccer_env.perception.picture import take_picture
+from soccer_env.perception.sketch import make_sketch
 
 
 @compiled
 def sense_slice(
-    matches, balls, robots, robot_events, percepts, pending, beliefs, constants, sensors, pose_sensed, rows, first, last
-):
-    """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game.
+    matches, balls, robots, robot_events, percepts, pending, beliefs,
+    constants, sensors, pose_sensed, asleep, rows, first, last,
+):  # fmt: skip
+    """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game; those of matches that are
+    `asleep` (M,), over before this step, perceive nothing new.
 
     `pose_sensed` 1 gives them the noisy pose as a percept; `pending` is for cameras that deliver late, unused here.
     """
     k, s = constants[0], sensors[0]
+    sketches = make_sketch(k, s)
     for m in range(first, last):
+        if asleep[m]:
+            continue
         match, ball, team = matches[m], balls[m], robots[m]
         for r in rows:
             percept, robot = percepts[m, r], team[r]
             sense_body(match, robot, robot_events[m, r], percept.body, k, s, pose_sensed)
             situation(match, team, beliefs[m, r].situation, r)
             percept.pan, percept.tilt = robot.pan, robot.tilt
-            take_picture(match, ball, team, percept, k, s, r)
+            take_picture(match, ball, team, percept, k, s, r, sketches)
             percept.infrared = measure_range(match, ball, team, k, s, r)

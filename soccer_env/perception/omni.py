@@ -22,9 +22,11 @@ __all__ = ["TABLES", "line_tables", "sense_slice"]
 
 @compiled
 def sense_slice(
-    matches, balls, robots, robot_events, percepts, pending, beliefs, constants, sensors, pose_sensed, rows, first, last
-):
-    """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game.
+    matches, balls, robots, robot_events, percepts, pending, beliefs,
+    constants, sensors, pose_sensed, asleep, rows, first, last,
+):  # fmt: skip
+    """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game; those of matches that are
+    `asleep` (M,), over before this step, perceive nothing new.
 
     pending (M, R, camera_delay) holds the pictures on their way.
     """
@@ -32,6 +34,8 @@ def sense_slice(
     around, maps = records(2 * MAX_TEAM, AROUND), records(1, LINE_MAP)
     draw_map(maps[0], k, s)
     for m in range(first, last):
+        if asleep[m]:
+            continue
         match, ball, team = matches[m], balls[m], robots[m]
         light = brightness(match, s)
         for r in rows:

@@ -1,10 +1,69 @@
-"""The picture of the camera on a legged robot's head, down to the blobs that its vision delivers."""
+"""The picture of the camera on a legged robot's head, down to the blobs that its vision delivers.  [Sacks 2001, 2]
+
+From the truth: where the camera looks (camera.py), who stands before it (bodies.py), what would be where in the picture
+(jersey.py, scenery.py, sketch.py), less what is hidden (occlusion.py); then what the vision makes of it (blobs.py).
+"""
 
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
+from soccer_env.frames import direction_of
+from soccer_env.perception.blobs import clear, deliver
+from soccer_env.perception.bodies import find_bodies
+from soccer_env.perception.camera import from_camera, point_camera
+from soccer_env.perception.jersey import is_lowered, put_head_stickers, put_trunk_stickers
+from soccer_env.perception.scenery import draw_goals, draw_landmarks, draw_patches
+from soccer_env.perception.sketch import BALL, KINDS, OPPONENTS, TEAMMATES, draw_panel, draw_sphere
 
 
 @compiled
-def take_picture(match, ball, robots, percept, k, s, r):
-    """Fill in the blobs that robot r sees."""
+def take_picture(match, ball, robots, percept, k, s, r, sketches):
+    """Fill in the blobs that robot r sees; `sketches` (1,) is room made by `make_sketch`.  MS04
+
+    A robot that lies on its side sees a field that lies on its side, and one that is sent off none: no blobs.
+    """
+    robot = robots[r]
+    if robot.active == 0 or robot.fallen > 0.0:
+        clear_picture(percept)
+        return
+    draw_scene(match, ball, robots, k, s, r, sketches[0])
+    deliver(sketches[0], percept, robot.noise, s)
+
+
+@compiled
+def draw_scene(match, ball, robots, k, s, r, sketch):
+    """Draw what robot r has before its camera, without noise."""
+    camera, side = sketch.camera, direction_of(match, robots[r].team)
+    for kind in range(KINDS):
+        sketch.found[kind] = 0
+    point_camera(camera, match, robots[r], s)
+    sketch.body_count = find_bodies(camera, match, robots, r, sketch.hull, s, sketch.bodies)
+    ahead, left = from_camera(camera, ball.x, ball.y)
+    draw_sphere(sketch, ahead, left, k.ball_radius, BALL)
+    for i in range(sketch.body_count):
+        draw_jersey(sketch, i, s)
+    draw_goals(sketch, side, k, s)
+    draw_landmarks(sketch, side, k, s)
+    draw_patches(sketch, match, side, k, s)
+
+
+@compiled
+def draw_jersey(sketch, owner, s):
+    """Draw the stickers of a body.  MS37, MS50"""
+    body, stickers = sketch.bodies[owner], sketch.stickers
+    kind, lowered = TEAMMATES if body.teammate == 1 else OPPONENTS, is_lowered(body, s)
+    for i in range(put_trunk_stickers(body, s, stickers)):
+        draw_panel(sketch, stickers[i], kind, owner, lowered, False)
+    if not lowered:
+        for i in range(put_head_stickers(body, s, stickers)):
+            draw_panel(sketch, stickers[i], kind, owner, False, False)
+
+
+@compiled
+def clear_picture(percept):
+    """Take all blobs out of a percept."""
+    for blobs in (percept.ball, percept.teammates, percept.opponents, percept.own_goal, percept.opponent_goal):
+        for i in range(blobs.shape[0]):
+            clear(blobs[i])
+    for i in range(percept.landmarks.shape[0]):
+        clear(percept.landmarks[i])

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from math import exp, pi, sqrt
 
+import numpy as np
+
 from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
 from soccer_env.geometry import wrap
@@ -36,11 +38,13 @@ def follow_pose(match, robot, body, k, s, first):
     keep = 0.0 if first else exp(-k.dt / max(s.pose_time, LEAST_TIME))
     fresh = sqrt(1.0 - keep * keep)
     hand = match.handedness
-    body.drift_x = keep * body.drift_x + fresh * s.pose_noise * normal(robot.noise, POSE)
-    body.drift_y = keep * body.drift_y + fresh * s.pose_noise * hand * normal(robot.noise, POSE)
-    body.drift_heading = keep * body.drift_heading + fresh * s.pose_turn_noise * hand * normal(robot.noise, POSE)
+    body.drift_x = keep * np.float64(body.drift_x) + fresh * s.pose_noise * normal(robot.noise, POSE)
+    body.drift_y = keep * np.float64(body.drift_y) + fresh * s.pose_noise * hand * normal(robot.noise, POSE)
+    turn = keep * np.float64(body.drift_heading) + fresh * s.pose_turn_noise * hand * normal(robot.noise, POSE)
+    body.drift_heading = turn
     body.pose = POSE_SENSED
-    give_pose(match, robot, body, body.drift_x, body.drift_y, body.drift_heading)
+    x, y, heading = np.float64(body.drift_x), np.float64(body.drift_y), np.float64(body.drift_heading)
+    give_pose(match, robot, body, x, y, heading)
 
 
 @compiled

@@ -1,0 +1,233 @@
+"""From the pieces of a sketch to the blobs that the vision delivers: misses, merging, noise, whole pixels.  MS04
+
+Draws are made piece by piece in the order in which they were drawn, which is the same in a mirrored match and for both
+teams, and for whatever is in the picture alone.
+"""
+
+from __future__ import annotations
+
+from math import cos, floor, log, pi, sin, sqrt
+
+from soccer_env.compiled import compiled
+from soccer_env.percept_types import BLOBS, LANDMARKS
+from soccer_env.perception.occlusion import PIECES
+from soccer_env.perception.sketch import BALL, OPPONENT_GOAL, OPPONENTS, OWN_GOAL, PATCHES, TEAMMATES
+from soccer_env.random_numbers import normal, uniform
+from soccer_env.types import RobotStream
+
+CAMERA_NOISE = int(RobotStream.CAMERA)
+FALSE_BLOBS = int(RobotStream.FALSE_BLOBS)
+SCALE_LEAST = 0.1  # [1] scale of sizes that an error does not go below
+SPOT = 0.5  # [1] width and height of an orange spot on a sticker, in the sticker's, assumed
+TOUCHING = 0.5  # [px] gap below which two pieces are one blob, assumed
+
+
+@compiled
+def deliver(sketch, percept, noise, s):
+    """Fill in the blobs of a percept from a sketch.  MS04"""
+    if percept.scale == 0.0:
+        percept.scale = max(1.0 + s.scale_error * normal(noise, CAMERA_NOISE), SCALE_LEAST)
+    miss(sketch, BALL, noise, s.ball_miss)
+    add_spots(sketch, TEAMMATES, noise, s)
+    add_spots(sketch, OPPONENTS, noise, s)
+    add_patches(sketch)
+    miss(sketch, TEAMMATES, noise, s.player_miss)
+    miss(sketch, OPPONENTS, noise, s.player_miss)
+    miss(sketch, OWN_GOAL, noise, s.landmark_miss)
+    miss(sketch, OPPONENT_GOAL, noise, s.landmark_miss)
+    report(sketch, BALL, percept.ball, percept.scale, noise, s)
+    report(sketch, TEAMMATES, percept.teammates, percept.scale, noise, s)
+    report(sketch, OPPONENTS, percept.opponents, percept.scale, noise, s)
+    report(sketch, OWN_GOAL, percept.own_goal, percept.scale, noise, s)
+    report(sketch, OPPONENT_GOAL, percept.opponent_goal, percept.scale, noise, s)
+    report_landmarks(sketch, percept.landmarks, percept.scale, noise, s)
+
+
+@compiled
+def miss(sketch, kind, noise, probability):
+    """Take out the pieces that this frame misses."""
+    kept = 0
+    for i in range(sketch.found[kind]):
+        if uniform(noise, CAMERA_NOISE) >= probability:
+            if kept < i:
+                copy(sketch.pieces[kind, i], sketch.pieces[kind, kept])
+            kept += 1
+    sketch.found[kind] = kept
+
+
+@compiled
+def copy(piece, other):
+    """Copy a piece over another."""
+    other.left, other.right, other.high, other.low = piece.left, piece.right, piece.high, piece.low
+    other.area = piece.area
+
+
+@compiled
+def add_spots(sketch, kind, noise, s):
+    """Add the orange spots that this frame shows on stickers.
+
+    Both teams' stickers show them, although only one team's are red: else the team that plays in red would have it
+    harder, and a match would not be the same with the teams swapped.
+    """
+    for i in range(sketch.found[kind]):
+        if uniform(noise, FALSE_BLOBS) >= s.red_as_orange or sketch.found[BALL] >= PIECES:
+            continue
+        sticker, spot = sketch.pieces[kind, i], sketch.pieces[BALL, sketch.found[BALL]]
+        width, height = sticker.left - sticker.right, sticker.high - sticker.low
+        spot.right = sticker.right + (1.0 - SPOT) * width * uniform(noise, FALSE_BLOBS)
+        spot.low = sticker.low + (1.0 - SPOT) * height * uniform(noise, FALSE_BLOBS)
+        spot.left, spot.high = spot.right + SPOT * width, spot.low + SPOT * height
+        spot.area = SPOT * SPOT * sticker.area
+        sketch.found[BALL] += 1
+
+
+@compiled
+def add_patches(sketch):
+    """Add the patches to what has the colour of the ball."""
+    for i in range(sketch.found[PATCHES]):
+        if sketch.found[BALL] < PIECES:
+            copy(sketch.pieces[PATCHES, i], sketch.pieces[BALL, sketch.found[BALL]])
+            sketch.found[BALL] += 1
+
+
+@compiled
+def report(sketch, kind, blobs, scale, noise, s):
+    """Fill in the four largest blobs of a kind, largest first.  [Sacks 2001, 2]  MS04"""
+    pieces, count = sketch.pieces[kind], sketch.found[kind]
+    if count > 1:
+        count = merge(pieces, count)
+        put_largest_first(pieces, count)
+    count = min(count, BLOBS)
+    for i in range(count):
+        measure(sketch.camera, pieces[i], blobs[i], scale, noise, s)
+        place = i
+        while place > 0 and blobs[place].area > blobs[place - 1].area:
+            swap(blobs[place], blobs[place - 1])
+            place -= 1
+    for i in range(count, BLOBS):
+        if blobs[i].area > 0:
+            clear(blobs[i])
+
+
+@compiled
+def report_landmarks(sketch, blobs, scale, noise, s):
+    """Fill in the blob of each landmark; the left of a pair is drawn first, in a mirror the right."""
+    for i in range(LANDMARKS):
+        index = i if sketch.camera.handedness > 0.0 else i + 1 - 2 * (i % 2)
+        if sketch.landmarks[index].area > 0.0 and uniform(noise, CAMERA_NOISE) >= s.landmark_miss:
+            measure(sketch.camera, sketch.landmarks[index], blobs[index], scale, noise, s)
+        elif blobs[index].area > 0:
+            clear(blobs[index])
+
+
+@compiled
+def merge(pieces, count):
+    """Make one piece of those that touch or overlap; return how many are left. The vision sees only their colour."""
+    i = 0
+    while i < count:
+        j = i + 1
+        while j < count and not touch(pieces[i], pieces[j]):
+            j += 1
+        if j == count:
+            i += 1
+            continue
+        one, other = pieces[i], pieces[j]
+        one.left, one.right = max(one.left, other.left), min(one.right, other.right)
+        one.high, one.low = max(one.high, other.high), min(one.low, other.low)
+        one.area += other.area
+        copy(pieces[count - 1], other)
+        count -= 1
+        i = 0  # the larger one may touch what the smaller ones did not
+    return count
+
+
+@compiled
+def touch(one, other):
+    """Tell whether two pieces are too close to each other to be two blobs."""
+    return (
+        one.right < other.left + TOUCHING
+        and other.right < one.left + TOUCHING
+        and one.low < other.high + TOUCHING
+        and other.low < one.high + TOUCHING
+    )
+
+
+@compiled
+def put_largest_first(pieces, count):
+    """Move the four largest pieces to the front, in order; of equal ones the first comes first."""
+    for place in range(min(count, BLOBS)):
+        largest = place
+        for i in range(place + 1, count):
+            if pieces[i].area > pieces[largest].area:
+                largest = i
+        if largest > place:
+            swap_pieces(pieces[place], pieces[largest])
+
+
+@compiled
+def swap_pieces(one, other):
+    """Exchange two pieces."""
+    left, right, high, low, area = one.left, one.right, one.high, one.low, one.area
+    copy(other, one)
+    other.left, other.right, other.high, other.low, other.area = left, right, high, low, area
+
+
+@compiled
+def measure(camera, piece, blob, scale, noise, s):
+    """Fill in what the vision counts of a piece: whole pixels, at least one, within the picture.
+
+    Size and place flicker by s.dither [px]; a piece that is cut off at an edge of the picture stays there.
+    """
+    sideways, upward = two_normals(noise)
+    wider, higher = two_normals(noise)
+    width, height = piece.left - piece.right, piece.high - piece.low
+    columns = pixels(width * scale + s.dither * wider, 2.0 * camera.half_width)
+    rows = pixels(height * scale + s.dither * higher, 2.0 * camera.half_height)
+    u = 0.5 * (piece.left + piece.right) + s.dither * sideways
+    v = 0.5 * (piece.high + piece.low) + s.dither * upward
+    left = place_edge(u, columns, piece.left, piece.right, camera.half_width)
+    high = place_edge(v, rows, piece.high, piece.low, camera.half_height)
+    blob.high, blob.low = int(high), int(high - rows)
+    blob.area = int(max(floor(piece.area / (width * height) * columns * rows + 0.5), 1.0))
+    if camera.handedness > 0.0:
+        blob.left, blob.right = int(left), int(left - columns)
+    else:
+        blob.left, blob.right = int(columns - left), int(-left)
+
+
+@compiled
+def pixels(size, most):
+    """Return a size as whole pixels, 1 or more, and not more than the picture has."""
+    return min(max(floor(size + 0.5), 1.0), most)
+
+
+@compiled
+def place_edge(middle, count, high, low, border):
+    """Return the upper edge, or the left one, of `count` pixels about a middle; what touches the border keeps to it."""
+    if high >= border:
+        return border
+    if low <= -border:
+        return count - border
+    return max(min(floor(middle + 0.5 * count + 0.5), border), count - border)
+
+
+@compiled
+def two_normals(noise):
+    """Draw two numbers from the normal distribution of mean 0 and deviation 1, for the price of one (Box-Muller)."""
+    radius = sqrt(-2.0 * log(1.0 - uniform(noise, CAMERA_NOISE)))
+    angle = 2.0 * pi * uniform(noise, CAMERA_NOISE)
+    return radius * cos(angle), radius * sin(angle)
+
+
+@compiled
+def swap(one, other):
+    """Exchange two blobs."""
+    left, right, high, low, area = one.left, one.right, one.high, one.low, one.area
+    one.left, one.right, one.high, one.low, one.area = other.left, other.right, other.high, other.low, other.area
+    other.left, other.right, other.high, other.low, other.area = left, right, high, low, area
+
+
+@compiled
+def clear(blob):
+    """Mark a blob as none."""
+    blob.left = blob.right = blob.high = blob.low = blob.area = 0

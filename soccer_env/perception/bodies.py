@@ -1,0 +1,233 @@
+"""The other robots before a camera: where they stand, and the boxes that hide what lies behind them.
+
+A body is two upright boxes: the trunk over the rectangle round its hull, from the belly to the back, and a cube for the
+head, which turns and moves with pan and tilt. Legs are left out: one sees through under the belly.
+"""
+
+from __future__ import annotations
+
+from math import cos, inf, sin
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.perception.camera import from_camera, in_view
+from soccer_env.perception.infrared import hull_edges
+from soccer_env.perception.outlines import (
+    CORNERS,
+    LENS,
+    add_lower,
+    add_upper,
+    begin_outline,
+    enclose,
+    end_outline,
+    project_box,
+    put_corner,
+)
+
+TRUNK, HEAD = 0, 1  # boxes of a body
+LOW = 4  # from an upper corner to the one below
+
+BOX = np.dtype(
+    [  # an upright box, in the level axes of the camera
+        ("ahead", "f8"),  # [m] its middle
+        ("left", "f8"),  # [m]
+        ("cosine", "f8"),  # of the direction of its length
+        ("sine", "f8"),
+        ("half_length", "f8"),  # [m]
+        ("half_width", "f8"),  # [m]
+        ("low", "f8"),  # [m] over the ground
+        ("high", "f8"),  # [m]
+        ("radius", "f8"),  # [m] of the circle round it, seen from above
+        ("distance", "f8"),  # [m] of its middle from the camera, over the ground
+        ("traced", "i8"),  # 1: its outline is up to date
+    ]
+)
+BODY = np.dtype(
+    [
+        ("teammate", "i8"),
+        ("ahead", "f8"),  # [m] of its origin
+        ("left", "f8"),  # [m]
+        ("tilt", "f8"),  # [rad] of its head, up positive
+        ("crown", "f8"),  # [m] height of the head stickers' middle
+        ("crown_ahead", "f8"),  # [m] of them ahead of the middle of the head
+        ("boxes", BOX, (2,)),
+    ]
+)
+RECTANGLE = np.dtype(
+    [
+        ("back", "f8"),  # [m] of the hull, robot frame
+        ("front", "f8"),  # [m]
+        ("half_width", "f8"),  # [m]
+        ("trunk_radius", "f8"),  # [m] of the circle round the trunk, seen from above
+        ("head_radius", "f8"),  # [m] the same of the head
+        ("extent", "f8"),  # [m] radius of a sphere that holds trunk and head, at any pan and tilt
+        ("middle", "f8"),  # [m] height of its middle
+    ]
+)
+
+
+@compiled
+def measure_hull(rectangle, k, s):
+    """Fill in what does not change: the rectangle round the hull, and the sphere round a robot about its origin."""
+    rectangle.back, rectangle.front, rectangle.half_width = hull_edges(k)
+    half = 0.5 * s.head_size
+    swing = length(s.camera_ahead - half, s.camera_up)  # of the head's middle about the neck
+    rectangle.trunk_radius = length(0.5 * (rectangle.front - rectangle.back), rectangle.half_width)
+    rectangle.head_radius = length(half, half)
+    reach = s.neck_ahead + swing + rectangle.head_radius
+    around = length(max(rectangle.front, -rectangle.back), rectangle.half_width)
+    rectangle.middle = 0.5 * max(s.neck_height + swing + half, s.trunk_height)
+    rectangle.extent = length(max(reach, around), rectangle.middle)
+
+
+@compiled
+def find_bodies(camera, match, robots, r, rectangle, s, bodies):
+    """Fill in the bodies that may be in the picture of robot r; return how many there are.
+
+    Team-mates come first, then opponents, each by number: an order that is the same on both sides of the field.
+    """
+    count = 0
+    for teammate in (1, 0):
+        for other in range(robots.shape[0]):
+            robot = robots[other]
+            if other == r or robot.active == 0 or (robot.team == robots[r].team) != (teammate == 1):
+                continue
+            ahead, left = from_camera(camera, robot.x, robot.y)
+            if in_view(camera, ahead, left, rectangle.middle, rectangle.extent):
+                body = bodies[count]
+                body.ahead, body.left, body.teammate = ahead, left, teammate
+                pose_body(camera, robot, rectangle, s, body)
+                count += 1
+    return count
+
+
+@compiled
+def pose_body(camera, robot, rectangle, s, body):
+    """Fill in how a body stands: its trunk and its head."""
+    trunk, head = body.boxes[TRUNK], body.boxes[HEAD]
+    heading, pan = camera.handedness * robot.heading, camera.handedness * robot.pan
+    across, along = sin(heading), cos(heading)
+    cosine = along * camera.cosine + across * camera.sine
+    sine = across * camera.cosine - along * camera.sine
+    middle = 0.5 * (rectangle.back + rectangle.front)
+    trunk.ahead, trunk.left = body.ahead + middle * cosine, body.left + middle * sine
+    trunk.cosine, trunk.sine = cosine, sine
+    trunk.half_length, trunk.half_width = 0.5 * (rectangle.front - rectangle.back), rectangle.half_width
+    trunk.low, trunk.high = s.trunk_low, s.trunk_height
+    head.cosine, head.sine = cosine * cos(pan) - sine * sin(pan), sine * cos(pan) + cosine * sin(pan)
+    head.half_length = head.half_width = 0.5 * s.head_size
+    pose_head(robot.tilt, s, body)
+    head.ahead += body.ahead + s.neck_ahead * cosine
+    head.left += body.left + s.neck_ahead * sine
+    trunk.radius, head.radius = rectangle.trunk_radius, rectangle.head_radius
+    for part in (TRUNK, HEAD):
+        box = body.boxes[part]
+        box.distance, box.traced = length(box.ahead, box.left), 0
+    body.tilt = robot.tilt
+
+
+@compiled
+def pose_head(tilt, s, body):
+    """Fill in where the head and its stickers are, from the neck: they turn with the tilt, but stay upright.
+
+    The camera is in the middle of the head's face.
+    """
+    head, half = body.boxes[HEAD], 0.5 * s.head_size
+    level, steep = cos(tilt), sin(tilt)
+    forward = (s.camera_ahead - half) * level - s.camera_up * steep
+    height = s.neck_height + s.camera_up * level + (s.camera_ahead - half) * steep
+    head.ahead, head.left = forward * head.cosine, forward * head.sine
+    head.low, head.high = height - half, height + half
+    crown = s.head_sticker_middle - s.neck_height  # above the neck, head level
+    body.crown = s.neck_height + crown * level + s.sticker_head_x * steep
+    body.crown_ahead = s.sticker_head_x * level - crown * steep - forward
+
+
+@compiled
+def in_box_axes(box, ahead, left):
+    """Return a point's place along the length and the width of a box [m], from its middle."""
+    ahead, left = ahead - box.ahead, left - box.left
+    return box.cosine * ahead + box.sine * left, box.cosine * left - box.sine * ahead
+
+
+@compiled
+def stands_before(camera, box, ahead, left, height):
+    """Tell whether a box may hide a point from the camera: no side of the box has both on its outside."""
+    eye_x, eye_y = in_box_axes(box, 0.0, 0.0)
+    x, y = in_box_axes(box, ahead, left)
+    return not (
+        min(eye_x, x) >= box.half_length
+        or max(eye_x, x) <= -box.half_length
+        or min(eye_y, y) >= box.half_width
+        or max(eye_y, y) <= -box.half_width
+        or min(camera.height, height) >= box.high
+        or max(camera.height, height) <= box.low
+    )
+
+
+@compiled
+def trace_box(camera, box, tracing, outline):
+    """Bring the outline of a box up to date. Its corners: bit 1 behind, bit 2 right, bit 4 low."""
+    nearest = inf
+    for i in range(CORNERS):
+        x = -box.half_length if i & 1 else box.half_length
+        y = -box.half_width if i & 2 else box.half_width
+        ahead, left = box.ahead + box.cosine * x - box.sine * y, box.left + box.sine * x + box.cosine * y
+        depth = put_corner(camera, tracing.corners[i], ahead, left, box.low if i & 4 else box.high)
+        nearest = min(nearest, depth)
+    box.traced = 1
+    first, count = faces_seen(box)
+    if nearest < LENS or count == 0:
+        enclose(outline, tracing.points, project_box(camera, tracing))
+    else:
+        follow_edges(camera, box, tracing.corners, outline, first, count)
+
+
+@compiled
+def faces_seen(box):
+    """Return the leftmost upright face of a box that the camera sees, and how many: 1, 2, or 0 from within.
+
+    Faces go round counter-clockwise, face i from corner i to corner i + 1 of the ring: left, behind, right, ahead.
+    """
+    x, y = in_box_axes(box, 0.0, 0.0)
+    ahead, behind = x > box.half_length, x < -box.half_length
+    left, right = y > box.half_width, y < -box.half_width
+    if ahead:
+        return (2, 2) if right else (3, 2 if left else 1)
+    if behind:
+        return (0, 2) if left else (1, 2 if right else 1)
+    if left or right:
+        return (0 if left else 2), 1
+    return 0, 0
+
+
+@compiled
+def ring(i):
+    """Return the upper corner of a box that is number i, counter-clockwise from the one ahead and left: 0, 1, 3, 2."""
+    return (i & 3) ^ ((i & 3) >> 1)
+
+
+@compiled
+def follow_edges(camera, box, corners, outline, first, count):
+    """Trace the outline of a box that lies before the lens, whose faces first, ..., first + count - 1 are seen.
+
+    From above, the far edges of its top and the near edges of its bottom bound it; from below the other way round.
+    """
+    from_above, over_belly = camera.height > box.high, camera.height > box.low
+    right, left = ring(first + count), ring(first)
+    begin_outline(outline, corners[right], corners[right + LOW])
+    for i in range(1, 4 - count):  # the far corners, from right to left
+        corner = ring(first + count + i)
+        if from_above:
+            add_upper(outline, corners[corner])
+        if not over_belly:
+            add_lower(outline, corners[corner + LOW])
+    if count == 2:  # the near corner
+        corner = ring(first + 1)
+        if not from_above:
+            add_upper(outline, corners[corner])
+        if over_belly:
+            add_lower(outline, corners[corner + LOW])
+    end_outline(outline, corners[left], corners[left + LOW])

@@ -1,0 +1,106 @@
+"""The camera of a legged robot: where it is, where it looks, and what lies within its view.  MS08
+
+Everything is seen in the camera's level axes: `ahead` and `left` over the ground from the point below the camera, along
+and across the direction in which it looks; heights from the ground. The picture has u [px] to the left and v [px] up
+from its centre, as in optics.py.
+
+In a match with handedness -1 these axes are mirrored, so that left is right, and so is all that is drawn from there on:
+a mirrored match makes the same picture bit for bit, and only the blobs that leave it are turned round again.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin, sqrt
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.optics import camera_place, focal_x, focal_y, image_height, image_width
+
+CAMERA = np.dtype(
+    [
+        ("handedness", "f8"),  # +1; -1: all that is left is right
+        ("x", "f8"),  # [m] field frame, mirrored with the handedness
+        ("y", "f8"),  # [m]
+        ("height", "f8"),  # [m]
+        ("cosine", "f8"),  # of its direction over the ground
+        ("sine", "f8"),
+        ("level", "f8"),  # cosine of its tilt
+        ("steep", "f8"),  # sine of its tilt
+        ("focal_x", "f8"),  # [px]
+        ("focal_y", "f8"),  # [px]
+        ("half_width", "f8"),  # [px] of the picture
+        ("half_height", "f8"),  # [px]
+        ("side_cosine", "f8"),  # of half the view
+        ("side_sine", "f8"),
+        ("top_cosine", "f8"),
+        ("top_sine", "f8"),
+    ]
+)
+
+
+@compiled
+def open_camera(camera, s):
+    """Fill in what does not change: focal lengths, size of the picture, edges of the view."""
+    camera.focal_x, camera.focal_y = focal_x(s), focal_y(s)
+    camera.half_width, camera.half_height = 0.5 * image_width(s), 0.5 * image_height(s)
+    camera.side_cosine, camera.side_sine = cos(0.5 * s.view_width), sin(0.5 * s.view_width)
+    camera.top_cosine, camera.top_sine = cos(0.5 * s.view_height), sin(0.5 * s.view_height)
+
+
+@compiled
+def point_camera(camera, match, robot, s):
+    """Bring the camera to where a robot's head holds it.  MS08"""
+    handedness = match.handedness
+    heading, pan = handedness * robot.heading, handedness * robot.pan
+    ahead, left, height = camera_place(pan, robot.tilt, s)
+    cosine, sine = cos(heading), sin(heading)
+    camera.handedness, camera.height = handedness, height
+    camera.x = robot.x + cosine * ahead - sine * left
+    camera.y = handedness * robot.y + sine * ahead + cosine * left
+    camera.cosine = cosine * cos(pan) - sine * sin(pan)
+    camera.sine = sine * cos(pan) + cosine * sin(pan)
+    camera.level, camera.steep = cos(robot.tilt), sin(robot.tilt)
+
+
+@compiled
+def from_camera(camera, x, y):
+    """Return how far ahead and to the left of the camera a point of the field lies [m]."""
+    x, y = x - camera.x, camera.handedness * y - camera.y
+    return camera.cosine * x + camera.sine * y, camera.cosine * y - camera.sine * x
+
+
+@compiled
+def axes_of(camera, ahead, left, height):
+    """Return depth along the optical axis, left of it and above it [m] of a point."""
+    up = height - camera.height
+    return ahead * camera.level + up * camera.steep, left, up * camera.level - ahead * camera.steep
+
+
+@compiled
+def in_view(camera, ahead, left, height, radius):
+    """Tell whether a part of a sphere may be in the picture: none of the view's four planes or the lens cuts it off."""
+    depth, left, above = axes_of(camera, ahead, left, height)
+    return (
+        depth > -radius
+        and abs(left) * camera.side_cosine - depth * camera.side_sine < radius
+        and abs(above) * camera.top_cosine - depth * camera.top_sine < radius
+    )
+
+
+@compiled
+def sphere_box(camera, depth, left, above, radius):
+    """Return the box (left, right, high, low) [px] round the picture of a sphere that lies wholly before the lens.
+
+    The planes through the lens and along an axis of the picture that touch the sphere: exact everywhere.
+    """
+    beside = depth * depth - radius * radius  # above 0: the sphere lies before the lens
+    across = radius * sqrt(beside + left * left)
+    upward = radius * sqrt(beside + above * above)
+    u, v = depth * left, depth * above
+    return (
+        camera.focal_x * (u + across) / beside,
+        camera.focal_x * (u - across) / beside,
+        camera.focal_y * (v + upward) / beside,
+        camera.focal_y * (v - upward) / beside,
+    )

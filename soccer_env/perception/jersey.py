@@ -1,0 +1,75 @@
+"""The jersey of a robot: coloured stickers on its trunk and head.  [Sacks 2001, 4.1.1, figure 4]  MS37, MS50
+
+Upright rectangles, one on each side of the trunk (chest, rump, two flanks) and of the head (brow, nape, two sides).
+Seen at an angle they are narrower and no lower: "the width of a player differs depending on the angle at which it is
+viewed, but its height remains constant" [Sacks 2001, 4.1.2]. The chest's sticker is a little smaller than those of the
+flanks, which is why the robots "when viewed head-on appeared slightly smaller".
+
+A head that is lower than s.head_down hides its own stickers, and, being black, the part of the trunk's stickers that
+lies behind it: a near robot that looks at the ball seems far away.  [Sacks 2001, 4.3.3]
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.perception.bodies import HEAD, TRUNK, in_box_axes
+
+
+@compiled
+def is_lowered(body, s):
+    """Tell whether a head is so low that it hides stickers.  [Sacks 2001, 4.3.3]  MS50"""
+    return body.tilt < -s.head_down
+
+
+@compiled
+def put_trunk_stickers(body, s, stickers):
+    """Fill in the stickers of the trunk that face the camera, chest or rump first; return how many.  MS37"""
+    trunk, middle, count = body.boxes[TRUNK], s.trunk_sticker_middle, 0
+    x, y = in_box_axes(trunk, 0.0, 0.0)
+    if x > trunk.half_length:
+        width, height = 0.5 * s.jersey * s.sticker_chest_width, 0.5 * s.jersey * s.sticker_chest_height
+        count = put_across(trunk, trunk.half_length, middle, width, height, stickers, count)
+    elif x < -trunk.half_length:
+        width, height = 0.5 * s.jersey * s.sticker_rump_width, 0.5 * s.jersey * s.sticker_rump_height
+        count = put_across(trunk, -trunk.half_length, middle, width, height, stickers, count)
+    if abs(y) > trunk.half_width:
+        width, height = 0.5 * s.jersey * s.sticker_flank_width, 0.5 * s.jersey * s.sticker_flank_height
+        side = trunk.half_width if y > 0.0 else -trunk.half_width
+        count = put_along(trunk, 0.0, side, middle, width, height, stickers, count)
+    return count
+
+
+@compiled
+def put_head_stickers(body, s, stickers):
+    """Fill in the stickers of the head that face the camera, brow or nape first; return how many.  MS37"""
+    head, count = body.boxes[HEAD], 0
+    width, height = 0.5 * s.jersey * s.sticker_head_width, 0.5 * s.jersey * s.sticker_head_height
+    x, y = in_box_axes(head, 0.0, 0.0)
+    if abs(x) > head.half_length:
+        face = head.half_length if x > 0.0 else -head.half_length
+        count = put_across(head, face, body.crown, width, height, stickers, count)
+    if abs(y) > head.half_width:
+        side = head.half_width if y > 0.0 else -head.half_width
+        count = put_along(head, body.crown_ahead, side, body.crown, width, height, stickers, count)
+    return count
+
+
+@compiled
+def put_across(box, x, middle, half_width, half_height, stickers, count):
+    """Put a sticker on the front or the back of a box; return how many there are."""
+    sticker = stickers[count]
+    sticker.ahead, sticker.left = box.ahead + box.cosine * x, box.left + box.sine * x
+    sticker.across, sticker.aside = -box.sine * half_width, box.cosine * half_width
+    sticker.low, sticker.high = middle - half_height, middle + half_height
+    return count + 1
+
+
+@compiled
+def put_along(box, x, y, middle, half_width, half_height, stickers, count):
+    """Put a sticker on a side of a box; return how many there are."""
+    sticker = stickers[count]
+    sticker.ahead = box.ahead + box.cosine * x - box.sine * y
+    sticker.left = box.left + box.sine * x + box.cosine * y
+    sticker.across, sticker.aside = box.cosine * half_width, box.sine * half_width
+    sticker.low, sticker.high = middle - half_height, middle + half_height
+    return count + 1

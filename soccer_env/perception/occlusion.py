@@ -1,0 +1,241 @@
+"""Occlusion: what bodies leave of a thing that stands behind them, column by column of the picture.
+
+The thing is cut into columns of a pixel or less. In each the outlines of the bodies before it take away an interval;
+neighbouring columns of which something is left make a piece. Exact but for the width of a column.
+"""
+
+from __future__ import annotations
+
+from math import ceil, sqrt
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.perception.bodies import HEAD, TRUNK, stands_before, trace_box
+from soccer_env.perception.outlines import OUTLINE, chain_at, piece_at
+
+PIECES = 96  # pieces of a kind that a sketch has room for: the stickers of 21 others, and some cuts
+COLUMNS = 176  # into which a thing is cut, at most
+COLUMNS_LEAST = 8  # at least
+COLUMN_MOST = 2.0  # [px] width of a column, at most
+HIDDEN = -1  # in place of a number of hiders
+LEAST_AREA = 0.5  # [px] truly visible below which nothing is seen, assumed
+
+PIECE = np.dtype(
+    [
+        ("left", "f8"),  # [px] the box round it
+        ("right", "f8"),
+        ("high", "f8"),
+        ("low", "f8"),
+        ("area", "f8"),  # [px] of its colour
+    ]
+)
+COLUMN = np.dtype(
+    [  # what is left of a column of the target, one part or two; [px]
+        ("low", "f8"),
+        ("high", "f8"),  # above low, or there is nothing left
+        ("second_low", "f8"),
+        ("second_high", "f8"),  # above its low, or there is no second part
+    ]
+)
+TARGET = np.dtype(
+    [
+        ("round", "i8"),  # 1 a sphere, 0 a polygon
+        ("outline", OUTLINE),  # its box; of a polygon its chains, too
+        # Of a sphere: column u goes from m - r to m + r, m = middle + lean u, r^2 = square + along u + bend u^2  [px]
+        ("middle", "f8"),
+        ("lean", "f8"),
+        ("square", "f8"),
+        ("along", "f8"),
+        ("bend", "f8"),
+    ]
+)
+
+
+@compiled
+def add_piece(sketch, kind, left, right, high, low, area):
+    """List a piece, unless it is too small to be seen or there is no more room."""
+    count = sketch.found[kind]
+    if area < LEAST_AREA or count >= PIECES:
+        return
+    piece = sketch.pieces[kind, count]
+    piece.left, piece.right, piece.high, piece.low, piece.area = left, right, high, low, area
+    sketch.found[kind] = count + 1
+
+
+@compiled
+def find_hiders(sketch, ahead, left, height, radius, owner, own_head, apart):
+    """List the outlines that may hide a part of the target; return how many, or HIDDEN if one hides all of it.
+
+    The target is at ahead, left [m] over the ground, its middle at a height, and reaches `radius` around; its own box
+    is in the target's outline. See `draw_panel` for the rest.
+    """
+    camera, target, count = sketch.camera, sketch.target.outline, 0
+    distance = sqrt(ahead * ahead + left * left)
+    for i in range(sketch.body_count):
+        for part in (TRUNK, HEAD):
+            box, outline = sketch.bodies[i].boxes[part], sketch.outlines[2 * i + part]
+            if box.distance - box.radius > distance + radius:
+                continue  # it stands behind
+            if abs(box.ahead * left - box.left * ahead) > box.radius * distance + radius * box.distance:
+                continue  # it stands aside: the sine of the angle between is more than what both fill
+            if i == owner and not (own_head and part == HEAD):
+                continue
+            if not (apart or stands_before(camera, box, ahead, left, height)):
+                continue
+            if box.traced == 0:
+                trace_box(camera, box, sketch.body_tracing, outline)
+            if not overlap(outline, target):
+                continue
+            if covers(outline, target):
+                return HIDDEN
+            sketch.hiders[count] = 2 * i + part
+            count += 1
+    return count
+
+
+@compiled
+def overlap(one, other):
+    """Tell whether the boxes round two outlines overlap."""
+    return one.right < other.left and other.right < one.left and one.low < other.high and other.low < one.high
+
+
+@compiled
+def covers(outline, other):
+    """Tell whether an outline covers the box round another one: it does if its chains pass the box's corners by."""
+    if outline.right > other.right or outline.left < other.left:
+        return False
+    lower, upper = outline.lower, outline.upper
+    return (
+        chain_at(upper, other.right) >= other.high
+        and chain_at(upper, other.left) >= other.high
+        and chain_at(lower, other.right) <= other.low
+        and chain_at(lower, other.left) <= other.low
+    )
+
+
+@compiled
+def cut_into_pieces(sketch, kind, hiders):
+    """Add the pieces of the target that are in the picture and that the first `hiders` outlines listed do not hide."""
+    camera, outline, columns = sketch.camera, sketch.target.outline, sketch.columns
+    right, left = max(outline.right, -camera.half_width), min(outline.left, camera.half_width)
+    if right >= left:
+        return
+    count = min(max(int(ceil((left - right) / COLUMN_MOST)), COLUMNS_LEAST), COLUMNS)
+    width = (left - right) / count
+    fill_columns(sketch.target, columns, count, right, width, camera.half_height)
+    for i in range(hiders):
+        hide_columns(sketch.outlines[sketch.hiders[i]], columns, count, right, width)
+    begin = 0
+    while begin < count:
+        if not (columns[begin].low < columns[begin].high):
+            begin += 1
+            continue
+        end = begin
+        bottom, top, area = columns[begin].low, columns[begin].high, 0.0
+        while end < count and columns[end].low < columns[end].high:
+            column = columns[end]
+            bottom, top, area = min(bottom, column.low), max(top, column.high), area + column.high - column.low
+            if column.second_low < column.second_high:
+                bottom, top = min(bottom, column.second_low), max(top, column.second_high)
+                area += column.second_high - column.second_low
+            end += 1
+        first = edge_between(sketch, hiders, begin, count, right, width, True)
+        last = edge_between(sketch, hiders, end, count, right, width, False)
+        add_piece(sketch, kind, last, first, top, bottom, area * width)
+        begin = end
+
+
+@compiled
+def edge_between(sketch, hiders, column, count, right, width, opens):
+    """Return u [px] of the edge between a column and the one before, of which just one is seen.
+
+    It is where a hider ends, or begins, between the middles of the two columns; else half-way between.
+    """
+    edge = right + column * width
+    if column == 0 or column == count:
+        return edge
+    low, high = edge - 0.5 * width, edge + 0.5 * width
+    for i in range(hiders):
+        outline = sketch.outlines[sketch.hiders[i]]
+        u = outline.left if opens else outline.right
+        if low < u < high:
+            return u
+    return edge
+
+
+@compiled
+def fill_columns(target, columns, count, right, width, border):
+    """Fill in how far the target reaches in the middle of each column, within the picture."""
+    if target.round == 1:
+        for i in range(count):
+            u, column = right + (i + 0.5) * width, columns[i]
+            middle = target.middle + target.lean * u
+            half = sqrt(max(target.square + (target.along + target.bend * u) * u, 0.0))
+            column.low, column.high = max(middle - half, -border), min(middle + half, border)
+            column.second_low = column.second_high = 0.0
+        return
+    lower, upper = target.outline.lower.points, target.outline.upper.points
+    lower_last, upper_last = target.outline.lower.count - 2, target.outline.upper.count - 2
+    i = j = 0
+    for at in range(count):
+        u, column = right + (at + 0.5) * width, columns[at]
+        i, j = piece_at(lower, i, lower_last, u), piece_at(upper, j, upper_last, u)
+        low, high = lower[i].v + lower[i].slope * (u - lower[i].u), upper[j].v + upper[j].slope * (u - upper[j].u)
+        column.low, column.high = max(low, -border), min(high, border)
+        column.second_low = column.second_high = 0.0
+
+
+@compiled
+def hide_columns(outline, columns, count, right, width):
+    """Take away from each column what an outline hides of it."""
+    lower, upper = outline.lower.points, outline.upper.points
+    lower_last, upper_last = outline.lower.count - 2, outline.upper.count - 2
+    first = max(int(ceil((outline.right - right) / width - 0.5)), 0)
+    last = min(int(ceil((outline.left - right) / width - 0.5)), count)
+    i = j = 0
+    for at in range(first, last):
+        u = right + (at + 0.5) * width
+        i, j = piece_at(lower, i, lower_last, u), piece_at(upper, j, upper_last, u)
+        low, high = lower[i].v + lower[i].slope * (u - lower[i].u), upper[j].v + upper[j].slope * (u - upper[j].u)
+        hide(columns[at], low, high)
+
+
+@compiled
+def hide(column, low, high):
+    """Take the interval low ... high [px] from a column, which may be left in two parts; of three, one is forgotten."""
+    if column.second_low < column.second_high:
+        if low <= column.second_low:
+            column.second_low = max(column.second_low, high)
+        else:
+            column.second_high = min(column.second_high, low)
+    if low > column.low and high < column.high:
+        if column.high - high > column.second_high - column.second_low:
+            column.second_low, column.second_high = high, column.high
+        column.high = low
+    elif low <= column.low:
+        column.low = max(column.low, high)
+    else:
+        column.high = min(column.high, low)
+    if column.low >= column.high and column.second_low < column.second_high:
+        column.low, column.high = column.second_low, column.second_high
+        column.second_low = column.second_high = 0.0
+
+
+@compiled
+def bend_round(camera, target, depth, beside, above, beyond):
+    """Fill in the ellipse that a sphere makes in the picture.
+
+    Its middle c is at depth, beside, above [m] in camera axes; `beyond` is |c|^2 less the square of the radius. A line
+    of sight r touches it where (r . c)^2 = |r|^2 beyond, a quadratic equation in the slopes of r.
+    """
+    narrow = beyond - above * above  # above 0: the sphere lies before the lens
+    slope, scale = 1.0 / camera.focal_x, camera.focal_y / narrow
+    beside *= slope
+    target.round = 1
+    target.middle, target.lean = scale * above * depth, scale * above * beside
+    # (above along)^2 + narrow (along^2 - beyond (1 + slope^2)) with along = depth + beside u; the squares of u, u, 1:
+    scale *= scale * beyond
+    target.square = scale * (depth * depth - narrow)
+    target.along = scale * 2.0 * depth * beside
+    target.bend = scale * (beside * beside - narrow * slope * slope)

@@ -1,0 +1,227 @@
+"""Outlines of flat and boxy things in the picture: convex polygons, an upper and a lower chain of corners.
+
+A chain runs from right to left, that is with growing u, so that a walk along the columns needs to look at each corner
+once only. An outline is traced in one of two ways:
+
+* begin_outline, add_corner ..., end_outline: its corners are known in order, and all lie before the lens;
+* project_..., enclose: what reaches behind the lens is cut off there, and the outline is the hull of what is left.
+"""
+
+from __future__ import annotations
+
+from math import inf
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.perception.camera import axes_of
+
+LENS = 0.01  # [m] depth at which things are cut off that reach behind the lens, assumed
+CORNERS = 8  # of a box
+POINTS = 16  # corners of an outline that fit: those of a box, and the cuts
+
+CORNER = np.dtype(
+    [
+        ("depth", "f8"),  # [m] along the optical axis
+        ("left", "f8"),  # [m]
+        ("above", "f8"),  # [m]
+        ("u", "f8"),  # [px] in the picture, if it is before the lens
+        ("v", "f8"),  # [px]
+    ]
+)
+POINT = np.dtype(
+    [
+        ("u", "f8"),  # [px]
+        ("v", "f8"),  # [px]
+        ("slope", "f8"),  # [1] of a chain to its next point
+    ]
+)
+CHAIN = np.dtype(
+    [
+        ("count", "i8"),
+        ("points", POINT, (POINTS,)),  # with growing u
+    ]
+)
+OUTLINE = np.dtype(
+    [
+        ("left", "f8"),  # [px] the box round it
+        ("right", "f8"),
+        ("high", "f8"),
+        ("low", "f8"),
+        ("upper", CHAIN),
+        ("lower", CHAIN),
+    ]
+)
+TRACING = np.dtype(
+    [  # room to work in
+        ("corners", CORNER, (CORNERS,)),
+        ("points", POINT, (POINTS,)),
+    ]
+)
+
+
+@compiled
+def put_corner(camera, corner, ahead, left, height):
+    """Put a corner [m] into camera axes and, if it lies before the lens, into the picture; return its depth [m]."""
+    corner.depth, corner.left, corner.above = axes_of(camera, ahead, left, height)
+    if corner.depth >= LENS:
+        scale = 1.0 / corner.depth
+        corner.u, corner.v = camera.focal_x * corner.left * scale, camera.focal_y * corner.above * scale
+    return corner.depth
+
+
+# Corners in order
+
+
+@compiled
+def begin_outline(outline, top, bottom):
+    """Begin with the corners at the right end; whichever lies farther right begins both chains."""
+    upper, lower = outline.upper, outline.lower
+    upper.count = lower.count = 0
+    if top.u < bottom.u:
+        add_to_chain(lower, top.u, top.v)
+    else:
+        add_to_chain(upper, bottom.u, bottom.v)
+    add_to_chain(upper, top.u, top.v)
+    add_to_chain(lower, bottom.u, bottom.v)
+    outline.right = min(top.u, bottom.u)
+    outline.high, outline.low = max(top.v, bottom.v), min(top.v, bottom.v)
+
+
+@compiled
+def add_upper(outline, corner):
+    """Add a corner to the upper chain."""
+    add_to_chain(outline.upper, corner.u, corner.v)
+    outline.high, outline.low = max(outline.high, corner.v), min(outline.low, corner.v)
+
+
+@compiled
+def add_lower(outline, corner):
+    """Add a corner to the lower chain."""
+    add_to_chain(outline.lower, corner.u, corner.v)
+    outline.high, outline.low = max(outline.high, corner.v), min(outline.low, corner.v)
+
+
+@compiled
+def end_outline(outline, top, bottom):
+    """End with the corners at the left end; whichever lies farther left ends both chains."""
+    add_upper(outline, top)
+    add_lower(outline, bottom)
+    if top.u > bottom.u:
+        add_to_chain(outline.lower, top.u, top.v)
+    else:
+        add_to_chain(outline.upper, bottom.u, bottom.v)
+    outline.left = max(top.u, bottom.u)
+
+
+@compiled
+def add_to_chain(chain, u, v):
+    """Add a point to a chain, and the slope that leads to it; of an upright piece the slope does not matter."""
+    count = chain.count
+    if count > 0:
+        last = chain.points[count - 1]
+        wide = u - last.u
+        last.slope = (v - last.v) / wide if wide > 0.0 else 0.0
+    chain.points[count].u, chain.points[count].v = u, v
+    chain.count = count + 1
+
+
+# Cut off at the lens
+
+
+@compiled
+def project_box(camera, tracing):
+    """Project the 8 corners of a box, cut off at the lens; return how many points there are.
+
+    Corners whose numbers differ in one bit share an edge.
+    """
+    corners, points, count = tracing.corners, tracing.points, 0
+    for i in range(CORNERS):
+        if corners[i].depth >= LENS:
+            count = add_point(points, count, corners[i].u, corners[i].v)
+        for bit in (1, 2, 4):
+            if i & bit == 0:
+                count = add_cut(camera, points, count, corners[i], corners[i + bit])
+    return count
+
+
+@compiled
+def project_rectangle(camera, tracing):
+    """Project the first 4 corners, those of a rectangle, cut off at the lens; return how many points there are."""
+    corners, points, count = tracing.corners, tracing.points, 0
+    for i in range(4):
+        if corners[i].depth >= LENS:
+            count = add_point(points, count, corners[i].u, corners[i].v)
+        count = add_cut(camera, points, count, corners[i], corners[(i + 1) % 4])
+    return count
+
+
+@compiled
+def add_point(points, count, u, v):
+    """Add a point of the picture; return how many there are."""
+    points[count].u, points[count].v = u, v
+    return count + 1
+
+
+@compiled
+def add_cut(camera, points, count, one, other):
+    """Add the point where an edge between two corners passes the lens, if it does; return how many there are."""
+    if (one.depth < LENS) == (other.depth < LENS):
+        return count
+    share = (LENS - one.depth) / (other.depth - one.depth)
+    left, above = one.left + share * (other.left - one.left), one.above + share * (other.above - one.above)
+    return add_point(points, count, camera.focal_x * left / LENS, camera.focal_y * above / LENS)
+
+
+@compiled
+def enclose(outline, points, count):
+    """Make the outline the convex hull of the points, which it sorts.  [Andrew 1979, monotone chain]"""
+    sort_points(points, count)
+    outline.upper.count = outline.lower.count = 0
+    outline.left = outline.high = -inf
+    outline.right = outline.low = inf
+    for i in range(count):
+        u, v = points[i].u, points[i].v
+        keep_convex(outline.lower, u, v, 1.0)
+        keep_convex(outline.upper, u, v, -1.0)
+        outline.left, outline.right = max(outline.left, u), min(outline.right, u)
+        outline.high, outline.low = max(outline.high, v), min(outline.low, v)
+
+
+@compiled
+def sort_points(points, count):
+    """Sort points by u, then v."""
+    for i in range(1, count):
+        u, v, place = points[i].u, points[i].v, i
+        while place > 0 and (points[place - 1].u > u or (points[place - 1].u == u and points[place - 1].v > v)):
+            points[place].u, points[place].v = points[place - 1].u, points[place - 1].v
+            place -= 1
+        points[place].u, points[place].v = u, v
+
+
+@compiled
+def keep_convex(chain, u, v, side):
+    """Add a point to a chain, and take off what now lies within; side 1 the lower chain, -1 the upper one."""
+    points = chain.points
+    while chain.count >= 2:
+        before, last = points[chain.count - 2], points[chain.count - 1]
+        if side * ((last.u - before.u) * (v - before.v) - (last.v - before.v) * (u - before.u)) > 0.0:
+            break
+        chain.count -= 1
+    add_to_chain(chain, u, v)
+
+
+@compiled
+def piece_at(points, at, last, u):
+    """Return the piece of a chain over column u [px], from piece `at` on and up to the last; u lies in the outline."""
+    while at < last and points[at + 1].u < u:
+        at += 1
+    return at
+
+
+@compiled
+def chain_at(chain, u):
+    """Return the v of a chain at column u [px], which lies in the outline."""
+    points = chain.points
+    at = piece_at(points, 0, chain.count - 2, u)
+    return points[at].v + points[at].slope * (u - points[at].u)

@@ -1,0 +1,143 @@
+"""What stands round the field of a legged robot: goals, landmarks, and patches that have the colour of the ball.
+
+All of it is laid out from the side of the team that looks, and of each pair in an order that a mirror keeps, so that
+both teams, and a match and its mirror image, draw the same noise for the same thing.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.percept_types import LANDMARKS
+from soccer_env.perception.camera import from_camera, in_view
+from soccer_env.perception.sketch import LANDMARK, NOBODY, OPPONENT_GOAL, OWN_GOAL, PATCHES, draw_panel
+from soccer_env.random_numbers import GOLDEN, MIX_1, MIX_2, mix
+
+TO_UNIT = 1.0 / 9007199254740992.0  # 2**-53
+PATCH_KEY = np.uint64(0xC2B2AE3D27D4EB4F)  # sets the places of patches apart from the noise streams of the same seed
+
+
+@compiled
+def draw_goals(sketch, side, k, s):
+    """Draw the mouths of the own and the opponent's goal, as flat as a wall.
+
+    A robot inside a goal hides it as well: it stands before the coloured walls that the mouth stands for.
+    """
+    for far, kind in ((-1.0, OWN_GOAL), (1.0, OPPONENT_GOAL)):
+        camera, panel = sketch.camera, sketch.panel
+        x, half = far * side * 0.5 * k.pitch_length, 0.5 * k.pitch_goal_width
+        if abs(camera.x) >= abs(x) and camera.x * x > 0.0:
+            continue  # the camera is in the goal itself
+        panel.ahead, panel.left = from_camera(camera, x, 0.0)
+        if not in_view(camera, panel.ahead, panel.left, 0.5 * s.goal_height, length(half, 0.5 * s.goal_height)):
+            continue
+        panel.across, panel.aside = camera.sine * half, camera.cosine * half
+        panel.low, panel.high = 0.0, s.goal_height
+        draw_panel(sketch, panel, kind, NOBODY, False, True)
+
+
+@compiled
+def draw_landmarks(sketch, side, k, s):
+    """Draw the six landmarks: coloured cylinders just outside the corners and the ends of the halfway line."""
+    half_length = 0.5 * k.pitch_length + k.pitch_band_end + s.landmark_radius
+    half_width = 0.5 * k.pitch_width + k.pitch_band_side + s.landmark_radius
+    middle, high = 0.5 * (s.landmark_low + s.landmark_high), 0.5 * (s.landmark_high - s.landmark_low)
+    handedness, radius = sketch.camera.handedness, length(s.landmark_radius, high)
+    for i in range(LANDMARKS):
+        left = 1.0 if (i % 2 == 0) == (handedness > 0.0) else -1.0  # the first of a pair is left in the mirrored axes
+        index = i - i % 2 + (0 if left > 0.0 else 1)
+        sketch.landmarks[index].area = 0.0
+        x, y = side * (i // 2 - 1) * half_length, side * left * half_width
+        ahead, aside = from_camera(sketch.camera, x, y)
+        if not in_view(sketch.camera, ahead, aside, middle, radius):
+            continue
+        sketch.found[LANDMARK] = 0
+        face_camera(sketch.panel, ahead, aside, s.landmark_radius)
+        sketch.panel.low, sketch.panel.high = s.landmark_low, s.landmark_high
+        draw_panel(sketch, sketch.panel, LANDMARK, NOBODY, False, True)
+        keep_largest(sketch, sketch.landmarks[index])
+
+
+@compiled
+def face_camera(panel, ahead, left, half_width):
+    """Put a panel somewhere and turn it to the camera."""
+    distance = max(length(ahead, left), 1e-9)
+    panel.ahead, panel.left = ahead, left
+    panel.across, panel.aside = -left / distance * half_width, ahead / distance * half_width
+
+
+@compiled
+def keep_largest(sketch, kept):
+    """Keep the largest piece of a landmark."""
+    for i in range(sketch.found[LANDMARK]):
+        piece = sketch.pieces[LANDMARK, i]
+        if piece.area > kept.area:
+            kept.left, kept.right, kept.high, kept.low = piece.left, piece.right, piece.high, piece.low
+            kept.area = piece.area
+
+
+@compiled
+def draw_patches(sketch, match, side, k, s):
+    """Draw the patches of the ball's colour that stand off the field in this match, behind the boards.
+
+    They stand in pairs, one opposite the other: what one team sees at a place, the other sees at its own.
+    """
+    key = mix(np.uint64(match.seed) + GOLDEN * np.uint64(match.episode + 1)) ^ PATCH_KEY
+    for pair in range(int(s.patches) // 2):
+        x, y, height = patch_place(mix(key + MIX_1 * np.uint64(pair + 1)), k, s)
+        for here in (side, -side):
+            draw_patch(sketch, here * x, here * y * match.handedness, height, k, s)
+
+
+@compiled
+def patch_place(bits, k, s):
+    """Return where a patch stands [m]: x, y on a rectangle round the boards, and its height."""
+    length_away = 0.5 * k.pitch_length + k.pitch_band_end + s.patch_away
+    width_away = 0.5 * k.pitch_width + k.pitch_band_side + s.patch_away
+    along = 2.0 * (length_away + width_away) * unit(bits)  # half round suffices: the other half is opposite
+    height = s.patch_low + (s.patch_high - s.patch_low) * unit(mix(bits ^ MIX_2))
+    if along < 2.0 * length_away:
+        return along - length_away, width_away, height
+    return length_away, along - 2.0 * length_away - width_away, height
+
+
+@compiled
+def unit(bits):
+    """Return 64 mixed bits as a number in [0, 1)."""
+    return np.float64(bits >> np.uint64(11)) * TO_UNIT
+
+
+@compiled
+def draw_patch(sketch, x, y, height, k, s):
+    """Draw a patch; boards hide what of it lies below the line of sight over them."""
+    camera, panel, half = sketch.camera, sketch.panel, 0.5 * s.patch_size
+    ahead, left = from_camera(camera, x, y)
+    if not in_view(camera, ahead, left, height, length(half, half)):
+        return
+    face_camera(panel, ahead, left, half)
+    panel.low, panel.high = height - half, height + half
+    if k.walled == 1:
+        share = share_to_boards(camera.x, camera.handedness * camera.y, x, y, k)
+        panel.low = max(panel.low, camera.height + (s.board_height - camera.height) / share)
+    if panel.low < panel.high:
+        draw_panel(sketch, panel, PATCHES, NOBODY, False, True)
+
+
+@compiled
+def share_to_boards(x, y, to_x, to_y, k):
+    """Return which share [1] of the way from a place on the field to one outside lies before the boards."""
+    share, half_length, half_width = 1.0, 0.5 * k.pitch_length, 0.5 * k.pitch_width
+    if abs(to_x) > half_length:
+        share = min(share, share_to_line(x, to_x, half_length))
+    if abs(to_y) > half_width:
+        share = min(share, share_to_line(y, to_y, half_width))
+    return share
+
+
+@compiled
+def share_to_line(start, end, line):
+    """Return which share [1] of the way lies before a line at +-line, at least a thousandth."""
+    goal = line if end > 0.0 else -line
+    return max((goal - start) / (end - start), 0.001) if end != start else 1.0

@@ -1,0 +1,184 @@
+"""The sketch of a picture: where each coloured thing would be in it, in exact fractions of pixels and without noise.
+
+A thing is a sphere (the ball) or an upright panel (stickers, goals, landmarks, patches). It becomes one piece or, where
+bodies stand before it, several: a box and its coloured area. Pieces are listed by kind; `sketch` is room that a slice
+of matches makes once.
+"""
+
+from __future__ import annotations
+
+from math import inf, pi, sqrt
+
+import numpy as np
+
+from soccer_env.compiled import compiled, records
+from soccer_env.geometry import length
+from soccer_env.percept_types import LANDMARKS, OTHERS
+from soccer_env.perception.bodies import BODY, RECTANGLE, measure_hull
+from soccer_env.perception.camera import CAMERA, axes_of, in_view, open_camera, sphere_box
+from soccer_env.perception.occlusion import (
+    COLUMN,
+    COLUMNS,
+    HIDDEN,
+    PIECE,
+    PIECES,
+    TARGET,
+    add_piece,
+    bend_round,
+    cut_into_pieces,
+    find_hiders,
+)
+from soccer_env.perception.outlines import (
+    LENS,
+    OUTLINE,
+    TRACING,
+    begin_outline,
+    enclose,
+    end_outline,
+    project_rectangle,
+    put_corner,
+)
+
+BALL, TEAMMATES, OPPONENTS, OWN_GOAL, OPPONENT_GOAL, PATCHES, LANDMARK = range(7)  # kinds of pieces
+KINDS = 7
+STICKERS = 4  # of a body that are seen at once, at most
+NOBODY = -1
+
+PANEL = np.dtype(
+    [  # an upright rectangle, in the level axes of the camera
+        ("ahead", "f8"),  # [m] its middle
+        ("left", "f8"),  # [m]
+        ("across", "f8"),  # [m] from the middle to one end, over the ground: ahead
+        ("aside", "f8"),  # [m] left
+        ("low", "f8"),  # [m] over the ground
+        ("high", "f8"),  # [m]
+    ]
+)
+SKETCH = np.dtype(
+    [
+        ("camera", CAMERA),
+        ("hull", RECTANGLE),
+        ("bodies", BODY, (OTHERS,)),
+        ("body_count", "i8"),
+        ("outlines", OUTLINE, (2 * OTHERS,)),  # of the boxes of each body
+        ("hiders", "i8", (2 * OTHERS,)),  # outlines that hide a part of the target
+        ("columns", COLUMN, (COLUMNS,)),  # into which the target is cut
+        ("target", TARGET),  # what is being drawn
+        ("tracing", TRACING),
+        ("body_tracing", TRACING),
+        ("panel", PANEL),
+        ("stickers", PANEL, (STICKERS,)),
+        ("found", "i8", (KINDS,)),  # pieces of each kind
+        ("pieces", PIECE, (KINDS, PIECES)),
+        ("landmarks", PIECE, (LANDMARKS,)),  # the largest piece of each; area 0: none
+    ]
+)
+
+
+@compiled
+def make_sketch(k, s):
+    """Return room for a sketch, (1,), made ready for a league's robots and their camera."""
+    sketches = records(1, SKETCH)
+    open_camera(sketches[0].camera, s)
+    measure_hull(sketches[0].hull, k, s)
+    return sketches
+
+
+@compiled
+def draw_panel(sketch, panel, kind, owner, own_head, apart):
+    """Draw an upright panel.
+
+    `owner` is the body that wears it, or NOBODY; `own_head` True: the owner's head may hide it. `apart` True: it stands
+    beyond all robots, so that whatever overlaps it hides it.
+    """
+    camera, target = sketch.camera, sketch.target
+    outline = target.outline
+    if not trace_panel(camera, panel, sketch.tracing, outline) or is_outside(camera, outline):
+        return
+    radius, middle = length(panel.across, panel.aside), 0.5 * (panel.low + panel.high)
+    hiders = find_hiders(sketch, panel.ahead, panel.left, middle, radius, owner, own_head, apart)
+    if hiders == HIDDEN:
+        return
+    if hiders == 0 and is_inside(camera, outline):
+        add_piece(sketch, kind, outline.left, outline.right, outline.high, outline.low, quadrangle(sketch.tracing))
+        return
+    target.round = 0
+    cut_into_pieces(sketch, kind, hiders)
+
+
+@compiled
+def trace_panel(camera, panel, tracing, outline):
+    """Trace the outline of a panel; return whether any of it lies before the lens."""
+    corners, nearest, farthest = tracing.corners, inf, -inf
+    for i in range(4):  # round it
+        side = 1.0 if i < 2 else -1.0
+        height = panel.high if i == 1 or i == 2 else panel.low
+        ahead, left = panel.ahead + side * panel.across, panel.left + side * panel.aside
+        depth = put_corner(camera, corners[i], ahead, left, height)
+        nearest, farthest = min(nearest, depth), max(farthest, depth)
+    if farthest < LENS:
+        return False
+    if nearest < LENS:
+        enclose(outline, tracing.points, project_rectangle(camera, tracing))
+    elif corners[0].u < corners[3].u:
+        begin_outline(outline, corners[1], corners[0])
+        end_outline(outline, corners[2], corners[3])
+    else:
+        begin_outline(outline, corners[2], corners[3])
+        end_outline(outline, corners[1], corners[0])
+    return True
+
+
+@compiled
+def quadrangle(tracing):
+    """Return the area [px] of the first four corners: half the product of the diagonals."""
+    a, b, c, d = tracing.corners[0], tracing.corners[1], tracing.corners[2], tracing.corners[3]
+    return 0.5 * abs((c.u - a.u) * (d.v - b.v) - (c.v - a.v) * (d.u - b.u))
+
+
+@compiled
+def is_outside(camera, outline):
+    """Tell whether nothing of an outline is in the picture."""
+    return (
+        outline.right >= camera.half_width
+        or outline.left <= -camera.half_width
+        or outline.low >= camera.half_height
+        or outline.high <= -camera.half_height
+    )
+
+
+@compiled
+def is_inside(camera, outline):
+    """Tell whether all of an outline is in the picture."""
+    return (
+        outline.left <= camera.half_width
+        and outline.right >= -camera.half_width
+        and outline.high <= camera.half_height
+        and outline.low >= -camera.half_height
+    )
+
+
+@compiled
+def draw_sphere(sketch, ahead, left, radius, kind):
+    """Draw a ball that lies on the ground: the ellipse that a sphere makes in the picture.  MS04"""
+    camera, target = sketch.camera, sketch.target
+    if not in_view(camera, ahead, left, radius, radius):
+        return
+    depth, beside, above = axes_of(camera, ahead, left, radius)
+    beyond = depth * depth + beside * beside + above * above - radius * radius
+    if depth <= radius + LENS or beyond <= 0.0:  # beside the lens or round it
+        return
+    outline = target.outline
+    outline.left, outline.right, outline.high, outline.low = sphere_box(camera, depth, beside, above, radius)
+    if is_outside(camera, outline):
+        return
+    hiders = find_hiders(sketch, ahead, left, radius, radius, NOBODY, False, False)
+    if hiders == HIDDEN:
+        return
+    if hiders == 0 and is_inside(camera, outline):
+        inner = depth * depth - radius * radius
+        area = pi * radius * radius * sqrt(beyond) / (inner * sqrt(inner)) * camera.focal_x * camera.focal_y
+        add_piece(sketch, kind, outline.left, outline.right, outline.high, outline.low, area)
+        return
+    bend_round(camera, target, depth, beside, above, beyond)
+    cut_into_pieces(sketch, kind, hiders)
