@@ -18,8 +18,8 @@ LEAST = 1e-9  # [m]
 
 HEAD_MEMORY = np.dtype(
     [
-        ("side", "f4"),  # 0: not searching; +1, -1: the first sweep of the cycle begins on the left, the right
-        ("clock", "f4"),  # [s] in the cycle of two sweeps, a near one and a far one
+        ("side", "f8"),  # 0: not searching; +1, -1: the first sweep of the cycle begins on the left, the right
+        ("clock", "f8"),  # [s] in the cycle of two sweeps, a near one and a far one
     ]
 )
 
@@ -35,10 +35,13 @@ def choose_gaze(percept, belief, memory, gaze, k, s, w):
     if ball.confidence > 0.0 and ball.age < w.search_after:
         memory.side = 0.0
         ahead, left = ball.distance * cos(ball.bearing), ball.distance * sin(ball.bearing)
-        ahead, left = move_point(ahead, left, percept.body.forward, percept.body.left, percept.body.turn)
+        if ball.distance >= w.dribbling_distance:  # a nearer one comes along
+            body = percept.body
+            forward, aside, turn = np.float64(body.forward), np.float64(body.left), np.float64(body.turn)
+            ahead, left = move_point(ahead, left, forward, aside, turn)
         pan, tilt = gaze_at_point(ahead, left, k.ball_radius, s)
     else:
-        pan, tilt = search(ball, memory, percept.body.handedness, k, w)
+        pan, tilt = search(ball, memory, np.float64(percept.body.handedness), k, w)
     gaze.pan = clip(pan, -k.head_pan_limit, k.head_pan_limit)
     gaze.tilt = clip(tilt, k.head_tilt_low, k.head_tilt_high)
 

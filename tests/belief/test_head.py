@@ -195,6 +195,15 @@ def test_ms07_the_ball_stays_at_the_centre_of_the_picture_while_the_robot_walks(
     assert np.median(settled) < 0.1 * CENTRED  # it leads by the robot's own motion, and does not lag behind
 
 
+def test_the_head_leads_a_ball_that_lies_still_and_not_one_that_comes_along() -> None:
+    for distance, lead in ((0.5, True), (0.15, False)):
+        head = Head()
+        head.believe(distance, 0.2)
+        at_rest = head.gaze()
+        head.percepts["body"]["turn"] = 0.05
+        assert (head.gaze()[0] < at_rest[0]) == lead
+
+
 def test_the_head_catches_a_ball_aside_at_the_speed_of_its_joints() -> None:
     match = stage(steady(LEGGED), observe="belief")
     put(match, 0, 0.0, 0.0)
