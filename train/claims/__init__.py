@@ -32,6 +32,19 @@ MODULES: tuple[str, ...] = (
     "ball_velocity",
     "ball_gap",
     "sensors",
+    "players_tracked",
+    "players_grouping",
+    "players_ghosts",
+    "players_memory",
+    "players_jersey",
+    "players_blobs",
+    "players_range",
+    "players_moving",
+    "head_down",
+    "views",
+    "resolution",
+    "middle_size",
+    "own_pose",
 )
 
 

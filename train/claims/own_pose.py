@@ -8,21 +8,21 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.claims.claim import HEINEMANN, Batch, Claim, Curve, Figure
-from soccer_env.train.claims.staging import MIDDLE, begin, from_robot, play, put, put_ball, stage, standing, wrapped
+from soccer_env.train.claims.staging import MIDDLE, begin, play, put, put_ball, stage, standing, wrapped
 from soccer_env.train.claims.values import median, quantile
 from soccer_env.train.verdicts import Samples, counted, measured, reported
 
-MATCHES = 32
-OTHERS = 2  # opponents who drive about as well and stand in the way of sight
-SETTLE = 8.0  # [s] to find out where it is, untold
-SECONDS = 8.0  # [s] measured
-LONGEST = 10.0  # [s] after which one that is still lost counts as not recovered
+MATCHES = 80
+OTHERS = 9  # as many as in a match of 5 v 5; they drive about as well and stand in the way of sight
+SETTLE = 5.0  # [s] to find out where it is, untold
+SECONDS = 6.0  # [s] measured
+LONGEST = 6.0  # [s] after which one that is still lost counts as not recovered
 LOST = 0.5  # [m] within which a robot is not lost
 TURNED = 20.0 * np.pi / 180.0  # [rad] the same
 HELD = 1.0  # [s] for which it must not be lost to count as recovered
 CARRIED = 2.0  # [m] least distance over which a robot is carried
 SPEED = 1.3  # [m/s] at which robots drive about: half of their top speed
-EVERY = 5  # frames between two samples
+EVERY = 5  # frames between two samples, and between two commands
 REACHED = 0.5  # [m] from a target at which the next one is drawn
 
 
@@ -31,29 +31,28 @@ class Drivers:
 
     def __init__(self, match: Match, rng: np.random.Generator) -> None:
         self.match, self.rng = match, rng
-        self.count = match.robots.shape[1]
         self.x, self.y = self.targets()
-        self.turn = rng.uniform(-0.3, 0.3, (match.count, self.count))
+        self.turn = rng.uniform(-0.3, 0.3, match.robots.shape)  # [1] of the top turn rate
         self.actions = standing(match)
 
     def targets(self) -> tuple[np.ndarray, np.ndarray]:
         """Return places within the field (M, R) [m]."""
-        pitch, shape = self.match.league.pitch, (self.match.count, self.count)
+        pitch, shape = self.match.league.pitch, self.match.robots.shape
         half_length, half_width = 0.5 * pitch.length - 0.5, 0.5 * pitch.width - 0.5
         return self.rng.uniform(-half_length, half_length, shape), self.rng.uniform(-half_width, half_width, shape)
 
-    def steer(self) -> None:
-        """Fill in the actions of the next step."""
-        drive = self.match.league.drive
+    def steer(self, step: int) -> None:
+        """Fill in the actions of the next steps."""
+        if step % EVERY:
+            return
+        drive, robots = self.match.league.drive, self.match.robots
+        there = np.hypot(self.x - robots["x"], self.y - robots["y"]) < REACHED
         x, y = self.targets()
-        for r in range(self.count):
-            away, bearing = from_robot(self.match, r, self.x[:, r], self.y[:, r])
-            there = away < REACHED
-            self.x[there, r], self.y[there, r] = x[there, r], y[there, r]
-            away, bearing = from_robot(self.match, r, self.x[:, r], self.y[:, r])
-            self.actions[:, r, 0] = SPEED / drive.forward * np.cos(bearing)
-            self.actions[:, r, 1] = SPEED / drive.sideways * np.sin(bearing)
-            self.actions[:, r, 2] = self.turn[:, r]
+        self.x, self.y = np.where(there, x, self.x), np.where(there, y, self.y)
+        course = np.arctan2(self.y - robots["y"], self.x - robots["x"]) - robots["heading"]
+        self.actions[..., 0] = SPEED / drive.forward * np.cos(course)
+        self.actions[..., 1] = SPEED / drive.sideways * np.sin(course)
+        self.actions[..., 2] = self.turn
 
 
 def errors_of(match: Match) -> tuple[np.ndarray, np.ndarray]:
@@ -84,24 +83,25 @@ def drive_and_carry(batch: Batch) -> Samples:
     match = stage(
         batch, MIDDLE, matches=MATCHES, away=OTHERS, pose="particles", senses={"home": "sensors", "away": "ideal"}
     )
-    for r, (x, y) in enumerate(((-3.0, -2.0), (0.0, 2.0), (3.0, -1.0))):
-        aside = rng.uniform(-1.0, 1.0, (2, MATCHES))
+    for r in range(1 + OTHERS):  # in two rows, apart from each other
+        x, y = 2.0 * (r // 2) - 4.0, 3.0 * (r % 2) - 1.5
+        aside = rng.uniform(-0.6, 0.6, (2, MATCHES))
         put(match, r, x + aside[0], y + aside[1], rng.uniform(-np.pi, np.pi, MATCHES))
     put_ball(match, 5.0, 3.5)
     begin(match)
     drivers = Drivers(match, rng)
-    for _ in play(match, SETTLE, drivers.actions):
-        drivers.steer()
+    for step in play(match, SETTLE, drivers.actions):
+        drivers.steer(step)
     rows = []
     for step in play(match, SECONDS, drivers.actions):
-        drivers.steer()
+        drivers.steer(step)
         if step % EVERY == 0:
             rows.append(np.stack(errors_of(match)))
     place, heading = np.stack(rows, axis=2)
     carry_away(match, rng)
     lost = []
-    for _ in play(match, LONGEST + HELD, drivers.actions):
-        drivers.steer()
+    for step in play(match, LONGEST + HELD, drivers.actions):
+        drivers.steer(step)
         off, turned = errors_of(match)
         lost.append((off > LOST) | (turned > TURNED))
     time = recovery(np.stack(lost, axis=1), match.league.dt)
@@ -150,6 +150,8 @@ H27 = Claim(
         reported("median time to recover", lambda samples: median(samples["time"]), unit="s"),
     ),
     measure=drive_and_carry,
+    batches=12,
+    seconds=5.0,
     figures=pose_figures,
     ingredients=("memory.particles = 96", "sensors.lines, line_range, goal_miss", "memory.pose_fresh"),
 )

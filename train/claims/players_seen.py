@@ -10,8 +10,11 @@ from typing import Any
 import numpy as np
 
 from soccer_env.leagues import find_league
+from soccer_env.leagues.legged_sensors import RESOLUTIONS
 from soccer_env.match import Match
+from soccer_env.optics import SMALLEST_HEIGHT, SMALLEST_WIDTH
 from soccer_env.train.claims.claim import Batch
+from soccer_env.train.claims.sight import camera_of
 from soccer_env.train.claims.staging import LEGGED, ahead_of, from_robot, hide_ball, put, stage, wrapped
 
 NONE = np.inf  # [m] gap to a player that nobody remembers
@@ -123,33 +126,59 @@ def matched(gaps: np.ndarray, limit: float) -> np.ndarray:
     return found
 
 
-def blob_bearings(match: Match, colour: str = "opponents") -> np.ndarray:
-    """Return the bearings (M, blobs) [rad] of robot 0's blobs of a colour, NaN where there is none.
+def blob_directions(match: Match, colour: str = "opponents") -> tuple[np.ndarray, np.ndarray]:
+    """Return bearings and elevations (M, blobs) [rad] of robot 0's blobs of a colour from its camera, NaN without one.
 
     The same geometry as soccer_env.optics, which works on one robot at a time; a test holds them together.
     """
     percept, s = match.percepts[:, 0], match.league.sensors
-    blobs, pan, tilt = percept[colour], percept["pan"][:, None], percept["tilt"][:, None]
-    scale = 44.0 * (1 << s.NAMES["resolution"][s.resolution]) / (2.0 * np.tan(0.5 * s.view_width))
-    rows = 36.0 * (1 << s.NAMES["resolution"][s.resolution]) / (2.0 * np.tan(0.5 * s.view_height))
-    left = 0.5 * (blobs["left"].astype(float) + blobs["right"]) / scale
-    up = 0.5 * (blobs["high"].astype(float) + blobs["low"]) / rows
-    ahead = np.cos(tilt) - up * np.sin(tilt)
-    bearing = pan + np.arctan2(left, ahead)
-    return np.where(blobs["area"] > 0, wrapped(bearing), np.nan)
+    blobs, pan, tilt = percept[colour], percept["pan"][:, None].astype(float), percept["tilt"][:, None].astype(float)
+    finer = 1 << RESOLUTIONS[s.resolution]
+    left = (blobs["left"].astype(float) + blobs["right"]) / (SMALLEST_WIDTH * finer) * np.tan(0.5 * s.view_width)
+    up = (blobs["high"].astype(float) + blobs["low"]) / (SMALLEST_HEIGHT * finer) * np.tan(0.5 * s.view_height)
+    ahead, high = np.cos(tilt) - up * np.sin(tilt), np.sin(tilt) + up * np.cos(tilt)
+    there = blobs["area"] > 0
+    bearing, elevation = wrapped(pan + np.arctan2(left, ahead)), np.arctan2(high, np.hypot(ahead, left))
+    return np.where(there, bearing, np.nan), np.where(there, elevation, np.nan)
 
 
-def owner_of(match: Match, bearings: np.ndarray, robots: Any) -> np.ndarray:
-    """Return which of some robots (M, k), by place in `robots`, lies nearest to each bearing [rad]; -1 for NaN.
-
-    Bearings of blobs are counted from the camera, those of robots therefore too, not from the body's centre.
-    """
-    from soccer_env.train.claims.sight import camera_of
-
+def from_camera(match: Match, robots: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return the true distances along the ground [m] and bearings [rad] (M, n) of some robots from robot 0's camera."""
     camera, _ = camera_of(match)
-    eye = match.robots["heading"][:, 0]
-    dx = match.robots["x"][:, robots] - camera[:, :1]
-    dy = match.robots["y"][:, robots] - camera[:, 1:2]
-    true = wrapped(np.arctan2(dy, dx) - eye[:, None])
-    off = np.abs(wrapped(bearings[:, :, None] - true[:, None, :])) * np.hypot(dx, dy)[:, None, :]
-    return np.where(np.isfinite(bearings), np.argmin(np.nan_to_num(off, nan=np.inf), axis=2), -1)
+    dx, dy = match.robots["x"][:, robots] - camera[:, :1], match.robots["y"][:, robots] - camera[:, 1:2]
+    return np.hypot(dx, dy), wrapped(np.arctan2(dy, dx) - match.robots["heading"][:, :1])
+
+
+def blob_heights(match: Match, r: int = 1) -> np.ndarray:
+    """Return how high over the ground (M, blobs) [m] the middles of the opponents' blobs are, if they are robot r's."""
+    away, _ = from_camera(match, [r])
+    camera, _ = camera_of(match)
+    heights: np.ndarray = camera[:, 2:] + away * np.tan(blob_directions(match)[1])
+    return heights
+
+
+def owners(match: Match, robots: Any) -> np.ndarray:
+    """Return whose the opponents' blobs (M, blobs) are: the place in `robots` of the one nearest aside, -1 without."""
+    bearing, _ = blob_directions(match)
+    away, true = from_camera(match, robots)
+    aside = np.abs(wrapped(bearing[:, :, None] - true[:, None, :])) * away[:, None, :]
+    return np.where(np.isfinite(bearing), np.argmin(np.nan_to_num(aside, nan=NONE), axis=2), -1)
+
+
+def slot_bearings(match: Match, slots: np.ndarray) -> np.ndarray:
+    """Return the bearings (M, slots) [rad] of what slots hold from robot 0's camera, not from its body's centre."""
+    camera, _ = camera_of(match)
+    eye = match.robots[:, 0]
+    dx, dy = camera[:, 0] - eye["x"], camera[:, 1] - eye["y"]
+    cosine, sine = np.cos(eye["heading"]), np.sin(eye["heading"])
+    ahead, left = cosine * dx + sine * dy, cosine * dy - sine * dx
+    bearing: np.ndarray = np.arctan2(slots["y"] - left[:, None], slots["x"] - ahead[:, None])
+    return bearing
+
+
+def memory_of(match: Match) -> np.ndarray:
+    """Return the (1,) record of the memory settings that the running match reads."""
+    senses = match.field.senses
+    assert senses is not None, "nobody uses its sensors"
+    record: np.ndarray = senses.memory_settings
+    return record
