@@ -101,7 +101,8 @@ class Match:
         sides = self._sensing_sides()
         if sides:
             self.field.senses = Senses(self.settings, self.count, sides)
-        self._no_actions = np.zeros((self.count, len(self.agents), self.settings.actions.size))
+        unplayed = self.count if not self.learns.any() else 0  # with learners there are always actions
+        self._no_actions = np.zeros((unplayed, len(self.agents), self.settings.actions.size))
 
     def _sensing_sides(self) -> tuple[int, ...]:
         """Return the teams whose sensors somebody uses: a team that plays them, or what learners observe."""

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.leagues.legged_sensors import AVERAGED_MOST
 from soccer_env.types import AWAY, GAZE, HOME, NO_TEAM, Phase, RobotStream
 
 Match = Any  # soccer_env.match.Match, which stands above this file
@@ -102,6 +103,8 @@ RANGES = {  # of whole numbers in matches and robots, both ends allowed
     "kick_off_team": (HOME, AWAY), "last_touch_team": (NO_TEAM, AWAY), "active": (0, 1), "has_ball": (0, 1),
     "step": (0, 1 << 60), "episode": (0, 1 << 60), "gait_phase": (0, 1 << 20), "score": (0, 1 << 31),
 }  # fmt: skip
+SENSED = ("percepts", "pending", "beliefs", "tracks", "memories", "messages", "particles")
+INDICES = {"count": AVERAGED_MOST, "latest": 1, "known": 1, "fresh": 1, "flying": 1, "word": 15}  # greatest of each
 FIXED = ("team", "number", "keeper")  # of a robot: as the match lined up
 FAR = 1e6  # no number of a match is larger; the length of a half may be infinite
 
@@ -113,6 +116,9 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
         for field, (low, high) in RANGES.items():
             if field in (arrays[name].dtype.names or ()) and not within(arrays[name][field], low, high):
                 raise ValueError(f"this save is damaged: {field} of {name} is out of range")
+    for name in SENSED:
+        if name in arrays:
+            check_sensed(name, arrays[name])
     for field in FIXED:
         if not np.array_equal(arrays["robots"][field], match.robots[field]):
             raise ValueError(f"this save is damaged: {field} of robots is not that of the match")
@@ -120,6 +126,18 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
         raise ValueError("this save is damaged: last_touch_robot of matches is out of range")
     if not (np.abs(arrays["matches"]["home_direction"]) == 1.0).all():
         raise ValueError("this save is damaged: home_direction of matches is neither 1 nor -1")
+
+
+def check_sensed(name: str, array: np.ndarray) -> None:
+    """Raise ValueError if a record of the senses holds something that is no number, or an index out of range."""
+    for field in array.dtype.names or ():
+        values = array[field]
+        if values.dtype.names:
+            check_sensed(f"{field} of {name}", values)
+        elif values.dtype.kind == "f" and np.isnan(values).any():
+            raise ValueError(f"this save is damaged: {field} of {name} is not a number")
+        elif field in INDICES and not within(values, 0, INDICES[field]):
+            raise ValueError(f"this save is damaged: {field} of {name} is out of range")
 
 
 def check_floats(name: str, array: np.ndarray) -> None:

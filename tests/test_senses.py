@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
+from soccer_env.saving import dump
 from tests.staging import scatter, set_phase
 from tests.symmetry import (
     Records,
@@ -228,3 +229,17 @@ def test_each_team_has_its_own_senses() -> None:
     true = np.hypot(match.balls["x"] - match.robots["x"][0], match.balls["y"] - match.robots["y"][0])
     assert match.beliefs["ball"]["distance"][0, :3] == pytest.approx(true[:3], abs=1e-9)
     assert (abs(match.beliefs["ball"]["distance"][0, 3:] - true[3:]) > 1e-6).all()
+
+
+def test_a_save_with_nonsense_in_the_memory_is_refused() -> None:
+    match = sensing("legged-2001", matches=1)
+    memory = match.field.senses.memories
+    for name, value in (("count", 100), ("x", np.nan)):
+        kept = memory["ball"][name].copy()
+        memory["ball"][name] = value
+        damaged = dump(match)
+        memory["ball"][name] = kept
+        before = match.state_hash()
+        with pytest.raises(ValueError, match="this save is damaged"):
+            match.load(damaged)
+        assert match.state_hash() == before

@@ -25,6 +25,13 @@ RADIO = int(RobotStream.RADIO)
 SEEN = 0.5  # [s] a ball that was seen so recently is "seen": pictures miss one now and then, assumed
 REMEMBERED = 2.0  # periods for which a word that arrived counts
 
+WORD = np.dtype(
+    [  # what a loudspeaker says
+        ("frame", "i4"),  # in which it was said
+        ("word", "i4"),  # range of the speaker's distance to the ball
+        ("distance", "f8"),  # [m] of that range; inf: not seen
+    ]
+)
 REPORT = np.dtype(
     [
         ("frame", "i4"),  # in which it was said
@@ -47,16 +54,23 @@ REPORT = np.dtype(
     ]
 )
 
-MESSAGE = np.dtype(
-    [
-        ("reports", REPORT, (2,)),  # the last one that arrived, and the one on its way
-        ("latest", "i2"),  # which of the two arrived last
-        ("known", "i2"),  # 1: one has arrived
-        ("fresh", "i2"),  # 1: it arrived in this frame
-        ("flying", "i2"),  # 1: the other is on its way
-        ("due", "i8"),  # frame in which that one arrives
-    ]
-)
+
+def message_of(kind: np.dtype) -> np.dtype:
+    """Return the record of what a robot says, in words or reports."""
+    return np.dtype(
+        [
+            ("reports", kind, (2,)),  # the last one that arrived, and the one on its way
+            ("latest", "i2"),  # which of the two arrived last
+            ("known", "i2"),  # 1: one has arrived
+            ("fresh", "i2"),  # 1: it arrived in this frame
+            ("flying", "i2"),  # 1: the other is on its way
+            ("due", "i8"),  # frame in which that one arrives
+        ]
+    )
+
+
+SOUND_MESSAGE = message_of(WORD)
+RADIO_MESSAGE = message_of(REPORT)
 
 
 @compiled

@@ -15,8 +15,9 @@ def sense_slice(
     matches, balls, robots, robot_events, percepts, pending, beliefs,
     constants, sensors, pose_sensed, asleep, rows, first, last,
 ):  # fmt: skip
-    """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game; those of matches that are
-    `asleep` (M,), over before this step, perceive nothing new.
+    """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game.
+
+    Those of matches that are `asleep` (M,), over before this step, perceive nothing new.
 
     `pose_sensed` 1 gives them the noisy pose as a percept; `pending` is for cameras that deliver late, unused here.
     """

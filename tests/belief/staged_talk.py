@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.belief.talk import MESSAGE, exchange, exchange_radio
+from soccer_env.belief.talk import RADIO_MESSAGE, SOUND_MESSAGE, exchange, exchange_radio
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -33,7 +33,8 @@ class Talkers:
         robots, self.league, self.home = home + away, find_league(league), home
         self.radio = league == MIDDLE
         self.percepts = np.zeros(robots, OMNI_PERCEPT if self.radio else LEGGED_PERCEPT)
-        self.beliefs, self.messages = np.zeros(robots, BELIEF), np.zeros(robots, MESSAGE)
+        self.beliefs = np.zeros(robots, BELIEF)
+        self.messages = np.zeros(robots, RADIO_MESSAGE if self.radio else SOUND_MESSAGE)
         slots = self.league.slots
         self.tracks = np.zeros((robots, slots.teammates + slots.opponents), TRACK)
         self.noise = np.random.default_rng(5).integers(0, 1 << 63, (robots, NOISE_STREAMS), np.uint64)
