@@ -14,11 +14,14 @@ DEGREE = pi / 180.0
 NEAR_TILT = -45.0 * DEGREE  # [rad] of a sweep over the ground at the robot's feet, 0.2 to 0.5 m away, assumed
 FAR_TILT = -10.0 * DEGREE  # [rad] of a sweep over the ground farther out, up to the horizon, assumed
 NEAR_BALL = 0.4  # [m] a ball believed nearer is searched for at the feet first, assumed
+FOUND = 3  # sightings that end a search; fewer are a glimpse, of a patch perhaps, assumed
+GLIMPSE = 0.25  # [s] unseen after which the search goes on where a glimpse broke it off, assumed
 LEAST = 1e-9  # [m]
 
 HEAD_MEMORY = np.dtype(
     [
-        ("side", "f8"),  # 0: not searching; +1, -1: the first sweep of the cycle begins on the left, the right
+        ("side", "f4"),  # 0: not searching; +1, -1: the first sweep of the cycle begins on the left, the right
+        ("sightings", "i4"),  # frames with a ball since the search began
         ("clock", "f8"),  # [s] in the cycle of two sweeps, a near one and a far one
     ]
 )
@@ -29,11 +32,16 @@ def choose_gaze(percept, belief, memory, gaze, k, s, w):
     """Choose pan and tilt [rad] for the next step: at the believed ball, or in search of it.  [Sacks 2001, 3]  MS07
 
     A ball that was seen less than w.search_after ago is looked at where it is believed to be in the next picture, if
-    the robot moves on as it did in the last frame: otherwise the head would lag behind a turning body.
+    the robot moves on as it did in the last frame: otherwise the head would lag behind a turning body. A search goes on
+    where it was after a mere glimpse: a patch that is taken for the ball now and then must not keep it from the feet.
     """
     ball = belief.ball
-    if ball.confidence > 0.0 and ball.age < w.search_after:
-        memory.side = 0.0
+    if memory.side != 0.0 and ball.age == 0.0:
+        memory.sightings += 1
+    if memory.sightings >= FOUND:
+        memory.side, memory.sightings = 0.0, 0
+    patience = w.search_after if memory.side == 0.0 else min(GLIMPSE, w.search_after)
+    if ball.confidence > 0.0 and ball.age < patience:
         ahead, left = ball.distance * cos(ball.bearing), ball.distance * sin(ball.bearing)
         if ball.distance >= w.dribbling_distance:  # a nearer one comes along
             body = percept.body
@@ -70,6 +78,7 @@ def search(ball, memory, handedness, k, w):
     if memory.side == 0.0:
         side = ball.bearing if ball.bearing != 0.0 else handedness
         near = ball.confidence > 0.0 and ball.distance < NEAR_BALL
+        memory.sightings = 0
         memory.side = (1.0 if side > 0.0 else -1.0) * (1.0 if near else -1.0)
         memory.clock = 0.0 if near else period  # the second sweep of a cycle is the far one, and runs the other way
     near_sweep = memory.clock < period

@@ -131,9 +131,20 @@ def test_a_search_that_follows_another_begins_anew() -> None:
     head.believe(0.9, 0.3, age=2.0, confidence=80.0)
     head.sweep(1.7 * PERIOD)
     head.believe(0.9, -0.3)
-    head.gaze()
+    head.sweep(0.5)
     head.believe(0.9, -0.3, age=1.1, confidence=89.0)
     assert head.gaze()[0] == pytest.approx(-LEAGUE.head.pan_limit)
+
+
+def test_ms07_a_glimpse_of_a_patch_does_not_begin_the_search_again() -> None:
+    head, steady = Head(), Head()
+    for one in (head, steady):
+        one.believe(0.9, 0.3, age=2.0, confidence=80.0)
+        one.sweep(1.7 * PERIOD)
+    head.believe(2.5, -0.6)  # one frame long
+    head.gaze()
+    head.believe(2.5, -0.6, age=0.3, confidence=97.0)
+    assert head.gaze() == steady.gaze()  # on with the sweep at the feet, long before search_after
 
 
 def test_a_robot_that_never_saw_the_ball_searches_and_its_mirror_image_the_other_way() -> None:
