@@ -29,24 +29,30 @@ from soccer_env.train.settings import EvaluateSettings, command_of, conditions_o
 DATA = Path(__file__).with_name("tables.json")
 README = Path(__file__).resolve().parents[1] / "README.md"
 MATCHES = 200
-OPPONENTS = ("still", "random", "chaser@0", "chaser@0.25", "chaser@0.5", "chaser@0.75")
+OPPONENTS = {  # by what fills the beliefs of both teams
+    "ideal": ("still", "random", "chaser@0", "chaser@0.25", "chaser@0.5", "chaser@0.75"),
+    "sensors": ("still", "random", "chaser@0", "chaser@0.5"),
+}
 LEAGUES = ("legged-2001", "middle-size-2006")
 LIBRARIES = ("pymunk", "numba", "numpy")
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
 
-def settings_of(league: str, away: str, matches: int = MATCHES) -> EvaluateSettings:
+def settings_of(league: str, away: str, senses: str, matches: int = MATCHES) -> EvaluateSettings:
     """Return the evaluation behind one row."""
-    return EvaluateSettings(league=league, home="chaser", away=away, matches=matches, players=3, seed=1, threads=2)
+    return EvaluateSettings(
+        league=league, home="chaser", away=away, senses=senses, matches=matches, players=3, seed=1, threads=2
+    )
 
 
 def measure_scripted() -> dict[str, Any]:
     """Measure the scripted teams against each other."""
     rows = []
     for league in LEAGUES:
-        for away in OPPONENTS:
-            settings = settings_of(league, away)
-            rows.append(row_of(settings, evaluate(settings)))
+        for senses, opponents in OPPONENTS.items():
+            for away in opponents:
+                settings = settings_of(league, away, senses)
+                rows.append(row_of(settings, evaluate(settings)))
     return {"about": about(), "rows": rows}
 
 
@@ -80,6 +86,7 @@ def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, An
         "command": command_of(settings),
         "league": settings.league,
         "away": settings.away,
+        "senses": settings.senses,
         "minutes": result.conditions.minutes,
         "settings_hash": result.lines[0].settings,
         "goals": [result.goals_for, result.goals_against],
@@ -92,14 +99,14 @@ def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, An
 def scripted_table(table: dict[str, Any]) -> str:
     """Return the table of the scripted teams in Markdown."""
     lines = [
-        "| league | chaser against | points | goal difference a match | goals a minute | settings |",
-        "|---|---|---|---|---|---|",
+        "| league | senses | chaser against | points | goal difference a match | goals a minute | settings |",
+        "|---|---|---|---|---|---|---|",
     ]
     for row in table["rows"]:
         minutes = MATCHES * row["minutes"]
         points, difference = row["points"], row["goal_difference"]
         lines.append(
-            f"| {row['league']} | {row['away']} "
+            f"| {row['league']} | {row['senses']} | {row['away']} "
             f"| {100 * points['mean']:.1f} % ({100 * points['low']:.1f} to {100 * points['high']:.1f}) "
             f"| {difference['mean']:+.2f} ({difference['low']:+.2f} to {difference['high']:+.2f}) "
             f"| {row['goals'][0] / minutes:.2f} : {row['goals'][1] / minutes:.2f} | `{row['settings_hash']}` |"
@@ -150,7 +157,7 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
 
 def replay_row(row: dict[str, Any]) -> list[str]:
     """Play the first pair of a row again; return what differs."""
-    settings = settings_of(row["league"], row["away"])
+    settings = settings_of(row["league"], row["away"], row["senses"])
     league = find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, {})
     from soccer_env.random_numbers import seeds_for

@@ -20,7 +20,7 @@ def test_the_readme_shows_what_was_measured() -> None:
 
 
 @pytest.mark.skipif(not SAME, reason="other versions or another kind of machine than the table's")
-@pytest.mark.parametrize("index", [1, -1])
+@pytest.mark.parametrize("index", [1, 7, -1])
 def test_the_first_pair_of_a_row_plays_again(index: int) -> None:
     row = DATA["scripted"]["rows"][index]
     assert tables.replay_row(row) == []
@@ -34,7 +34,7 @@ def test_every_step_of_strength_wins_points_in_the_table() -> None:
             row["points"]["mean"]
             for strength in ("0", "0.25", "0.5", "0.75")
             for row in DATA["scripted"]["rows"]
-            if row["league"] == league and row["away"] == f"chaser@{strength}"
+            if row["league"] == league and row["senses"] == "ideal" and row["away"] == f"chaser@{strength}"
         ]
         assert ladder == sorted(ladder, reverse=True) and ladder[-1] > 0.5
 
