@@ -8,7 +8,7 @@ from soccer_env.train.claims import all_claims
 from soccer_env.train.claims.ball_occlusion import APART, CLEAR, draw_scene, stands_before
 from soccer_env.train.claims.ball_velocity import true_radial, walk_to_ball
 from soccer_env.train.claims.claim import Batch
-from soccer_env.train.claims.sight import ball_angle, ball_in_sight, blind, camera_of, chase, see_again, stare
+from soccer_env.train.claims.sight import ball_angle, ball_in_sight, blind, camera_of, follow, see_again, stare
 from soccer_env.train.claims.staging import (
     LEGGED,
     MIDDLE,
@@ -116,14 +116,17 @@ def test_the_true_rate_of_the_distance_is_its_difference() -> None:
     assert (ball_from(match)[0] - before) / 0.25 == pytest.approx(np.mean(rates, axis=0), abs=0.02)
 
 
-def test_who_chases_the_true_ball_reaches_it() -> None:
+def test_who_follows_the_true_ball_reaches_it_or_keeps_away() -> None:
     match = stage(BATCH, matches=8)
     put(match, 0, -0.5, 0.0, np.linspace(-3.0, 3.0, 8))
     begin(match)
     actions = standing(match)
     for _ in play(match, 12.0, actions):
-        actions[:, 0, :3] = chase(match)
+        actions[:, 0, :3] = follow(match)
     assert (match.matches["last_touch_robot"] == 0).all()
+    for _ in play(match, 8.0, actions):
+        actions[:, 0, :3] = follow(match, 0.4)
+    assert np.median(ball_from(match)[0]) == pytest.approx(0.4, abs=0.1)
 
 
 def test_hidden_balls_have_room_and_somebody_before_them() -> None:

@@ -6,37 +6,41 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from soccer_env.train.claims.ball_range import CAMERA_AHEAD, RANGE_LABEL
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
-from soccer_env.train.claims.staging import ahead_of, ball_from, begin, put, put_ball, stage, watch, wrapped
+from soccer_env.train.claims.sight import look_first
+from soccer_env.train.claims.staging import ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
 from soccer_env.train.claims.values import mean, rms
 from soccer_env.train.verdicts import Samples, exact, measured
 
 MATCHES = 128
 SETTLE = 1.0  # [s]
 SECONDS = 2.0  # [s] measured
-NEAR, FAR = 0.30, 1.50  # [m] of the balls
+NEAR, FAR = 0.20, 1.50  # [m] of the balls, along the ground from the camera
 STEADY = {"dither": 0.0, "scale_error": 0.0, "ball_miss": 0.0, "patches": 0.0}  # a camera without noise
 JUMP = 0.30  # [m] by which a ball is moved at once, to see when the filter has forgotten the old place
 BINS = (0.60, 0.75, 0.90, 1.05, 1.20, 1.50)  # [m] edges for bearing against range, from where the criterion begins
 
 
 def look_at_still_balls(batch: Batch) -> Samples:
-    """Return deviations (M, T) of raw and filtered estimates from each robot's own mean, and its true range (M,)."""
+    """Return deviations (M, T) [m] of estimates from each robot's own mean, and the ball's range (M,) [m]."""
     rng = batch.rng()
-    match = stage(batch, matches=MATCHES, sensors={"patches": 0.0})
+    match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0})
     put(match, 0, rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.2, 0.2, MATCHES), rng.choice([0.0, np.pi], MATCHES))
-    put_ball(match, *ahead_of(match, 0, rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-0.4, 0.4, MATCHES)))
+    place = rng.uniform(NEAR, FAR, MATCHES)
+    put_ball(match, *ahead_of(match, 0, CAMERA_AHEAD + place, rng.uniform(-0.4, 0.4, MATCHES)))
     begin(match)
     true, bearing = ball_from(match)
+    look_first(match, SETTLE)
     frames = []
-    for _ in watch(match, SECONDS, settle=SETTLE):
+    for _ in play(match, SECONDS):
         ball = match.beliefs["ball"][:, 0]
         seen = ball["age"] < 0.5 * match.league.dt
         aside = true * wrapped(ball["bearing"] - bearing)
         frames.append([np.where(seen, x, np.nan) for x in (ball["distance"], ball["filtered_distance"], aside)])
     match.close()
     raw, filtered, aside = (about_own_mean(np.stack(values, axis=1)) for values in zip(*frames, strict=True))
-    return {"true": true, "raw": raw, "filtered": filtered, "aside": aside, "span": np.full(MATCHES, span_of(batch))}
+    return {"range": place, "raw": raw, "filtered": filtered, "aside": aside, "span": np.full(MATCHES, span_of(batch))}
 
 
 def about_own_mean(values: np.ndarray) -> np.ndarray:
@@ -48,15 +52,14 @@ def about_own_mean(values: np.ndarray) -> np.ndarray:
 
 def span_of(batch: Batch) -> float:
     """Return the time [s] over which the filter averages: frames in which a ball moved at once is still two places."""
-    match = stage(batch, matches=1, sensors=STEADY)
+    match = stage(batch, matches=1, actions="full", sensors=STEADY)
     put(match, 0, 0.0, 0.0)
     put_ball(match, 0.5, 0.0)
     begin(match)
-    for _ in watch(match, 0.0, settle=SETTLE):
-        pass
+    look_first(match, SETTLE)
     put_ball(match, 0.5 + JUMP, 0.0)
     match.reseat()
-    places = [float(match.beliefs["ball"]["filtered_distance"][0, 0]) for _ in watch(match, SETTLE)]
+    places = [float(match.beliefs["ball"]["filtered_distance"][0, 0]) for _ in play(match, SETTLE)]
     match.close()
     still = [abs(place - places[-1]) < 0.1 * JUMP for place in places]
     return (still.index(True) + 1) * match.league.dt if True in still else float("nan")
@@ -71,7 +74,7 @@ def radial_over_tangential(samples: Samples) -> list[float]:
     """Return the deviation along the line of sight over that across it, in each bin of BINS."""
     found = []
     for low, high in zip(BINS, BINS[1:], strict=False):
-        here = (samples["true"] >= low) & (samples["true"] < high)
+        here = (samples["range"] >= low) & (samples["range"] < high)
         found.append(rms(samples["raw"][here]) / max(rms(samples["aside"][here]), 1e-12))
     return found
 
@@ -79,17 +82,17 @@ def radial_over_tangential(samples: Samples) -> list[float]:
 def filter_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the deviation of raw and filtered range, and across the line of sight, against the distance."""
     edges = np.linspace(NEAR, FAR, 9)
-    place = samples["true"]
+    place = samples["range"]
     curves = []
     for name, key in (("raw", "raw"), ("mean of four", "filtered"), ("across the line of sight", "aside")):
         inside = [(place >= a) & (place < b) for a, b in zip(edges, edges[1:], strict=False)]
         curves.append(Curve(name, list(50 * (edges[1:] + edges[:-1])), [100 * rms(samples[key][i]) for i in inside]))
-    return (Figure("Scatter of a still ball's estimate", "distance [cm]", "deviation [cm]", tuple(curves)),)
+    return (Figure("Scatter of a still ball's estimate", RANGE_LABEL, "deviation [cm]", tuple(curves)),)
 
 
 HOW = (
-    f"{MATCHES} standing robots a batch look at still balls {100 * NEAR:.0f} to {100 * FAR:.0f} cm away for "
-    f"{SECONDS:g} s; scatter of each robot's estimates about its own mean."
+    f"{MATCHES} standing robots a batch look at still balls {100 * NEAR:.0f} to {100 * FAR:.0f} cm from the "
+    f"camera for {SECONDS:g} s; scatter of each robot's estimates about its own mean."
 )
 
 S16 = Claim(

@@ -9,7 +9,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
-from soccer_env.train.claims.sight import blind
+from soccer_env.train.claims.sight import blind, look_first
 from soccer_env.train.claims.staging import ahead_of, ball_from, begin, play, put, put_ball, stage, standing, wrapped
 from soccer_env.train.claims.values import least_rise, median
 from soccer_env.train.verdicts import Samples, measured, reported
@@ -40,13 +40,12 @@ def misplaced(match: Match) -> np.ndarray:
 def look_then_blind(batch: Batch, **memory: Any) -> Match:
     """Return matches whose robots have seen a still ball beside their way for a while, and will not see it again."""
     rng = batch.rng()
-    match = stage(batch, matches=MATCHES, sensors={"patches": 0.0}, memory=memory)
+    match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
     put(match, 0, rng.uniform(-0.9, -0.6, MATCHES), rng.uniform(-0.1, 0.1, MATCHES), rng.uniform(-0.2, 0.2, MATCHES))
     side = rng.choice([-1.0, 1.0], MATCHES)
     put_ball(match, *ahead_of(match, 0, rng.uniform(0.5, 0.9, MATCHES), side * rng.uniform(0.6, 1.2, MATCHES)))
     begin(match)
-    for _ in play(match, SEEN):
-        pass
+    look_first(match, SEEN)
     blind(match)
     return match
 
@@ -108,12 +107,12 @@ def error_by_way(samples: Samples) -> list[float]:
 def push_unseen(batch: Batch, update: bool) -> np.ndarray:
     """Dribble a ball that is seen no more, and return the error of its memory (M,) [m] after a while."""
     rng = batch.rng()
-    match = stage(batch, matches=MATCHES, sensors={"patches": 0.0}, memory={"odometry_while_dribbling": update})
+    memory = {"odometry_while_dribbling": update}
+    match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
     put(match, 0, rng.uniform(-0.9, -0.7, MATCHES), rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.3, 0.3, MATCHES))
     put_ball(match, *ahead_of(match, 0, POCKET, 0.0))
     begin(match)
-    for _ in play(match, SEEN):
-        pass
+    look_first(match, SEEN)
     blind(match)
     actions = standing(match)
     actions[:, 0, 0] = DRIBBLE / SPEED

@@ -34,7 +34,7 @@ from soccer_env.train.verdicts import Samples, counted, measured, reported
 
 MATCHES = 192
 NEAR, FAR = 0.45, 0.75  # [m] of the ball from the body's centre: 30 to 60 cm from the camera
-SETTLE, SECONDS = 1.0, 0.5  # [s]
+LOOK, SETTLE, SECONDS = 0.75, 1.25, 0.5  # [s] turned to the ball, until measuring begins, measured
 APART, CLEAR = 0.30, 0.205  # [m] between two robots' middles, and from a robot's middle to the ball's: nothing overlaps
 SIGHT = 0.25  # [m] from the line of sight within which others are put
 START = -0.3  # [m] where the robot stands that looks, ahead along the field
@@ -124,13 +124,15 @@ def hidden_parts(batch: Batch, scene: Scene) -> tuple[np.ndarray, np.ndarray, np
 def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory: dict[str, Any]) -> Samples:
     """Return relative errors of the range (M, T) in frames that show the ball, and true ranges from the camera [m].
 
-    Heads are turned to the true ball, or left to track what the robot takes for it. "centred": the axis meets the ball.
+    Heads are turned to the true ball; then, unless they go on staring, they are left to track what they take for it.
+    "centred": the axis meets the ball.
     """
     match = set_up(batch, scene, others, sensors=PLAIN, memory=memory)
     actions, dt = standing(match), match.league.dt
     rows: dict[str, list[np.ndarray]] = {"error": [], "believed": [], "range": [], "centred": []}
     for step in play(match, SETTLE + SECONDS, actions):
-        if staring:
+        actions[:, 0, 4] = -1.0
+        if staring or (step + 1) * dt <= LOOK:
             stare(match, actions)
         if (step + 1) * dt <= SETTLE:
             continue

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.claims.staging import from_robot
+from soccer_env.train.claims.staging import from_robot, play, standing
 
 
 def camera_of(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
@@ -54,6 +54,13 @@ def stare(match: Match, actions: np.ndarray, r: int = 0) -> None:
     actions[:, r, 6] = np.clip((tilt - middle) / span, -1.0, 1.0)
 
 
+def look_first(match: Match, seconds: float, r: int = 0) -> None:
+    """Let robot r stand and stare at the true ball for a time, with which it has found it; needs actions="full"."""
+    actions = standing(match)
+    for _ in play(match, seconds, actions):
+        stare(match, actions, r)
+
+
 BLIND = {"ball_miss": 1.0, "red_as_orange": 0.0, "false_balls": 0.0}  # of either league, where it has them
 
 
@@ -79,10 +86,13 @@ def records_of(match: Match) -> np.ndarray:
     return record
 
 
-def chase(match: Match, r: int = 0) -> np.ndarray:
-    """Return the walk (M, 3) in [-1, 1] that takes robot r to the true ball: turn to it, walk when it lies ahead."""
+def follow(match: Match, keep: float = 0.0, r: int = 0) -> np.ndarray:
+    """Return the walk (M, 3) in [-1, 1] by which robot r turns to the true ball and keeps so far from it [m].
+
+    0: it runs into the ball.
+    """
     distance, bearing = from_robot(match, r, match.balls["x"], match.balls["y"])
     walk = np.zeros((match.count, 3))
-    walk[:, 0] = np.where(np.abs(bearing) < 0.6, np.clip(distance / 0.2, 0.0, 1.0), 0.0)
+    walk[:, 0] = np.where(np.abs(bearing) < 0.6, np.clip((distance - keep) / 0.2, -1.0, 1.0), 0.0)
     walk[:, 2] = np.clip(bearing / 0.4, -1.0, 1.0)
     return walk
