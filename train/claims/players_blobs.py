@@ -47,8 +47,8 @@ def watch_players(batch: Batch, jersey: float, blobs: str, **sensors: float) -> 
             true, _ = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
             heights = blob_heights(match)
             rows["range"].append(nearest_seen(match)[0] / true)
-            rows["head"].append((heights > HEAD_HEIGHT).any(axis=1))  # NaN compares as False
-            rows["trunk"].append((heights <= HEAD_HEIGHT).any(axis=1))
+            rows["head"].append(np.any(heights > HEAD_HEIGHT, axis=1))  # NaN compares as False
+            rows["trunk"].append(np.any(heights <= HEAD_HEIGHT, axis=1))
     match.close()
     return {name: np.stack(values, axis=1) for name, values in rows.items()} | {"distance": true}
 

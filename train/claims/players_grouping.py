@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -131,10 +132,7 @@ S33 = Claim(
             unit="%",
             below=0.0,
         ),
-        *(
-            reported(f"ghosts and misses at {factor:g}", lambda samples, f=factor: wrong(samples, f), unit="%")
-            for factor in FACTORS
-        ),
+        *(reported(f"ghosts and misses at {factor:g}", partial(wrong, factor=factor), unit="%") for factor in FACTORS),
     ),
     measure=try_factors,
     seconds=4.0,

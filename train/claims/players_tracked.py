@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -76,7 +77,7 @@ def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
 
 def are_tracked(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
     """Tell which players of a team (M, n) a slot stands for."""
-    return np.isfinite(matched(gaps_to(match, slots_of(match, mates), rows), NEAR))
+    return np.asarray(np.isfinite(matched(gaps_to(match, slots_of(match, mates), rows), NEAR)))
 
 
 def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
@@ -147,10 +148,10 @@ S32 = Claim(
             below=1.0,
         ),
         *(
-            reported(f"players tracked of the five others, {name}", lambda s, n=name: recall(s, n), unit="%")
+            reported(f"players tracked of the five others, {name}", partial(recall, name=name), unit="%")
             for name in VARIANTS
         ),
-        *(reported(f"range error, {name}", lambda s, n=name: error(s, n), unit="cm") for name in ("new", "old")),
+        *(reported(f"range error, {name}", partial(error, name=name), unit="cm") for name in ("new", "old")),
     ),
     measure=compare_systems,
     seconds=5.0,

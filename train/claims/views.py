@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -61,6 +62,11 @@ def thirds(counts: np.ndarray) -> np.ndarray:
     return np.asarray(100.0 * total / max(total.sum(), 1.0))
 
 
+def share_of(samples: Samples, third: int) -> float:
+    """Return the share of a third [%] in play by sensors."""
+    return float(thirds(samples["sensors"])[third])
+
+
 def lead_of_front(counts: np.ndarray) -> float:
     """Return by how much the share of head-on views is above the next [%]."""
     front, side, rear = thirds(counts)
@@ -94,10 +100,7 @@ S69 = Claim(
             unit="%",
             above=0.0,
         ),
-        *(
-            reported(f"share {name}", lambda samples, i=i: float(thirds(samples["sensors"])[i]), unit="%")
-            for i, name in enumerate(THIRDS)
-        ),
+        *(reported(f"share {name}", partial(share_of, third=i), unit="%") for i, name in enumerate(THIRDS)),
         reported("the lead where robots know the truth", lambda s: lead_of_front(s["ideal"]), unit="%"),
     ),
     measure=meet_in_play,
