@@ -1,28 +1,36 @@
-"""Tables from sizes in the picture to ranges, made by rendering without noise.  [Sacks 2001, 3.1.1, 4.1.2]  MS09, MS33
+"""Tables from sizes in the picture to ranges, made by rendering noiseless pictures.  MS09, MS33
 
-A range counts along the ground, from the camera to the middle of the ball or player: what the memory adds to the
-camera's own place on its neck. The camera looks at the middle of what is measured, as it does while it tracks it.
+As a team would do it on its field: a ball, then a robot, is put before a robot that looks at it, every 5 cm from 15 cm
+to 3 m, and the size of what is seen is noted. The sizes are those of the sketch, before they become whole pixels, so
+that entry i is the range at which a thing is i pixels large on average.
+
+A range is the horizontal distance from the camera (not from the robot's origin, nor along the line of sight) to the
+middle of the ball, or to the origin of the other robot. Whoever wants it from the own origin adds the camera's place:
+with bearing b = direction_of_pixel(u, v, pan, tilt, s)[0] and (ahead, left, height) = camera_place(pan, tilt, s), both
+of optics.py, the thing is at (ahead + range cos b, left + range sin b) in the robot's frame.
 """
 
 from __future__ import annotations
 
 from functools import lru_cache
-from math import pi
+from math import atan2, nan, pi
 
 import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.leagues.league import League
+from soccer_env.optics import camera_place
 from soccer_env.perception.picture import draw_scene
-from soccer_env.perception.sketch import BALL as BALL_PIECES
-from soccer_env.perception.sketch import OPPONENTS, make_sketch
-from soccer_env.types import AWAY, BALL, MATCH, ROBOT
+from soccer_env.perception.sketch import BALL, OPPONENTS, make_sketch
+from soccer_env.types import AWAY, MATCH, ROBOT
+from soccer_env.types import BALL as BALL_RECORD
 
 SIZES = 256  # [px] sizes that a table has room for; larger ones read as the last
-RANGES = np.arange(0.15, 3.001, 0.05)  # [m] at which pictures are taken: every 5 cm from 15 to 300, FACTS 4
-FRONT, SIDE = pi, 0.5 * pi  # [rad] headings of a player that faces the camera, or shows it a flank
-FAR_OFF = 50.0  # [m] where what is not measured stands
-
+NEAREST, FARTHEST, STEP = 0.15, 3.0, 0.05  # [m] ranges at which things are put, proposed in FACTS 4
+LEAST = 0.01  # [m] least range that a table holds
+ASIDE = 50.0  # [m] where what is not looked at is put
+HEAD_ON, FROM_THE_SIDE = pi, 0.5 * pi  # [rad] heading of the robot that is looked at
+ROUNDS = 30  # in which the tilt settles: it moves the camera
 CALIBRATION = np.dtype(
     [
         ("ball_width", "f8", (SIZES,)),  # [m] range of a ball that is i pixels wide
@@ -33,91 +41,93 @@ CALIBRATION = np.dtype(
         ("player_side_all", "f8", (SIZES,)),  # [m]
     ]
 )
+SIZE = np.dtype(
+    [  # of what is seen at one range, NaN if it is cut off or not seen
+        ("width", "f8"),  # [px] of the largest piece
+        ("height", "f8"),  # [px]
+        ("all", "f8"),  # [px] height of the box round all pieces
+    ]
+)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
 def calibrate(league: League) -> np.ndarray:
-    """Return the (1,) record of tables for a league's camera.  MS09, MS33"""
-    tables = np.zeros(1, CALIBRATION)
-    widths, heights = ball_sizes(league)
-    tables["ball_width"], tables["ball_height"] = invert(widths), invert(heights)
-    for name, heading in (("front", FRONT), ("side", SIDE)):
-        largest, together = player_heights(league, heading)
-        tables[f"player_{name}"], tables[f"player_{name}_all"] = invert(largest), invert(together)
-    return tables
-
-
-def invert(sizes: np.ndarray) -> np.ndarray:
-    """Return the range [m] for each whole size, by linear interpolation between the sizes at RANGES.
-
-    Beyond either end of the pictures the range goes on as one over the size.
-    """
-    whole = np.arange(SIZES, dtype=np.float64)
-    inverse = np.where(whole > 0.0, 1.0 / np.maximum(whole, 1e-9), 1.0)  # size 0 reads as size 1
-    falling = np.maximum.accumulate(1.0 / sizes)  # what is farther never seems larger
-    ranges = np.interp(inverse, falling, RANGES)
-    ranges = np.where(inverse > falling[-1], RANGES[-1] * inverse / falling[-1], ranges)
-    found: np.ndarray = np.where(inverse < falling[0], RANGES[0] * inverse / falling[0], ranges)
+    """Return the (1,) record of tables for a league's camera.  [Sacks 2001, 3.1.1, 4.1.2]  MS09, MS33"""
+    found, s = np.zeros(1, CALIBRATION), league.sensors
+    ranges = np.arange(round((FARTHEST - NEAREST) / STEP) + 1) * STEP + NEAREST
+    ball = look_at(league, ranges, league.ball.radius, BALL, 0.0)
+    found["ball_width"] = table_of(ranges, ball["width"])
+    found["ball_height"] = table_of(ranges, ball["height"])
+    trunk, middle = s.trunk_sticker_middle, 0.5 * (s.trunk_sticker_middle + s.head_sticker_middle)
+    for view, heading in (("player_front", HEAD_ON), ("player_side", FROM_THE_SIDE)):
+        found[view] = table_of(ranges, look_at(league, ranges, trunk, OPPONENTS, heading)["height"])
+        found[view + "_all"] = table_of(ranges, look_at(league, ranges, middle, OPPONENTS, heading)["all"])
     return found
 
 
-def stage(count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return empty scenes: matches, balls far off, a robot at the origin that looks ahead and an opponent far off."""
-    matches, balls, robots = np.zeros(count, MATCH), np.zeros(count, BALL), np.zeros((count, 2), ROBOT)
-    matches["handedness"] = matches["home_direction"] = 1.0
-    robots["active"], robots["team"][:, 1] = 1, AWAY
-    balls["x"], robots["x"][:, 1] = -FAR_OFF, -FAR_OFF
-    return matches, balls, robots
-
-
-def look_at(league: League, robots: np.ndarray, height: float) -> np.ndarray:
-    """Tilt the heads so that they look at something of a height at RANGES; return the cameras' x [m]."""
-    s, tilt = league.sensors, np.zeros(len(RANGES))
-    for _ in range(20):  # the camera moves as the head tilts
-        above = s.neck_height + s.camera_up * np.cos(tilt) + s.camera_ahead * np.sin(tilt) - height
-        tilt = -np.arctan2(above, RANGES)
-    robots["tilt"][:, 0] = tilt
-    ahead: np.ndarray = s.neck_ahead + s.camera_ahead * np.cos(tilt) - s.camera_up * np.sin(tilt)
-    return ahead
-
-
-def ball_sizes(league: League) -> tuple[np.ndarray, np.ndarray]:
-    """Return width and height [px] of the ball in pictures at RANGES."""
-    matches, balls, robots = stage(len(RANGES))
-    balls["x"] = look_at(league, robots, league.ball.radius) + RANGES
-    boxes = render(league, matches, balls, robots, BALL_PIECES)
-    return boxes[:, 0], boxes[:, 1]
-
-
-def player_heights(league: League, heading: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the heights [px] of a player's largest sticker, and of the box round all, in pictures at RANGES."""
-    matches, balls, robots = stage(len(RANGES))
-    robots["x"][:, 1] = look_at(league, robots, league.sensors.trunk_sticker_middle) + RANGES
-    robots["heading"][:, 1] = heading
-    boxes = render(league, matches, balls, robots, OPPONENTS)
-    return boxes[:, 1], boxes[:, 2]
-
-
-def render(league: League, matches: np.ndarray, balls: np.ndarray, robots: np.ndarray, kind: int) -> np.ndarray:
-    """Return width and height of the largest piece of a kind in each scene, and the height of all, (N, 3) [px]."""
-    boxes = np.zeros((len(matches), 3))
-    measure_pieces(matches, balls, robots, league.constants(), league.sensors.record(), kind, boxes)
-    return boxes
+def look_at(league: League, ranges: np.ndarray, height: float, kind: int, heading: float) -> np.ndarray:
+    """Return the SIZE of a kind of thing at each range; the camera aims at a height [m] over the middle of it."""
+    match, ball, robots = np.zeros(1, MATCH), np.zeros(1, BALL_RECORD), np.zeros((1, 2), ROBOT)
+    match["handedness"] = match["home_direction"] = 1.0
+    robots["active"], robots["team"][0, 1], robots["heading"][0, 1] = 1, AWAY, heading
+    ball["x"], robots["x"][0, 1] = ASIDE, ASIDE
+    sizes = np.zeros(len(ranges), SIZE)
+    render(match, ball, robots, league.constants(), league.sensors.record(), ranges, height, kind, sizes)
+    return sizes
 
 
 @compiled
-def measure_pieces(matches, balls, robots, constants, sensors, kind, boxes):
-    """Fill in the boxes of `render`: from exact sketches, before the vision rounds and errs."""
-    k, s = constants[0], sensors[0]
-    sketches = make_sketch(k, s)
-    for m in range(matches.shape[0]):
-        sketch = sketches[0]
-        draw_scene(matches[m], balls[m], robots[m], k, s, 0, sketch)
-        largest, high, low = 0.0, -1e9, 1e9
-        for i in range(sketch.found[kind]):
-            piece = sketch.pieces[kind, i]
-            high, low = max(high, piece.high), min(low, piece.low)
-            if piece.area > largest:
-                largest = piece.area
-                boxes[m, 0], boxes[m, 1] = piece.left - piece.right, piece.high - piece.low
-        boxes[m, 2] = max(high - low, 0.0)
+def render(matches, balls, robots, constants, sensors, ranges, height, kind, sizes):
+    """Fill in the sizes of the ball, or of robot 1, before robot 0 at each range."""
+    k, s, sketches = constants[0], sensors[0], make_sketch(constants[0], sensors[0])
+    for i in range(ranges.shape[0]):
+        tilt = 0.0
+        for _ in range(ROUNDS):
+            tilt = atan2(height - camera_place(0.0, tilt, s)[2], ranges[i])
+        robots[0, 0].tilt = tilt
+        x = camera_place(0.0, tilt, s)[0] + ranges[i]
+        if kind == BALL:
+            balls[0].x = x
+        else:
+            robots[0, 1].x = x
+        draw_scene(matches[0], balls[0], robots[0], k, s, 0, sketches[0])
+        measure_pieces(sketches[0], kind, sizes[i])
+
+
+@compiled
+def measure_pieces(sketch, kind, size):
+    """Fill in the sizes [px] of the largest piece of a kind and of the box round all."""
+    size.width = size.height = size.all = nan
+    largest = high = low = 0.0
+    whole = True
+    for i in range(sketch.found[kind]):
+        piece, camera = sketch.pieces[kind, i], sketch.camera
+        inside = max(piece.left, -piece.right) < camera.half_width and max(piece.high, -piece.low) < camera.half_height
+        if piece.area > largest:
+            largest = piece.area
+            size.width = piece.left - piece.right if inside else nan
+            size.height = piece.high - piece.low if inside else nan
+        high, low = (piece.high, piece.low) if i == 0 else (max(high, piece.high), min(low, piece.low))
+        whole = whole and inside
+    if largest > 0.0 and whole:
+        size.all = high - low
+
+
+def table_of(ranges: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+    """Return the range [m] of each whole size, linear between what was rendered, never growing with the size.
+
+    Beyond both ends it goes on from the two last ranges as sizes do, in inverse proportion; size 0 reads as size 1.
+    """
+    known = np.isfinite(sizes)
+    ranges, sizes = ranges[known], np.minimum.accumulate(sizes[known])
+    sizes, places = np.unique(sizes, return_index=True)
+    ranges, asked = ranges[places], np.maximum(np.arange(SIZES, dtype=float), 1.0)
+    if len(sizes) < 2:
+        return np.full(SIZES, FARTHEST)
+    table = np.interp(asked, sizes, ranges)
+    for end, beyond in (((0, 1), asked < sizes[0]), ((-1, -2), asked > sizes[-1])):
+        (size, range_), (inner, inner_range) = ((sizes[i], ranges[i]) for i in end)
+        grows = (range_ - inner_range) / (1.0 / size - 1.0 / inner)
+        table = np.where(beyond, range_ + grows * (1.0 / asked - 1.0 / size), table)
+    held: np.ndarray = np.maximum(table, LEAST)
+    return held
