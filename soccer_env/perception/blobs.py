@@ -6,17 +6,23 @@ teams, and for whatever is in the picture alone.
 
 from __future__ import annotations
 
-from math import cos, floor, log, pi, sin, sqrt
+from math import floor
+
+import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.percept_types import BLOBS, LANDMARKS
 from soccer_env.perception.occlusion import PIECES
 from soccer_env.perception.sketch import BALL, OPPONENT_GOAL, OPPONENTS, OWN_GOAL, PATCHES, TEAMMATES
-from soccer_env.random_numbers import normal, uniform
+from soccer_env.random_numbers import GOLDEN, mix, normal, uniform
 from soccer_env.types import RobotStream
 
 CAMERA_NOISE = int(RobotStream.CAMERA)
 FALSE_BLOBS = int(RobotStream.FALSE_BLOBS)
+BYTES = np.uint64(0x00FF00FF00FF00FF)  # every other byte
+ONES = np.uint64(0x0001000100010001)  # times this, the top 16 bits are the sum of all four
+MIDDLE = 8.0 * 127.5  # mean of the sum of eight bytes
+UNIT = (12.0 / (8.0 * 65535.0)) ** 0.5  # 1 over its deviation
 SCALE_LEAST = 0.1  # [1] scale of sizes that an error does not go below
 SPOT = 0.5  # [1] width and height of an orange spot on a sticker, in the sticker's, assumed
 TOUCHING = 0.5  # [px] gap below which two pieces are one blob, assumed
@@ -31,23 +37,19 @@ def deliver(sketch, percept, noise, s):
     add_spots(sketch, TEAMMATES, noise, s)
     add_spots(sketch, OPPONENTS, noise, s)
     add_patches(sketch)
-    miss(sketch, TEAMMATES, noise, s.player_miss)
-    miss(sketch, OPPONENTS, noise, s.player_miss)
-    miss(sketch, OWN_GOAL, noise, s.landmark_miss)
-    miss(sketch, OPPONENT_GOAL, noise, s.landmark_miss)
-    report(sketch, BALL, percept.ball, percept.scale, noise, s)
-    report(sketch, TEAMMATES, percept.teammates, percept.scale, noise, s)
-    report(sketch, OPPONENTS, percept.opponents, percept.scale, noise, s)
-    report(sketch, OWN_GOAL, percept.own_goal, percept.scale, noise, s)
-    report(sketch, OPPONENT_GOAL, percept.opponent_goal, percept.scale, noise, s)
+    report(sketch, BALL, percept.ball, percept.scale, noise, 0.0, s)
+    report(sketch, TEAMMATES, percept.teammates, percept.scale, noise, s.player_miss, s)
+    report(sketch, OPPONENTS, percept.opponents, percept.scale, noise, s.player_miss, s)
+    report(sketch, OWN_GOAL, percept.own_goal, percept.scale, noise, s.landmark_miss, s)
+    report(sketch, OPPONENT_GOAL, percept.opponent_goal, percept.scale, noise, s.landmark_miss, s)
     report_landmarks(sketch, percept.landmarks, percept.scale, noise, s)
 
 
 @compiled
 def miss(sketch, kind, noise, probability):
     """Take out the pieces that this frame misses."""
-    kept = 0
-    for i in range(sketch.found[kind]):
+    kept, count = 0, sketch.found[kind]
+    for i in range(count):
         if uniform(noise, CAMERA_NOISE) >= probability:
             if kept < i:
                 copy(sketch.pieces[kind, i], sketch.pieces[kind, kept])
@@ -91,8 +93,12 @@ def add_patches(sketch):
 
 
 @compiled
-def report(sketch, kind, blobs, scale, noise, s):
-    """Fill in the four largest blobs of a kind, largest first.  [Sacks 2001, 2]  MS04"""
+def report(sketch, kind, blobs, scale, noise, missed, s):
+    """Fill in the four largest blobs of a kind, largest first; it misses a share of them.  [Sacks 2001, 2]  MS04"""
+    if sketch.found[kind] == 0 and blobs[0].area == 0:
+        return  # as in the frame before
+    if missed > 0.0:
+        miss(sketch, kind, noise, missed)
     pieces, count = sketch.pieces[kind], sketch.found[kind]
     if count > 1:
         count = merge(pieces, count)
@@ -178,13 +184,11 @@ def measure(camera, piece, blob, scale, noise, s):
 
     Size and place flicker by s.dither [px]; a piece that is cut off at an edge of the picture stays there.
     """
-    sideways, upward = two_normals(noise)
-    wider, higher = two_normals(noise)
     width, height = piece.left - piece.right, piece.high - piece.low
-    columns = pixels(width * scale + s.dither * wider, 2.0 * camera.half_width)
-    rows = pixels(height * scale + s.dither * higher, 2.0 * camera.half_height)
-    u = 0.5 * (piece.left + piece.right) + s.dither * sideways
-    v = 0.5 * (piece.high + piece.low) + s.dither * upward
+    columns = pixels(width * scale + s.dither * bell(noise), 2.0 * camera.half_width)
+    rows = pixels(height * scale + s.dither * bell(noise), 2.0 * camera.half_height)
+    u = 0.5 * (piece.left + piece.right) + s.dither * bell(noise)
+    v = 0.5 * (piece.high + piece.low) + s.dither * bell(noise)
     left = place_edge(u, columns, piece.left, piece.right, camera.half_width)
     high = place_edge(v, rows, piece.high, piece.low, camera.half_height)
     blob.high, blob.low = int(high), int(high - rows)
@@ -212,11 +216,15 @@ def place_edge(middle, count, high, low, border):
 
 
 @compiled
-def two_normals(noise):
-    """Draw two numbers from the normal distribution of mean 0 and deviation 1, for the price of one (Box-Muller)."""
-    radius = sqrt(-2.0 * log(1.0 - uniform(noise, CAMERA_NOISE)))
-    angle = 2.0 * pi * uniform(noise, CAMERA_NOISE)
-    return radius * cos(angle), radius * sin(angle)
+def bell(noise):
+    """Draw from a bell curve of mean 0 and deviation 1: the sum of the eight bytes of one draw.
+
+    Unlike `normal`, for a tenth of its price: the normal distribution but for its last tails, none beyond 4.9.
+    """
+    noise[CAMERA_NOISE] = noise[CAMERA_NOISE] + GOLDEN
+    bits = mix(noise[CAMERA_NOISE])
+    pairs = (bits & BYTES) + ((bits >> np.uint64(8)) & BYTES)  # four sums of two, each in 16 bits
+    return (np.float64((pairs * ONES) >> np.uint64(48)) - MIDDLE) * UNIT
 
 
 @compiled

@@ -6,13 +6,13 @@ head, which turns and moves with pan and tilt. Legs are left out: one sees throu
 
 from __future__ import annotations
 
-from math import cos, inf, sin
+from math import inf
 
 import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.perception.camera import from_camera, in_view
+from soccer_env.perception.camera import bring_up_to_date, from_camera, in_view, swing
 from soccer_env.perception.infrared import hull_edges
 from soccer_env.perception.outlines import (
     CORNERS,
@@ -41,14 +41,13 @@ BOX = np.dtype(
         ("high", "f8"),  # [m]
         ("radius", "f8"),  # [m] of the circle round it, seen from above
         ("distance", "f8"),  # [m] of its middle from the camera, over the ground
+        ("shown", "i8"),  # 1: some of it may be in the picture
         ("traced", "i8"),  # 1: its outline is up to date
     ]
 )
 BODY = np.dtype(
     [
         ("teammate", "i8"),
-        ("ahead", "f8"),  # [m] of its origin
-        ("left", "f8"),  # [m]
         ("tilt", "f8"),  # [rad] of its head, up positive
         ("crown", "f8"),  # [m] height of the head stickers' middle
         ("crown_ahead", "f8"),  # [m] of them ahead of the middle of the head
@@ -61,7 +60,9 @@ RECTANGLE = np.dtype(
         ("front", "f8"),  # [m]
         ("half_width", "f8"),  # [m]
         ("trunk_radius", "f8"),  # [m] of the circle round the trunk, seen from above
+        ("trunk_extent", "f8"),  # [m] radius of the sphere that holds it
         ("head_radius", "f8"),  # [m] the same of the head
+        ("head_extent", "f8"),  # [m]
         ("extent", "f8"),  # [m] radius of a sphere that holds trunk and head, at any pan and tilt
         ("middle", "f8"),  # [m] height of its middle
     ]
@@ -75,7 +76,9 @@ def measure_hull(rectangle, k, s):
     half = 0.5 * s.head_size
     swing = length(s.camera_ahead - half, s.camera_up)  # of the head's middle about the neck
     rectangle.trunk_radius = length(0.5 * (rectangle.front - rectangle.back), rectangle.half_width)
+    rectangle.trunk_extent = length(rectangle.trunk_radius, 0.5 * (s.trunk_height - s.trunk_low))
     rectangle.head_radius = length(half, half)
+    rectangle.head_extent = length(rectangle.head_radius, half)
     reach = s.neck_ahead + swing + rectangle.head_radius
     around = length(max(rectangle.front, -rectangle.back), rectangle.half_width)
     rectangle.middle = 0.5 * max(s.neck_height + swing + half, s.trunk_height)
@@ -83,7 +86,7 @@ def measure_hull(rectangle, k, s):
 
 
 @compiled
-def find_bodies(camera, match, robots, r, rectangle, s, bodies):
+def find_bodies(camera, robots, r, poses, rectangle, s, bodies):
     """Fill in the bodies that may be in the picture of robot r; return how many there are.
 
     Team-mates come first, then opponents, each by number: an order that is the same on both sides of the field.
@@ -96,53 +99,50 @@ def find_bodies(camera, match, robots, r, rectangle, s, bodies):
                 continue
             ahead, left = from_camera(camera, robot.x, robot.y)
             if in_view(camera, ahead, left, rectangle.middle, rectangle.extent):
-                body = bodies[count]
-                body.ahead, body.left, body.teammate = ahead, left, teammate
-                pose_body(camera, robot, rectangle, s, body)
+                bring_up_to_date(poses[other], robot, camera.handedness)
+                bodies[count].teammate = teammate
+                put_trunk(camera, ahead, left, poses[other], rectangle, s, bodies[count].boxes[TRUNK])
+                put_head(camera, ahead, left, poses[other], rectangle, s, bodies[count])
                 count += 1
     return count
 
 
 @compiled
-def pose_body(camera, robot, rectangle, s, body):
-    """Fill in how a body stands: its trunk and its head."""
-    trunk, head = body.boxes[TRUNK], body.boxes[HEAD]
-    heading, pan = camera.handedness * robot.heading, camera.handedness * robot.pan
-    across, along = sin(heading), cos(heading)
-    cosine = along * camera.cosine + across * camera.sine
-    sine = across * camera.cosine - along * camera.sine
+def put_trunk(camera, ahead, left, pose, rectangle, s, trunk):
+    """Fill in the trunk of a robot whose origin is at ahead, left [m]."""
+    trunk.cosine = pose.cosine * camera.cosine + pose.sine * camera.sine
+    trunk.sine = pose.sine * camera.cosine - pose.cosine * camera.sine
     middle = 0.5 * (rectangle.back + rectangle.front)
-    trunk.ahead, trunk.left = body.ahead + middle * cosine, body.left + middle * sine
-    trunk.cosine, trunk.sine = cosine, sine
+    trunk.ahead, trunk.left = ahead + middle * trunk.cosine, left + middle * trunk.sine
     trunk.half_length, trunk.half_width = 0.5 * (rectangle.front - rectangle.back), rectangle.half_width
     trunk.low, trunk.high = s.trunk_low, s.trunk_height
-    head.cosine, head.sine = cosine * cos(pan) - sine * sin(pan), sine * cos(pan) + cosine * sin(pan)
-    head.half_length = head.half_width = 0.5 * s.head_size
-    pose_head(robot.tilt, s, body)
-    head.ahead += body.ahead + s.neck_ahead * cosine
-    head.left += body.left + s.neck_ahead * sine
-    trunk.radius, head.radius = rectangle.trunk_radius, rectangle.head_radius
-    for part in (TRUNK, HEAD):
-        box = body.boxes[part]
-        box.distance, box.traced = length(box.ahead, box.left), 0
-    body.tilt = robot.tilt
+    place_box(camera, trunk, rectangle.trunk_radius, rectangle.trunk_extent)
 
 
 @compiled
-def pose_head(tilt, s, body):
-    """Fill in where the head and its stickers are, from the neck: they turn with the tilt, but stay upright.
+def put_head(camera, ahead, left, pose, rectangle, s, body):
+    """Fill in the head of a robot whose origin is at ahead, left [m], and how its stickers lie.
 
-    The camera is in the middle of the head's face.
+    The camera is in the middle of its face. Head and stickers move with the tilt, but stay upright.
     """
-    head, half = body.boxes[HEAD], 0.5 * s.head_size
-    level, steep = cos(tilt), sin(tilt)
-    forward = (s.camera_ahead - half) * level - s.camera_up * steep
-    height = s.neck_height + s.camera_up * level + (s.camera_ahead - half) * steep
-    head.ahead, head.left = forward * head.cosine, forward * head.sine
-    head.low, head.high = height - half, height + half
-    crown = s.head_sticker_middle - s.neck_height  # above the neck, head level
-    body.crown = s.neck_height + crown * level + s.sticker_head_x * steep
-    body.crown_ahead = s.sticker_head_x * level - crown * steep - forward
+    head, trunk, half = body.boxes[HEAD], body.boxes[TRUNK], 0.5 * s.head_size
+    head.cosine = pose.gaze_cosine * camera.cosine + pose.gaze_sine * camera.sine
+    head.sine = pose.gaze_sine * camera.cosine - pose.gaze_cosine * camera.sine
+    forward, rise = swing(pose, s.camera_ahead - half, s.camera_up)
+    head.ahead = ahead + s.neck_ahead * trunk.cosine + forward * head.cosine
+    head.left = left + s.neck_ahead * trunk.sine + forward * head.sine
+    head.half_length = head.half_width = half
+    head.low, head.high = s.neck_height + rise - half, s.neck_height + rise + half
+    crown_forward, crown_rise = swing(pose, s.sticker_head_x, s.head_sticker_middle - s.neck_height)
+    body.crown, body.crown_ahead, body.tilt = s.neck_height + crown_rise, crown_forward - forward, pose.tilt
+    place_box(camera, head, rectangle.head_radius, rectangle.head_extent)
+
+
+@compiled
+def place_box(camera, box, radius, extent):
+    """Fill in how far away a box is, and whether it may be in the picture; a sphere of a radius `extent` holds it."""
+    box.radius, box.distance, box.traced = radius, length(box.ahead, box.left), 0
+    box.shown = 1 if in_view(camera, box.ahead, box.left, 0.5 * (box.low + box.high), extent) else 0
 
 
 @compiled

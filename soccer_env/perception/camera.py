@@ -15,8 +15,21 @@ from math import cos, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.optics import camera_place, focal_x, focal_y, image_height, image_width
+from soccer_env.optics import focal_x, focal_y, image_height, image_width
 
+POSE = np.dtype(
+    [  # the directions of a robot and of its head, kept for all who see it in a step; mirrored with the handedness
+        ("heading", "f8"),  # [rad] what they were made from
+        ("pan", "f8"),  # [rad]
+        ("tilt", "f8"),  # [rad]
+        ("cosine", "f8"),  # of the heading
+        ("sine", "f8"),
+        ("gaze_cosine", "f8"),  # of the direction of the head over the ground
+        ("gaze_sine", "f8"),
+        ("level", "f8"),  # cosine of the tilt
+        ("steep", "f8"),  # sine of the tilt
+    ]
+)
 CAMERA = np.dtype(
     [
         ("handedness", "f8"),  # +1; -1: all that is left is right
@@ -49,18 +62,42 @@ def open_camera(camera, s):
 
 
 @compiled
-def point_camera(camera, match, robot, s):
-    """Bring the camera to where a robot's head holds it.  MS08"""
-    handedness = match.handedness
+def face_ahead(pose):
+    """Fill in the pose of a robot that looks ahead along the field."""
+    pose.heading = pose.pan = pose.tilt = 0.0
+    pose.cosine = pose.gaze_cosine = pose.level = 1.0
+    pose.sine = pose.gaze_sine = pose.steep = 0.0
+
+
+@compiled
+def bring_up_to_date(pose, robot, handedness):
+    """Fill in the directions of a robot, unless they are those that are there already."""
     heading, pan = handedness * robot.heading, handedness * robot.pan
-    ahead, left, height = camera_place(pan, robot.tilt, s)
-    cosine, sine = cos(heading), sin(heading)
-    camera.handedness, camera.height = handedness, height
-    camera.x = robot.x + cosine * ahead - sine * left
-    camera.y = handedness * robot.y + sine * ahead + cosine * left
-    camera.cosine = cosine * cos(pan) - sine * sin(pan)
-    camera.sine = sine * cos(pan) + cosine * sin(pan)
-    camera.level, camera.steep = cos(robot.tilt), sin(robot.tilt)
+    if pose.heading == heading and pose.pan == pan and pose.tilt == robot.tilt:
+        return
+    pose.heading, pose.pan, pose.tilt = heading, pan, robot.tilt
+    pose.cosine, pose.sine = cos(heading), sin(heading)
+    across, along = sin(pan), cos(pan)
+    pose.gaze_cosine = pose.cosine * along - pose.sine * across
+    pose.gaze_sine = pose.sine * along + pose.cosine * across
+    pose.level, pose.steep = cos(pose.tilt), sin(pose.tilt)
+
+
+@compiled
+def swing(pose, ahead, up):
+    """Return where the tilt takes a point of the head that is ahead of the neck and above it [m], head level."""
+    return ahead * pose.level - up * pose.steep, up * pose.level + ahead * pose.steep
+
+
+@compiled
+def point_camera(camera, robot, pose, handedness, s):
+    """Bring the camera to where a robot's head holds it: the `camera_place` of optics.py, in the field.  MS08"""
+    forward, rise = swing(pose, s.camera_ahead, s.camera_up)
+    camera.handedness, camera.height = handedness, s.neck_height + rise
+    camera.x = robot.x + s.neck_ahead * pose.cosine + forward * pose.gaze_cosine
+    camera.y = handedness * robot.y + s.neck_ahead * pose.sine + forward * pose.gaze_sine
+    camera.cosine, camera.sine = pose.gaze_cosine, pose.gaze_sine
+    camera.level, camera.steep = pose.level, pose.steep
 
 
 @compiled

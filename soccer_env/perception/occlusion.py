@@ -64,24 +64,26 @@ def add_piece(sketch, kind, left, right, high, low, area):
 
 
 @compiled
-def find_hiders(sketch, ahead, left, height, radius, owner, own_head, apart):
+def find_hiders(sketch, ahead, left, low, high, radius, owner, own_head, apart):
     """List the outlines that may hide a part of the target; return how many, or HIDDEN if one hides all of it.
 
-    The target is at ahead, left [m] over the ground, its middle at a height, and reaches `radius` around; its own box
-    is in the target's outline. See `draw_panel` for the rest.
+    The target is at ahead, left [m] over the ground and reaches `radius` around, from low to high [m]; its own box is
+    in the target's outline. See `draw_panel` for the rest.
     """
     camera, target, count = sketch.camera, sketch.target.outline, 0
-    distance = sqrt(ahead * ahead + left * left)
+    distance, eye = sqrt(ahead * ahead + left * left), camera.height
     for i in range(sketch.body_count):
         for part in (TRUNK, HEAD):
             box, outline = sketch.bodies[i].boxes[part], sketch.outlines[2 * i + part]
-            if box.distance - box.radius > distance + radius:
-                continue  # it stands behind
+            if box.shown == 0 or box.distance - box.radius > distance + radius:
+                continue  # it stands behind, or out of the picture
+            if (box.high <= eye and low >= eye) or (box.low >= eye and high <= eye):
+                continue  # it stands below the height of the eye and the target above, or the other way round
             if abs(box.ahead * left - box.left * ahead) > box.radius * distance + radius * box.distance:
                 continue  # it stands aside: the sine of the angle between is more than what both fill
             if i == owner and not (own_head and part == HEAD):
                 continue
-            if not (apart or stands_before(camera, box, ahead, left, height)):
+            if not (apart or stands_before(camera, box, ahead, left, 0.5 * (low + high))):
                 continue
             if box.traced == 0:
                 trace_box(camera, box, sketch.body_tracing, outline)
@@ -126,24 +128,32 @@ def cut_into_pieces(sketch, kind, hiders):
     fill_columns(sketch.target, columns, count, right, width, camera.half_height)
     for i in range(hiders):
         hide_columns(sketch.outlines[sketch.hiders[i]], columns, count, right, width)
-    begin = 0
-    while begin < count:
-        if not (columns[begin].low < columns[begin].high):
-            begin += 1
-            continue
-        end = begin
-        bottom, top, area = columns[begin].low, columns[begin].high, 0.0
-        while end < count and columns[end].low < columns[end].high:
-            column = columns[end]
-            bottom, top, area = min(bottom, column.low), max(top, column.high), area + column.high - column.low
-            if column.second_low < column.second_high:
-                bottom, top = min(bottom, column.second_low), max(top, column.second_high)
-                area += column.second_high - column.second_low
-            end += 1
-        first = edge_between(sketch, hiders, begin, count, right, width, True)
-        last = edge_between(sketch, hiders, end, count, right, width, False)
-        add_piece(sketch, kind, last, first, top, bottom, area * width)
+    end = 0
+    while end < count:
         begin = end
+        while begin < count and columns[begin].low >= columns[begin].high:
+            begin += 1
+        end = begin
+        while end < count and columns[end].low < columns[end].high:
+            end += 1
+        if begin < end:
+            first = edge_between(sketch, hiders, begin, count, right, width, True)
+            last = edge_between(sketch, hiders, end, count, right, width, False)
+            join_columns(sketch, kind, columns, begin, end, first, last, width)
+
+
+@compiled
+def join_columns(sketch, kind, columns, begin, end, first, last, width):
+    """Add the piece that columns begin, ..., end - 1 make; it reaches from u = first to last [px]."""
+    bottom, top, total = columns[begin].low, columns[begin].high, 0.0
+    for i in range(begin, end):
+        column = columns[i]
+        bottom, top, total = min(bottom, column.low), max(top, column.high), total + column.high - column.low
+        if column.second_low < column.second_high:
+            bottom, top = min(bottom, column.second_low), max(top, column.second_high)
+            total += column.second_high - column.second_low
+    share = (last - first) / ((end - begin) * width)  # of the columns, whose ends may stand out or fall short
+    add_piece(sketch, kind, last, first, top, bottom, total * width * share)
 
 
 @compiled

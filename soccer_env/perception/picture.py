@@ -9,8 +9,8 @@ from __future__ import annotations
 from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
 from soccer_env.perception.blobs import clear, deliver
-from soccer_env.perception.bodies import find_bodies
-from soccer_env.perception.camera import from_camera, point_camera
+from soccer_env.perception.bodies import HEAD, TRUNK, find_bodies
+from soccer_env.perception.camera import bring_up_to_date, from_camera, point_camera
 from soccer_env.perception.jersey import is_lowered, put_head_stickers, put_trunk_stickers
 from soccer_env.perception.scenery import draw_goals, draw_landmarks, draw_patches
 from soccer_env.perception.sketch import BALL, KINDS, OPPONENTS, TEAMMATES, draw_panel, draw_sphere
@@ -36,8 +36,9 @@ def draw_scene(match, ball, robots, k, s, r, sketch):
     camera, side = sketch.camera, direction_of(match, robots[r].team)
     for kind in range(KINDS):
         sketch.found[kind] = 0
-    point_camera(camera, match, robots[r], s)
-    sketch.body_count = find_bodies(camera, match, robots, r, sketch.hull, s, sketch.bodies)
+    bring_up_to_date(sketch.poses[r], robots[r], match.handedness)
+    point_camera(camera, robots[r], sketch.poses[r], match.handedness, s)
+    sketch.body_count = find_bodies(camera, robots, r, sketch.poses, sketch.hull, s, sketch.bodies)
     ahead, left = from_camera(camera, ball.x, ball.y)
     draw_sphere(sketch, ahead, left, k.ball_radius, BALL)
     for i in range(sketch.body_count):
@@ -52,9 +53,10 @@ def draw_jersey(sketch, owner, s):
     """Draw the stickers of a body.  MS37, MS50"""
     body, stickers = sketch.bodies[owner], sketch.stickers
     kind, lowered = TEAMMATES if body.teammate == 1 else OPPONENTS, is_lowered(body, s)
-    for i in range(put_trunk_stickers(body, s, stickers)):
-        draw_panel(sketch, stickers[i], kind, owner, lowered, False)
-    if not lowered:
+    if body.boxes[TRUNK].shown == 1:
+        for i in range(put_trunk_stickers(body, s, stickers)):
+            draw_panel(sketch, stickers[i], kind, owner, lowered, False)
+    if body.boxes[HEAD].shown == 1 and not lowered:
         for i in range(put_head_stickers(body, s, stickers)):
             draw_panel(sketch, stickers[i], kind, owner, False, False)
 

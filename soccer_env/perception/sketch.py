@@ -15,7 +15,7 @@ from soccer_env.compiled import compiled, records
 from soccer_env.geometry import length
 from soccer_env.percept_types import LANDMARKS, OTHERS
 from soccer_env.perception.bodies import BODY, RECTANGLE, measure_hull
-from soccer_env.perception.camera import CAMERA, axes_of, in_view, open_camera, sphere_box
+from soccer_env.perception.camera import CAMERA, POSE, axes_of, face_ahead, in_view, open_camera, sphere_box
 from soccer_env.perception.occlusion import (
     COLUMN,
     COLUMNS,
@@ -38,6 +38,7 @@ from soccer_env.perception.outlines import (
     project_rectangle,
     put_corner,
 )
+from soccer_env.types import MAX_TEAM
 
 BALL, TEAMMATES, OPPONENTS, OWN_GOAL, OPPONENT_GOAL, PATCHES, LANDMARK = range(7)  # kinds of pieces
 KINDS = 7
@@ -58,6 +59,7 @@ SKETCH = np.dtype(
     [
         ("camera", CAMERA),
         ("hull", RECTANGLE),
+        ("poses", POSE, (2 * MAX_TEAM,)),  # of all robots
         ("bodies", BODY, (OTHERS,)),
         ("body_count", "i8"),
         ("outlines", OUTLINE, (2 * OTHERS,)),  # of the boxes of each body
@@ -81,6 +83,8 @@ def make_sketch(k, s):
     sketches = records(1, SKETCH)
     open_camera(sketches[0].camera, s)
     measure_hull(sketches[0].hull, k, s)
+    for r in range(2 * MAX_TEAM):
+        face_ahead(sketches[0].poses[r])
     return sketches
 
 
@@ -95,8 +99,8 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
     outline = target.outline
     if not trace_panel(camera, panel, sketch.tracing, outline) or is_outside(camera, outline):
         return
-    radius, middle = length(panel.across, panel.aside), 0.5 * (panel.low + panel.high)
-    hiders = find_hiders(sketch, panel.ahead, panel.left, middle, radius, owner, own_head, apart)
+    radius = length(panel.across, panel.aside)
+    hiders = find_hiders(sketch, panel.ahead, panel.left, panel.low, panel.high, radius, owner, own_head, apart)
     if hiders == HIDDEN:
         return
     if hiders == 0 and is_inside(camera, outline):
@@ -172,7 +176,7 @@ def draw_sphere(sketch, ahead, left, radius, kind):
     outline.left, outline.right, outline.high, outline.low = sphere_box(camera, depth, beside, above, radius)
     if is_outside(camera, outline):
         return
-    hiders = find_hiders(sketch, ahead, left, radius, radius, NOBODY, False, False)
+    hiders = find_hiders(sketch, ahead, left, 0.0, 2.0 * radius, radius, NOBODY, False, False)
     if hiders == HIDDEN:
         return
     if hiders == 0 and is_inside(camera, outline):
