@@ -34,6 +34,7 @@ def score(
             minutes=minutes,
             controllers=teams,
             placement=placement,
+            senses="ideal",
         )
         scores.append(finish(match).matches["score"][:, :: -1 if swapped else 1])
     return np.concatenate(scores)
@@ -49,7 +50,7 @@ def drill(league: str, scene: str, home: str, away: str, matches: int) -> float:
     """Return the share of drills that succeed."""
     match = Match(
         league, home=3, away=3, matches=matches, threads=2, seed=3, scene=scene, episode="drill",
-        controllers={"home": home, "away": away},
+        controllers={"home": home, "away": away}, senses="ideal",
     )  # fmt: skip
     succeeded = np.zeros(matches, bool)
     while not (match.terminated | match.truncated).all():

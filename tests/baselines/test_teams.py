@@ -60,7 +60,7 @@ def test_the_chaser_plays_every_league(league: str) -> None:
 @pytest.mark.parametrize("team", TEAMS)
 def test_act_is_what_the_match_runs(league: str, team: str) -> None:
     """`act`, for callers from Python, and the kernel inside a match give the same commands."""
-    match = Match(league, home=3, away=3, seed=1, controllers={"home": team, "away": "still"})
+    match = Match(league, home=3, away=3, seed=1, controllers={"home": team, "away": "still"}, senses="ideal")
     for _ in range(40):
         match.step()
     squad = match.squads[0]
@@ -77,7 +77,8 @@ def test_act_is_what_the_match_runs(league: str, team: str) -> None:
 def test_the_chaser_decides_for_an_image_as_for_the_scene(league: str, change: object) -> None:
     made = []
     for _ in range(2):
-        match = Match(league, home=3, away=3, matches=60, seed=5, controllers={"home": "chaser", "away": "chaser"})
+        teams = {"home": "chaser", "away": "chaser"}
+        match = Match(league, home=3, away=3, matches=60, seed=5, controllers=teams, senses="ideal")
         set_phase(match, 0)
         scatter(match, np.random.default_rng(2))
         match.balls["vx"], match.balls["vy"] = np.random.default_rng(3).normal(0.0, 0.5, (2, 60))

@@ -63,11 +63,13 @@ def test_rows_compare_within_each_repetition() -> None:
     samples = {
         "reference": [1e-6, 3e-6, 1e-6], "random floor": [2e-6, 6e-6, 2e-6], "random": [3e-6, 9e-6, 4e-6],
         "random, 2 threads": [1.5e-6, 5e-6, 2e-6], "chaser floor": [1e-5] * 3, "chaser": [1e-4] * 3,
-        "chaser, 2 threads": [6e-5] * 3,
+        "chaser, 2 threads": [6e-5] * 3, "senses": [6e-6, 27e-6, 8e-6], "particles": [1.5e-5] * 3,
     }  # fmt: skip
     rows = {row.name.partition(": ")[2]: row for row in bench.core_rows("legged-2001", samples)}
     assert rows["random over its own scene"].value == pytest.approx(1.5)
     assert rows["random over its own scene"].met
+    assert rows["sensors and beliefs over the truth"].value == pytest.approx(2.0)
+    assert rows["particle filters over a given pose"].value == pytest.approx(1.875)
     assert rows["random over the reference"].value == pytest.approx(3.0)
     assert rows["chaser against chaser"].value == pytest.approx(10_000)
     assert rows["chaser against chaser"].met
@@ -81,7 +83,7 @@ def test_the_memory_of_a_match_is_counted_once() -> None:
 
     least = Match("legged-2001", home=3, away=3).robots.nbytes
     assert least == 6 * ROBOT.itemsize
-    assert least < bench_faces.record_bytes("legged-2001", 4) < 64 * 1024
+    assert least < bench_faces.record_bytes("legged-2001", matches=4) < 64 * 1024
     assert bench_faces.wrapper_bytes("legged-2001", 2) > 0
 
 
