@@ -6,9 +6,9 @@ Every number was written down before the first claim was measured with it. "assu
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi
+from math import inf, pi
 
-from soccer_env.leagues.options import Options
+from soccer_env.leagues.options import Options, within
 
 DEGREE = pi / 180.0
 RESOLUTIONS = {"44x36": 0, "88x72": 1, "176x144": 2}  # working layers of the camera, ERS-210 data sheet
@@ -19,6 +19,13 @@ POSITIONS = {"filtered": 0, "raw": 1}
 SLOTS = {"all": 0, "nearest": 1}
 PLAYER_BLOBS = {"largest": 0, "combined": 1}
 PLAYER_VIEWS = {"front": 0, "side": 1}
+PROBABILITIES = ("ball_miss", "player_miss", "landmark_miss", "red_as_orange", "audio_loss")
+LENGTHS = ("patch_size", "goal_height", "landmark_radius", "head_size", "trunk_height", "infrared_far")
+ASCENDING = (
+    ("patch_low", "patch_high"), ("landmark_low", "landmark_high"), ("trunk_low", "trunk_height"),
+    ("infrared_near", "infrared_far"),
+)  # fmt: skip
+PATCHES_MOST = 64  # that a sketch of the picture has room for, with all that is orange besides
 AVERAGED_MOST = 6  # estimates of the ball's position that a robot's memory has room for
 
 
@@ -41,12 +48,12 @@ class LeggedSensors(Options):
     ball_miss: float = 0.02  # [1] probability that a frame misses the ball, assumed
     player_miss: float = 0.05  # [1] the same for each sticker, assumed
     landmark_miss: float = 0.05  # [1] the same for goals and landmarks, assumed
-    patches: float = 2.0  # orange patches round the field in each match, assumed
+    patches: float = 2.0  # orange patches round the field in each match, an even number: in pairs, assumed
     patch_size: float = 0.08  # [m] across, assumed
     patch_low: float = 0.3  # [m] lowest height of a patch: above the boards, assumed
     patch_high: float = 1.0  # [m] greatest height, assumed
     patch_away: float = 0.5  # [m] distance from the boards, assumed
-    red_as_orange: float = 0.02  # [1] probability that a frame shows an orange spot on a red sticker, assumed
+    red_as_orange: float = 0.02  # [1] probability that a frame shows an orange spot on a sticker, assumed
     board_height: float = 0.10  # [m] boards hide what lies lower behind them, assumed
     goal_height: float = 0.30  # [m] league rules, remembered, unverified
     landmark_radius: float = 0.05  # [m] cylinders about 10 cm wide, remembered, unverified
@@ -83,6 +90,24 @@ class LeggedSensors(Options):
     audio_period: float = 1.0  # [s] between two words of 4 bits: 4 bits a second, assumed
     audio_delay: float = 0.5  # [s] assumed
     audio_loss: float = 0.2  # [1] share of words that are not understood, assumed
+
+    def check_together(self) -> None:
+        """Raise ValueError for sensors that cannot be."""
+        within(self, 0.0, 1.0, PROBABILITIES)
+        within(self, DEGREE, 179.0 * DEGREE, ("view_width", "view_height"))
+        within(self, 0.001, inf, LENGTHS)
+        within(self, 0.0, 0.5, ("scale_error",))
+        within(self, 0.0, PATCHES_MOST, ("patches",))
+        for low, high in ASCENDING:
+            if getattr(self, low) > getattr(self, high):
+                raise ValueError(
+                    f"LeggedSensors.{low} must be at most {high} {getattr(self, high)}, got {getattr(self, low)}"
+                )
+        if self.patches % 2.0 != 0.0:
+            raise ValueError(
+                "LeggedSensors.patches must be an even whole number, for patches stand in pairs opposite each other, "
+                f"got {self.patches}"
+            )
 
 
 @dataclass(frozen=True)

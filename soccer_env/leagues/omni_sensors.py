@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import inf, pi
 
-from soccer_env.leagues.options import Options
+from soccer_env.leagues.options import Options, within
 from soccer_env.percept_types import LINES
 
 DEGREE = pi / 180.0
@@ -20,15 +20,6 @@ PROBABILITIES = (
 )
 COLOUR_TABLES = {"adaptive": 0, "fixed": 1}
 FILTERS = {"kalman": 0, "least-squares": 1, "none": 2}
-
-
-def within(settings: Options, low: float, high: float, names: tuple[str, ...]) -> None:
-    """Raise ValueError for each of some settings that does not lie between two bounds, both allowed."""
-    for name in names:
-        value = getattr(settings, name)
-        if not low <= value <= high:
-            allowed = f"{low:g} or more" if high == inf else f"{low:g} to {high:g}"
-            raise ValueError(f"{type(settings).__name__}.{name} must be {allowed}, got {value}")
 
 
 @dataclass(frozen=True)

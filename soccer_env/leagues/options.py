@@ -6,7 +6,7 @@ import inspect
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
-from math import isfinite
+from math import inf, isfinite
 from typing import Any, ClassVar, TypeVar
 
 import numpy as np
@@ -75,6 +75,15 @@ class Options:
             value = getattr(self, field.name)
             found[field.name] = self.NAMES[field.name][value] if field.name in self.NAMES else value
         return found
+
+
+def within(settings: Options, low: float, high: float, names: tuple[str, ...]) -> None:
+    """Raise ValueError for each of some settings that does not lie between two bounds, both allowed."""
+    for name in names:
+        value = getattr(settings, name)
+        if not low <= value <= high:
+            allowed = f"{low:g} or more" if high == inf else f"{low:g} to {high:g}"
+            raise ValueError(f"{type(settings).__name__}.{name} must be {allowed}, got {value}")
 
 
 def notes_of(kind: type[Options]) -> dict[str, str]:
