@@ -28,7 +28,7 @@ from soccer_env.train.settings import EvaluateSettings, command_of, conditions_o
 
 DATA = Path(__file__).with_name("tables.json")
 README = Path(__file__).resolve().parents[1] / "README.md"
-MATCHES = 200
+MATCHES = {"ideal": 200, "sensors": 100}
 OPPONENTS = {  # by what fills the beliefs of both teams
     "ideal": ("still", "random", "chaser@0", "chaser@0.25", "chaser@0.5", "chaser@0.75"),
     "sensors": ("still", "random", "chaser@0", "chaser@0.5"),
@@ -38,8 +38,9 @@ LIBRARIES = ("pymunk", "numba", "numpy")
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
 
-def settings_of(league: str, away: str, senses: str, matches: int = MATCHES) -> EvaluateSettings:
+def settings_of(league: str, away: str, senses: str) -> EvaluateSettings:
     """Return the evaluation behind one row."""
+    matches = MATCHES[senses]
     return EvaluateSettings(
         league=league, home="chaser", away=away, senses=senses, matches=matches, players=3, seed=1, threads=2
     )
@@ -87,6 +88,7 @@ def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, An
         "league": settings.league,
         "away": settings.away,
         "senses": settings.senses,
+        "matches": settings.matches,
         "minutes": result.conditions.minutes,
         "settings_hash": result.lines[0].settings,
         "goals": [result.goals_for, result.goals_against],
@@ -99,14 +101,14 @@ def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, An
 def scripted_table(table: dict[str, Any]) -> str:
     """Return the table of the scripted teams in Markdown."""
     lines = [
-        "| league | senses | chaser against | points | goal difference a match | goals a minute | settings |",
-        "|---|---|---|---|---|---|---|",
+        "| league | senses | chaser against | matches | points | goal difference a match | goals a minute | settings |",
+        "|---|---|---|---|---|---|---|---|",
     ]
     for row in table["rows"]:
-        minutes = MATCHES * row["minutes"]
+        minutes = row["matches"] * row["minutes"]
         points, difference = row["points"], row["goal_difference"]
         lines.append(
-            f"| {row['league']} | {row['senses']} | {row['away']} "
+            f"| {row['league']} | {row['senses']} | {row['away']} | {row['matches']} "
             f"| {100 * points['mean']:.1f} % ({100 * points['low']:.1f} to {100 * points['high']:.1f}) "
             f"| {difference['mean']:+.2f} ({difference['low']:+.2f} to {difference['high']:+.2f}) "
             f"| {row['goals'][0] / minutes:.2f} : {row['goals'][1] / minutes:.2f} | `{row['settings_hash']}` |"
