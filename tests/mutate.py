@@ -5,7 +5,8 @@
     python tests/mutate.py --sample 6   every so many-th, for continuous integration
 
 A mutant is one replaced piece of source (tests/mutants.py). It runs in a copy of the checkout; the checkout itself is
-never touched. A mutant whose test still passes has survived: exit code 1.
+never touched. The tests have to pass before anything is replaced. A mutant whose test passes all the same has
+survived, and one that does not even compile says nothing: exit code 1.
 """
 
 from __future__ import annotations
@@ -26,7 +27,8 @@ from tests.mutants import MUTANTS, Mutant  # noqa: E402  # the folder above has 
 
 COPIED = ("soccer_env", "baselines", "agents", "train", "tests", "pyproject.toml", "README.md")
 INNER = ("baselines", "agents", "train")  # stand at the top, are imported from inside the package
-FAILED = 1  # pytest's exit code when tests ran and some failed
+PASSED, FAILED = 0, 1  # pytest's exit codes when tests ran, and when some of them failed
+BROKEN = ("SyntaxError", "NameError", "TypingError", "LoweringError", "UnsupportedError")  # failures of no meaning
 
 
 def copy_checkout(to: Path) -> None:
@@ -55,11 +57,21 @@ def mutated(where: Path, mutant: Mutant) -> Iterator[None]:
         file.write_text(text, encoding="utf-8")
 
 
-def run_test(where: Path, test: str) -> int:
-    """Run one test in the copy; return pytest's exit code."""
+def run_tests(where: Path, tests: list[str]) -> subprocess.CompletedProcess[str]:
+    """Run tests in the copy, up to the first that fails."""
     environment = {**os.environ, "PYTHONPATH": str(where), "SOCCER_ENV_QUIET": "1", "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", test]
-    return subprocess.run(command, cwd=where, env=environment, capture_output=True, check=False).returncode
+    command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", *tests]
+    return subprocess.run(command, cwd=where, env=environment, capture_output=True, text=True, check=False)
+
+
+def verdict_on(where: Path, mutant: Mutant) -> str:
+    """Return "killed" if the test of a mutant notices it, and otherwise what happened, in capitals."""
+    with mutated(where, mutant):
+        ran = run_tests(where, [mutant.test])
+    broken = [name for name in BROKEN if name in ran.stdout]
+    if broken:
+        return f"BROKEN ({broken[0]})"
+    return "killed" if ran.returncode == FAILED else f"SURVIVED (exit code {ran.returncode})"
 
 
 def chosen(words: list[str]) -> list[Mutant]:
@@ -73,19 +85,21 @@ def chosen(words: list[str]) -> list[Mutant]:
 
 
 def main(words: list[str]) -> int:
-    """Run the mutants; print a line for each, return 1 if one survived."""
-    survived = []
+    """Run the mutants; print a line for each, return 1 if one was not killed."""
+    mutants, verdicts = chosen(words), []
     with tempfile.TemporaryDirectory() as folder:
         where = Path(folder)
         copy_checkout(where)
-        for mutant in chosen(words):
-            with mutated(where, mutant):
-                code = run_test(where, mutant.test)
-            killed = code == FAILED
-            print(f"{mutant.id}  {'killed' if killed else f'SURVIVED (exit code {code})'}  {mutant.test}", flush=True)
-            survived += [] if killed else [mutant.id]
-    print(f"{len(survived)} of {len(chosen(words))} mutants survived")
-    return 1 if survived else 0
+        clean = run_tests(where, list(dict.fromkeys(mutant.test for mutant in mutants)))
+        if clean.returncode != PASSED:
+            print(f"the tests have to pass before anything is switched off\n{clean.stdout}{clean.stderr}")
+            return 1
+        for mutant in mutants:
+            verdicts.append(verdict_on(where, mutant))
+            print(f"{mutant.id}  {verdicts[-1]}  {mutant.test}", flush=True)
+    survivors = len(verdicts) - verdicts.count("killed")
+    print(f"{survivors} of {len(mutants)} mutants survived")
+    return 1 if survivors else 0
 
 
 if __name__ == "__main__":
