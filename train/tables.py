@@ -25,6 +25,7 @@ from soccer_env.train.files import write_whole
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.results import EvaluationResult
 from soccer_env.train.settings import EvaluateSettings, command_of, conditions_of
+from soccer_env.train.tables_claims import claims_table, measure_claims, measure_sensors, sensors_table
 
 DATA = Path(__file__).with_name("tables.json")
 README = Path(__file__).resolve().parents[1] / "README.md"
@@ -63,7 +64,18 @@ def measure_speed() -> dict[str, Any]:
     return {"about": about(), "machine": bench["machine"], "rows": bench["rows"]}
 
 
-MEASURE = {"scripted": measure_scripted, "speed": measure_speed}
+MEASURE = {
+    "sensors": lambda: {"about": about(), **measure_sensors()},
+    "claims": lambda: {"about": about(), **measure_claims()},
+    "scripted": measure_scripted,
+    "speed": measure_speed,
+}
+SHOW = {  # a table in Markdown
+    "sensors": lambda table: with_footer(sensors_table(table), table),
+    "claims": lambda table: with_footer(claims_table(table), table),
+    "scripted": lambda table: scripted_table(table),
+    "speed": lambda table: speed_table(table),
+}
 
 
 def about() -> dict[str, str]:
@@ -127,6 +139,11 @@ def speed_table(table: dict[str, Any]) -> str:
     return "\n".join([*lines, "", f"Command: `soccer bench`. {where}.", footer(table["about"])])
 
 
+def with_footer(text: str, table: dict[str, Any]) -> str:
+    """Return a table with the line under it."""
+    return f"{text}\n{footer(table['about'])}"
+
+
 def footer(facts: dict[str, str]) -> str:
     """Return the line under a table."""
     return "Made by `make tables`: " + ", ".join(f"{name} {value}" for name, value in facts.items()) + "."
@@ -134,7 +151,10 @@ def footer(facts: dict[str, str]) -> str:
 
 def with_tables(readme: str, data: dict[str, Any]) -> str:
     """Return the README with the tables between their markers; ValueError for a marker that is missing."""
-    for name, text in (("scripted", scripted_table(data["scripted"])), ("speed", speed_table(data["speed"]))):
+    for name, show in SHOW.items():
+        if name not in data:
+            continue
+        text = show(data[name])
         begin, end = f"<!-- table: {name} -->", f"<!-- end of table: {name} -->"
         before, found, rest = readme.partition(begin)
         _, closed, after = rest.partition(end)
