@@ -3,8 +3,8 @@
     results = reproduce(ReproduceSettings(claims=("S05",), quick=True))
 
 Every batch follows from the run's seed, the claim's id and the batch's number alone, so that no result depends on
-threads, on other claims, or on where a stopped run went on. A claim is looked at after 1, 2, 4, ... batches; the looks
-share the 5 % of the interval (Bonferroni), so that stopping early does not make verdicts bolder.
+threads, on other claims, or on where a stopped run went on. A claim is looked at after 1, 2, 4, ... batches (or from
+its least number of them on); the looks share the 5 % of the interval (Bonferroni), so that stopping early does not make verdicts bolder.
 """
 
 from __future__ import annotations
@@ -60,7 +60,9 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
 
 def made_with(claims: list[Claim]) -> dict[str, str]:
     """Return what must be the same for results to be the same: versions, and the code of matches and claims."""
-    modules = sorted({claim.measure.__module__ for claim in claims if hasattr(claim.measure, "__module__")})
+    modules = sorted(
+        {getattr(claim.measure, "func", claim.measure).__module__ for claim in claims}
+    )  # func: of a partial
     code = {"code": module_hash("soccer_env.match"), "claims": digest("".join(map(module_hash, modules)))}
     return {name: version_of(name) for name in LIBRARIES} | code
 
@@ -80,7 +82,7 @@ def measure_missing(claims: list[Claim], settings: ReproduceSettings, folder: Cl
 
 def examine(claim: Claim, settings: ReproduceSettings, cap: int, folder: ClaimFolder, progress: Progress) -> int:
     """Take batches of a claim until it is decided, keep the result, and return how many were taken."""
-    looks = looks_at(cap)
+    looks = looks_at(cap, claim.least)
     confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
     batches: list[Samples] = []
     findings: list[Finding] = []
@@ -99,9 +101,9 @@ def examine(claim: Claim, settings: ReproduceSettings, cap: int, folder: ClaimFo
     return len(batches)
 
 
-def looks_at(cap: int) -> list[int]:
-    """Return after how many batches a claim is looked at: 1, 2, 4, ... and its cap."""
-    return [*(2**i for i in range(cap.bit_length()) if 2**i < cap), cap]
+def looks_at(cap: int, least: int = 1) -> list[int]:
+    """Return after how many batches a claim is looked at: the least number, twice, four times ... that, and its cap."""
+    return [*(least * 2**i for i in range(cap.bit_length()) if least * 2**i < cap), cap]
 
 
 def result_of(

@@ -86,6 +86,8 @@ def test_looks_double_and_share_the_five_per_cent() -> None:
     assert looks_at(1) == [1]
     assert looks_at(8) == [1, 2, 4, 8]
     assert looks_at(11) == [1, 2, 4, 8, 11]
+    assert looks_at(11, least=3) == [3, 6, 11]
+    assert looks_at(1, least=3) == [1]
 
 
 def test_what_was_put_in_is_by_construction_and_is_shown_without_it() -> None:
@@ -203,7 +205,7 @@ def test_an_unknown_claim_says_which_exist() -> None:
     [
         (["reproduce"], "give the ids of claims, or --all"),
         (["reproduce", "S05", "--all"], "give the ids of claims, or --all"),
-        (["reproduce", "X99"], "unknown claim 'X99'; known: S05"),
+        (["reproduce", "X99"], "unknown claim 'X99'; known: "),
         (["reproduce", "S05", "--minutes", "0"], "minutes must be above 0"),
         (["reproduce", "S05", "--minutes", "3", "--quick"], "give quick or minutes, not both"),
         (["reproduce", "S05", "--seed", "-1"], "seed must be a whole number"),
@@ -238,7 +240,7 @@ def test_every_built_claim_is_complete() -> None:
         texts = (found.paper, found.statement, found.method, *(criterion.text for criterion in found.criteria))
         assert name == found.id and all(texts), name
         assert found.study or found.section, name
-        assert 1 <= found.quick <= found.batches and found.seconds > 0.0, name
+        assert 1 <= found.quick <= found.batches >= found.least >= 1 and found.seconds > 0.0, name
         assert found.quick * found.seconds <= 6.0 and found.batches * found.seconds <= 150.0, f"{name} takes too long"
     assert find_claims(["S05", "S05"], claims) == [claims["S05"]]
     measured_by_all = [found for found in claims.values() if not found.study]

@@ -110,6 +110,8 @@ S16 = Claim(
     measure=look_at_still_balls,
     figures=filter_figure,
     ingredients=("memory.averaged = 4", "16 frames a second", "sensors.dither, drawn anew in each frame"),
+    seconds=0.5,
+    batches=32,
 )
 
 S17 = Claim(
@@ -129,6 +131,8 @@ S17 = Claim(
     measure=look_at_still_balls,
     figures=filter_figure,
     ingredients=("sensors.dither, the same for a blob's size and its place", "88x72 pixels over 57.6 degrees"),
+    seconds=0.5,
+    batches=32,
 )
 
 CLAIMS = (S16, S17)

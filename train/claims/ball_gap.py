@@ -172,9 +172,9 @@ S19 = Claim(
     ),
     measure=with_and_without_gate,
     figures=gap_figure,
-    batches=16,
-    seconds=4.0,
     ingredients=("how often and how hard the ball is kicked", "memory.velocity_gap", "sensors.dither"),
+    seconds=2.0,
+    batches=24,
 )
 
 CLAIMS = (S19,)

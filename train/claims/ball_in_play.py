@@ -12,7 +12,7 @@ from soccer_env.train.claims.sight import ball_angle, ball_in_sight, follow
 from soccer_env.train.claims.staging import ball_from, kick_off, play, stage, standing
 from soccer_env.train.verdicts import Samples, counted, measured, reported
 
-MATCHES, SECONDS = 16, 20.0  # [s] of 3 v 3: S10
+MATCHES, SECONDS = 32, 20.0  # [s] of 3 v 3: S10
 SETTLE = 3.0  # [s] after the kick-off, until heads have found the ball
 WATCHED, TIME = 48, 20.0  # matches with one robot that watches, [s]: S11
 KEPT = 0.5  # [m] from the ball, S11
@@ -105,6 +105,8 @@ S10 = Claim(
     criteria=(counted("frames with the axis on the ball: at least 60 %", "on ball", "seen", at_least=60.0),),
     measure=heads_in_play,
     ingredients=("speeds of neck joints", "belief/head.py", "the chaser as the team that plays"),
+    seconds=1.2,
+    batches=32,
 )
 
 S11 = Claim(
@@ -132,6 +134,8 @@ S11 = Claim(
     ),
     measure=false_balls,
     ingredients=("sensors.patches, patch_low, red_as_orange", "memory.horizon_angle, area_small, area_large"),
+    seconds=4.0,
+    batches=24,
 )
 
 CLAIMS = (S10, S11)

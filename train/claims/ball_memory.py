@@ -173,6 +173,7 @@ S12 = Claim(
     ),
     measure=compare_updates,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
+    seconds=1.5,
 )
 
 S13 = Claim(
@@ -193,6 +194,8 @@ S13 = Claim(
     measure=ball_rolls_unseen,
     figures=way_figure,
     ingredients=("memory.odometry = full",),
+    seconds=0.5,
+    batches=64,
 )
 
 S14 = Claim(
@@ -213,6 +216,7 @@ S14 = Claim(
     ),
     measure=compare_dribbling,
     ingredients=("memory.dribbling_distance", "contact of ball and paws"),
+    seconds=0.8,
 )
 
 CLAIMS = (S12, S13, S14)

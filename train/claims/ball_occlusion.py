@@ -43,7 +43,7 @@ FINE = {"resolution": "176x144", "dither": 0.0, "scale_error": 0.0, "ball_miss":
 PLAIN = {"patches": 0.0, "red_as_orange": 0.0}  # nothing but the ball is orange
 CUT = 0.9  # [1] share of a dimension that is left, below which it counts as cut; a pixel is up to 5 % of it
 HIDDEN = (0.0, 0.05, 0.25, 0.50, 0.75)  # [1] edges of the hidden share of the picture
-SHARE = 2.0 / 3.0  # [1] Sacks 2001, 3.1.1
+WELL_BEFORE = 0.10  # [m] before the ball's middle: two of its radii and the ranger's error
 CENTRED_FAR = 0.60  # [m] range along the ground from the camera, S09
 
 Scene = dict[str, np.ndarray]
@@ -125,11 +125,11 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
     """Return relative errors of the range (M, T) in frames that show the ball, and true ranges from the camera [m].
 
     Heads are turned to the true ball; then, unless they go on staring, they are left to track what they take for it.
-    "centred": the axis meets the ball.
+    "centred": the axis meets the ball; "short": the ranger reads something well before it.
     """
     match = set_up(batch, scene, others, sensors=PLAIN, memory=memory)
     actions, dt = standing(match), match.league.dt
-    rows: dict[str, list[np.ndarray]] = {"error": [], "believed": [], "range": [], "centred": []}
+    rows: dict[str, list[np.ndarray]] = {"error": [], "believed": [], "range": [], "centred": [], "short": []}
     for step in play(match, SETTLE + SECONDS, actions):
         actions[:, 0, 4] = -1.0
         if staring or (step + 1) * dt <= LOOK:
@@ -143,6 +143,8 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
         rows["believed"].append(np.where(seen, ball["distance"], np.nan))
         rows["range"].append(ground)
         rows["centred"].append(seen & (angle < ball_angle(match, distance)))
+        infrared = match.percepts["infrared"][:, 0]
+        rows["short"].append((infrared > 0.0) & (infrared < distance - WELL_BEFORE))
     match.close()
     return {name: np.stack(values, axis=1) for name, values in rows.items()}
 
@@ -187,6 +189,7 @@ def with_and_without_infrared(batch: Batch) -> Samples:
         seen = watch_scene(batch, scene, True, False, OLD | {"infrared_override": rule})
         counts = both_cut & seen["centred"] & (seen["range"] <= CENTRED_FAR)
         found[name] = np.where(counts, np.abs(seen["error"] * seen["range"]), np.nan)
+        found[f"short {name}"] = np.where(counts, seen["short"], np.nan)
         free = watch_scene(batch, scene, False, True, OLD | {"infrared_override": rule})
         found[f"free {name}"] = free["believed"]
     judged = np.isfinite(found["free off"])
@@ -282,9 +285,15 @@ S09 = Claim(
             "unobstructed frames in which the rule changes the range: at most 2 %", "triggers", "judged", at_most=2.0
         ),
         reported("mean error without the rule", lambda samples: 100 * mean(samples["off"]), unit="cm"),
+        reported(
+            "frames in which the ranger reads something more than 10 cm before the ball",
+            lambda samples: 100 * mean(samples["short off"]),
+            unit="%",
+        ),
         reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
     ),
     measure=with_and_without_infrared,
+    least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred"),
 )
 

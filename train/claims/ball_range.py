@@ -105,6 +105,7 @@ S05 = Claim(
     measure=old_system,
     figures=range_figure,
     ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/calibration.py"),
+    seconds=0.7,
 )
 
 
@@ -136,7 +137,7 @@ def crossing(samples: Samples) -> float:
     if len(better) == 0:
         return 100 * LEAST_RANGE
     last = int(better[-1])
-    share = ratio[last] / (ratio[last] - ratio[last + 1])
+    share = np.clip(ratio[last] / min(ratio[last] - ratio[last + 1], -1e-9), 0.0, 1.0)
     return float(100 * (middles[last] + share * WIDTH))
 
 
@@ -205,6 +206,8 @@ S06 = Claim(
         "sensors.infrared_growth and infrared_power, chosen so that the laws cross at 40 cm",
         "sensors.dither",
     ),
+    seconds=2.5,
+    batches=32,
 )
 
 S15 = Claim(
@@ -224,11 +227,11 @@ S15 = Claim(
         for step, low, high in STEPS
     ),
     measure=lambda batch: table_steps("88x72"),
-    batches=1,
-    seconds=0.5,
     figures=step_figure,
     without=Without("88x72 pixels: with 176x144 instead", lambda batch: table_steps("176x144")),
     ingredients=("88 pixels over 57.6 degrees", "a ball 84 mm across"),
+    seconds=0.5,
+    batches=1,
 )
 
 CLAIMS = (S05, S06, S15)

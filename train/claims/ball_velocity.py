@@ -159,7 +159,10 @@ S18 = Claim(
     ),
     measure=sweep_intervals,
     figures=interval_figure,
-    ingredients=("sensors.dither", "memory.averaged = 4", "16 frames a second, so that 0.33 s are 6 frames"),
+    ingredients=("sensors.dither", "memory.averaged = 4", "16 frames a second"),
+    note="Positions are means of four frames: those of readings less than 1/4 s apart share frames, and with them "
+    "a part of their error.",
+    seconds=2.0,
 )
 
 S20 = Claim(
@@ -179,6 +182,8 @@ S20 = Claim(
         "sensors.dither = 0: blobs without flicker", lambda batch: readings_at_60(batch, sensors={"dither": 0.0})
     ),
     ingredients=("the identity 5 cm / (1/3 s) = 15 cm/s", "sensors.dither"),
+    seconds=0.8,
+    batches=32,
 )
 
 S21 = Claim(
@@ -193,6 +198,8 @@ S21 = Claim(
     measure=series_of_readings,
     figures=readings_figure,
     ingredients=("sensors.dither", "memory.velocity_interval = 1/3 s"),
+    seconds=0.7,
+    batches=32,
 )
 
 CLAIMS = (S18, S20, S21)

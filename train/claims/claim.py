@@ -76,7 +76,7 @@ class Claim:
     """A claim and its measurement.
 
     `measure` returns the samples of one batch: arrays whose first axis are independent units (runs, matches), the same
-    number in each. Batches are taken until the verdict is decided, at most `batches` (--quick: `quick`) of them.
+    number in each. Batches are taken until the verdict is decided, `least` to `batches` (--quick: `quick`) of them.
     """
 
     id: str
@@ -87,6 +87,7 @@ class Claim:
     criteria: tuple[Criterion, ...]  # none that decides: context
     measure: Callable[[Batch], Samples]
     batches: int = 16
+    least: int = 1  # batches before the first verdict, where few of a batch's units count
     quick: int = 1
     seconds: float = 3.0  # [s] of one batch on one core, compiled: from this --minutes finds the number of batches
     ingredients: tuple[str, ...] = ()  # settings and models that the result rests on
