@@ -3,8 +3,9 @@
     results = reproduce(ReproduceSettings(claims=("S05",), quick=True))
 
 Every batch follows from the run's seed, the claim's id and the batch's number alone, so that no result depends on
-threads, on other claims, or on where a stopped run went on. A claim is looked at after 1, 2, 4, ... batches (or from
-its least number of them on); the looks share the 5 % of the interval (Bonferroni), so that stopping early does not make verdicts bolder.
+threads, on other claims, or on where a stopped run went on. A claim is looked at after its least number of batches,
+twice that, four times that, and so on; the looks share the 5 % of the interval (Bonferroni), so that stopping early
+does not make verdicts bolder.
 """
 
 from __future__ import annotations
