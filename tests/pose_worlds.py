@@ -139,7 +139,7 @@ class World:
             rows = np.zeros(1, np.int64)
             sense_omni(
                 self.matches, self.balls, self.robots, self.events, self.percepts, self.pending, self.beliefs,
-                self.k, self.s, 0, rows, 0, self.count,
+                self.k, self.s, 0, np.zeros(self.count, bool), rows, 0, self.count,
             )  # fmt: skip
             self.percepts["body"]["pose"] = NO_POSE
             self.truth["placed"] = 0
