@@ -153,21 +153,6 @@ def in_box_axes(box, ahead, left):
 
 
 @compiled
-def stands_before(camera, box, ahead, left, height):
-    """Tell whether a box may hide a point from the camera: no side of the box has both on its outside."""
-    eye_x, eye_y = in_box_axes(box, 0.0, 0.0)
-    x, y = in_box_axes(box, ahead, left)
-    return not (
-        min(eye_x, x) >= box.half_length
-        or max(eye_x, x) <= -box.half_length
-        or min(eye_y, y) >= box.half_width
-        or max(eye_y, y) <= -box.half_width
-        or min(camera.height, height) >= box.high
-        or max(camera.height, height) <= box.low
-    )
-
-
-@compiled
 def trace_box(camera, box, tracing, outline):
     """Bring the outline of a box up to date. Its corners: bit 1 behind, bit 2 right, bit 4 low."""
     nearest = inf

@@ -1,7 +1,7 @@
 """Occlusion: what bodies leave of a thing that stands behind them, column by column of the picture.
 
-The thing is cut into columns of a pixel or less. In each the outlines of the bodies before it take away an interval;
-neighbouring columns of which something is left make a piece. Exact but for the width of a column.
+The thing is cut into columns of two pixels at most. In each the outlines of the bodies before it take away an interval;
+neighbouring columns of which something is left make a piece, which ends where the outline ends that hides the rest.
 """
 
 from __future__ import annotations
@@ -11,13 +11,15 @@ from math import ceil, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.perception.bodies import HEAD, TRUNK, stands_before, trace_box
+from soccer_env.geometry import length
+from soccer_env.perception.bodies import HEAD, TRUNK, in_box_axes, trace_box
 from soccer_env.perception.outlines import OUTLINE, chain_at, piece_at
 
 PIECES = 96  # pieces of a kind that a sketch has room for: the stickers of 21 others, and some cuts
 COLUMNS = 176  # into which a thing is cut, at most
 COLUMNS_LEAST = 8  # at least
 COLUMN_MOST = 2.0  # [px] width of a column, at most
+SINKS = 0.008  # [m] by which bodies may overlap where they touch, far more than the physics lets them
 HIDDEN = -1  # in place of a number of hiders
 LEAST_AREA = 0.5  # [px] truly visible below which nothing is seen, assumed
 
@@ -40,6 +42,13 @@ COLUMN = np.dtype(
 )
 TARGET = np.dtype(
     [
+        ("ahead", "f8"),  # [m] its middle, in the level axes of the camera
+        ("left", "f8"),  # [m]
+        ("across", "f8"),  # [m] of a panel from the middle to one end: ahead
+        ("aside", "f8"),  # [m] left
+        ("reach", "f8"),  # [m] of a sphere: its radius; of a panel 0
+        ("low", "f8"),  # [m] over the ground
+        ("high", "f8"),  # [m]
         ("round", "i8"),  # 1 a sphere, 0 a polygon
         ("outline", OUTLINE),  # its box; of a polygon its chains, too
         # Of a sphere: column u goes from m - r to m + r, m = middle + lean u, r^2 = square + along u + bend u^2  [px]
@@ -64,14 +73,14 @@ def add_piece(sketch, kind, left, right, high, low, area):
 
 
 @compiled
-def find_hiders(sketch, ahead, left, low, high, radius, owner, own_head, apart):
+def find_hiders(sketch, owner, own_head, apart):
     """List the outlines that may hide a part of the target; return how many, or HIDDEN if one hides all of it.
 
-    The target is at ahead, left [m] over the ground and reaches `radius` around, from low to high [m]; its own box is
-    in the target's outline. See `draw_panel` for the rest.
+    See `draw_panel` for the rest.
     """
-    camera, target, count = sketch.camera, sketch.target.outline, 0
-    distance, eye = sqrt(ahead * ahead + left * left), camera.height
+    camera, target, count = sketch.camera, sketch.target, 0
+    ahead, left, low, high, eye = target.ahead, target.left, target.low, target.high, camera.height
+    distance, radius = length(ahead, left), target.reach + length(target.across, target.aside)
     for i in range(sketch.body_count):
         for part in (TRUNK, HEAD):
             box, outline = sketch.bodies[i].boxes[part], sketch.outlines[2 * i + part]
@@ -83,17 +92,39 @@ def find_hiders(sketch, ahead, left, low, high, radius, owner, own_head, apart):
                 continue  # it stands aside: the sine of the angle between is more than what both fill
             if i == owner and not (own_head and part == HEAD):
                 continue
-            if not (apart or stands_before(camera, box, ahead, left, 0.5 * (low + high))):
+            if not (apart or stands_before(camera, box, target)):
                 continue
             if box.traced == 0:
                 trace_box(camera, box, sketch.body_tracing, outline)
-            if not overlap(outline, target):
+            if not overlap(outline, target.outline):
                 continue
-            if covers(outline, target):
+            if covers(outline, target.outline):
                 return HIDDEN
             sketch.hiders[count] = 2 * i + part
             count += 1
     return count
+
+
+@compiled
+def stands_before(camera, box, target):
+    """Tell whether a box may hide the target: no side of the box has both camera and target on its outside.
+
+    A target that reaches through the plane of a side counts as inside, and so it is where the box overlaps it in the
+    picture. Where robots touch it, it may sink in a little: SINKS.
+    """
+    eye_x, eye_y = in_box_axes(box, 0.0, 0.0)
+    x, y = in_box_axes(box, target.ahead, target.left)
+    deep = target.reach - SINKS
+    along = deep + abs(box.cosine * target.across + box.sine * target.aside)
+    beside = deep + abs(box.cosine * target.aside - box.sine * target.across)
+    return not (
+        min(eye_x, x - along) >= box.half_length
+        or max(eye_x, x + along) <= -box.half_length
+        or min(eye_y, y - beside) >= box.half_width
+        or max(eye_y, y + beside) <= -box.half_width
+        or min(camera.height, target.low + SINKS) >= box.high
+        or max(camera.height, target.high - SINKS) <= box.low
+    )
 
 
 @compiled

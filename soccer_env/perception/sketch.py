@@ -12,7 +12,6 @@ from math import inf, pi, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled, records
-from soccer_env.geometry import length
 from soccer_env.percept_types import LANDMARKS, OTHERS
 from soccer_env.perception.bodies import BODY, RECTANGLE, measure_hull
 from soccer_env.perception.camera import CAMERA, POSE, axes_of, face_ahead, in_view, open_camera, sphere_box
@@ -99,8 +98,9 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
     outline = target.outline
     if not trace_panel(camera, panel, sketch.tracing, outline) or is_outside(camera, outline):
         return
-    radius = length(panel.across, panel.aside)
-    hiders = find_hiders(sketch, panel.ahead, panel.left, panel.low, panel.high, radius, owner, own_head, apart)
+    target.ahead, target.left, target.low, target.high = panel.ahead, panel.left, panel.low, panel.high
+    target.across, target.aside, target.reach = panel.across, panel.aside, 0.0
+    hiders = find_hiders(sketch, owner, own_head, apart)
     if hiders == HIDDEN:
         return
     if hiders == 0 and is_inside(camera, outline):
@@ -176,7 +176,9 @@ def draw_sphere(sketch, ahead, left, radius, kind):
     outline.left, outline.right, outline.high, outline.low = sphere_box(camera, depth, beside, above, radius)
     if is_outside(camera, outline):
         return
-    hiders = find_hiders(sketch, ahead, left, 0.0, 2.0 * radius, radius, NOBODY, False, False)
+    target.ahead, target.left, target.low, target.high = ahead, left, 0.0, 2.0 * radius
+    target.across, target.aside, target.reach = 0.0, 0.0, radius
+    hiders = find_hiders(sketch, NOBODY, False, False)
     if hiders == HIDDEN:
         return
     if hiders == 0 and is_inside(camera, outline):
