@@ -57,17 +57,17 @@ def mutated(where: Path, mutant: Mutant) -> Iterator[None]:
         file.write_text(text, encoding="utf-8")
 
 
-def run_tests(where: Path, tests: list[str]) -> subprocess.CompletedProcess[str]:
-    """Run tests in the copy, up to the first that fails."""
+def run_tests(where: Path, *options: str) -> subprocess.CompletedProcess[str]:
+    """Run tests in the copy."""
     environment = {**os.environ, "PYTHONPATH": str(where), "SOCCER_ENV_QUIET": "1", "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", *tests]
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options]
     return subprocess.run(command, cwd=where, env=environment, capture_output=True, text=True, check=False)
 
 
 def verdict_on(where: Path, mutant: Mutant) -> str:
     """Return "killed" if the test of a mutant notices it, and otherwise what happened, in capitals."""
     with mutated(where, mutant):
-        ran = run_tests(where, [mutant.test])
+        ran = run_tests(where, "-x", mutant.test)
     broken = [name for name in BROKEN if name in ran.stdout]
     if broken:
         return f"BROKEN ({broken[0]})"
@@ -90,7 +90,7 @@ def main(words: list[str]) -> int:
     with tempfile.TemporaryDirectory() as folder:
         where = Path(folder)
         copy_checkout(where)
-        clean = run_tests(where, list(dict.fromkeys(mutant.test for mutant in mutants)))
+        clean = run_tests(where, *dict.fromkeys(mutant.test for mutant in mutants))
         if clean.returncode != PASSED:
             print(f"the tests have to pass before anything is switched off\n{clean.stdout}{clean.stderr}")
             return 1

@@ -34,8 +34,9 @@ def seen_from(x: float, y: float, heading: float) -> np.ndarray:
         np.zeros((1, 1), BELIEF),
     )
     sense_slice(
-        matches, np.zeros(1, BALL), robots, events, percepts, pending, beliefs, K, S, 0, np.zeros(1, np.int64), 0, 1
-    )
+        matches, np.zeros(1, BALL), robots, events, percepts, pending, beliefs,
+        K, S, 0, np.zeros(1, bool), np.zeros(1, np.int64), 0, 1,
+    )  # fmt: skip
     return percepts[:, 0]
 
 
