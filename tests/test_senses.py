@@ -1,11 +1,14 @@
 """Promises of the whole chain of senses: nothing hidden is seen, no belief reads the truth, noise is reproducible."""
 
+import pkgutil
+from importlib import import_module
 from typing import Any
 
 import numpy as np
 import pytest
 
-from soccer_env import Match
+import soccer_env
+from soccer_env import Match, baselines, belief, leagues, perception
 from soccer_env.saving import dump
 from tests.staging import scatter, set_phase
 from tests.symmetry import (
@@ -243,3 +246,14 @@ def test_a_save_with_nonsense_in_the_memory_is_refused() -> None:
         with pytest.raises(ValueError, match="this save is damaged"):
             match.load(damaged)
         assert match.state_hash() == before
+
+
+def test_no_field_of_a_record_hides_behind_a_method_of_numpys() -> None:
+    """In plain Python `record.round` would be numpy's method, whatever the field holds."""
+    names = dir(np.void)
+    for package in (soccer_env, perception, belief, baselines, leagues):
+        for module in pkgutil.iter_modules(package.__path__, package.__name__ + "."):
+            if not module.ispkg:
+                for name, value in vars(import_module(module.name)).items():
+                    fields = set(value.names or ()) if isinstance(value, np.dtype) else set()
+                    assert not fields & set(names), f"{module.name}.{name}"

@@ -25,6 +25,7 @@ MIDDLE = 8.0 * 127.5  # mean of the sum of eight bytes
 UNIT = (12.0 / (8.0 * 65535.0)) ** 0.5  # 1 over its deviation
 SCALE_LEAST = 0.1  # [1] scale of sizes that an error does not go below
 SPOT = 0.5  # [1] width and height of an orange spot on a sticker, in the sticker's, assumed
+EDGE = 1e-6  # [px] from the border at which a piece counts as cut off by it
 TOUCHING = 0.5  # [px] gap below which two pieces are one blob, assumed
 
 
@@ -208,9 +209,9 @@ def pixels(size, most):
 @compiled
 def place_edge(middle, count, high, low, border):
     """Return the upper edge, or the left one, of `count` pixels about a middle; what touches the border keeps to it."""
-    if high >= border:
+    if high >= border - EDGE:
         return border
-    if low <= -border:
+    if low <= EDGE - border:
         return count - border
     return max(min(floor(middle + 0.5 * count + 0.5), border), count - border)
 

@@ -45,7 +45,7 @@ SIZE = np.dtype(
     [  # of what is seen at one range, NaN if it is cut off or not seen
         ("width", "f8"),  # [px] of the largest piece
         ("height", "f8"),  # [px]
-        ("all", "f8"),  # [px] height of the box round all pieces
+        ("together", "f8"),  # [px] height of the box round all pieces
     ]
 )
 
@@ -61,7 +61,7 @@ def calibrate(league: League) -> np.ndarray:
     trunk, middle = s.trunk_sticker_middle, 0.5 * (s.trunk_sticker_middle + s.head_sticker_middle)
     for view, heading in (("player_front", HEAD_ON), ("player_side", FROM_THE_SIDE)):
         found[view] = table_of(ranges, look_at(league, ranges, trunk, OPPONENTS, heading)["height"])
-        found[view + "_all"] = table_of(ranges, look_at(league, ranges, middle, OPPONENTS, heading)["all"])
+        found[view + "_all"] = table_of(ranges, look_at(league, ranges, middle, OPPONENTS, heading)["together"])
     return found
 
 
@@ -97,7 +97,7 @@ def render(matches, balls, robots, constants, sensors, ranges, height, kind, siz
 @compiled
 def measure_pieces(sketch, kind, size):
     """Fill in the sizes [px] of the largest piece of a kind and of the box round all."""
-    size.width = size.height = size.all = nan
+    size.width = size.height = size.together = nan
     largest = high = low = 0.0
     whole = True
     for i in range(sketch.found[kind]):
@@ -110,7 +110,7 @@ def measure_pieces(sketch, kind, size):
         high, low = (piece.high, piece.low) if i == 0 else (max(high, piece.high), min(low, piece.low))
         whole = whole and inside
     if largest > 0.0 and whole:
-        size.all = high - low
+        size.together = high - low
 
 
 def table_of(ranges: np.ndarray, sizes: np.ndarray) -> np.ndarray:

@@ -49,7 +49,7 @@ TARGET = np.dtype(
         ("reach", "f8"),  # [m] of a sphere: its radius; of a panel 0
         ("low", "f8"),  # [m] over the ground
         ("high", "f8"),  # [m]
-        ("round", "i8"),  # 1 a sphere, 0 a polygon
+        ("is_round", "i8"),  # 1 a sphere, 0 a polygon
         ("outline", OUTLINE),  # its box; of a polygon its chains, too
         # Of a sphere: column u goes from m - r to m + r, m = middle + lean u, r^2 = square + along u + bend u^2  [px]
         ("middle", "f8"),
@@ -208,7 +208,7 @@ def edge_between(sketch, hiders, column, count, right, width, opens):
 @compiled
 def fill_columns(target, columns, count, right, width, border):
     """Fill in how far the target reaches in the middle of each column, within the picture."""
-    if target.round == 1:
+    if target.is_round == 1:
         for i in range(count):
             u, column = right + (i + 0.5) * width, columns[i]
             middle = target.middle + target.lean * u
@@ -273,7 +273,7 @@ def bend_round(camera, target, depth, beside, above, beyond):
     narrow = beyond - above * above  # above 0: the sphere lies before the lens
     slope, scale = 1.0 / camera.focal_x, camera.focal_y / narrow
     beside *= slope
-    target.round = 1
+    target.is_round = 1
     target.middle, target.lean = scale * above * depth, scale * above * beside
     # (above along)^2 + narrow (along^2 - beyond (1 + slope^2)) with along = depth + beside u; the squares of u, u, 1:
     scale *= scale * beyond

@@ -106,7 +106,7 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
     if hiders == 0 and is_inside(camera, outline):
         add_piece(sketch, kind, outline.left, outline.right, outline.high, outline.low, quadrangle(sketch.tracing))
         return
-    target.round = 0
+    target.is_round = 0
     cut_into_pieces(sketch, kind, hiders)
 
 
