@@ -14,10 +14,12 @@ from soccer_env import Match
 
 MADE_WITH = "pymunk 7.3.1, numba 0.68.1, numpy 2.4.6, Linux x86_64"
 GOLDEN = {
-    ("legged-2001", "actions"): "71187e72cc9a7f8e9810559ee4875380",
-    ("legged-2001", "teams"): "6b88e442ef17b0f5b711243218585ba3",
-    ("middle-size-2006", "actions"): "fb7c8d2be52447ee004cba03f6a87bd9",
-    ("middle-size-2006", "teams"): "ffbfa439879f4c17be22b0d078debbbe",
+    ("legged-2001", "actions"): "0b2041ffb24ee1f4d0ab8bcc50b8cf2d",
+    ("legged-2001", "teams"): "1459ec9aa14694101bead8e285c4f7cb",
+    ("legged-2001", "senses"): "c94cf1687274e0c930ab40bd5079f33d",
+    ("middle-size-2006", "actions"): "23df815aebd0d989546f16b4f514ef65",
+    ("middle-size-2006", "teams"): "8f20c72435f97fcc23e163b73534f37a",
+    ("middle-size-2006", "senses"): "09bff88e2be04f8c512268051176fe3f",
 }
 
 
@@ -28,9 +30,20 @@ def here() -> str:
 
 
 def play(league: str, who: str) -> str:
-    """Return the hash after 600 control steps of random actions, or of random players against each other."""
-    teams = {"home": "random", "away": "random"} if who == "teams" else None
-    match = Match(league, home=3, away=2, matches=3, seed=2001, placement="drive", controllers=teams, minutes=0.3)
+    """Return the hash after 600 control steps of random actions, of random players, or of players with all senses."""
+    team = {"actions": None, "teams": "random", "senses": "chaser"}[who]
+    teams = None if team is None else {"home": team, "away": team}
+    match = Match(
+        league,
+        home=3,
+        away=2,
+        matches=3,
+        seed=2001,
+        placement="drive",
+        controllers=teams,
+        minutes=0.3,
+        pose="particles",
+    )
     rng = np.random.default_rng(2006)
     for _ in range(600):
         match.step(None if teams else rng.uniform(-1.0, 1.0, (3, 5, 4)))
