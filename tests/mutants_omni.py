@@ -131,13 +131,20 @@ MUTANTS = [
         BALL,
         "        if filter.surprises < w.surprise_count:",
         "        if filter.surprises < 100:",
-        TEST_BALL + "test_mh06_a_kick_starts_the_track_anew",
+        TEST_BALL + "test_mh06_a_ball_that_is_somewhere_else_is_believed_there_after_some_readings",
     ),
     Mutant(
         "MH06",
         PLAYERS,
         "and readings[i].off[slot] < least:",
         "and best < 0 and readings[i].off[slot] < gate:",
+        TEST_PLAYERS + "test_mh06_the_nearest_pair_of_reading_and_track_comes_first",
+    ),
+    Mutant(
+        "MH06",
+        PLAYERS,
+        "        predict(track, filter, motion, w.player_agility, 0.0, k, s)",
+        "        pass",
         TEST_PLAYERS + "test_mh06_two_that_pass_each_other_keep_their_tracks",
     ),
     Mutant(

@@ -62,6 +62,13 @@ MUTANTS = [
         PARTICLES,
         "    if there[0] > REPLACED * weight and there[0] > SETTLED * total:",
         "    if weight < 0.0:",
+        TEST_PARTICLES + "test_mh08_the_pose_jumps_to_another_cluster_only_if_that_is_clearly_heavier",
+    ),
+    Mutant(
+        "MH08",
+        PARTICLES,
+        "        if square < most:",
+        "        if square >= 0.0:",
         TEST_PARTICLES + "test_mh08_of_two_clusters_the_pose_is_in_one_and_not_between_them",
     ),
     Mutant(

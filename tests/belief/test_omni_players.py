@@ -10,8 +10,12 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.belief.omni import OMNI_MEMORY
+from soccer_env.belief.omni_players import READING, nearest_pair
+from soccer_env.belief.tracking import FILTER
+from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import Slots
+from soccer_env.percept_types import OMNI_PERCEPT
 from soccer_env.types import TRACK
 from tests.belief.staged_omni import begin, in_frame, run, state, thinking
 from tests.staging import MIDDLE, asking, put, put_ball, scatter, set_phase
@@ -84,6 +88,26 @@ def test_mh06_two_that_pass_each_other_keep_their_tracks() -> None:
     upward = others["vy"][:, :2].max(axis=1)
     downward = others["vy"][:, :2].min(axis=1)
     assert np.median(upward) > 1.2 and np.median(downward) < -1.2
+
+
+@compiled
+def find_pair(percepts, tracks, filters, readings, gate, found):  # type: ignore[no-untyped-def]
+    found[0], found[1] = nearest_pair(percepts[0], tracks, filters, readings, len(readings), 1, 0, len(tracks), gate)
+
+
+def test_mh06_the_nearest_pair_of_reading_and_track_comes_first() -> None:
+    """MH06: whatever their order, and only pairs within the gate."""
+    percepts, tracks, filters = np.zeros(1, OMNI_PERCEPT), np.zeros(3, TRACK), np.zeros(3, FILTER)
+    readings, found = np.zeros(2, READING), np.zeros(2, np.int64)
+    percepts["players"]["teammate"][0, :2] = tracks["present"][:2] = 1  # the third slot is empty
+    readings["off"][:, :3] = [[0.6, 0.7, 0.0], [0.4, 0.2, 0.0]]
+    find_pair(percepts, tracks, filters, readings, 1.0, found)
+    assert found.tolist() == [1, 1]
+    readings["taken"][1] = filters["seen"][1] = 1
+    find_pair(percepts, tracks, filters, readings, 1.0, found)
+    assert found.tolist() == [0, 0]
+    find_pair(percepts, tracks, filters, readings, 0.5, found)
+    assert found.tolist() == [-1, -1]
 
 
 def test_players_at_rest_stay_at_rest_for_a_robot_that_drives_and_turns() -> None:

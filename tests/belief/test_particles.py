@@ -117,7 +117,7 @@ def test_mh08_of_two_clusters_the_pose_is_in_one_and_not_between_them() -> None:
     assert weight == 48.0 and spread == 0.0
 
 
-def test_the_pose_jumps_to_another_cluster_only_if_that_is_clearly_heavier() -> None:
+def test_mh08_the_pose_jumps_to_another_cluster_only_if_that_is_clearly_heavier() -> None:
     for others, at in ((50, 1.0), (80, -1.0)):
         particles = set_of(np.where(np.arange(96) < 96 - others, 1.0, -1.0))
         own = pose_at(1.0, 0.0, 0.0)
