@@ -22,17 +22,13 @@ from soccer_env.physics.space_batch import Way
 from soccer_env.players import assign, make_squads, run_kernel, run_python
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import TERMS
-from soccer_env.senses import Senses
+from soccer_env.senses import UNUSED, Senses, sensing_sides
 from soccer_env.settings import check_known, make_settings, whole_number
 from soccer_env.types import AWAY, HOME, QUIET, ROBOT_EVENTS
 from soccer_env.user_code import checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
-UNUSED = (
-    "nobody in this match uses its sensors: robots are played from outside and observe the truth; "
-    "give observe='belief' or 'percepts', a team, or senses='ideal'"
-)
 FINAL = ("observations", "matches", "robots", "events", "robot_events", "terms")  # kept of a match begun again at once
 
 
@@ -98,23 +94,11 @@ class Match:
         self.squads = make_squads(self.agents, who, self.league, self.count)
         self.learns = np.array([agent not in who for agent in self.agents], np.int64)
         self._readers = np.array([r for squad in self.squads for r in squad.players], np.int64)
-        sides = self._sensing_sides()
+        sides = sensing_sides(self.settings, [(squad.team, squad.players) for squad in self.squads], self.learns)
         if sides:
             self.field.senses = Senses(self.settings, self.count, sides)
         unplayed = self.count if not self.learns.any() else 0  # with learners there are always actions
         self._no_actions = np.zeros((unplayed, len(self.agents), self.settings.actions.size))
-
-    def _sensing_sides(self) -> tuple[int, ...]:
-        """Return the teams whose sensors somebody uses: a team that plays them, or what learners observe."""
-        observe, home = self.settings.observe, self.settings.rows[HOME]
-        found = []
-        for side, rows in ((HOME, range(home)), (AWAY, range(home, len(self.agents)))):
-            teams = [squad.team for squad in self.squads if squad.players[0] in rows]
-            played = not all(getattr(team, "blind", False) for team in teams)
-            watched = observe != "truth" and any(self.learns[r] == 1 for r in rows)
-            if (self.settings.senses[side] == "sensors" and (played or watched)) or (watched and observe == "percepts"):
-                found.append(side)
-        return tuple(found)
 
     # Starting
 
@@ -274,7 +258,10 @@ class Match:
 
     @property
     def beliefs(self) -> np.ndarray:
-        """Return what every robot believes (M, R); ValueError if robots have sensors that nobody uses."""
+        """Return what every robot believes (M, R); nothing (confidence 0) of robots whose sensors nobody uses.
+
+        ValueError if nobody uses any.
+        """
         return self._all_minds()[0]
 
     @property

@@ -20,6 +20,26 @@ from soccer_env.observations.percepts import observe_kernel
 from soccer_env.settings import Settings
 from soccer_env.types import AWAY, BELIEF, HOME, TRACK
 
+UNUSED = (
+    "nobody in this match uses its sensors: robots are played from outside and observe the truth; "
+    "give observe='belief' or 'percepts', a team, or senses='ideal'"
+)
+
+
+def sensing_sides(settings: Settings, squads: list[tuple[Any, np.ndarray]], learns: np.ndarray) -> tuple[int, ...]:
+    """Return the teams (HOME, AWAY) whose sensors somebody uses: a team that plays them, or what learners observe.
+
+    `squads` are teams with the rows (P,) that each plays; `learns` (R,) marks the rows played from outside.
+    """
+    home, found = settings.rows[HOME], []
+    for side, rows in ((HOME, range(home)), (AWAY, range(home, len(learns)))):
+        teams = [team for team, players in squads if players[0] in rows]
+        played = not all(getattr(team, "blind", False) for team in teams)
+        watched = settings.observe != "truth" and any(learns[r] == 1 for r in rows)
+        if (settings.senses[side] == "sensors" and (played or watched)) or (watched and settings.observe == "percepts"):
+            found.append(side)
+    return tuple(found)
+
 
 @dataclass(frozen=True)
 class Chain:
