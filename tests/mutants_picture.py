@@ -54,8 +54,8 @@ MUTANTS = [
     Mutant(
         "MS09",
         TABLES,
-        '    found["ball_height"] = table_of(ranges, ball["height"])',
-        '    found["ball_height"] = table_of(ranges, ball["width"])',
+        "    table = np.interp(asked, sizes, ranges)",
+        "    table = 14.0 / asked",
         TEST_TABLES + "test_ms09_a_noiseless_ball_is_where_the_table_says",
     ),
     Mutant(
