@@ -143,8 +143,8 @@ MUTANTS = [
     Mutant(
         "MH06",
         PLAYERS,
-        "        predict(track, filter, motion, w.player_agility, 0.0, k, s)",
-        "        pass",
+        "count, teammate, first, last, w.gate)",
+        "count, teammate, first, last, 0.0)",
         TEST_PLAYERS + "test_mh06_two_that_pass_each_other_keep_their_tracks",
     ),
     Mutant(
