@@ -273,7 +273,7 @@ class Match:
     def percepts(self) -> np.ndarray:
         """Return what every robot's sensors delivered (M, R); ValueError if nobody uses them."""
         if self.field.senses is None:
-            raise ValueError(UNUSED)
+            raise ValueError("nobody in this match uses its sensors: give observe='percepts', or senses='sensors'")
         return self.field.senses.percepts
 
     def _all_minds(self) -> tuple[np.ndarray, np.ndarray]:

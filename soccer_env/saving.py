@@ -105,6 +105,8 @@ RANGES = {  # of whole numbers in matches and robots, both ends allowed
 }  # fmt: skip
 SENSED = ("percepts", "pending", "beliefs", "tracks", "memories", "messages", "particles")
 INDICES = {"count": AVERAGED_MOST, "latest": 1, "known": 1, "fresh": 1, "flying": 1, "word": 15}  # greatest of each
+ENDLESS = ("age", "ball_age", "distance", "seconds_left")  # may be infinite: never seen, nobody tells, no end
+LIMITED = {"confidence": (0.0, 100.0), "ball_confidence": (0.0, 100.0), "weight": (0.0, 1e6)}
 FIXED = ("team", "number", "keeper")  # of a robot: as the match lined up
 FAR = 1e6  # no number of a match is larger; the length of a half may be infinite
 
@@ -134,10 +136,17 @@ def check_sensed(name: str, array: np.ndarray) -> None:
         values = array[field]
         if values.dtype.names:
             check_sensed(f"{field} of {name}", values)
-        elif values.dtype.kind == "f" and np.isnan(values).any():
-            raise ValueError(f"this save is damaged: {field} of {name} is not a number")
+        elif values.dtype.kind == "f" and not sane(field, values):
+            raise ValueError(f"this save is damaged: {field} of {name} is not a number that can be")
         elif field in INDICES and not within(values, 0, INDICES[field]):
             raise ValueError(f"this save is damaged: {field} of {name} is out of range")
+
+
+def sane(field: str, values: np.ndarray) -> bool:
+    """Tell whether the numbers of a field of the senses can be: finite unless it may be endless, and in their range."""
+    if field in ENDLESS:
+        return not np.isnan(values).any() and within(values, 0.0, np.inf)
+    return within(values, *LIMITED.get(field, (-FAR, FAR)))
 
 
 def check_floats(name: str, array: np.ndarray) -> None:

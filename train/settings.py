@@ -15,6 +15,7 @@ from soccer_env.leagues.league import PLACEMENTS, League
 from soccer_env.types import MAX_TEAM
 
 SENSES = ("ideal", "sensors")
+SENSING = "sensors"  # a team that is not named
 POSES = ("particles", "percept")
 FULL = "full"  # minutes: the league's own length of a match
 
@@ -173,7 +174,9 @@ def split_players(players: int | str | None, default: int) -> tuple[int, int]:
 def split_senses(senses: str) -> tuple[str, str]:
     """Return the senses of the first and the second team of "ideal" or "home=ideal,away=sensors"."""
     named = dict(part.strip().partition("=")[::2] for part in senses.split(","))
-    both = (named["home"], named["away"]) if set(named) == {"home", "away"} else (senses, senses)
+    both = (
+        (named.get("home", SENSING), named.get("away", SENSING)) if set(named) <= {"home", "away"} else (senses, senses)
+    )
     if not set(both) <= set(SENSES):
         raise ValueError(f"senses must be one of {', '.join(SENSES)}, or home=ideal,away=sensors, got {senses!r}")
     return both

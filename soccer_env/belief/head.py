@@ -11,8 +11,8 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 
 DEGREE = pi / 180.0
-NEAR_TILT = -45.0 * DEGREE  # [rad] of a sweep over the ground at the robot's feet, 0.2 to 0.5 m away, assumed
-FAR_TILT = -10.0 * DEGREE  # [rad] of a sweep over the ground farther out, up to the horizon, assumed
+NEAR_TILT = -62.0 * DEGREE  # [rad] of a sweep over the ground at the robot's feet, from the pocket on, assumed
+FAR_TILT = -18.0 * DEGREE  # [rad] of a sweep over the ground farther out, up to the horizon, assumed
 NEAR_BALL = 0.4  # [m] a ball believed nearer is searched for at the feet first, assumed
 FOUND = 3  # sightings that end a search; fewer are a glimpse, of a patch perhaps, assumed
 GLIMPSE = 0.25  # [s] unseen after which the search goes on where a glimpse broke it off, assumed
@@ -72,12 +72,12 @@ def search(ball, memory, handedness, k, w):
     """Return the pan and tilt [rad] of a head in search: sweeps between the pan limits at two tilts in turn.  MS07
 
     A sweep takes w.search_period. The first one begins on the side where the ball was believed last, low if it was
-    believed at the robot's feet.
+    believed at the robot's feet, or nowhere: who has just been placed may have it there.
     """
     period = max(w.search_period, k.dt)
     if memory.side == 0.0:
         side = ball.bearing if ball.bearing != 0.0 else handedness
-        near = ball.confidence > 0.0 and ball.distance < NEAR_BALL
+        near = ball.confidence <= 0.0 or ball.distance < NEAR_BALL
         memory.sightings = 0
         memory.side = (1.0 if side > 0.0 else -1.0) * (1.0 if near else -1.0)
         memory.clock = 0.0 if near else period  # the second sweep of a cycle is the far one, and runs the other way

@@ -40,6 +40,7 @@ BALL_MEMORY = np.dtype(
         ("odd_y", "f8"),  # [m]
         ("age", "f8"),  # [s] since it was seen
         ("confidence", "f8"),  # [0, 100]
+        ("held", "f8"),  # frames in a row in which the light barrier was broken
         ("filter", FILTER),
     ]
 )
@@ -56,10 +57,11 @@ def believe_ball(percept, own, believed, memory, motions, frames, k, s, w):
     if percept.ball.seen == 1:
         x, y = reading_of(percept.ball, motions, body.frame, frames)
         take(memory, x, y, frames * k.dt, np.float64(percept.age), True, k, s, w)
-    elif body.held == 1:  # the barrier errs now and then: it starts no track alone
+    elif body.held == 1 and memory.held >= 1.0:  # the barrier errs now and then: one frame proves nothing
         take(memory, k.body_front + k.ball_radius, 0.0, 0.0, 0.0, False, k, s, w)
     else:
         memory.filter.surprises = 0  # a row ends
+    memory.held = memory.held + 1.0 if body.held == 1 else 0.0
     if memory.filter.seen == 0:
         memory.confidence = max(memory.confidence - w.fading * k.dt, 0.0)
         if memory.confidence <= 0.0:  # where it went is forgotten as well

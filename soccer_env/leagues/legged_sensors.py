@@ -26,6 +26,7 @@ ASCENDING = (
     ("infrared_near", "infrared_far"),
 )  # fmt: skip
 PATCHES_MOST = 64  # that a sketch of the picture has room for, with all that is orange besides
+POSE_DRIFTS = ("pose_slip", "pose_drift", "pose_turn_drift", "pose_push", "pose_push_turn")
 AVERAGED_MOST = 6  # estimates of the ball's position that a robot's memory has room for
 
 
@@ -36,7 +37,7 @@ class LeggedSensors(Options):
     NAMES = {"resolution": RESOLUTIONS}
     SIGNED = ("camera_up", "sticker_head_x")
 
-    resolution: str = "88x72"  # [px] the layer that the paper's "low resolution camera" is; see CLAIMS S15
+    resolution: str = "88x72"  # [px] the layer of the paper's "low resolution camera" (claim S15)
     view_width: float = 57.6 * DEGREE  # [rad] ERS-210 data sheet
     view_height: float = 47.8 * DEGREE  # [rad] the same
     neck_ahead: float = 0.075  # [m] neck pivot ahead of the body's centre, CMPack'02 kinematics
@@ -180,7 +181,12 @@ class LeggedMemory(Options):
     pose_fading: float = 3.0  # [1/s] loss of confidence (0 to 100) by dead reckoning alone, assumed
 
     def check_together(self) -> None:
-        """Raise ValueError for what no memory of the ball can do."""
+        """Raise ValueError for what no memory of ball or pose can do."""
+        within(self, 1, 65536, ("particles",))
+        within(self, 1, 1000, ("pose_every",))
+        within(self, 0.0, 1.0, ("pose_fresh", "pose_stuck", "pose_fast", "pose_slow", "pose_fit"))
+        within(self, 1e-3, 1e3, ("pose_bearing_noise", "pose_range_noise", "pose_radius", "pose_angle"))
+        within(self, 0.0, 100.0, POSE_DRIFTS)
         if not 1 <= self.averaged <= AVERAGED_MOST:
             raise ValueError(f"LeggedMemory.averaged must be 1 to {AVERAGED_MOST}, got {self.averaged}")
         if self.velocity_gap < self.velocity_interval:

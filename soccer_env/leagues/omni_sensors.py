@@ -71,6 +71,8 @@ class OmniSensors(Options):
         within(self, 0, MOST_DELAY, ("camera_delay",))
         within(self, LEAST, inf, ("mirror_edge", "mirror_curve", "camera_height", "detection_width", "line_range"))
         within(self, LEAST, inf, ("light_period", "table_width"))
+        within(self, LEAST, 1e3, ("mirror_edge", "mirror_curve"))
+        within(self, 0.0, 100.0, ("pixel_noise", "pose_noise", "pose_turn_noise", "place_noise", "place_turn_noise"))
         if self.hidden_radius >= self.mirror_edge:
             raise ValueError(
                 f"OmniSensors.hidden_radius must be less than mirror_edge {self.mirror_edge}, got {self.hidden_radius}"
@@ -119,4 +121,8 @@ class OmniMemory(Options):
         within(self, 1, 65536, ("particles",))
         within(self, 1, 100, ("surprise_count", "pose_every"))
         within(self, 2.0, 100.0, ("window",))
-        within(self, 0.0, 1.0, ("pose_fresh",))
+        within(self, 0.0, 1.0, ("pose_fresh", "pose_stuck", "pose_fast", "pose_slow", "pose_fit"))
+        within(self, 1e-3, 1e3, ("pose_line_noise", "pose_bearing_noise", "pose_range_noise"))
+        within(self, 1e-3, 1e3, ("pose_radius", "pose_angle"))
+        within(self, 0.0, 100.0, ("pose_slip", "pose_drift", "pose_turn_drift", "pose_push", "pose_push_turn"))
+        within(self, 0.0, 1e3, ("ball_agility", "player_agility"))

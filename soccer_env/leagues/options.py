@@ -13,6 +13,8 @@ import numpy as np
 
 from soccer_env.leagues.league import is_number
 
+GREATEST = 1e6  # no number of sensors or memory is larger
+
 T = TypeVar("T", bound="Options")
 
 
@@ -45,6 +47,8 @@ class Options:
             raise ValueError(f"{where} must be {'a whole number' if kind == 'int' else 'a number'}, got {value!r}")
         if not isfinite(value) or (value < 0 and name not in self.SIGNED):
             raise ValueError(f"{where} must be {'finite' if name in self.SIGNED else 'zero or more'}, got {value}")
+        if abs(value) > GREATEST:
+            raise ValueError(f"{where} must be at most {GREATEST:g}, got {value}")
         return int(value) if kind == "int" else float(value)
 
     def check_together(self) -> None:

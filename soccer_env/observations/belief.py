@@ -21,8 +21,8 @@ SURE = 100.0
 
 OWN_MORE = (("own_confidence", "confidence in the own pose", "100"),)
 BALL_MORE = (
-    ("ball_filtered_x", "filtered position of the ball, ahead, finer when near", "soft"),
-    ("ball_filtered_y", "filtered position of the ball, to the left, finer when near", "soft"),
+    ("ball_raw_x", "latest reading of the ball, ahead, finer when near", "soft"),
+    ("ball_raw_y", "latest reading of the ball, to the left, finer when near", "soft"),
     ("ball_radial", "rate of the ball's distance", "soft: v / (|v| + a tenth of its top speed)"),
     ("ball_angular", "rate of the ball's bearing", "soft: w / (|w| + 1 rad/s)"),
     ("ball_confidence", "confidence in the ball", "100"),
@@ -91,8 +91,8 @@ def write_ball(ball, row, k, diagonal, at):
     row[at + 4], row[at + 5] = clip(ball.x / away, -1.0, 1.0), clip(ball.y / away, -1.0, 1.0)
     row[at + 6] = near / (distance + near)
     row[at + 7], row[at + 8] = soft(ball.vx, slow), soft(ball.vy, slow)
-    row[at + 9] = soft(ball.filtered_distance * cos(ball.filtered_bearing), near)
-    row[at + 10] = soft(ball.filtered_distance * sin(ball.filtered_bearing), near)
+    row[at + 9] = soft(ball.distance * cos(ball.bearing), near)
+    row[at + 10] = soft(ball.distance * sin(ball.bearing), near)
     row[at + 11], row[at + 12] = soft(ball.radial, slow), soft(ball.angular, 1.0)
     row[at + 13], row[at + 14] = ball.confidence / SURE, soft_age(ball.age)
     return at + 15

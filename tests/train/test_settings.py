@@ -55,7 +55,6 @@ def test_senses_for_one_team_each() -> None:
         {"players": "1v2v3"},
         {"players": True},
         {"senses": "eyes"},
-        {"senses": "home=ideal"},
         {"senses": "home=ideal,away=eyes"},
         {"senses": ""},
         {"pose": "compass"},

@@ -10,6 +10,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.claims.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.claims.sight import look_first
 from soccer_env.train.claims.staging import (
     LEGGED,
     MIDDLE,
@@ -29,6 +30,7 @@ from soccer_env.train.verdicts import Samples
 
 MATCHES = 256
 SETTLE, SECONDS = 1.5, 1.0  # [s]
+PLAIN = {"patches": 0.0, "red_as_orange": 0.0}
 LEGGED_EDGES = (0.2, 0.4, 0.6, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5)  # [m]
 MIDDLE_EDGES = (0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # [m]
 EDGES = {LEGGED: LEGGED_EDGES, MIDDLE: MIDDLE_EDGES}
@@ -88,6 +90,8 @@ def look_at_things(batch: Batch) -> Samples:
 
 def set_up(batch: Batch, league: str, **settings: Any) -> Match:
     """Return matches in which a robot stands in front of its own goal and looks across the field."""
+    if league == LEGGED:
+        settings["sensors"] = PLAIN  # what is taken for a ball and is none has no range to be wrong about
     match = stage(batch, league, matches=MATCHES, actions="full", **settings)
     put(match, 0, BACK[league], batch.rng(3).uniform(-0.1, 0.1, MATCHES), 0.0)
     return match
@@ -99,6 +103,8 @@ def watch_ball(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray
     put_ball(match, *ahead_of(match, 0, place, bearing))
     begin(match)
     true, off = from_robot(match, 0, match.balls["x"], match.balls["y"])
+    if match.league.head.pan_limit > 0.0:
+        look_first(match, SETTLE)  # the search is no matter here
     rows: dict[str, list[np.ndarray]] = {}
     for _ in watch(match, SECONDS, settle=SETTLE):
         ball = match.beliefs["ball"][:, 0]
