@@ -11,8 +11,8 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 
 DEGREE = pi / 180.0
-NEAR_TILT = -62.0 * DEGREE  # [rad] of a sweep over the ground at the robot's feet, from the pocket on, assumed
-FAR_TILT = -18.0 * DEGREE  # [rad] of a sweep over the ground farther out, up to the horizon, assumed
+NEAR_TILT = -58.0 * DEGREE  # [rad] of a sweep over the ground at the robot's feet, to 0.15 m, assumed
+FAR_TILT = -24.0 * DEGREE  # [rad] of a sweep over the ground farther out, up to the horizon, assumed
 NEAR_BALL = 0.4  # [m] a ball believed nearer is searched for at the feet first, assumed
 FOUND = 3  # sightings that end a search; fewer are a glimpse, of a patch perhaps, assumed
 GLIMPSE = 0.25  # [s] unseen after which the search goes on where a glimpse broke it off, assumed
