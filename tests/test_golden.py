@@ -16,10 +16,10 @@ MADE_WITH = "pymunk 7.3.1, numba 0.68.1, numpy 2.4.6, Linux x86_64"
 GOLDEN = {
     ("legged-2001", "actions"): "0b2041ffb24ee1f4d0ab8bcc50b8cf2d",
     ("legged-2001", "teams"): "1459ec9aa14694101bead8e285c4f7cb",
-    ("legged-2001", "senses"): "c94cf1687274e0c930ab40bd5079f33d",
+    ("legged-2001", "senses"): "3b2e1ef6f67363754b376573820f2b7a",
     ("middle-size-2006", "actions"): "23df815aebd0d989546f16b4f514ef65",
     ("middle-size-2006", "teams"): "8f20c72435f97fcc23e163b73534f37a",
-    ("middle-size-2006", "senses"): "09bff88e2be04f8c512268051176fe3f",
+    ("middle-size-2006", "senses"): "c07adf0976bd9ef6d1e0f0325ed78946",
 }
 
 
