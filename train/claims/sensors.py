@@ -129,8 +129,8 @@ def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarr
     true, off = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
     actions, head = standing(match), match.league.head
     if head.pan_limit > 0.0:
-        actions[:, 0, 4], actions[:, 0, 5] = 1.0, 0.0
-        actions[:, 0, 6] = (2.0 * LEVEL - head.tilt_high - head.tilt_low) / (head.tilt_high - head.tilt_low)
+        actions[..., 4], actions[..., 5] = 1.0, 0.0  # both: a lowered head would hide the other's jersey
+        actions[..., 6] = (2.0 * LEVEL - head.tilt_high - head.tilt_low) / (head.tilt_high - head.tilt_low)
     rows: dict[str, list[np.ndarray]] = {}
     for _ in watch(match, SECONDS, actions, settle=SETTLE):
         tracks = match.tracks[:, 0]
