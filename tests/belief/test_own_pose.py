@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -54,7 +55,7 @@ def test_without_slip_dead_reckoning_is_exact(name: str) -> None:
     world = World(
         name, robots=5, particles=0, sensors={"odometry_noise": 0.0, "place_noise": 0.0, "place_turn_noise": 0.0}
     )
-    world.league.drive.__dict__["slip"] = 0.0
+    world.league = replace(world.league, drive=replace(world.league.drive, slip=0.0))
     world.tell()
     assert world.walk(20.0).max() < 1e-3
 

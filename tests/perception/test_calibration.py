@@ -104,6 +104,6 @@ def test_a_larger_jersey_of_the_same_size_is_farther_away() -> None:
 
 
 def test_a_league_is_calibrated_once() -> None:
-    assert calibrate(LEAGUE) is TABLES
+    assert calibrate(LEAGUE) is calibrate(LEAGUE)
     blank = calibrate(replace(LEAGUE, sensors=LEAGUE.sensors.changed({"jersey": 0.0})))
     assert np.isfinite(blank["player_front"]).all()  # there is nothing to calibrate by

@@ -89,7 +89,7 @@ def test_in_constant_light_the_table_does_not_matter() -> None:
 
 def test_the_table_takes_its_time() -> None:
     """A time constant: after a sudden change a share of 1 - 1/e of it is made good in `table_time`."""
-    match = watching(sensors={**CHANGING, "light_period": 1e9, "table_time": 1.0})
+    match = watching(sensors={**CHANGING, "light_period": 1e6, "table_time": 1.0})
     seeing(match, 0.1)
     senses: Any = match.field.senses
     light = float(senses.percepts["light"][0, 0])
