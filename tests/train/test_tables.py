@@ -40,5 +40,5 @@ def test_every_step_of_strength_wins_points_in_the_table() -> None:
 
 
 def test_a_missing_marker_is_named() -> None:
-    with pytest.raises(ValueError, match="markers of table scripted"):
+    with pytest.raises(ValueError, match="markers of table sensors"):
         tables.with_tables("no markers here", DATA)
