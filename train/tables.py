@@ -58,10 +58,11 @@ def measure_scripted() -> dict[str, Any]:
     return {"about": about(), "rows": rows}
 
 
-def measure_speed() -> dict[str, Any]:
+def measure_speed(quick: bool = False) -> dict[str, Any]:
     """Measure the speed."""
-    bench = run_bench(BenchSettings())
-    return {"about": about(), "machine": bench["machine"], "rows": bench["rows"]}
+    bench = run_bench(BenchSettings(quick=quick))
+    command = "soccer bench --quick" if quick else "soccer bench"
+    return {"about": about(), "command": command, "machine": bench["machine"], "rows": bench["rows"]}
 
 
 MEASURE = {
@@ -136,7 +137,7 @@ def speed_table(table: dict[str, Any]) -> str:
         lines.append(f"| {row['name']} | {row['text']}{missed} | {row['target']} |")
     host = table["machine"]
     where = f"{host['processor']}, {host['cores']} cores, load before {host['load before']}, Python {host['python']}"
-    return "\n".join([*lines, "", f"Command: `soccer bench`. {where}.", footer(table["about"])])
+    return "\n".join([*lines, "", f"Command: `{table['command']}`. {where}.", footer(table["about"])])
 
 
 def with_footer(text: str, table: dict[str, Any]) -> str:
