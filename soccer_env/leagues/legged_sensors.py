@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from math import inf, pi
 
 from soccer_env.leagues.options import Options, within
+from soccer_env.leagues.pose_memory import PoseMemory
 
 DEGREE = pi / 180.0
 RESOLUTIONS = {"44x36": 0, "88x72": 1, "176x144": 2}  # working layers of the camera, ERS-210 data sheet
@@ -26,7 +27,6 @@ ASCENDING = (
     ("infrared_near", "infrared_far"),
 )  # fmt: skip
 PATCHES_MOST = 64  # that a sketch of the picture has room for, with all that is orange besides
-POSE_DRIFTS = ("pose_slip", "pose_drift", "pose_turn_drift", "pose_push", "pose_push_turn")
 AVERAGED_MOST = 6  # estimates of the ball's position that a robot's memory has room for
 
 
@@ -112,7 +112,7 @@ class LeggedSensors(Options):
 
 
 @dataclass(frozen=True)
-class LeggedMemory(Options):
+class LeggedMemory(PoseMemory):
     """What a robot of Sacks's team keeps of its percepts; every rule of the paper is a switch.  [Sacks 2001, 3, 4.1]"""
 
     NAMES = {
@@ -162,31 +162,20 @@ class LeggedMemory(Options):
     dribbling_distance: float = 0.20  # [m] a ball nearer than this and ahead is being dribbled, assumed: chest and ball
     search_after: float = 1.0  # [s] unseen before the head searches, assumed
     search_period: float = 3.0  # [s] of one sweep of the searching head, assumed
-    particles: int = 96  # of the own pose  MH08
-    pose_every: int = 4  # frames between two updates of the particles, assumed
-    pose_bearing_noise: float = 4.0 * DEGREE  # [rad] sd that a landmark's bearing is trusted to, assumed
-    pose_range_noise: float = 0.25  # [1] of the distance, the same
-    pose_fresh: float = 0.02  # [1] share of particles drawn anew from what is seen, at least, assumed
-    pose_slip: float = 0.15  # [1] of a motion: sd of what a particle adds to it, twice the gait's slip, assumed
-    pose_stuck: float = 0.05  # [1] share of particles that stay behind: a held robot walks on the spot, assumed
-    pose_drift: float = 0.02  # [m/s^0.5] sd that time adds: pushes are not felt, assumed
-    pose_turn_drift: float = 0.03  # [rad/s^0.5] the same
-    pose_push: float = 0.02  # [m/s] sd that touching something adds, assumed
-    pose_push_turn: float = 0.1  # [rad/s] the same
-    pose_radius: float = 0.30  # [m] within which particles are one cluster, assumed
-    pose_angle: float = 0.50  # [rad] the same
-    pose_fast: float = 0.2  # [1] weight of the newest fit in its short-term average, assumed
-    pose_slow: float = 0.02  # [1] in its long-term average, assumed
-    pose_fit: float = 0.5  # [1] least fit that a robot expects that knows where it is, assumed
-    pose_fading: float = 3.0  # [1/s] loss of confidence (0 to 100) by dead reckoning alone, assumed
+    # Of the own pose, all assumed; PoseMemory says what they mean.
+    pose_every: int = 4
+    pose_range_noise: float = 0.25
+    pose_slip: float = 0.15
+    pose_stuck: float = 0.05
+    pose_drift: float = 0.02
+    pose_turn_drift: float = 0.03
+    pose_push: float = 0.02
+    pose_push_turn: float = 0.1
+    pose_radius: float = 0.30
 
     def check_together(self) -> None:
         """Raise ValueError for what no memory of ball or pose can do."""
-        within(self, 1, 65536, ("particles",))
-        within(self, 1, 1000, ("pose_every",))
-        within(self, 0.0, 1.0, ("pose_fresh", "pose_stuck", "pose_fast", "pose_slow", "pose_fit"))
-        within(self, 1e-3, 1e3, ("pose_bearing_noise", "pose_range_noise", "pose_radius", "pose_angle"))
-        within(self, 0.0, 100.0, POSE_DRIFTS)
+        super().check_together()
         if not 1 <= self.averaged <= AVERAGED_MOST:
             raise ValueError(f"LeggedMemory.averaged must be 1 to {AVERAGED_MOST}, got {self.averaged}")
         if self.velocity_gap < self.velocity_interval:

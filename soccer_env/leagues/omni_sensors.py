@@ -6,12 +6,12 @@ Every number was written down before the first claim was measured with it. "assu
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf, pi
+from math import inf
 
 from soccer_env.leagues.options import Options, within
+from soccer_env.leagues.pose_memory import PoseMemory
 from soccer_env.percept_types import LINES
 
-DEGREE = pi / 180.0
 LEAST = 1e-3  # [m, s, 1] of lengths, times and widths that are divided by
 MOST_DELAY = 3  # [frames] that a picture may be late
 PROBABILITIES = (
@@ -80,7 +80,7 @@ class OmniSensors(Options):
 
 
 @dataclass(frozen=True)
-class OmniMemory(Options):
+class OmniMemory(PoseMemory):
     """How positions and velocities of ball and robots are tracked over time.  [Heinemann et al. 2006, 1, 3]  MH06"""
 
     NAMES = {"filter": FILTERS}
@@ -97,32 +97,22 @@ class OmniMemory(Options):
     shared: bool = True  # what team-mates tell fills in for what is not seen  MH05
     shared_age: float = 0.5  # [s] unseen before a team-mate's ball is believed, assumed
     ghost_time: float = 1.0  # [s] unseen after which an opponent is forgotten, assumed
-    particles: int = 96  # of the own pose  MH08
-    pose_every: int = 5  # frames between two updates of the particles, assumed
+    # Of the own pose, all assumed; PoseMemory says what they mean.
+    pose_every: int = 5
     pose_line_noise: float = 0.20  # [m] sd that a line point is trusted to, assumed
-    pose_bearing_noise: float = 4.0 * DEGREE  # [rad] sd that a goal's bearing is trusted to, assumed
-    pose_range_noise: float = 0.10  # [1] of a goal's distance, the same
-    pose_fresh: float = 0.02  # [1] share of particles drawn anew from what is seen, at least, assumed
-    pose_slip: float = 0.05  # [1] of a motion: sd of what a particle adds to it, twice the wheels' slip, assumed
-    pose_stuck: float = 0.02  # [1] share of particles that stay behind: a held robot walks on the spot, assumed
-    pose_drift: float = 0.10  # [m/s^0.5] sd that time adds: pushes are not felt, assumed
-    pose_turn_drift: float = 0.05  # [rad/s^0.5] the same
-    pose_push: float = 1.0  # [m/s] sd that touching something adds, assumed
-    pose_push_turn: float = 2.0  # [rad/s] the same
-    pose_radius: float = 0.60  # [m] within which particles are one cluster, assumed
-    pose_angle: float = 0.50  # [rad] the same
-    pose_fast: float = 0.2  # [1] weight of the newest fit in its short-term average, assumed
-    pose_slow: float = 0.02  # [1] in its long-term average, assumed
-    pose_fit: float = 0.5  # [1] least fit that a robot expects that knows where it is, assumed
-    pose_fading: float = 3.0  # [1/s] loss of confidence (0 to 100) by dead reckoning alone, assumed
+    pose_range_noise: float = 0.10
+    pose_slip: float = 0.05
+    pose_stuck: float = 0.02
+    pose_drift: float = 0.10
+    pose_turn_drift: float = 0.05
+    pose_push: float = 1.0
+    pose_push_turn: float = 2.0
+    pose_radius: float = 0.60
 
     def check_together(self) -> None:
         """Raise ValueError for a memory that cannot be."""
-        within(self, 1, 65536, ("particles",))
-        within(self, 1, 100, ("surprise_count", "pose_every"))
+        super().check_together()
+        within(self, 1, 100, ("surprise_count",))
         within(self, 2.0, 100.0, ("window",))
-        within(self, 0.0, 1.0, ("pose_fresh", "pose_stuck", "pose_fast", "pose_slow", "pose_fit"))
-        within(self, 1e-3, 1e3, ("pose_line_noise", "pose_bearing_noise", "pose_range_noise"))
-        within(self, 1e-3, 1e3, ("pose_radius", "pose_angle"))
-        within(self, 0.0, 100.0, ("pose_slip", "pose_drift", "pose_turn_drift", "pose_push", "pose_push_turn"))
+        within(self, LEAST, 1e3, ("pose_line_noise",))
         within(self, 0.0, 1e3, ("ball_agility", "player_agility"))

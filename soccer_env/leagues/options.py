@@ -91,10 +91,13 @@ def within(settings: Options, low: float, high: float, names: tuple[str, ...]) -
 
 
 def notes_of(kind: type[Options]) -> dict[str, str]:
-    """Return the comment beside each field of a settings class."""
-    lines = inspect.getsource(kind).splitlines()
-    found = (re.match(r"    (\w+): \w+ = .*?  # (.*)", line) for line in lines)
-    return {match[1]: match[2] for match in found if match}
+    """Return the comment beside each field of a settings class, or else beside the field that it inherits."""
+    notes: dict[str, str] = {}
+    for parent in reversed(kind.__mro__[: kind.__mro__.index(Options)]):
+        lines = inspect.getsource(parent).splitlines()
+        found = (re.match(r"    (\w+): \w+(?: = .*?)?  # (.*)", line) for line in lines)
+        notes |= {match[1]: match[2] for match in found if match}
+    return notes
 
 
 def record_type(kind: type[Options]) -> np.dtype:
