@@ -6,11 +6,12 @@ body (gait phase, head, kicker, its last command) is exact.
 
 from __future__ import annotations
 
-from math import cos, inf, pi, sin, sqrt
+from math import cos, inf, sin, sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
+from soccer_env.observations.body import write_command, write_duty, write_joints
 from soccer_env.observations.entry import Entry, slot_entries
 from soccer_env.observations.truth import BALL, GAME, GOALS, NEAR, OWN, PLAYER, SLOW
 from soccer_env.types import Phase
@@ -66,18 +67,12 @@ def write_body(robot, belief, row, k):
     row[2], row[3] = cos(own.heading), sin(own.heading)
     row[4], row[5] = clip(own.forward / k.drive_forward, -1.0, 1.0), clip(own.left / k.drive_forward, -1.0, 1.0)
     row[6] = clip(own.turn / k.drive_turn, -1.0, 1.0)
-    phase = 2.0 * pi * robot.gait_phase / k.gait_steps
-    row[7], row[8] = (cos(phase), sin(phase)) if k.gait_steps > 1 else (0.0, 0.0)
-    row[9], row[10] = robot.pan / pi, robot.tilt / (0.5 * pi)
-    row[11] = 1.0 if robot.kick_clock == 0.0 else (0.0 if robot.kick_clock > 0.0 else -1.0)
-    row[12] = belief.ball.held
-    row[13] = 1.0 if robot.fallen <= 0.0 else -1.0
-    row[14] = 2.0 * belief.situation.active - 1.0
-    row[15] = 2.0 * belief.situation.keeper - 1.0
-    row[16], row[17] = robot.command.forward, robot.command.left
-    row[18], row[19] = robot.command.turn, robot.command.kick
-    row[20] = own.confidence / SURE
-    return 21
+    at = write_joints(robot, row, k, 7)
+    row[at] = belief.ball.held
+    at = write_duty(1 if robot.fallen <= 0.0 else 0, belief.situation.active, belief.situation.keeper, row, at + 1)
+    at = write_command(robot, row, at)
+    row[at] = own.confidence / SURE
+    return at + 1
 
 
 @compiled

@@ -6,7 +6,7 @@ body comes first; where it stands is among it only while the noisy pose is a per
 
 from __future__ import annotations
 
-from math import cos, pi, sin
+from math import cos, sin
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
 from soccer_env.leagues.legged_sensors import LeggedSensors
 from soccer_env.observations.belief import write_game
+from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_duty, write_joints
 from soccer_env.observations.entry import Entry
 from soccer_env.observations.truth import GAME
 from soccer_env.percept_types import BLOBS, LANDMARKS, LEGGED_PERCEPT, OTHERS
@@ -28,20 +29,11 @@ BODY = (
     ("odometry_forward", "displacement ahead since the last frame", "top speed ahead"),
     ("odometry_left", "displacement to the left", "top speed ahead"),
     ("odometry_turn", "turn", "top turn rate"),
-    ("gait_cos", "cosine of the gait phase", "1"),
-    ("gait_sin", "sine of the gait phase", "1"),
-    ("pan", "head pan", "pi"),
-    ("tilt", "head tilt", "pi / 2"),
-    ("kick_ready", "1 ready, 0 winding up, -1 recharging", "1"),
+    *JOINTS,
     ("touch", "1: a touch sensor is pressed", "1"),
     ("held", "1: the light barrier at the kicker is broken (middle size)", "1"),
-    ("upright", "1 upright, -1 fallen", "1"),
-    ("active", "1 playing, -1 sent off", "1"),
-    ("keeper", "1 goalkeeper, -1 field player", "1"),
-    ("last_forward", "last command: forward", "1"),
-    ("last_left", "last command: left", "1"),
-    ("last_turn", "last command: turn", "1"),
-    ("last_kick", "last command: kick", "1"),
+    *DUTY,
+    *COMMAND,
 )
 BLOB = (
     ("seen", "1: there is such a blob; else its entries are 0", "1"),
@@ -139,16 +131,10 @@ def write_body(body, robot, row, k):
     row[5] = clip(body.forward / (k.drive_forward * k.dt), -1.0, 1.0)
     row[6] = clip(body.left / (k.drive_forward * k.dt), -1.0, 1.0)
     row[7] = clip(body.turn / (k.drive_turn * k.dt), -1.0, 1.0)
-    phase = 2.0 * pi * robot.gait_phase / k.gait_steps
-    row[8], row[9] = (cos(phase), sin(phase)) if k.gait_steps > 1 else (0.0, 0.0)
-    row[10], row[11] = robot.pan / pi, robot.tilt / (0.5 * pi)
-    row[12] = 1.0 if robot.kick_clock == 0.0 else (0.0 if robot.kick_clock > 0.0 else -1.0)
-    row[13], row[14] = body.touch, body.held
-    row[15], row[16] = 2.0 * body.upright - 1.0, 2.0 * body.active - 1.0
-    row[17] = 2.0 * robot.keeper - 1.0
-    row[18], row[19] = robot.command.forward, robot.command.left
-    row[20], row[21] = robot.command.turn, robot.command.kick
-    return 22
+    at = write_joints(robot, row, k, 8)
+    row[at], row[at + 1] = body.touch, body.held
+    at = write_duty(body.upright, body.active, robot.keeper, row, at + 2)
+    return write_command(robot, row, at)
 
 
 @compiled

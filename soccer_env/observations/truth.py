@@ -6,7 +6,7 @@ names every number; the compiled writer below follows it line by line.
 
 from __future__ import annotations
 
-from math import cos, inf, pi, sin, sqrt
+from math import cos, inf, sin, sqrt
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
+from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_duty, write_joints
 from soccer_env.observations.entry import Entry, slot_entries
 from soccer_env.perception.ideal import nearest_players, seconds_left
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
@@ -31,19 +32,10 @@ OWN = (
     ("own_forward", "own speed ahead", "top speed ahead"),
     ("own_left", "own speed to the left", "top speed ahead"),
     ("own_turn", "own turn rate", "top turn rate"),
-    ("gait_cos", "cosine of the gait phase", "1"),
-    ("gait_sin", "sine of the gait phase", "1"),
-    ("pan", "head pan", "pi"),
-    ("tilt", "head tilt", "pi / 2"),
-    ("kick_ready", "1 ready, 0 winding up, -1 recharging", "1"),
+    *JOINTS,
     ("has_ball", "1: the ball lies in the pocket or at the kicker", "1"),
-    ("upright", "1 upright, -1 fallen", "1"),
-    ("active", "1 playing, -1 sent off", "1"),
-    ("keeper", "1 goalkeeper, -1 field player", "1"),
-    ("last_forward", "last command: forward", "1"),
-    ("last_left", "last command: left", "1"),
-    ("last_turn", "last command: turn", "1"),
-    ("last_kick", "last command: kick", "1"),
+    *DUTY,
+    *COMMAND,
 )
 BALL = (
     ("ball_x", "ball ahead", "diagonal of the pitch"),
@@ -126,17 +118,10 @@ def write_own(match, robot, row, k, cosine, sine):
     row[4] = clip((cosine * robot.vx + sine * robot.vy) / k.drive_forward, -1.0, 1.0)
     row[5] = clip((cosine * robot.vy - sine * robot.vx) / k.drive_forward, -1.0, 1.0)
     row[6] = clip(robot.omega / k.drive_turn, -1.0, 1.0)
-    phase = 2.0 * pi * robot.gait_phase / k.gait_steps
-    row[7], row[8] = (cos(phase), sin(phase)) if k.gait_steps > 1 else (0.0, 0.0)
-    row[9], row[10] = robot.pan / pi, robot.tilt / (0.5 * pi)
-    row[11] = 1.0 if robot.kick_clock == 0.0 else (0.0 if robot.kick_clock > 0.0 else -1.0)
-    row[12] = robot.has_ball
-    row[13] = 1.0 if robot.fallen <= 0.0 else -1.0
-    row[14] = 2.0 * robot.active - 1.0
-    row[15] = 2.0 * robot.keeper - 1.0
-    row[16], row[17] = robot.command.forward, robot.command.left
-    row[18], row[19] = robot.command.turn, robot.command.kick
-    return 20
+    at = write_joints(robot, row, k, 7)
+    row[at] = robot.has_ball
+    at = write_duty(1 if robot.fallen <= 0.0 else 0, robot.active, robot.keeper, row, at + 1)
+    return write_command(robot, row, at)
 
 
 @compiled
