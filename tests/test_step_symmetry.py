@@ -350,12 +350,13 @@ def test_the_noise_of_a_mirrored_kick_is_mirrored():
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("senses", ["ideal", "sensors"])
 @each_league
-def test_a_team_against_itself_is_as_good_at_home_as_away(name):
+def test_a_team_against_itself_is_as_good_at_home_as_away(name, senses):
     minutes = 0.5 if name == MIDDLE else 2.0
     both = {"home": "chaser", "away": "chaser"}
     match = Match(
-        name, home=2, away=2, matches=400, threads=2, seed=3, minutes=minutes, controllers=both, senses="ideal"
+        name, home=2, away=2, matches=400, threads=2, seed=3, minutes=minutes, controllers=both, senses=senses
     )
     while not match.terminated.all():
         match.step()

@@ -9,6 +9,7 @@ import numpy as np
 from soccer_env.belief.odometry import move_point
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
+from soccer_env.percept_types import POSE_TOLD
 
 DEGREE = pi / 180.0
 NEAR_TILT = -58.0 * DEGREE  # [rad] of a sweep over the ground at the robot's feet, to 0.15 m, assumed
@@ -36,6 +37,8 @@ def choose_gaze(percept, belief, memory, gaze, k, s, w):
     where it was after a mere glimpse: a patch that is taken for the ball now and then must not keep it from the feet.
     """
     ball = belief.ball
+    if percept.body.pose == POSE_TOLD:  # the robot was carried: a search begins anew
+        memory.side, memory.sightings = 0.0, 0
     if memory.side != 0.0 and ball.age == 0.0:
         memory.sightings += 1
     if memory.sightings >= FOUND:

@@ -68,9 +68,13 @@ def place_robots(robots):
 
 @compiled
 def put_robot(robot):
-    """Put a robot at its place, at rest; one that was not there already is told where it is."""
+    """Put a robot at its place, at rest; one that was not there already is told where it is, its head put straight.
+
+    So that every kick-off begins like the first one, whatever the heads were looking at before.
+    """
     if length(robot.place_x - robot.x, robot.place_y - robot.y) > CARRIED:
         robot.placed = 1
+        robot.pan = robot.tilt = 0.0
     robot.x, robot.y, robot.heading = robot.place_x, robot.place_y, robot.place_heading
     stop(robot)
 
