@@ -24,11 +24,11 @@ from soccer_env.belief.tracking import (
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
 from soccer_env.percept_types import OTHERS
+from soccer_env.tracks import UNKNOWN, forget
 from soccer_env.types import MAX_TEAM
 
 SURE = 100.0  # confidence of what is seen
 PLAYER_SPEED = 1.5  # [m/s] sd of the speed of a player of whom only one reading is known, assumed
-UNKNOWN = -1  # number of a player that nobody has told yet
 SLOTS = 2 * MAX_TEAM  # room for tracks, at most
 
 READING = np.dtype(
@@ -177,15 +177,6 @@ def fade_players(tracks, filters, k, w):
                 filters[slot].readings = 0
         if track.present == 1:
             track.distance, track.bearing = length(track.x, track.y), atan2(track.y, track.x)
-
-
-@compiled
-def forget(track):
-    """Empty a slot."""
-    track.present = track.teammate = track.keeper = 0
-    track.number = UNKNOWN
-    track.distance = track.bearing = track.x = track.y = track.vx = track.vy = track.heading = 0.0
-    track.confidence = track.age = 0.0
 
 
 @compiled

@@ -22,6 +22,7 @@ from soccer_env.geometry import length
 from soccer_env.leagues.legged_sensors import PLAYER_VIEWS, SLOTS
 from soccer_env.optics import camera_place, direction_of_pixel, focal_x, focal_y
 from soccer_env.percept_types import BLOBS, POSE_TOLD
+from soccer_env.tracks import clear_slots
 
 SURE = 100.0  # confidence of what is seen, Sacks 2001, 2  MS03
 NEAREST = SLOTS["nearest"]
@@ -53,17 +54,6 @@ def believe_players(percept, own, tracks, memory, k, s, w, table):
     if body.active == 1 and body.upright == 1:
         memory.teammates = look(percept, percept.teammates, tracks, 0, k.teammate_slots, 1, k, s, w, table)
         memory.opponents = look(percept, percept.opponents, tracks, k.teammate_slots, last, 0, k, s, w, table)
-
-
-@compiled
-def clear_slots(tracks, first, last):
-    """Mark slots as empty."""
-    for slot in range(first, last):
-        track = tracks[slot]
-        track.present = track.teammate = track.keeper = 0
-        track.number = -1
-        track.distance = track.bearing = track.x = track.y = track.vx = track.vy = track.heading = 0.0
-        track.confidence = track.age = 0.0
 
 
 @compiled

@@ -11,12 +11,12 @@ from math import atan2, cos, inf, sin
 from soccer_env.belief.odometry import turn_axes
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
+from soccer_env.tracks import UNKNOWN
 
 SURE = 100.0  # confidence of what is seen
 TOLD = 0.95  # [1] confidence of what is told against what is seen, assumed: as good as a look 0.2 s earlier
 ASTRAY = 0.1  # [rad] by which own heading and bearing may err together, assumed
 NEAREST = 1e-3  # [m] below which rates of distance and bearing are those at this distance
-UNKNOWN = -1  # number of a player that nobody has told yet
 
 
 @compiled

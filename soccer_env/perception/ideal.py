@@ -11,6 +11,7 @@ from math import atan2, cos, inf, pi, sin
 from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
 from soccer_env.geometry import length, wrap
+from soccer_env.tracks import clear_slots
 from soccer_env.types import NO_TEAM
 from soccer_env.words import word_for
 
@@ -132,17 +133,6 @@ def fill_slots(robots, tracks, k, r, cosine, sine, same_team, first, slots, rows
         see_player(robots[r], robots[rows[slot]], tracks[first + slot], cosine, sine)
         tracks[first + slot].teammate = same_team
     clear_slots(tracks, first + found, first + slots)
-
-
-@compiled
-def clear_slots(tracks, first, last):
-    """Mark slots as unused."""
-    for slot in range(first, last):
-        track = tracks[slot]
-        track.present = track.teammate = track.keeper = 0
-        track.number = -1
-        track.distance = track.bearing = track.x = track.y = track.vx = track.vy = track.heading = 0.0
-        track.confidence = track.age = 0.0
 
 
 @compiled
