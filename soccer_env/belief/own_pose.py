@@ -58,15 +58,11 @@ def believe_pose_legged(percept, own, memory, particles, noise, k, s, w):
         return
     view = records(1, LANDMARK_VIEW)[0]
     seen = look_at_landmarks(percept, view, k, s, w)
-    if seen == 0 and memory.frames < PATIENCE * w.pose_every:
-        return
     hand = np.float64(percept.body.handedness)
-    motion = motion_since(memory, k, w)
-    half_length, half_width = field_of(k)
     if seen == 0:
-        move_particles(particles, motion, half_length, half_width, noise, hand)
-        judge_blind(own, particles, w)
+        go_on_blind(own, memory, particles, noise, hand, k, w)
         return
+    motion = motion_since(memory, k, w)
     weigh_by_landmarks(particles, view, motion, noise, hand, k, w)
     if conclude(own, memory, particles, seen, noise, w):
         for i in range(particles.shape[0]):
@@ -84,15 +80,12 @@ def believe_pose_omni(percept, own, memory, particles, noise, k, s, w, table):
         return
     view = records(1, LINE_VIEW)[0]
     seen = look_at_lines(percept, own, view, k, s, w)
-    if seen == 0 and memory.frames < PATIENCE * w.pose_every:
-        return
     hand = np.float64(percept.body.handedness)
+    if seen == 0:
+        go_on_blind(own, memory, particles, noise, hand, k, w)
+        return
     motion = motion_since(memory, k, w)
     half_length, half_width = field_of(k)
-    if seen == 0:
-        move_particles(particles, motion, half_length, half_width, noise, hand)
-        judge_blind(own, particles, w)
-        return
     weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table)
     if conclude(own, memory, particles, seen, noise, w):
         for i in range(particles.shape[0]):
@@ -173,8 +166,15 @@ def field_of(k):
 
 
 @compiled
-def judge_blind(own, particles, w):
-    """Set the confidence of a pose while nothing is seen: the share of the particles that are still near it."""
+def go_on_blind(own, memory, particles, noise, hand, k, w):
+    """Move the particles although nothing is seen, once patience is at its end.
+
+    The confidence is then the share of them that are still near the pose.
+    """
+    if memory.frames < PATIENCE * w.pose_every:
+        return
+    half_length, half_width = field_of(k)
+    move_particles(particles, motion_since(memory, k, w), half_length, half_width, noise, hand)
     weight, _, _, _, spread = cluster_near(particles, own.x, own.y, own.heading, w)
     own.confidence = SURE * weight / particles.shape[0] / (1.0 + spread / (w.pose_radius * w.pose_radius))
 
