@@ -1,7 +1,4 @@
-"""Set a scene for a test: put ball and robots somewhere, let robots act, look at what the bodies do.
-
-Records are set directly; `match.reseat()` then rebuilds the physics from them.
-"""
+"""Set a scene for a test: put ball and robots somewhere (`soccer_env.staging`), let robots act, look at the bodies."""
 
 from dataclasses import replace
 from typing import Any
@@ -10,9 +7,12 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.leagues import League, find_league
-from soccer_env.physics.space import build_space, parking_place, robot_moment
-from soccer_env.types import NO_TEAM, Phase
+from soccer_env.leagues import League
+from soccer_env.physics.space import build_space, robot_moment
+from soccer_env.staging import patient, send_off, set_phase
+from soccer_env.staging import put as put
+from soccer_env.staging import put_ball as put_ball
+from soccer_env.types import Phase
 
 LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
 LEAGUES = (LEGGED, MIDDLE)
@@ -21,12 +21,6 @@ each_league = pytest.mark.parametrize("name", LEAGUES)
 
 
 # Leagues with something taken out
-
-
-def patient(league: str | League) -> League:
-    """Return the league with a referee who never calls a stuck ball."""
-    found = find_league(league)
-    return replace(found, rules=replace(found.rules, stuck_time=1e9))
 
 
 def endless(league: str | League) -> League:
@@ -63,41 +57,6 @@ def stage(league: str | League, matches: int = 1, home: int = 1, away: int = 1, 
     set_phase(match, Phase.PLAY)
     send_off(match, range(home + away))
     return match
-
-
-def set_phase(match: Match, phase: int) -> None:
-    """Set the phase of play, nobody to take a restart."""
-    match.matches["phase"], match.matches["restart_team"] = phase, NO_TEAM
-    match.matches["phase_clock"] = 0.0
-
-
-def send_off(match: Match, rows: Any) -> None:
-    """Park robots off the field."""
-    for r in rows:
-        match.robots["active"][:, r] = 0
-        match.robots["x"][:, r], match.robots["y"][:, r], match.robots["heading"][:, r] = parking_place(r)
-
-
-def put(match: Match, r: Any, x: Any, y: Any, heading: Any = 0.0, forward: Any = 0.0, left: Any = 0.0) -> None:
-    """Put robot r of every match somewhere, on the field and already walking (robot frame)."""
-    robots = match.robots
-    robots["active"][:, r] = 1
-    robots["x"][:, r], robots["y"][:, r], robots["heading"][:, r] = x, y, heading
-    cosine, sine = np.cos(heading), np.sin(heading)
-    robots["vx"][:, r], robots["vy"][:, r] = cosine * forward - sine * left, sine * forward + cosine * left
-    robots["omega"][:, r] = 0.0
-    for name, speed in (("forward", forward), ("left", left), ("turn", 0.0)):
-        robots["walk"][name][:, r] = robots["target"][name][:, r] = speed
-        robots["delayed"][name][:, r] = np.asarray(speed)[..., None]
-
-
-def put_ball(match: Match, x: Any, y: Any, vx: Any = 0.0, vy: Any = 0.0, rolls: bool = True) -> None:
-    """Put the ball of every match somewhere, rolling, or sliding as after a kick."""
-    ball = match.balls
-    ball["x"], ball["y"], ball["vx"], ball["vy"] = x, y, vx, vy
-    ball["roll_x"], ball["roll_y"] = (vx, vy) if rolls else (0.0, 0.0)
-    ball["spin"] = 0.0
-    match.matches["still_x"], match.matches["still_y"], match.matches["still_clock"] = x, y, 0.0
 
 
 def scatter(match: Match, rng: np.random.Generator, share: float = 0.8) -> None:

@@ -26,7 +26,7 @@ LAYERS = (
     ("step", "episodes", "players", "senses", "truth_state", "saving", "user_code"),  # the parts of a match
     ("field",),
     ("match",),
-    ("soccer_v0", "gymnasium_envs", "gymnasium_vector", "faces", "render", "replay"),
+    ("soccer_v0", "gymnasium_envs", "gymnasium_vector", "faces", "render", "replay", "staging"),
     ("baselines", "agents"),
     ("train",),
 )
@@ -52,7 +52,7 @@ HIDDEN_FROM_PLAYERS = {
     "senses",
     "field",
     "match",
-} | {"replay", "soccer_v0", "gymnasium_envs", "gymnasium_vector", "faces"}
+} | {"replay", "soccer_v0", "gymnasium_envs", "gymnasium_vector", "faces", "staging"}
 # Belief works on percepts. The records of types.py that hold the truth, by name:
 BELIEF_MAY_SEE = {*LAYERS[0], "leagues", "belief"}
 TRUTH_RECORDS = {"MATCH", "BALL", "ROBOT", "EVENTS", "ROBOT_EVENTS"}

@@ -12,7 +12,6 @@ Nobody is on the field until `put` brings him on, and the referee calls nothing.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -20,18 +19,13 @@ import numpy as np
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
-from soccer_env.physics.space import parking_place
+from soccer_env.staging import patient, send_off, set_phase
+from soccer_env.staging import put as put
+from soccer_env.staging import put_ball as put_ball
 from soccer_env.train.claims.claim import Batch
-from soccer_env.types import NO_TEAM, Phase
+from soccer_env.types import Phase
 
 LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
-NEVER = 1e9  # [s]
-
-
-def neutral(league: str | League) -> League:
-    """Return the league with a referee who never calls a stuck ball."""
-    found = find_league(league)
-    return replace(found, rules=replace(found.rules, stuck_time=NEVER))
 
 
 def stage(
@@ -43,14 +37,11 @@ def stage(
     """
     asked = {"observe": "belief", "senses": "sensors", "pose": "particles", **settings}
     match = Match(
-        neutral(league), matches=matches, home=home, away=away, seeds=batch.seeds(matches), threads=batch.threads,
+        patient(league), matches=matches, home=home, away=away, seeds=batch.seeds(matches), threads=batch.threads,
         **asked,
     )  # fmt: skip
-    match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
-    match.matches["phase_clock"] = 0.0
-    for r in range(home + away):
-        match.robots["active"][:, r] = 0
-        match.robots["x"][:, r], match.robots["y"][:, r], match.robots["heading"][:, r] = parking_place(r)
+    set_phase(match, Phase.PLAY)
+    send_off(match, range(home + away))
     return match
 
 
@@ -60,27 +51,6 @@ def kick_off(
     """Return matches of the league's own team sizes from the kick-off, both sides played by a team on its sensors."""
     asked = {"senses": "sensors", "pose": "particles", "controllers": {"home": team, "away": team}, **settings}
     return Match(find_league(league), matches=matches, seeds=batch.seeds(matches), threads=batch.threads, **asked)
-
-
-def put(match: Match, r: int, x: Any, y: Any, heading: Any = 0.0, forward: Any = 0.0, left: Any = 0.0) -> None:
-    """Put robot r of every match somewhere [m, rad, field frame], already walking [m/s, robot frame]."""
-    robots = match.robots
-    robots["active"][:, r] = 1
-    robots["x"][:, r], robots["y"][:, r], robots["heading"][:, r] = x, y, heading
-    cosine, sine = np.cos(heading), np.sin(heading)
-    robots["vx"][:, r], robots["vy"][:, r] = cosine * forward - sine * left, sine * forward + cosine * left
-    robots["omega"][:, r] = 0.0
-    for name, speed in (("forward", forward), ("left", left), ("turn", 0.0)):
-        robots["walk"][name][:, r] = robots["target"][name][:, r] = speed
-        robots["delayed"][name][:, r] = np.asarray(speed)[..., None]
-
-
-def put_ball(match: Match, x: Any, y: Any, vx: Any = 0.0, vy: Any = 0.0) -> None:
-    """Put the ball of every match somewhere [m, field frame], rolling at a velocity [m/s]."""
-    ball = match.balls
-    ball["x"], ball["y"], ball["vx"], ball["vy"] = x, y, vx, vy
-    ball["roll_x"], ball["roll_y"], ball["spin"] = vx, vy, 0.0
-    match.matches["still_x"], match.matches["still_y"], match.matches["still_clock"] = x, y, 0.0
 
 
 def hide_ball(match: Match, rows: Any = slice(None)) -> None:
