@@ -12,7 +12,7 @@ MUTANTS = [
         "MH08",
         OWN_POSE,
         "    weigh_by_landmarks(particles, view, motion, noise, hand, k, w)",
-        "    move_particles(particles, motion, half_length, half_width, noise, hand)",
+        "    move_particles(particles, motion, *field_of(k), noise, hand)",
         TEST_POSE + "test_mh08_a_robot_that_was_told_its_pose_keeps_it_while_it_walks_about_and_slips[legged-2001]",
     ),
     Mutant(
