@@ -10,7 +10,7 @@ from soccer_env.train.claims.ball_range import CAMERA_AHEAD, RANGE_LABEL
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.claims.sight import look_first
 from soccer_env.train.claims.staging import ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
-from soccer_env.train.claims.values import mean, rms
+from soccer_env.train.claims.values import in_bins, mean, middles_of, rms
 from soccer_env.train.verdicts import Samples, exact, measured
 
 MATCHES = 128
@@ -72,22 +72,19 @@ def ratio(samples: Samples) -> float:
 
 def radial_over_tangential(samples: Samples) -> list[float]:
     """Return the deviation along the line of sight over that across it, in each bin of BINS."""
-    found = []
-    for low, high in zip(BINS, BINS[1:], strict=False):
-        here = (samples["range"] >= low) & (samples["range"] < high)
-        found.append(rms(samples["raw"][here]) / max(rms(samples["aside"][here]), 1e-12))
-    return found
+    inside = in_bins(samples["range"], BINS)
+    return [rms(samples["raw"][here]) / max(rms(samples["aside"][here]), 1e-12) for here in inside]
 
 
 def filter_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the deviation of raw and filtered range, and across the line of sight, against the distance."""
     edges = np.linspace(NEAR, FAR, 9)
-    place = samples["range"]
-    curves = []
-    for name, key in (("raw", "raw"), ("mean of four", "filtered"), ("across the line of sight", "aside")):
-        inside = [(place >= a) & (place < b) for a, b in zip(edges, edges[1:], strict=False)]
-        curves.append(Curve(name, list(50 * (edges[1:] + edges[:-1])), [100 * rms(samples[key][i]) for i in inside]))
-    return (Figure("Scatter of a still ball's estimate", RANGE_LABEL, "deviation [cm]", tuple(curves)),)
+    inside = in_bins(samples["range"], edges)
+    keys = {"raw": "raw", "mean of four": "filtered", "across the line of sight": "aside"}
+    curves = tuple(
+        Curve(name, middles_of(edges, 100), [100 * rms(samples[key][i]) for i in inside]) for name, key in keys.items()
+    )
+    return (Figure("Scatter of a still ball's estimate", RANGE_LABEL, "deviation [cm]", curves),)
 
 
 HOW = (

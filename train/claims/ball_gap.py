@@ -11,7 +11,7 @@ from soccer_env.train.claims.ball_velocity import true_radial
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.claims.sight import blind, follow, see_again, stare
 from soccer_env.train.claims.staging import begin, play, put, put_ball, stage, standing
-from soccer_env.train.claims.values import least_rise, rms
+from soccer_env.train.claims.values import least_rise, middles_of, rms
 from soccer_env.train.verdicts import Samples, measured, reported
 
 MATCHES, SECONDS = 32, 30.0  # [s] of each match
@@ -129,14 +129,13 @@ def long_over_none(samples: Samples, name: str) -> float:
 
 def gap_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the errors against the gap."""
-    middles = [0.5 * (low + high) for low, high in zip(BINS, BINS[1:], strict=False)]
     names = (
         ("kicked on", "rule on"),
         ("kicked off", "rule off"),
         ("play on", "in play, on"),
         ("play off", "in play, off"),
     )
-    curves = tuple(Curve(title, middles, by_gap(samples, name)) for name, title in names)
+    curves = tuple(Curve(title, middles_of(BINS), by_gap(samples, name)) for name, title in names)
     return (Figure("Radial velocity after a gap in sight", "gap [s]", "rms error [cm/s]", curves),)
 
 

@@ -11,7 +11,7 @@ from soccer_env.match import Match
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.claims.sight import blind, look_first
 from soccer_env.train.claims.staging import ahead_of, ball_from, begin, play, put, put_ball, stage, standing, wrapped
-from soccer_env.train.claims.values import least_rise, median
+from soccer_env.train.claims.values import in_bins, least_rise, median, middles_of
 from soccer_env.train.verdicts import Samples, measured, reported
 
 MATCHES = 96
@@ -99,9 +99,7 @@ def ball_rolls_unseen(batch: Batch) -> Samples:
 
 def error_by_way(samples: Samples) -> list[float]:
     """Return the median error [cm] in each bin of the ball's own way."""
-    way = samples["way"]
-    bins = zip(BINS, BINS[1:], strict=False)
-    return [100 * median(samples["error"][(way >= low) & (way < high)]) for low, high in bins]
+    return [100 * median(samples["error"][there]) for there in in_bins(samples["way"], BINS)]
 
 
 def push_unseen(batch: Batch, update: bool) -> np.ndarray:
@@ -130,8 +128,7 @@ def compare_dribbling(batch: Batch) -> Samples:
 
 def way_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the error against the ball's own way."""
-    middles = [50 * (low + high) for low, high in zip(BINS, BINS[1:], strict=False)]
-    curve = Curve("median", middles, error_by_way(samples))
+    curve = Curve("median", middles_of(BINS, 100), error_by_way(samples))
     return (Figure("Memory of a ball that moved unseen", "way of the ball [cm]", "error [cm]", (curve,)),)
 
 

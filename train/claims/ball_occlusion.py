@@ -29,7 +29,7 @@ from soccer_env.train.claims.staging import (
     standing,
     wrapped,
 )
-from soccer_env.train.claims.values import known, least_rise, mean, median
+from soccer_env.train.claims.values import in_bins, known, least_rise, mean, median, middles_of
 from soccer_env.train.verdicts import Samples, counted, measured, reported
 
 MATCHES = 192
@@ -202,12 +202,11 @@ def hidden_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the bias against the hidden share."""
     gone = 1.0 - samples["area left"]
     edges = np.linspace(0.0, 1.0, 9)
-    curves = []
-    for name in ("width", "height", "closer"):
-        inside = [(gone >= a) & (gone < b) for a, b in zip(edges, edges[1:], strict=False)]
-        curves.append(
-            Curve(name, list(50 * (edges[1:] + edges[:-1])), [100 * median(samples[name][i]) for i in inside])
-        )
+    inside = in_bins(gone, edges)
+    curves = [
+        Curve(name, middles_of(edges, 100), [100 * median(samples[name][i]) for i in inside])
+        for name in ("width", "height", "closer")
+    ]
     label = "hidden share of the picture [%]"
     return (Figure("Range of a ball that is partly hidden", label, "median error [%]", tuple(curves)),)
 

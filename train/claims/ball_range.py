@@ -16,7 +16,7 @@ from soccer_env.perception.calibration import calibrate
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.claims.sight import camera_of, look_first
 from soccer_env.train.claims.staging import LEGGED, ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
-from soccer_env.train.claims.values import median, quantile, rms
+from soccer_env.train.claims.values import in_bins, median, middles_of, quantile, rms
 from soccer_env.train.verdicts import Samples, exact, measured
 
 # The ball system that Sacks found: the larger dimension by table, no ranger, no rules, no filter, bearing-only memory.
@@ -73,11 +73,10 @@ def old_system(batch: Batch) -> Samples:
 def range_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the median error against the distance."""
     edges = np.linspace(NEAR, FAR, 9)
-    middles = 0.5 * (edges[1:] + edges[:-1])
-    place, error = samples["range"][:, 0], np.abs(samples["distance"])
-    errors = [error[(place >= a) & (place < b)] for a, b in zip(edges, edges[1:], strict=False)]
+    error = np.abs(samples["distance"])
+    errors = [error[there] for there in in_bins(samples["range"][:, 0], edges)]
     low, middle, high = ([100 * quantile(e, q) for e in errors] for q in (0.25, 0.5, 0.75))
-    curve = Curve("median and quartiles", list(100 * middles), middle, low, high)
+    curve = Curve("median and quartiles", middles_of(edges, 100), middle, low, high)
     return (Figure("Range error of the ball, unobstructed", RANGE_LABEL, "error [cm]", (curve,)),)
 
 
@@ -124,9 +123,8 @@ def size_and_infrared(batch: Batch, **sensors: float) -> Samples:
 def binned_rms(samples: Samples, kind: str) -> tuple[np.ndarray, np.ndarray]:
     """Return the middles of the bins [m] and the rms error of a kind of range in each [m]."""
     edges = np.arange(LEAST_RANGE, MOST_RANGE + 1e-9, WIDTH)
-    place = samples["range"]
-    inside = [(place >= a) & (place < b) for a, b in zip(edges, edges[1:], strict=False)]
-    return 0.5 * (edges[1:] + edges[:-1]), np.array([rms(samples[kind][i]) for i in inside])
+    inside = in_bins(samples["range"], edges)
+    return np.array(middles_of(edges)), np.array([rms(samples[kind][i]) for i in inside])
 
 
 def crossing(samples: Samples) -> float:

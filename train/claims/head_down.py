@@ -12,7 +12,7 @@ from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure, Wi
 from soccer_env.train.claims.players_seen import look_at, nearest_seen, put_facing, turn_head, watchers
 from soccer_env.train.claims.sight import camera_of
 from soccer_env.train.claims.staging import begin, from_robot, play, standing
-from soccer_env.train.claims.values import mean
+from soccer_env.train.claims.values import in_bins, mean, middles_of
 from soccer_env.train.verdicts import Samples, measured, reported
 
 MATCHES = 128
@@ -84,11 +84,9 @@ def left_over(samples: Samples) -> float:
 def head_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the bias against the distance."""
     edges = np.linspace(NEAR, FAR, 6)
-    place = samples["distance"]
-    inside = [(place >= low) & (place < high) for low, high in zip(edges, edges[1:], strict=False)]
-    middles = list(50 * (edges[1:] + edges[:-1]))
+    inside = in_bins(samples["distance"], edges)
     curves = [
-        Curve(f"head {name}", middles, [100 * mean(samples[name][i]) for i in inside])
+        Curve(f"head {name}", middles_of(edges, 100), [100 * mean(samples[name][i]) for i in inside])
         for name in (*TILTS, "down by infrared")
     ]
     return (Figure("Range bias of a near player by its head", "distance [cm]", "bias [cm]", tuple(curves)),)

@@ -9,7 +9,7 @@ import numpy as np
 
 from soccer_env.train.claims.claim import HEINEMANN, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.claims.staging import MIDDLE, from_robot, play, put, put_ball, stage
-from soccer_env.train.claims.values import rms
+from soccer_env.train.claims.values import middles_of, rms
 from soccer_env.train.verdicts import Samples, measured, reported
 
 MATCHES = 64
@@ -101,7 +101,7 @@ def seen_in_changed_light(samples: Samples, name: str) -> float:
 
 def light_figures(samples: Samples) -> Sequence[Figure]:
     """Draw detection and range error against the light."""
-    middles = [0.5 * (low + high) for low, high in zip(BINS, BINS[1:], strict=False)]
+    middles = middles_of(BINS)
     found = [Curve(name, middles, list(100 * shares(samples, name))) for name in VARIANTS]
     erring = [Curve(name, middles, list(100 * errors(samples, name))) for name in VARIANTS]
     label = "difference of light from the table's own [1]"

@@ -14,7 +14,7 @@ from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.claims.players_jersey import JERSEYS
 from soccer_env.train.claims.players_seen import blob_heights, look_at, nearest_seen, put_facing, watchers
 from soccer_env.train.claims.staging import begin, from_robot, play, put, standing
-from soccer_env.train.claims.values import mean, median, rms
+from soccer_env.train.claims.values import in_bins, mean, median, middles_of, rms
 from soccer_env.train.verdicts import Samples, measured, reported
 
 RUNS = 48  # of each jersey
@@ -81,7 +81,7 @@ def worst_jump(samples: Samples, blobs: str) -> float:
 
 def headless(samples: Samples, j: int, i: int) -> float:
     """Return the share of frames without a head sticker [%] of a jersey in a bin of distances."""
-    return 100 * (1.0 - mean(samples["head"][in_bins(samples)[i], j]))
+    return 100 * (1.0 - mean(samples["head"][in_bins(samples["distance"], BINS)[i], j]))
 
 
 def scatter(samples: Samples, blobs: str) -> float:
@@ -89,21 +89,11 @@ def scatter(samples: Samples, blobs: str) -> float:
     return 100 * rms(about_own_mean(samples[blobs].reshape(-1, samples[blobs].shape[-1])))
 
 
-def in_bins(samples: Samples) -> list[np.ndarray]:
-    """Return which runs lie in each of BINS."""
-    place = samples["distance"]
-    return [(place >= low) & (place < high) for low, high in zip(BINS, BINS[1:], strict=False)]
-
-
 def blob_figures(samples: Samples) -> Sequence[Figure]:
     """Draw the scatter of both ways and the share of frames that show a head sticker against the distance."""
-    middles = [50 * (low + high) for low, high in zip(BINS, BINS[1:], strict=False)]
+    middles, inside = middles_of(BINS, 100), in_bins(samples["distance"], BINS)
     steady = [
-        Curve(
-            blobs,
-            middles,
-            [scatter({blobs: samples[blobs][i]}, blobs) if i.any() else np.nan for i in in_bins(samples)],
-        )
+        Curve(blobs, middles, [scatter({blobs: samples[blobs][i]}, blobs) if i.any() else np.nan for i in inside])
         for blobs in BLOBS
     ]
     heads = [

@@ -10,7 +10,7 @@ from soccer_env.match import Match
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.claims.players_seen import look_at, nearest_seen, watchers
 from soccer_env.train.claims.staging import begin, from_robot, play, put, standing
-from soccer_env.train.claims.values import least_rise, median
+from soccer_env.train.claims.values import in_bins, least_rise, median, middles_of
 from soccer_env.train.verdicts import Samples, measured, reported
 
 SCENES = 64
@@ -77,8 +77,7 @@ def by_distance(samples: Samples, speeds: Sequence[float], name: str = "error") 
     """Return the median error [cm] in each bin of distance, over movers of some speeds."""
     column = [SPEEDS.index(speed) for speed in speeds]
     distance, error = samples["distance"][:, column], samples[name][:, column]
-    bins = zip(BINS, BINS[1:], strict=False)
-    return [100 * median(error[(distance >= low) & (distance < high)]) for low, high in bins]
+    return [100 * median(error[there]) for there in in_bins(distance, BINS)]
 
 
 def by_speed(samples: Samples) -> list[float]:
@@ -99,7 +98,7 @@ def beyond_less_within(samples: Samples, speed: float) -> float:
 
 def moved_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the error against the distance for each speed."""
-    middles = [50 * (low + high) for low, high in zip(BINS, BINS[1:], strict=False)]
+    middles = middles_of(BINS, 100)
     curves = tuple(Curve(f"{100 * speed:.0f} cm/s", middles, by_distance(samples, (speed,))) for speed in SPEEDS)
     return (Figure("Error of a player's place when one gets there", "distance when seen [cm]", "error [cm]", curves),)
 

@@ -14,7 +14,7 @@ from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.claims.players_seen import look_at, nearest_seen, put_facing, view_of, watchers
 from soccer_env.train.claims.sight import stare
 from soccer_env.train.claims.staging import ahead_of, ball_from, begin, from_robot, play, put_ball, standing
-from soccer_env.train.claims.values import rms
+from soccer_env.train.claims.values import in_bins, middles_of, rms
 from soccer_env.train.verdicts import Samples, measured, reported
 
 MATCHES = 128
@@ -86,21 +86,17 @@ def over_ball(samples: Samples) -> float:
     return rms(samples["player"]) / max(rms(samples["ball"]), 1e-12)
 
 
-def binned(place: np.ndarray, errors: np.ndarray, edges: np.ndarray) -> list[float]:
-    """Return the root mean square of errors in bins of a place of the same shape, or of the first axis."""
-    inside = [(place >= low) & (place < high) for low, high in zip(edges, edges[1:], strict=False)]
-    return [rms(errors[i]) for i in inside]
+def error_curves(samples: Samples, names: tuple[str, ...], near: float, far: float) -> tuple[Curve, ...]:
+    """Return the root mean squares of some errors, times 100, against the true distance from `near` to `far`."""
+    edges = np.linspace(near, far, 8)
+    inside = in_bins(samples["true"], edges)
+    return tuple(Curve(name, middles_of(edges, 100), [100 * rms(samples[name][i]) for i in inside]) for name in names)
 
 
 def ball_figure(samples: Samples) -> Sequence[Figure]:
     """Draw both errors against the distance."""
-    edges = np.linspace(NEAR, FAR, 8)
-    middles = list(50 * (edges[1:] + edges[:-1]))
-    curves = [
-        Curve(name, middles, [100 * v for v in binned(samples["true"], samples[name], edges)])
-        for name in ("player", "ball")
-    ]
-    return (Figure("Range error of a player and of the ball", "distance [cm]", "error [%]", tuple(curves)),)
+    curves = error_curves(samples, ("player", "ball"), NEAR, FAR)
+    return (Figure("Range error of a player and of the ball", "distance [cm]", "error [%]", curves),)
 
 
 def with_and_without_ranger(batch: Batch) -> Samples:
@@ -123,14 +119,9 @@ def gain(samples: Samples) -> float:
 
 def ranger_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the error with the rule and without against the distance."""
-    edges = np.linspace(RANGER_NEAR, RANGER_FAR, 8)
-    middles = list(50 * (edges[1:] + edges[:-1]))
-    curves = [
-        Curve(name, middles, [100 * v for v in binned(samples["true"], samples[name], edges)])
-        for name in ("with", "without")
-    ]
+    curves = error_curves(samples, ("with", "without"), RANGER_NEAR, RANGER_FAR)
     label = "distance between bodies' centres [cm]"
-    return (Figure("Range error of a centred player, infrared below 40 cm", label, "error [cm]", tuple(curves)),)
+    return (Figure("Range error of a centred player, infrared below 40 cm", label, "error [cm]", curves),)
 
 
 S40 = Claim(

@@ -12,7 +12,7 @@ from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure, Wi
 from soccer_env.train.claims.players_seen import watchers
 from soccer_env.train.claims.sight import stare
 from soccer_env.train.claims.staging import ahead_of, ball_from, begin, play, put_ball, standing
-from soccer_env.train.claims.values import rms
+from soccer_env.train.claims.values import in_bins, middles_of, rms
 from soccer_env.train.verdicts import Samples, measured, reported
 
 MATCHES = 64
@@ -72,9 +72,8 @@ def ratio(samples: Samples, name: str, rules: str = "") -> float:
 def layer_figures(samples: Samples) -> Sequence[Figure]:
     """Draw the scatter of both layers against the distance."""
     edges = np.linspace(NEAR, FAR, 8)
-    place = samples["true"]
-    inside = [(place >= low) & (place < high) for low, high in zip(edges, edges[1:], strict=False)]
-    middles = list(50 * (edges[1:] + edges[:-1]))
+    inside = in_bins(samples["true"], edges)
+    middles = middles_of(edges, 100)
     return tuple(
         Figure(f"Scatter of a still ball's {name}", "distance [cm]", f"deviation [{unit}]", tuple(
             Curve(layer, middles, [100 * rms(samples[f"{name} {layer}"][i]) for i in inside]) for layer in LAYERS

@@ -24,7 +24,7 @@ from soccer_env.train.claims.staging import (
     watch,
     wrapped,
 )
-from soccer_env.train.claims.values import mean, rms
+from soccer_env.train.claims.values import in_bins, mean, middles_of, rms
 from soccer_env.train.report import table
 from soccer_env.train.verdicts import Samples
 
@@ -161,15 +161,14 @@ def profile(samples: Samples, estimate: Estimate) -> list[float]:
     """Return the rms error in each bin of the distance, or the share of frames for what is seen."""
     edges, place = EDGES[estimate.league], samples[f"{estimate.league} place"]
     value = mean if estimate.name.endswith("seen") else rms
-    inside = [(place >= low) & (place < high) for low, high in zip(edges, edges[1:], strict=False)]
-    return [estimate.scale * value(samples[estimate.key][there]) for there in inside]
+    return [estimate.scale * value(samples[estimate.key][there]) for there in in_bins(place, edges)]
 
 
 def sensor_figures(samples: Samples) -> Sequence[Figure]:
     """Draw, for each league, everything of one unit together."""
     figures = []
     for league in (LEGGED, MIDDLE):
-        middles = [50 * (low + high) for low, high in zip(EDGES[league], EDGES[league][1:], strict=False)]
+        middles = middles_of(EDGES[league], 100)
         for unit in ("cm", "deg", "cm/s", "%"):
             those = [one for one in ESTIMATES if one.league == league and one.unit == unit]
             curves = tuple(Curve(one.name, middles, profile(samples, one)) for one in those)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import nan, sqrt
 from typing import Any
 
@@ -47,3 +48,13 @@ def quantile(values: Any, share: float) -> float:
 def least_rise(values: Any) -> float:
     """Return the smallest rise from one value of a sequence to the next: above 0 if it rises throughout."""
     return float(np.min(np.diff(np.asarray(values, float))))
+
+
+def in_bins(place: np.ndarray, edges: Sequence[float] | np.ndarray) -> list[np.ndarray]:
+    """Return a mask of the shape of `place` for each bin: at its lower edge or above, below its upper edge."""
+    return [(place >= low) & (place < high) for low, high in zip(edges, edges[1:], strict=False)]
+
+
+def middles_of(edges: Sequence[float] | np.ndarray, scale: float = 1.0) -> list[float]:
+    """Return the middles of the bins, times a scale: 100 for centimetres."""
+    return [0.5 * scale * float(low + high) for low, high in zip(edges, edges[1:], strict=False)]
