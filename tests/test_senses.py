@@ -1,6 +1,7 @@
 """Promises of the whole chain of senses: nothing hidden is seen, no belief reads the truth, noise is reproducible."""
 
 import pkgutil
+from collections.abc import Callable
 from importlib import import_module
 from typing import Any
 
@@ -129,18 +130,24 @@ def test_a_save_goes_on_with_the_same_senses(league: str) -> None:
     assert futures[0] == futures[1]
 
 
-@pytest.mark.parametrize("pose", ["percept", "particles"])
-@pytest.mark.parametrize("league", LEAGUES)
-def test_mirrored_play_is_sensed_and_believed_mirrored(league: str, pose: str) -> None:
+def scattered_pair(league: str, pose: str, changed: Callable[[Records], Records], seed: int) -> tuple[Match, Match]:
+    """Return matches whose robots have just been told where they stand, at random, and their image."""
     match = sensing(league, matches=6, pose=pose)
-    scatter(match, np.random.default_rng(1))
+    scatter(match, np.random.default_rng(seed))
     set_phase(match, 0)
     image = sensing(league, matches=6, pose=pose)
-    mirrored(Records.of(match)).put_into(image)
+    changed(Records.of(match)).put_into(image)
     match.reseat()
     for one in (match, image):
         one.robots["placed"] = 1
         look_again(one)
+    return match, image
+
+
+@pytest.mark.parametrize("pose", ["percept", "particles"])
+@pytest.mark.parametrize("league", LEAGUES)
+def test_mirrored_play_is_sensed_and_believed_mirrored(league: str, pose: str) -> None:
+    match, image = scattered_pair(league, pose, mirrored, seed=1)
     lines = getattr(match.league.sensors, "lines", 0)
     for actions in draws(match, 24, seed=3):
         compare_mirrored(match, image, lines)
@@ -160,15 +167,7 @@ def compare_mirrored(match: Match, image: Match, lines: int) -> None:
 @pytest.mark.parametrize("pose", ["percept", "particles"])
 @pytest.mark.parametrize("league", LEAGUES)
 def test_a_half_turn_with_the_teams_swapped_changes_nothing_that_is_sensed(league: str, pose: str) -> None:
-    match = sensing(league, matches=6, pose=pose)
-    scatter(match, np.random.default_rng(2))
-    set_phase(match, 0)
-    image = sensing(league, matches=6, pose=pose)
-    turned(Records.of(match)).put_into(image)
-    match.reseat()
-    for one in (match, image):
-        one.robots["placed"] = 1
-        look_again(one)
+    match, image = scattered_pair(league, pose, turned, seed=2)
     for actions in draws(match, 24, seed=4):
         calm = ~(match.robot_events["collision"].any(axis=1) | match.robot_events["touch"].any(axis=1))
         assert_same(swapped_rows(match.percepts)[calm], image.percepts[calm], 1e-5, "percepts")
