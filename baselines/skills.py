@@ -11,7 +11,7 @@ from math import atan2, cos, sin, sqrt
 from soccer_env.baselines.sight import side_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
-from soccer_env.leagues.league import GAIT, WHEELS_DIFFERENTIAL
+from soccer_env.leagues.robot import GAIT, WHEELS_DIFFERENTIAL
 
 SIDESTEP_CONE = 1.2  # [rad] a base that cannot step aside drives only towards what lies within it ahead, assumed
 REVERSE_ROOM = 0.6  # [m] such a base backs up to what lies nearer than this behind it, assumed

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from soccer_env.leagues import legged_2001, middle_size_2006
-from soccer_env.leagues.league import BallModel, Body, Drive, Head, Kicker, League, Pitch, Rules, Slots, Substeps
+from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
+from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 
 LEAGUES: dict[str, League] = {
     league.name: league

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from soccer_env.leagues.league import DRIVE_KINDS, League
+from soccer_env.leagues.league import League
+from soccer_env.leagues.robot import DRIVE_KINDS
 
 GROUPS = {  # what of each part of a league goes into the record, as part_field
     "pitch": "length width goal_width goal_depth penalty_depth penalty_width goal_area_depth goal_area_width circle "

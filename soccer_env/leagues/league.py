@@ -25,74 +25,16 @@ A walled pitch has no band: boards stand on the touchlines and goal lines, and t
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, fields
-from math import hypot, isfinite
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from soccer_env.leagues.checks import between_0_and_1, check, is_number, positive
+from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
 
-GAIT = 0
-WHEELS_OMNI = 1
-WHEELS_DIFFERENTIAL = 2
-DRIVE_KINDS = {"gait": GAIT, "omnidirectional": WHEELS_OMNI, "differential": WHEELS_DIFFERENTIAL}
 PLACEMENTS = ("instant", "drive")
-NUMBERS = {"int": "a whole number", "float": "a number"}  # annotations of fields that hold one
-
-
-def check(record: object, **tests: Callable[[float], bool]) -> None:
-    """Raise ValueError for each number of a settings record that is none, is not finite or fails its test."""
-    where = type(record).__name__
-    for field in fields(record):  # type: ignore[arg-type]
-        value, kind = getattr(record, field.name), str(field.type)
-        if kind not in NUMBERS:
-            continue
-        if not is_number(value, kind):
-            raise ValueError(f"{where}.{field.name} must be {NUMBERS[kind]}, got {value!r}")
-        if not isfinite(value):
-            raise ValueError(f"{where}.{field.name} must be finite, got {value}")
-        if isinstance(value, np.generic):  # so that settings compare and are written as Python's own numbers
-            object.__setattr__(record, field.name, value.item())
-        test = tests.get(field.name, not_negative)
-        if not test(value):
-            raise ValueError(f"{where}.{field.name} must be {test.__name__.replace('_', ' ')}, got {value}")
-
-
-def is_number(value: Any, kind: str) -> bool:
-    """Tell whether a value is a number, Python's or numpy's, and a whole one if the kind is "int"."""
-    whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
-    return whole or (kind == "float" and isinstance(value, (float, np.floating)))
-
-
-def not_negative(value: float) -> bool:
-    """Tell whether a number is zero or more."""
-    return value >= 0.0
-
-
-def positive(value: float) -> bool:
-    """Tell whether a number is above zero."""
-    return value > 0.0
-
-
-def between_0_and_1(value: float) -> bool:
-    """Tell whether a number is a fraction."""
-    return 0.0 <= value <= 1.0
-
-
-def any_number(value: float) -> bool:
-    """Accept every finite number."""
-    return True
-
-
-def is_convex(corners: tuple[tuple[float, float], ...]) -> bool:
-    """Tell whether finite corners run counter-clockwise round a convex hull."""
-    points = np.asarray(corners, float)
-    edges = np.roll(points, -1, axis=0) - points
-    after = np.roll(edges, -1, axis=0)
-    left_turns = edges[:, 0] * after[:, 1] - edges[:, 1] * after[:, 0] > 0.0
-    return len(points) >= 3 and bool(np.isfinite(points).all() and left_turns.all())
 
 
 @dataclass(frozen=True)
@@ -146,118 +88,6 @@ class BallModel:
 
     def __post_init__(self) -> None:
         check(self, radius=positive, mass=positive, shell=positive, top_speed=positive, elasticity=between_0_and_1)
-
-
-@dataclass(frozen=True)
-class Body:
-    """A robot's outline seen from above, its origin at the centre of mass, x forward.
-
-    A convex hull (corners) or a disc, with two round tips in front that form the pocket for the ball.
-    """
-
-    mass: float  # [kg]
-    disc_radius: float  # [m] 0: the hull is given by its corners
-    disc_x: float  # [m] centre of the disc
-    corners: tuple[tuple[float, float], ...]  # [m] corners of the hull, counter-clockwise; empty for a disc
-    tip_x: float  # [m] centres of the tips, at +-tip_y
-    tip_y: float  # [m]
-    tip_radius: float  # [m]
-    front: float  # [m] x of the surface that a ball in the pocket rests on
-    reach: float  # [m] greatest distance of the outline from the origin
-    elasticity: float  # [1]
-    friction: float  # [1]
-    height: float  # [m]
-
-    def __post_init__(self) -> None:
-        check(self, mass=positive, reach=positive, tip_x=any_number, disc_x=any_number, elasticity=between_0_and_1)
-        if (self.disc_radius > 0.0) == bool(self.corners):
-            raise ValueError("Body needs either a disc_radius above zero or corners, not both")
-        if len(self.corners) > 8:
-            raise ValueError(f"Body.corners must be at most 8, got {len(self.corners)}")
-        if self.corners and not is_convex(self.corners):
-            raise ValueError(f"Body.corners must be finite and run counter-clockwise round a hull, got {self.corners}")
-        outermost = max(
-            hypot(self.tip_x, self.tip_y) + self.tip_radius,
-            abs(self.disc_x) + self.disc_radius,
-            *(hypot(x, y) for x, y in self.corners),
-        )
-        if self.reach < outermost - 0.001:
-            raise ValueError(f"Body.reach must be at least {outermost:.3f}, got {self.reach}")
-
-
-@dataclass(frozen=True)
-class Drive:
-    """How a robot moves: speeds, acceleration, delay; a gait or wheels."""
-
-    kind: str  # "gait", "omnidirectional", "differential"
-    forward: float  # [m/s] top speed ahead
-    backward: float  # [m/s] top speed back
-    sideways: float  # [m/s] top speed to either side
-    turn: float  # [rad/s] top turn rate
-    acceleration: float  # [m/s2] at which a walk changes
-    turn_acceleration: float  # [rad/s2]
-    traction: float  # [m/s2] force that the ground bears, over mass
-    turn_traction: float  # [rad/s2]
-    delay: float  # [s] from a command to the motion, 0 to 0.2
-    gait_steps: int  # control steps of a gait step, in which the walk cannot change; 1 for wheels
-    slip: float  # [1] deviation of a walk from its command
-    slip_time: float  # [s] for which a drawn slip holds
-    fall: float  # [1/(N s)] probability of a fall for each unit of pushing impulse; 0 off
-    fall_time: float  # [s] on the ground
-
-    def __post_init__(self) -> None:
-        check(
-            self,
-            forward=positive,
-            backward=positive,
-            turn=positive,
-            acceleration=positive,
-            turn_acceleration=positive,
-            traction=positive,
-            turn_traction=positive,
-            gait_steps=positive,
-            slip_time=positive,
-        )
-        if self.kind not in DRIVE_KINDS:
-            raise ValueError(f"Drive.kind must be one of {', '.join(DRIVE_KINDS)}, got {self.kind!r}")
-        if self.delay > 0.2:
-            raise ValueError(f"Drive.delay must be 0 to 0.2 s, got {self.delay}")
-
-
-@dataclass(frozen=True)
-class Kicker:
-    """How a robot kicks."""
-
-    slowest: float  # [m/s] ball speed at the smallest strength
-    fastest: float  # [m/s] ball speed at strength 1
-    least: float  # [1] strengths below this are ignored
-    wind_up: float  # [s] during which the robot stands
-    recharge: float  # [s] until it can kick again
-    spread: float  # [rad] deviation of the direction
-    reach: float  # [m] how far ahead of the front the ball's near side may lie
-    half_width: float  # [m] how far aside the ball's centre may lie
-    keeper_kicks: bool  # False: a goalkeeper has no kicker
-
-    def __post_init__(self) -> None:
-        check(self, fastest=positive, least=between_0_and_1)
-        if self.slowest > self.fastest:
-            raise ValueError(f"Kicker.slowest must be at most fastest {self.fastest}, got {self.slowest}")
-
-
-@dataclass(frozen=True)
-class Head:
-    """Joint limits and speeds of the head [rad, rad/s]; all zero: the camera is fixed."""
-
-    pan_limit: float = 0.0
-    tilt_low: float = 0.0
-    tilt_high: float = 0.0
-    pan_speed: float = 0.0
-    tilt_speed: float = 0.0
-    camera_height: float = 0.0  # [m]
-    camera_ahead: float = 0.0  # [m] ahead of the origin, head level
-
-    def __post_init__(self) -> None:
-        check(self, tilt_low=any_number)
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,9 @@ from __future__ import annotations
 from dataclasses import replace
 from math import pi
 
-from soccer_env.leagues.league import BallModel, Body, Drive, Head, Kicker, League, Pitch, Rules, Slots, Substeps
+from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
 from soccer_env.leagues.legged_sensors import LeggedMemory, LeggedSensors
+from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 
 PITCH = Pitch(
     length=3.0,  # [m] Sacks 2001, 1

@@ -11,7 +11,7 @@ from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 
-from soccer_env.leagues.league import is_number
+from soccer_env.leagues.checks import is_number
 
 GREATEST = 1e6  # no number of sensors or memory is larger
 

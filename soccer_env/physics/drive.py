@@ -10,7 +10,7 @@ from math import atan2, cos, sin, sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, toward
-from soccer_env.leagues.league import WHEELS_DIFFERENTIAL
+from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
 from soccer_env.random_numbers import normal
 from soccer_env.types import RobotStream
 

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from soccer_env.leagues.league import Body, League
+from soccer_env.leagues.league import League
+from soccer_env.leagues.robot import Body
 from soccer_env.render import colours
 from soccer_env.render.canvas import FACTOR, Canvas, Point, new_surface
 from soccer_env.render.colours import Colour

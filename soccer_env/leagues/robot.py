@@ -1,0 +1,125 @@
+"""What the robots of a league are: body, drive, kicker and head, checked on construction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import hypot
+
+from soccer_env.leagues.checks import any_number, between_0_and_1, check, is_convex, positive
+
+GAIT = 0
+WHEELS_OMNI = 1
+WHEELS_DIFFERENTIAL = 2
+DRIVE_KINDS = {"gait": GAIT, "omnidirectional": WHEELS_OMNI, "differential": WHEELS_DIFFERENTIAL}
+
+
+@dataclass(frozen=True)
+class Body:
+    """A robot's outline seen from above, its origin at the centre of mass, x forward.
+
+    A convex hull (corners) or a disc, with two round tips in front that form the pocket for the ball.
+    """
+
+    mass: float  # [kg]
+    disc_radius: float  # [m] 0: the hull is given by its corners
+    disc_x: float  # [m] centre of the disc
+    corners: tuple[tuple[float, float], ...]  # [m] corners of the hull, counter-clockwise; empty for a disc
+    tip_x: float  # [m] centres of the tips, at +-tip_y
+    tip_y: float  # [m]
+    tip_radius: float  # [m]
+    front: float  # [m] x of the surface that a ball in the pocket rests on
+    reach: float  # [m] greatest distance of the outline from the origin
+    elasticity: float  # [1]
+    friction: float  # [1]
+    height: float  # [m]
+
+    def __post_init__(self) -> None:
+        check(self, mass=positive, reach=positive, tip_x=any_number, disc_x=any_number, elasticity=between_0_and_1)
+        if (self.disc_radius > 0.0) == bool(self.corners):
+            raise ValueError("Body needs either a disc_radius above zero or corners, not both")
+        if len(self.corners) > 8:
+            raise ValueError(f"Body.corners must be at most 8, got {len(self.corners)}")
+        if self.corners and not is_convex(self.corners):
+            raise ValueError(f"Body.corners must be finite and run counter-clockwise round a hull, got {self.corners}")
+        outermost = max(
+            hypot(self.tip_x, self.tip_y) + self.tip_radius,
+            abs(self.disc_x) + self.disc_radius,
+            *(hypot(x, y) for x, y in self.corners),
+        )
+        if self.reach < outermost - 0.001:
+            raise ValueError(f"Body.reach must be at least {outermost:.3f}, got {self.reach}")
+
+
+@dataclass(frozen=True)
+class Drive:
+    """How a robot moves: speeds, acceleration, delay; a gait or wheels."""
+
+    kind: str  # "gait", "omnidirectional", "differential"
+    forward: float  # [m/s] top speed ahead
+    backward: float  # [m/s] top speed back
+    sideways: float  # [m/s] top speed to either side
+    turn: float  # [rad/s] top turn rate
+    acceleration: float  # [m/s2] at which a walk changes
+    turn_acceleration: float  # [rad/s2]
+    traction: float  # [m/s2] force that the ground bears, over mass
+    turn_traction: float  # [rad/s2]
+    delay: float  # [s] from a command to the motion, 0 to 0.2
+    gait_steps: int  # control steps of a gait step, in which the walk cannot change; 1 for wheels
+    slip: float  # [1] deviation of a walk from its command
+    slip_time: float  # [s] for which a drawn slip holds
+    fall: float  # [1/(N s)] probability of a fall for each unit of pushing impulse; 0 off
+    fall_time: float  # [s] on the ground
+
+    def __post_init__(self) -> None:
+        check(
+            self,
+            forward=positive,
+            backward=positive,
+            turn=positive,
+            acceleration=positive,
+            turn_acceleration=positive,
+            traction=positive,
+            turn_traction=positive,
+            gait_steps=positive,
+            slip_time=positive,
+        )
+        if self.kind not in DRIVE_KINDS:
+            raise ValueError(f"Drive.kind must be one of {', '.join(DRIVE_KINDS)}, got {self.kind!r}")
+        if self.delay > 0.2:
+            raise ValueError(f"Drive.delay must be 0 to 0.2 s, got {self.delay}")
+
+
+@dataclass(frozen=True)
+class Kicker:
+    """How a robot kicks."""
+
+    slowest: float  # [m/s] ball speed at the smallest strength
+    fastest: float  # [m/s] ball speed at strength 1
+    least: float  # [1] strengths below this are ignored
+    wind_up: float  # [s] during which the robot stands
+    recharge: float  # [s] until it can kick again
+    spread: float  # [rad] deviation of the direction
+    reach: float  # [m] how far ahead of the front the ball's near side may lie
+    half_width: float  # [m] how far aside the ball's centre may lie
+    keeper_kicks: bool  # False: a goalkeeper has no kicker
+
+    def __post_init__(self) -> None:
+        check(self, fastest=positive, least=between_0_and_1)
+        if self.slowest > self.fastest:
+            raise ValueError(f"Kicker.slowest must be at most fastest {self.fastest}, got {self.slowest}")
+
+
+@dataclass(frozen=True)
+class Head:
+    """Joint limits and speeds of the head [rad, rad/s]; all zero: the camera is fixed."""
+
+    pan_limit: float = 0.0
+    tilt_low: float = 0.0
+    tilt_high: float = 0.0
+    pan_speed: float = 0.0
+    tilt_speed: float = 0.0
+    camera_height: float = 0.0  # [m]
+    camera_ahead: float = 0.0  # [m] ahead of the origin, head level
+
+    def __post_init__(self) -> None:
+        check(self, tilt_low=any_number)
