@@ -17,7 +17,7 @@ from soccer_env.physics.space import build_space
 from soccer_env.physics.space_batch import SpaceBatch, Way
 from soccer_env.players import believe_slice, empty_beliefs
 from soccer_env.rewards import TERMS
-from soccer_env.senses import Senses
+from soccer_env.senses import UNUSED, Senses
 from soccer_env.settings import Settings
 from soccer_env.step import begin_slice, finish_slice, step_slice
 from soccer_env.types import BALL, EVENTS, MATCH, QUIET, ROBOT, ROBOT_EVENTS
@@ -135,6 +135,14 @@ class Field:
         beliefs[:, at], tracks[:, at] = self._ideal[0][:, at], self._ideal[1][:, at]
         return beliefs, tracks
 
+    def all_minds(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return beliefs (M, R) and tracks (M, R, slots) of all robots; ValueError if nobody uses any."""
+        if self.senses is None and "ideal" not in self.settings.senses:
+            raise ValueError(UNUSED)
+        everyone = np.arange(self.robots.shape[1])
+        self.believe_truth(everyone, 0, len(self.matches))
+        return self.minds(everyone)
+
     def observe(self, first: int, last: int) -> None:
         """Write the observations of a slice anew."""
         observe = self.settings.observe
@@ -165,3 +173,10 @@ class Field:
         if broken >= 0:
             step = self.matches["step"][broken]
             raise RuntimeError(f"the physics of match {broken} broke down at step {step}; please report this")
+
+
+def keep_latest(kept: np.ndarray, new: np.ndarray, quiet: np.ndarray) -> None:
+    """Write into `kept` the events of `new` that happened."""
+    for name in new.dtype.names or ():
+        happened = new[name] != quiet[name]
+        kept[name][happened] = new[name][happened]

@@ -16,15 +16,15 @@ import numpy as np
 
 from soccer_env import saving, truth_state
 from soccer_env.actions import numbers_for, take_actions
-from soccer_env.field import Field
-from soccer_env.observations import layout
+from soccer_env.field import Field, keep_latest
+from soccer_env.observations import names_of
 from soccer_env.physics.space_batch import Way
-from soccer_env.players import assign, make_squads, run_kernel, run_python
+from soccer_env.players import assign, make_squads, run_kernel, run_python_teams
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import TERMS
-from soccer_env.senses import UNUSED, Senses, sensing_sides
+from soccer_env.senses import Senses, sensing_sides
 from soccer_env.settings import check_known, make_settings, whole_number
-from soccer_env.types import AWAY, HOME, QUIET, ROBOT_EVENTS
+from soccer_env.types import QUIET, ROBOT_EVENTS
 from soccer_env.user_code import checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
@@ -62,7 +62,7 @@ class Match:
         self.league = self.settings.league
         rows = self.settings.rows
         self.agents = [f"{side}_{i}" for side, size in zip(("home", "away"), rows, strict=True) for i in range(size)]
-        self.observation_names = self._observation_names()
+        self.observation_names = names_of(self.league, self.settings.observe)
         self.term_names = [*TERMS, *self.settings.rewards.extra]
         self._lay_field(way)
         self._seat_players(assign(self.agents, self.settings.home, opponents, teammates, controllers))
@@ -72,11 +72,6 @@ class Match:
         self.ended, self.final = np.zeros(0, np.int64), dict[str, np.ndarray]()  # see _restart_same_step
         self._started = False
         self.reset(seed=seed, seeds=seeds)
-
-    def _observation_names(self) -> list[str]:
-        if isinstance(self.settings.observe, str):
-            return [entry.name for entry in layout(self.league, self.settings.observe)]
-        return list(self.settings.observe.names)
 
     def _lay_field(self, way: Way | None) -> None:
         """Make the arrays and show them as attributes; observations of a user's own lie beside the field."""
@@ -188,7 +183,7 @@ class Match:
     def _control_step(self, numbers: np.ndarray) -> None:
         """Run one control step of all matches, in slices, on one thread or several."""
         waiting = np.flatnonzero(self.matches["over"]) if self.settings.rewards.extra else ()
-        self._run_python_teams()
+        run_python_teams(self.squads, self.league, self.field)
         if self.recorder is not None:
             self._decide(numbers, 0, self.count)
             self.recorder.note_commands(self.robots["command"])
@@ -206,13 +201,6 @@ class Match:
         self._observe_own()
         if self.recorder is not None:
             self.recorder.note_state(self)
-
-    def _run_python_teams(self) -> None:
-        """Let teams without a kernel decide, in all matches at once."""
-        for squad in self.squads:
-            if not squad.compiled:
-                self.field.believe_truth(squad.players, 0, self.count)
-                run_python(squad, self.league, *self.field.minds(squad.players), self.robots)
 
     def _run(self, numbers: np.ndarray, first: int, last: int) -> None:
         """Decide and step a slice of matches, block by block."""
@@ -262,12 +250,12 @@ class Match:
 
         ValueError if nobody uses any.
         """
-        return self._all_minds()[0]
+        return self.field.all_minds()[0]
 
     @property
     def tracks(self) -> np.ndarray:
         """Return what every robot believes about other players (M, R, slots); ValueError as for `beliefs`."""
-        return self._all_minds()[1]
+        return self.field.all_minds()[1]
 
     @property
     def percepts(self) -> np.ndarray:
@@ -275,14 +263,6 @@ class Match:
         if self.field.senses is None:
             raise ValueError("nobody in this match uses its sensors: give observe='percepts', or senses='sensors'")
         return self.field.senses.percepts
-
-    def _all_minds(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return beliefs and tracks of all robots."""
-        ideal = [side for side in (HOME, AWAY) if self.settings.senses[side] == "ideal"]
-        if self.field.senses is None and not ideal:
-            raise ValueError(UNUSED)
-        self.field.believe_truth(np.arange(len(self.agents)), 0, self.count)
-        return self.field.minds(np.arange(len(self.agents)))
 
     def state(self) -> np.ndarray:
         """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players a side and present flags."""
@@ -314,10 +294,3 @@ class Match:
         if self._pool is not None:
             self._pool.shutdown()
             self._pool = None
-
-
-def keep_latest(kept: np.ndarray, new: np.ndarray, quiet: np.ndarray) -> None:
-    """Write into `kept` the events of `new` that happened."""
-    for name in new.dtype.names or ():
-        happened = new[name] != quiet[name]
-        kept[name][happened] = new[name][happened]

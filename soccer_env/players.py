@@ -156,6 +156,15 @@ def run_python(squad: Squad, league: League, beliefs: np.ndarray, tracks: np.nda
         robots["command"][name][:, squad.players] = column
 
 
+def run_python_teams(squads: list[Squad], league: League, field: Any) -> None:
+    """Let teams without a kernel decide, in all matches of a Field at once."""
+    for squad in squads:
+        if not squad.compiled:
+            field.believe_truth(squad.players, 0, len(field.matches))
+            beliefs, tracks = field.minds(squad.players)
+            run_python(squad, league, beliefs, tracks, field.robots)
+
+
 def empty_beliefs(matches: int, robots: int, league: League) -> tuple[np.ndarray, np.ndarray]:
     """Return beliefs (M, R) and tracks (M, R, slots)."""
     slots = league.slots.teammates + league.slots.opponents

@@ -26,4 +26,9 @@ def layout(league: League, observe: str = "truth") -> list[Entry]:
     return entries(league)
 
 
-__all__ = ["OBSERVE", "Entry", "Observation", "layout"]
+def names_of(league: League, observe: str | Observation) -> list[str]:
+    """Return the name of each number of an observation, ours or a user's own."""
+    return [entry.name for entry in layout(league, observe)] if isinstance(observe, str) else list(observe.names)
+
+
+__all__ = ["OBSERVE", "Entry", "Observation", "layout", "names_of"]
