@@ -200,6 +200,12 @@ def assert_same(one: np.ndarray, other: np.ndarray, tolerance: float, where: str
         assert_same(one[name], other[name], tolerance, f"{where}.{name}" if where else name)
 
 
+def assert_same_records(one: Records, other: Records, tolerance: float) -> None:
+    """Assert that matches, balls and robots are the same."""
+    for name in ("matches", "balls", "robots"):
+        assert_same(getattr(one, name), getattr(other, name), tolerance, name)
+
+
 def assert_close(one: np.ndarray, other: np.ndarray, tolerance: float, where: str) -> None:
     if one.dtype.kind != "f":
         assert (one == other).all(), f"{where} differs"
