@@ -268,9 +268,9 @@ for _name in ("goal", "scorer", "restart_team", "touch_team"):
 
 ROBOT_EVENTS = np.dtype(
     [  # what happened to a robot in this step
-        ("touch", "i8"),  # 1: touched the ball
-        ("kick", "i8"),  # 1: a kick reached the ball
-        ("possession", "i8"),  # 1: the ball lay in its pocket or at its kicker
-        ("collision", "i8"),  # 1: touched another robot
+        ("touch", "i2"),  # 1: touched the ball
+        ("kick", "i2"),  # 1: a kick reached the ball
+        ("possession", "i2"),  # 1: the ball lay in its pocket or at its kicker
+        ("collision", "i2"),  # 1: touched another robot
     ]
 )
