@@ -243,7 +243,22 @@ HEARD = np.dtype(
     ]
 )
 
-BELIEF = np.dtype([("own", OWN_POSE), ("ball", BALL_BELIEF), ("situation", SITUATION), ("heard", HEARD)])
+OBSTACLE = np.dtype(
+    [  # somebody whom the infrared ranger meets and the picture does not tell of; legged robots with sensors alone
+        ("distance", "f4"),  # [m] to the middle of its body; 0: there is none
+        ("bearing", "f4"),  # [rad] robot frame
+    ]
+)
+
+BELIEF = np.dtype(
+    [
+        ("own", OWN_POSE),
+        ("ball", BALL_BELIEF),
+        ("situation", SITUATION),
+        ("heard", HEARD),
+        ("obstacle", OBSTACLE),
+    ]
+)
 
 EVENTS = np.dtype(
     [  # what happened to a match in this step

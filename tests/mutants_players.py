@@ -1,10 +1,12 @@
-"""Mutants of what a legged robot believes of other players: slots, grouping, matching, ranges."""
+"""Mutants of what a legged robot believes of other players: slots, grouping, matching, ranges, obstacle."""
 
 from tests.mutant import Mutant
 
 PLAYERS = "soccer_env/belief/players.py"
+OBSTACLE = "soccer_env/belief/obstacle.py"
 GROUPING, MATCHING = "soccer_env/belief/grouping.py", "soccer_env/belief/matching.py"
 TEST_PLAYERS, TEST_MEMORY = "tests/belief/test_players.py::", "tests/belief/test_players_memory.py::"
+TEST_OBSTACLE = "tests/belief/test_obstacle.py::"
 TEST_GROUPING, TEST_MATCHING = "tests/belief/test_grouping.py::", "tests/belief/test_matching.py::"
 
 MUTANTS = [
@@ -119,5 +121,33 @@ MUTANTS = [
         "            put_at(tracks[slot], x, y)",
         "            pass",
         TEST_MEMORY + "test_ms36_players_in_memory_are_moved_by_own_steps",
+    ),
+    Mutant(
+        "MS49",
+        OBSTACLE,
+        "    if w.obstacle == 1 and",
+        "    if w.obstacle == 2 and",
+        TEST_OBSTACLE + "test_ms49_a_reading_much_closer_than_every_player_is_an_obstacle",
+    ),
+    Mutant(
+        "MS49",
+        OBSTACLE,
+        "    if w.obstacle == 1 and",
+        "    if w.obstacle == 2 and",
+        TEST_OBSTACLE + "test_ms49_a_player_with_its_head_down_that_seems_far_away_is_an_obstacle",
+    ),
+    Mutant(
+        "MS49",
+        OBSTACLE,
+        " < w.obstacle_share * nearest_player(tracks, k):",
+        " < inf:",
+        TEST_OBSTACLE + "test_ms49_the_reading_must_be_significantly_closer_than_every_player",
+    ),
+    Mutant(
+        "MS49",
+        OBSTACLE,
+        "    return height + percept.infrared * sin(tilt) > lowest",
+        "    return True",
+        TEST_OBSTACLE + "test_ms49_ball_boards_and_carpet_are_no_obstacles",
     ),
 ]

@@ -71,6 +71,7 @@ def mirrored_beliefs(beliefs: np.ndarray) -> np.ndarray:
     beliefs = beliefs.copy()
     negate(beliefs["own"], "y", "heading", "left", "turn")
     negate(beliefs["ball"], "bearing", "filtered_bearing", "y", "vy", "angular")
+    negate(beliefs["obstacle"], "bearing")
     return beliefs
 
 

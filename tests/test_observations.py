@@ -22,6 +22,13 @@ def test_the_layout_names_every_number_once(league: str, size: int) -> None:
     assert len(PLAYER) == PLAYER_SIZE
 
 
+@pytest.mark.parametrize(("league", "size"), [("legged-2001", 93), ("middle-size-2006", 126)])
+def test_the_layout_of_beliefs_names_every_number_once(league: str, size: int) -> None:
+    names = [item.name for item in layout(find_league(league), "belief")]
+    assert len(names) == len(set(names)) == size
+    assert ("obstacle_near" in names) is (league == "legged-2001")  # the only league with a ranger
+
+
 @pytest.mark.parametrize("league", LEAGUES)
 @pytest.mark.parametrize(("home", "away"), [(1, 1), (3, 5), (11, 11)])
 def test_the_layout_is_the_same_at_every_team_size(league: str, home: int, away: int) -> None:

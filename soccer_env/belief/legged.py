@@ -1,4 +1,4 @@
-"""The memory of a legged robot: ball, players, own pose, where to look, what it hears.  [Sacks 2001, 2 to 4]  MS01"""
+"""The memory of a legged robot: ball, players, obstacle, own pose, gaze, what it hears.  [Sacks 2001, 2 to 4]  MS01"""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import numpy as np
 
 from soccer_env.belief.ball import BALL_MEMORY, believe_ball
 from soccer_env.belief.head import HEAD_MEMORY, choose_gaze
+from soccer_env.belief.obstacle import believe_obstacle
 from soccer_env.belief.own_pose import POSE_MEMORY, believe_pose_legged
 from soccer_env.belief.players import PLAYERS_MEMORY, believe_players
 from soccer_env.belief.talk import exchange
@@ -35,5 +36,6 @@ def believe_slice(
             believe_pose_legged(percept, belief.own, memory.pose, particles[m, r], noise[m, r], k, s, w)
             believe_ball(percept, belief.own, belief.ball, memory.ball, k, s, w, table)
             believe_players(percept, belief.own, tracks[m, r], memory.players, k, s, w, table)
+            believe_obstacle(percept, belief, tracks[m, r], k, s, w)
             choose_gaze(percept, belief, memory.head, gazes[m, r], k, s, w)
         exchange(percepts[m], beliefs[m], tracks[m], messages[m], noise[m], k, s, home, rows)

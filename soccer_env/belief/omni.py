@@ -43,6 +43,7 @@ def believe_slice(
             percept, belief, memory = percepts[m, r], beliefs[m, r], memories[m, r]
             believe_pose_omni(percept, belief.own, memory.pose, particles[m, r], noise[m, r], k, s, w, table)
             track_things(percept, belief, tracks[m, r], memory, room, k, s, w)
+            belief.obstacle.distance = belief.obstacle.bearing = 0.0  # there is no ranger
         exchange_radio(percepts[m], beliefs[m], tracks[m], messages[m], noise[m], k, s, w, home, rows)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from soccer_env.leagues.league import League
+from soccer_env.leagues.legged_sensors import LeggedSensors
 from soccer_env.leagues.robot import DRIVE_KINDS
 
 GROUPS = {  # what of each part of a league goes into the record, as part_field
@@ -30,6 +31,7 @@ CONSTANTS = np.dtype(
         ("corner_y", "f8", (OUTLINE,)),  # [m] robot frame
         ("corners", "i8"),  # how many
         ("walled", "i8"),  # 1: boards on the lines
+        ("ranger", "i8"),  # 1: robots have an infrared ranger
         ("drive_kind", "i8"),
         ("gait_steps", "i8"),
         ("slip_steps", "i8"),  # control steps for which a drawn slip holds
@@ -47,6 +49,11 @@ CONSTANTS = np.dtype(
 )
 
 
+def has_ranger(league: League) -> bool:
+    """Tell whether the robots of a league have an infrared ranger."""
+    return isinstance(league.sensors, LeggedSensors)
+
+
 def constants_of(league: League) -> np.ndarray:
     """Return the (1,) record of a league's numbers, with instant placement and no drill."""
     record = np.zeros(1, CONSTANTS)
@@ -57,7 +64,7 @@ def constants_of(league: League) -> np.ndarray:
     for index, (x, y) in enumerate(league.body.corners):
         record["corner_x"][0, index], record["corner_y"][0, index] = x, y
     record["corners"] = len(league.body.corners)
-    record["walled"] = league.pitch.walled
+    record["walled"], record["ranger"] = league.pitch.walled, has_ranger(league)
     record["drive_kind"] = DRIVE_KINDS[league.drive.kind]
     record["gait_steps"] = league.drive.gait_steps
     record["slip_steps"] = max(1, round(league.drive.slip_time * league.control_rate))

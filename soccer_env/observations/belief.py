@@ -8,8 +8,11 @@ from __future__ import annotations
 
 from math import cos, inf, sin, sqrt
 
+import numpy as np
+
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
+from soccer_env.leagues.constants import has_ranger
 from soccer_env.leagues.league import League
 from soccer_env.observations.body import write_command, write_duty, write_joints
 from soccer_env.observations.entry import Entry, slot_entries
@@ -33,13 +36,19 @@ PLAYER_MORE = (
     ("confidence", "confidence in this player", "100"),
     ("age", "time since it was seen", "soft: t / (t + 1 s)"),
 )
+OBSTACLE = (  # of robots with an infrared ranger
+    ("obstacle_near", "nearness of somebody whom the ranger alone knows of; 0: nobody", "soft: a / (distance + a)"),
+    ("obstacle_cos", "cosine of its bearing; 0 if there is nobody", "1"),
+    ("obstacle_sin", "sine of its bearing; 0 if there is nobody", "1"),
+)
 FIXED = OWN + OWN_MORE + BALL + BALL_MORE + GOALS + GAME
 BELIEVED_PLAYER = PLAYER + PLAYER_MORE
 
 
 def entries(league: League) -> list[Entry]:
     """Return the entries of a robot's observation in a league, in order."""
-    return [Entry(*row) for row in FIXED] + slot_entries(league, BELIEVED_PLAYER)
+    rows = FIXED + (OBSTACLE if has_ranger(league) else ())
+    return [Entry(*row) for row in rows] + slot_entries(league, BELIEVED_PLAYER)
 
 
 @compiled
@@ -54,6 +63,8 @@ def observe_belief_slice(beliefs, tracks, robots, observations, constants, half_
             at = write_ball(belief.ball, row, k, diagonal, at)
             at = write_goals(belief.own, row, k, diagonal, at)
             at = write_game(belief.situation, row, half_length, at)
+            if k.ranger == 1:
+                at = write_obstacle(belief.obstacle, row, diagonal, at)
             for slot in range(k.teammate_slots + k.opponent_slots):
                 at = write_player(tracks[m, r, slot], row, k, diagonal, at)
 
@@ -114,6 +125,16 @@ def write_game(situation, row, half_length, at):
     row[at + 3] = 1.0 if half_length == inf else clip(situation.seconds_left / (2.0 * half_length), 0.0, 1.0)
     row[at + 4] = soft(difference, 2.0)
     return at + 5
+
+
+@compiled
+def write_obstacle(obstacle, row, diagonal, at):
+    """Write the obstacle that the ranger tells of; without one it is zeros.  MS49"""
+    near, bearing = NEAR * diagonal, np.float64(obstacle.bearing)
+    there = 1.0 if obstacle.distance > 0.0 else 0.0
+    row[at] = there * near / (obstacle.distance + near)
+    row[at + 1], row[at + 2] = there * cos(bearing), there * sin(bearing)
+    return at + 3
 
 
 @compiled

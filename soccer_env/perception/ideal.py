@@ -27,6 +27,7 @@ def believe_truth(match, ball, robots, beliefs, tracks, k, r, rows, squares):
     ball_truth(robot, ball, belief.ball, cosine, sine)
     situation(match, robots, belief.situation, r)
     heard_truth(ball, robots, belief.heard, r)
+    belief.obstacle.distance = belief.obstacle.bearing = 0.0  # all players are where their tracks say
     fill_slots(robots, tracks, k, r, cosine, sine, 1, 0, k.teammate_slots, rows, squares)
     fill_slots(robots, tracks, k, r, cosine, sine, 0, k.teammate_slots, k.opponent_slots, rows, squares)
 

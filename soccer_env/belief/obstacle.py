@@ -1,0 +1,66 @@
+"""The obstacle that a legged robot makes of a reading of its infrared ranger.  [Sacks 2001, 4.3.3]  MS49
+
+The black head of a player that looks down hides its jersey: the player seems much farther than it is, or is not seen at
+all. A reading significantly closer than every player in memory tells of somebody whom the picture does not show:
+
+    distance, bearing    to the middle of that body, as if the beam met its chest (MS35); 0, 0: there is none
+
+It holds for the frame of the reading. Unlike the paper, which takes any reading, this one takes what lies higher than
+ball and boards can, for else these and the carpet were obstacles too, and what is within the ranger's reliable range,
+for beyond it a reading may be half a metre too short. The walls of a goal are higher and count as somebody.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, inf, sin
+
+import numpy as np
+
+from soccer_env.belief.players import range_by_infrared
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.optics import camera_place
+
+
+@compiled
+def believe_obstacle(percept, belief, tracks, k, s, w):
+    """Bring the obstacle of a BELIEF up to the percept of a frame, after its tracks (slots,).  MS49
+
+    A robot that lies on its side or is sent off does not look.
+    """
+    obstacle, body = belief.obstacle, percept.body
+    obstacle.distance = obstacle.bearing = 0.0
+    if w.obstacle == 1 and body.active == 1 and body.upright == 1 and meets_somebody(percept, k, s, w):
+        x, y = place_in_beam(percept, k, s)
+        if length(x, y) < w.obstacle_share * nearest_player(tracks, k):
+            obstacle.distance, obstacle.bearing = length(x, y), atan2(y, x)
+
+
+@compiled
+def meets_somebody(percept, k, s, w):
+    """Tell whether the beam meets something near that is too high for the carpet, the ball and the boards.  MS49"""
+    if not 0.0 < percept.infrared < w.player_infrared_far:
+        return False
+    tilt = np.float64(percept.tilt)
+    _, _, height = camera_place(0.0, tilt, s)
+    lowest = max(2.0 * k.ball_radius, s.board_height) + w.obstacle_margin
+    return height + percept.infrared * sin(tilt) > lowest
+
+
+@compiled
+def place_in_beam(percept, k, s):
+    """Return x, y [m], robot frame, of a player whose chest the beam meets."""
+    pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
+    ahead, left, _ = camera_place(pan, tilt, s)
+    away = range_by_infrared(percept, tilt, k)
+    return ahead + away * cos(pan), left + away * sin(pan)
+
+
+@compiled
+def nearest_player(tracks, k):
+    """Return the distance [m] of the nearest player in memory, of either team; inf without any.  MS49"""
+    nearest = inf
+    for slot in range(k.teammate_slots + k.opponent_slots):
+        if tracks[slot].present == 1:
+            nearest = min(nearest, tracks[slot].distance)
+    return nearest
