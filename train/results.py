@@ -124,6 +124,7 @@ def judge(difference: Estimate, points: Estimate, pairs: int) -> str:
     return "no difference shown"
 
 
+PARTS = ("conditions", "made_with", "about")  # of settings.json
 FILES = ("settings.json", "matches.jsonl", "result.json", "report.md", "match.png")
 
 
@@ -188,9 +189,21 @@ def line_of(record: dict[str, Any], path: Path) -> MatchLine:
     return MatchLine(**record)
 
 
+def read_conditions(path: Path) -> dict[str, Any]:
+    """Return what a settings file says: conditions, made_with, about; ValueError if it does not."""
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{path} cannot be read as JSON ({error}); give another folder or anew") from error
+    lacking = [part for part in PARTS if not (isinstance(found, dict) and isinstance(found.get(part), dict))]
+    if lacking:
+        raise ValueError(f"{path} holds no {', '.join(lacking)}: it is damaged; give another folder or anew")
+    return dict(found)
+
+
 def check_same(path: Path, mine: dict[str, Any], what: str = "an evaluation") -> dict[str, str]:
     """Return what else the settings file says; raise ValueError naming each condition that differs from mine."""
-    theirs = json.loads(path.read_text(encoding="utf-8"))
+    theirs = read_conditions(path)
     differences = [
         f"{name} {theirs[part].get(name)!r} there, {mine[part].get(name)!r} now"
         for part in ("conditions", "made_with")

@@ -116,6 +116,24 @@ def test_quick_takes_few_samples_and_marks_its_verdicts(tmp_path: Path) -> None:
     assert "undecided (quick)" in (tmp_path / "report.md").read_text()
 
 
+@pytest.mark.parametrize(
+    ("text", "complaint"),
+    [
+        ("{}", "holds no conditions, made_with, about: it is damaged; give another folder or anew"),
+        ("[1]", "holds no conditions, made_with, about"),
+        ('{"conditions": {}, "made_with": {}, "about": 3}', "holds no about"),
+        ('{"conditions": ', "cannot be read as JSON"),
+        ("", "cannot be read as JSON"),
+    ],
+)
+def test_a_damaged_settings_file_is_a_plain_complaint(tmp_path: Path, text: str, complaint: str) -> None:
+    run("A1", out=tmp_path)
+    (tmp_path / "settings.json").write_text(text)
+    with pytest.raises(ValueError, match=f"settings.json {complaint}"):
+        run("A1", out=tmp_path)
+    assert run("A1", out=tmp_path, anew=True)[0].verdict == "reproduced"
+
+
 def test_minutes_choose_numbers_of_batches_not_times() -> None:
     (result,) = run("A3", minutes=0.5)  # 30 s at 3 s a batch
     assert result.cap == 200
