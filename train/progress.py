@@ -1,15 +1,20 @@
-"""A progress bar on stderr, silent when that is no terminal."""
+"""How far a long piece of work is: a bar on stderr, or a plain line now and then where that is no terminal."""
 
 from __future__ import annotations
 
 import sys
+import time
 from typing import Any
+
+EVERY = 15.0  # [s] between two plain lines, at least
 
 
 class Progress:
-    """A bar over an amount of work; use it as a context manager."""
+    """A bar over an amount of work, or plain lines; use it as a context manager."""
 
     def __init__(self, title: str, total: float) -> None:
+        self._title, self._total, self._done, self._words = title, total, 0.0, ""
+        self._said = time.monotonic()
         self._bar: Any = None
         if sys.stderr.isatty() and total > 0:
             from rich.console import Console
@@ -32,10 +37,25 @@ class Progress:
 
     def advance(self, amount: float) -> None:
         """Move the bar on by an amount of work."""
+        self._done += amount
         if self._bar is not None:
             self._bar.advance(self._task, amount)
+        else:
+            self._say()
 
     def note(self, text: str) -> None:
         """Show a few words beside the bar."""
+        self._words = text
         if self._bar is not None:
             self._bar.update(self._task, note=text)
+        else:
+            self._say()
+
+    def _say(self) -> None:
+        """Print a line, if the last one is some time ago."""
+        now = time.monotonic()
+        if self._total <= 0 or now - self._said < EVERY:
+            return
+        self._said = now
+        words = f", {self._words}" if self._words else ""
+        print(f"{self._title}: {100 * self._done / self._total:.0f} %{words}", file=sys.stderr, flush=True)
