@@ -47,7 +47,10 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
     claims = find_claims(asked, known)
     if settings.anew:
         remove_files(settings.out)
-    conditions = {"claims": [claim.id for claim in claims], "budget": settings.budget, "seed": settings.seed}
+    conditions = {
+        "claims": [claim.id for claim in claims], "budget": settings.budget, "pose": settings.pose,
+        "seed": settings.seed,
+    }  # fmt: skip
     today = datetime.datetime.now(datetime.timezone.utc).date().isoformat()
     about = {"command": command_of(settings), "date": today, "commit": commit()}
     folder = ClaimFolder(settings.out, conditions, made_with(claims), about)
@@ -85,10 +88,11 @@ def examine(claim: Claim, settings: ReproduceSettings, cap: int, folder: ClaimFo
     """Take batches of a claim until it is decided, keep the result, and return how many were taken."""
     looks = looks_at(cap, claim.least)
     confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
+    pose = claim.pose or settings.pose
     batches: list[Samples] = []
     findings: list[Finding] = []
     for index in range(cap):
-        batches.append(claim.measure(Batch(claim.id, settings.seed, index, settings.threads)))
+        batches.append(claim.measure(Batch(claim.id, settings.seed, index, settings.threads, pose)))
         progress.advance(claim.seconds)
         if index + 1 in looks:
             findings = [find(criterion, joined(batches), confidence) for criterion in claim.criteria]
@@ -96,7 +100,8 @@ def examine(claim: Claim, settings: ReproduceSettings, cap: int, folder: ClaimFo
                 break
     without: list[Finding] = []
     if claim.without is not None:
-        off = [claim.without.measure(Batch(claim.id, settings.seed, i, settings.threads)) for i in range(len(batches))]
+        indices = range(len(batches))
+        off = [claim.without.measure(Batch(claim.id, settings.seed, i, settings.threads, pose)) for i in indices]
         without = [find(criterion, joined(off), confidence) for criterion in claim.criteria]
     folder.add(result_of(claim, settings, joined(batches), findings, without, cap / len(batches), folder.settings))
     return len(batches)
@@ -130,6 +135,7 @@ def result_of(
         method=claim.method,
         verdict=verdict,
         quick=settings.quick,
+        pose=claim.pose or settings.pose,
         estimate=none_or_float(main.estimate) if main else None,
         low=none_or_float(main.low) if main else None,
         high=none_or_float(main.high) if main else None,

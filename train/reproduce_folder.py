@@ -28,6 +28,7 @@ class ClaimResult:
     method: str
     verdict: str
     quick: bool  # few samples were taken
+    pose: str  # how robots knew where they are: "particles" or "percept"
     estimate: float | None  # of the criterion that decides
     low: float | None
     high: float | None
@@ -50,8 +51,14 @@ class ClaimResult:
         return f"{self.verdict} (quick)" if self.quick else self.verdict
 
     def as_dict(self) -> dict[str, Any]:
-        """Return what results.json holds of it."""
-        return {name: value for name, value in asdict(self).items() if name not in ("figures", "settings")}
+        """Return what results.json holds of it; beside the verdict stands how it is shown, marked if it is quick."""
+        record: dict[str, Any] = {}
+        for name, value in asdict(self).items():
+            if name not in ("figures", "settings"):
+                record[name] = value
+            if name == "verdict":
+                record["shown"] = self.marked
+        return record
 
 
 def as_record(finding: Finding) -> dict[str, Any]:

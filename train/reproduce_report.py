@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from soccer_env.train.report import table
 from soccer_env.train.reproduce_folder import ClaimFolder, ClaimResult
+from soccer_env.train.settings import POSES
 from soccer_env.train.verdicts import CONTEXT, UNDECIDED, VERDICTS
 
 if TYPE_CHECKING:
@@ -33,10 +34,10 @@ def markdown(results: Sequence[ClaimResult], folder: ClaimFolder, plots: dict[st
     ]
     counts = Counter(result.verdict for result in results)
     total = ", ".join(f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict])
-    quick = ' Few samples were taken: verdicts are marked "quick".' if any(result.quick for result in results) else ""
+    quick = ' Few samples were taken: verdicts are marked "(quick)".' if any(result.quick for result in results) else ""
     lines = [
         "# Claims of the papers, measured",
-        f"{len(results)} claims: {total}.{quick}",
+        f"{len(results)} claims: {total}.{quick} {poses_of(results)}",
         table(("id", "claim", "verdict", "estimate (95 % interval)", "n"), [row(result) for result in results]),
         EXPLANATION,
         trouble and trouble[0].upper() + trouble[1:] + ". The same data stand here as tables.",
@@ -47,6 +48,14 @@ def markdown(results: Sequence[ClaimResult], folder: ClaimFolder, plots: dict[st
         f"```bash\n{about.get('command', '')}\n```",
     ]
     return "\n\n".join(line for line in lines if line) + "\n"
+
+
+def poses_of(results: Sequence[ClaimResult]) -> str:
+    """Return in a sentence how robots knew where they are."""
+    ids = {pose: [result.id for result in results if result.pose == pose] for pose in POSES}
+    used = {pose: ids[pose] for pose in POSES if ids[pose]}
+    each = [pose if len(used) == 1 else f"{pose} ({', '.join(names)})" for pose, names in used.items()]
+    return f"Own pose: {', '.join(each)}."
 
 
 def row(result: ClaimResult) -> tuple[str, ...]:
@@ -64,7 +73,7 @@ def section(result: ClaimResult, plots: Sequence[str]) -> str:
     parts = [
         f"## {result.id}: {result.marked}",
         f"{result.statement} [{source}]",
-        f"Measured: {result.method} {n}.",
+        f"Measured: {result.method} {n}. Own pose: {result.pose}.",
         findings_table(result.findings),
         f"Rests on: {'; '.join(result.ingredients)}." if result.ingredients else "",
         f"With the ingredient off ({result.without}):" if result.without else "",
@@ -114,7 +123,8 @@ def screen_table(results: Sequence[ClaimResult]) -> Table:
     """Return the verdicts as a table for the terminal."""
     from rich.table import Table
 
-    drawn = Table(title="Claims of the papers, measured", title_justify="left")
+    title = f"Claims of the papers, measured. {poses_of(results)}"
+    drawn = Table(title=title, title_justify="left")
     for column in ("id", "claim", "verdict", "estimate (95 % interval)", "n"):
         drawn.add_column(column, overflow="fold")
     for result in results:

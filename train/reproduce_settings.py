@@ -9,10 +9,11 @@ import shlex
 from dataclasses import dataclass
 from math import floor
 from pathlib import Path
+from typing import Literal
 
 import tyro
 
-from soccer_env.train.settings import is_number, whole
+from soccer_env.train.settings import POSES, is_number, whole
 
 
 @dataclass(frozen=True)
@@ -29,10 +30,14 @@ class ReproduceSettings:
     all: bool = False
     """Measure every claim that is built."""
     quick: bool = False
-    """Take few samples: a first look, all claims within five minutes after compiling. Verdicts are marked "quick"."""
+    """Take few samples: a first look, all claims within five minutes after compiling. Verdicts are marked "(quick)"
+    wherever they are shown."""
     minutes: float | None = None
     """Take as many samples as fit in so many minutes, shared evenly over the claims, by the cost of a sample that
     each claim states for one core; not by the clock."""
+    pose: Literal["particles", "percept"] = "particles"
+    """How robots know where they are: a particle filter, or a noisy pose that is given. The report and results.json
+    name it for every claim; a claim about the particles (H27) is measured with them."""
     seed: int = 0
     """Seed from which all samples follow, 0 or more."""
     threads: int = 1
@@ -46,6 +51,8 @@ class ReproduceSettings:
         if isinstance(self.out, str):
             object.__setattr__(self, "out", Path(self.out))
         object.__setattr__(self, "claims", tuple(self.claims))
+        if self.pose not in POSES:
+            raise ValueError(f"pose must be one of {', '.join(POSES)}, got {self.pose!r}")
         whole("seed", self.seed, 0)
         whole("threads", self.threads, 1)
         if bool(self.claims) == self.all:
@@ -74,6 +81,7 @@ def command_of(settings: ReproduceSettings, claim: str = "") -> str:
     words += ["--all"] if settings.all and not single else []
     words += ["--quick"] if settings.quick else []
     words += ["--minutes", f"{settings.minutes:g}"] if settings.minutes is not None else []
+    words += ["--pose", settings.pose] if settings.pose != POSES[0] else []
     words += ["--seed", f"{settings.seed}"]
     if not claim:
         words += ["--threads", f"{settings.threads}"] if settings.threads != 1 else []

@@ -1,6 +1,7 @@
 """The reproduction bench: stops when a claim is decided, resumes, refuses what does not belong together."""
 
 import dataclasses
+import io
 import json
 import subprocess
 import sys
@@ -8,20 +9,24 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from rich.console import Console
 
 from soccer_env.train.claims import MODULES, all_claims, find_claims
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.command_line import main
 from soccer_env.train.reproduce import looks_at, reproduce
 from soccer_env.train.reproduce_folder import ClaimResult
+from soccer_env.train.reproduce_report import screen_table
 from soccer_env.train.reproduce_settings import ReproduceSettings, command_of
 from soccer_env.train.verdicts import Criterion, Samples, counted, measured, reported
 
 CALLS: list[tuple[str, int]] = []  # claim, batch
+POSES: list[str] = []  # of the same batches
 
 
 def draw(batch: Batch, mean: float = 0.0, count: int = 20) -> Samples:
     CALLS.append((batch.claim, batch.index))
+    POSES.append(batch.pose)
     return {"x": batch.rng().normal(mean, 1.0, count), "one": np.ones(count), "up": batch.rng().random(count) < 0.9}
 
 
@@ -52,6 +57,7 @@ KNOWN = {
         claim("A5", 0.0, reported("mean", mean)),
         claim("A6", 0.0, counted("at least 60 %", "up", "one", at_least=60.0), measured("mean < -1", mean, below=-1.0)),
         claim("look", 0.0, study=True),
+        claim("lost", 0.0, study=True, pose="particles"),
     )
 }
 
@@ -59,6 +65,7 @@ KNOWN = {
 @pytest.fixture(autouse=True)
 def no_calls() -> None:
     CALLS.clear()
+    POSES.clear()
 
 
 def run(*names: str, **settings: object) -> list[ClaimResult]:
@@ -113,7 +120,35 @@ def test_one_violated_criterion_is_enough_and_each_is_shown() -> None:
 def test_quick_takes_few_samples_and_marks_its_verdicts(tmp_path: Path) -> None:
     (result,) = run("A3", quick=True, out=tmp_path)
     assert result.n == 20 and result.quick and result.marked == "undecided (quick)"
-    assert "undecided (quick)" in (tmp_path / "report.md").read_text()
+    report = (tmp_path / "report.md").read_text()
+    assert "| undecided (quick) |" in report and "## A3: undecided (quick)" in report
+    (record,) = json.loads((tmp_path / "results.json").read_text())
+    names = list(record)
+    assert (record["verdict"], record["shown"], record["quick"]) == ("undecided", "undecided (quick)", True)
+    assert names[names.index("verdict") :][:3] == ["verdict", "shown", "quick"]
+
+
+def test_the_printed_table_marks_quick_verdicts_and_names_the_own_pose() -> None:
+    printed = io.StringIO()
+    Console(file=printed, width=200).print(screen_table(run("A1", quick=True, pose="percept")))
+    assert "reproduced (quick)" in printed.getvalue() and "Own pose: percept." in printed.getvalue()
+
+
+def test_every_result_names_the_own_pose_that_it_was_measured_with(tmp_path: Path) -> None:
+    run("A1", "lost", out=tmp_path / "a")
+    run("A1", "lost", pose="percept", out=tmp_path / "b")
+    assert list(POSES) == ["particles", *["particles"] * 8, "percept", *["particles"] * 8]
+    for name, poses, sentence in (
+        ("a", ["particles", "particles"], "Own pose: particles.\n"),
+        ("b", ["percept", "particles"], "Own pose: particles (lost), percept (A1).\n"),
+    ):
+        records = json.loads((tmp_path / name / "results.json").read_text())
+        assert [record["pose"] for record in records] == poses
+        report = (tmp_path / name / "report.md").read_text()
+        assert sentence in report and report.count(f"Own pose: {poses[0]}.\n") >= 1
+    assert records[0]["command"] == "soccer reproduce A1 --pose percept --seed 0"
+    with pytest.raises(ValueError, match="pose 'percept' there, 'particles' now"):
+        run("A1", "lost", out=tmp_path / "b")
 
 
 @pytest.mark.parametrize(
@@ -227,6 +262,7 @@ def test_an_unknown_claim_says_which_exist() -> None:
         (["reproduce", "S05", "--minutes", "0"], "minutes must be above 0"),
         (["reproduce", "S05", "--minutes", "3", "--quick"], "give quick or minutes, not both"),
         (["reproduce", "S05", "--seed", "-1"], "seed must be a whole number"),
+        (["reproduce", "S05", "--pose", "compass"], "invalid choice 'compass'"),
     ],
 )
 def test_a_mistake_is_one_line(words: list[str], complaint: str, capsys: pytest.CaptureFixture[str]) -> None:

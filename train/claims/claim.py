@@ -22,6 +22,7 @@ class Batch:
     seed: int  # of the whole run
     index: int  # 0, 1, ...
     threads: int = 1  # that may share the work; no result depends on it
+    pose: str = "particles"  # how robots know where they are: "particles" or "percept"
 
     def sequence(self) -> np.random.SeedSequence:
         """Return the seed sequence of this batch, which no other batch or claim shares."""
@@ -94,6 +95,7 @@ class Claim:
     without: Without | None = None  # by construction
     figures: Callable[[Samples], Sequence[Figure]] = no_figures
     note: str | Callable[[Samples], str] = ""  # what a reader of the result should know
+    pose: str = ""  # the own pose that the claim is about; "" for the one that the run asks for
     study: bool = field(default=False)  # no claim of a paper: measured when it is named, not by --all
 
 

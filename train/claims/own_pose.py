@@ -80,9 +80,7 @@ def carry_away(match: Match, rng: np.random.Generator) -> None:
 def drive_and_carry(batch: Batch) -> Samples:
     """Return errors of place and heading while driving (M, T), and the time to recover after being carried (M,)."""
     rng = batch.rng()
-    match = stage(
-        batch, MIDDLE, matches=MATCHES, away=OTHERS, pose="particles", senses={"home": "sensors", "away": "ideal"}
-    )
+    match = stage(batch, MIDDLE, matches=MATCHES, away=OTHERS, senses={"home": "sensors", "away": "ideal"})
     for r in range(1 + OTHERS):  # in two rows, apart from each other
         x, y = 2.0 * (r // 2) - 4.0, 3.0 * (r % 2) - 1.5
         aside = rng.uniform(-0.6, 0.6, (2, MATCHES))
@@ -154,6 +152,7 @@ H27 = Claim(
     seconds=5.0,
     figures=pose_figures,
     ingredients=("memory.particles = 96", "sensors.lines, line_range, goal_miss", "memory.pose_fresh"),
+    pose="particles",
 )
 
 CLAIMS = (H27,)

@@ -33,9 +33,10 @@ def stage(
 ) -> Match:
     """Return matches in play whose robots use their sensors, all parked off the field, the ball at the centre.
 
-    `settings` are those of a Match: sensors={...}, memory={...}, pose=... Every variant of a batch has the same seeds.
+    `settings` are those of a Match: sensors={...}, memory={...}; the batch says how robots know where they are. Every
+    variant of a batch has the same seeds.
     """
-    asked = {"observe": "belief", "senses": "sensors", "pose": "particles", **settings}
+    asked = {"observe": "belief", "senses": "sensors", "pose": batch.pose, **settings}
     match = Match(
         patient(league), matches=matches, home=home, away=away, seeds=batch.seeds(matches), threads=batch.threads,
         **asked,
@@ -49,7 +50,7 @@ def kick_off(
     batch: Batch, league: str | League = LEGGED, *, matches: int = 32, team: str = "chaser", **settings: Any
 ) -> Match:
     """Return matches of the league's own team sizes from the kick-off, both sides played by a team on its sensors."""
-    asked = {"senses": "sensors", "pose": "particles", "controllers": {"home": team, "away": team}, **settings}
+    asked = {"senses": "sensors", "pose": batch.pose, "controllers": {"home": team, "away": team}, **settings}
     return Match(find_league(league), matches=matches, seeds=batch.seeds(matches), threads=batch.threads, **asked)
 
 
