@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isfinite
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from soccer_env.train.results import HALF_WIDTH, EvaluationResult
 from soccer_env.train.statistics import interquartile_mean, wilson_interval
@@ -113,6 +116,13 @@ def table(head: tuple[str, ...], cells: Sequence[tuple[str, ...]]) -> str:
     """Return a table in Markdown."""
     ruled = [head, ("---",) * len(head), *cells]
     return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in ruled)
+
+
+def plain(value: float, digits: int) -> str:
+    """Return a number in a few significant digits and never in powers of ten; larger ones whole."""
+    if abs(value) >= 10**digits or not isfinite(value):
+        return f"{value:.0f}"
+    return np.format_float_positional(value, precision=digits, unique=False, fractional=False, trim="-")
 
 
 def screen_table(result: EvaluationResult) -> Table:

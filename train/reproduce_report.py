@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from soccer_env.train.report import table
+from soccer_env.train.report import plain, table
 from soccer_env.train.reproduce_folder import ClaimFolder, ClaimResult
 from soccer_env.train.settings import POSES
 from soccer_env.train.verdicts import CONTEXT, UNDECIDED, VERDICTS
@@ -116,7 +116,7 @@ def with_interval(found: dict[str, Any]) -> str:
 
 def number(value: float | None) -> str:
     """Return a number in a few digits; an open side of an interval as a question mark."""
-    return "?" if value is None else f"{value:.{DIGITS}g}" if abs(value) < 1000 else f"{value:.0f}"
+    return "?" if value is None else plain(value, DIGITS)
 
 
 def screen_table(results: Sequence[ClaimResult]) -> Table:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.train.report import markdown, sentence
+from soccer_env.train.report import markdown, plain, sentence
 from soccer_env.train.results import EvaluationResult, Folder, MatchLine, remove_files, summarise
 from soccer_env.train.settings import Conditions, EvaluateSettings, conditions_of
 
@@ -182,3 +182,15 @@ def test_files_are_removed_and_others_stay(tmp_path: Path) -> None:
     remove_files(tmp_path)
     remove_files(None)
     assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]
+
+
+@pytest.mark.parametrize(
+    ("value", "digits", "text"),
+    [
+        (99.7, 2, "100"), (99.4, 2, "99"), (100.0, 2, "100"), (123.4, 2, "123"), (3.02, 2, "3"), (0.0, 2, "0"),
+        (999.7, 3, "1000"), (-999.7, 3, "-1000"), (0.00404, 3, "0.00404"), (0.0000123, 3, "0.0000123"),
+        (81.04, 3, "81"), (float("nan"), 2, "nan"), (float("inf"), 3, "inf"),
+    ],
+)  # fmt: skip
+def test_numbers_of_tables_are_plain(value: float, digits: int, text: str) -> None:
+    assert plain(value, digits) == text

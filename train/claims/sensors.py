@@ -25,11 +25,12 @@ from soccer_env.train.claims.staging import (
     wrapped,
 )
 from soccer_env.train.claims.values import in_bins, mean, middles_of, rms
-from soccer_env.train.report import table
+from soccer_env.train.report import plain, table
 from soccer_env.train.verdicts import Samples
 
 MATCHES = 256
 SETTLE, SECONDS = 1.5, 1.0  # [s]
+DIGITS = 2  # significant digits of the tables
 PLAIN = {"patches": 0.0, "red_as_orange": 0.0}
 LEGGED_EDGES = (0.2, 0.4, 0.6, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5)  # [m]
 MIDDLE_EDGES = (0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # [m]
@@ -185,8 +186,8 @@ def sensor_tables(samples: Samples) -> str:
         head = (league, *(f"{low:g} to {high:g} m" for low, high in zip(edges, edges[1:], strict=False)))
         rows = []
         for one in (estimate for estimate in ESTIMATES if estimate.league == league):
-            cells = [f"{x:.2g}" if abs(x) < 100 else f"{x:.0f}" for x in profile(samples, one)]
-            rows.append((f"{one.name} [{one.unit}]", *(cell.replace("nan", "-") for cell in cells)))
+            cells = [plain(x, DIGITS).replace("nan", "-") for x in profile(samples, one)]
+            rows.append((f"{one.name} [{one.unit}]", *cells))
         parts.append(table(head, rows))
     return "\n\n".join(["Rms errors in frames that show the thing, and the share of frames that do:", *parts])
 
