@@ -6,9 +6,9 @@ Every number was written down before the first claim was measured with it. "assu
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf, pi
+from math import pi
 
-from soccer_env.leagues.options import Options, within
+from soccer_env.leagues.options import GREATEST, SIGNED, Options
 from soccer_env.leagues.pose_memory import PoseMemory
 
 DEGREE = pi / 180.0
@@ -22,10 +22,6 @@ PLAYER_BLOBS = {"largest": 0, "combined": 1}
 PLAYER_VIEWS = {"front": 0, "side": 1}
 PROBABILITIES = ("ball_miss", "player_miss", "landmark_miss", "red_as_orange", "audio_loss")
 LENGTHS = ("patch_size", "goal_height", "landmark_radius", "head_size", "trunk_height", "infrared_far")
-ASCENDING = (
-    ("patch_low", "patch_high"), ("landmark_low", "landmark_high"), ("trunk_low", "trunk_height"),
-    ("infrared_near", "infrared_far"),
-)  # fmt: skip
 PATCHES_MOST = 64  # that a sketch of the picture has room for, with all that is orange besides
 AVERAGED_MOST = 6  # estimates of the ball's position that a robot's memory has room for
 
@@ -35,7 +31,17 @@ class LeggedSensors(Options):
     """Camera, infrared ranger, odometry, touch, tilt and loudspeaker of an ERS-210.  MS04, MS05, MS06, MS37"""
 
     NAMES = {"resolution": RESOLUTIONS}
-    SIGNED = ("camera_up", "sticker_head_x")
+    BOUNDS = {
+        **dict.fromkeys(PROBABILITIES, (0.0, 1.0)), **dict.fromkeys(LENGTHS, (0.001, GREATEST)),
+        **dict.fromkeys(("view_width", "view_height"), (DEGREE, 179.0 * DEGREE)),
+        **dict.fromkeys(("camera_up", "sticker_head_x"), SIGNED),
+        "scale_error": (0.0, 0.5), "patches": (0.0, PATCHES_MOST),
+    }  # fmt: skip
+    ORDER = (
+        ("patch_low", "at most", "patch_high"), ("landmark_low", "at most", "landmark_high"),
+        ("trunk_low", "at most", "trunk_height"), ("infrared_near", "at most", "infrared_far"),
+    )  # fmt: skip
+    EVEN = {"patches": "for patches stand in pairs opposite each other"}
 
     resolution: str = "88x72"  # [px] the layer of the paper's "low resolution camera" (claim S15)
     view_width: float = 57.6 * DEGREE  # [rad] ERS-210 data sheet
@@ -92,24 +98,6 @@ class LeggedSensors(Options):
     audio_delay: float = 0.5  # [s] assumed
     audio_loss: float = 0.2  # [1] share of words that are not understood, assumed
 
-    def check_together(self) -> None:
-        """Raise ValueError for sensors that cannot be."""
-        within(self, 0.0, 1.0, PROBABILITIES)
-        within(self, DEGREE, 179.0 * DEGREE, ("view_width", "view_height"))
-        within(self, 0.001, inf, LENGTHS)
-        within(self, 0.0, 0.5, ("scale_error",))
-        within(self, 0.0, PATCHES_MOST, ("patches",))
-        for low, high in ASCENDING:
-            if getattr(self, low) > getattr(self, high):
-                raise ValueError(
-                    f"LeggedSensors.{low} must be at most {high} {getattr(self, high)}, got {getattr(self, low)}"
-                )
-        if self.patches % 2.0 != 0.0:
-            raise ValueError(
-                "LeggedSensors.patches must be an even whole number, for patches stand in pairs opposite each other, "
-                f"got {self.patches}"
-            )
-
 
 @dataclass(frozen=True)
 class LeggedMemory(PoseMemory):
@@ -119,6 +107,9 @@ class LeggedMemory(PoseMemory):
         "ball_range": RANGES, "ball_size": SIZES, "odometry": ODOMETRY, "radial_from": POSITIONS,
         "angular_from": POSITIONS, "slots": SLOTS, "player_blob": PLAYER_BLOBS, "player_view": PLAYER_VIEWS,
     }  # fmt: skip
+    BOUNDS = {"averaged": (1, AVERAGED_MOST)}
+    # Two readings have to make a velocity; a ball that was near must not need a smaller blob than one that was far.
+    ORDER = (("velocity_interval", "at most", "velocity_gap"), ("area_small", "at most", "area_large"))
 
     fading: float = 10.0  # [1/s] loss of confidence (0 to 100) of what is not seen, assumed  MS03
     ball_range: str = "size"  # infrared: the ranger alone, the experiment of 3.1.1  MS09
@@ -175,18 +166,3 @@ class LeggedMemory(PoseMemory):
     pose_push: float = 0.02
     pose_push_turn: float = 0.1
     pose_radius: float = 0.30
-
-    def check_together(self) -> None:
-        """Raise ValueError for what no memory of ball or pose can do."""
-        super().check_together()
-        if not 1 <= self.averaged <= AVERAGED_MOST:
-            raise ValueError(f"LeggedMemory.averaged must be 1 to {AVERAGED_MOST}, got {self.averaged}")
-        if self.velocity_gap < self.velocity_interval:
-            raise ValueError(
-                f"LeggedMemory.velocity_gap must be velocity_interval ({self.velocity_interval}) or more, "
-                f"got {self.velocity_gap}: no two readings would make a velocity"
-            )
-        if self.area_large < self.area_small:
-            raise ValueError(
-                f"LeggedMemory.area_large must be area_small ({self.area_small}) or more, got {self.area_large}"
-            )

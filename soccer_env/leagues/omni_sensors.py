@@ -6,9 +6,8 @@ Every number was written down before the first claim was measured with it. "assu
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf
 
-from soccer_env.leagues.options import Options, within
+from soccer_env.leagues.options import GREATEST, Options
 from soccer_env.leagues.pose_memory import PoseMemory
 from soccer_env.percept_types import LINES
 
@@ -18,6 +17,8 @@ PROBABILITIES = (
     *("ball_miss", "player_miss", "false_balls", "line_miss", "goal_miss", "barrier_miss", "radio_loss"),
     *("light_drift", "odometry_noise"),
 )
+LENGTHS = ("camera_height", "detection_width", "line_range", "light_period", "table_width")
+NOISES = ("pixel_noise", "pose_noise", "pose_turn_noise", "place_noise", "place_turn_noise")
 COLOUR_TABLES = {"adaptive": 0, "fixed": 1}
 FILTERS = {"kalman": 0, "least-squares": 1, "none": 2}
 
@@ -27,6 +28,12 @@ class OmniSensors(Options):
     """Omnidirectional camera, wheel encoders, light barrier, radio.  [Heinemann et al. 2006, 1, 2]  MH02, MH05, MH07"""
 
     NAMES = {"colour_table": COLOUR_TABLES}
+    BOUNDS = {
+        "image": (16, 4096), "lines": (1, LINES), "camera_delay": (0, MOST_DELAY), "hidden_radius": (0.0, 1e3),
+        **dict.fromkeys(PROBABILITIES, (0.0, 1.0)), **dict.fromkeys(NOISES, (0.0, 100.0)),
+        **dict.fromkeys(LENGTHS, (LEAST, GREATEST)), **dict.fromkeys(("mirror_edge", "mirror_curve"), (LEAST, 1e3)),
+    }  # fmt: skip
+    ORDER = (("hidden_radius", "less than", "mirror_edge"),)
 
     image: int = 580  # [px] across, Heinemann et al. 2006, 2  MH02
     camera_height: float = 0.75  # [m] assumed (FACTS 2)
@@ -63,27 +70,16 @@ class OmniSensors(Options):
     radio_delay: float = 0.06  # [s] assumed  MH05
     radio_loss: float = 0.05  # [1] share of messages that are lost, assumed  MH05
 
-    def check_together(self) -> None:
-        """Raise ValueError for sensors that cannot be."""
-        within(self, 0.0, 1.0, PROBABILITIES)
-        within(self, 16, 4096, ("image",))
-        within(self, 1, LINES, ("lines",))
-        within(self, 0, MOST_DELAY, ("camera_delay",))
-        within(self, LEAST, inf, ("mirror_edge", "mirror_curve", "camera_height", "detection_width", "line_range"))
-        within(self, LEAST, inf, ("light_period", "table_width"))
-        within(self, LEAST, 1e3, ("mirror_edge", "mirror_curve"))
-        within(self, 0.0, 100.0, ("pixel_noise", "pose_noise", "pose_turn_noise", "place_noise", "place_turn_noise"))
-        if self.hidden_radius >= self.mirror_edge:
-            raise ValueError(
-                f"OmniSensors.hidden_radius must be less than mirror_edge {self.mirror_edge}, got {self.hidden_radius}"
-            )
-
 
 @dataclass(frozen=True)
 class OmniMemory(PoseMemory):
     """How positions and velocities of ball and robots are tracked over time.  [Heinemann et al. 2006, 1, 3]  MH06"""
 
     NAMES = {"filter": FILTERS}
+    BOUNDS = {
+        "surprise_count": (1, 100), "window": (2.0, 100.0), "pose_line_noise": (LEAST, 1e3),
+        **dict.fromkeys(("ball_agility", "player_agility"), (0.0, 1e3)),
+    }  # fmt: skip
 
     fading: float = 25.0  # [1/s] loss of confidence (0 to 100) of what is not seen, assumed
     filter: str = "kalman"  # least-squares: a fading line fit; none: the last reading  MH06
@@ -108,11 +104,3 @@ class OmniMemory(PoseMemory):
     pose_push: float = 1.0
     pose_push_turn: float = 2.0
     pose_radius: float = 0.60
-
-    def check_together(self) -> None:
-        """Raise ValueError for a memory that cannot be."""
-        super().check_together()
-        within(self, 1, 100, ("surprise_count",))
-        within(self, 2.0, 100.0, ("window",))
-        within(self, LEAST, 1e3, ("pose_line_noise",))
-        within(self, 0.0, 1e3, ("ball_agility", "player_agility"))

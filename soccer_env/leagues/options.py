@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import inspect
+import operator
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
-from math import inf, isfinite
 from typing import Any, ClassVar, TypeVar
 
 import numpy as np
@@ -14,23 +14,28 @@ import numpy as np
 from soccer_env.leagues.checks import is_number
 
 GREATEST = 1e6  # no number of sensors or memory is larger
+NUMBER = (0.0, GREATEST)  # least and greatest value of a field whose class says nothing else
+SIGNED = (-GREATEST, GREATEST)
+BELOW = {"at most": (operator.le, "at least"), "less than": (operator.lt, "more than")}  # and what the larger one is
 
 T = TypeVar("T", bound="Options")
 
 
 class Options:
-    """A frozen dataclass whose fields are numbers of zero or more, switches (bool), or one of some names.
+    """A frozen dataclass whose fields are numbers, switches (bool), or one of some names; see class attributes.
 
-    `NAMES` maps a field to the names that it may take and their codes; fields in `SIGNED` may be negative.
+    What may stand in a field is checked and listed by the same four tables; BOUNDS of a class add to its parents'.
     """
 
-    NAMES: ClassVar[Mapping[str, Mapping[str, int]]] = {}
-    SIGNED: ClassVar[tuple[str, ...]] = ()
+    NAMES: ClassVar[Mapping[str, Mapping[str, int]]] = {}  # the names that a field may take, and their codes
+    BOUNDS: ClassVar[Mapping[str, tuple[float, float]]] = {}  # least and greatest value, both allowed; else NUMBER
+    ORDER: ClassVar[tuple[tuple[str, str, str], ...]] = ()  # (one field, "at most" or "less than", another)
+    EVEN: ClassVar[Mapping[str, str]] = {}  # fields that must be even whole numbers, and why
 
     def __post_init__(self) -> None:
         for field in fields(self):  # type: ignore[arg-type]
             object.__setattr__(self, field.name, self._checked(field.name, str(field.type), getattr(self, field.name)))
-        self.check_together()
+        self._check_order()
 
     def _checked(self, name: str, kind: str, value: Any) -> Any:
         """Return a field's value as Python's own; ValueError says what is allowed."""
@@ -45,14 +50,37 @@ class Options:
             return bool(value)
         if not is_number(value, kind):
             raise ValueError(f"{where} must be {'a whole number' if kind == 'int' else 'a number'}, got {value!r}")
-        if not isfinite(value) or (value < 0 and name not in self.SIGNED):
-            raise ValueError(f"{where} must be {'finite' if name in self.SIGNED else 'zero or more'}, got {value}")
-        if abs(value) > GREATEST:
-            raise ValueError(f"{where} must be at most {GREATEST:g}, got {value}")
+        low, high = self.bounds(name)
+        if not low <= value <= high:
+            raise ValueError(f"{where} must be {span(low, high)}, got {value}")
+        if name in self.EVEN and value % 2 != 0:
+            raise ValueError(f"{where} must be an even whole number, {self.EVEN[name]}, got {value}")
         return int(value) if kind == "int" else float(value)
 
-    def check_together(self) -> None:
-        """Raise ValueError for values that do not go together."""
+    def _check_order(self) -> None:
+        """Raise ValueError for the first two values that are not in the order that ORDER asks for."""
+        for one, relation, other in self.ORDER:
+            value, bound = getattr(self, one), getattr(self, other)
+            if not BELOW[relation][0](value, bound):
+                raise ValueError(f"{type(self).__name__}.{one} must be {relation} {other} {bound}, got {value}")
+
+    @classmethod
+    def bounds(cls, name: str) -> tuple[float, float]:
+        """Return the least and the greatest value of a field that holds a number."""
+        return next((kind.BOUNDS[name] for kind in kinds_of(cls) if name in kind.BOUNDS), NUMBER)
+
+    @classmethod
+    def allowed(cls, name: str, kind: str) -> str:
+        """Return in words what a field may hold."""
+        if name in cls.NAMES:
+            return ", ".join(cls.NAMES[name])
+        if kind == "bool":
+            return "True, False"
+        words = ["whole"] if kind == "int" else []
+        words += [span(*cls.bounds(name)), *(["even"] if name in cls.EVEN else [])]
+        words += [f"{relation} {other}" for one, relation, other in cls.ORDER if one == name]
+        words += [f"{BELOW[relation][1]} {one}" for one, relation, other in cls.ORDER if other == name]
+        return ", ".join(words)
 
     def changed(self: T, changes: Mapping[str, Any]) -> T:
         """Return the settings with some of them changed by name; ValueError for an unknown name says which exist."""
@@ -63,13 +91,11 @@ class Options:
         return replace(self, **changes)  # type: ignore[type-var]
 
     def rows(self) -> Iterator[tuple[str, Any, str, str]]:
-        """Yield name, value, what is allowed, and the note beside each field in its source: unit and source."""
+        """Yield name, value, what is allowed, and the note beside each field in its source; inherited fields last."""
         notes = notes_of(type(self))
-        for field in fields(self):  # type: ignore[arg-type]
-            kinds = {"bool": "True, False", "int": "whole, 0 or more"}
-            allowed = ", ".join(self.NAMES.get(field.name, ())) or kinds.get(str(field.type), "0 or more")
-            if field.name in self.SIGNED:
-                allowed = "any number"
+        inherited = {field.name for kind in kinds_of(type(self))[1:] for field in fields(kind)}  # type: ignore[arg-type]
+        for field in sorted(fields(self), key=lambda field: field.name in inherited):  # type: ignore[arg-type]
+            allowed = self.allowed(field.name, str(field.type))
             yield field.name, getattr(self, field.name), allowed, notes.get(field.name, "")
 
     def record(self) -> np.ndarray:
@@ -81,19 +107,20 @@ class Options:
         return found
 
 
-def within(settings: Options, low: float, high: float, names: tuple[str, ...]) -> None:
-    """Raise ValueError for each of some settings that does not lie between two bounds, both allowed."""
-    for name in names:
-        value = getattr(settings, name)
-        if not low <= value <= high:
-            allowed = f"{low:g} or more" if high == inf else f"{low:g} to {high:g}"
-            raise ValueError(f"{type(settings).__name__}.{name} must be {allowed}, got {value}")
+def span(low: float, high: float) -> str:
+    """Return two bounds in words."""
+    return " to ".join(f"{bound:.0f}" if bound == round(bound) else f"{bound:g}" for bound in (low, high))
+
+
+def kinds_of(kind: type[Options]) -> tuple[type[Options], ...]:
+    """Return a settings class and those settings classes that it inherits from, nearest first."""
+    return kind.__mro__[: kind.__mro__.index(Options)]
 
 
 def notes_of(kind: type[Options]) -> dict[str, str]:
     """Return the comment beside each field of a settings class, or else beside the field that it inherits."""
     notes: dict[str, str] = {}
-    for parent in reversed(kind.__mro__[: kind.__mro__.index(Options)]):
+    for parent in reversed(kinds_of(kind)):
         lines = inspect.getsource(parent).splitlines()
         found = (re.match(r"    (\w+): \w+(?: = .*?)?  # (.*)", line) for line in lines)
         notes |= {match[1]: match[2] for match in found if match}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import pi
 
-from soccer_env.leagues.options import Options, within
+from soccer_env.leagues.options import Options
 
 DEGREE = pi / 180.0
 SHARES = ("pose_fresh", "pose_stuck", "pose_fast", "pose_slow", "pose_fit")
@@ -16,6 +16,11 @@ DRIFTS = ("pose_slip", "pose_drift", "pose_turn_drift", "pose_push", "pose_push_
 @dataclass(frozen=True, kw_only=True)
 class PoseMemory(Options):
     """How a robot finds its own pose; a league gives the numbers that have no value here.  MH08"""
+
+    BOUNDS = {
+        "particles": (1, 65536), "pose_every": (1, 1000), **dict.fromkeys(SHARES, (0.0, 1.0)),
+        **dict.fromkeys(WIDTHS, (1e-3, 1e3)), **dict.fromkeys(DRIFTS, (0.0, 100.0)),
+    }  # fmt: skip
 
     particles: int = 96  # of the own pose  MH08
     pose_every: int  # frames between two updates of the particles, assumed
@@ -34,11 +39,3 @@ class PoseMemory(Options):
     pose_slow: float = 0.02  # [1] in its long-term average, assumed
     pose_fit: float = 0.5  # [1] least fit that a robot expects that knows where it is, assumed
     pose_fading: float = 3.0  # [1/s] loss of confidence (0 to 100) by dead reckoning alone, assumed
-
-    def check_together(self) -> None:
-        """Raise ValueError for what no memory of a pose can do."""
-        within(self, 1, 65536, ("particles",))
-        within(self, 1, 1000, ("pose_every",))
-        within(self, 0.0, 1.0, SHARES)
-        within(self, 1e-3, 1e3, WIDTHS)
-        within(self, 0.0, 100.0, DRIFTS)

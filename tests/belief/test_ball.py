@@ -219,9 +219,9 @@ def test_no_memory_is_asked_to_do_what_it_cannot() -> None:
         LeggedMemory(averaged=7)
     with pytest.raises(ValueError, match="averaged must be 1 to 6, got 0"):
         LeggedMemory(averaged=0)
-    with pytest.raises(ValueError, match="velocity_gap must be velocity_interval"):
+    with pytest.raises(ValueError, match="velocity_interval must be at most velocity_gap 1.5, got 2.0"):
         LeggedMemory(velocity_interval=2.0)
-    with pytest.raises(ValueError, match="area_large must be area_small"):
+    with pytest.raises(ValueError, match="area_small must be at most area_large 1.0, got 2.0"):
         LeggedMemory(area_large=1.0)
 
 

@@ -26,8 +26,8 @@ from soccer_env.leagues.legged_sensors import LeggedSensors
         ({"patches": 3.0}, "patches must be an even whole number"),
         ({"patches": 1000.0}, "patches must be 0 to 64"),
         ({"scale_error": 0.9}, "scale_error must be 0 to 0.5"),
-        ({"head_size": 0.0}, "head_size must be 0.001 or more"),
-        ({"dither": -1.0}, "dither must be zero or more"),
+        ({"head_size": 0.0}, "head_size must be 0.001 to 1000000"),
+        ({"dither": -1.0}, "dither must be 0 to 1000000"),
         ({"resolution": "640x480"}, "resolution must be one of 44x36, 88x72, 176x144"),
     ],
 )

@@ -1,0 +1,82 @@
+"""Settings of sensors and memories: what `soccer list sensors` says is allowed is what is accepted."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import fields
+from math import inf, nan, nextafter
+from typing import Any
+
+import pytest
+
+from soccer_env.leagues.legged_sensors import LeggedMemory, LeggedSensors
+from soccer_env.leagues.omni_sensors import OmniMemory, OmniSensors
+from soccer_env.leagues.options import GREATEST, Options
+from soccer_env.train.command_line import main
+
+KINDS: tuple[type[Options], ...] = (LeggedSensors, LeggedMemory, OmniSensors, OmniMemory)
+
+
+def numbers() -> list[tuple[type[Options], str, str, float, float]]:
+    """Return kind, field, what is allowed, and the least and greatest value in those words, of every number."""
+    found = []
+    for kind in KINDS:
+        for name, value, allowed, _ in kind().rows():
+            if isinstance(value, (int, float)) and not isinstance(value, bool):
+                low, high = re.findall(r"(-?[\d.]+) to ([\d.]+)", allowed)[0]
+                found.append((kind, name, allowed, float(low), float(high)))
+    return found
+
+
+def in_order(kind: type[Options], name: str, value: float) -> dict[str, Any]:
+    """Return settings with this value, and others that go with it."""
+    changes = {name: value}
+    for one, _, other in kind.ORDER:
+        changes |= {other: kind.bounds(other)[1]} if one == name else {}
+        changes |= {one: kind.bounds(one)[0]} if other == name else {}
+    return changes
+
+
+@pytest.mark.parametrize(("kind", "name", "allowed", "low", "high"), numbers())
+def test_the_bounds_that_are_listed_are_those_that_are_enforced(
+    kind: type[Options], name: str, allowed: str, low: float, high: float
+) -> None:
+    whole = allowed.startswith("whole, ")
+    assert (low, high) == pytest.approx(kind.bounds(name), rel=1e-5)
+    low, high = (int(low), int(high)) if whole else kind.bounds(name)
+    reached = high if "less than" not in allowed else nextafter(high, -inf)
+    for value in (low, reached):
+        assert getattr(kind(**in_order(kind, name, value)), name) == value
+    for value in (low - 1, high + 1) if whole else (nextafter(low, -inf), nextafter(high, inf), inf, -inf, nan):
+        with pytest.raises(ValueError, match=rf"{kind.__name__}\.{name} must be "):
+            kind(**in_order(kind, name, value))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_must_be_in_order_is_listed_at_both_fields_and_enforced(kind: type[Options]) -> None:
+    allowed = {row[0]: row[2] for row in kind().rows()}
+    for one, relation, other in kind.ORDER:
+        assert f"{relation} {other}" in allowed[one]
+        assert {"at most": f"at least {one}", "less than": f"more than {one}"}[relation] in allowed[other]
+        equal = getattr(kind(), other)
+        if relation == "at most":
+            assert getattr(kind(**{one: equal}), one) == equal
+        for value in [nextafter(equal, inf), *([equal] if relation == "less than" else [])]:
+            with pytest.raises(ValueError, match=f"{one} must be {relation} {other} {equal}, got {value}"):
+                kind(**{one: value})
+
+
+def test_every_field_has_a_note_and_own_fields_come_first() -> None:
+    for kind in KINDS:
+        rows = list(kind().rows())
+        assert all(note or isinstance(value, bool) for _, value, _, note in rows)
+        assert {row[0] for row in rows} == {field.name for field in fields(kind)}  # type: ignore[arg-type]
+    names = [row[0] for row in OmniMemory().rows()]
+    assert names[0] == "fading" and names.index("pose_line_noise") < names.index("particles")
+
+
+def test_the_list_shows_bounds(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list", "sensors", "--league", "legged-2001"]) == 0
+    printed = " ".join(capsys.readouterr().out.split())
+    assert "0 to 64, even" in printed and "whole, 1 to 6" in printed and "whole, 1 to 65536" in printed
+    assert f"0 to {GREATEST:.0f}" in printed and "0 or more" not in printed
