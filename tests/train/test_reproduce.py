@@ -3,7 +3,6 @@
 import dataclasses
 import io
 import json
-import subprocess
 import sys
 from pathlib import Path
 
@@ -11,13 +10,11 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from soccer_env.train.claims import MODULES, all_claims, find_claims
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.command_line import main
 from soccer_env.train.reproduce import looks_at, reproduce
 from soccer_env.train.reproduce_folder import ClaimResult
 from soccer_env.train.reproduce_report import screen_table
-from soccer_env.train.reproduce_settings import ReproduceSettings, command_of
+from soccer_env.train.reproduce_settings import ReproduceSettings
 from soccer_env.train.verdicts import Criterion, Samples, counted, measured, reported
 
 CALLS: list[tuple[str, int]] = []  # claim, batch
@@ -253,31 +250,6 @@ def test_an_unknown_claim_says_which_exist() -> None:
         run("A1", "S99")
 
 
-@pytest.mark.parametrize(
-    ("words", "complaint"),
-    [
-        (["reproduce"], "give the ids of claims, or --all"),
-        (["reproduce", "S05", "--all"], "give the ids of claims, or --all"),
-        (["reproduce", "X99"], "unknown claim 'X99'; known: "),
-        (["reproduce", "S05", "--minutes", "0"], "minutes must be above 0"),
-        (["reproduce", "S05", "--minutes", "3", "--quick"], "give quick or minutes, not both"),
-        (["reproduce", "S05", "--seed", "-1"], "seed must be a whole number"),
-        (["reproduce", "S05", "--pose", "compass"], "invalid choice 'compass'"),
-    ],
-)
-def test_a_mistake_is_one_line(words: list[str], complaint: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(words) == 2
-    printed = capsys.readouterr().err
-    assert complaint in printed and printed.count("\n") == 1
-
-
-def test_the_command_is_the_one_that_asks_for_the_same() -> None:
-    settings = ReproduceSettings(claims=("S05", "S06"), quick=True, seed=3, threads=2, out="runs/a")
-    assert command_of(settings) == "soccer reproduce S05 S06 --quick --seed 3 --threads 2 --out runs/a"
-    assert command_of(settings, "S06") == "soccer reproduce S06 --quick --seed 3"
-    assert command_of(ReproduceSettings(all=True, minutes=9.0), "S06") == "soccer reproduce --all --minutes 9 --seed 0"
-
-
 def test_batches_draw_from_seeds_of_their_own() -> None:
     draws = {
         tuple(Batch(name, seed, index).seeds(2).tolist()) for name in ("A", "B") for seed in (0, 1) for index in (0, 1)
@@ -285,33 +257,3 @@ def test_batches_draw_from_seeds_of_their_own() -> None:
     assert len(draws) == 8
     assert Batch("A", 0, 0).seeds(4)[:2].tolist() == Batch("A", 0, 0, threads=2).seeds(2).tolist()
     assert Batch("A", 0, 0).rng().random() != Batch("A", 0, 0).rng(1).random()
-
-
-def test_every_built_claim_is_complete() -> None:
-    claims = all_claims()
-    assert len(MODULES) == len(set(MODULES))
-    for name, found in claims.items():
-        texts = (found.paper, found.statement, found.method, *(criterion.text for criterion in found.criteria))
-        assert name == found.id and all(texts), name
-        assert found.study or found.section, name
-        assert 1 <= found.quick <= found.batches >= found.least >= 1 and found.seconds > 0.0, name
-        assert found.quick * found.seconds <= 6.0 and found.batches * found.seconds <= 150.0, f"{name} takes too long"
-    assert find_claims(["S05", "S05"], claims) == [claims["S05"]]
-    measured_by_all = [found for found in claims.values() if not found.study]
-    assert sum(found.quick * found.seconds for found in measured_by_all) <= 300.0  # [s] on one core
-    assert sum(found.batches * found.seconds for found in measured_by_all) <= 5400.0
-
-
-def test_claims_can_be_listed(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["list", "claims"]) == 0
-    printed = capsys.readouterr().out
-    assert "S05" in printed and "median range error" in printed
-
-
-def test_settings_import_nothing_heavy() -> None:
-    program = (
-        "import sys\nimport soccer_env.train.reproduce_settings\n"
-        "print(sorted({'numba', 'matplotlib', 'scipy', 'pymunk'} & set(sys.modules)))"
-    )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "[]"
