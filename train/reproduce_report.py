@@ -51,11 +51,11 @@ def markdown(results: Sequence[ClaimResult], folder: ClaimFolder, plots: dict[st
 
 
 def poses_of(results: Sequence[ClaimResult]) -> str:
-    """Return in a sentence how robots knew where they are."""
+    """Return in a sentence how robots knew where they are: in most claims, and in which others differently."""
     ids = {pose: [result.id for result in results if result.pose == pose] for pose in POSES}
-    used = {pose: ids[pose] for pose in POSES if ids[pose]}
-    each = [pose if len(used) == 1 else f"{pose} ({', '.join(names)})" for pose, names in used.items()]
-    return f"Own pose: {', '.join(each)}."
+    most, *rest = sorted(POSES, key=lambda pose: -len(ids[pose]))
+    others = [f"{pose} for {', '.join(ids[pose])}" for pose in rest if ids[pose]]
+    return f"Own pose: {'; '.join([most, *others])}."
 
 
 def row(result: ClaimResult) -> tuple[str, ...]:

@@ -137,7 +137,7 @@ def test_every_result_names_the_own_pose_that_it_was_measured_with(tmp_path: Pat
     assert list(POSES) == ["particles", *["particles"] * 8, "percept", *["particles"] * 8]
     for name, poses, sentence in (
         ("a", ["particles", "particles"], "Own pose: particles.\n"),
-        ("b", ["percept", "particles"], "Own pose: particles (lost), percept (A1).\n"),
+        ("b", ["percept", "particles"], "Own pose: particles; percept for A1.\n"),
     ):
         records = json.loads((tmp_path / name / "results.json").read_text())
         assert [record["pose"] for record in records] == poses
