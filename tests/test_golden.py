@@ -14,12 +14,12 @@ from soccer_env import Match
 
 MADE_WITH = "pymunk 7.3.1, numba 0.68.1, numpy 2.4.6, Linux x86_64"
 GOLDEN = {
-    ("legged-2001", "actions"): "0b2041ffb24ee1f4d0ab8bcc50b8cf2d",
-    ("legged-2001", "teams"): "1459ec9aa14694101bead8e285c4f7cb",
-    ("legged-2001", "senses"): "3b2e1ef6f67363754b376573820f2b7a",
-    ("middle-size-2006", "actions"): "23df815aebd0d989546f16b4f514ef65",
-    ("middle-size-2006", "teams"): "8f20c72435f97fcc23e163b73534f37a",
-    ("middle-size-2006", "senses"): "c07adf0976bd9ef6d1e0f0325ed78946",
+    ("legged-2001", "actions"): "12fe1a65d6a8cdd943ee264b081c3543",
+    ("legged-2001", "teams"): "adaf82c5b3156f665bdbd9ce64db40d8",
+    ("legged-2001", "senses"): "8218eec44dd10266d1cd417219a30994",
+    ("middle-size-2006", "actions"): "f482bda93a8dc112ad87fb7a85e41d9b",
+    ("middle-size-2006", "teams"): "5bf7f13c37c4aee6f8400686ce9aa39c",
+    ("middle-size-2006", "senses"): "fed04dacac3a50f09d22628f93e1223a",
 }
 
 
