@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import io
+import itertools
 import re
 from collections.abc import Sequence
 from typing import Any
 
 from soccer_env.train.reproduce_folder import PLOTS, ClaimFolder, ClaimResult
 
-SIZE = (6.4, 4.0)  # [inch]
+SIZE = (6.4, 4.0)  # [inch] without the legend, which stands beside it, where it hides no curve
 DOTS = 110  # [1/inch]
+STYLES = ("o-", "s--", "^-.", "v:", "D-")  # marker and line of the curves in turn: one on top of another shows
 
 
 def draw_all(results: Sequence[ClaimResult], folder: ClaimFolder) -> tuple[dict[str, list[str]], str]:
@@ -36,19 +38,22 @@ def draw(figure: dict[str, Any]) -> bytes:
     import matplotlib.pyplot as plt
 
     canvas, axes = plt.subplots(figsize=SIZE, dpi=DOTS)
-    for curve in figure["curves"]:
-        y = [float("nan") if value is None else value for value in curve["y"]]
-        (line,) = axes.plot(curve["x"], y, marker=".", label=curve["name"])
+    for curve, style in zip(figure["curves"], itertools.cycle(STYLES), strict=False):
+        (line,) = axes.plot(curve["x"], numbers(curve["y"]), style, markersize=3, label=curve["name"])
         if curve["low"]:
-            low, high = ([float("nan") if v is None else v for v in curve[name]] for name in ("low", "high"))
+            low, high = numbers(curve["low"]), numbers(curve["high"])
             axes.fill_between(curve["x"], low, high, color=line.get_color(), alpha=0.2, linewidth=0)
     for rule in figure["rules"]:
-        axes.axhline(rule, color="grey", linestyle="--", linewidth=0.8)
+        axes.axhline(rule, color="grey", linestyle="--", linewidth=0.8, label=f"in the criteria: {rule:g}")
     axes.set(title=figure["title"], xlabel=figure["x_label"], ylabel=figure["y_label"])
     axes.grid(alpha=0.3)
-    if len(figure["curves"]) > 1:
-        axes.legend(fontsize="small")
+    axes.legend(fontsize="small", loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
     file = io.BytesIO()
     canvas.savefig(file, format="png", bbox_inches="tight", metadata={"Software": ""})
     plt.close(canvas)
     return file.getvalue()
+
+
+def numbers(values: Sequence[float | None]) -> list[float]:
+    """Return numbers to draw, NaN where there is none."""
+    return [float("nan") if value is None else value for value in values]

@@ -132,8 +132,8 @@ def gap_figure(samples: Samples) -> Sequence[Figure]:
     names = (
         ("kicked on", "rule on"),
         ("kicked off", "rule off"),
-        ("play on", "in play, on"),
-        ("play off", "in play, off"),
+        ("play on", "in play, rule on"),
+        ("play off", "in play, rule off"),
     )
     curves = tuple(Curve(title, middles_of(BINS), by_gap(samples, name)) for name, title in names)
     return (Figure("Radial velocity after a gap in sight", "gap [s]", "rms error [cm/s]", curves),)

@@ -129,7 +129,7 @@ def compare_dribbling(batch: Batch) -> Samples:
 def way_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the error against the ball's own way."""
     curve = Curve("median", middles_of(BINS, 100), error_by_way(samples))
-    return (Figure("Memory of a ball that moved unseen", "way of the ball [cm]", "error [cm]", (curve,)),)
+    return (Figure("Memory of a ball that moved unseen", "way of the ball [cm]", "error of the place [cm]", (curve,)),)
 
 
 def ratio(samples: Samples, above: str, below: str) -> float:

@@ -204,11 +204,11 @@ def hidden_figure(samples: Samples) -> Sequence[Figure]:
     edges = np.linspace(0.0, 1.0, 9)
     inside = in_bins(gone, edges)
     curves = [
-        Curve(name, middles_of(edges, 100), [100 * median(samples[name][i]) for i in inside])
-        for name in ("width", "height", "closer")
+        Curve(label, middles_of(edges, 100), [100 * median(samples[name][i]) for i in inside])
+        for name, label in {"width": "by width", "height": "by height", "closer": "the closer of both"}.items()
     ]
-    label = "hidden share of the picture [%]"
-    return (Figure("Range of a ball that is partly hidden", label, "median error [%]", tuple(curves)),)
+    hidden = "hidden share of the ball's picture [%]"
+    return (Figure("Range of a ball that is partly hidden", hidden, "median range error [%]", tuple(curves)),)
 
 
 SCENES = f"{MATCHES} scenes a batch with one or two robots at random before a ball 30 to 60 cm from the camera"

@@ -172,7 +172,7 @@ def range_of_step(samples: Samples, step: float) -> float:
 def step_figure(samples: Samples) -> Sequence[Figure]:
     """Draw what a pixel is worth against the range."""
     curve = Curve("88x72", list(100 * samples["range"][0]), list(100 * samples["step"][0]))
-    return (Figure("One pixel of the ball's width", "range [cm]", "worth [cm]", (curve,), rules=(5.0, 10.0)),)
+    return (Figure("One pixel of the ball's width", "range [cm]", "worth in range [cm]", (curve,), rules=(5.0, 10.0)),)
 
 
 S06 = Claim(

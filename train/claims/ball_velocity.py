@@ -125,7 +125,9 @@ def readings_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the share of wrong judgements against the number of readings."""
     shares = [50.0 * float(samples["wrong"][:, n].mean()) for n in range(READINGS)]
     curve = Curve("stuck or walking, from 60 cm on", range(1, READINGS + 1), shares)
-    return (Figure("Judging whether a robot is stuck", "readings averaged", "wrong [%]", (curve,), rules=(5.0,)),)
+    return (
+        Figure("Judging whether a robot is stuck", "readings averaged", "judged wrongly [%]", (curve,), rules=(5.0,)),
+    )
 
 
 S18 = Claim(

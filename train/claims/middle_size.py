@@ -24,6 +24,7 @@ VARIANTS: dict[str, dict[str, Any]] = {
     "adaptive": DRIFT | {"colour_table": "adaptive"},
     "fixed": DRIFT | {"colour_table": "fixed"},
 }
+LABELS = {"constant": "constant light", "adaptive": "table that adapts", "fixed": "fixed table"}
 THINGS = ("ball", "player", "own goal", "opponents' goal")
 
 
@@ -102,12 +103,12 @@ def seen_in_changed_light(samples: Samples, name: str) -> float:
 def light_figures(samples: Samples) -> Sequence[Figure]:
     """Draw detection and range error against the light."""
     middles = middles_of(BINS)
-    found = [Curve(name, middles, list(100 * shares(samples, name))) for name in VARIANTS]
-    erring = [Curve(name, middles, list(100 * errors(samples, name))) for name in VARIANTS]
-    label = "difference of light from the table's own [1]"
+    found = [Curve(label, middles, list(100 * shares(samples, name))) for name, label in LABELS.items()]
+    erring = [Curve(label, middles, list(100 * errors(samples, name))) for name, label in LABELS.items()]
+    light = "difference of light from the table's own [1]"
     return (
-        Figure("Things seen under changing light", label, "seen [%]", tuple(found)),
-        Figure("Range error of the ball under changing light", label, "error [cm]", tuple(erring)),
+        Figure("Things seen under changing light", light, "frames that show a thing [%]", tuple(found)),
+        Figure("Range error of the ball under changing light", light, "rms error [cm]", tuple(erring)),
     )
 
 

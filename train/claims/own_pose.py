@@ -123,10 +123,10 @@ def pose_figures(samples: Samples) -> Sequence[Figure]:
     bounds = np.linspace(0.0, 0.5, 26)
     errors = [100 * float(np.mean(samples["place"] <= bound)) for bound in bounds]
     return (
-        Figure("Robots that know where they are again", "time since carried [s]", "share [%]",
+        Figure("Robots that know where they are again", "time since carried [s]", "robots [%]",
                (Curve("within 0.5 m and 20 degrees", list(times), share),), rules=(95.0,)),
         Figure("Error of the own pose while driving", "error [cm]", "share of the time [%]",
-               (Curve("at most", list(100 * bounds), errors),), rules=(50.0,)),
+               (Curve("error at most", list(100 * bounds), errors),)),
     )  # fmt: skip
 
 

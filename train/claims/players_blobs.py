@@ -93,16 +93,16 @@ def blob_figures(samples: Samples) -> Sequence[Figure]:
     """Draw the scatter of both ways and the share of frames that show a head sticker against the distance."""
     middles, inside = middles_of(BINS, 100), in_bins(samples["distance"], BINS)
     steady = [
-        Curve(blobs, middles, [scatter({blobs: samples[blobs][i]}, blobs) if i.any() else np.nan for i in inside])
-        for blobs in BLOBS
+        Curve(label, middles, [scatter({blobs: samples[blobs][i]}, blobs) if i.any() else np.nan for i in inside])
+        for blobs, label in zip(BLOBS, ("largest blob", "all blobs"), strict=True)
     ]
     heads = [
-        Curve(f"jersey {jersey:g}", middles, [headless(samples, j, i) for i in range(len(middles))])
+        Curve(f"stickers {jersey:g} times as large", middles, [headless(samples, j, i) for i in range(len(middles))])
         for j, jersey in enumerate(JERSEYS)
     ]
     return (
         Figure("Scatter of a player's range", "distance [cm]", "deviation [%]", tuple(steady)),
-        Figure("Frames without a head sticker", "distance [cm]", "share [%]", tuple(heads)),
+        Figure("Frames without a head sticker", "distance [cm]", "share of frames [%]", tuple(heads)),
     )  # fmt: skip
 
 

@@ -104,9 +104,8 @@ def factor_figure(samples: Samples) -> Sequence[Figure]:
     curves = [
         Curve(name, FACTORS, [share(samples, name, factor) for factor in FACTORS]) for name in ("ghosts", "missed")
     ]
-    return (
-        Figure("Two players in view: ghosts and misses", "grouping factor", "share of the visible [%]", tuple(curves)),
-    )
+    label = "grouping factor [sizes of the larger blob]"
+    return (Figure("Two players in view: ghosts and misses", label, "per visible player [%]", tuple(curves)),)
 
 
 S33 = Claim(

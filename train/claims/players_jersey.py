@@ -28,7 +28,14 @@ FRONT, SIDES = (0,), (3, 9)  # sectors head-on and from the sides
 ALL, ASIDE = tuple(range(SECTORS)), tuple(range(1, SECTORS))  # all of them, and all but head-on
 FLANK = {"width": 0.10, "height": 0.06}  # [m] of the flank's stickers, for a jersey whose stickers are all alike
 ALIKE = {f"sticker_{place}_{name}": size for place in ("chest", "rump") for name, size in FLANK.items()}
-QUANTITIES = ("width", "height", "all width", "all height", "front table", "side table")
+SIZES = {
+    "width": "width of the largest blob",
+    "height": "height of the largest blob",
+    "all width": "width of all blobs",
+    "all height": "height of all blobs",
+}
+TABLES = {"front table": "table made head-on", "side table": "table made from the side"}
+QUANTITIES = (*SIZES, *TABLES)
 
 
 def box_sizes(match: Match) -> list[np.ndarray]:
@@ -121,15 +128,15 @@ def bias(samples: Samples, table: str, sectors: Sequence[int]) -> np.ndarray:
     return np.array([100 * mean(errors[:, j]) for j in range(len(JERSEYS))])
 
 
-def over_views(quantities: Sequence[str], title: str, unit: str, scale: float) -> Callable[[Samples], Sequence[Figure]]:
-    """Return a drawing of quantities against the view, at the stickers' own size."""
+def over_views(labels: dict[str, str], title: str, unit: str, scale: float) -> Callable[[Samples], Sequence[Figure]]:
+    """Return a drawing of quantities, by name with their labels, against the view, at the stickers' own size."""
 
     def draw(samples: Samples) -> Sequence[Figure]:
         views = [360.0 / SECTORS * i for i in range(SECTORS)]
         middle = JERSEYS.index(1.0)
         curves = [
-            Curve(name, views, [scale * mean(samples[name][:, middle, i]) for i in range(SECTORS)])
-            for name in quantities
+            Curve(label, views, [scale * mean(samples[name][:, middle, i]) for i in range(SECTORS)])
+            for name, label in labels.items()
         ]
         return (Figure(title, "view [degrees from head-on]", unit, tuple(curves)),)
 
@@ -166,7 +173,7 @@ S37 = Claim(
     measure=jerseys_from_all_sides,
     seconds=1.5,
     without=Without("smaller stickers on chest and rump than on the flanks; here all are alike", stickers_alike),
-    figures=over_views(QUANTITIES[:4], "Size of a player by the angle of view", "size [px]", 1.0),
+    figures=over_views(SIZES, "Size of a player by the angle of view", "size [px]", 1.0),
     ingredients=("sensors.sticker_*, all assumed",),
 )
 
@@ -198,7 +205,7 @@ S38 = Claim(
     measure=jerseys_from_all_sides,
     seconds=1.5,
     without=Without("smaller stickers on chest and rump than on the flanks; here all are alike", stickers_alike),
-    figures=over_views(QUANTITIES[4:], "Range error of a player by the angle of view", "error [%]", 100.0),
+    figures=over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
     ingredients=("sensors.sticker_*, all assumed", "the tables of perception/calibration.py"),
 )
 

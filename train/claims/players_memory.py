@@ -101,7 +101,7 @@ def slot_figure(samples: Samples) -> Sequence[Figure]:
     steps = samples[f"course {FINAL}"].shape[1]
     times = [float(i * SECONDS / steps) for i in range(steps)]
     curves = [Curve(name, times, list(100 * samples[f"course {name}"].mean(axis=0))) for name in POWERS]
-    return (Figure("One opponent in view: runs in which it holds two slots", "time [s]", "share [%]", tuple(curves)),)
+    return (Figure("One opponent in view: runs in which it holds two slots", "time [s]", "runs [%]", tuple(curves)),)
 
 
 HOW = (

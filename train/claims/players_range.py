@@ -86,17 +86,20 @@ def over_ball(samples: Samples) -> float:
     return rms(samples["player"]) / max(rms(samples["ball"]), 1e-12)
 
 
-def error_curves(samples: Samples, names: tuple[str, ...], near: float, far: float) -> tuple[Curve, ...]:
-    """Return the root mean squares of some errors, times 100, against the true distance from `near` to `far`."""
+def error_curves(samples: Samples, labels: dict[str, str], near: float, far: float) -> tuple[Curve, ...]:
+    """Return the root mean squares of some labelled errors, times 100, against the true distance."""
     edges = np.linspace(near, far, 8)
     inside = in_bins(samples["true"], edges)
-    return tuple(Curve(name, middles_of(edges, 100), [100 * rms(samples[name][i]) for i in inside]) for name in names)
+    return tuple(
+        Curve(label, middles_of(edges, 100), [100 * rms(samples[name][i]) for i in inside])
+        for name, label in labels.items()
+    )
 
 
 def ball_figure(samples: Samples) -> Sequence[Figure]:
     """Draw both errors against the distance."""
-    curves = error_curves(samples, ("player", "ball"), NEAR, FAR)
-    return (Figure("Range error of a player and of the ball", "distance [cm]", "error [%]", curves),)
+    curves = error_curves(samples, {"player": "player", "ball": "ball"}, NEAR, FAR)
+    return (Figure("Range error of a player and of the ball", "distance [cm]", "rms error [%]", curves),)
 
 
 def with_and_without_ranger(batch: Batch) -> Samples:
@@ -119,9 +122,9 @@ def gain(samples: Samples) -> float:
 
 def ranger_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the error with the rule and without against the distance."""
-    curves = error_curves(samples, ("with", "without"), RANGER_NEAR, RANGER_FAR)
+    curves = error_curves(samples, {"with": "by infrared", "without": "by size"}, RANGER_NEAR, RANGER_FAR)
     label = "distance between bodies' centres [cm]"
-    return (Figure("Range error of a centred player, infrared below 40 cm", label, "error [cm]", curves),)
+    return (Figure("Range error of a centred player, infrared below 40 cm", label, "rms error [cm]", curves),)
 
 
 S40 = Claim(

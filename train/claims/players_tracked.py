@@ -124,7 +124,7 @@ def tracked_figure(samples: Samples) -> Sequence[Figure]:
         Curve(name, range(6), [100 * float(np.mean(samples[f"tracked {name}"] == n)) for n in range(6)])
         for name in VARIANTS
     ]
-    return (Figure("Players tracked, of five", "players", "share of the time [%]", tuple(curves)),)
+    return (Figure("Players tracked, of five", "players tracked", "share of the time [%]", tuple(curves)),)
 
 
 S32 = Claim(

@@ -78,11 +78,11 @@ def view_figure(samples: Samples) -> Sequence[Figure]:
     width = 180.0 / SECTORS
     middles = [width * (i + 0.5) for i in range(SECTORS)]
     curves = []
-    for name in ("sensors", "ideal"):
+    for name, label in (("sensors", "sensors"), ("ideal", "ideal senses")):
         total = samples[name].sum(axis=0)
-        curves.append(Curve(f"play by {name}", middles, list(100 * total / max(total.sum(), 1.0))))
-    label = "angle from head-on [degrees]"
-    return (Figure("Angles under which players are seen, 3 v 3", label, "share [%]", tuple(curves)),)
+        curves.append(Curve(f"play by {label}", middles, list(100 * total / max(total.sum(), 1.0))))
+    angle = "angle from head-on [degrees]"
+    return (Figure("Angles under which players are seen, 3 v 3", angle, "share of views [%]", tuple(curves)),)
 
 
 S69 = Claim(
