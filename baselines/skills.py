@@ -115,14 +115,22 @@ def avoid_others(sight, k, dx, dy, distance):
 
 
 @compiled
-def shot_room(sight, k, ux, uy):
-    """Return the angle [rad] by which a ball played along (ux, uy) misses posts and opponents; below 0 it meets one."""
+def goal_room(sight, k, ux, uy):
+    """Return the angle [rad] by which a ball played along (ux, uy) misses the posts; below 0 it does not go in."""
     goal = 0.5 * k.pitch_length - sight.ball_x
     if ux <= 1e-3 or goal <= 0.0:
         return -1.0
     crossing = sight.ball_y + goal * uy / ux
-    room = (0.5 * k.pitch_goal_width - k.ball_radius - abs(crossing)) * ux * ux / max(goal, k.ball_radius)
-    return min(room, lane_room(sight, k, ux, uy, goal / ux))
+    return (0.5 * k.pitch_goal_width - k.ball_radius - abs(crossing)) * ux * ux / max(goal, k.ball_radius)
+
+
+@compiled
+def shot_room(sight, k, ux, uy):
+    """Return the angle [rad] by which a ball played along (ux, uy) misses posts and opponents; below 0 it meets one."""
+    room = goal_room(sight, k, ux, uy)
+    if room == -1.0:
+        return room
+    return min(room, lane_room(sight, k, ux, uy, (0.5 * k.pitch_length - sight.ball_x) / ux))
 
 
 @compiled

@@ -22,6 +22,9 @@ NAMES = {  # strings only: resolved at first use
     "still": "soccer_env.baselines.still:team",
     "random": "soccer_env.baselines.random:team",
     "chaser": "soccer_env.baselines.chaser:team",
+    "sacks-2001": "soccer_env.baselines.sacks_2001:team",
+    "sacks-2001-tuned": "soccer_env.baselines.sacks_2001:tuned",
+    "sacks-2001-future": "soccer_env.baselines.sacks_2001:future",
 }
 ENTRY_POINTS = "soccer_env.teams"
 TEAM_STREAM = int(RobotStream.TEAM)

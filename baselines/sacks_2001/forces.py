@@ -1,0 +1,60 @@
+"""Artificial potential fields: the forces of Khatib and Sacks's changes to them.  [Sacks 2001, 4.2, 4.3]  MS38 to MS44
+
+Robot and players are points (MS44). Vectors are in metres of the team frame, the goal ahead; all forces have no unit.
+"""
+
+from __future__ import annotations
+
+from soccer_env.baselines.sacks_2001.settings import GOAL_FORCES
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+
+PROPORTIONAL = GOAL_FORCES["proportional"]
+NEAREST = 0.01  # [m] a player nearer than this repels as from there: no division by zero
+
+
+@compiled
+def goal_force(dx, dy, play):
+    """Return the force towards a goal that lies at (dx, dy) [m]: F = -k1 (x - xg), or of size 1.  MS38, MS40"""
+    if play.goal_force == PROPORTIONAL:
+        return play.goal_gain * dx, play.goal_gain * dy  # (1)
+    away = max(length(dx, dy), NEAREST)
+    return dx / away, dy / away
+
+
+@compiled
+def repulsion(distance, gain, far, play):
+    """Return the size of the force of an obstacle at a distance [m]: k2 (1/x - 1/x0) / x^(n-1), 0 beyond x0.
+
+    The exponent n is 3 in theory (MS38), 1 in the end (MS39). Without a cut-off x0 is infinite.
+    """
+    x = max(distance, NEAREST)
+    beyond = 1.0 / far if play.cut_off == 1 else 0.0
+    size = max(gain * (1.0 / x - beyond), 0.0)  # (2)
+    for _ in range(play.exponent - 1):
+        size /= x
+    return size
+
+
+@compiled
+def player_force(dx, dy, goal_x, goal_y, play):
+    """Return the force of a player at (dx, dy) [m] on one whose goal lies at (goal_x, goal_y).  MS41, MS42
+
+    Times max(0, cos(angle to player - angle to goal)): nobody beside or behind it repels.
+    """
+    away = max(length(dx, dy), NEAREST)
+    size = repulsion(away, play.player_gain, play.player_range, play)
+    if play.cosine_factor == 1:
+        goal = max(length(goal_x, goal_y), NEAREST)
+        size *= max((dx * goal_x + dy * goal_y) / (away * goal), 0.0)
+    return -size * dx / away, -size * dy / away
+
+
+@compiled
+def wall_force(y, half_width, play):
+    """Return the force [y component] of both side walls on a point at y [m]: perpendicular to them.  MS43"""
+    if play.walls == 0:
+        return 0.0
+    to_left, to_right = half_width - y, half_width + y
+    force = repulsion(to_right, play.wall_gain, play.wall_range, play)
+    return force - repulsion(to_left, play.wall_gain, play.wall_range, play)

@@ -1,0 +1,65 @@
+"""The goalkeeper: meet a shot by the ball's angular velocity, clear what lies near, guard the line.  MS53"""
+
+from __future__ import annotations
+
+from math import atan2
+
+from soccer_env.baselines.skills import go, turn_by
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
+
+FAST = 0.6  # [m/s] a ball that comes nearer faster is met without delay, assumed
+SLOW = 0.3  # [m/s] one that comes nearer more slowly is gone to, assumed
+
+
+@compiled
+def is_shot(ball, play):
+    """Tell whether the ball comes nearer like a shot."""
+    return ball.radial < -play.keeper_alarm and ball.age <= 0.5
+
+
+@compiled
+def passes_by(ball):
+    """Return how far to the left of the robot [m] a ball passes that goes on as it does: d^2 w / speed.  MS53
+
+    From radial and angular velocity alone, as the robot sees them.
+    """
+    across = ball.distance * ball.angular
+    speed = max(length(ball.radial, across), 1e-3)
+    return ball.distance * across / speed
+
+
+@compiled
+def meet_shot(command, sight, ball, k, play):
+    """Step aside to where the ball will pass, and face it.  MS53
+
+    Without the angular velocity the goalkeeper goes by the bearing alone: it keeps the ball ahead.
+    """
+    aside = passes_by(ball) if play.angular_keeper == 1 else ball.distance * ball.bearing
+    within = play.settle
+    if play.keeper_speed == 1 and ball.radial < -FAST:
+        within = 0.25 * play.settle
+    widest = 0.5 * k.pitch_goal_width
+    aside = clip(sight.y + sight.cosine * aside, -widest, widest) - sight.y
+    command.left = clip(aside / (within * max(k.drive_sideways, 1e-6)), -1.0, 1.0) * sight.pace
+    turn_by(command, sight, k, play, 0.5 * ball.bearing)
+
+
+@compiled
+def guard(command, sight, k, play):
+    """Stand on the line between the ball and the middle of the goal, play.keeper_out [m] from it."""
+    x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
+    away = max(length(x, y), 1e-6)
+    line = -0.5 * k.pitch_length + k.body_reach
+    widest = 0.5 * k.pitch_goal_width - 0.5 * k.body_reach
+    stand_x = max(-0.5 * k.pitch_length + play.keeper_out * x / away, line)
+    stand_y = clip(play.keeper_out * y / away, -widest, widest)
+    go(command, sight, k, play, stand_x, stand_y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+
+
+@compiled
+def may_clear(sight, play, k):
+    """Tell whether the ball lies so near to the goal, and so slow, that the goalkeeper fetches it."""
+    near = length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < play.keeper_zone
+    speed = length(sight.ball_vx, sight.ball_vy)
+    return near and (speed < SLOW or (play.keeper_speed == 1 and speed < 2.0 * SLOW and sight.distance < play.near))

@@ -1,0 +1,271 @@
+"""The planner: what a player of sacks-2001 does, from what it believes.  [Sacks 2001, 2, 4]  MS01
+
+Once a control step: the XLSs (sight, belief, tracks) are looked at, one behaviour is chosen, and its XLA commands legs
+and head.
+
+    lost the ball                         search
+    goalkeeper                            meet a shot  >  clear  >  guard                     goalkeeper.py
+    opponents' restart, or not nearest    yield, support                                      positions.py
+    attacker without the ball             approach  >  stuck?  >  back, aside or round        stuck.py, recovery.py
+    attacker with the ball                shoot  >  pass  >  orbit  >  dribble                steering.py
+"""
+
+from __future__ import annotations
+
+from math import atan2
+
+from soccer_env.baselines.sacks_2001.goalkeeper import guard, is_shot, may_clear, meet_shot
+from soccer_env.baselines.sacks_2001.memory import (
+    APPROACH,
+    BACK,
+    DRIBBLE,
+    GUARD,
+    ORBIT,
+    PASS,
+    ROTATE,
+    SEARCH,
+    SHOOT,
+    SIDESTEP,
+    SUPPORT,
+    YIELD,
+)
+from soccer_env.baselines.sacks_2001.positions import choose_role, free_ring, go_home, support
+from soccer_env.baselines.sacks_2001.recovery import begin_recovery, go_on_recovering
+from soccer_env.baselines.sacks_2001.shooting import choose_target, find_pass, is_open
+from soccer_env.baselines.sacks_2001.steering import choose_way, off_ahead, step_speed
+from soccer_env.baselines.sacks_2001.stuck import forget_approach, is_stuck, watch_approach
+from soccer_env.baselines.sacks_2001.xla import (
+    glance,
+    look_ahead,
+    look_around,
+    look_down,
+    orbit,
+    rotate,
+    search,
+    sidestep,
+    step_with_ball,
+    turn_with_ball,
+    walk_back,
+    walk_to_ball,
+)
+from soccer_env.baselines.sight import side_of
+from soccer_env.compiled import compiled
+from soccer_env.geometry import wrap
+
+NEVER = 1e9  # [s]
+JUST_SEEN = 0.15  # [s]
+LOOK_DOWN = 0.8  # [s] with the head on its way down and down, after which an unseen ball is not there, assumed
+AFTER_KICK = 1.0  # [s] for which a robot looks after the ball that it kicked, assumed
+FULL_TURN = 6.3  # [rad]
+STAY_HOME = 6.0  # [s] at the own place before the search on the spot begins anew, assumed
+PASS_STRENGTH = 0.3  # [1] of a kick to a team-mate: the softest, assumed
+MOST_OFF = 2.8  # [rad] off the goal beyond which an orbit keeps the side it began with, assumed
+
+
+@compiled
+def decide(belief, tracks, memory, command, sight, k, play, elapsed):
+    """Choose a behaviour and do it."""
+    before = memory.behaviour
+    note_possession(belief.ball, memory, k, play, elapsed)
+    memory.behaviour = choose(belief, tracks, memory, sight, k, play, elapsed)
+    memory.clock = memory.clock + elapsed if memory.behaviour == before else 0.0
+    if memory.behaviour != SEARCH:
+        memory.turned = 0.0
+    memory.glances = 0
+    act(belief, tracks, memory, command, sight, k, play, elapsed)
+    memory.winding = memory.winding + elapsed if command.kick > 0.0 else 0.0
+
+
+@compiled
+def note_possession(ball, memory, k, play, elapsed):
+    """Note how long ago the ball was seen between the paws: it is not there any more if looking down does not show it.
+
+    Nor is it after a kick: then the robot looks after the ball.  MS27
+    """
+    memory.had_ball += elapsed
+    memory.down = memory.down + elapsed if memory.glances == 0 else 0.0
+    memory.kicked = max(memory.kicked - elapsed, 0.0)
+    memory.foiled = max(memory.foiled - elapsed, 0.0)
+    if ball.held == 1 and ball.age <= JUST_SEEN:
+        memory.had_ball = 0.0
+        if 0.0 < memory.kicked < AFTER_KICK - JUST_SEEN:
+            memory.foiled = play.foiled_time
+    elif memory.down > LOOK_DOWN and memory.had_ball > LOOK_DOWN:
+        memory.had_ball = NEVER
+    if (memory.behaviour == SHOOT or memory.behaviour == PASS) and memory.winding > k.kicker_wind_up + 2.0 * k.dt:
+        memory.had_ball, memory.kicked, memory.winding = NEVER, AFTER_KICK, 0.0
+
+
+@compiled
+def choose(belief, tracks, memory, sight, k, play, elapsed):
+    """Return the behaviour for this moment."""
+    situation, ball = belief.situation, belief.ball
+    recovers = BACK <= memory.behaviour <= ROTATE
+    if recovers:
+        go_on_recovering(belief, tracks, memory, k, play, elapsed)
+        if memory.behaviour != APPROACH:
+            return memory.behaviour
+    has_ball = memory.had_ball < play.possession_time
+    unseen = ball.age > play.lost or ball.confidence <= 0.0
+    if unseen and not has_ball and memory.kicked <= 0.0:
+        forget_approach(memory)
+        return SEARCH
+    choose_role(belief, memory, play, elapsed)
+    if situation.keeper == 1 and not (has_ball or may_clear(sight, play, k)):
+        return GUARD
+    if free_ring(situation, k) > 0.0:
+        return YIELD
+    if situation.keeper == 0 and memory.attacks == 0 and not has_ball:
+        return SUPPORT
+    return choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed)
+
+
+@compiled
+def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
+    """Return what an attacker does: approach and notice when it is stuck, or something with the ball.  MS22, MS26"""
+    if not has_ball or is_contested(belief, tracks, play):
+        if memory.behaviour != APPROACH:
+            forget_approach(memory)
+        watch_approach(belief.ball, memory, play, elapsed)
+        if play.recovery == 1 and is_stuck(belief.ball, memory, play):
+            begin_recovery(memory, k, play)
+            return BACK
+        return APPROACH
+    forget_approach(memory)
+    memory.tries = 0
+    off = wrap(aim(sight, memory, k, play) - sight.heading)
+    if memory.foiled <= 0.0 and abs(off) < play.orbit_until and is_open(sight, memory, k, play):
+        return SHOOT
+    if play.passes == 1 and find_pass(sight, k, play) >= 0:
+        return PASS
+    if memory.behaviour == ORBIT and abs(off) > play.orbit_until:
+        return ORBIT
+    if play.avoidance == 0 and abs(off) > play.orbit_until:
+        return ORBIT
+    return ORBIT if abs(off) > play.orbit_beyond else DRIBBLE
+
+
+@compiled
+def is_contested(belief, tracks, play):
+    """Tell whether an opponent stands so near ahead that the ball between the paws is its ball as well.  MS27"""
+    obstacle = belief.obstacle
+    if 0.0 < obstacle.distance < play.contested_range and abs(obstacle.bearing) < play.contested_angle:
+        return True
+    for slot in range(tracks.shape[0]):
+        track = tracks[slot]
+        if track.present == 1 and track.teammate == 0 and track.age <= play.player_age:
+            if track.distance < play.contested_range and abs(track.bearing) < play.contested_angle:
+                return True
+    return False
+
+
+@compiled
+def aim(sight, memory, k, play):
+    """Return the direction [rad], team frame, in which the ball is to go in the end: into the goal."""
+    ux, uy = choose_target(sight, k, play)
+    return wrap(atan2(uy, ux) + memory.aim_error)
+
+
+@compiled
+def act(belief, tracks, memory, command, sight, k, play, elapsed):
+    """Command legs, kicker and head as the behaviour asks."""
+    chosen = memory.behaviour
+    if chosen == SEARCH:
+        look_for_ball(belief, memory, command, sight, k, play, elapsed)
+    elif chosen == APPROACH and memory.kicked > 0.0 and belief.ball.age > JUST_SEEN:
+        look_ahead(command, k)
+        command.forward = sight.pace
+    elif chosen == APPROACH:
+        walks_on = belief.ball.distance >= play.near or memory.had_ball < play.possession_time
+        share = 1.0 if walks_on else play.near_step  # MS21
+        walk_to_ball(command, sight, k, play, share * k.drive_forward)
+    elif chosen == BACK:
+        walk_back(command, sight)
+    elif chosen == SIDESTEP:
+        sidestep(command, sight, memory.side)
+    elif chosen == ROTATE:
+        rotate(command, sight, k, play, sight.bearing)
+    elif chosen == GUARD:
+        if is_shot(belief.ball, play):
+            meet_shot(command, sight, belief.ball, k, play)
+        else:
+            guard(command, sight, k, play)
+    elif chosen == SUPPORT or chosen == YIELD:
+        support(command, sight, memory, belief.situation, k, play, free_ring(belief.situation, k))
+    else:
+        play_ball(belief, tracks, memory, command, sight, k, play, elapsed)
+    if has_time(belief, memory, play):
+        look_around(command, memory, k, elapsed)
+
+
+@compiled
+def has_time(belief, memory, play):
+    """Tell whether a player that is not sure where it is may look for landmarks now: the ball is not near."""
+    chosen = memory.behaviour
+    if belief.own.confidence > play.unsure or belief.ball.distance < play.near:
+        return False
+    return chosen == SUPPORT or chosen == YIELD or chosen == BACK or chosen == SIDESTEP or chosen == APPROACH
+
+
+@compiled
+def play_ball(belief, tracks, memory, command, sight, k, play, elapsed):
+    """Shoot, pass, orbit or dribble."""
+    chosen = memory.behaviour
+    look_down(command, k)
+    off = wrap(aim(sight, memory, k, play) - sight.heading)
+    if chosen == SHOOT:
+        command.kick = 1.0
+        command.forward = sight.pace * 0.5
+    elif chosen == PASS:
+        pass_ball(command, memory, sight, k, play)
+    elif chosen == ORBIT:
+        if memory.clock == 0.0 or abs(off) < MOST_OFF:
+            memory.side = side_of(off)
+        if memory.clock < play.orbit_time:
+            orbit(command, sight, k, play, off, memory.side)
+        else:
+            turn_with_ball(command, sight, k, play, off)
+    else:
+        dribble(belief, tracks, memory, command, sight, k, play, elapsed)
+
+
+@compiled
+def dribble(belief, tracks, memory, command, sight, k, play, elapsed):
+    """Push the ball along the way of the potential field, decided upon every play.replan.  MS45"""
+    memory.replan -= elapsed
+    if memory.clock == 0.0 or memory.replan <= 0.0:
+        choose_way(belief, tracks, memory, k, play)
+        memory.replan += (
+            play.replan if memory.clock > 0.0 and memory.replan > -play.replan else play.replan - memory.replan
+        )
+    off = off_ahead(belief, tracks, memory, play)
+    goal = wrap(aim(sight, memory, k, play) - sight.heading)
+    step_with_ball(command, sight, k, play, off, step_speed(k, play), goal)
+    glance(command, memory, belief.own, k, play, off, elapsed)
+
+
+@compiled
+def pass_ball(command, memory, sight, k, play):
+    """Turn with the ball to a team-mate and kick softly.  5"""
+    mate = find_pass(sight, k, play)
+    if mate < 0:
+        return
+    to_x, to_y = sight.other_x[mate] - sight.ball_x, sight.other_y[mate] - sight.ball_y
+    off = wrap(atan2(to_y, to_x) + memory.aim_error - sight.heading)
+    if abs(off) < play.orbit_until:
+        command.kick = PASS_STRENGTH
+        command.forward = 0.5 * sight.pace
+    else:
+        orbit(command, sight, k, play, off, side_of(off))
+
+
+@compiled
+def look_for_ball(belief, memory, command, sight, k, play, elapsed):
+    """Turn all the way round on the spot; then go to the own place, and look again."""
+    if memory.turned < FULL_TURN:
+        search(command, sight, memory, k, play, belief.ball.bearing, elapsed)
+        return
+    go_home(command, sight, belief.situation, k, play)
+    memory.turned += elapsed * FULL_TURN / STAY_HOME
+    if memory.turned > 2.0 * FULL_TURN:
+        memory.turned, memory.side = 0.0, -memory.side

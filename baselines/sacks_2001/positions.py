@@ -1,0 +1,79 @@
+"""Who goes to the ball, and where the others stand.  [Sacks 2001, 1]
+
+Team-mates tell each other by loudspeaker how far they are from the ball, in words of four bits (MS06). Who believes
+itself nearer than the nearest of them says attacks; the others support.
+"""
+
+from __future__ import annotations
+
+from math import atan2, inf
+
+from soccer_env.baselines.sight import side_of
+from soccer_env.baselines.skills import go
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
+from soccer_env.types import Phase
+
+PLAY, KICK_OFF = int(Phase.PLAY), int(Phase.KICK_OFF)
+OLD_WORD = 2.5  # [s] after which what a team-mate said counts no more, assumed
+MARGIN = 0.05  # [m] beyond the rules' distance at the opponents' restart, assumed
+EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assumed
+CHANGE_SIDE = 0.2  # [m] that the ball is off the middle before supporters change sides, assumed
+ROW = 0.6  # [m] between one pair of supporters and the next behind it, assumed
+
+
+@compiled
+def choose_role(belief, memory, play, elapsed):
+    """Attack if nobody says that he is nearer to the ball; another role must have been right for play.role_time."""
+    ball, heard = belief.ball, belief.heard
+    other = heard.distance if heard.age <= OLD_WORD else inf
+    attacks = 1 if ball.filtered_distance <= other else 0
+    if memory.clock == 0.0 and memory.role_clock < 0.0:
+        memory.attacks, memory.role_clock = attacks, 0.0
+    memory.role_clock = memory.role_clock + elapsed if attacks != memory.attacks else 0.0
+    if memory.role_clock > play.role_time:
+        memory.attacks, memory.role_clock = attacks, 0.0
+
+
+@compiled
+def free_ring(situation, k):
+    """Return how far from the ball the rules ask a player to stay now [m]; 0 in play and at the own restart."""
+    if situation.phase == PLAY or situation.ours >= 0.0:
+        return 0.0
+    far = k.rules_kick_off_distance if situation.phase == KICK_OFF else k.rules_restart_distance
+    return far + k.body_reach + MARGIN
+
+
+@compiled
+def support(command, sight, memory, situation, k, play, ring):
+    """Stand behind the ball and aside of it, in pairs by number, at least `ring` [m] away, and look at it."""
+    if memory.side == 0.0 or abs(sight.ball_y) > CHANGE_SIDE:
+        memory.side = -side_of(sight.ball_y)
+    if ring > 0.0 and memory.attacks == 1:
+        wait_for_restart(command, sight, k, play, ring)
+        return
+    pair = max(situation.number - 1, 0) // 2
+    side = memory.side if situation.number % 2 == 0 or situation.teammates < 3 else -memory.side
+    off_x, off_y = -(play.cover + ROW * pair), side * play.aside
+    stretch = max(ring / length(off_x, off_y), 1.0) if ring > 0.0 else 1.0
+    edge_x, edge_y = 0.5 * k.pitch_length - EDGE * k.body_reach, 0.5 * k.pitch_width - k.body_reach
+    x, y = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x), clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
+    go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+
+
+@compiled
+def wait_for_restart(command, sight, k, play, ring):
+    """Stand `ring` [m] before the ball, between it and the own goal."""
+    home_x, home_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
+    away = max(length(home_x, home_y), 1e-6)
+    x, y = sight.ball_x + ring * home_x / away, sight.ball_y + ring * home_y / away
+    go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+
+
+@compiled
+def go_home(command, sight, situation, k, play):
+    """Go to the own place and look up the field: where a ball that was not found all round is waited for."""
+    half = 0.25 * k.pitch_width
+    y = half if situation.number % 2 == 0 else -half
+    x = -0.5 * k.pitch_length + EDGE * k.body_reach if situation.keeper == 1 else -0.15 * k.pitch_length
+    go(command, sight, k, play, x, 0.0 if situation.keeper == 1 else y, 0.0, 0.0)

@@ -1,0 +1,74 @@
+"""How a stuck robot gets free: back, then aside or round, then to the ball again.  [Sacks 2001, 3.4]  MS23 to MS25"""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE, SIDESTEP
+from soccer_env.baselines.sacks_2001.stuck import forget_approach
+from soccer_env.baselines.sight import side_of
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+
+FACING = 0.15  # [rad] a robot that is turned to the ball this far faces it, assumed
+ASIDE = 0.6  # [m] within which players count when a side is chosen, assumed
+
+
+@compiled
+def begin_recovery(memory, k, play):
+    """Step back.  MS23"""
+    forget_approach(memory)
+    memory.tries += 1
+    memory.behaviour, memory.clock = BACK, 0.0
+    memory.left = play.back_steps * k.gait_steps * k.dt
+
+
+@compiled
+def go_on_recovering(belief, tracks, memory, k, play, elapsed):
+    """Choose the next piece of the recovery when the present one is over; the last is to approach again.  MS23, MS25"""
+    memory.left -= elapsed
+    bearing = belief.ball.bearing
+    if memory.behaviour == ROTATE and abs(bearing) < FACING:
+        memory.left = 0.0
+    if memory.left > 0.0:
+        return
+    step = k.gait_steps * k.dt
+    if memory.behaviour != BACK:
+        memory.behaviour = APPROACH
+        forget_approach(memory)
+    elif abs(bearing) > play.rotate_beyond:  # MS25
+        memory.behaviour, memory.left, memory.side = ROTATE, play.rotate_steps * step, side_of(bearing)
+    else:
+        memory.behaviour, memory.left = SIDESTEP, play.side_steps * step
+        memory.side = side_to_step(belief, tracks, k, play)
+    memory.clock = 0.0
+
+
+@compiled
+def side_to_step(belief, tracks, k, play):
+    """Return +1 for left, -1 for right: so that the ball gets between the robot and the opponents' goal.  MS24
+
+    That is where the line from the goal through the ball runs on behind it. sacks-2001-future goes where fewer players
+    stand, if the sides differ.
+    """
+    own, ball = belief.own, belief.ball
+    if play.free_side == 1:
+        crowd = crowd_on_left(tracks, play)
+        if crowd != 0:
+            return -1.0 if crowd > 0 else 1.0
+    cosine, sine = cos(own.heading), sin(own.heading)
+    to_x, to_y = 0.5 * k.pitch_length - own.x, -own.y
+    ahead, left = cosine * to_x + sine * to_y - ball.x, cosine * to_y - sine * to_x - ball.y  # from ball to goal
+    away = max(length(ahead, left), 1e-6)
+    return side_of(ball.y - ball.distance * left / away)
+
+
+@compiled
+def crowd_on_left(tracks, play):
+    """Return how many more players stand near on the left than on the right."""
+    crowd = 0
+    for slot in range(tracks.shape[0]):
+        track = tracks[slot]
+        if track.present == 1 and track.age <= play.player_age and track.distance < ASIDE:
+            crowd += 1 if track.y > 0.0 else -1
+    return crowd

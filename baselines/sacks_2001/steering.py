@@ -1,0 +1,159 @@
+"""Where a dribbling robot goes: the total force, held near the goal's direction.  [Sacks 2001, 4.3]  MS45 to MS49
+
+forces on the robot  ->  direction  ->  at most 70 degrees off the goal (MS46, MS47)  ->  at most 45 or 55 degrees
+off straight ahead (MS48)  ->  a step of 3.5 cm (MS45)
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, sin
+
+from soccer_env.baselines.sacks_2001.forces import goal_force, player_force, repulsion, wall_force
+from soccer_env.baselines.sight import side_of
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, wrap
+
+SAME = 0.6  # [rad] within which the ranger's obstacle is taken to be one of the players, assumed  MS49
+BEHIND_LINE = 0.10  # [m] the goal that a dribbler makes for lies so far behind the line, assumed
+CLEARLY_BETTER = 1.2  # [1] how much less the other side must repel a decisive robot, assumed
+
+
+@compiled
+def direction_to_goal(own, k):
+    """Return the vector [m] from the robot to the opponents' goal, team frame."""
+    return 0.5 * k.pitch_length + BEHIND_LINE - own.x, -own.y
+
+
+@compiled
+def choose_way(belief, tracks, memory, k, play):
+    """Decide on the way of a dribble: memory.way [rad], team frame, and on which side of the goal it lies."""
+    own = belief.own
+    goal_x, goal_y = direction_to_goal(own, k)
+    pull_x, pull_y = goal_force(goal_x, goal_y, play)
+    push_x, push_y = force_of_players(belief, tracks, goal_x, goal_y, play)
+    push_y += wall_force(own.y, 0.5 * k.pitch_width, play)
+    off = limited(pull_x, pull_y, push_x, push_y, memory.way_side, play)
+    if play.decisive == 1 and abs(off) > play.body_limit:
+        off = abs(off) * better_side(belief, tracks, goal_x, goal_y, memory.way_side, play)
+    off = kept_longer(memory, off, play)
+    memory.way = wrap(atan2(goal_y, goal_x) + off)
+
+
+@compiled
+def force_of_players(belief, tracks, goal_x, goal_y, play):
+    """Return the sum of the players' forces, team frame; the ranger's obstacle stands in for one of them.  MS49"""
+    cosine, sine = cos(belief.own.heading), sin(belief.own.heading)
+    replaced = player_behind(belief.obstacle, tracks, play)
+    push_x = push_y = 0.0
+    for slot in range(tracks.shape[0]):
+        track = tracks[slot]
+        if track.present == 1 and track.age <= play.player_age and slot != replaced:
+            dx, dy = cosine * track.x - sine * track.y, sine * track.x + cosine * track.y
+            x, y = player_force(dx, dy, goal_x, goal_y, play)
+            push_x, push_y = push_x + x, push_y + y
+    if play.infrared_obstacle == 1 and belief.obstacle.distance > 0.0:
+        angle = belief.own.heading + belief.obstacle.bearing
+        x, y = belief.obstacle.distance * cos(angle), belief.obstacle.distance * sin(angle)
+        x, y = player_force(x, y, goal_x, goal_y, play)
+        push_x, push_y = push_x + x, push_y + y
+    return push_x, push_y
+
+
+@compiled
+def player_behind(obstacle, tracks, play):
+    """Return the slot of the player that the ranger's obstacle must be, the nearest in bearing; -1: none of them.  MS49"""
+    best, nearest = -1, SAME
+    if play.infrared_obstacle == 1 and obstacle.distance > 0.0:
+        for slot in range(tracks.shape[0]):
+            aside = abs(wrap(tracks[slot].bearing - obstacle.bearing))
+            if tracks[slot].present == 1 and tracks[slot].age <= play.player_age and aside < nearest:
+                best, nearest = slot, aside
+    return best
+
+
+@compiled
+def limited(pull_x, pull_y, push_x, push_y, side, play):
+    """Return the direction of the total force off the goal's [rad], left positive, at most play.goal_limit.  MS46
+
+    MS47: where the others push mostly away from the goal, by more than 135 degrees, the robot stays on the side (+1,
+    -1, 0 none) on which it was.
+    """
+    off = angle_between(pull_x, pull_y, pull_x + push_x, pull_y + push_y)
+    if play.clamp == 0 or abs(off) <= play.goal_limit:
+        return off
+    against = abs(angle_between(pull_x, pull_y, push_x, push_y)) > play.keep_side_angle
+    if play.keep_side == 1 and side != 0.0 and against:
+        return side * play.goal_limit
+    return side_of(off) * play.goal_limit
+
+
+@compiled
+def angle_between(ax, ay, bx, by):
+    """Return the angle [rad] from one vector to another, counter-clockwise."""
+    return atan2(ax * by - ay * bx, ax * bx + ay * by)
+
+
+@compiled
+def kept_longer(memory, off, play):
+    """Return the angle off the goal; a change of side must last for play.patience decisions to be made.  4.3.3"""
+    if off == 0.0:
+        return off
+    side = side_of(off)
+    memory.changes = memory.changes + 1 if side == -memory.way_side else 0
+    if 0 < memory.changes <= play.patience:
+        return memory.way_side * abs(off)
+    memory.way_side, memory.changes = side, 0
+    return off
+
+
+@compiled
+def better_side(belief, tracks, goal_x, goal_y, side, play):
+    """Return the side, +1 or -1, on which fewer and farther players stand; the present one unless clearly worse."""
+    left = right = 1e-6
+    goal = atan2(goal_y, goal_x)
+    for slot in range(tracks.shape[0]):
+        track = tracks[slot]
+        if track.present == 1 and track.age <= play.player_age:
+            off = wrap(belief.own.heading + track.bearing - goal)
+            force = repulsion(track.distance, play.player_gain, play.player_range, play)
+            left += force * max(cos(off - play.goal_limit), 0.0)
+            right += force * max(cos(off + play.goal_limit), 0.0)
+    if side > 0.0:
+        return -1.0 if left > CLEARLY_BETTER * right else 1.0
+    if side < 0.0:
+        return 1.0 if right > CLEARLY_BETTER * left else -1.0
+    return 1.0 if left <= right else -1.0
+
+
+@compiled
+def off_ahead(belief, tracks, memory, play):
+    """Return the direction of the next step off straight ahead [rad], at most 45 degrees: the ball is there.  MS48
+
+    55 if another player stands right ahead: with less the legs interlock.
+    """
+    off = wrap(memory.way - belief.own.heading)
+    if play.body_clamp == 0:
+        return off
+    limit = play.blocked_limit if is_blocked(belief, tracks, play) else play.body_limit
+    return clip(off, -limit, limit)
+
+
+@compiled
+def is_blocked(belief, tracks, play):
+    """Tell whether another player stands right ahead.  MS48"""
+    obstacle = belief.obstacle
+    if play.infrared_obstacle == 1 and 0.0 < obstacle.distance < play.blocked_range:
+        if abs(obstacle.bearing) < play.blocked_angle:
+            return True
+    for slot in range(tracks.shape[0]):
+        track = tracks[slot]
+        if track.present == 1 and track.age <= play.player_age and track.distance < play.blocked_range:
+            if abs(track.bearing) < play.blocked_angle:
+                return True
+    return False
+
+
+@compiled
+def step_speed(k, play):
+    """Return the speed [m/s] of steps of play.step_length, one in each gait step.  MS45"""
+    return play.step_length / max(k.gait_steps * k.dt, k.dt)
