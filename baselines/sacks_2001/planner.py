@@ -153,9 +153,9 @@ def is_contested(belief, tracks, play):
         return True
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
-        if track.present == 1 and track.teammate == 0 and track.age <= play.player_age:
-            if track.distance < play.contested_range and abs(track.bearing) < play.contested_angle:
-                return True
+        opponent = track.present == 1 and track.teammate == 0 and track.age <= play.player_age
+        if opponent and track.distance < play.contested_range and abs(track.bearing) < play.contested_angle:
+            return True
     return False
 
 
@@ -190,12 +190,12 @@ def act(belief, tracks, memory, command, sight, k, play, elapsed):
             meet_shot(command, sight, belief.ball, k, play)
         else:
             guard(command, sight, k, play)
-    elif chosen == SUPPORT or chosen == YIELD:
+    elif chosen in (SUPPORT, YIELD):
         support(command, sight, memory, belief.situation, k, play, free_ring(belief.situation, k))
     else:
         play_ball(belief, tracks, memory, command, sight, k, play, elapsed)
     if has_time(belief, memory, play):
-        look_around(command, memory, k, elapsed)
+        look_around(command, memory, k, belief.ball.bearing, elapsed)
 
 
 @compiled
@@ -204,7 +204,7 @@ def has_time(belief, memory, play):
     chosen = memory.behaviour
     if belief.own.confidence > play.unsure or belief.ball.distance < play.near:
         return False
-    return chosen == SUPPORT or chosen == YIELD or chosen == BACK or chosen == SIDESTEP or chosen == APPROACH
+    return chosen in (SUPPORT, YIELD, BACK, SIDESTEP, APPROACH)
 
 
 @compiled

@@ -34,7 +34,8 @@ def choose_way(belief, tracks, memory, k, play):
     push_y += wall_force(own.y, 0.5 * k.pitch_width, play)
     off = limited(pull_x, pull_y, push_x, push_y, memory.way_side, play)
     if play.decisive == 1 and abs(off) > play.body_limit:
-        off = abs(off) * better_side(belief, tracks, goal_x, goal_y, memory.way_side, play)
+        side = memory.way_side if memory.way_side != 0.0 else side_of(off)
+        off = abs(off) * better_side(belief, tracks, goal_x, goal_y, side, play)
     off = kept_longer(memory, off, play)
     memory.way = wrap(atan2(goal_y, goal_x) + off)
 
@@ -61,7 +62,7 @@ def force_of_players(belief, tracks, goal_x, goal_y, play):
 
 @compiled
 def player_behind(obstacle, tracks, play):
-    """Return the slot of the player that the ranger's obstacle must be, the nearest in bearing; -1: none of them.  MS49"""
+    """Return the slot of the player that the ranger's obstacle must be, the nearest in bearing, or -1.  MS49"""
     best, nearest = -1, SAME
     if play.infrared_obstacle == 1 and obstacle.distance > 0.0:
         for slot in range(tracks.shape[0]):
@@ -120,9 +121,7 @@ def better_side(belief, tracks, goal_x, goal_y, side, play):
             right += force * max(cos(off + play.goal_limit), 0.0)
     if side > 0.0:
         return -1.0 if left > CLEARLY_BETTER * right else 1.0
-    if side < 0.0:
-        return 1.0 if right > CLEARLY_BETTER * left else -1.0
-    return 1.0 if left <= right else -1.0
+    return 1.0 if right > CLEARLY_BETTER * left else -1.0
 
 
 @compiled
@@ -142,14 +141,14 @@ def off_ahead(belief, tracks, memory, play):
 def is_blocked(belief, tracks, play):
     """Tell whether another player stands right ahead.  MS48"""
     obstacle = belief.obstacle
-    if play.infrared_obstacle == 1 and 0.0 < obstacle.distance < play.blocked_range:
-        if abs(obstacle.bearing) < play.blocked_angle:
-            return True
+    in_beam = play.infrared_obstacle == 1 and 0.0 < obstacle.distance < play.blocked_range
+    if in_beam and abs(obstacle.bearing) < play.blocked_angle:
+        return True
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
-        if track.present == 1 and track.age <= play.player_age and track.distance < play.blocked_range:
-            if abs(track.bearing) < play.blocked_angle:
-                return True
+        near = track.present == 1 and track.age <= play.player_age and track.distance < play.blocked_range
+        if near and abs(track.bearing) < play.blocked_angle:
+            return True
     return False
 
 

@@ -76,7 +76,7 @@ def turn_with_ball(command, sight, k, play, angle):
 
 @compiled
 def step_with_ball(command, sight, k, play, off, speed, turn):
-    """Push the ball on: a step at a speed [m/s], `off` [rad] from straight ahead, turning towards `turn` [rad].  MS45"""
+    """Push the ball on, `off` [rad] from straight ahead at a speed [m/s], turning by `turn` [rad].  MS45"""
     ahead, left = speed * cos(off), speed * sin(off)
     command.forward = sight.pace * min(ahead / (k.drive_forward if ahead > 0.0 else k.drive_backward), 1.0)
     command.left = sight.pace * clip(left / max(k.drive_sideways, 1e-6), -1.0, 1.0)
@@ -125,15 +125,16 @@ def glance(command, memory, own, k, play, off, elapsed):
 
 
 @compiled
-def look_around(command, memory, k, elapsed):
-    """Let the head sweep over the field's edge, for landmarks."""
+def look_around(command, memory, k, bearing, elapsed):
+    """Let the head sweep over the field's edge, for landmarks, first towards the side of the ball."""
+    if memory.side == 0.0:
+        memory.side = side_of(bearing)
     memory.scan += elapsed
     if memory.scan >= 2.0 * SWEEP:
         memory.scan = 0.0
     share = memory.scan / SWEEP
     pan = 2.0 * share - 1.0 if share < 1.0 else 3.0 - 2.0 * share
-    side = memory.side if memory.side != 0.0 else 1.0
-    point_head(command, k, side * pan * k.head_pan_limit * SWEEP_SHARE, GLANCE_TILT)
+    point_head(command, k, memory.side * pan * k.head_pan_limit * SWEEP_SHARE, GLANCE_TILT)
 
 
 @compiled
