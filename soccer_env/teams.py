@@ -10,16 +10,20 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.metadata import entry_points
+from inspect import signature
+from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
 from soccer_env.leagues.league import League
+from soccer_env.leagues.options import Options
 from soccer_env.random_numbers import mix
 from soccer_env.types import RobotStream
 
 NAMES = {  # strings only: resolved at first use
     "still": "soccer_env.baselines.still:team",
+    "walker": "soccer_env.baselines.walker:team",
     "random": "soccer_env.baselines.random:team",
     "chaser": "soccer_env.baselines.chaser:team",
     "sacks-2001": "soccer_env.baselines.sacks_2001:team",
@@ -108,6 +112,7 @@ class CompiledTeam:
     memory_dtype: np.dtype
     settings: np.ndarray
     leagues: tuple[str, ...] = ()  # names a league has to begin with; empty: all
+    options: Options | None = None  # the team's settings by name, for lists
     blind: bool = False  # True: it reads no belief, so that nothing has to be sensed for it
 
     def check_league(self, league: League) -> None:
@@ -149,32 +154,60 @@ def team_names() -> list[str]:
     return list(registered())
 
 
-def parse_team(text: str) -> tuple[str, float]:
-    """Split NAME or NAME@STRENGTH; ValueError for a strength outside 0 to 1."""
-    name, _, strength = text.partition("@")
+def parse_team(text: str) -> tuple[str, float, dict[str, Any]]:
+    """Split NAME, NAME@STRENGTH or NAME@STRENGTH:switch=value,... into name, strength and settings.
+
+    ValueError for a strength outside 0 to 1 and for settings that are not written so.
+    """
+    spec, colon, switches = (text, "", "") if Path(text).is_file() else text.partition(":")
+    name, _, strength = spec.partition("@")
     try:
-        number = float(strength) if "@" in text else 1.0
+        number = float(strength) if "@" in spec else 1.0
     except ValueError:
         number = -1.0
     if not 0.0 <= number <= 1.0:
         raise ValueError(f"strength of team {text!r} must be a number from 0 to 1, got {strength!r}")
-    return name, number
+    return name, number, dict(parse_switch(text, part) for part in switches.split(",")) if colon else {}
+
+
+def parse_switch(text: str, part: str) -> tuple[str, Any]:
+    """Split switch=value of a team's text; True, False and numbers become Python's own."""
+    name, equals, value = part.partition("=")
+    if not (name.isidentifier() and equals and value):
+        raise ValueError(f"settings of team {text!r} must be written as name=value,name=value, got {part!r}")
+    if value in ("True", "False"):
+        return name, value == "True"
+    for kind in (int, float):
+        try:
+            return name, kind(value)
+        except ValueError:
+            continue
+    return name, value
 
 
 def make_team(team: str | Team, strength: float | None = None, **settings: Any) -> Team:
-    """Return the team of a name (NAME or NAME@STRENGTH), or the team itself; ValueError says which names exist."""
+    """Return the team of a name (NAME, NAME@STRENGTH, NAME@STRENGTH:switch=value,...), or the team itself.
+
+    ValueError says which names and settings exist.
+    """
     if not isinstance(team, str):
         if isinstance(team, type):
             raise ValueError(f"a team is an object: give {team.__name__}(), not the class")
         if not (callable(getattr(team, "act", None)) and hasattr(team, "memory_dtype")):
             raise ValueError(f"a team needs name, memory_dtype and act, got {team!r}")
         return team
-    name, from_name = parse_team(team)
+    name, from_name, changes = parse_team(team)
     if strength is not None:
-        name, from_name = parse_team(f"{name}@{strength}")
+        from_name = parse_team(f"{name}@{strength}")[1]
     known = registered()
     if name not in known:
         raise ValueError(f"unknown team {name!r}; known: {', '.join(known)}")
     module, _, attribute = known[name].partition(":")
-    made: Team = getattr(import_module(module), attribute)(strength=from_name, **settings)
+    factory = getattr(import_module(module), attribute)
+    changes = {**changes, **settings}
+    accepted = signature(factory).parameters
+    if not any(parameter.kind is parameter.VAR_KEYWORD for parameter in accepted.values()):
+        for unknown in changes.keys() - accepted.keys():
+            raise ValueError(f"team {name!r} has no setting {unknown!r}; it has: {', '.join(accepted)}")
+    made: Team = factory(strength=from_name, **changes)
     return made

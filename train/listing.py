@@ -1,4 +1,4 @@
-"""What there is to choose from: `soccer list leagues`, teams, scenes, observations, sensors, actions, rewards."""
+"""What there is to choose from: `soccer list leagues`, teams, settings of teams, scenes, observations and so on."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Literal
 if TYPE_CHECKING:
     from rich.table import Table
 
-What = Literal["leagues", "teams", "scenes", "observations", "sensors", "actions", "rewards", "claims"]
+    from soccer_env.leagues.options import Options
+
+What = Literal["leagues", "teams", "settings", "scenes", "observations", "sensors", "actions", "rewards", "claims"]
 
 
 @dataclass(frozen=True)
@@ -28,6 +30,7 @@ def list_tables(what: What, settings: ListSettings) -> Iterator[Table]:
     lists: dict[str, Callable[[], Iterator[Table]]] = {
         "leagues": leagues,
         "teams": teams,
+        "settings": settings_of_teams,
         "scenes": scenes,
         "actions": actions,
         "rewards": rewards,
@@ -69,7 +72,35 @@ def teams() -> Iterator[Table]:
         except (ImportError, AttributeError) as error:
             played = f"cannot be loaded: {error}"
         rows.append((name, played, first_line(where.partition(":")[0]), where))
-    yield table("Teams: NAME, or NAME@0.5 for half its strength", ("name", "leagues", "what it is", "made by"), rows)
+    title = "Teams: NAME, NAME@0.5 for half its strength, NAME:switch=value,... (see `soccer list settings`)"
+    yield table(title, ("name", "leagues", "what it is", "made by"), rows)
+
+
+def settings_of_teams() -> Iterator[Table]:
+    """Yield the settings of the teams that have some, as in sacks-2001:recovery=False; of a variant what differs."""
+    from soccer_env.teams import make_team, registered
+
+    for name in registered():
+        try:
+            options = getattr(make_team(name), "options", None)
+        except (ImportError, AttributeError):
+            continue
+        if options is not None:
+            usual = type(options)()
+            differing = {row[0] for row, other in zip(options.rows(), usual.rows(), strict=True) if row[1] != other[1]}
+            rows = [row for row in option_rows(options) if not differing or row[0] in differing]
+            title = f"Settings of {name}; changed by {name}:name=value,name=value"
+            yield table(title, ("name", "value", "allowed", "unit and source"), rows)
+
+
+def option_rows(options: Options) -> list[tuple[str, str, str, str]]:
+    """Return name, value, what is allowed, unit and source of each setting, for a table."""
+    from rich.markup import escape
+
+    return [
+        (key, f"{value:g}" if isinstance(value, float) else str(value), allowed, escape(note))
+        for key, value, allowed, note in options.rows()
+    ]
 
 
 def first_line(module: str) -> str:
@@ -87,10 +118,16 @@ def scenes() -> Iterator[Table]:
     from soccer_env.scenes import SCENES
 
     rows = [
-        (x.name, x.description, x.success, f"{x.time_limit:g} s" if isfinite(x.time_limit) else "none")
+        (
+            x.name,
+            x.description,
+            x.success,
+            f"{x.time_limit:g} s" if isfinite(x.time_limit) else "none",
+            ", ".join(x.opponents),
+        )
         for x in SCENES.values()
     ]
-    yield table("Scenes", ("name", "what it is", "success", "time limit"), rows)
+    yield table("Scenes", ("name", "what it is", "success", "time limit", "opponents meant"), rows)
 
 
 def observations(league: str, observe: str) -> Iterator[Table]:
@@ -106,16 +143,11 @@ def observations(league: str, observe: str) -> Iterator[Table]:
 
 def sensors(league: str) -> Iterator[Table]:
     """Yield the numbers and switches of a league's sensors and of the memory behind them."""
-    from rich.markup import escape
-
     from soccer_env.leagues import find_league
 
     found = find_league(league)
     for name, options in (("sensors", found.sensors), ("memory", found.memory)):
-        rows = [
-            (key, f"{value:g}" if isinstance(value, float) else str(value), allowed, escape(note))
-            for key, value, allowed, note in options.rows()
-        ]
+        rows = option_rows(options)
         title = f"{type(options).__name__} of {league}; changed by {name}={{name: value}}"
         yield table(title, ("name", "value", "allowed", "unit and source"), rows)
 

@@ -45,7 +45,7 @@ def team_hash(team: str | Team) -> str:
     """Return a hash of the file that a team is: its policy file, or its module and what that imports."""
     if not isinstance(team, str):
         return module_hash(type(team).__module__)
-    name, _ = parse_team(team)
+    name, _, _ = parse_team(team)
     if Path(name).is_file():
         return hashlib.sha256(Path(name).read_bytes()).hexdigest()[:DIGITS]
     return module_hash(registered().get(name, name).partition(":")[0])

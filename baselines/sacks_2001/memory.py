@@ -6,7 +6,8 @@ import numpy as np
 
 SEARCH, APPROACH, BACK, SIDESTEP, ROTATE, ORBIT, DRIBBLE, SHOOT, PASS, SUPPORT, GUARD, YIELD = range(12)
 BEHAVIOURS = (
-    "search", "approach", "back", "sidestep", "rotate", "orbit", "dribble", "shoot", "pass", "support", "guard", "yield",
+    "search", "approach", "back", "sidestep", "rotate", "orbit",
+    "dribble", "shoot", "pass", "support", "guard", "yield",
 )  # fmt: skip
 
 MEMORY = np.dtype(

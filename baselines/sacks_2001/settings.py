@@ -102,7 +102,6 @@ class SacksSettings(Options):
     keeper_out: float = 0.30  # [m] from the middle of the goal that it stands, assumed
     keeper_zone: float = 0.55  # [m] from the middle of the goal within which it clears the ball, assumed
     keeper_alarm: float = 0.10  # [m/s] a ball that comes nearer faster is a shot, assumed
-    keeper_lead: float = 1.0  # [s] of angular motion that it steps ahead, assumed  MS53
 
     # the paper's future work, 5: sacks-2001-future
     passes: bool = False  # to a remembered team-mate when the goal is blocked  MS53

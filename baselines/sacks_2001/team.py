@@ -23,19 +23,19 @@ FUTURE = {"passes": True, "keeper_speed": True, "free_side": True, "decisive": T
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team; `changes` are settings by name, ValueError for one that does not exist or cannot be."""
     settings = SacksSettings().changed({"strength": strength, **changes})
-    return CompiledTeam("sacks-2001", play, MEMORY, settings.record(), LEAGUES)
+    return CompiledTeam("sacks-2001", play, MEMORY, settings.record(), LEAGUES, settings)
 
 
 def future(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team with what the paper leaves to the future: passes, better goalkeeper, sidesteps and decisions."""
     settings = SacksSettings().changed({"strength": strength, **FUTURE, **changes})
-    return CompiledTeam("sacks-2001-future", play, MEMORY, settings.record(), LEAGUES)
+    return CompiledTeam("sacks-2001-future", play, MEMORY, settings.record(), LEAGUES, settings)
 
 
 def tuned(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team with other numbers than the paper's: what plays better here, see README.md beside this file."""
     settings = SacksSettings().changed({"strength": strength, **TUNED, **changes})
-    return CompiledTeam("sacks-2001-tuned", play, MEMORY, settings.record(), LEAGUES)
+    return CompiledTeam("sacks-2001-tuned", play, MEMORY, settings.record(), LEAGUES, settings)
 
 
 @compiled

@@ -1,5 +1,7 @@
 """The shipped teams: still stands, random wanders, every team plays at any size, from beliefs alone, left as right."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from staging import LEAGUES, scatter, set_phase
@@ -98,13 +100,27 @@ def test_the_chaser_decides_for_an_image_as_for_the_scene(league: str, change: o
 
 def test_names_are_parsed_and_checked() -> None:
     assert set(TEAMS) <= set(team_names())
-    assert parse_team("chaser") == ("chaser", 1.0) and parse_team("chaser@0.25") == ("chaser", 0.25)
+    assert parse_team("chaser") == ("chaser", 1.0, {}) and parse_team("chaser@0.25") == ("chaser", 0.25, {})
+    switches = {"recovery": False, "step_length": 0.04, "stuck_count": 9, "goal_force": "unit"}
+    text = "sacks-2001@0.5:recovery=False,step_length=0.04,stuck_count=9,goal_force=unit"
+    assert parse_team(text) == ("sacks-2001", 0.5, switches)
+    for wrong in ("sacks-2001:", "sacks-2001:recovery", "sacks-2001:recovery=", "sacks-2001:=1", "sacks-2001:a=1,,b=2"):
+        with pytest.raises(ValueError, match="must be written as name=value"):
+            parse_team(wrong)
     for wrong in ("chaser@", "chaser@2", "chaser@-1", "chaser@x", "chaser@nan"):
         with pytest.raises(ValueError, match="must be a number from 0 to 1"):
             parse_team(wrong)
     with pytest.raises(ValueError, match="unknown team 'lions'; known: "):
         make_team("lions")
     assert make_team("chaser", strength=0.5).name == "chaser"
+    with pytest.raises(ValueError, match="team 'chaser' has no setting 'recovery'; it has: strength"):
+        make_team("chaser:recovery=False")
+    with pytest.raises(ValueError, match="unknown name 'recover' in SacksSettings; known: .*recovery"):
+        make_team("sacks-2001:recover=False")
+    with pytest.raises(ValueError, match="SacksSettings.recovery must be True or False, got 3"):
+        make_team("sacks-2001:recovery=3")
+    changed: Any = make_team("sacks-2001:recovery=False", player_gain=0.4)
+    assert changed.settings["recovery"] == 0 and changed.settings["player_gain"] == 0.4
 
 
 def test_a_team_for_other_leagues_is_refused() -> None:
