@@ -19,6 +19,7 @@ from soccer_env.physics.contacts import find_collisions, find_touches
 from soccer_env.physics.drive import drive, move_head
 from soccer_env.physics.exchange import count_substeps, is_finite, read_records, write_rows, write_twists
 from soccer_env.physics.kicker import holds_ball, work_kicker
+from soccer_env.physics.legs import disturb
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
 from soccer_env.rewards import measure_potentials, reward_robots
@@ -107,6 +108,8 @@ def begin_step(match, ball, robots, events, robot_events, velocities, k, terms, 
         if match.placing == 1:
             steer_to_place(robot, k)
         drive(robot, k, match.step, match.handedness)
+        if k.drive_leg_disturbance > 0.0 and robot.gait_phase % k.gait_steps == 1 % k.gait_steps:
+            disturb(robots, r, ball, k, match.handedness)
         work_kicker(robot, robot_events[r], k, ball, match.handedness)
         move_head(robot, k, ball)
         robot.placed = 0

@@ -5,6 +5,7 @@ from tests.mutant import Mutant
 BODY, INFRARED = "soccer_env/perception/body.py", "soccer_env/perception/infrared.py"
 DRIVE, HEAD = "soccer_env/physics/drive.py", "soccer_env/belief/head.py"
 MEMORY, TALK, WORDS = "soccer_env/belief/legged.py", "soccer_env/belief/talk.py", "soccer_env/words.py"
+LEGS, TEST_LEGS = "soccer_env/physics/legs.py", "tests/physics/test_legs.py::"
 TEST_HEAD, TEST_TALK = "tests/belief/test_head.py::", "tests/belief/test_talk.py::"
 TEST_FELT = "tests/perception/test_body.py::test_ms06_a_robot_feels_touch_and_whether_it_lies_on_its_side"
 TEST_FILLED = "tests/test_modules.py::test_ms01_memory_gets_percepts_alone_and_fills_the_shared_records"
@@ -100,6 +101,34 @@ MUTANTS = [
         "    gaze.pan = clip(pan,",
         "    gaze.pan = clip(0.0 * pan,",
         TEST_HEAD + "test_ms07_the_ball_stays_at_the_centre_of_the_picture_while_the_robot_walks",
+    ),
+    Mutant(
+        "MS51",
+        LEGS,
+        "    by_length = LENGTH_PUSH *",
+        "    by_length = 0.0 *",
+        TEST_LEGS + "test_ms51_longer_steps_kick_the_ball_away",
+    ),
+    Mutant(
+        "MS51",
+        LEGS,
+        "    by_angle = ANGLE_PUSH *",
+        "    by_angle = 0.0 *",
+        TEST_LEGS + "test_ms51_steps_far_aside_lose_the_ball",
+    ),
+    Mutant(
+        "MS51",
+        LEGS,
+        " if touched else 0.0)",
+        " if False else 0.0)",
+        TEST_LEGS + "test_ms51_pushes_grow_with_step_angle_and_contact",
+    ),
+    Mutant(
+        "MS51",
+        LEGS,
+        "            robot.target.forward = robot.target.left = robot.target.turn = 0.0",
+        "            pass",
+        TEST_LEGS + "test_ms51_legs_interlock_with_a_robot_ahead_the_less_the_farther_aside_a_step_goes",
     ),
     Mutant(
         "MS56",

@@ -13,7 +13,8 @@ GROUPS = {  # what of each part of a league goes into the record, as part_field
     "band_side band_end post_radius",
     "ball": "radius mass rolling sliding shell top_speed",
     "body": "mass disc_radius disc_x tip_x tip_y tip_radius front reach height",
-    "drive": "forward backward sideways turn acceleration turn_acceleration traction turn_traction slip fall fall_time",
+    "drive": "forward backward sideways turn acceleration turn_acceleration traction turn_traction slip fall fall_time "
+    "leg_disturbance",
     "kicker": "slowest fastest least wind_up recharge spread reach half_width",
     "head": "pan_limit tilt_low tilt_high pan_speed tilt_speed camera_height camera_ahead",
     "rules": "kick_off_distance restart_distance restart_time in_play_distance placing_time stuck_time stuck_radius "

@@ -74,6 +74,7 @@ DRIVE = Drive(
     slip_time=0.5,  # [s] a gait step
     fall=0.0,  # off until the foul rules use it
     fall_time=3.0,  # [s] assumed
+    leg_disturbance=0.0,  # off: dribbling comes from contact and gait alone  MS51
 )
 
 KICKER = Kicker(

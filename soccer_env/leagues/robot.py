@@ -69,6 +69,7 @@ class Drive:
     slip_time: float  # [s] for which a drawn slip holds
     fall: float  # [1/(N s)] probability of a fall for each unit of pushing impulse; 0 off
     fall_time: float  # [s] on the ground
+    leg_disturbance: float = 0.0  # [1] how much legs get at the ball and at other legs; 0 off, 1 see physics/legs.py
 
     def __post_init__(self) -> None:
         check(
