@@ -13,49 +13,27 @@ from __future__ import annotations
 import json
 import platform
 import sys
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from soccer_env.leagues import find_league
 from soccer_env.train.bench import run as run_bench
 from soccer_env.train.bench_settings import BenchSettings
-from soccer_env.train.evaluate import contest_of, evaluate, play
 from soccer_env.train.files import write_whole
 from soccer_env.train.provenance import commit, version_of
-from soccer_env.train.results import EvaluationResult
-from soccer_env.train.settings import EvaluateSettings, command_of, conditions_of
 from soccer_env.train.tables_claims import claims_table, measure_claims, measure_sensors, sensors_table
+from soccer_env.train.tables_teams import (
+    measure_rows,
+    replay_row,
+    sacks_rows,
+    sacks_table,
+    scripted_rows,
+    scripted_table,
+)
 
 DATA = Path(__file__).with_name("tables.json")
 README = Path(__file__).resolve().parents[1] / "README.md"
-MATCHES = {"ideal": 200, "sensors": 100}
-OPPONENTS = {  # by what fills the beliefs of both teams
-    "ideal": ("still", "random", "chaser@0", "chaser@0.25", "chaser@0.5", "chaser@0.75"),
-    "sensors": ("still", "random", "chaser@0", "chaser@0.5"),
-}
-LEAGUES = ("legged-2001", "middle-size-2006")
 LIBRARIES = ("pymunk", "numba", "numpy")
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
-
-
-def settings_of(league: str, away: str, senses: str) -> EvaluateSettings:
-    """Return the evaluation behind one row."""
-    matches = MATCHES[senses]
-    return EvaluateSettings(
-        league=league, home="chaser", away=away, senses=senses, matches=matches, players=3, seed=1, threads=2
-    )
-
-
-def measure_scripted() -> dict[str, Any]:
-    """Measure the scripted teams against each other."""
-    rows = []
-    for league in LEAGUES:
-        for senses, opponents in OPPONENTS.items():
-            for away in opponents:
-                settings = settings_of(league, away, senses)
-                rows.append(row_of(settings, evaluate(settings)))
-    return {"about": about(), "rows": rows}
 
 
 def measure_speed(quick: bool = False) -> dict[str, Any]:
@@ -68,13 +46,15 @@ def measure_speed(quick: bool = False) -> dict[str, Any]:
 MEASURE = {
     "sensors": lambda: {"about": about(), **measure_sensors()},
     "claims": lambda: {"about": about(), **measure_claims()},
-    "scripted": measure_scripted,
+    "scripted": lambda: {"about": about(), "rows": measure_rows(scripted_rows())},
+    "sacks": lambda: {"about": about(), "rows": measure_rows(sacks_rows())},
     "speed": measure_speed,
 }
 SHOW = {  # a table in Markdown
     "sensors": lambda table: with_footer(sensors_table(table), table),
     "claims": lambda table: with_footer(claims_table(table), table),
-    "scripted": lambda table: scripted_table(table),
+    "scripted": lambda table: with_footer(scripted_table(table), table),
+    "sacks": lambda table: with_footer(sacks_table(table), table),
     "speed": lambda table: speed_table(table),
 }
 
@@ -91,42 +71,6 @@ def about() -> dict[str, str]:
 def machine() -> str:
     """Return the kind of machine, on which bits depend."""
     return f"{platform.system()} {platform.machine()}"
-
-
-def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, Any]:
-    """Return what the table keeps of an evaluation."""
-    first = [[line.goals_for, line.goals_against, line.state] for line in result.lines[:2]]
-    return {
-        "command": command_of(settings),
-        "league": settings.league,
-        "away": settings.away,
-        "senses": settings.senses,
-        "matches": settings.matches,
-        "minutes": result.conditions.minutes,
-        "settings_hash": result.lines[0].settings,
-        "goals": [result.goals_for, result.goals_against],
-        "goal_difference": asdict(result.goal_difference),
-        "points": asdict(result.points),
-        "first_pair": first,
-    }
-
-
-def scripted_table(table: dict[str, Any]) -> str:
-    """Return the table of the scripted teams in Markdown."""
-    lines = [
-        "| league | senses | chaser against | matches | points | goal difference a match | goals a minute | settings |",
-        "|---|---|---|---|---|---|---|---|",
-    ]
-    for row in table["rows"]:
-        minutes = row["matches"] * row["minutes"]
-        points, difference = row["points"], row["goal_difference"]
-        lines.append(
-            f"| {row['league']} | {row['senses']} | {row['away']} | {row['matches']} "
-            f"| {100 * points['mean']:.1f} % ({100 * points['low']:.1f} to {100 * points['high']:.1f}) "
-            f"| {difference['mean']:+.2f} ({difference['low']:+.2f} to {difference['high']:+.2f}) "
-            f"| {row['goals'][0] / minutes:.2f} : {row['goals'][1] / minutes:.2f} | `{row['settings_hash']}` |"
-        )
-    return "\n".join([*lines, "", f"Command of a row: `{table['rows'][0]['command']}`", footer(table["about"])])
 
 
 def speed_table(table: dict[str, Any]) -> str:
@@ -170,29 +114,14 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
     problems = []
     if with_tables(README.read_text(encoding="utf-8"), data) != README.read_text(encoding="utf-8"):
         problems.append("README.md does not show what tables.json holds: run make tables")
-    made, now = data["scripted"]["about"], about()
-    if all(made[name] == now[name] for name in (*LIBRARIES, "machine")):
-        problems += [problem for row in data["scripted"]["rows"] for problem in replay_row(row)]
-    else:
-        print("tables: versions or machine differ from those of the table; matches are not compared", file=sys.stderr)
+    now = about()
+    for name in ("scripted", "sacks"):
+        made = data[name]["about"]
+        if all(made[what] == now[what] for what in (*LIBRARIES, "machine")):
+            problems += [problem for row in data[name]["rows"] for problem in replay_row(row)]
+        else:
+            print(f"tables: versions or machine differ from those of {name}; matches are not compared", file=sys.stderr)
     return problems if quick else problems + slower_rows(data["speed"])
-
-
-def replay_row(row: dict[str, Any]) -> list[str]:
-    """Play the first pair of a row again; return what differs."""
-    settings = settings_of(row["league"], row["away"], row["senses"])
-    league = find_league(settings.league)
-    contest = contest_of(conditions_of(settings, league), league, {})
-    from soccer_env.random_numbers import seeds_for
-
-    seeds = seeds_for(settings.seed, 1).tolist()
-    found = []
-    for number in (0, 1):
-        (line,) = play(contest, [number], seeds, "", 1, lambda steps: None)
-        found.append([line.goals_for, line.goals_against, line.state])
-    if found == row["first_pair"]:
-        return []
-    return [f"{row['command']}: the first pair now ends {found}, the table has {row['first_pair']}"]
 
 
 def slower_rows(table: dict[str, Any]) -> list[str]:

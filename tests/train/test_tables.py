@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from soccer_env.train import tables
+from soccer_env.train import tables, tables_teams
 
 DATA = json.loads(tables.DATA.read_text(encoding="utf-8"))
 SAME = all(DATA["scripted"]["about"][name] == tables.about()[name] for name in (*tables.LIBRARIES, "machine"))
@@ -29,7 +29,7 @@ def test_the_first_pair_of_a_row_plays_again(index: int) -> None:
 
 
 def test_every_step_of_strength_wins_points_in_the_table() -> None:
-    for league in tables.LEAGUES:
+    for league in tables_teams.LEAGUES:
         ladder = [
             row["points"]["mean"]
             for strength in ("0", "0.25", "0.5", "0.75")
