@@ -67,6 +67,7 @@ def start_match(
         settings.scene.place(settings.league, ball[0], robots[0], Draw(match[0]))
     if settings.scene.in_play:
         match["phase"], match["restart_team"] = PLAY, NO_TEAM
+        match["restart_x"], match["restart_y"] = ball["x"], ball["y"]
     match["still_x"], match["still_y"] = ball["x"], ball["y"]
     robots["placed"] = robots["active"]
     note_possession_of(ball, robots, constants)

@@ -14,7 +14,7 @@ import numpy as np
 
 from soccer_env.actions import ActionKind
 from soccer_env.leagues import find_league
-from soccer_env.leagues.league import PLACEMENTS, League, Rules
+from soccer_env.leagues.league import NEVER, PLACEMENTS, League, Rules
 from soccer_env.observations import OBSERVE
 from soccer_env.rewards import Rewards, find_rewards
 from soccer_env.scenes import SUCCESS, Scene, find_scene
@@ -81,6 +81,8 @@ class Settings:
         record["end_at_goal"] = self.episode == "goal"
         if self.episode == "drill":
             record["drill"], record["drill_time"] = SUCCESS[self.scene.success], self.scene.time_limit
+            if self.scene.patient:
+                record["rules_stuck_time"] = record["rules_contact_time"] = NEVER
         return record
 
     def describe(self) -> dict[str, Any]:
@@ -231,6 +233,7 @@ def make_settings(
     if max_cycles is not None:
         max_cycles = whole_number("max_cycles", max_cycles, 1, 2**40)
     found_scene = find_scene(scene)
+    found_scene.check(found, home, away)
     one_of("episode", episode, EPISODES)
     if episode == "drill" and found_scene.success == "none":
         raise ValueError(f"episode 'drill' needs a scene with a success test, and {found_scene.name!r} has none")

@@ -12,18 +12,16 @@ from typing import Any
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.leagues.league import League
+from soccer_env.leagues.league import NEVER, League
 from soccer_env.match import Match
 from soccer_env.physics.space import parking_place
 from soccer_env.types import NO_TEAM
 
-NEVER = 1e9  # [s]
-
 
 def patient(league: str | League) -> League:
-    """Return the league with a referee who never calls a stuck ball."""
+    """Return the league with a referee who never calls a stuck ball and pulls nobody apart."""
     found = find_league(league)
-    return replace(found, rules=replace(found.rules, stuck_time=NEVER))
+    return replace(found, rules=replace(found.rules, stuck_time=NEVER, contact_time=NEVER))
 
 
 def set_phase(match: Match, phase: int) -> None:

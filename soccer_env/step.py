@@ -22,9 +22,12 @@ from soccer_env.physics.kicker import holds_ball, work_kicker
 from soccer_env.physics.legs import disturb
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
+from soccer_env.referee.separation import pull_apart, watch_contacts
 from soccer_env.rewards import measure_potentials, reward_robots
 from soccer_env.scenes import judge_drill
-from soccer_env.types import MAX_TEAM, NO_TEAM
+from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
+
+PLAY = int(Phase.PLAY)
 
 
 @compiled
@@ -133,12 +136,16 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k
     dead = match.placing == 1  # a ball that is held cannot be touched
     toucher = -1 if dead else find_touches(ball, robots, robot_events, k, knock_x, knock_y)
     find_collisions(robots, robot_events, k)
+    watch_contacts(robots, robot_events, k)
     match.step += 1
     moved = dead
     if dead:
         end_placing(match, ball, robots, k)
     judge(match, ball, robots, events, k, toucher if toucher >= 0 else kicked_by(ball, robots, robot_events))
-    judge_drill(match, ball, events, k)
+    if match.phase == PLAY and pull_apart(ball, robots, match, k):
+        events.separated = 1
+        moved = True
+    judge_drill(match, ball, robots, robot_events, events, k)
     if events.restart != 0 and match.over == 0:
         carry_out_restart(match, ball, robots, k, k.drive_placement)
         moved = True
@@ -185,7 +192,7 @@ def clear_events(events, robot_events):
     """Forget the events of the last step."""
     events.goal = events.restart_team = events.touch_team = NO_TEAM
     events.scorer = -1
-    events.out = events.restart = events.in_play = events.stuck = 0
+    events.out = events.restart = events.in_play = events.stuck = events.separated = 0
     events.half_time = events.final_whistle = events.drill = 0
     for r in range(robot_events.shape[0]):
         event = robot_events[r]

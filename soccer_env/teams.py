@@ -23,8 +23,8 @@ from soccer_env.types import RobotStream
 
 NAMES = {  # strings only: resolved at first use
     "still": "soccer_env.baselines.still:team",
-    "walker": "soccer_env.baselines.walker:team",
     "random": "soccer_env.baselines.random:team",
+    "walker": "soccer_env.baselines.walker:team",
     "chaser": "soccer_env.baselines.chaser:team",
     "sacks-2001": "soccer_env.baselines.sacks_2001:team",
     "sacks-2001-tuned": "soccer_env.baselines.sacks_2001:tuned",

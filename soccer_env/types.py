@@ -117,6 +117,7 @@ MATCH = np.dtype(
         ("still_clock", "f8"),  # [s] that the ball has stayed near the still point
         ("still_x", "f8"),  # [m] field frame: the still point
         ("still_y", "f8"),  # [m] field frame
+        ("drill_clock", "f8"),  # [s] for which a drill's dribbler has been far from the ball
         ("handedness", "f8"),  # +1; -1 mirrors each lateral noise draw (for symmetry tests)
         ("noise", "u8", (NOISE_STREAMS,)),  # state of each MatchStream
     ]
@@ -162,6 +163,7 @@ ROBOT = np.dtype(
         ("has_ball", "i8"),  # 1: the ball lies in the pocket or at the kicker
         ("fallen", "f8"),  # [s] left on the ground; 0 upright
         ("penalty", "f8"),  # [s] left of a penalty; 0 none
+        ("locked", "f8"),  # [s] in contact with an opponent, less the time out of it, never below 0
         ("place_x", "f8"),  # [m] field frame: its place at the current restart
         ("place_y", "f8"),  # [m] field frame
         ("place_heading", "f8"),  # [rad] field frame
@@ -270,6 +272,7 @@ EVENTS = np.dtype(
         ("restart_team", "i8"),  # who takes it, or NO_TEAM
         ("in_play", "i8"),  # 1: a restart was taken or its time ran out
         ("stuck", "i8"),  # 1: the referee called a stuck ball
+        ("separated", "i8"),  # 1: the referee pulled opponents apart
         ("half_time", "i8"),  # 1: the first half ended
         ("final_whistle", "i8"),  # 1: the match ended
         ("touch_team", "i8"),  # who touched the ball in this step, or NO_TEAM; both: the nearer

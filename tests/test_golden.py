@@ -14,12 +14,12 @@ from soccer_env import Match
 
 MADE_WITH = "pymunk 7.3.1, numba 0.68.1, numpy 2.4.6, Linux x86_64"
 GOLDEN = {
-    ("legged-2001", "actions"): "12fe1a65d6a8cdd943ee264b081c3543",
-    ("legged-2001", "teams"): "adaf82c5b3156f665bdbd9ce64db40d8",
-    ("legged-2001", "senses"): "8218eec44dd10266d1cd417219a30994",
-    ("middle-size-2006", "actions"): "f482bda93a8dc112ad87fb7a85e41d9b",
-    ("middle-size-2006", "teams"): "5bf7f13c37c4aee6f8400686ce9aa39c",
-    ("middle-size-2006", "senses"): "fed04dacac3a50f09d22628f93e1223a",
+    ("legged-2001", "actions"): "51cc2dae05861e5e33c3a0e558df29ab",
+    ("legged-2001", "teams"): "d5769d36a85424b6157617bc1db13484",
+    ("legged-2001", "senses"): "35ccb3091b282c1e128067aead56d0f5",
+    ("middle-size-2006", "actions"): "0bd4707e8046cab03768402d26b03ade",
+    ("middle-size-2006", "teams"): "d8f22d631b2b541294c555674d719294",
+    ("middle-size-2006", "senses"): "a58111907d3a028bbc1649560f21ed8e",
 }
 
 

@@ -18,7 +18,7 @@ GROUPS = {  # what of each part of a league goes into the record, as part_field
     "kicker": "slowest fastest least wind_up recharge spread reach half_width",
     "head": "pan_limit tilt_low tilt_high pan_speed tilt_speed camera_height camera_ahead",
     "rules": "kick_off_distance restart_distance restart_time in_play_distance placing_time stuck_time stuck_radius "
-    "separation corner_offset goal_kick_x goal_kick_y drop_x drop_y",
+    "separation contact_time corner_offset goal_kick_x goal_kick_y drop_x drop_y",
     "substeps": "travel",
 }
 NUMBERS = [f"{part}_{name}" for part, names in GROUPS.items() for name in names.split()]
@@ -44,7 +44,7 @@ CONSTANTS = np.dtype(
         ("opponent_slots", "i8"),
         ("drive_placement", "i8"),  # 1: robots drive to their places; 0: they are put there
         ("end_at_goal", "i8"),  # 1: the episode ends at the first goal
-        ("drill", "i8"),  # how the drill of the scene is judged, 0 none; see scenes.py
+        ("drill", "i8"),  # how the drill of the scene is judged, 0 none; see scenes/judging.py
         ("drill_time", "f8"),  # [s] limit of the drill
     ]
 )

@@ -35,6 +35,7 @@ from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
 
 PLACEMENTS = ("instant", "drive")
+NEVER = 1e9  # [s]
 
 
 @dataclass(frozen=True)
@@ -102,15 +103,17 @@ class Rules:
     placing_time: float  # [s] that robots have to drive to their places
     stuck_time: float  # [s] that the ball may stay near one point
     stuck_radius: float  # [m] that counts as near
-    separation: float  # [m] to which robots are pulled away from a dropped ball
+    separation: float  # [m] to which robots are pulled away from a dropped ball, and opponents from each other
     corner_offset: float  # [m] of the ball from the corner, along both lines
     goal_kick_x: float  # [m] of the ball from the goal line at a goal kick
     goal_kick_y: float  # [m] of the ball from the middle at a goal kick
     drop_x: float  # [m] of the drop spots from the centre
     drop_y: float  # [m]
+    contact_time: float = NEVER  # [s] in contact after which opponents are pulled apart
 
     def __post_init__(self) -> None:
-        check(self, half_minutes=positive, restart_time=positive, stuck_time=positive, stuck_radius=positive)
+        times = dict.fromkeys(("restart_time", "stuck_time", "contact_time"), positive)
+        check(self, half_minutes=positive, stuck_radius=positive, **times)
 
 
 @dataclass(frozen=True)

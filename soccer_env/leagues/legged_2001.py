@@ -114,6 +114,7 @@ RULES = Rules(
     goal_kick_y=0.3,  # [m] unused on a walled field
     drop_x=0.75,  # [m] a quarter of the length, assumed
     drop_y=0.5,  # [m] a quarter of the width, assumed
+    contact_time=15.0,  # [s] "after a set time", Sacks 2001, 1; as a stuck ball, assumed  MS55
 )
 
 LEAGUE = League(  # MS56

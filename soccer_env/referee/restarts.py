@@ -87,7 +87,7 @@ def stop(robot):
     robot.target.forward = robot.target.left = robot.target.turn = 0.0
     for i in range(robot.delayed.shape[0]):
         robot.delayed[i].forward = robot.delayed[i].left = robot.delayed[i].turn = 0.0
-    robot.kick_clock = 0.0
+    robot.kick_clock = robot.locked = 0.0
     robot.has_ball = 0
 
 

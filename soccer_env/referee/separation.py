@@ -1,0 +1,125 @@
+"""Pull apart opponents that have collided and do not come free.  [Sacks 2001, 1]  MS55
+
+"The referee can, in many circumstances, separate robots that have collided after a set time". The ball stays where it
+is and play goes on.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.physics.contacts import robots_touch
+from soccer_env.referee.restarts import MARGIN, PASSES, push_of_others, put_robot, stay, stay_on_pitch
+
+MOVED = 1e-9  # [m]
+
+
+@compiled
+def watch_contacts(robots, robot_events, k):
+    """Count for how long each robot has been in contact with an opponent; time out of contact is taken off.
+
+    Robots that push against each other rattle: a moment without contact does not free them.
+    """
+    for r in range(robots.shape[0]):
+        robot = robots[r]
+        if robot_events[r].collision == 1 and touches_opponent(robots, r, k):
+            robot.locked += k.dt
+        elif robot.locked > 0.0:
+            robot.locked = max(robot.locked - k.dt, 0.0)
+
+
+@compiled
+def touches_opponent(robots, r, k):
+    """Tell whether robot r touches an opponent."""
+    for other in range(robots.shape[0]):
+        opponent = robots[other].team != robots[r].team
+        if opponent and is_near(robots[r], robots[other], k) and robots_touch(robots[r], robots[other], k):
+            return True
+    return False
+
+
+@compiled
+def is_near(robot, other, k):
+    """Tell whether two robots stand so near that they may touch."""
+    x, y = other.x - robot.x, other.y - robot.y
+    near = 2.0 * k.body_reach + MARGIN
+    return other.active == 1 and x * x + y * y < near * near
+
+
+@compiled
+def is_locked(robot, other, k):
+    """Tell whether two opponents have been in contact for too long."""
+    limit = k.rules_contact_time - 0.5 * k.dt
+    return robot.team != other.team and robot.locked >= limit and other.locked >= limit and is_near(robot, other, k)
+
+
+@compiled
+def pull_apart(ball, robots, match, k):
+    """Pull opponents in contact for too long apart, to the rules' distance; tell whether anybody was moved.  MS55"""
+    count, found = robots.shape[0], False
+    for r in range(count):
+        found = found or robots[r].locked >= k.rules_contact_time - 0.5 * k.dt
+    if not found:
+        return False
+    locked = np.zeros((count, count), np.bool_)
+    found = False
+    for r in range(count):
+        stay(robots[r])
+        for other in range(count):
+            locked[r, other] = is_locked(robots[r], robots[other], k)
+            found = found or locked[r, other]
+    if found:
+        spread_places(ball, robots, match, locked, k)
+        for r in range(count):
+            x, y = robots[r].place_x - robots[r].x, robots[r].place_y - robots[r].y
+            if robots[r].active == 1 and length(x, y) > MOVED:
+                put_robot(robots[r])
+    return found
+
+
+@compiled
+def spread_places(ball, robots, match, locked, k):
+    """Move places until locked pairs stand apart, nobody in anybody, in the ball or off the pitch.
+
+    All moves of a pass are made at once, so that no robot is favoured by its number.
+    """
+    count = robots.shape[0]
+    move_x, move_y = np.zeros(count), np.zeros(count)
+    for _ in range(PASSES):
+        busy = False
+        for r in range(count):
+            move_x[r], move_y[r] = push_of_others(robots, r, k)
+            for other in range(count):
+                if locked[r, other]:
+                    x, y = push_from(robots[r], robots[other], k)
+                    move_x[r], move_y[r] = move_x[r] + x, move_y[r] + y
+            busy = busy or move_x[r] != 0.0 or move_y[r] != 0.0
+        for r in range(count):
+            if robots[r].active == 1 and (move_x[r] != 0.0 or move_y[r] != 0.0):
+                robots[r].place_x += move_x[r]
+                robots[r].place_y += move_y[r]
+                leave_alone(ball, robots[r], k)
+                stay_on_pitch(match, robots[r], k)
+        if not busy:
+            return
+
+
+@compiled
+def push_from(robot, other, k):
+    """Return how far a robot's place has to move away from that of the opponent it is locked with [m, m]."""
+    apart = k.rules_separation + k.body_reach
+    x, y = robot.place_x - other.place_x, robot.place_y - other.place_y
+    gap = max(length(x, y), 1e-6)
+    move = max(0.55 * (apart - gap), 0.0)
+    return move * x / gap, move * y / gap
+
+
+@compiled
+def leave_alone(ball, robot, k):
+    """Move a place out of the ball, away from it."""
+    x, y = robot.place_x - ball.x, robot.place_y - ball.y
+    gap, far = max(length(x, y), 1e-6), k.body_reach + k.ball_radius + MARGIN
+    if gap < far:
+        robot.place_x, robot.place_y = ball.x + x * far / gap, ball.y + y * far / gap

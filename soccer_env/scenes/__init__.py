@@ -1,0 +1,26 @@
+"""Scenes: how an episode begins, and for drills what counts as success.
+
+`kick-off` is a match. The drills are named starts with a success test (judging.py) and a time limit; more come with the
+teams that need them.
+"""
+
+from __future__ import annotations
+
+from soccer_env.scenes.drills import DRILLS
+from soccer_env.scenes.drills_legged import DRILLS_LEGGED
+from soccer_env.scenes.judging import SUCCESS, judge_drill
+from soccer_env.scenes.scene import Draw, Place, Scene, put, send_away
+
+SCENES = {scene.name: scene for scene in (Scene("kick-off", "a match from the kick-off on"), *DRILLS, *DRILLS_LEGGED)}
+
+
+def find_scene(scene: str | Scene) -> Scene:
+    """Return the scene of that name, or the object itself; ValueError says which names exist."""
+    if isinstance(scene, Scene):
+        return scene
+    if not isinstance(scene, str) or scene not in SCENES:
+        raise ValueError(f"unknown scene {scene!r}; known: {', '.join(SCENES)}")
+    return SCENES[scene]
+
+
+__all__ = ["SCENES", "SUCCESS", "Draw", "Place", "Scene", "find_scene", "judge_drill", "put", "send_away"]

@@ -1,0 +1,118 @@
+"""What counts as success in a drill, judged in compiled code after each control step.
+
+    home scores          home scores a goal
+    away saves           a shot does not go in: it stops, or leaves the field
+    home gets the ball   it lies between the paws (in the pocket, at the kicker) of one of home's robots
+    home gets free       that, while nobody of away's is near the ball; or carried CARRIED away from where it lay
+    home gets past       carried past the last player of away's, or into the goal, in touch with nobody
+
+Any goal ends a drill. Written for the direction in which home attacks; the dribbler is the last active robot of home's.
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.physics.contacts import ball_gap
+from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
+
+OVER = int(Phase.OVER)
+NO_DRILL, SCORE, SAVE, GET, FREE, PASS_BY = range(6)
+SUCCESS = {
+    "none": NO_DRILL,
+    "home scores": SCORE,
+    "away saves": SAVE,
+    "home gets the ball": GET,
+    "home gets free": FREE,
+    "home gets past": PASS_BY,
+}
+SLOW_BALL = 0.2  # [m/s] a shot this slow is saved, assumed
+NEAR_BALL = 0.05  # [m] from its outline to the ball: a robot this near contests it, assumed
+CARRIED = 0.3  # [m] from where the ball lay at the start, assumed
+PAST = 0.2  # [m] beyond the last player's centre, assumed
+LOST = 0.35  # [m] from the dribbler's centre to the ball, assumed
+LOST_TIME = 2.0  # [s] for which a ball may be farther, assumed
+
+
+@compiled
+def judge_drill(match, ball, robots, robot_events, events, k):
+    """Decide a drill: +1 success, -1 failure, 0 open; a decided drill is over."""
+    if k.drill == NO_DRILL:
+        return
+    result = 0
+    if events.goal != NO_TEAM:
+        result = 1 if events.goal == HOME and k.drill != SAVE else -1
+    elif k.drill == SCORE:
+        result = -1 if events.out == 1 else 0
+    elif k.drill == SAVE:
+        result = 1 if events.out == 1 or ball.vx * match.home_direction <= SLOW_BALL else 0
+    elif k.drill == GET:
+        result = 1 if has_ball(robots, HOME) else 0
+    elif k.drill == FREE:
+        result = who_is_free(match, ball, robots, k)
+    else:
+        result = judge_dribble(match, ball, robots, robot_events, k)
+    events.drill = result
+    if result != 0:
+        match.over = 1
+        match.phase = OVER
+
+
+@compiled
+def has_ball(robots, team):
+    """Tell whether one of a team's robots had the ball after the last step."""
+    found = False
+    for r in range(robots.shape[0]):
+        found = found or (robots[r].team == team and robots[r].has_ball == 1)
+    return found
+
+
+@compiled
+def is_near(ball, robots, team, k):
+    """Tell whether one of a team's robots is so near the ball that it contests it."""
+    far = k.body_reach + k.ball_radius + NEAR_BALL
+    for r in range(robots.shape[0]):
+        if robots[r].team == team and robots[r].active == 1:
+            x, y = ball.x - robots[r].x, ball.y - robots[r].y
+            if x * x + y * y < far * far and ball_gap(robots[r], k, ball.x, ball.y) < NEAR_BALL:
+                return True
+    return False
+
+
+@compiled
+def who_is_free(match, ball, robots, k):
+    """Return +1 if home has got the ball free, -1 if away has, else 0; `restart` is where the ball lay.
+
+    If both have a ball that was carried far, the side wins towards whose attack it went.
+    """
+    home, away = has_ball(robots, HOME), has_ball(robots, AWAY)
+    if home and not is_near(ball, robots, AWAY, k):
+        return 1
+    if away and not is_near(ball, robots, HOME, k):
+        return -1
+    x, y = ball.x - match.restart_x, ball.y - match.restart_y
+    if not (home or away) or length(x, y) <= CARRIED:
+        return 0
+    if home and away:
+        return 1 if x * match.home_direction > 0.0 else -1
+    return 1 if home else -1
+
+
+@compiled
+def judge_dribble(match, ball, robots, robot_events, k):
+    """Return +1 for a dribbler that is past all, -1 for one that touched somebody or lost the ball, else 0."""
+    dribbler, last = 0, -1e9
+    for r in range(robots.shape[0]):
+        if robots[r].active == 1:
+            if robots[r].team == HOME:
+                dribbler = r
+            else:
+                last = max(last, robots[r].x * match.home_direction)
+    robot = robots[dribbler]
+    if robot_events[dribbler].collision == 1:
+        return -1
+    near = length(ball.x - robot.x, ball.y - robot.y) <= LOST
+    match.drill_clock = 0.0 if near else match.drill_clock + k.dt
+    if match.drill_clock > LOST_TIME:
+        return -1
+    return 1 if robot.has_ball == 1 and ball.x * match.home_direction > last + PAST else 0

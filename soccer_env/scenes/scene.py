@@ -1,0 +1,91 @@
+"""What a scene is, and the parts that all scenes are made of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import inf
+from typing import Any
+
+from soccer_env.geometry import wrap
+from soccer_env.leagues.league import League
+from soccer_env.random_numbers import uniform
+from soccer_env.scenes.judging import SUCCESS
+from soccer_env.types import MAX_TEAM, MatchStream
+
+SCENE = int(MatchStream.SCENE)
+
+
+class Draw:
+    """Draws of a scene's own noise stream."""
+
+    def __init__(self, match: Any) -> None:
+        self.noise = match["noise"]
+
+    def between(self, low: float, high: float) -> float:
+        """Draw a number from [low, high)."""
+        return low + (high - low) * float(uniform(self.noise, SCENE))
+
+    def side(self) -> float:
+        """Draw +1 (left) or -1 (right)."""
+        return 1.0 if self.between(0.0, 1.0) < 0.5 else -1.0
+
+
+Place = Callable[[League, Any, Any, Draw], None]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A start: `place(league, ball, robots, draw)` moves what the kick-off formation put down.
+
+    Field frame, home attacks +x. `opponents` names the teams that a drill is meant for, one for each opponent that has
+    a part in it (the last rows of away): a suggestion, lists show it; who plays is for the caller to say.
+    """
+
+    name: str
+    description: str
+    place: Place | None = None
+    success: str = "none"
+    time_limit: float = inf  # [s]
+    in_play: bool = False  # True: play is on; False: a kick-off
+    opponents: tuple[str, ...] = ()  # names of teams, with strengths
+    most: int = MAX_TEAM  # players a side
+    leagues: tuple[str, ...] = ()  # names a league has to begin with; empty: all
+    patient: bool = False  # True: in this drill the referee calls no stuck ball and pulls nobody apart
+
+    def __post_init__(self) -> None:
+        if self.success not in SUCCESS:
+            raise ValueError(f"Scene.success must be one of {', '.join(SUCCESS)}, got {self.success!r}")
+        if not self.time_limit > 0.0:
+            raise ValueError(f"Scene.time_limit must be above zero, got {self.time_limit}")
+
+    def check(self, league: League, home: int, away: int) -> None:
+        """Raise ValueError if the scene is not for this league, or not for so many players a side."""
+        if self.leagues and not league.name.startswith(self.leagues):
+            raise ValueError(f"scene {self.name!r} is for {', '.join(self.leagues)}, not {league.name}")
+        least = max(len(self.opponents), 1)
+        for side, size, low in (("home", home, 1), ("away", away, least)):
+            if not low <= size <= self.most:
+                raise ValueError(f"{side} must be {low} to {self.most} in scene {self.name!r}, got {size}")
+
+
+def put(robot: Any, x: float, y: float, heading: float) -> None:
+    """Put a robot somewhere [m, m, rad], at rest."""
+    robot["x"], robot["y"], robot["heading"] = x, y, float(wrap(heading))
+
+
+def last_of(robots: Any, team: int) -> int:
+    """Return the row of a team's last active robot."""
+    return max(r for r in range(len(robots)) if robots[r]["team"] == team and robots[r]["active"])
+
+
+def send_away(league: League, robots: Any, *but: int) -> None:
+    """Put every active robot but some at home's end of the pitch, in two columns or three, out of play."""
+    columns = 2 if len(robots) <= 2 * league.team_size else 3
+    rows = -(-len(robots) // columns)
+    edge, step = league.pitch.width / 2 - league.body.reach, 2.5 * league.body.reach
+    for r in range(len(robots)):
+        if r not in but and robots[r]["active"]:
+            column, row = r % columns, r // columns
+            x = -league.pitch.length / 2 + (column + 0.6) * step
+            put(robots[r], x, edge - row * min(step, 2 * edge / max(rows - 1, 1)), 0.0)
