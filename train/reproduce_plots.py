@@ -39,12 +39,15 @@ def draw(figure: dict[str, Any]) -> bytes:
 
     canvas, axes = plt.subplots(figsize=SIZE, dpi=DOTS)
     for curve, style in zip(figure["curves"], itertools.cycle(STYLES), strict=False):
-        (line,) = axes.plot(curve["x"], numbers(curve["y"]), style, markersize=3, label=curve["name"])
+        (line,) = axes.plot(numbers(curve["x"]), numbers(curve["y"]), style, markersize=3, label=curve["name"])
         if curve["low"]:
             low, high = numbers(curve["low"]), numbers(curve["high"])
             axes.fill_between(curve["x"], low, high, color=line.get_color(), alpha=0.2, linewidth=0)
     for rule in figure["rules"]:
         axes.axhline(rule, color="grey", linestyle="--", linewidth=0.8, label=f"in the criteria: {rule:g}")
+    if "arrows" in figure:
+        axes.quiver(*figure["arrows"].values(), color="0.6", scale=40.0, width=0.002)
+        axes.set_aspect("equal")
     axes.set(title=figure["title"], xlabel=figure["x_label"], ylabel=figure["y_label"])
     axes.grid(alpha=0.3)
     axes.legend(fontsize="small", loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)

@@ -41,6 +41,8 @@ MODULES: tuple[str, ...] = (
     "players_range",
     "players_moving",
     "head_down",
+    "field_forces",
+    "field_numbers",
     "views",
     "resolution",
     "middle_size",

@@ -49,6 +49,16 @@ class Curve:
 
 
 @dataclass(frozen=True)
+class Arrows:
+    """Arrows over a field: where they begin, and what they show."""
+
+    x: Sequence[float]
+    y: Sequence[float]
+    along_x: Sequence[float]
+    along_y: Sequence[float]
+
+
+@dataclass(frozen=True)
 class Figure:
     """Plain data that the report draws, or prints as a table."""
 
@@ -57,6 +67,7 @@ class Figure:
     y_label: str
     curves: tuple[Curve, ...]
     rules: tuple[float, ...] = ()  # heights of dashed lines: what the criterion asks for
+    arrows: Arrows | None = None  # a picture of the field: both axes have one scale
 
 
 @dataclass(frozen=True)
@@ -112,7 +123,10 @@ def as_plain(figure: Figure) -> dict[str, Any]:
         for curve in figure.curves
     ]
     words = {name: getattr(figure, name) for name in ("title", "x_label", "y_label")}
-    return {**words, "curves": curves, "rules": [float(rule) for rule in figure.rules]}
+    plain = {**words, "curves": curves, "rules": [float(rule) for rule in figure.rules]}
+    if figure.arrows is not None:
+        plain["arrows"] = {name: [float(v) for v in values] for name, values in vars(figure.arrows).items()}
+    return plain
 
 
 def none_or_float(value: Any) -> float | None:
