@@ -45,6 +45,7 @@ MODULES: tuple[str, ...] = (
     "field_numbers",
     "views",
     "resolution",
+    "dribbling",
     "middle_size",
     "own_pose",
 )
