@@ -8,10 +8,20 @@ from tests import (
     mutants_picture,
     mutants_players,
     mutants_pose,
+    mutants_stuck,
 )
 from tests.mutant import Mutant
 
 __all__ = ["MUTANTS", "Mutant"]
 
-PARTS = (mutants_body, mutants_picture, mutants_ball, mutants_players, mutants_field, mutants_omni, mutants_pose)
+PARTS = (
+    mutants_body,
+    mutants_picture,
+    mutants_ball,
+    mutants_players,
+    mutants_field,
+    mutants_omni,
+    mutants_pose,
+    mutants_stuck,
+)
 MUTANTS: list[Mutant] = [mutant for part in PARTS for mutant in part.MUTANTS]

@@ -11,9 +11,9 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.physics.contacts import robots_touch
-from soccer_env.referee.restarts import MARGIN, PASSES, push_of_others, put_robot, stay, stay_on_pitch
+from soccer_env.referee.restarts import MARGIN, PASSES, STIR, SWIRL, push_of_others, put_robot, stay, stay_on_pitch
 
-MOVED = 1e-9  # [m]
+MOVED = 1e-6  # [m] less is none
 
 
 @compiled
@@ -49,10 +49,15 @@ def is_near(robot, other, k):
 
 
 @compiled
+def is_overdue(robot, k):
+    """Tell whether a robot has been in contact for too long."""
+    return robot.locked >= k.rules_contact_time - 0.5 * k.dt
+
+
+@compiled
 def is_locked(robot, other, k):
-    """Tell whether two opponents have been in contact for too long."""
-    limit = k.rules_contact_time - 0.5 * k.dt
-    return robot.team != other.team and robot.locked >= limit and other.locked >= limit and is_near(robot, other, k)
+    """Tell whether two opponents hold each other for too long."""
+    return robot.team != other.team and is_overdue(robot, k) and is_overdue(other, k) and is_near(robot, other, k)
 
 
 @compiled
@@ -60,7 +65,7 @@ def pull_apart(ball, robots, match, k):
     """Pull opponents in contact for too long apart, to the rules' distance; tell whether anybody was moved.  MS55"""
     count, found = robots.shape[0], False
     for r in range(count):
-        found = found or robots[r].locked >= k.rules_contact_time - 0.5 * k.dt
+        found = found or is_overdue(robots[r], k)
     if not found:
         return False
     locked = np.zeros((count, count), np.bool_)
@@ -87,8 +92,9 @@ def spread_places(ball, robots, match, locked, k):
     """
     count = robots.shape[0]
     move_x, move_y = np.zeros(count), np.zeros(count)
-    for _ in range(PASSES):
+    for number in range(PASSES):
         busy = False
+        swirl = SWIRL * match.handedness if number // STIR % 2 == 1 else 0.0
         for r in range(count):
             move_x[r], move_y[r] = push_of_others(robots, r, k)
             for other in range(count):
@@ -100,7 +106,7 @@ def spread_places(ball, robots, match, locked, k):
             if robots[r].active == 1 and (move_x[r] != 0.0 or move_y[r] != 0.0):
                 robots[r].place_x += move_x[r]
                 robots[r].place_y += move_y[r]
-                leave_alone(ball, robots[r], k)
+                leave_alone(ball, robots[r], k, swirl)
                 stay_on_pitch(match, robots[r], k)
         if not busy:
             return
@@ -108,18 +114,19 @@ def spread_places(ball, robots, match, locked, k):
 
 @compiled
 def push_from(robot, other, k):
-    """Return how far a robot's place has to move away from that of the opponent it is locked with [m, m]."""
+    """Return how far a robot's place has to move from that of the opponent it is locked with [m, m]."""
     apart = k.rules_separation + k.body_reach
     x, y = robot.place_x - other.place_x, robot.place_y - other.place_y
     gap = max(length(x, y), 1e-6)
-    move = max(0.55 * (apart - gap), 0.0)
+    move = 0.5 * (apart - gap) if gap < apart - MOVED else 0.0
     return move * x / gap, move * y / gap
 
 
 @compiled
-def leave_alone(ball, robot, k):
-    """Move a place out of the ball, away from it."""
+def leave_alone(ball, robot, k, swirl):
+    """Move a place out of the ball, away from it and `swirl` times as far round it."""
     x, y = robot.place_x - ball.x, robot.place_y - ball.y
     gap, far = max(length(x, y), 1e-6), k.body_reach + k.ball_radius + MARGIN
     if gap < far:
-        robot.place_x, robot.place_y = ball.x + x * far / gap, ball.y + y * far / gap
+        along = swirl * (far - gap)
+        robot.place_x, robot.place_y = ball.x + (x * far - y * along) / gap, ball.y + (y * far + x * along) / gap
