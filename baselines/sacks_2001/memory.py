@@ -17,6 +17,8 @@ MEMORY = np.dtype(
         ("clock", "f8"),  # [s] in this behaviour
         ("wait", "f8"),  # [s] until the next decision (strength below 1)
         ("aim_error", "f8"),  # [rad] the same
+        ("sightings", "i8"),  # of the ball in a row
+        ("trusted", "f8"),  # [s] since it was seen for certain
         ("attacks", "i8"),  # 1: attacker, 0: supporter
         ("role_clock", "f8"),  # [s] for which the other role would have been right
         ("reading", "f8"),  # [s] since the stuck counter was last moved

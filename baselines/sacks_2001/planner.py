@@ -12,7 +12,7 @@ and head.
 
 from __future__ import annotations
 
-from math import atan2
+from math import atan2, cos, sin
 
 from soccer_env.baselines.sacks_2001.goalkeeper import guard, is_shot, may_clear, meet_shot
 from soccer_env.baselines.sacks_2001.memory import (
@@ -53,7 +53,10 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import wrap
 
 NEVER = 1e9  # [s]
-JUST_SEEN = 0.15  # [s]
+JUST_NOW, JUST_SEEN = 0.01, 0.15  # [s]
+FOUND = 4  # sightings that make a ball certain, assumed
+OUTSIDE, OUTSIDE_SHARE = 0.10, 0.10  # [m], [1] of its distance, that a ball may seem to lie behind the boards, assumed
+GAP = 0.25  # [s] unseen that ends a row of sightings, assumed
 LOOK_DOWN = 0.8  # [s] with the head on its way down and down, after which an unseen ball is not there, assumed
 AFTER_KICK = 1.0  # [s] for which a robot looks after the ball that it kicked, assumed
 FULL_TURN = 6.3  # [rad]
@@ -66,6 +69,7 @@ MOST_OFF = 2.8  # [rad] off the goal beyond which an orbit keeps the side it beg
 def decide(belief, tracks, memory, command, sight, k, play, elapsed):
     """Choose a behaviour and do it."""
     before = memory.behaviour
+    note_sighting(belief, memory, k, play, elapsed)
     note_possession(belief.ball, memory, k, play, elapsed)
     memory.behaviour = choose(belief, tracks, memory, sight, k, play, elapsed)
     memory.clock = memory.clock + elapsed if memory.behaviour == before else 0.0
@@ -74,6 +78,32 @@ def decide(belief, tracks, memory, command, sight, k, play, elapsed):
     memory.glances = 0
     act(belief, tracks, memory, command, sight, k, play, elapsed)
     memory.winding = memory.winding + elapsed if command.kick > 0.0 else 0.0
+
+
+@compiled
+def note_sighting(belief, memory, k, play, elapsed):
+    """Note how long ago the ball was seen for certain: some times in a row, and not off the field.
+
+    A glimpse may be of anything orange, and there are orange patches behind the boards.
+    """
+    ball = belief.ball
+    if ball.age > GAP or ball.confidence <= 0.0 or lies_outside(belief, k, play):
+        memory.sightings = 0
+    elif ball.age < JUST_NOW:
+        memory.sightings += 1
+    memory.trusted = 0.0 if memory.sightings >= FOUND else memory.trusted + elapsed
+
+
+@compiled
+def lies_outside(belief, k, play):
+    """Tell whether a robot that knows where it is believes the ball behind the boards, by more than ranges err."""
+    own, ball = belief.own, belief.ball
+    if own.confidence < play.unsure:
+        return False
+    cosine, sine = cos(own.heading), sin(own.heading)
+    x, y = own.x + cosine * ball.x - sine * ball.y, own.y + sine * ball.x + cosine * ball.y
+    room = OUTSIDE + OUTSIDE_SHARE * ball.distance
+    return abs(x) > 0.5 * k.pitch_length + room or abs(y) > 0.5 * k.pitch_width + room
 
 
 @compiled
@@ -106,7 +136,7 @@ def choose(belief, tracks, memory, sight, k, play, elapsed):
         if memory.behaviour != APPROACH:
             return memory.behaviour
     has_ball = memory.had_ball < play.possession_time
-    unseen = ball.age > play.lost or ball.confidence <= 0.0
+    unseen = memory.trusted > play.lost or ball.confidence <= 0.0
     if unseen and not has_ball and memory.kicked <= 0.0:
         forget_approach(memory)
         return SEARCH
