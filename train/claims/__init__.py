@@ -43,6 +43,8 @@ MODULES: tuple[str, ...] = (
     "head_down",
     "field_forces",
     "field_numbers",
+    "field_paths",
+    "field_movers",
     "views",
     "resolution",
     "dribbling",

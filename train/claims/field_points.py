@@ -22,6 +22,7 @@ SECONDS = 70.0  # [s] of a run: 2.8 m at 7 cm/s take 40
 FIELD: Any = forces  # the team's own formulas
 START = -1.2  # [m] x of the dribbler
 ASIDE = 0.05  # [m] off the middle at which it starts, at most
+ASKEW = 0.35  # [rad] that a gap is at most: 20 degrees
 TOUCH = 0.23  # [m] between two middles at which bodies touch: 16 cm to the paws, 8 cm to a flank; FACTS 6
 UNIT = 1.0 / (1.0 / 0.8 + 1.0 / 1.0)  # [m] where a player's force is 1 with the paper's constants
 NOISE = 0.08  # [1] of the range: as much as S35 is judged at
@@ -46,11 +47,11 @@ def one_ahead(rng: np.random.Generator, nearest: float, widest: float, count: in
     return players(np.stack([rng.uniform(-0.3, 0.3, count), y], axis=-1)[:, None])
 
 
-def gap_ahead(rng: np.random.Generator, narrowest: float, widest: float, count: int = SCENES) -> np.ndarray:
-    """Return two standing players (M, 2), a gap [m] between their middles, across the way, up to 20 degrees askew."""
-    half, askew = 0.5 * rng.uniform(narrowest, widest, count), rng.uniform(-0.35, 0.35, count)
-    x, y = rng.uniform(-0.3, 0.3, count), rng.uniform(-0.05, 0.05, count)
-    sides = [np.stack([x - s * half * np.sin(askew), y + s * half * np.cos(askew)], axis=-1) for s in (1.0, -1.0)]
+def gap_ahead(rng: np.random.Generator, narrowest: float, widest: float, askew: float = ASKEW) -> np.ndarray:
+    """Return two standing players (M, 2), a gap [m] between their middles, across the way, up to `askew` [rad] so."""
+    half, angle = 0.5 * rng.uniform(narrowest, widest, SCENES), askew * rng.uniform(-1.0, 1.0, SCENES)
+    x, y = rng.uniform(-0.3, 0.3, SCENES), rng.uniform(-0.05, 0.05, SCENES)
+    sides = [np.stack([x - s * half * np.sin(angle), y + s * half * np.cos(angle)], axis=-1) for s in (1.0, -1.0)]
     return players(np.stack(sides, axis=1))
 
 
