@@ -45,6 +45,8 @@ MODULES: tuple[str, ...] = (
     "field_numbers",
     "field_paths",
     "field_movers",
+    "field_constants",
+    "field_minima",
     "views",
     "resolution",
     "dribbling",
