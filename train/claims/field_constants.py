@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
-from soccer_env.train.claims.field_minima import filled
 from soccer_env.train.claims.field_movers import SPEEDS, one_comes
 from soccer_env.train.claims.field_points import NOISE, SCENES, is_clean, one_ahead, run_points, starts
-from soccer_env.train.claims.field_robots import ROBOTS, run_robots
+from soccer_env.train.claims.field_robots import ROBOTS, filled, run_robots
 from soccer_env.train.claims.values import mean
 from soccer_env.train.verdicts import Samples, measured, reported
 
@@ -155,7 +154,11 @@ def tuned_in_points(batch: Batch) -> Samples:
             samples[f"points {kind} {name}"] = is_clean(runs).astype(float)
             robots = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], **play)
             samples[f"robots {kind} {name}"] = filled(robots.is_clean)
-    return samples
+    gain, far = tune(start, {"standing": crowds["standing"]})
+    short: dict[str, Any] = {"player_gain": gain, "player_range": far}
+    samples["points standing short"] = is_clean(run_points(batch.rng(1), start, crowds["standing"], None, **short))
+    samples["robots standing short"] = robots_succeed(batch, start, crowds["standing"], short)
+    return samples | {"short gain": np.full(SCENES, gain), "short range": np.full(SCENES, far)}
 
 
 def tune(start: np.ndarray, crowds: dict[str, np.ndarray]) -> tuple[float, float]:
@@ -182,8 +185,8 @@ S65 = Claim(
     section="4.3",
     statement="A simulation with points would not carry over well to the robots, with their noisy sensors, complex "
     "shape and delayed movements.",
-    method=f"k2 and x0 with which most of {SCENES} exact points a batch pass the standing and the coming player of S53, "
-    f"of equally good ones those with the shortest ways; then {ROBOTS} robots of each kind with them in the same "
+    method=f"k2 and x0 with which most of {SCENES} exact points a batch pass the standing and the coming player of "
+    f"S53, of equally good ones those with the shortest ways; then {ROBOTS} robots of each kind with them in the same "
     "scenes; and both with the paper's constants.",
     criteria=(
         measured(
@@ -197,6 +200,13 @@ S65 = Claim(
             lambda s: passing(s, "points", "paper") - passing(s, "robots", "paper"),
             unit="pp",
         ),
+        reported(
+            "tuned past standing players alone: the same there",
+            lambda s: passing(s, "points", "short", KINDS[:1]) - passing(s, "robots", "short", KINDS[:1]),
+            unit="pp",
+        ),
+        reported("k2 tuned past standing players alone", lambda s: mean(s["short gain"]), unit="m"),
+        reported("x0 tuned past standing players alone", lambda s: mean(s["short range"]), unit="m"),
         reported("k2 tuned with points", lambda s: mean(s["gain"]), unit="m"),
         reported("x0 tuned with points", lambda s: mean(s["range"]), unit="m"),
         *(
@@ -207,8 +217,13 @@ S65 = Claim(
         ),
     ),
     measure=tuned_in_points,
-    seconds=11.0,
-    batches=5,
+    seconds=8.0,
+    batches=6,
+    ingredients=("23 cm between two middles as a collision of points, which tells them how large bodies are",),
+    note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "
+    "than the paper's; those keep so much room that noise, shape and delay hardly matter, and robots do better with "
+    "them than with the paper's. Tuned past standing players alone, where points get by with weak forces, they do not "
+    "carry over.",
 )
 
 CLAIMS = (S53, S65)

@@ -12,7 +12,7 @@ from soccer_env.baselines.sacks_2001.point_world import players
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.claims.field_paths import GAP, HARD_GAPS, hard_set
 from soccer_env.train.claims.field_points import NOISE, SCENES, START, draw_field, gap_ahead, run_points, starts
-from soccer_env.train.claims.field_robots import ROBOTS, SECONDS, run_robots
+from soccer_env.train.claims.field_robots import ROBOTS, SECONDS, filled, run_robots
 from soccer_env.train.claims.values import mean
 from soccer_env.train.verdicts import Samples, measured, reported
 
@@ -46,13 +46,6 @@ def before_minima(batch: Batch) -> Samples:
             samples[f"robots {name}: stalls"] = filled(~robots.arrived)
             samples[f"robots {name}: retreats"] = filled(robots.retreat > BACK)
     return samples
-
-
-def filled(values: np.ndarray) -> np.ndarray:
-    """Return values (ROBOTS,) as the first of (SCENES,), NaN after them."""
-    found = np.full(SCENES, np.nan)
-    found[: len(values)] = values
-    return found
 
 
 def trouble(samples: Samples, who: str, scene: str, limit: str) -> np.ndarray:

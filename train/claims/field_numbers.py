@@ -12,6 +12,7 @@ from soccer_env.baselines.sacks_2001.point_world import players
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.claims.field_points import FIELD, SCENES, START, TOUCH, is_clean, run_points
+from soccer_env.train.claims.field_robots import ROBOTS, filled, run_robots
 from soccer_env.train.claims.values import mean, median
 from soccer_env.train.verdicts import Samples, exact, measured, reported
 
@@ -70,22 +71,38 @@ S49 = Claim(
 
 def walls_against_players(batch: Batch, **play: Any) -> Samples:
     """Return the greatest ratio of a wall's force to a player's, and who comes through near walls with and without."""
-    rng, record = batch.rng(), SacksSettings(**play).record()[0]
+    record = SacksSettings(**play).record()[0]
     ratios = [
         abs(FIELD.wall_force(1.0 - x, 1.0, record)) / np.hypot(*FIELD.player_force(x, 0.0, 1.0, 0.0, record))
         for x in np.linspace(0.02, 0.99, 98)
     ]
-    y = rng.uniform(0.5, 0.85, SCENES) * rng.choice([-1.0, 1.0], SCENES)
-    start = np.column_stack([np.full(SCENES, START), y])
-    place = np.column_stack([rng.uniform(-0.6, 0.2, SCENES), y - np.sign(y) * rng.uniform(0.0, 0.25, SCENES)])
+    start, crowd = along_wall(batch.rng())
     samples: Samples = {"ratio": np.full(SCENES, max(ratios))}
     for name, walls in (("with", True), ("without", False)):
-        runs = run_points(rng, start, players(place[:, None]), {"body": True}, **{"walls": walls, **play})
+        runs = run_points(batch.rng(1), start, crowd, {"body": True}, **{"walls": walls, **play})
         at_wall = np.nanmax(np.abs(runs.path[..., 1]), axis=0) > 1.0 - TOUCH / 2.0
         samples[f"clean {name}"] = (is_clean(runs) & ~at_wall).astype(float)
         samples[f"at wall {name}"] = at_wall.astype(float)
         samples[f"clearance {name}"] = runs.clearance
     return samples
+
+
+def walls_with_robots(batch: Batch, **play: Any) -> Samples:
+    """Return the same, and which robots come through cleanly in the first of the scenes."""
+    start, crowd = along_wall(batch.rng())
+    robots = {
+        f"robots {name}": filled(run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], **{"walls": walls, **play}).is_clean)
+        for name, walls in (("with", True), ("without", False))
+    }
+    return walls_against_players(batch, **play) | robots
+
+
+def along_wall(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """Return starts 15 to 50 cm from a wall, and a player (M, 1) that stands up to 25 cm farther inside."""
+    y = rng.uniform(0.5, 0.85, SCENES) * rng.choice([-1.0, 1.0], SCENES)
+    start = np.column_stack([np.full(SCENES, START), y])
+    place = np.column_stack([rng.uniform(-0.6, 0.2, SCENES), y - np.sign(y) * rng.uniform(0.0, 0.25, SCENES)])
+    return start, players(place[:, None])
 
 
 def wall_figure(samples: Samples) -> Sequence[Figure]:
@@ -106,7 +123,7 @@ S50 = Claim(
     statement="Walls exert significantly less force than players; whether their force is needed is unclear.",
     method=f"Greatest ratio of a wall's force to that of a player at the same distance; and {SCENES} points a batch "
     "that start 15 to 50 cm from a wall and pass a player that stands up to 25 cm farther inside, with the walls' "
-    f"force and without: who comes through and keeps {50 * TOUCH:.0f} cm from the wall.",
+    f"force and without: who comes through and keeps {50 * TOUCH:.0f} cm from the wall; the same with {ROBOTS} robots.",
     criteria=(
         measured("wall over player at equal distances, greatest", lambda s: float(s["ratio"].max()), below=1.0),
         reported("clean with the walls' force", lambda s: 100 * mean(s["clean with"]), unit="%"),
@@ -115,14 +132,16 @@ S50 = Claim(
         reported("at the wall without", lambda s: 100 * mean(s["at wall without"]), unit="%"),
         reported("distance kept from the player with it", lambda s: 100 * median(s["clearance with"]), unit="cm"),
         reported("distance kept without", lambda s: 100 * median(s["clearance without"]), unit="cm"),
+        reported("robots that pass and touch nobody, with it", lambda s: 100 * mean(s["robots with"]), unit="%"),
+        reported("robots that do so without", lambda s: 100 * mean(s["robots without"]), unit="%"),
     ),
-    measure=walls_against_players,
-    seconds=0.5,
-    batches=8,
+    measure=walls_with_robots,
+    seconds=4.0,
+    batches=6,
     figures=wall_figure,
     without=Without(
         "the walls' constants 200 and 350 mm; here they are the players'",
-        partial(walls_against_players, wall_gain=0.8, wall_range=1.0),
+        partial(walls_with_robots, wall_gain=0.8, wall_range=1.0),
     ),
     note="The effect of the walls' force is reported, not judged: the paper does not say which it is.",
 )

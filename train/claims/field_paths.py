@@ -20,6 +20,7 @@ from soccer_env.train.claims.field_points import (
     run_points,
     starts,
 )
+from soccer_env.train.claims.field_robots import ROBOTS, filled, run_robots
 from soccer_env.train.claims.values import mean, median
 from soccer_env.train.verdicts import Samples, measured, reported
 
@@ -125,6 +126,16 @@ def through_gaps(batch: Batch) -> Samples:
     return samples
 
 
+def gaps_with_robots(batch: Batch) -> Samples:
+    """Return the same, and the flips of robots in the first of the scenes, with the rule and without."""
+    rng = batch.rng()
+    start, crowd = starts(rng), gap_ahead(rng, *GAP, askew=0.0)
+    samples = through_gaps(batch)
+    for name, keep in (("limit", False), ("rule", True)):
+        samples[f"robots {name}"] = filled(run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], keep_side=keep).flips)
+    return samples
+
+
 def hard_set(rng: np.random.Generator) -> np.ndarray:
     """Return three standing players (M, 3): a gap of 35 to 70 cm, and one behind it or before it."""
     gap = gap_ahead(rng, *HARD_GAPS)
@@ -190,7 +201,8 @@ S57 = Claim(
     statement="Staying on one's side when pushed back by more than 135 degrees cures the indecision in most cases, but "
     "not all the time.",
     method=f"The runs of S56 with ranges that have an error of {100 * NOISE:.0f} %, with the rule and without; and a "
-    f"harder set: gaps of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near them.",
+    f"harder set: gaps of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near them. "
+    f"Beside it {ROBOTS} robots a batch in the full simulator.",
     criteria=(
         measured(
             "changes of side without the rule over those with it (means)",
@@ -207,10 +219,12 @@ S57 = Claim(
         ),
         reported("harder set: without the rule over with it", lambda s: mean(s["limit hard"]) / mean(s["rule hard"])),
         reported("harder set: changes with the rule (mean)", lambda s: mean(s["rule hard"])),
+        reported("robots: without the rule over with it", lambda s: mean(s["robots limit"]) / mean(s["robots rule"])),
+        reported("robots: changes with the rule (mean)", lambda s: mean(s["robots rule"])),
     ),
-    measure=through_gaps,
-    seconds=0.8,
-    batches=8,
+    measure=gaps_with_robots,
+    seconds=6.0,
+    batches=6,
     figures=gap_figures,
 )
 

@@ -12,6 +12,7 @@ from soccer_env.baselines.sacks_2001.point_runs import SIDE
 from soccer_env.teams import make_team
 from soccer_env.train.claims.claim import Batch
 from soccer_env.train.claims.dribble_runs import Way, place_with_ball, run
+from soccer_env.train.claims.field_points import SCENES
 from soccer_env.train.claims.staging import put, stage, standing, wrapped
 
 SHOTS = {"shot_range": 0.01}  # [m] a team that dribbles on instead of shooting
@@ -69,6 +70,13 @@ class RobotRuns:
         back = np.where(self.passed, 0.0, distance - np.minimum.accumulate(distance, axis=0))
         worst: np.ndarray = back.max(axis=0)
         return worst
+
+
+def filled(values: np.ndarray) -> np.ndarray:
+    """Return values of robots as the first of (SCENES,), NaN for the scenes that only points play."""
+    found = np.full(SCENES, np.nan)
+    found[: len(values)] = values
+    return found
 
 
 def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, **play: Any) -> RobotRuns:
