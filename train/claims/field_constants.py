@@ -218,6 +218,7 @@ S65 = Claim(
     ),
     measure=tuned_in_points,
     seconds=8.0,
+    least=3,
     batches=6,
     ingredients=("23 cm between two middles as a collision of points, which tells them how large bodies are",),
     note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "

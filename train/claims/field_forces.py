@@ -100,13 +100,13 @@ def of_exponents(samples: Samples, name: str, scale: float) -> list[float]:
 
 def exponent_figures(samples: Samples) -> Sequence[Figure]:
     """Draw the forces against the distance, and paths past a player through the field of the last version."""
-    distances = np.linspace(0.15, 1.1, 39)
+    distances = np.linspace(0.25, 1.1, 35)
     curves, paths = [], {}
-    crowd, start = players([[0.0, 0.04]]), np.array([[START, 0.0]])
+    crowd, start = players([[0.0, 0.12]]), np.array([[START, 0.0]])
     for exponent in EXPONENTS:
         settings: dict[str, Any] = {"exponent": exponent, "player_gain": matched_gain(exponent)}
         play = SacksSettings(**settings).record()[0]
-        forces = [min(FIELD.repulsion(x, play["player_gain"], play["player_range"], play), 8.0) for x in distances]
+        forces = [FIELD.repulsion(x, play["player_gain"], play["player_range"], play) for x in distances]
         curves.append(Curve(f"exponent {exponent}", list(100 * distances), forces))
         paths[f"exponent {exponent}"] = run_points(np.random.default_rng(0), start, crowd, **settings).path[:, 0]
     return (

@@ -67,7 +67,7 @@ def more(samples: Samples, who: str) -> float:
 
 def minimum_figures(samples: Samples) -> Sequence[Figure]:
     """Draw the way that ends before a player right ahead."""
-    crowd, start = players([[0.0, 0.0]]), np.array([[START, 0.005]])
+    crowd, start = players([[0.0, 0.0]]), np.array([[START, 0.0]])
     paths = {
         name: run_points(np.random.default_rng(0), start, crowd, **play).path[:, 0]
         for name, play in (("no limit", NO_LIMIT), ("70 degrees", {}))
