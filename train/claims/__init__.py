@@ -50,6 +50,7 @@ MODULES: tuple[str, ...] = (
     "views",
     "resolution",
     "dribbling",
+    "goalkeeper",
     "middle_size",
     "own_pose",
 )

@@ -191,7 +191,7 @@ S59 = Claim(
     measure=with_and_without_legs(walk_aside),
     figures=angle_figure,
     ingredients=("the body's outline: how far the paws reach beside the ball", "physics/legs.py"),
-    note="The paws of the rigid outline hold the ball from both sides; it slips out under a paw only if the robot walks "
+    note="The paws of the rigid outline hold the ball from both sides; it slips out under a paw only if it walks "
     "almost sideways. What lost the paper's balls at less is in the legs that step. With the curves of physics/legs.py "
     "the knee is where they put it.",
     seconds=6.0,
