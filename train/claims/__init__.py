@@ -50,6 +50,8 @@ MODULES: tuple[str, ...] = (
     "views",
     "resolution",
     "dribbling",
+    "dribble_past",
+    "dribble_or_shoot",
     "goalkeeper",
     "middle_size",
     "own_pose",

@@ -68,6 +68,11 @@ def begin_dribbling(match: Match) -> None:
     match.robots["placed"] = match.robots["active"]
     for m in range(match.count):
         match.field.look_up(m)
+    start_dribbling(match)
+
+
+def start_dribbling(match: Match) -> None:
+    """Let the first player of a sacks team have felt the ball between its paws just now: it dribbles already."""
     if match.squads:
         memory = match.squads[0].memory
         memory["begun"][:, 0], memory["behaviour"][:, 0], memory["attacks"][:, 0] = 1, DRIBBLE, 1

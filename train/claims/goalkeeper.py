@@ -15,8 +15,8 @@ from soccer_env.train.claims.staging import begin, put, put_ball, stage
 from soccer_env.train.claims.values import in_bins, middles_of
 from soccer_env.train.verdicts import Samples, measured, reported
 
-SHOTS = 128
-LOOK, SECONDS = 0.5, 8.0  # [s] of looking at the ball before it is kicked, and longest of a shot
+SHOTS = 96
+LOOK, SECONDS = 0.5, 4.5  # [s] of looking at the ball before it is kicked, and longest of a shot
 NEAREST, FARTHEST = 1.0, 2.2  # [m] of the ball from the middle of the goal
 WIDEST = 0.6  # [rad] of the ball off the middle of the pitch
 ARRIVES = 0.15  # [m/s] at least, on the line: slower kicks do not reach the goal
