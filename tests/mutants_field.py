@@ -92,6 +92,13 @@ MUTANTS = [
         TEST + "test_ms45_steps_of_3_5_cm_and_a_decision_each_half_second",
     ),
     Mutant(
+        "MS45",
+        "baselines/sacks_2001/planner.py",
+        "    if memory.clock == 0.0 or memory.replan <= 0.0:",
+        "    if memory.replan < 1e9:",
+        TEST + "test_ms45_a_dribbler_decides_on_its_way_every_half_second_and_goes_at_that_pace",
+    ),
+    Mutant(
         "MS46",
         STEERING,
         "    if play.clamp == 0 or abs(off) <= play.goal_limit:",

@@ -6,10 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 from sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
+from sacks_mind import LEAGUE, Mind
 from symmetry import mirrored_beliefs, mirrored_tracks
 
 from soccer_env.baselines.sacks_2001.forces import goal_force, player_force, repulsion, wall_force
-from soccer_env.baselines.sacks_2001.memory import MEMORY
+from soccer_env.baselines.sacks_2001.memory import DRIBBLE, MEMORY
 from soccer_env.baselines.sacks_2001.point_world import PointWorld, players
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.steering import (
@@ -135,6 +136,24 @@ def test_ms45_steps_of_3_5_cm_and_a_decision_each_half_second() -> None:
     runs = PointWorld().run([[-1.0, 0.0]], players([[0.0, 0.1]]), seconds=5.0)
     assert runs.replan == 0.5 and len(runs.off) == 10
     assert np.linalg.norm(np.diff(runs.path[:, 0], axis=0), axis=1) == pytest.approx(0.035)
+
+
+def test_ms45_a_dribbler_decides_on_its_way_every_half_second_and_goes_at_that_pace() -> None:
+    mind = Mind(shot_range=0.01)
+    mind.stand_at(0.0, 0.1)
+    mind.see_ball(0.147, held=1)
+    mind.tracks["present"][..., 0] = 1
+    ways = []
+    for step in range(40):  # a player drifts by: every decision is another one
+        track = mind.tracks[0, 0, 0]
+        track["x"], track["y"] = 0.6, 0.3 - 0.004 * step
+        track["distance"], track["bearing"] = hypot(track["x"], track["y"]), atan2(track["y"], track["x"])
+        command = mind.think()[0]
+        ways.append(float(mind.memory["way"]))
+        speed = hypot(command[0] * LEAGUE.drive.forward, command[1] * LEAGUE.drive.sideways)
+        assert mind.memory["behaviour"] == DRIBBLE and speed == pytest.approx(0.07, rel=1e-6)
+    changed = 1 + np.flatnonzero(np.diff(ways))
+    assert len(changed) == 4 and (np.diff(changed) == 8).all()
 
 
 def test_ms46_the_way_is_never_more_than_70_degrees_off_the_goal() -> None:

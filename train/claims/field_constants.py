@@ -136,8 +136,9 @@ S53 = Claim(
         ),
     ),
     measure=along_lines,
-    seconds=16.0,
-    batches=4,
+    seconds=14.0,
+    least=2,
+    batches=8,
     figures=line_figures,
 )
 
