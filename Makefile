@@ -2,6 +2,7 @@
 # make test     run the tests            make lint          ruff and mypy
 # make bench    measure the speed        make tables        regenerate the README's tables
 # make clean    remove what make built   make tables-check  replay a small part of each table
+# make sacks-table  measure every claim of Sacks 2001 and write baselines/sacks_2001/README.md
 # make mutants  switch every mechanism of the papers off in turn: the test that names it has to fail
 #
 # pip takes its settings from the environment and its own files; PYTHON=python3.12 chooses the interpreter of a new .venv.
@@ -11,7 +12,7 @@ TORCH := torch==2.13.0
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: match test lint bench tables tables-check mutants clean
+.PHONY: match test lint bench tables tables-check sacks-table mutants clean
 .DELETE_ON_ERROR:
 
 match: $(VENV)/.has-base
@@ -34,6 +35,9 @@ tables: $(VENV)/.has-base
 
 tables-check: $(VENV)/.has-base
 	$(BIN)/python -m soccer_env.train.tables --check
+
+sacks-table: $(VENV)/.has-base
+	$(BIN)/python -m soccer_env.train.tables_sacks
 
 mutants: $(VENV)/.has-train
 	$(BIN)/python tests/mutate.py

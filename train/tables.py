@@ -99,14 +99,18 @@ def with_tables(readme: str, data: dict[str, Any]) -> str:
     for name, show in SHOW.items():
         if name not in data:
             continue
-        text = show(data[name])
-        begin, end = f"<!-- table: {name} -->", f"<!-- end of table: {name} -->"
-        before, found, rest = readme.partition(begin)
-        _, closed, after = rest.partition(end)
-        if not found or not closed:
-            raise ValueError(f"README.md lacks the markers of table {name}")
-        readme = f"{before}{begin}\n{text}\n{end}{after}"
+        readme = between_markers(readme, name, show(data[name]))
     return readme
+
+
+def between_markers(readme: str, name: str, text: str) -> str:
+    """Return a README with a table between its markers; ValueError for a marker that is missing."""
+    begin, end = f"<!-- table: {name} -->", f"<!-- end of table: {name} -->"
+    before, found, rest = readme.partition(begin)
+    _, closed, after = rest.partition(end)
+    if not found or not closed:
+        raise ValueError(f"README.md lacks the markers of table {name}")
+    return f"{before}{begin}\n{text}\n{end}{after}"
 
 
 def check(data: dict[str, Any], quick: bool = False) -> list[str]:

@@ -1,0 +1,68 @@
+"""The README of sacks-2001 is what the stored results and the settings say; what was not measured is shown so."""
+
+import json
+from dataclasses import fields
+from pathlib import Path
+
+import pytest
+
+from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.train import tables_sacks
+from soccer_env.train.claims import all_claims
+from soccer_env.train.reproduce import reproduce
+from soccer_env.train.reproduce_settings import ReproduceSettings
+
+
+def rows_of(text: str) -> dict[str, list[str]]:
+    """Return the cells of each row of a table by the first."""
+    lines = [line.strip("|").split(" | ") for line in text.splitlines() if line.startswith("|")]
+    return {cells[0].strip(): [cell.strip() for cell in cells] for cells in lines}
+
+
+def test_the_readme_of_the_team_shows_what_was_measured() -> None:
+    readme = tables_sacks.README.read_text(encoding="utf-8")
+    assert tables_sacks.with_parts(readme, tables_sacks.stored()) == readme
+
+
+def test_every_claim_of_the_paper_has_a_row_and_what_was_not_measured_says_so() -> None:
+    rows = rows_of(tables_sacks.claims_table({}))
+    assert [name for name in rows if name in tables_sacks.CLAIMS] == list(tables_sacks.CLAIMS)
+    assert all(rows[name][3] == "not measured" for name in tables_sacks.CLAIMS)
+    built = {name for name in all_claims() if name in tables_sacks.CLAIMS}
+    assert built | set(tables_sacks.UNBUILT) >= set(tables_sacks.CLAIMS)
+
+
+def test_every_setting_of_the_team_stands_in_its_table() -> None:
+    rows = rows_of(tables_sacks.settings_table())
+    assert {f"`{field.name}`" for field in fields(SacksSettings)} <= set(rows)
+    assert rows["`player_range`"][1] == "1 m" and rows["`goal_limit`"][1] == "1.22 rad (70 degrees)"
+    assert "4.3.2" in rows["`player_gain`"][3]
+
+
+def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (result,) = reproduce(ReproduceSettings(claims=("S15",), quick=True, out=tmp_path / "run"))
+    monkeypatch.setattr(tables_sacks, "DATA", tmp_path / "claims.json")
+    monkeypatch.setattr(tables_sacks, "README", tmp_path / "README.md")
+    markers = (f"<!-- table: {name} -->\n<!-- end of table: {name} -->" for name in tables_sacks.PARTS)
+    (tmp_path / "README.md").write_text("\n".join(markers))
+    assert tables_sacks.main(["run", str(tmp_path / "run")]) == 0
+    written = (tmp_path / "README.md").read_text()
+    row = rows_of(written)["S15"]
+    assert row[3] == f"{result.verdict} (quick)" and "**" in row[2]
+    assert (
+        "72 claims: 1 " in (tmp_path / "README.md").read_text()
+        and "71 not measured" in (tmp_path / "README.md").read_text()
+    )
+    assert list(json.loads((tmp_path / "claims.json").read_text())) == ["S15"]
+    with pytest.raises(ValueError, match="holds no"):
+        tables_sacks.take_folder(empty_run(tmp_path))
+    assert tables_sacks.main(["nonsense"]) == 2
+
+
+def empty_run(path: Path) -> Path:
+    """Return a folder of a run without claims of the paper."""
+    found = path / "empty"
+    found.mkdir()
+    (found / "settings.json").write_text(json.dumps({"conditions": {}, "made_with": {}, "about": {}}))
+    (found / "claims.jsonl").write_text("")
+    return found
