@@ -54,9 +54,9 @@ from soccer_env.geometry import wrap
 
 NEVER = 1e9  # [s]
 JUST_NOW, JUST_SEEN = 0.01, 0.15  # [s]
-FOUND = 4  # sightings that make a ball certain, assumed
+FOUND = 2  # sightings that make a ball certain, assumed
 OUTSIDE, OUTSIDE_SHARE = 0.10, 0.10  # [m], [1] of its distance, that a ball may seem to lie behind the boards, assumed
-GAP = 0.25  # [s] unseen that ends a row of sightings, assumed
+GAP = 0.5  # [s] unseen that ends a row of sightings, assumed
 LOOK_DOWN = 0.8  # [s] with the head on its way down and down, after which an unseen ball is not there, assumed
 AFTER_KICK = 1.0  # [s] for which a robot looks after the ball that it kicked, assumed
 FULL_TURN = 6.3  # [rad]
