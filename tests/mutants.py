@@ -9,6 +9,7 @@ from tests import (
     mutants_players,
     mutants_pose,
     mutants_stuck,
+    mutants_team,
 )
 from tests.mutant import Mutant
 
@@ -23,5 +24,6 @@ PARTS = (
     mutants_omni,
     mutants_pose,
     mutants_stuck,
+    mutants_team,
 )
 MUTANTS: list[Mutant] = [mutant for part in PARTS for mutant in part.MUTANTS]
