@@ -132,7 +132,8 @@ def gaps_with_robots(batch: Batch) -> Samples:
     start, crowd = starts(rng), gap_ahead(rng, *GAP, askew=0.0)
     samples = through_gaps(batch)
     for name, keep in (("limit", False), ("rule", True)):
-        samples[f"robots {name}"] = filled(run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], keep_side=keep).flips)
+        robots = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], keep_side=keep)
+        samples[f"robots {name}"], samples[f"clean {name}"] = filled(robots.flips), filled(robots.is_clean)
     return samples
 
 
@@ -221,6 +222,8 @@ S57 = Claim(
         reported("harder set: changes with the rule (mean)", lambda s: mean(s["rule hard"])),
         reported("robots: without the rule over with it", lambda s: mean(s["robots limit"]) / mean(s["robots rule"])),
         reported("robots: changes with the rule (mean)", lambda s: mean(s["robots rule"])),
+        reported("robots that pass and touch nobody, with the rule", lambda s: 100 * mean(s["clean rule"]), unit="%"),
+        reported("robots that do so without the rule", lambda s: 100 * mean(s["clean limit"]), unit="%"),
     ),
     measure=gaps_with_robots,
     seconds=6.0,

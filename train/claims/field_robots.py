@@ -79,11 +79,11 @@ def filled(values: np.ndarray) -> np.ndarray:
     return found
 
 
-def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, **play: Any) -> RobotRuns:
+def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str = "sensors", **play: Any) -> RobotRuns:
     """Let sacks-2001, with settings by name, dribble from start (M, 2) past a crowd (M, P) that stands or walks on."""
     count, others = crowd.shape
     team = make_team("sacks-2001", **{**SHOTS, **play})
-    match = stage(batch, matches=count, away=others, controllers={"home": team}, keeper=0)
+    match = stage(batch, matches=count, away=others, controllers={"home": team}, keeper=0, senses=senses)
     place_with_ball(match, start[:, 0], start[:, 1], np.arctan2(-start[:, 1], GOAL_X - start[:, 0]))
     actions = standing(match)
     for i in range(others):
