@@ -101,7 +101,7 @@ class LeggedSensors(Options):
 
 @dataclass(frozen=True)
 class LeggedMemory(PoseMemory):
-    """What a robot of Sacks's team keeps of its percepts; every rule of the paper is a switch.  [Sacks 2001, 3, 4.1]  MS52"""
+    """What a robot of Sacks's team keeps of its percepts; every rule is a switch.  [Sacks 2001, 3, 4.1]  MS52"""
 
     NAMES = {
         "ball_range": RANGES, "ball_size": SIZES, "odometry": ODOMETRY, "radial_from": POSITIONS,
