@@ -48,7 +48,8 @@ def test_ms51_longer_steps_kick_the_ball_away() -> None:
 
 def test_ms51_steps_far_aside_lose_the_ball() -> None:
     assert lost(pushed(1.0, 0.035, np.deg2rad(40.0), 6.0)) == 0.0
-    assert lost(pushed(1.0, 0.035, np.deg2rad(75.0), 6.0)) > 0.3
+    assert lost(pushed(1.0, 0.035, np.deg2rad(60.0), 6.0)) > 0.3
+    assert lost(pushed(0.0, 0.035, np.deg2rad(60.0), 6.0)) == 0.0  # a body of one piece keeps it
 
 
 def test_ms51_pushes_grow_with_step_angle_and_contact() -> None:

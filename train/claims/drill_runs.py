@@ -21,7 +21,9 @@ PAPER = 0.06  # [m/s] of movers in the drills
 LONGEST = 40.0  # [s] of a run
 
 
-def start_drill(batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float) -> Match:
+def start_drill(
+    batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float, senses: str = "sensors"
+) -> Match:
     """Return matches at the start of a drill's scene, with nobody to end them; movers walk at a speed [m/s]."""
     found = find_scene(scene)
     sides: dict[str, Any] = {"home": make_team("sacks-2001", **settings)}
@@ -29,23 +31,28 @@ def start_drill(batch: Batch, scene: str | Scene, settings: dict[str, Any], matc
         sides[f"away_{row}"] = "still" if name == "still" else f"walker@{mover / TOP:g}"
     match = Match(
         LEGGED, home=1, away=len(found.opponents), matches=matches, seeds=batch.seeds(matches), threads=batch.threads,
-        scene=found, senses="sensors", pose=batch.pose, controllers=sides,
+        scene=found, senses=senses, pose=batch.pose, controllers=sides,
     )  # fmt: skip
     start_dribbling(match)
     return match
 
 
 def play_drill(
-    batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float = PAPER
+    batch: Batch,
+    scene: str | Scene,
+    settings: dict[str, Any],
+    matches: int,
+    mover: float = PAPER,
+    senses: str = "sensors",
 ) -> Samples:
     """Let sacks-2001, with settings by name and without shots, play a drill's scene; arrays (M,).
 
     As the drill judges, but a touch ends nothing: "past": beyond everybody with the ball, or in the goal; "clean": that
-    without a touch; "touched" before the end; "lost": the ball was far for a while. "seconds" until then.
+    without a touch; "touched" before the end; "lost": the ball was far for a while. "seconds" until then; "nearest" [m] that middles of bodies came.
     """
-    match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover)
+    match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
     past, touched, lost = np.zeros((3, matches), bool)
-    away, seconds = np.zeros(matches), np.zeros(matches)
+    away, seconds, nearest = np.zeros(matches), np.zeros(matches), np.full(matches, np.inf)
     for _ in range(round(LONGEST * match.league.control_rate)):
         running = ~(past | lost)
         if not running.any():
@@ -59,6 +66,16 @@ def play_drill(
         away = np.where(near, 0.0, away + match.league.dt)
         lost |= running & ~past & (away > LOST_TIME)
         seconds += running * match.league.dt
+        others = match.robots[:, 1:]
+        apart = np.hypot(others["x"] - robot["x"][:, None], others["y"] - robot["y"][:, None]).min(axis=1)
+        nearest = np.where(running, np.minimum(nearest, apart), nearest)
     match.close()
-    found = {"past": past, "clean": past & ~touched, "touched": touched, "lost": lost, "seconds": seconds}
+    found = {
+        "past": past,
+        "clean": past & ~touched,
+        "touched": touched,
+        "lost": lost,
+        "seconds": seconds,
+        "nearest": nearest,
+    }
     return {name: values.astype(float) for name, values in found.items()}
