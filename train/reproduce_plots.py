@@ -39,7 +39,7 @@ def draw(figure: dict[str, Any]) -> bytes:
 
     canvas, axes = plt.subplots(figsize=SIZE, dpi=DOTS)
     for curve, style in zip(figure["curves"], itertools.cycle(STYLES), strict=False):
-        (line,) = axes.plot(numbers(curve["x"]), numbers(curve["y"]), style, markersize=3, label=curve["name"])
+        (line,) = axes.plot(curve["x"], numbers(curve["y"]), style, markersize=3, label=curve["name"])
         if curve["low"]:
             low, high = numbers(curve["low"]), numbers(curve["high"])
             axes.fill_between(curve["x"], low, high, color=line.get_color(), alpha=0.2, linewidth=0)

@@ -96,7 +96,9 @@ def findings_table(findings: Sequence[dict[str, Any]]) -> str:
 
 
 def figure_table(figure: dict[str, Any]) -> str:
-    """Return the data of a figure as a table, one column for each curve."""
+    """Return the data of a figure as a table, one column for each curve; of a picture of the field its title."""
+    if "arrows" in figure:
+        return f"{figure['title']}: a picture of the field, which needs matplotlib"
     places = sorted({x for curve in figure["curves"] for x in curve["x"]})
     columns = [dict(zip(curve["x"], curve["y"], strict=True)) for curve in figure["curves"]]
     cells = [(number(x), *(number(column.get(x)) for column in columns)) for x in places]

@@ -12,6 +12,7 @@ from soccer_env.train.claims.dribble_runs import Way
 from soccer_env.train.claims.field_points import SCENES, START, TOUCH, UNIT, force_arrows, gap_ahead, one_ahead, starts
 from soccer_env.train.claims.field_robots import RobotRuns, filled, run_robots
 from soccer_env.train.reproduce_plots import draw
+from soccer_env.train.reproduce_report import figure_table
 
 BATCH = Batch("test", 0, 0)
 
@@ -59,6 +60,7 @@ def test_a_field_is_drawn_with_its_arrows() -> None:
     figure = as_plain(field_forces.cosine_figures({})[0])
     assert set(figure["arrows"]) == {"x", "y", "along_x", "along_y"}
     assert draw(figure)[:4] == b"\x89PNG" and draw(figure) == draw(figure)
+    assert figure_table(figure) == "Forces with the cosine factor: a picture of the field, which needs matplotlib"
 
 
 def runs_of(x: list[float], off: list[float], touches: list[int], goal: list[int] | None = None) -> RobotRuns:

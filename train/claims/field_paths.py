@@ -137,6 +137,11 @@ def gaps_with_robots(batch: Batch) -> Samples:
     return samples
 
 
+def fewer(samples: Samples, who: str = "", seen: str = "") -> float:
+    """Return how many times as many changes of side there are without the rule as with it (means)."""
+    return mean(samples[f"{who}limit{seen}"]) / max(mean(samples[f"{who}rule{seen}"]), 1e-3)
+
+
 def hard_set(rng: np.random.Generator) -> np.ndarray:
     """Return three standing players (M, 3): a gap of 35 to 70 cm, and one behind it or before it."""
     gap = gap_ahead(rng, *HARD_GAPS)
@@ -207,7 +212,7 @@ S57 = Claim(
     criteria=(
         measured(
             "changes of side without the rule over those with it (means)",
-            lambda s: mean(s["limit noisy"]) / max(mean(s["rule noisy"]), 1e-3),
+            partial(fewer, seen=" noisy"),
             at_least=5.0,
         ),
         measured("changes of side in a run with the rule (mean)", lambda s: mean(s["rule noisy"]), above=0.0),
@@ -216,11 +221,11 @@ S57 = Claim(
         reported("runs with a change of side, with the rule", lambda s: 100 * mean(s["rule noisy"] > 0), unit="%"),
         reported(
             "gap up to 20 degrees askew: without the rule over with it",
-            lambda s: mean(s["limit noisy askew"]) / max(mean(s["rule noisy askew"]), 1e-3),
+            partial(fewer, seen=" noisy askew"),
         ),
-        reported("harder set: without the rule over with it", lambda s: mean(s["limit hard"]) / mean(s["rule hard"])),
+        reported("harder set: without the rule over with it", partial(fewer, seen=" hard")),
         reported("harder set: changes with the rule (mean)", lambda s: mean(s["rule hard"])),
-        reported("robots: without the rule over with it", lambda s: mean(s["robots limit"]) / mean(s["robots rule"])),
+        reported("robots: without the rule over with it", partial(fewer, who="robots ")),
         reported("robots: changes with the rule (mean)", lambda s: mean(s["robots rule"])),
         reported("robots that pass and touch nobody, with the rule", lambda s: 100 * mean(s["clean rule"]), unit="%"),
         reported("robots that do so without the rule", lambda s: 100 * mean(s["clean limit"]), unit="%"),

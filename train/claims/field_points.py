@@ -69,7 +69,8 @@ def is_clean(runs: PointRuns) -> np.ndarray:
 
 def draw_field(title: str, crowd: np.ndarray, paths: dict[str, np.ndarray], **play: Any) -> Figure:
     """Return a picture of the forces over the field round players (1, P) at rest, and of paths (T, 2) through it."""
-    curves = [Curve(name, list(path[:, 0]), list(path[:, 1])) for name, path in paths.items()]
+    ways = {name: path[np.isfinite(path[:, 0])] for name, path in paths.items()}
+    curves = [Curve(name, list(way[:, 0]), list(way[:, 1])) for name, way in ways.items()]
     for i, one in enumerate(crowd[0]):
         curves.append(Curve("player" if i == 0 else f"player {i + 1}", [one["x"]], [one["y"]]))
     arrows = force_arrows(crowd, SacksSettings(**play))
