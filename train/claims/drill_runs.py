@@ -48,7 +48,8 @@ def play_drill(
     """Let sacks-2001, with settings by name and without shots, play a drill's scene; arrays (M,).
 
     As the drill judges, but a touch ends nothing: "past": beyond everybody with the ball, or in the goal; "clean": that
-    without a touch; "touched" before the end; "lost": the ball was far for a while. "seconds" until then; "nearest" [m] that middles of bodies came.
+    without a touch; "touched" before the end; "lost": the ball was far for a while. "seconds" until then; "nearest" [m]
+    that the middles of bodies came.
     """
     match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
     past, touched, lost = np.zeros((3, matches), bool)

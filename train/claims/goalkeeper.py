@@ -12,7 +12,7 @@ from soccer_env.teams import make_team
 from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.claims.resolution import LAYERS
 from soccer_env.train.claims.staging import begin, put, put_ball, stage
-from soccer_env.train.claims.values import in_bins, middles_of
+from soccer_env.train.claims.values import in_bins, mean, middles_of
 from soccer_env.train.verdicts import Samples, measured, reported
 
 SHOTS = 96
@@ -22,7 +22,7 @@ WIDEST = 0.6  # [rad] of the ball off the middle of the pitch
 ARRIVES = 0.15  # [m/s] at least, on the line: slower kicks do not reach the goal
 OUT = 0.30  # [m] of the goalkeeper from the middle of its goal, as it guards
 ASIDE = 0.15  # [m] of it off the line from the ball to the goal at most: in play it is rarely right there, assumed
-BINS = (0.5, 0.8, 1.0, 1.2, 1.5)  # [m/s] edges of the speed at the kick
+BINS = (0.75, 0.9, 1.05, 1.2, 1.35, 1.5)  # [m/s] edges of the speed at the kick
 
 
 def face_shots(batch: Batch, settings: dict[str, Any], **more: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -82,7 +82,7 @@ def saved(samples: Samples, name: str) -> float:
 
 def saved_by_speed(samples: Samples, name: str) -> list[float]:
     """Return the share of shots saved [%] in each bin of speed."""
-    return [100.0 * float(1.0 - samples[name][there].mean()) for there in in_bins(samples["speed"], BINS)]
+    return [100.0 * (1.0 - mean(samples[name][there])) for there in in_bins(samples["speed"], BINS)]
 
 
 def angular_figure(samples: Samples) -> Sequence[Figure]:
