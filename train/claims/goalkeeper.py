@@ -15,7 +15,7 @@ from soccer_env.train.claims.staging import begin, put, put_ball, stage
 from soccer_env.train.claims.values import in_bins, mean, middles_of
 from soccer_env.train.verdicts import Samples, measured, reported
 
-SHOTS = 96
+SHOTS = 64
 LOOK, SECONDS = 0.5, 4.5  # [s] of looking at the ball before it is kicked, and longest of a shot
 NEAREST, FARTHEST = 1.0, 2.2  # [m] of the ball from the middle of the goal
 WIDEST = 0.6  # [rad] of the ball off the middle of the pitch
@@ -67,12 +67,12 @@ def shoot(match: Match, x: np.ndarray, y: np.ndarray, vx: np.ndarray, vy: np.nda
 
 
 def angular_on_and_off(batch: Batch) -> Samples:
-    """Return which shots went in with the angular velocity, without it, and with nobody in the goal."""
+    """Return which shots went in with the angular velocity, without it, without reaction; "ideal ...": seen ideally."""
     found: Samples = {}
-    for name, settings in (("on", {}), ("off", {"angular_keeper": False})):
+    for name, settings in (("on", {}), ("off", {"angular_keeper": False}), ("guards", {"keeper_alarm": 1e6})):
         found[name], found["speed"] = face_shots(batch, settings)
-    still, _ = face_shots(batch, {"strength": 1.0, "keeper_alarm": 1e6})
-    return {name: values.astype(float) for name, values in found.items()} | {"guards": still.astype(float)}
+        found[f"ideal {name}"], _ = face_shots(batch, settings, senses="ideal")
+    return {name: values.astype(float) for name, values in found.items()}
 
 
 def saved(samples: Samples, name: str) -> float:
@@ -110,11 +110,18 @@ S67 = Claim(
         reported("saved with the angular velocity", lambda s: saved(s, "on"), unit="%"),
         reported("saved by the bearing alone", lambda s: saved(s, "off"), unit="%"),
         reported("saved without any reaction, guarding the line", lambda s: saved(s, "guards"), unit="%"),
+        reported("ideal senses: with the angular velocity", lambda s: saved(s, "ideal on"), unit="%"),
+        reported("ideal senses: by the bearing alone", lambda s: saved(s, "ideal off"), unit="%"),
+        reported("ideal senses: guarding the line", lambda s: saved(s, "ideal guards"), unit="%"),
     ),
     measure=angular_on_and_off,
     figures=angular_figure,
-    ingredients=("drive.sideways and drive.delay: 8 cm/s after 0.1 s", "keeper_lead, keeper_out of the team"),
-    seconds=4.0,
+    ingredients=("drive.sideways and drive.delay: 8 cm/s after 0.1 s", "keeper_out and the rules of goalkeeper.py"),
+    note="A shot is on its way for one to three seconds. The velocity comes each 1/3 s, turns of the body are in it, and "
+    "legs take up a sidestep when the next gait step begins, and then make 8 cm/s. To stay on the line from the ball to the "
+    "goal saves as many, and with ideal senses more.",
+    seconds=5.0,
+    least=4,
     batches=24,
 )  # fmt: skip
 
@@ -161,7 +168,10 @@ S71 = Claim(
     measure=speeds_and_layers,
     figures=layer_figure,
     ingredients=("what keeper_speed does: assumed, for the paper leaves it to the future", "drive.sideways"),
-    seconds=5.5,
+    note="keeper_speed lets the goalkeeper step aside faster for balls that come faster than 60 cm/s; most steps are "
+    "at the top speed of 8 cm/s anyway, so there is hardly anything to gain with either camera.",
+    seconds=3.5,
+    least=4,
     batches=24,
 )  # fmt: skip
 
