@@ -98,8 +98,8 @@ S31 = Claim(
     measure=both_strategies,
     figures=goal_figure,
     ingredients=("the drill's places", "kicks of 0.8 to 1.5 m/s with a spread of 10 degrees"),
-    note="Against players who only stand both score alike: the new strategy shoots too where it can, and a blind shot that "
-    "hits somebody is fetched and tried again, for nobody takes the ball away.",
+    note="Against players who only stand both score alike: the new strategy shoots too where it can, and a blind shot "
+    "that hits somebody is fetched and tried again, for nobody takes the ball away.",
     seconds=6.0,
     batches=24,
 )  # fmt: skip
