@@ -130,6 +130,7 @@ def causes(batch: Batch) -> Samples:
     found, recoveries = alarms_in_play(batch)
     alarms = approach(batch, rolls=False).reshape(MATCHES, -1)
     samples = {"causes": found, "recoveries": recoveries, "false": alarms.sum(axis=1)}
+    samples |= {"usual": found[:, :2].sum(axis=1), "alarms": found.sum(axis=1)}
     return {**samples, "approaches": np.full(MATCHES, float(alarms.shape[1]))}
 
 
@@ -145,12 +146,6 @@ def share_of(samples: Samples, cause: int) -> float:
     return float(by_cause(samples)[cause])
 
 
-def cause_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of each cause."""
-    curve = Curve("1 ball recedes, 2 turns, 3 near the ball, 4 other", range(1, 5), by_cause(samples).tolist())
-    return (Figure("Causes of false alarms in play", "cause", "share of false alarms [%]", (curve,)),)
-
-
 S24 = Claim(
     id="S24",
     paper=SACKS,
@@ -163,6 +158,9 @@ S24 = Claim(
     f"{TRIES} a batch to a still ball 40 to 90 cm away in any direction, nothing in the way.",
     criteria=(
         counted("ordinary approaches with a false alarm", "false", "approaches", at_most=5.0),
+        counted(
+            "false alarms in play while the ball recedes or the robot turns (usually)", "usual", "alarms", at_least=50.0
+        ),
         measured(
             "share of the false alarms in play: the lesser of the two causes less the greater of the others",
             lambda s: float(by_cause(s)[:2].min() - by_cause(s)[2:].max()),
@@ -174,13 +172,20 @@ S24 = Claim(
             for i, name in enumerate(CAUSES)
         ),
         reported("recoveries in play, a minute and match", lambda s: mean(s["recoveries"]) * 60.0 / PLAY_TIME),
-        reported("of these false", lambda s: 100.0 * s["causes"].sum() / max(s["recoveries"].sum(), 1.0), unit="%"),
+        reported("false alarms in play, in all", lambda s: float(s["alarms"].sum())),
+        reported(
+            "recoveries that are false alarms",
+            lambda s: 100.0 * s["causes"].sum() / max(s["recoveries"].sum(), 1.0),
+            unit="%",
+        ),
     ),
     measure=causes,
-    figures=cause_figure,
     ingredients=("stuck_count, near_zero, clearly, near_time: assumed",),
-    seconds=6.0,
-    batches=10,
+    note="The few false alarms in play come while the ball moves away. None comes of turning: robots turn "
+    "at up to 45 degrees a second, and are done before nine readings are over.",
+    seconds=4.5,
+    batches=16,
+    least=12,
 )
 
 
