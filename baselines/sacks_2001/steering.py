@@ -15,7 +15,7 @@ from soccer_env.geometry import clip, wrap
 
 SAME = 0.6  # [rad] within which the ranger's obstacle is taken to be one of the players, assumed  MS49
 BEHIND_LINE = 0.10  # [m] the goal that a dribbler makes for lies so far behind the line, assumed
-CLEARLY_BETTER = 1.2  # [1] how much less the other side must repel a decisive robot, assumed
+CLEARLY_BETTER = 2.0  # [1] how much less the other side must repel a decisive robot, assumed
 
 
 @compiled
@@ -33,9 +33,8 @@ def choose_way(belief, tracks, memory, k, play):
     push_x, push_y = force_of_players(belief, tracks, goal_x, goal_y, play)
     push_y += wall_force(own.y, 0.5 * k.pitch_width, play)
     off = limited(pull_x, pull_y, push_x, push_y, memory.way_side, play)
-    if play.decisive == 1 and abs(off) > play.body_limit:
-        side = memory.way_side if memory.way_side != 0.0 else side_of(off)
-        off = abs(off) * better_side(belief, tracks, goal_x, goal_y, side, play)
+    if play.decisive == 1 and off * memory.way_side < 0.0:
+        off = abs(off) * better_side(belief, tracks, goal_x, goal_y, memory.way_side, play)
     off = kept_longer(memory, off, play)
     memory.way = wrap(atan2(goal_y, goal_x) + off)
 
