@@ -40,21 +40,6 @@ SEED, THREADS = 1, 2
 CLAIMS = tuple(f"S{number:02}" for number in range(1, 73))
 NOT_MEASURED = "not measured"
 KEPT = ("id", "statement", "section", "verdict", "quick", "n", "command", "note", "without", "pose")  # of a result
-UNBUILT = {  # what the paper says where nothing measures it yet
-    "S01": "Collisions are common; three or four robots often head for the ball at once.",
-    "S02": "Avoiding and recovering from collisions gets to the ball faster and more reliably, and speeds up the game.",
-    "S03": "Two robots that push over a still ball stay where they are.",
-    "S04": "A ball that does not come nearer tells that the robot is stuck.",
-    "S22": "Robots almost always find within a few seconds that they are stuck.",
-    "S23": "With one counter robots think themselves stuck near the ball; the second counter cures it.",
-    "S24": "What false alarms remain come from a ball that rolls away and from slow turns, and are infrequent.",
-    "S25": "A higher threshold makes fewer false alarms and longer delays.",
-    "S26": "Ten steps back are more than needed, but keep a robot from being stuck again at once.",
-    "S27": "A sidestep does not always get round the obstacle, but puts the robot in position to shoot.",
-    "S28": "If the ball is more than 30 degrees aside, turning frees a robot that faces the wall.",
-    "S29": "Recovery is relatively effective, though it sometimes takes a few tries.",
-    "S30": "A collision can help when going for the ball: avoid others only with the ball.",
-}
 
 
 def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
@@ -65,7 +50,8 @@ def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
         for one in result.findings
     ]
     kept = {name: record[name] for name in KEPT}
-    return {**kept, "findings": findings, "criterion": result.criterion, "about": dict(about)}
+    run = {name: about.get(name, "") for name in ("date", "commit")}
+    return {**kept, "findings": findings, "criterion": result.criterion, "about": run}
 
 
 def take_folder(path: Path) -> dict[str, dict[str, Any]]:
@@ -87,11 +73,11 @@ def measure() -> dict[str, dict[str, Any]]:
 
 def claims_table(measured: Mapping[str, Mapping[str, Any]]) -> str:
     """Return every claim of the paper in Markdown: those without a result are shown as not measured."""
-    says = {**UNBUILT, **{name: claim.statement for name, claim in all_claims().items()}}
+    says = {name: f"{claim.statement} [{claim.section}]" for name, claim in all_claims().items()}
     lines = ["| id | the paper says | measured (95 % interval) | verdict | note |", "|---|---|---|---|---|"]
     for name in CLAIMS:
         row = measured.get(name)
-        cells = (name, says[name], "", NOT_MEASURED, "") if row is None else cells_of(row)
+        cells = (name, says.get(name, ""), "", NOT_MEASURED, "") if row is None else cells_of(row)
         lines.append("| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ") for cell in cells) + " |")
     return "\n".join([counted(measured), "", *lines, "", *sources(measured)])
 
@@ -118,7 +104,9 @@ def counted(measured: Mapping[str, Mapping[str, Any]]) -> str:
     counts = Counter(row["verdict"] for row in measured.values())
     parts = [f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict]]
     missing = len(CLAIMS) - len(measured)
-    return f"{len(CLAIMS)} claims: {', '.join([*parts, *([f'{missing} {NOT_MEASURED}'] if missing else [])])}."
+    quick = sum(row["quick"] for row in measured.values())
+    few = f" {quick} of them from few samples, marked (quick)." if quick else ""
+    return f"{len(CLAIMS)} claims: {', '.join([*parts, *([f'{missing} {NOT_MEASURED}'] if missing else [])])}.{few}"
 
 
 def sources(measured: Mapping[str, Mapping[str, Any]]) -> list[str]:

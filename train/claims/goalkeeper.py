@@ -118,8 +118,8 @@ S67 = Claim(
     figures=angular_figure,
     ingredients=("drive.sideways and drive.delay: 8 cm/s after 0.1 s", "keeper_out and the rules of goalkeeper.py"),
     note="A shot is on its way for one to three seconds. The velocity comes each 1/3 s with turns of the body in it, "
-    "legs take up a sidestep when the next gait step begins, and then make 8 cm/s. To stay on the line from the ball to "
-    "the goal saves as many, and with ideal senses more.",
+    "legs take up a sidestep when the next gait step begins, and then make 8 cm/s. To stay on the line from ball to "
+    "goal saves as many, and with ideal senses more.",
     seconds=5.0,
     least=4,
     batches=24,
