@@ -197,5 +197,6 @@ DRILLS_LEGGED = (
     drill("mover-and-still", "a player walks in from one side, another stands on the other", place_mover_and_still,
           PAST, "still", "walker@0.5"),
     drill("gap-500", "two still players, 500 mm between their centres", place_gap, PAST, "still", "still"),
-    drill("far-post-shots", "a shot at the far post of away's goalkeeper", place_far_post_shot, "away saves", "sacks-2001"),
+    drill("far-post-shots", "a shot at the far post of away's goalkeeper", place_far_post_shot, "away saves",
+          "sacks-2001"),
 )  # fmt: skip
