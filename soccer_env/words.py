@@ -16,7 +16,7 @@ from math import inf, sqrt
 from soccer_env.compiled import compiled
 
 SILENT = 0  # the word of a robot that does not see the ball
-FARTHEST = 15  # four bits, Sacks 2001, 1 and FACTS: sound alone, 4 bits a second
+FARTHEST = 15  # four bits: sound alone, Sacks 2001, 1; 4 bits a second, assumed
 NEAREST = 0.12  # [m] a ball at the chest, assumed
 GROWTH = 1.28  # [1] so that the words reach from the chest across a field of 3 x 2 m, assumed
 

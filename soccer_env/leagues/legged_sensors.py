@@ -84,7 +84,7 @@ class LeggedSensors(Options):
     head_down: float = 30.0 * DEGREE  # [rad] lower heads hide stickers, Sacks 2001, 4.3.3; assumed
     infrared_near: float = 0.10  # [m] readings below are discarded, Sacks 2001, 2  MS05
     infrared_far: float = 0.90  # [m] readings above are discarded, the same  MS05
-    infrared_noise: float = 0.004  # [m] sd close by, assumed so that the law crosses the size law at 40 cm (FACTS 4)
+    infrared_noise: float = 0.004  # [m] sd close by, assumed so that the law crosses the size law at 40 cm
     infrared_growth: float = 0.018  # [m] sd at 0.4 m, the same
     infrared_power: float = 3.0  # [1] growth with the distance over 0.4 m, the same
     infrared_pointing: float = 1.5 * DEGREE  # [rad] sd of the beam's direction, the same

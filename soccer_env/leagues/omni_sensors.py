@@ -36,7 +36,7 @@ class OmniSensors(Options):
     ORDER = (("hidden_radius", "less than", "mirror_edge"),)
 
     image: int = 580  # [px] across, Heinemann et al. 2006, 2  MH02
-    camera_height: float = 0.75  # [m] assumed (FACTS 2)
+    camera_height: float = 0.75  # [m] assumed
     mirror_edge: float = 10.0  # [m] distance of the ground at the image's edge, assumed
     mirror_curve: float = 2.5  # [m] half-way distance of the hyperbola: radius = edge * d / (d + curve), assumed
     # A ball at the kicker (0.29 m) is hidden by the own body, one that touches the flank (0.33 m) is seen.

@@ -26,7 +26,7 @@ from soccer_env.types import AWAY, MATCH, ROBOT
 from soccer_env.types import BALL as BALL_RECORD
 
 SIZES = 256  # [px] sizes that a table has room for; larger ones read as the last
-NEAREST, FARTHEST, STEP = 0.15, 3.0, 0.05  # [m] ranges at which things are put, proposed in FACTS 4
+NEAREST, FARTHEST, STEP = 0.15, 3.0, 0.05  # [m] ranges at which things are put, assumed
 LEAST = 0.01  # [m] least range that a table holds
 ASIDE = 50.0  # [m] where what is not looked at is put
 HEAD_ON, FROM_THE_SIDE = pi, 0.5 * pi  # [rad] heading of the robot that is looked at

@@ -16,7 +16,7 @@ CAMERA_AHEAD = 0.075 + 0.0666 * cos(-0.3) - 0.048 * sin(-0.3)  # [m] neck and ca
 
 
 def camera_height(tilt: float) -> float:
-    """Return the height of the camera [m], by FACTS' kinematics."""
+    """Return the height of the camera [m], by the kinematics of CMPack'02."""
     return 0.155 + 0.048 * cos(tilt) + 0.0666 * sin(tilt)
 
 

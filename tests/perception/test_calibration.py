@@ -17,7 +17,7 @@ from tests.staging import LEGGED
 
 LEAGUE = find_league(LEGGED)
 TABLES = calibrate(LEAGUE)
-FOCAL_X, FOCAL_Y = 80.04, 81.24  # [px] at 88x72, FACTS 1
+FOCAL_X, FOCAL_Y = 80.04, 81.24  # [px] at 88x72, from 57.6 x 47.8 degrees
 RADIUS = 0.042  # [m] of the ball
 
 
