@@ -12,7 +12,7 @@ from soccer_env.geometry import clip, length
 from soccer_env.percept_types import POSE_TOLD
 
 DEGREE = pi / 180.0
-NEAR_TILT = -68.0 * DEGREE  # [rad] of a sweep over the ground at the robot's feet, the ball between the paws too, assumed
+NEAR_TILT = -68.0 * DEGREE  # [rad] of a sweep over the ground at the feet, a ball between the paws too, assumed
 FAR_TILT = -24.0 * DEGREE  # [rad] of a sweep over the ground farther out, up to the horizon, assumed
 NEAR_BALL = 0.4  # [m] a ball believed nearer is searched for at the feet first, assumed
 FOUND = 3  # sightings that end a search; fewer are a glimpse, of a patch perhaps, assumed
