@@ -8,7 +8,7 @@ from __future__ import annotations
 from soccer_env.compiled import compiled
 
 INTERVAL = 1.0 / 3.0  # [s] between two velocities of the ball, Sacks 2001, 3.2
-VELOCITY_NOISE = 0.21  # [1/(m s)] sd of the filtered radial velocity over distance squared, at 88x72; FACTS, 4
+VELOCITY_NOISE = 0.21  # [1/(m s)] sd of the filtered radial velocity over distance squared, at 88x72, simulated
 ROUNDING = 1e-9
 
 
