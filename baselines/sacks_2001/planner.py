@@ -57,6 +57,7 @@ JUST_NOW, JUST_SEEN = 0.01, 0.15  # [s]
 FOUND = 2  # sightings that make a ball certain, assumed
 OUTSIDE, OUTSIDE_SHARE = 0.10, 0.10  # [m], [1] of its distance, that a ball may seem to lie behind the boards, assumed
 GAP = 0.5  # [s] unseen that ends a row of sightings, assumed
+REALLY_HAS = 1.0  # [s] of doing one thing with the ball that end an approach; until then its counters go on, assumed
 LOOK_DOWN = 0.8  # [s] with the head on its way down and down, after which an unseen ball is not there, assumed
 AFTER_KICK = 1.0  # [s] for which a robot looks after the ball that it kicked, assumed
 FULL_TURN = 6.3  # [rad]
@@ -138,7 +139,6 @@ def choose(belief, tracks, memory, sight, k, play, elapsed):
     has_ball = memory.had_ball < play.possession_time
     unseen = memory.trusted > play.lost or ball.confidence <= 0.0
     if unseen and not has_ball and memory.kicked <= 0.0:
-        forget_approach(memory)
         return SEARCH
     choose_role(belief, memory, play, elapsed)
     if situation.keeper == 1 and not (has_ball or may_clear(sight, play, k)):
@@ -154,14 +154,13 @@ def choose(belief, tracks, memory, sight, k, play, elapsed):
 def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
     """Return what an attacker does: approach and notice when it is stuck, or something with the ball.  MS22, MS26"""
     if not has_ball or is_contested(belief, tracks, play):
-        if memory.behaviour != APPROACH:
-            forget_approach(memory)
         watch_approach(belief.ball, memory, play, elapsed)
         if play.recovery == 1 and is_stuck(belief.ball, memory, play):
             begin_recovery(memory, k, play)
             return BACK
         return APPROACH
-    forget_approach(memory)
+    if memory.clock >= REALLY_HAS:
+        forget_approach(memory)
     memory.tries = 0
     off = wrap(aim(sight, memory, k, play) - sight.heading)
     if memory.foiled <= 0.0 and abs(off) < play.orbit_until and is_open(sight, memory, k, play):
