@@ -120,6 +120,8 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
         problems.append("README.md does not show what tables.json holds: run make tables")
     now = about()
     for name in ("scripted", "sacks"):
+        if name not in data:
+            continue
         made = data[name]["about"]
         if all(made[what] == now[what] for what in (*LIBRARIES, "machine")):
             problems += [problem for row in data[name]["rows"] for problem in replay_row(row)]
