@@ -94,13 +94,14 @@ def test_a_robot_that_never_sees_the_ball_goes_on_searching_all_over_its_half() 
     set_phase(match, Phase.PLAY)
     put_ball(match, 50.0, 50.0)
     match.reseat()
-    turned = np.zeros((8, 2))
+    turned, searching = np.zeros((8, 2)), 0.0
     for _ in range(16 * 180):
         before = match.robots["heading"][:, :2].copy()
         match.step()
         turned += np.abs(np.angle(np.exp(1j * (match.robots["heading"][:, :2] - before))))
+        searching += (match.squads[0].memory["behaviour"] == SEARCH).mean() / (16 * 180)
     assert np.isfinite(numbers(match)).all()
-    assert (match.squads[0].memory["behaviour"] == SEARCH).mean() > 0.8, "phantoms are few"
+    assert searching > 0.6, "what is taken for a ball passes"
     assert (turned > 4.0 * np.pi).all()
 
 
