@@ -10,6 +10,9 @@ from soccer_env.train.reproduce_report import with_interval
 from soccer_env.train.reproduce_settings import ReproduceSettings, command_of
 
 SEED = 1
+SENSING = (  # what robots see and believe; claims about what they do stand in baselines/sacks_2001/README.md
+    *(f"S{n:02}" for n in (*range(5, 22), *range(32, 42), 61, 66, 69, 70, 72)), "H26", "H27",
+)  # fmt: skip
 
 
 def sensor_settings() -> ReproduceSettings:
@@ -19,7 +22,7 @@ def sensor_settings() -> ReproduceSettings:
 
 def claim_settings() -> ReproduceSettings:
     """Return the run behind the table of claims."""
-    return ReproduceSettings(all=True, seed=SEED, threads=2)
+    return ReproduceSettings(claims=SENSING, seed=SEED, threads=2)
 
 
 def measure_sensors() -> dict[str, Any]:
@@ -30,7 +33,7 @@ def measure_sensors() -> dict[str, Any]:
 
 
 def measure_claims() -> dict[str, Any]:
-    """Measure all claims."""
+    """Measure the claims about sensing."""
     settings = claim_settings()
     return {"command": command_of(settings), "rows": [row_of(result) for result in reproduce(settings)]}
 
