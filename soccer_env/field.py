@@ -145,28 +145,29 @@ class Field:
 
     def observe(self, first: int, last: int) -> None:
         """Write the observations of a slice anew."""
-        observe = self.settings.observe
-        if not self.observations.shape[2]:
-            return
-        if observe == "truth":
-            observe_slice(self.matches, self.balls, self.robots, self.observations, self.constants, first, last)
-        elif observe == "percepts" and self.senses is not None:
-            self.senses.observe_percepts(self, first, last)
-        elif observe == "belief":
-            self._observe_beliefs(first, last)
+        if self.observations.shape[2]:
+            everyone = np.arange(self.robots.shape[1])
+            self.write_observations(self.observations, self.settings.observe, everyone, first, last)
 
-    def _observe_beliefs(self, first: int, last: int) -> None:
+    def write_observations(self, room: np.ndarray, observe: str, rows: np.ndarray, first: int, last: int) -> None:
+        """Write what some robots of a slice observe into room (M, R, n): of the truth everybody's, else of `rows`."""
+        if observe == "truth":
+            observe_slice(self.matches, self.balls, self.robots, room, self.constants, first, last)
+        elif observe == "percepts" and self.senses is not None:
+            self.senses.observe_percepts(self, room, rows, first, last)
+        elif observe == "belief":
+            self._observe_beliefs(room, rows, first, last)
+
+    def _observe_beliefs(self, room: np.ndarray, rows: np.ndarray, first: int, last: int) -> None:
         """Write what robots believe: from the sensors of those that use them, from the truth for ideal ones."""
-        rows = np.arange(self.robots.shape[1])
         self.believe_truth(rows, first, last)
-        sensing = rows[:0] if self.senses is None else self.senses.rows
-        for told, those in ((self._ideal, rows[self._ideal_rows]), (self.senses, sensing)):
+        sensing = rows[:0] if self.senses is None else rows[self.senses.used[rows]]
+        for told, those in ((self._ideal, rows[self._ideal_rows[rows]]), (self.senses, sensing)):
             if len(those):
                 beliefs, tracks = (told.beliefs, told.tracks) if isinstance(told, Senses) else self._ideal
                 observe_belief_slice(
-                    beliefs, tracks, self.robots, self.observations, self.constants,
-                    self.settings.half_length, those, first, last,
-                )  # fmt: skip
+                    beliefs, tracks, self.robots, room, self.constants, self.settings.half_length, those, first, last
+                )
 
     def _check(self, broken: int) -> None:
         """Raise RuntimeError if the physics of a match gave numbers that are not finite: a bug of ours."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -11,9 +12,47 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
+from soccer_env.observations import names_of
 from soccer_env.perception.ideal import believe_truth
-from soccer_env.teams import CompiledTeam, Team, TeamRandom, View, make_team
-from soccer_env.types import BELIEF, COMMAND, MAX_TEAM, TRACK
+from soccer_env.random_numbers import start_streams, uniform
+from soccer_env.settings import Settings
+from soccer_env.teams import CompiledTeam, ObservingTeam, Team, TeamRandom, View, make_team
+from soccer_env.types import BELIEF, COMMAND, MAX_TEAM, NOISE_STREAMS, TRACK
+
+LONG = 4096  # characters of a team's settings in a save; longer ones are hashed
+CHOOSER = 1 << 20  # owner of the stream that a lineup draws from; robots are 1 + 2 number + team
+NEEDED_SENSES = {"truth": "ideal", "percepts": "sensors"}  # by what a team observes
+
+
+@dataclass(frozen=True)
+class Lineup:
+    """Several compiled teams, one of which plays each episode of a match; give it where a team is asked for.
+
+    Which one follows from the match's seed, the number of the episode and `weights` (teams,), the relative
+    frequencies, which may be changed between steps.
+    """
+
+    teams: tuple[CompiledTeam, ...]
+    weights: np.ndarray
+    names: tuple[str, ...]  # of the teams, each different
+
+    def __post_init__(self) -> None:
+        if not self.teams or not all(isinstance(team, CompiledTeam) for team in self.teams):
+            raise ValueError("a Lineup needs at least one team, and compiled ones only")
+        if len(set(self.names)) != len(self.teams) or len(self.names) != len(self.teams):
+            raise ValueError(f"names of a Lineup must be {len(self.teams)} different ones, got {self.names}")
+        weights = np.asarray(self.weights)
+        if weights.shape != (len(self.teams),) or not (weights >= 0.0).all() or not 0.0 < weights.sum() < np.inf:
+            raise ValueError(f"weights of a Lineup must be {len(self.teams)} numbers from 0, not all 0, got {weights}")
+
+    def choose(self, seed: int, episode: int) -> int:
+        """Return the index of the team that plays an episode."""
+        noise = np.zeros(NOISE_STREAMS, np.uint64)
+        with np.errstate(over="ignore"):
+            start_streams(noise, np.uint64(seed), episode, CHOOSER)
+            drawn = uniform(noise, 0)
+        edges = np.cumsum(self.weights)
+        return int(min(np.searchsorted(edges, drawn * edges[-1], side="right"), np.flatnonzero(self.weights)[-1]))
 
 
 @dataclass
@@ -23,17 +62,29 @@ class Squad:
     team: Team
     players: np.ndarray  # (P,) rows
     memory: np.ndarray
+    observations: np.ndarray  # (M, R, n) of a team that decides from them, else (M, R, 0)
+    plays: np.ndarray | None = None  # (M,) of a team of a lineup: in which matches it plays now
+    name: str = ""  # what a lineup calls it
 
     def describe(self) -> list[Any]:
         """Return who plays whom: what a save has to agree with."""
         settings = getattr(self.team, "settings", None)
         told = settings.tobytes().hex() if isinstance(settings, np.ndarray) else ""
-        return [self.team.name, told, self.players.tolist()]
+        if len(told) > LONG:
+            told = hashlib.sha256(told.encode()).hexdigest()
+        return [self.name, told, self.players.tolist()]
 
     @property
     def compiled(self) -> bool:
         """Tell whether the team runs without Python."""
         return isinstance(self.team, CompiledTeam)
+
+    def runs(self, first: int, last: int) -> list[tuple[int, int]]:
+        """Return the slices of a slice of matches in which the team plays."""
+        if self.plays is None:
+            return [(first, last)]
+        steps = np.flatnonzero(np.diff(self.plays[first:last], prepend=False, append=False)) + first
+        return list(zip(steps[::2].tolist(), steps[1::2].tolist(), strict=True))
 
 
 def assign(agents: list[str], home: int, opponents: Any, teammates: Any, controllers: Any) -> dict[str, Any]:
@@ -58,8 +109,8 @@ def assign(agents: list[str], home: int, opponents: Any, teammates: Any, control
     return {agent: team for agent, team in who.items() if team is not None}
 
 
-def make_squads(agents: list[str], who: dict[str, Any], league: League, matches: int) -> list[Squad]:
-    """Return the squads: one for each distinct team on each side."""
+def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matches: int) -> list[Squad]:
+    """Return the squads: one for each distinct team on each side, or one for each team of a lineup."""
     squads: list[Squad] = []
     made: dict[tuple[str, Any], list[int]] = {}
     for row, agent in enumerate(agents):
@@ -68,13 +119,43 @@ def make_squads(agents: list[str], who: dict[str, Any], league: League, matches:
             key = (agent.split("_")[0], team if isinstance(team, str) else id(team))
             made.setdefault(key, []).append(row)
     for rows in made.values():
-        team = make_team(who[agents[rows[0]]])
-        check = getattr(team, "check_league", None)
-        if check is not None:
-            check(league)
-        memory = np.zeros((matches, len(rows)), check_memory(team))
-        squads.append(Squad(team, np.array(rows, np.int64), memory))
+        told = who[agents[rows[0]]]
+        teams = told.teams if isinstance(told, Lineup) else (make_team(told),)
+        for index, team in enumerate(teams):
+            squad = make_squad(team, np.array(rows, np.int64), settings, matches, len(agents))
+            if isinstance(told, Lineup):
+                squad.plays, squad.name = np.zeros(matches, bool), told.names[index]
+            squads.append(squad)
     return squads
+
+
+def make_squad(team: Team, players: np.ndarray, settings: Settings, matches: int, robots: int) -> Squad:
+    """Return a team on its rows (P,); ValueError if it does not play the league, or not by what it would see."""
+    check = getattr(team, "check_league", None)
+    if check is not None:
+        check(settings.league)
+    observed = 0
+    if isinstance(team, ObservingTeam):
+        senses = settings.senses[int(players[0] >= settings.rows[0])]
+        if team.observe != "belief" and senses != NEEDED_SENSES[team.observe]:
+            needed = NEEDED_SENSES[team.observe]
+            raise ValueError(f"team {team.name!r} observes {team.observe}: it needs senses={needed!r}, got {senses!r}")
+        observed = len(names_of(settings.league, team.observe))
+    memory = np.zeros((matches, len(players)), check_memory(team))
+    return Squad(team, players, memory, np.zeros((matches, robots, observed), np.float32), name=team.name)
+
+
+def find_lineups(who: dict[str, Any]) -> list[Lineup]:
+    """Return the different lineups among those who play."""
+    return list({id(team): team for team in who.values() if isinstance(team, Lineup)}.values())
+
+
+def call_up(squads: list[Squad], lineup: Lineup, m: int, seed: int, episode: int) -> None:
+    """Let the team that a lineup chooses play the coming episode of match m."""
+    chosen = lineup.teams[lineup.choose(seed, episode)]
+    for squad in squads:
+        if squad.plays is not None and any(squad.team is team for team in lineup.teams):
+            squad.plays[m] = squad.team is chosen
 
 
 def check_memory(team: Team) -> np.dtype:
@@ -114,22 +195,20 @@ def clip_commands(commands, players, first, last):
     return -1, -1
 
 
-def run_kernel(
-    squad: Squad,
-    beliefs: np.ndarray,
-    tracks: np.ndarray,
-    robots: np.ndarray,
-    constants: np.ndarray,
-    first: int,
-    last: int,
-) -> None:
-    """Let a compiled team decide in a slice of matches; ValueError if a command is not finite."""
+def run_compiled(squad: Squad, field: Any, first: int, last: int) -> None:
+    """Let a compiled team decide in a slice of matches of a Field; ValueError if a command is not finite."""
     team: Any = squad.team
-    commands = robots["command"]
-    team.kernel(
-        beliefs, tracks, squad.memory, robots["noise"], commands, squad.players, constants, team.settings, first, last
-    )
-    m, r = clip_commands(commands, squad.players, first, last)
+    commands, rows, k = field.robots["command"], squad.players, field.constants
+    if isinstance(team, ObservingTeam):
+        if not squad.memory["wait"][first:last].all():
+            field.write_observations(squad.observations, team.observe, rows, first, last)
+        for run in squad.runs(first, last):
+            team.kernel(squad.observations, squad.memory, commands, rows, k, team.settings, *run)
+    else:
+        minds, noise = field.minds(rows), field.robots["noise"]
+        for run in squad.runs(first, last):
+            team.kernel(*minds, squad.memory, noise, commands, rows, k, team.settings, *run)
+    m, r = clip_commands(commands, rows, first, last)
     if m >= 0:
         command = commands[m, r].item()
         for name in COMMAND.names or ():

@@ -39,7 +39,9 @@ def parts(match: Match, memory: bool = True) -> dict[str, np.ndarray]:
         return arrays
     if match.field.senses is not None:
         arrays |= match.field.senses.parts
-    return {**arrays, **{f"memory_{index}": squad.memory for index, squad in enumerate(match.squads)}}
+    memories = {f"memory_{index}": squad.memory for index, squad in enumerate(match.squads)}
+    chosen = {f"plays_{index}": squad.plays for index, squad in enumerate(match.squads) if squad.plays is not None}
+    return {**arrays, **memories, **chosen}
 
 
 def header_of(match: Match, memory: bool) -> dict[str, Any]:

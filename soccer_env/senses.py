@@ -104,6 +104,7 @@ class Senses:
         robots, slots = home + away, league.slots.teammates + league.slots.opponents
         sensing = {HOME: range(home), AWAY: range(home, robots)}
         self.rows = np.array([r for side in sides for r in sensing[side]], np.int64)
+        self.used = np.isin(np.arange(robots), self.rows)
         self.percepts = np.zeros((matches, robots), chain.percept)
         self.pending = np.zeros((matches, robots, chain.late), chain.percept)
         self.beliefs, self.tracks = np.zeros((matches, robots), BELIEF), np.zeros((matches, robots, slots), TRACK)
@@ -152,9 +153,9 @@ class Senses:
             self.tables, self.home, self.asleep, self.rows, first, last,
         )  # fmt: skip
 
-    def observe_percepts(self, field: Any, first: int, last: int) -> None:
-        """Write observations from the percepts of a slice of matches."""
+    def observe_percepts(self, field: Any, room: np.ndarray, rows: np.ndarray, first: int, last: int) -> None:
+        """Write what those of `rows` that use their sensors observe of their percepts into room (M, R, n)."""
         self.observer(
-            self.percepts, self.beliefs, field.robots, field.observations, field.constants, self.sensors,
-            self.settings.half_length, self.rows, first, last,
+            self.percepts, self.beliefs, field.robots, room, field.constants, self.sensors,
+            self.settings.half_length, rows[self.used[rows]], first, last,
         )  # fmt: skip

@@ -143,6 +143,22 @@ class CompiledTeam:
         return np.stack([commands[name] for name in COMMAND.names or ()], axis=-1)
 
 
+@dataclass(frozen=True)
+class ObservingTeam(CompiledTeam):
+    """A compiled team that decides from the observations that learners get, as learned policies do.
+
+    kernel(observations, memory, commands, players, constants, settings, first, last): observations (M, R, n) float32
+    are written for its players, by the code that writes those of a learner, while the field "wait" of its memory, the
+    control steps until its next decision, is 0 for one of them.
+    """
+
+    observe: str = "belief"  # what the observations are built from: "truth" (with ideal senses only), "percepts", "belief"
+
+    def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
+        """Raise ValueError: what a body feels is in no view, so that this team plays inside a match alone."""
+        raise ValueError(f"team {self.name!r} plays inside a match only: give it as controllers, opponents or teammates")
+
+
 def registered() -> dict[str, str]:
     """Return the names of all known teams and where they are made, those of installed packages included."""
     found = {point.name: point.value for point in entry_points(group=ENTRY_POINTS)}

@@ -1,0 +1,88 @@
+"""Teams that play a trained policy: `learned`, the bundled one, and every policy file.
+
+A decision is kept for `action_repeat` control steps. Where the walk of a legged robot is latched when a gait step
+ends, decisions come just early enough for that: the first one `first_decision` control steps into an episode; until
+then a robot stands.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from soccer_env.agents.network import ACTIVATION, act, pack
+from soccer_env.agents.policy import Policy
+from soccer_env.agents.policy_file import load
+from soccer_env.compiled import compiled
+from soccer_env.leagues.league import League
+from soccer_env.teams import ObservingTeam
+
+BUNDLED = Path(__file__).parent / "policies" / "legged-2001.safetensors"
+MEMORY = np.dtype(
+    [
+        ("begun", "i8"),  # 1 once the episode has begun
+        ("wait", "i8"),  # [control steps] until the next decision
+        ("action", "f8", (7,)),  # forward, left, turn, kick, head, pan, tilt
+    ]
+)
+HEAD = 4  # where the head's number lies in an action
+
+
+class LearnedTeam(ObservingTeam):
+    """A policy as a team; `policy` tells where it comes from."""
+
+    policy: Policy
+
+    def check_league(self, league: League) -> None:
+        """Raise ValueError, with the reason, if the policy does not play this league."""
+        self.policy.check_plays(league)
+
+
+def team_of(policy: Policy) -> LearnedTeam:
+    """Return the team that plays a policy."""
+    made = LearnedTeam(policy.name, play, MEMORY, pack(policy), observe=policy.observe)
+    object.__setattr__(made, "policy", policy)
+    return made
+
+
+def from_file(path: str | Path) -> LearnedTeam:
+    """Return the team of a policy file; ValueError says what is wrong with it."""
+    return team_of(load(Path(path)))
+
+
+def team(strength: float = 1.0) -> LearnedTeam:
+    """Return the bundled team; ValueError for a strength, which a learned team does not have."""
+    if strength != 1.0:
+        raise ValueError(f"team 'learned' has no strength, got {strength:g}")
+    return from_file(BUNDLED)
+
+
+def first_decision(delay_steps: int, repeat: int) -> int:
+    """Return the control steps until the first decision: it comes a perception-to-motion delay before a repeat ends."""
+    return -delay_steps % repeat
+
+
+@compiled
+def play(observations, memory, commands, players, constants, numbers, first, last):
+    """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
+    repeat, delay, layers = int(numbers[3]), constants[0].delay_steps, int(numbers[0])
+    size = int(numbers[4 + layers])
+    room = np.empty((3, 4096))
+    for m in range(first, last):
+        for p in range(len(players)):
+            mind = memory[m, p]
+            if mind.begun == 0:
+                mind.begun, mind.wait, mind.action[HEAD] = 1, -delay % repeat, -1.0
+            if mind.wait == 0:
+                act(numbers, observations[m, players[p]], mind.action[:size], room)
+                mind.wait = repeat
+            mind.wait -= 1
+            obey(commands[m, players[p]], mind.action)
+
+
+@compiled
+def obey(command, action):
+    """Write an action into a command."""
+    command.forward, command.left, command.turn, command.kick = action[0], action[1], action[2], action[3]
+    command.head, command.pan, command.tilt = action[HEAD], action[5], action[6]

@@ -1,0 +1,131 @@
+"""The actor and critic that PPO trains, and their way into a policy file.
+
+The actor sees the robot's own observation; the critic that, or with it the whole truth of the match (`state()`), which
+lies behind the observation. With `mirror` the actor is the mean of a network and of its left-right mirror image: what
+it does for a mirrored observation is the mirrored action, exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import torch
+from stable_baselines3.common.policies import ActorCriticPolicy
+from torch import nn
+
+from soccer_env.agents.policy import Policy
+from soccer_env.observations.mirror import action_signs, observation_signs
+
+ACTIVATIONS = {"tanh": nn.Tanh, "relu": nn.ReLU}
+
+
+def layers(sizes: Sequence[int], activation: str) -> nn.Sequential:
+    """Return linear layers of these sizes, each followed by the activation."""
+    parts: list[nn.Module] = []
+    for wide, out in zip(sizes, sizes[1:], strict=False):
+        parts += [nn.Linear(wide, out), ACTIVATIONS[activation]()]
+    return nn.Sequential(*parts)
+
+
+class ActorAndCritic(nn.Module):
+    """Two networks side by side; of features (B, n + s) the actor gets the first n, and with `signs` their mirror too."""
+
+    signs: torch.Tensor | None
+
+    def __init__(
+        self, inputs: int, features: int, hidden: Sequence[int], critic: Sequence[int], activation: str, signs: Any
+    ) -> None:
+        super().__init__()
+        self.inputs, self.latent_dim_pi, self.latent_dim_vf = inputs, hidden[-1], critic[-1]
+        self.register_buffer("signs", signs, persistent=False)
+        self.policy_net = layers([inputs, *hidden], activation)
+        self.value_net = layers([features, *critic], activation)
+
+    def forward(self, features: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+        """Return the last hidden layers of actor (B or 2 B, h) and critic (B, h)."""
+        return self.forward_actor(features), self.forward_critic(features)
+
+    def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
+        """Return the last hidden layer (B, h); with a mirror (2 B, h), the mirrored rows behind."""
+        own = features[:, : self.inputs]
+        latent: torch.Tensor = self.policy_net(own if self.signs is None else torch.cat([own, own * self.signs]))
+        return latent
+
+    def forward_critic(self, features: torch.Tensor) -> torch.Tensor:
+        """Return the critic's last hidden layer (B, h)."""
+        latent: torch.Tensor = self.value_net(features)
+        return latent
+
+
+class MirrorHead(nn.Module):
+    """The last layer: the mean of the actions of rows and of the mirrored actions of their mirror images behind them."""
+
+    signs: torch.Tensor
+
+    def __init__(self, linear: nn.Module, signs: torch.Tensor) -> None:
+        super().__init__()
+        self.linear = linear
+        self.register_buffer("signs", signs, persistent=False)
+
+    def forward(self, latent: torch.Tensor) -> torch.Tensor:
+        """Return actions (B, a) for the last hidden layer (2 B, h)."""
+        plain, mirrored = self.linear(latent).chunk(2)
+        return 0.5 * (plain + mirrored * self.signs)
+
+
+class SoccerPolicy(ActorCriticPolicy):
+    """The policy class that PPO gets; `names` are the entries of a robot's own observation."""
+
+    def __init__(
+        self,
+        *spaces: Any,
+        names: Sequence[str],
+        hidden: Sequence[int] = (64, 64),
+        critic: Sequence[int] = (64, 64),
+        activation: str = "tanh",
+        mirror: bool = False,
+        **settings: Any,
+    ) -> None:
+        self.names, self.hidden, self.critic, self.activation, self.mirror = names, hidden, critic, activation, mirror
+        super().__init__(*spaces, activation_fn=ACTIVATIONS[activation], **settings)
+
+    def _build_mlp_extractor(self) -> None:
+        signs = torch.tensor(observation_signs(self.names), dtype=torch.float32) if self.mirror else None
+        sizes: Any = (len(self.names), self.features_dim, self.hidden, self.critic)
+        self.mlp_extractor: Any = ActorAndCritic(*sizes, self.activation, signs)
+
+    def _build(self, lr_schedule: Any) -> None:
+        super()._build(lr_schedule)
+        if self.mirror:
+            signs = torch.tensor(action_signs(self.action_space.shape[0]), dtype=torch.float32)  # type: ignore[index]
+            self.action_net: nn.Module = MirrorHead(self.action_net, signs)
+        self.optimizer = self.optimizer_class(self.parameters(), lr=lr_schedule(1), **self.optimizer_kwargs)  # type: ignore[call-arg]
+
+    def mean_actions(self, observations: torch.Tensor) -> torch.Tensor:
+        """Return the actor's actions (B, a) without noise, not clipped."""
+        actions: torch.Tensor = self.action_net(self.mlp_extractor.forward_actor(observations))
+        return actions
+
+    def actor_parameters(self) -> list[nn.Parameter]:
+        """Return what the actor alone consists of, the width of its noise included."""
+        own = [*self.mlp_extractor.policy_net.parameters(), *self.action_net.parameters()]
+        return [*own, self.log_std]
+
+
+def policy_from(
+    network: SoccerPolicy, *, name: str, league: str, observe: str, action_repeat: int, made: Mapping[str, str]
+) -> Policy:
+    """Return what a policy file holds of a trained network: its actor."""
+    head = network.action_net.linear if isinstance(network.action_net, MirrorHead) else network.action_net
+    linear: list[Any] = [part for part in network.mlp_extractor.policy_net if isinstance(part, nn.Linear)]
+    linear.append(head)
+    weights = tuple(part.weight.detach().cpu().numpy().astype(np.float32) for part in linear)
+    biases = tuple(part.bias.detach().cpu().numpy().astype(np.float32) for part in linear)
+    actions = {4: "box", 7: "full"}[len(biases[-1])]
+    return Policy(
+        name=name, league=league, observe=observe, inputs=tuple(network.names), actions=actions,
+        action_repeat=action_repeat, kind="slots", activation=network.activation, mirror=network.mirror,
+        weights=weights, biases=biases, made=made,
+    )  # fmt: skip

@@ -1,0 +1,251 @@
+"""The settings of a training run: what the command line and a TOML file give.
+
+The help of `soccer train` is the text beside each field here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, fields
+from math import isfinite
+from pathlib import Path
+from typing import Any, Literal
+
+from soccer_env.train.settings import SENSES, is_number, split_players, whole
+
+FREE = ("out", "threads", "torch_threads", "steps", "anew", "tensorboard", "device")  # may differ when a run goes on
+SHARES = ("gae_lambda", "clip", "gamma")  # above 0, up to 1
+ABOVE_ZERO = ("minutes", "learning_rate", "noise", "evaluate_minutes", "gradient_limit")
+FROM_ZERO = ("entropy", "value_weight", "goal", "progress", "approach", "effort", "target_kl")
+COUNTS = (
+    "steps", "matches", "action_repeat", "rollout", "batch", "epochs", "evaluate_every", "evaluate_matches", "threads",
+    "torch_threads", "past_every",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class TrainSettings:
+    """Train a policy by PPO; all robots of the home team share it, the away team is played by opponents.
+
+    A run that was stopped, even by kill -9, goes on where its last rollout began when the same command is given again.
+    --config FILE reads settings from a TOML file; flags overrule it. One step is one decision of one robot.
+    """
+
+    league: str = "legged-2001"
+    """League to play in; `soccer list leagues` names them."""
+    out: Path = Path("runs/train")
+    """Folder of the run: checkpoints, best.safetensors, last.safetensors, logs, learning curve."""
+    steps: int = 2_000_000
+    """Decisions of learning robots to train for; a finished run goes on if this is raised."""
+    players: str = "3v3"
+    """Players a side; several, mixed in one run, with commas between them: 1v1,2v2,3v3."""
+    matches: int = 128
+    """Matches side by side, shared among the team sizes."""
+    minutes: float = 2.0
+    """Minutes of play in a training episode, both halves together."""
+    opponents: str = "chaser@0.5,chaser,sacks-2001"
+    """Teams that play away, with + between their settings' commas left out: NAMES of `soccer list teams` or policy files."""
+    past: int = 0
+    """How many past selves are among the opponents, the oldest giving way to the newest."""
+    past_every: int = 40
+    """Rollouts between two past selves."""
+    curriculum: bool = True
+    """Meet an opponent the oftener the more evenly it is matched; False: all alike."""
+    observe: Literal["belief", "percepts", "truth"] = "belief"
+    """What observations are built from; the truth is for policies that play with ideal senses."""
+    senses: str = "sensors"
+    """What fills beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each."""
+    pose: Literal["particles", "percept"] = "percept"
+    """How robots that use their sensors know where they are: a particle filter, or a noisy pose, which is faster."""
+    action_repeat: int = 8
+    """Control steps that a decision is kept; 8 is a gait step of the legged league."""
+    teacher: str = ""
+    """A team whose decisions the actor is fitted to before PPO begins; none by default."""
+    teacher_steps: int = 300_000
+    """Decisions of the teacher to record, over all team sizes and opponents."""
+    teacher_epochs: int = 12
+    """Times that the recorded decisions are gone through."""
+    critic_first: int = 0
+    """Rollouts in which the critic alone learns, so that it does not mislead what the teacher taught."""
+    hidden: str = "64,64"
+    """Sizes of the actor's hidden layers."""
+    critic: str = "64,64"
+    """Sizes of the critic's hidden layers."""
+    activation: Literal["tanh", "relu"] = "tanh"
+    """Activation of hidden layers."""
+    mirror: bool = False
+    """Make the actor the mean of a network and its left-right mirror image (observations of truth or belief)."""
+    central_critic: bool = False
+    """Let the critic see the whole truth of the match (`state()`) as well; the actor never does."""
+    learning_rate: float = 3e-4
+    """Learning rate of Adam at the start."""
+    decay: bool = True
+    """Let the learning rate fall linearly to a twentieth at `steps`."""
+    gamma: float = 0.99
+    """Discount for one decision, of the shaping too."""
+    gae_lambda: float = 0.95
+    """Lambda of the generalised advantage estimate."""
+    clip: float = 0.2
+    """How far the ratio of new to old probability may go from 1."""
+    rollout: int = 64
+    """Decisions of each robot between two updates."""
+    batch: int = 4096
+    """Decisions in a gradient step."""
+    epochs: int = 4
+    """Times that a rollout is gone through."""
+    entropy: float = 0.0
+    """Weight of the entropy bonus."""
+    value_weight: float = 0.5
+    """Weight of the critic's loss."""
+    target_kl: float = 0.0
+    """End an update early beyond 1.5 times this divergence; 0: never."""
+    gradient_limit: float = 0.5
+    """Largest norm of a gradient."""
+    noise: float = 0.6
+    """Standard deviation of the actions at the start."""
+    normalise_rewards: bool = True
+    """Divide rewards by the running deviation of the return."""
+    goal: float = 1.0
+    """Reward of a goal."""
+    progress: float = 0.5
+    """Weight of the potential of the ball's place (see `soccer list rewards`)."""
+    approach: float = 0.1
+    """Weight of the potential of the nearest robot's distance from the ball."""
+    effort: float = 0.001
+    """Weight of the cost of walking."""
+    evaluate_every: int = 1_000_000
+    """Steps between two evaluations of the policy, without noise; the best one is kept as best.safetensors."""
+    evaluate_matches: int = 40
+    """Matches of an evaluation against each of its opponents, even."""
+    evaluate_minutes: float = 4.0
+    """Minutes of play in them."""
+    evaluate_against: str = "chaser,sacks-2001"
+    """Opponents of the evaluations, at the largest team size, by sensors if the robots learn by them."""
+    seed: int = 0
+    """Seed of everything; the same settings and seed with one torch thread give the same weights."""
+    threads: int = 1
+    """Threads that share the matches; the result does not depend on them."""
+    torch_threads: int = 1
+    """Threads of torch; more than one helps only where cores are idle."""
+    device: Literal["auto", "cpu", "cuda"] = "auto"
+    """Where the networks are trained: auto takes a GPU if there is one."""
+    tensorboard: bool = True
+    """Write a TensorBoard log as well, if the package is installed."""
+    anew: bool = False
+    """Remove what an earlier run left in --out instead of going on with it."""
+
+    def __post_init__(self) -> None:
+        if isinstance(self.out, str):
+            object.__setattr__(self, "out", Path(self.out))
+        for name in COUNTS:
+            whole(name, getattr(self, name), 1)
+        for name in ("past", "teacher_steps", "teacher_epochs", "critic_first", "seed"):
+            whole(name, getattr(self, name), 0)
+        for names, low in ((ABOVE_ZERO + SHARES, 0.0), (FROM_ZERO, -1.0)):
+            for name in names:
+                check_number(name, getattr(self, name), low)
+        if self.evaluate_matches % 2:
+            raise ValueError(f"evaluate_matches must be even, got {self.evaluate_matches}")
+        if self.mirror and self.observe == "percepts":
+            raise ValueError("mirror needs observe='belief' or 'truth': a picture is not mirrored by turning signs round")
+        if self.observe == "truth" and self.senses != "ideal":
+            raise ValueError("observe='truth' needs senses='ideal', as the policy will when it plays")
+        self.sizes, self.hidden_sizes, self.critic_sizes, self.opponent_names  # noqa: B018  # each checks its text
+
+    @property
+    def sizes(self) -> tuple[tuple[int, int], ...]:
+        """Return the team sizes (home, away)."""
+        return tuple(split_players(part, 3) for part in split(self.players, "players"))
+
+    @property
+    def hidden_sizes(self) -> tuple[int, ...]:
+        """Return the sizes of the actor's hidden layers."""
+        return layer_sizes("hidden", self.hidden)
+
+    @property
+    def critic_sizes(self) -> tuple[int, ...]:
+        """Return the sizes of the critic's hidden layers."""
+        return layer_sizes("critic", self.critic)
+
+    @property
+    def opponent_names(self) -> tuple[str, ...]:
+        """Return the opponents' names."""
+        names = split(self.opponents, "opponents")
+        if len(set(names)) < len(names):
+            raise ValueError(f"opponents must be different, got {self.opponents!r}")
+        return names
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the settings as plain values."""
+        return {**asdict(self), "out": str(self.out)}
+
+    def decisive(self) -> dict[str, Any]:
+        """Return what a run that goes on must have in common with its beginning."""
+        return {name: value for name, value in self.as_dict().items() if name not in FREE}
+
+
+def check_number(name: str, value: object, low: float) -> None:
+    """Raise ValueError unless the value is a finite number above `low` (0 counts for -1), and at most 1 if a share."""
+    ok = is_number(value) and isfinite(float(value)) and (float(value) > low if low >= 0.0 else float(value) >= 0.0)  # type: ignore[arg-type]
+    if not ok or (name in SHARES and float(value) > 1.0):  # type: ignore[arg-type]
+        upper = " to 1" if name in SHARES else ""
+        raise ValueError(f"{name} must be a number {'above 0' if low >= 0.0 else 'from 0'}{upper}, got {value!r}")
+
+
+def split(text: str, name: str) -> tuple[str, ...]:
+    """Return the parts of a text between commas; a part NAME:switch=value keeps the commas of its switches."""
+    parts: list[str] = []
+    for part in text.split(","):
+        if "=" in part and ":" not in part and parts:
+            parts[-1] += "," + part
+        else:
+            parts.append(part.strip())
+    if not all(parts):
+        raise ValueError(f"{name} must be names with commas between them, got {text!r}")
+    return tuple(parts)
+
+
+def layer_sizes(name: str, text: str) -> tuple[int, ...]:
+    """Return the layer sizes of "64,64"; ValueError for anything else."""
+    try:
+        sizes = tuple(int(part) for part in str(text).split(","))
+    except ValueError:
+        sizes = ()
+    if not 1 <= len(sizes) <= 6 or not all(1 <= size <= 1024 for size in sizes):
+        raise ValueError(f"{name} must be one to six layer sizes of 1 to 1024, as in 64,64, got {text!r}")
+    return sizes
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """Return the settings of a TOML file; ValueError for one that cannot be read and for names that do not exist."""
+    try:
+        import tomllib
+    except ModuleNotFoundError:  # Python 3.10
+        import tomli as tomllib
+    try:
+        found = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise ValueError(f"{path} cannot be read: {error}") from error
+    known = [field.name for field in fields(TrainSettings)]
+    for name in found:
+        if name not in known:
+            raise ValueError(f"{path}: unknown setting {name!r}; known: {', '.join(known)}")
+    return found
+
+
+def settings_of(config: Path | None) -> TrainSettings:
+    """Return the settings of a TOML file, or the defaults; ValueError names the file and what is wrong."""
+    if config is None:
+        return TrainSettings()
+    found = read_toml(config)
+    kinds = {name: type(value) for name, value in TrainSettings().as_dict().items()}
+    for name, value in found.items():
+        kind = kinds[name]
+        if type(value) is not kind and not (kind is float and type(value) is int):
+            raise ValueError(f"{config}: {name} must be {kind.__name__}, got {value!r}")
+    try:
+        return TrainSettings(**found)
+    except ValueError as error:
+        raise ValueError(f"{config}: {error}") from error
+
+
+__all__ = ["SENSES", "TrainSettings", "settings_of"]

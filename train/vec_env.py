@@ -1,0 +1,274 @@
+"""A stable-baselines3 VecEnv straight over the batched core: a row for each learning robot of each match.
+
+    rows = team sizes x matches x home robots; the away robots are played by opponents inside
+
+No dicts, no processes: matches are stepped by compiled loops on one thread or more. All robots of a match begin and
+end together. An action is kept for `action_repeat` control steps; a match that ends within them begins anew at once,
+and its robots stand until the next decision. The first decision of an episode comes so early before a repeat ends as
+the perception-to-motion delay asks, as `agents.learned` plays it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+from stable_baselines3.common.vec_env import VecEnv
+
+from soccer_env import truth_state
+from soccer_env.agents.learned import first_decision
+from soccer_env.match import Match
+from soccer_env.random_numbers import seeds_for
+from soccer_env.rewards import Rewards
+
+
+@dataclass(frozen=True)
+class Result:
+    """How an episode ended, from the learners' side."""
+
+    players: tuple[int, int]  # a side
+    opponent: str
+    goals_for: int
+    goals_against: int
+
+    @property
+    def points(self) -> float:
+        """Return 1 for a win, 0.5 for a draw, 0 for a defeat."""
+        return 0.5 + 0.5 * float(np.sign(self.goals_for - self.goals_against))
+
+
+class SoccerVecEnv(VecEnv):
+    """Matches whose home robots learn, as rows of one environment.
+
+    players: team sizes (home, away), the matches being shared evenly among them; opponents: a team, its name, or a
+    `players.Lineup` whose weights choose anew for each episode; state: append `Match.state()` to every observation, for
+    a centralised critic; stagger: begin the first episodes at different times of play. Other settings are those of
+    `Match`. `results` collects how episodes ended until somebody takes them.
+    """
+
+    def __init__(
+        self,
+        league: Any = "legged-2001",
+        *,
+        players: Sequence[tuple[int, int]] = ((3, 3),),
+        matches: int = 64,
+        opponents: Any = "chaser",
+        action_repeat: int = 1,
+        gamma: float = 0.99,
+        rewards: Rewards | None = None,
+        state: bool = False,
+        stagger: bool = False,
+        seed: int = 0,
+        threads: int = 1,
+        **settings: Any,
+    ) -> None:
+        self.repeat, self.stagger, self.results = action_repeat, stagger, list[Result]()
+        self.render_mode = None
+        largest = max(max(sizes) for sizes in players)
+        shares = [matches * (i + 1) // len(players) - matches * i // len(players) for i in range(len(players))]
+        if min(shares) < 1:
+            raise ValueError(f"matches must be at least one for each of {len(players)} team sizes, got {matches}")
+        self.matches = [
+            Match(
+                league, home=home, away=away, matches=share, opponents=opponents, threads=threads, seed=seed,
+                autoreset="same_step", rewards=rewards or per_step(Rewards(), gamma, action_repeat), **settings,
+            )
+            for (home, away), share in zip(players, shares, strict=True)
+        ]  # fmt: skip
+        self.largest, self.state = largest, state
+        self.learners = [home for home, _ in players]
+        self.observed = len(self.matches[0].observation_names)
+        league = self.matches[0].league
+        self.first_decision = first_decision(league.delay_steps, action_repeat)
+        rows = [match.count * home for match, home in zip(self.matches, self.learners, strict=True)]
+        self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()
+        self.opponents = [playing(match) for match in self.matches]
+        width = self._observations().shape[1]
+        action = self.matches[0].settings.actions.size
+        self._actions = np.zeros((self.edges[-1], action))
+        super().__init__(
+            self.edges[-1],
+            spaces.Box(-1.0, 1.0, (width,), np.float32),
+            spaces.Box(-1.0, 1.0, (action,), np.float32),
+        )
+        self._seed = seed
+        self._returns, self._lengths = np.zeros(self.num_envs), np.zeros(self.num_envs, np.int64)
+
+    # What stable-baselines3 asks for
+
+    def seed(self, seed: int | None = None) -> Sequence[int | None]:
+        """Take the seed of the next reset."""
+        self._seed = self._seed if seed is None else seed
+        return [self._seed] * self.num_envs
+
+    def reset(self) -> np.ndarray:
+        """Begin episodes in all matches; return the first observations (rows, n) on which robots decide."""
+        seeds = seeds_for(self._seed, sum(match.count for match in self.matches))
+        for match in self.matches:
+            match.reset(seeds=seeds[: match.count])
+            seeds = seeds[match.count :]
+            if self.stagger:
+                stagger_clocks(match, self.repeat)
+            still = np.zeros((match.count, len(match.agents), self._actions.shape[1]))
+            for _ in range(self.first_decision):
+                match.step(still)
+        self.opponents = [playing(match) for match in self.matches]
+        self._returns[:], self._lengths[:] = 0.0, 0
+        return self._observations()
+
+    def step_async(self, actions: np.ndarray) -> None:
+        """Take the actions (rows, 4 or 7) of the next step."""
+        self._actions[:] = np.clip(actions, -1.0, 1.0)
+
+    def step_wait(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
+        """Play `action_repeat` control steps of all matches; return observations, rewards, dones (rows,) and infos."""
+        rewards, dones = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs, bool)
+        infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
+        for index in range(len(self.matches)):
+            self._play(index, rewards, dones, infos)
+        self._returns += rewards
+        self._lengths += 1
+        for row in np.flatnonzero(dones):
+            infos[row]["episode"] = {"r": float(self._returns[row]), "l": int(self._lengths[row]), "t": 0.0}
+        self._returns[dones], self._lengths[dones] = 0.0, 0
+        return self._observations(), rewards, dones, infos
+
+    def _play(self, index: int, rewards: np.ndarray, dones: np.ndarray, infos: list[dict[str, Any]]) -> None:
+        """Play one step of the matches of one team size, into their rows."""
+        match, home = self.matches[index], self.learners[index]
+        rows = slice(self.edges[index], self.edges[index + 1])
+        actions = np.zeros((match.count, len(match.agents), self._actions.shape[1]))
+        actions[:, :home] = self._actions[rows].reshape(match.count, home, -1)
+        gained, over = rewards[rows].reshape(match.count, home), np.zeros(match.count, bool)
+        for _ in range(self.repeat):
+            _, paid, terminated, _ = match.step(actions)
+            gained += np.where(over[:, None], 0.0, paid[:, :home])
+            if len(match.ended):
+                self._note_ends(index, terminated, over, infos)
+                over[match.ended], actions[match.ended] = True, 0.0
+        dones[rows] = np.repeat(over, home)
+
+    def _note_ends(self, index: int, terminated: np.ndarray, over: np.ndarray, infos: list[dict[str, Any]]) -> None:
+        """Write the last observations of matches that ended into the infos of their rows."""
+        match, home = self.matches[index], self.learners[index]
+        last = match.final["observations"][:, :home]
+        if self.state:
+            last = with_state(last, last_state(match))
+        for i, m in enumerate(match.ended):
+            if over[m]:
+                continue
+            first = self.edges[index] + int(m) * home
+            for r in range(home):
+                infos[first + r]["terminal_observation"] = last[i, r]
+                infos[first + r]["TimeLimit.truncated"] = not terminated[m]
+            score = match.final["matches"]["score"][i]
+            players, opponent = (match.settings.home, match.settings.away), self.opponents[index][m]
+            self.results.append(Result(players, opponent, int(score[0]), int(score[1])))
+        self.opponents[index] = playing(match)
+
+    def _observations(self) -> np.ndarray:
+        """Return the observations (rows, n) of all learners, in an array of their own."""
+        parts = []
+        for match, home in zip(self.matches, self.learners, strict=True):
+            seen = match.observations[:, :home]
+            if self.state:
+                seen = with_state(seen, team_state(match, match.state(), match.matches))
+            parts.append(seen.reshape(match.count * home, -1))
+        return np.concatenate(parts)
+
+    # What VecEnv asks of environments that are objects of their own; these are rows
+
+    def close(self) -> None:
+        """End the threads."""
+        for match in self.matches:
+            match.close()
+
+    def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
+        """Return an attribute of this environment, once for each row asked for."""
+        return [getattr(self, attr_name)] * len(list(self._get_indices(indices)))
+
+    def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
+        """Raise AttributeError: rows have no attributes of their own."""
+        raise AttributeError(f"rows of a SoccerVecEnv have no attribute {attr_name!r} of their own")
+
+    def env_method(self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any) -> list[Any]:
+        """Raise AttributeError: rows have no methods of their own."""
+        raise AttributeError(f"rows of a SoccerVecEnv have no method {method_name!r} of their own")
+
+    def env_is_wrapped(self, wrapper_class: Any, indices: Any = None) -> list[bool]:
+        """Return False for each row asked for."""
+        return [False] * len(list(self._get_indices(indices)))
+
+    # Saving
+
+    def save(self) -> dict[str, Any]:
+        """Return everything that its future depends on, as plain values, and reseat the matches on it."""
+        return {
+            "matches": [match.save() for match in self.matches],
+            "returns": self._returns.tolist(),
+            "lengths": self._lengths.tolist(),
+        }
+
+    def load(self, saved: dict[str, Any]) -> np.ndarray:
+        """Go on from what `save` returned; return the observations. ValueError if it is from other settings."""
+        for match, bits in zip(self.matches, saved["matches"], strict=True):
+            match.load(bits)
+        self.opponents = [playing(match) for match in self.matches]
+        self._returns[:], self._lengths[:] = saved["returns"], saved["lengths"]
+        return self._observations()
+
+
+def per_step(rewards: Rewards, gamma: float, repeat: int) -> Rewards:
+    """Return rewards whose shaping discounts by gamma in `repeat` control steps."""
+    return replace(rewards, gamma=gamma ** (1.0 / repeat))
+
+
+def stagger_clocks(match: Match, repeat: int) -> None:
+    """Let the first episodes of M matches begin at different times of their first half, a whole number of steps on."""
+    half = match.settings.half_length
+    if np.isfinite(half):
+        strides = int(half / (match.league.dt * repeat))
+        match.matches["clock"] = np.arange(match.count) * strides // match.count * repeat * match.league.dt
+
+
+def playing(match: Match) -> list[str]:
+    """Return the name of the team that plays the last away robot now, for each match."""
+    names = [""] * match.count
+    for squad in match.squads:
+        if squad.players[-1] == len(match.agents) - 1:
+            for m in range(match.count) if squad.plays is None else np.flatnonzero(squad.plays):
+                names[m] = squad.name
+    return names
+
+
+def with_state(observations: np.ndarray, state: np.ndarray) -> np.ndarray:
+    """Return observations (M, H, n) with the state (M, s) of their match behind each."""
+    told = np.broadcast_to(state[:, None], (*observations.shape[:2], state.shape[1]))
+    return np.concatenate([observations, told], axis=2)
+
+
+def team_state(match: Match, state: np.ndarray, records: np.ndarray) -> np.ndarray:
+    """Return states (M, s) turned so that home plays towards +x, from the field frame."""
+    turned: np.ndarray = np.where(records["home_direction"][:, None] < 0.0, turn_signs(match), np.float32(1.0)) * state
+    return turned
+
+
+def turn_signs(match: Match) -> np.ndarray:
+    """Return -1 for the entries of a state that a half-turn of the field turns round, else 1."""
+    turned = ("_x", "_y", "_vx", "_vy", "_cos", "_sin", "home_direction")
+    return np.array([-1.0 if name.endswith(turned) else 1.0 for name in truth_state.names(match)], np.float32)
+
+
+def last_state(match: Match) -> np.ndarray:
+    """Return the states (E, s) with which the matches that have just ended did so, in the frame of the home team."""
+    final = match.final
+    ended = SimpleNamespace(
+        settings=match.settings, league=match.league, count=len(match.ended),
+        matches=final["matches"], balls=final["balls"], robots=final["robots"],
+    )  # fmt: skip
+    return team_state(match, truth_state.write(ended), final["matches"])
+
