@@ -31,7 +31,8 @@ from soccer_env.observations import OBSERVE, names_of
 MAX_FILE = 256 * 2**20  # [bytes] most of it the optimiser's state, which is not read
 MAX_MEMBER = 64 * 2**20  # [bytes] unpacked, policy.pth and its records
 MAX_DATA = 16 * 2**20  # [bytes] unpacked
-MAX_PICKLE = 2**20  # [bytes] the names and shapes in policy.pth
+MAX_PICKLE = 2**18  # [bytes] the names and shapes in policy.pth
+MAX_OPCODES = 4000  # in it; 8 layers need about 1500, and 200,000 nested tuples crash the process as they are hashed
 MAX_MEMBERS = 1000  # of a zip and of those inside it; stable-baselines3 writes about 50
 LISTED = b"PK\x01\x02"  # begins each entry of a zip's list of members
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
@@ -175,16 +176,15 @@ def _parameters(pth: bytes) -> dict[str, np.ndarray]:
         raise ImportError("reading a stable-baselines3 zip needs torch: pip install soccer_env[train]") from None
     try:
         state = torch.load(BytesIO(copied), map_location="cpu", weights_only=True)
-        if not isinstance(state, Mapping):
-            raise ValueError(f"policy.pth must hold a table of parameters, got {type(state).__name__}")
-        for key, tensor in state.items():
+        if not isinstance(state, dict):
+            raise TypeError(f"it must be a table of parameters, not {type(state).__name__}")
+        parameters = dict(dict.items(state))  # dict.items: a pickle can hide state.items behind a value of its own
+        for key, tensor in parameters.items():
             if not isinstance(key, str) or not isinstance(tensor, torch.Tensor):
-                raise ValueError(f"policy.pth must hold tensors with names, got {brief(key)}")
-        return {key: tensor.numpy() for key, tensor in state.items()}
-    except ValueError:
-        raise
+                raise TypeError(f"it must hold tensors with names, got {brief(key)}")
+        return {key: tensor.detach().numpy() for key, tensor in parameters.items()}
     except Exception as error:  # torch meets broken archives with many types of error
-        raise ValueError(f"torch cannot read policy.pth: {one_line(error)[:150]}") from None
+        raise ValueError(f"policy.pth cannot be read: {one_line(error)[:150]}") from None
 
 
 def _copied(pth: bytes) -> bytes:
@@ -209,15 +209,16 @@ def _check_pickle(content: bytes) -> None:
     if len(content) > MAX_PICKLE:
         raise ValueError(f"data.pkl of policy.pth has {len(content)} bytes, the limit is {MAX_PICKLE}")
     try:
-        for opcode, argument, _ in pickletools.genops(content):
-            if opcode.name == "GLOBAL" and argument not in ALLOWED:
-                raise ValueError(f"policy.pth names {brief(argument)}, which is no tensor of float32")
-            if opcode.name not in OPCODES:
-                raise ValueError(f"policy.pth is no table of tensors: its pickle has {opcode.name}")
-    except ValueError:
-        raise
+        opcodes = [(opcode.name, argument) for opcode, argument, _ in pickletools.genops(content)]
     except Exception as error:  # pickletools reads numbers and texts without checking them
-        raise ValueError(f"data.pkl of policy.pth is broken: {one_line(error)}") from None
+        raise ValueError(f"data.pkl of policy.pth is broken: {one_line(error)[:150]}") from None
+    if len(opcodes) > MAX_OPCODES:
+        raise ValueError(f"data.pkl of policy.pth has {len(opcodes)} instructions, the limit is {MAX_OPCODES}")
+    for opcode, argument in opcodes:
+        if opcode == "GLOBAL" and argument not in ALLOWED:
+            raise ValueError(f"policy.pth names {brief(argument)}, which is no tensor of float32")
+        if opcode not in OPCODES:
+            raise ValueError(f"policy.pth is no table of tensors: its pickle has {opcode}")
 
 
 def _layers(state: Mapping[str, np.ndarray]) -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
