@@ -1,0 +1,187 @@
+"""What a policy is: a trained network and everything that has to agree before it may play.
+
+    observation (inputs,) in [-1, 1]                                       names in `inputs`, in this order
+      -> weights[0] x + biases[0] -> activation                            hidden layers, 0 to 7
+      -> ...
+      -> weights[-1] x + biases[-1]                                        no activation
+      -> mean of the actions (4,) or (7,), clipped to [-1, 1] when played  `actions.BOX` or `actions.FULL`
+
+A policy is checked as it is made, wherever it comes from: what passes here can neither overflow nor give NaN.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from reprlib import Repr
+
+import numpy as np
+
+from soccer_env.actions import BOX, FULL
+from soccer_env.leagues.league import League
+from soccer_env.observations import OBSERVE, names_of
+
+ACTIONS = {"box": len(BOX), "full": len(FULL)}  # numbers that come out
+KINDS = ("slots",)
+ACTIVATIONS = ("tanh", "relu")
+MAX_REPEAT = 1000  # [control steps]
+MAX_LAYERS = 8
+MAX_UNITS = 1024
+MAX_INPUTS = 4096
+MAX_NUMBERS = 3_900_000  # of all layers together, so that a policy file stays below its 16 MiB
+MAX_MADE = 64  # entries
+MAX_TEXT = 2000  # characters of one entry
+MAX_ACTIVITY = 1e37  # what a unit may reach; float32 ends at 3.4e38
+NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._+-]{0,63}")  # safe in a table, in a command line and as a file's name
+INPUT = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,63}")
+BRIEF = Repr()
+BRIEF.maxstring = 80
+
+
+@dataclass(frozen=True, eq=False)
+class Policy:
+    """A trained network and everything that has to agree before it may play.
+
+    ValueError says what is wrong. The arrays are copied and cannot be written to. Two policies are the same if
+    `policy_file.dump` gives the same bytes.
+    """
+
+    name: str  # what the team calls itself
+    league: str  # name of the league it was trained in
+    observe: str  # "truth", "percepts" or "belief"
+    inputs: tuple[str, ...]  # names of the observation's entries, in order: the whole layout
+    actions: str  # "box" (4 numbers) or "full" (7)
+    action_repeat: int  # [control steps] for which an action is kept, 1 to 1000
+    kind: str  # architecture: "slots" (a plain MLP over the flat observation)
+    activation: str  # "tanh" or "relu", behind every layer but the last
+    mirror: bool  # True: the output is the mean of the network and of its left-right mirror image
+    weights: tuple[np.ndarray, ...]  # (out, in) float32 of each layer
+    biases: tuple[np.ndarray, ...]  # (out,) float32 of each layer
+    made: Mapping[str, str]  # where it comes from: command, date, commit, seed, versions ... plain text
+
+    def __post_init__(self) -> None:
+        _check_text("name", self.name, NAME)
+        _check_text("league", self.league, NAME)
+        _check_choice("observe", self.observe, OBSERVE)
+        _check_choice("actions", self.actions, tuple(ACTIONS))
+        _check_choice("kind", self.kind, KINDS)
+        _check_choice("activation", self.activation, ACTIVATIONS)
+        if type(self.mirror) is not bool:
+            raise ValueError(f"mirror must be True or False, got {brief(self.mirror)}")
+        if type(self.action_repeat) is not int or not 1 <= self.action_repeat <= MAX_REPEAT:
+            raise ValueError(f"action_repeat must be 1 to {MAX_REPEAT}, got {brief(self.action_repeat)}")
+        _check_inputs(self.inputs)
+        _check_made(self.made)
+        _check_layers(self.weights, self.biases, len(self.inputs), ACTIONS[self.actions])
+        _check_activity(self.weights, self.biases, self.activation)
+        object.__setattr__(self, "weights", tuple(_frozen(array) for array in self.weights))
+        object.__setattr__(self, "biases", tuple(_frozen(array) for array in self.biases))
+        object.__setattr__(self, "made", dict(self.made))
+
+    def check_plays(self, league: League) -> None:
+        """Raise ValueError unless the policy was trained for this league, or for the one whose variant it is.
+
+        A variant's name begins with that of its league (legged-2001-inner); its layout has to be the same.
+        """
+        if not league.name.startswith(self.league):
+            raise ValueError(f"policy {self.name!r} was trained in {self.league!r}, not for {league.name!r}")
+        names = names_of(league, self.observe)
+        if list(self.inputs) == names:
+            return
+        pairs = zip(self.inputs, names)
+        differs = next((i for i, (own, other) in enumerate(pairs) if own != other), min(len(self.inputs), len(names)))
+        own, other = (repr(row[differs]) if differs < len(row) else "none" for row in (self.inputs, names))
+        raise ValueError(
+            f"policy {self.name!r} takes {len(self.inputs)} inputs of {self.observe!r}, "
+            f"{league.name!r} has {len(names)}; "
+            f"the first that differs is input {differs}: {own} in the policy, {other} in the league"
+        )
+
+
+def brief(value: object) -> str:
+    """Return a value as one short line for a message, whatever a stranger's file says."""
+    return BRIEF.repr(value)
+
+
+def _check_text(what: str, value: object, pattern: re.Pattern[str]) -> None:
+    """Raise ValueError unless a value is a short plain text."""
+    if not isinstance(value, str) or not pattern.fullmatch(value):
+        kinds = "letters, digits and _" if pattern is INPUT else "letters, digits, spaces and . _ + -"
+        raise ValueError(f"{what} must be 1 to 64 characters ({kinds}), got {brief(value)}")
+
+
+def _check_choice(what: str, value: object, known: tuple[str, ...]) -> None:
+    """Raise ValueError unless a value is one of the known words."""
+    if not isinstance(value, str) or value not in known:
+        raise ValueError(f"{what} must be one of {', '.join(known)}, got {brief(value)}")
+
+
+def _check_inputs(inputs: object) -> None:
+    """Raise ValueError unless the inputs are 1 to MAX_INPUTS names, each once."""
+    if not isinstance(inputs, tuple) or not 1 <= len(inputs) <= MAX_INPUTS:
+        size = len(inputs) if isinstance(inputs, tuple) else brief(inputs)
+        raise ValueError(f"inputs must be a tuple of 1 to {MAX_INPUTS} names, got {size}")
+    seen: set[str] = set()
+    for number, name in enumerate(inputs):
+        _check_text(f"input {number}", name, INPUT)
+        if name in seen:
+            raise ValueError(f"input {number} must have a name of its own, {name!r} stands before it")
+        seen.add(name)
+
+
+def _check_made(made: object) -> None:
+    """Raise ValueError unless `made` is a small table of plain texts."""
+    if not isinstance(made, Mapping) or len(made) > MAX_MADE:
+        got = len(made) if isinstance(made, Mapping) else brief(made)
+        raise ValueError(f"made must be a mapping of at most {MAX_MADE} texts, got {got}")
+    for key, text in made.items():
+        _check_text("a key of made", key, NAME)
+        if not isinstance(text, str) or len(text) > MAX_TEXT:
+            size = f"{len(text)} characters" if isinstance(text, str) else brief(text)
+            raise ValueError(f"made[{key!r}] must be a text of at most {MAX_TEXT} characters, got {size}")
+        if not text.replace("\n", "").replace("\t", "").isprintable():
+            raise ValueError(f"made[{key!r}] must be plain text, got {brief(text)}")
+
+
+def _check_layers(weights: object, biases: object, inputs: int, outputs: int) -> None:
+    """Raise ValueError unless the layers chain from the inputs to the outputs, within the limits and finite."""
+    if not (isinstance(weights, tuple) and isinstance(biases, tuple) and len(weights) == len(biases)):
+        raise ValueError("weights and biases must be tuples of the same length, one array for each layer")
+    if not 1 <= len(weights) <= MAX_LAYERS:
+        raise ValueError(f"a policy must have 1 to {MAX_LAYERS} layers, got {len(weights)}")
+    width, last, numbers = inputs, len(weights) - 1, 0
+    for number, (weight, bias) in enumerate(zip(weights, biases)):
+        for what, array in (("weight", weight), ("bias", bias)):
+            if not isinstance(array, np.ndarray) or array.dtype != np.float32:
+                kind = array.dtype if isinstance(array, np.ndarray) else type(array).__name__
+                raise ValueError(f"layer{number}.{what} must be an array of float32, got {kind}")
+        out = outputs if number == last else len(bias) if bias.ndim == 1 else 0
+        if not 1 <= out <= MAX_UNITS:
+            raise ValueError(f"layer{number}.bias must have the shape (1 to {MAX_UNITS},), got {bias.shape}")
+        if weight.shape != (out, width) or bias.shape != (out,):
+            raise ValueError(
+                f"layer{number} must have a weight {(out, width)} and a bias {(out,)}, got {weight.shape}, {bias.shape}"
+            )
+        width, numbers = out, numbers + weight.size + bias.size
+        if numbers > MAX_NUMBERS:
+            raise ValueError(f"a policy must have at most {MAX_NUMBERS} weights and biases, layer{number} is too much")
+        if not (np.isfinite(weight).all() and np.isfinite(bias).all()):
+            raise ValueError(f"layer{number} must be finite, it holds NaN or infinity")
+
+
+def _check_activity(weights: tuple[np.ndarray, ...], biases: tuple[np.ndarray, ...], activation: str) -> None:
+    """Raise ValueError if an observation in [-1, 1] could make a unit overflow, and the actions NaN."""
+    largest = 1.0  # of what a layer takes in
+    for number, (weight, bias) in enumerate(zip(weights, biases)):
+        reached = np.abs(weight).sum(axis=1, dtype=np.float64) * largest + np.abs(bias)
+        if not reached.max() < MAX_ACTIVITY:
+            raise ValueError(f"layer{number} must stay below {MAX_ACTIVITY:g}, its units could reach {reached.max():g}")
+        largest = 1.0 if activation == "tanh" else float(reached.max())
+
+
+def _frozen(array: np.ndarray) -> np.ndarray:
+    """Return a copy that nobody can write to."""
+    copy = np.array(array, dtype=np.float32, order="C", subok=False)
+    copy.setflags(write=False)
+    return copy

@@ -1,0 +1,221 @@
+"""Policy files: one safetensors file for each policy; reading one never runs code.
+
+    8 bytes    length of the header [bytes], little-endian
+    header     JSON: {"__metadata__": {"soccer_env.policy": TEXT}, "layer0.weight": {"dtype": "F32", "shape": ...}, ...}
+    tensors    float32, little-endian, one after the other without gaps
+
+TEXT is JSON again: the fields of `Policy` without its arrays, and "version" (1). The schema is strict: exactly these
+keys, each once, with these types; anything else is a ValueError in one line that names the file.
+
+The safetensors library checks that the header fits into the file and is JSON, that sizes agree with shapes, and that
+the tensors cover the file without holes and overlaps. It lets duplicate names, unknown fields of a tensor and any
+dtype pass and gives no metadata for bytes, so the header is read here first.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import stat
+from collections import Counter
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from safetensors import SafetensorError
+from safetensors.numpy import load as tensors_of
+from safetensors.numpy import save
+
+from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, brief
+
+VERSION = 1
+KEY = "soccer_env.policy"
+MAX_FILE = 16 * 2**20  # [bytes]
+MAX_HEADER = 2**20  # [bytes] the largest policy needs about 0.8 MiB
+MAX_DIGITS = 20  # of a whole number
+PREFIX = 8  # [bytes] the header's length
+SCHEMA: dict[str, type] = {
+    "version": int,
+    "name": str,
+    "league": str,
+    "observe": str,
+    "inputs": list,
+    "actions": str,
+    "action_repeat": int,
+    "kind": str,
+    "activation": str,
+    "mirror": bool,
+    "made": dict,
+}
+TENSOR = {"dtype", "shape", "data_offsets"}
+
+
+def dump(policy: Policy) -> bytes:
+    """Return the content of a policy's file; the same policy gives the same bytes."""
+    fields = {key: getattr(policy, key) for key in SCHEMA if key not in ("version", "inputs", "made")}
+    table = {"version": VERSION, **fields, "inputs": list(policy.inputs), "made": dict(policy.made)}
+    text = json.dumps(table, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
+    tensors: dict[str, np.ndarray] = {}
+    for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases)):
+        tensors |= {f"layer{number}.weight": weight, f"layer{number}.bias": bias}
+    content: bytes = save(tensors, metadata={KEY: text})
+    return content
+
+
+def load(path: str | os.PathLike[str]) -> Policy:
+    """Read a policy file; ValueError names the file and says what is wrong with it."""
+    return parse(read_plain(path, MAX_FILE), file_name(path))
+
+
+def parse(data: bytes, where: str) -> Policy:
+    """Return the policy of a file's content; ValueError says `where` and what is wrong."""
+    try:
+        header = _header(data)
+        table = _table(header)
+        _check_tensors(header)
+        return _policy(table, tensors_of(data))
+    except (ValueError, SafetensorError) as error:
+        raise ValueError(f"policy file {where!r}: {one_line(error)}") from None
+
+
+def read_plain(path: str | os.PathLike[str], limit: int) -> bytes:
+    """Return the content of a regular file of at most `limit` bytes; ValueError for anything else.
+
+    Folders, pipes, sockets and devices are refused before they are opened, and once more after, in case they changed.
+    """
+    try:
+        path = os.fspath(path)  # no number: that would be an open file
+        _check_regular(os.stat(path), limit)
+        flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
+        with open(os.open(path, flags), "rb") as file:
+            _check_regular(os.fstat(file.fileno()), limit)
+            data = file.read(limit + 1)
+        if len(data) > limit:  # grew, or a file of /proc
+            raise ValueError(f"has more than {limit} bytes")
+    except (OSError, ValueError, TypeError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else error
+        raise ValueError(f"policy file {file_name(path)!r}: {one_line(reason)}") from None
+    return data
+
+
+def one_line(reason: object) -> str:
+    """Return an error's text as one line of at most 300 characters."""
+    text = " ".join(str(reason).split())
+    text = "".join(letter if letter.isprintable() else "?" for letter in text)
+    return text if len(text) <= 300 else f"{text[:297]}..."
+
+
+def strict_json(data: bytes | str, what: str, finite: bool = True) -> Any:
+    """Parse JSON without duplicate keys, very long numbers, very deep nesting, and NaN and infinity if `finite`."""
+
+    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        table = dict(pairs)
+        if len(table) < len(pairs):
+            twice = Counter(key for key, _ in pairs).most_common(1)[0][0]
+            raise ValueError(f"{what} has the key {brief(twice)} twice")
+        return table
+
+    def whole(digits: str) -> int:
+        if len(digits) > MAX_DIGITS:
+            raise ValueError(f"{what} has a number of {len(digits)} digits")
+        return int(digits)
+
+    def other(constant: str) -> float:
+        if finite:
+            raise ValueError(f"{what} holds {constant}")
+        return float(constant)
+
+    try:
+        text = data.decode("utf-8") if isinstance(data, bytes) else data
+        return json.loads(text, object_pairs_hook=once, parse_int=whole, parse_constant=other)
+    except RecursionError:
+        raise ValueError(f"{what} is nested too deeply") from None
+    except (json.JSONDecodeError, UnicodeDecodeError) as error:
+        raise ValueError(f"{what} is not JSON: {error}") from None
+
+
+def file_name(path: object) -> str:
+    """Return a path as text, short enough for a message."""
+    text = os.fsdecode(path) if isinstance(path, (str, bytes, Path)) else str(path)
+    return text if len(text) <= 300 else f"...{text[-297:]}"
+
+
+def _check_regular(status: os.stat_result, limit: int) -> None:
+    """Raise ValueError unless a file is a regular one of at most `limit` bytes."""
+    if stat.S_ISDIR(status.st_mode):
+        raise ValueError("is a folder, not a file")
+    if not stat.S_ISREG(status.st_mode):
+        raise ValueError("is not a regular file")
+    if status.st_size > limit:
+        raise ValueError(f"has {status.st_size} bytes, more than the limit of {limit}")
+
+
+def _header(data: bytes) -> dict[str, Any]:
+    """Return the header of a safetensors file as a table."""
+    if len(data) > MAX_FILE:
+        raise ValueError(f"has {len(data)} bytes, more than the limit of {MAX_FILE}")
+    if len(data) < PREFIX:
+        raise ValueError(f"is cut off or no policy file: {len(data)} bytes")
+    length = int.from_bytes(data[:PREFIX], "little")
+    if length > MAX_HEADER:
+        raise ValueError(f"is no policy file: its header would have {length} bytes, the limit is {MAX_HEADER}")
+    if length > len(data) - PREFIX:
+        raise ValueError(f"is cut off: a header of {length} bytes in a file of {len(data)} bytes")
+    header = strict_json(data[PREFIX : PREFIX + length], "the header")
+    if not isinstance(header, dict):
+        raise ValueError("the header must be a JSON object")
+    return header
+
+
+def _table(header: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the fields of the policy, checked against the schema."""
+    metadata = header.get("__metadata__")
+    if not isinstance(metadata, dict) or set(metadata) != {KEY} or not isinstance(metadata[KEY], str):
+        raise ValueError(f"is no policy file: its metadata must be a text {KEY!r} and nothing else")
+    table = strict_json(metadata[KEY], KEY)
+    if not isinstance(table, dict):
+        raise ValueError(f"{KEY} must be a JSON object")
+    version = table.get("version")
+    if type(version) is not int or version != VERSION:
+        raise ValueError(f"is of format version {brief(version)}; this soccer_env reads version {VERSION}")
+    missing, unknown = [key for key in SCHEMA if key not in table], [key for key in table if key not in SCHEMA]
+    if missing:
+        raise ValueError(f"{KEY} lacks {', '.join(missing)}")
+    if unknown:
+        raise ValueError(f"{KEY} has an unknown key {brief(unknown[0])}; known: {', '.join(SCHEMA)}")
+    for key, kind in SCHEMA.items():
+        if type(table[key]) is not kind:
+            raise ValueError(f"{key} must be of the JSON type of {kind.__name__}, got {brief(table[key])}")
+    return table
+
+
+def _check_tensors(header: Mapping[str, Any]) -> None:
+    """Raise ValueError unless the tensors are float32 layers, named from layer0 on, of two axes and one."""
+    entries = {name: entry for name, entry in header.items() if name != "__metadata__"}
+    layers = min(len(entries) // 2, MAX_LAYERS)
+    expected = {f"layer{number}.{part}" for number in range(layers) for part in ("weight", "bias")}
+    for name in sorted(expected - entries.keys()):
+        raise ValueError(f"lacks the tensor {name!r}")
+    for name in sorted(entries.keys() - expected):
+        raise ValueError(f"has a tensor {brief(name)} that belongs to no complete layer of 1 to {MAX_LAYERS}")
+    for name, entry in entries.items():
+        if not isinstance(entry, dict) or set(entry) != TENSOR:
+            raise ValueError(f"{name} must have {', '.join(sorted(TENSOR))} and nothing else")
+        if entry["dtype"] != "F32":
+            raise ValueError(f"{name} must be of dtype 'F32', got {brief(entry['dtype'])}")
+        shape, axes = entry["shape"], 2 if name.endswith("weight") else 1
+        sizes = isinstance(shape, list) and all(type(size) is int and 1 <= size <= MAX_INPUTS for size in shape)
+        if not sizes or len(shape) != axes:
+            raise ValueError(f"{name} must have {axes} axes of 1 to {MAX_INPUTS}, got the shape {brief(shape)}")
+
+
+def _policy(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> Policy:
+    """Return the policy of a checked table and its tensors."""
+    layers = range(len(tensors) // 2)
+    return Policy(
+        **{key: table[key] for key in SCHEMA if key not in ("version", "inputs")},
+        inputs=tuple(table["inputs"]),
+        weights=tuple(tensors[f"layer{number}.weight"] for number in layers),
+        biases=tuple(tensors[f"layer{number}.bias"] for number in layers),
+    )

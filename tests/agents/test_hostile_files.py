@@ -1,0 +1,298 @@
+"""Hostile and broken policy files: one plain line that names the file, no code run, the process alive."""
+
+import json
+import os
+import pickle
+import socket
+import struct
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from soccer_env.agents.policy import Policy
+from soccer_env.agents.policy_file import KEY, MAX_FILE, MAX_HEADER, dump, load, parse
+from tests.agents.staged_zips import Canary
+
+GOOD = dump(
+    Policy(
+        name="tiny",
+        league="legged-2001",
+        observe="truth",
+        inputs=("ball_x", "ball_y"),
+        actions="box",
+        action_repeat=1,
+        kind="slots",
+        activation="tanh",
+        mirror=False,
+        weights=(np.ones((3, 2), np.float32), np.ones((4, 3), np.float32)),
+        biases=(np.ones(3, np.float32), np.ones(4, np.float32)),
+        made={"seed": "1"},
+    )
+)
+LENGTH = int.from_bytes(GOOD[:8], "little")
+HEADER: dict[str, Any] = json.loads(GOOD[8 : 8 + LENGTH])
+TABLE: dict[str, Any] = json.loads(HEADER["__metadata__"][KEY])
+BODY = GOOD[8 + LENGTH :]
+WHERE = "odd\n\x1b[31m.safetensors"  # a file's name is a stranger's too
+
+
+def packed(header: dict[str, Any] | bytes, body: bytes = BODY, length: int | None = None) -> bytes:
+    """Return a safetensors file with this header, right or wrong."""
+    text = header if isinstance(header, bytes) else json.dumps(header).encode()
+    return struct.pack("<Q", len(text) if length is None else length) + text + body
+
+
+def with_table(table: Any) -> bytes:
+    text = table if isinstance(table, str) else json.dumps(table)
+    return packed({**HEADER, "__metadata__": {KEY: text}})
+
+
+def with_fields(**changes: Any) -> bytes:
+    return with_table({**TABLE, **changes})
+
+
+def with_tensor(name: str, **changes: Any) -> bytes:
+    return packed({**HEADER, name: {**HEADER[name], **changes}})
+
+
+def without(table: dict[str, Any], key: str) -> dict[str, Any]:
+    return {other: value for other, value in table.items() if other != key}
+
+
+def refused(content: bytes, reason: str | None = None) -> None:
+    """Check that a file is refused in one plain line that names it."""
+    with pytest.raises(ValueError, match=reason) as refusal:
+        parse(content, WHERE)
+    line = str(refusal.value)
+    assert line.startswith(f"policy file {WHERE!r}: ")
+    assert line.isprintable() and len(line) < 400
+
+
+def numbers(*values: float) -> bytes:
+    """Return the body with its first numbers replaced."""
+    return np.array(values, "<f4").tobytes() + BODY[4 * len(values) :]
+
+
+def test_the_corpus_starts_from_a_good_file() -> None:
+    assert dump(parse(GOOD, WHERE)) == GOOD
+    assert dump(parse(packed(HEADER), WHERE)) == GOOD
+    assert dump(parse(with_table(TABLE), WHERE)) == GOOD
+
+
+def test_a_file_that_is_cut_off_anywhere_is_refused() -> None:
+    for length in range(len(GOOD)):
+        refused(GOOD[:length])
+    refused(GOOD + b"\0", "not fully covered")
+    refused(GOOD + GOOD)
+
+
+def test_a_flipped_bit_is_refused_or_harmless() -> None:
+    for place in range(len(GOOD)):
+        for bit in (0, 3, 7):
+            content = bytearray(GOOD)
+            content[place] ^= 1 << bit
+            try:
+                found = parse(bytes(content), WHERE)
+            except ValueError as refusal:
+                assert str(refusal).startswith(f"policy file {WHERE!r}: ") and str(refusal).isprintable()
+            else:  # another word of free text, or another weight
+                assert all(np.isfinite(array).all() for array in found.weights + found.biases)
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.binary(max_size=200), st.booleans())
+def test_any_bytes_are_refused(noise: bytes, behind_a_length: bool) -> None:
+    refused(struct.pack("<Q", len(noise)) + noise if behind_a_length else noise)
+
+
+JSON = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(),
+    lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner),
+    max_leaves=8,
+)
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.sampled_from(sorted(TABLE)), JSON)
+def test_any_json_in_a_field_is_refused_or_a_policy(key: str, value: Any) -> None:
+    try:
+        parse(with_fields(**{key: value}), WHERE)
+    except ValueError as refusal:
+        assert str(refusal).startswith(f"policy file {WHERE!r}: ") and str(refusal).isprintable()
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.sampled_from(["dtype", "shape", "data_offsets", "more"]), JSON)
+def test_any_json_in_a_tensor_is_refused(key: str, value: Any) -> None:
+    if value != HEADER["layer0.weight"].get(key, None):
+        refused(with_tensor("layer0.weight", **{key: value}))
+
+
+SHIFTED = {name: dict(entry) for name, entry in HEADER.items() if name != "__metadata__"}
+DEEP = "[" * 100_000 + "]" * 100_000
+CORPUS = {
+    "empty": (b"", "0 bytes"),
+    "length only": (struct.pack("<Q", 0), "header is not JSON"),
+    "header of 2^63 bytes": (packed(HEADER, length=2**63), "limit is"),
+    "header of 2^64 - 1 bytes": (packed(HEADER, length=2**64 - 1), "limit is"),
+    "header over the limit": (packed(json.dumps(HEADER).encode() + b" " * MAX_HEADER), "limit is"),
+    "header longer than the file": (packed(HEADER, length=len(GOOD) + 100), "is cut off"),
+    "more than 16 MiB": (packed(HEADER, b"\0" * MAX_FILE), "more than the limit of 16777216"),
+    "header of another encoding": (packed(json.dumps(HEADER).encode("utf-16")), "header is not JSON"),
+    "header is a list": (packed(b"[1]"), "must be a JSON object"),
+    "header is nothing": (packed(b"null"), "must be a JSON object"),
+    "deep header": (packed(f'{{"a":{DEEP}}}'.encode()), "nested too deeply|unexpected|metadata"),
+    "two names alike": (packed(json.dumps(HEADER).encode()[:-1] + b',"layer0.bias":{}}'), "'layer0.bias' twice"),
+    "two metadata": (packed(json.dumps(HEADER).encode()[:-1] + b',"__metadata__":{}}'), "'__metadata__' twice"),
+    "no metadata": (packed(without(HEADER, "__metadata__")), "is no policy file"),
+    "more metadata": (packed({**HEADER, "__metadata__": {**HEADER["__metadata__"], "format": "pt"}}), "nothing else"),
+    "metadata of numbers": (packed({**HEADER, "__metadata__": {KEY: 1}}), "is no policy file"),
+    "metadata is a list": (packed({**HEADER, "__metadata__": [KEY]}), "is no policy file"),
+    "table is no JSON": (with_table("{"), "is not JSON"),
+    "table is code": (with_table("__import__('os').abort()"), "is not JSON"),
+    "table is a list": (with_table([]), "must be a JSON object"),
+    "deep table": (with_table(DEEP), "nested too deeply"),
+    "deep field": (with_table(json.dumps(TABLE)[:-1] + f',"made":{DEEP}}}'), "nested too deeply|twice"),
+    "key twice": (with_table(json.dumps(TABLE)[:-1] + ',"name":"b"}'), "the key 'name' twice"),
+    "key twice in made": (with_table(json.dumps(TABLE).replace('{"seed": "1"}', '{"a":"","a":""}')), "'a' twice"),
+    "NaN": (with_table(json.dumps(TABLE).replace('"action_repeat": 1', '"action_repeat": NaN')), "holds NaN"),
+    "-Infinity": (with_table(json.dumps(TABLE).replace("false", "-Infinity")), "holds -Infinity"),
+    "infinite number": (with_table(json.dumps(TABLE).replace('"action_repeat": 1', '"action_repeat": 1e999')), "inf"),
+    "huge number": (with_table(json.dumps(TABLE).replace("false", "9" * 100_000)), "number of 100000 digits"),
+    "huge size": (packed(json.dumps(HEADER).replace("[3, 2]", f"[{'9' * 5000}]").encode()), "5000 digits"),
+    "other version": (with_fields(version=2), "is of format version 2; this soccer_env reads version 1"),
+    "version in words": (with_fields(version="1"), "is of format version '1'"),
+    "version is true": (with_fields(version=True), "is of format version True"),
+    "no version": (with_table(without(TABLE, "version")), "is of format version None"),
+    "unknown key": (with_fields(code="import os"), "unknown key 'code'"),
+    "unknown long key": (with_fields(**{"x\n" * 10_000: 1}), "unknown key 'x"),
+    "repeat is true": (with_fields(action_repeat=True), "action_repeat must be of the JSON type of int"),
+    "mirror is 0": (with_fields(mirror=0), "mirror must be of the JSON type of bool"),
+    "inputs are a text": (with_fields(inputs="ab"), "inputs must be of the JSON type of list"),
+    "inputs are lists": (with_fields(inputs=[["a"], ["b"]]), "input 0 must be"),
+    "too many inputs": (with_fields(inputs=[f"i{n}" for n in range(5000)]), "got 5000"),
+    "other width": (with_fields(inputs=["a", "b", "c"]), r"layer0 must have a weight \(3, 3\)"),
+    "other actions": (with_fields(actions="full"), "layer1 must have a weight"),
+    "lone surrogate": (with_table('{"a":"\ud800"}'), "no policy file|not JSON|version"),
+    "NaN weight": (packed(HEADER, numbers(np.nan)), "must be finite"),
+    "infinite weight": (packed(HEADER, numbers(1, np.inf)), "must be finite"),
+    "overflowing weight": (packed(HEADER, numbers(3e38, 3e38)), "must stay below"),
+    "float64": (with_tensor("layer0.bias", dtype="F64"), "must be of dtype 'F32', got 'F64'"),
+    "bfloat16": (with_tensor("layer0.bias", dtype="BF16"), "must be of dtype 'F32', got 'BF16'"),
+    "int32": (with_tensor("layer0.bias", dtype="I32"), "must be of dtype 'F32', got 'I32'"),
+    "dtype is a list": (with_tensor("layer0.bias", dtype=["F32"]), "must be of dtype"),
+    "no dtype": (packed({**HEADER, "layer0.bias": without(HEADER["layer0.bias"], "dtype")}), "nothing else"),
+    "field of a tensor": (with_tensor("layer0.bias", code="x"), "nothing else"),
+    "tensor is a text": (packed({**HEADER, "layer0.bias": "x"}), "nothing else"),
+    "turned shape": (with_tensor("layer0.weight", shape=[2, 3]), r"layer0 must have a weight \(3, 2\)"),
+    "flat shape": (with_tensor("layer0.weight", shape=[6]), "must have 2 axes"),
+    "deep shape": (with_tensor("layer0.weight", shape=[1] * 1000), "must have 2 axes"),
+    "negative shape": (with_tensor("layer0.weight", shape=[-3, -2]), "must have 2 axes of 1 to 4096"),
+    "shape of floats": (with_tensor("layer0.weight", shape=[3.0, 2.0]), "must have 2 axes"),
+    "shape of truth": (with_tensor("layer0.bias", shape=[True]), "must have 1 axes"),
+    "huge shape": (with_tensor("layer0.weight", shape=[2**40, 2**40]), "must have 2 axes"),
+    "empty shape": (with_tensor("layer0.weight", shape=[0, 2**60], data_offsets=[0, 0]), "must have 2 axes"),
+    "larger shape": (with_tensor("layer0.weight", shape=[4, 2]), "invalid|Error"),
+    "overlap": (with_tensor("layer1.bias", data_offsets=HEADER["layer0.weight"]["data_offsets"]), "Error|offset"),
+    "hole": (packed(HEADER, BODY + b"1234"), "not fully covered"),
+    "offsets backwards": (with_tensor("layer0.bias", data_offsets=[12, 0]), "Error"),
+    "negative offsets": (with_tensor("layer0.bias", data_offsets=[-12, 0]), "Error"),
+    "offsets behind the end": (with_tensor("layer0.bias", data_offsets=[2**62, 2**62 + 12]), "Error"),
+    "offsets are texts": (with_tensor("layer0.bias", data_offsets=["0", "12"]), "Error"),
+    "missing tensor": (packed(without(HEADER, "layer0.bias")), "lacks the tensor|has a tensor"),
+    "missing layer": (packed(without(without(HEADER, "layer0.bias"), "layer0.weight")), "lacks the tensor 'layer0"),
+    "extra tensor": (packed({**HEADER, "extra": HEADER["layer0.bias"]}), "has a tensor 'extra'"),
+    "extra layers": (packed({**HEADER, **{f"layer{n}.bias": SHIFTED["layer0.bias"] for n in range(40)}}), "tensor"),
+    "no tensors": (packed({"__metadata__": HEADER["__metadata__"]}, b""), "1 to 8 layers, got 0"),
+}
+
+
+@pytest.mark.parametrize("kind", CORPUS)
+def test_a_wrong_file_is_refused_with_its_reason(kind: str) -> None:
+    refused(*CORPUS[kind])
+
+
+@pytest.mark.parametrize("key", sorted(TABLE.keys() - {"version"}))
+def test_every_key_is_needed_and_typed(key: str) -> None:
+    refused(with_table(without(TABLE, key)), f"lacks {key}")
+    refused(with_fields(**{key: None}), f"{key} must be of the JSON type of")
+
+
+def test_a_pickle_with_another_name_is_not_run(tmp_path: Path) -> None:
+    for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+        content = pickle.dumps(Canary(tmp_path / "canary"), protocol)
+        path = tmp_path / f"{protocol}.safetensors"
+        for disguise in (content, packed(content), packed(HEADER, content), with_table(content.decode("latin-1"))):
+            path.write_bytes(disguise)
+            with pytest.raises(ValueError, match=str(path)):
+                load(path)
+    assert not (tmp_path / "canary").exists()
+    pickle.loads(content)  # the canary does sing
+    assert (tmp_path / "canary").exists()
+
+
+def refuses(path: Any, reason: str) -> None:
+    with pytest.raises(ValueError, match=reason) as refusal:
+        load(path)
+    assert str(refusal.value).startswith("policy file ") and str(refusal.value).isprintable()
+
+
+def test_what_is_no_file_is_refused(tmp_path: Path) -> None:
+    refuses(tmp_path, "is a folder")
+    refuses(tmp_path / "none", "No such file")
+    refuses("a\0b", "null")
+    refuses("a\n" * 5000, "name too long")
+    refuses(0, "not int")  # no reading from standard input
+    refuses(None, "not NoneType")
+    (tmp_path / "empty").touch()
+    refuses(tmp_path / "empty", "0 bytes")
+    (tmp_path / "good").write_bytes(GOOD)
+    load(str(tmp_path / "good"))
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links, pipes and devices of Unix")
+def test_links_pipes_and_devices_do_not_hang(tmp_path: Path) -> None:
+    (tmp_path / "a").symlink_to("b")
+    (tmp_path / "b").symlink_to("a")
+    refuses(tmp_path / "a", "symbolic links")
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "link").symlink_to("pipe")
+    with socket.socket(socket.AF_UNIX) as server:
+        server.bind(os.path.relpath(tmp_path / "socket"))
+    for strange in (tmp_path / "pipe", tmp_path / "link", tmp_path / "socket", "/dev/zero"):
+        refuses(strange, "is not a regular file")
+
+
+def test_a_sparse_giant_is_not_read(tmp_path: Path) -> None:
+    with (tmp_path / "giant").open("wb") as file:
+        file.truncate(2**40)
+    refuses(tmp_path / "giant", "has 1099511627776 bytes, more than the limit")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="limits of Unix")
+def test_the_process_survives_the_corpus(tmp_path: Path) -> None:
+    for number, (content, _) in enumerate(CORPUS.values()):
+        (tmp_path / f"{number}.safetensors").write_bytes(content)
+    program = (
+        "import resource, sys\n"
+        "from pathlib import Path\n"
+        "from soccer_env.agents.policy_file import load\n"
+        "resource.setrlimit(resource.RLIMIT_AS, (2**32, 2**32))\n"
+        "refused = 0\n"
+        "for path in Path(sys.argv[1]).glob('*.safetensors'):\n"
+        "    try:\n"
+        "        load(path)\n"
+        "    except ValueError:\n"
+        "        refused += 1\n"
+        "print(refused)"
+    )
+    command = [sys.executable, "-O", "-c", program, str(tmp_path)]
+    run = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.strip() == str(len(CORPUS))

@@ -1,0 +1,200 @@
+"""Policies and their files: what goes in comes out, and everything else is refused with its reason."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from soccer_env.agents import policy as limits
+from soccer_env.agents.policy import Policy
+from soccer_env.agents.policy_file import MAX_FILE, MAX_HEADER, dump, load, parse
+from soccer_env.leagues import LEAGUES, find_league
+from soccer_env.observations import names_of
+
+PRINTED = st.characters(categories=["L", "P", "S"])
+MADE = {"command": "soccer train --seed 1", "note": 'two\nlines, "quoted", ß'}
+
+
+def policy(*widths: int, inputs: tuple[str, ...] = ("ball_x", "ball_y"), **changes: Any) -> Policy:
+    """Return a small policy whose hidden layers have these widths."""
+    outputs = 7 if changes.get("actions") == "full" else 4
+    sizes = [len(inputs), *(widths or (3,)), outputs]
+    rng = np.random.default_rng(1)
+    fields = {
+        "name": "tiny",
+        "league": "legged-2001",
+        "observe": "truth",
+        "inputs": inputs,
+        "actions": "box",
+        "action_repeat": 2,
+        "kind": "slots",
+        "activation": "tanh",
+        "mirror": False,
+        "weights": tuple(rng.normal(size=(b, a)).astype(np.float32) for a, b in zip(sizes, sizes[1:])),
+        "biases": tuple(rng.normal(size=b).astype(np.float32) for b in sizes[1:]),
+        "made": MADE,
+    }
+    return Policy(**{**fields, **changes})
+
+
+def ones(*shape: int) -> np.ndarray:
+    return np.ones(shape, np.float32)
+
+
+def test_a_file_gives_back_the_policy(tmp_path: Path) -> None:
+    whole = policy(5, 3, actions="full", mirror=True)
+    (tmp_path / "a.safetensors").write_bytes(dump(whole))
+    read = load(tmp_path / "a.safetensors")
+    for field in ("name", "league", "observe", "inputs", "actions", "action_repeat", "kind", "activation", "mirror"):
+        assert getattr(read, field) == getattr(whole, field)
+    assert read.made == MADE
+    for own, other in zip(whole.weights + whole.biases, read.weights + read.biases):
+        assert own.tobytes() == other.tobytes() and own.shape == other.shape
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    widths=st.lists(st.integers(1, 9), max_size=7),
+    made=st.dictionaries(
+        st.from_regex(limits.NAME, fullmatch=True), st.text(st.characters(categories=["L", "P", "S"]))
+    ),
+    repeat=st.integers(1, 1000),
+    mirror=st.booleans(),
+)
+def test_the_same_policy_gives_the_same_bytes(widths: list[int], made: dict, repeat: int, mirror: bool) -> None:
+    content = dump(policy(*widths, made=made, action_repeat=repeat, mirror=mirror))
+    assert dump(parse(content, "here")) == content
+    backwards = dict(reversed(made.items()))
+    assert dump(policy(*widths, made=backwards, action_repeat=repeat, mirror=mirror)) == content
+
+
+def test_the_largest_policy_fits_into_a_file() -> None:
+    inputs = tuple(f"{'n' * 59}_{number:04d}" for number in range(limits.MAX_INPUTS - 1000))
+    made = {f"{'k' * 60}{number:02d}": '"\U0001f600\n\\' * 500 for number in range(limits.MAX_MADE)}
+    large = policy(1000, 700, inputs=inputs, made=made)
+    assert sum(array.size for array in large.weights + large.biases) > 0.97 * limits.MAX_NUMBERS
+    content = dump(large)
+    assert len(content) < MAX_FILE
+    assert dump(parse(content, "here")) == content
+    assert int.from_bytes(content[:8], "little") < MAX_HEADER
+
+
+def test_the_longest_header_is_below_its_limit() -> None:
+    inputs = tuple(f"{'n' * 59}_{number:04d}" for number in range(limits.MAX_INPUTS))
+    made = {f"{'k' * 61}{number:02d}": '"' * 2000 for number in range(limits.MAX_MADE)}
+    content = dump(policy(2, inputs=inputs, made=made))
+    assert MAX_HEADER // 2 < int.from_bytes(content[:8], "little") < MAX_HEADER
+
+
+def test_arrays_are_copied_and_cannot_be_written_to() -> None:
+    weight = ones(4, 2)
+    made = dict(MADE)
+    whole = policy(weights=(weight,), biases=(ones(4),), made=made)
+    weight[0, 0] = np.nan
+    made["note"] = "changed"
+    assert whole.weights[0][0, 0] == 1.0
+    assert whole.made == MADE
+    with pytest.raises(ValueError, match="read-only"):
+        whole.weights[0][0, 0] = 2.0
+
+
+@pytest.mark.parametrize(
+    ("changes", "reason"),
+    [
+        ({"name": ""}, "name must be 1 to 64 characters"),
+        ({"name": "a|b"}, "name must be 1 to 64 characters"),
+        ({"name": "two\nlines"}, "name must be 1 to 64 characters"),
+        ({"name": "x" * 65}, "name must be 1 to 64 characters"),
+        ({"name": 3}, "name must be 1 to 64 characters .* got 3"),
+        ({"league": ""}, "league must be"),
+        ({"observe": "all"}, "observe must be one of truth, percepts, belief, got 'all'"),
+        ({"observe": ["truth"]}, "observe must be one of"),
+        ({"actions": "discrete"}, "actions must be one of box, full"),
+        ({"kind": "attention"}, "kind must be one of slots"),
+        ({"activation": "gelu"}, "activation must be one of tanh, relu"),
+        ({"mirror": 1}, "mirror must be True or False, got 1"),
+        ({"action_repeat": 0}, "action_repeat must be 1 to 1000, got 0"),
+        ({"action_repeat": 1001}, "action_repeat must be 1 to 1000, got 1001"),
+        ({"action_repeat": True}, "action_repeat must be 1 to 1000, got True"),
+        ({"action_repeat": 2.0}, "action_repeat must be 1 to 1000, got 2.0"),
+        ({"inputs": ["ball_x", "ball_y"]}, "inputs must be a tuple"),
+        ({"inputs": ()}, "inputs must be a tuple of 1 to 4096 names, got 0"),
+        ({"inputs": tuple(f"i{n}" for n in range(4097))}, "1 to 4096 names, got 4097"),
+        ({"inputs": ("ball_x", "ball_x")}, "input 1 must have a name of its own"),
+        ({"inputs": ("ball_x", 3)}, "input 1 must be 1 to 64 characters .* got 3"),
+        ({"inputs": ("ball_x", "ball y")}, "input 1 must be 1 to 64 characters"),
+        ({"inputs": ("ball_x",)}, r"layer0 must have a weight \(3, 1\)"),
+        ({"made": "me"}, "made must be a mapping"),
+        ({"made": {f"k{n}": "" for n in range(65)}}, "made must be a mapping of at most 64 texts, got 65"),
+        ({"made": {"seed": 1}}, r"made\['seed'\] must be a text of at most 2000 characters, got 1"),
+        ({"made": {"log": "x" * 2001}}, r"made\['log'\] must be .* got 2001 characters"),
+        ({"made": {"log": "\x1b[31m"}}, r"made\['log'\] must be plain text"),
+        ({"made": {"log": "\ud800"}}, r"made\['log'\] must be plain text"),
+        ({"made": {"a\nb": ""}}, "a key of made must be"),
+        ({"weights": []}, "must be tuples of the same length"),
+        ({"weights": (), "biases": ()}, "1 to 8 layers, got 0"),
+        ({"weights": (ones(4, 2),) * 9, "biases": (ones(4),) * 9}, "1 to 8 layers, got 9"),
+        ({"weights": (ones(4, 2),)}, "must be tuples of the same length"),
+        (
+            {"weights": (ones(4, 2).astype(float),), "biases": (ones(4),)},
+            "layer0.weight must .* got float64",
+        ),
+        ({"weights": (ones(4, 2),), "biases": ([1.0] * 4,)}, "layer0.bias must be an array of float32, got list"),
+        ({"weights": (ones(4, 3),), "biases": (ones(4),)}, r"layer0 must have a weight \(4, 2\)"),
+        ({"weights": (ones(5, 2),), "biases": (ones(5),)}, r"layer0 must have a weight \(4, 2\)"),
+        ({"weights": (ones(8),), "biases": (ones(4),)}, r"layer0 must have a weight \(4, 2\)"),
+        ({"weights": (ones(3, 2), ones(4, 3)), "biases": (ones(1, 3), ones(4))}, "layer0.bias must have the shape"),
+        ({"weights": (ones(0, 2), ones(4, 0)), "biases": (ones(0), ones(4))}, "layer0.bias must have the shape"),
+        (
+            {"weights": (ones(1025, 2), ones(4, 1025)), "biases": (ones(1025), ones(4))},
+            "layer0.bias must have the shape",
+        ),
+        ({"weights": (ones(4, 2) * np.nan,), "biases": (ones(4),)}, "layer0 must be finite"),
+        ({"weights": (ones(4, 2),), "biases": (ones(4) * -np.inf,)}, "layer0 must be finite"),
+        ({"weights": (ones(4, 2) * 3e37,), "biases": (ones(4),)}, "layer0 must stay below 1e[+]37"),
+        ({"activation": "relu", "weights": (ones(3, 2) * 1e20, ones(4, 3) * 1e20)}, "layer1 must stay below"),
+    ],
+)
+def test_what_does_not_agree_is_refused(changes: dict[str, Any], reason: str) -> None:
+    with pytest.raises(ValueError, match=reason) as refusal:
+        replace(policy(), **changes)
+    assert len(str(refusal.value)) < 300 and str(refusal.value).isprintable()
+
+
+def test_too_many_weights_are_refused() -> None:
+    with pytest.raises(ValueError, match="at most 3900000 weights and biases"):
+        policy(*(1000,) * 6)
+
+
+def test_tanh_bounds_what_follows_it() -> None:
+    replace(policy(), weights=(ones(3, 2) * 1e20, ones(4, 3) * 1e20))
+
+
+@pytest.mark.parametrize("observe", ["truth", "percepts", "belief"])
+@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
+def test_a_policy_plays_its_league_and_its_variants(league: str, observe: str) -> None:
+    trained = policy(inputs=tuple(names_of(find_league(league), observe)), league=league, observe=observe)
+    for name, preset in LEAGUES.items():
+        if name.startswith(league):
+            trained.check_plays(preset)
+        else:
+            with pytest.raises(ValueError, match=f"was trained in '{league}', not for '{name}'"):
+                trained.check_plays(preset)
+
+
+def test_another_layout_is_refused_with_the_entry_that_differs() -> None:
+    league = find_league("legged-2001")
+    names = names_of(league, "truth")
+    swapped = (names[1], names[0], *names[2:])
+    with pytest.raises(ValueError, match="takes 73 inputs .* has 73; .* input 0: 'own_y' in the policy, 'own_x' in"):
+        policy(inputs=swapped).check_plays(league)
+    with pytest.raises(ValueError, match=f"takes 72 inputs .* input 72: none in the policy, '{names[72]}' in"):
+        policy(inputs=tuple(names[:72])).check_plays(league)
+    with pytest.raises(ValueError, match="takes 74 inputs .* input 73: 'more' in the policy, none in the league"):
+        policy(inputs=(*names, "more")).check_plays(league)
+    with pytest.raises(ValueError, match="inputs of 'belief'"):
+        policy(inputs=tuple(names), observe="belief").check_plays(league)

@@ -1,0 +1,192 @@
+"""Zips of stable-baselines3: real ones give the same actions, those that cannot are refused with the reason."""
+
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+
+from soccer_env.agents.policy import Policy
+from soccer_env.agents.policy_file import dump, parse
+from soccer_env.leagues import find_league
+from tests.agents.staged_zips import INPUTS, Noise, data_of, plain_zip, pth_of, read, refuses, remade, saved, state_of
+
+torch = pytest.importorskip("torch")
+sb3 = pytest.importorskip("stable_baselines3")
+
+
+def actions_of(policy: Policy, observations: np.ndarray) -> np.ndarray:
+    """Return the mean actions of a policy, in plain numpy."""
+    values = observations
+    squeeze = {"tanh": np.tanh, "relu": lambda x: np.maximum(x, 0.0)}[policy.activation]
+    for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases)):
+        values = (values if number == 0 else squeeze(values)) @ weight.T + bias
+    return values
+
+
+RELU = {"activation_fn": torch.nn.ReLU, "net_arch": {"pi": [12, 9, 7], "vf": [5]}}
+REAL = {
+    "PPO": (None, 4, {}, "tanh"),
+    "A2C": (sb3.A2C, 4, {}, "tanh"),
+    "relu, 7 actions": (None, 7, {"policy_kwargs": RELU}, "relu"),
+    "tanh said": (None, 4, {"policy_kwargs": {"activation_fn": torch.nn.Tanh, "net_arch": [6]}}, "tanh"),
+    "no hidden layer": (None, 4, {"policy_kwargs": {"net_arch": []}}, "tanh"),
+    "state-dependent exploration": (None, 4, {"use_sde": True}, "tanh"),
+    "features apart": (None, 4, {"policy_kwargs": {"share_features_extractor": False}}, "tanh"),
+}
+
+
+@pytest.mark.parametrize("kind", REAL)
+def test_a_real_zip_gives_the_same_actions(kind: str, tmp_path: Path) -> None:
+    algorithm, size, settings, activation = REAL[kind]
+    model = saved(tmp_path, Noise(size), algorithm, **settings)
+    policy = read(tmp_path / "model.zip", action_repeat=3)
+    observations = np.random.default_rng(2).uniform(-1, 1, (200, INPUTS)).astype(np.float32)
+    with torch.no_grad():
+        means = model.policy.get_distribution(torch.as_tensor(observations)).distribution.mean.numpy()
+    assert np.abs(actions_of(policy, observations) - means).max() < 1e-6
+    assert policy.activation == activation and policy.actions == ("box" if size == 4 else "full")
+    assert (policy.name, policy.league, policy.observe, policy.action_repeat) == ("model", "legged-2001", "truth", 3)
+    assert policy.made["num_timesteps"] == "16" and policy.made["seed"] == "1"
+    policy.check_plays(find_league("legged-2001"))
+    assert dump(parse(dump(policy), "here")) == dump(policy)
+
+
+@pytest.fixture(scope="module")
+def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a real zip; tests do not change it."""
+    return plain_zip(tmp_path_factory.mktemp("real"))
+
+
+@pytest.mark.parametrize(
+    ("space", "reason"),
+    [
+        (gymnasium.spaces.Discrete(4), "action_space must be a Box"),
+        (gymnasium.spaces.Box(-2.0, 2.0, (4,), np.float32), r"actions must lie in \[-1, 1\], got low"),
+        (gymnasium.spaces.Box(-1.0, 1.0, (5,), np.float32), "gives 5 numbers as actions, must be one of 4, 7"),
+    ],
+)
+def test_other_actions_are_refused(space: gymnasium.Space, reason: str, tmp_path: Path) -> None:
+    saved(tmp_path, Noise(space))
+    refuses(tmp_path / "model.zip", reason)
+
+
+class Wide(torch.nn.Flatten):
+    """Features of one's own, without parameters."""
+
+    def __init__(self, observation_space: gymnasium.Space) -> None:
+        super().__init__()
+        self.features_dim = INPUTS
+
+
+@pytest.mark.parametrize(
+    ("settings", "reason"),
+    [
+        ({"activation_fn": torch.nn.ELU}, "activation_fn must be Tanh or ReLU, got .*ELU"),
+        ({"squash_output": True}, "squashed"),
+        ({"features_extractor_class": Wide}, "features are made by .*Wide"),
+    ],
+)
+def test_other_networks_are_refused(settings: dict[str, Any], reason: str, tmp_path: Path) -> None:
+    saved(tmp_path, Noise(), use_sde="squash_output" in settings, policy_kwargs=settings)
+    refuses(tmp_path / "model.zip", reason)
+
+
+def test_other_algorithms_are_refused(tmp_path: Path) -> None:
+    sb3.SAC("MlpPolicy", Noise(), buffer_size=10, policy_kwargs={"net_arch": [4]}).save(tmp_path / "sac.zip")
+    refuses(tmp_path / "sac.zip", "squash|only MlpPolicy of PPO and A2C is supported|not supported")
+    images = Noise()
+    images.observation_space = gymnasium.spaces.Box(0, 255, (3, 36, 36), np.uint8)
+    sb3.PPO("CnnPolicy", images, n_steps=16, batch_size=16).save(tmp_path / "cnn.zip")
+    refuses(tmp_path / "cnn.zip", "'.*features_extractor.* only MlpPolicy of PPO and A2C is supported")
+
+
+def test_other_widths_are_refused(plain: Path, tmp_path: Path) -> None:
+    refuses(plain, f"takes {INPUTS} inputs, 'belief' of 'legged-2001' has 93", observe="belief")
+    refuses(plain, f"takes {INPUTS} inputs, 'truth' of 'middle-size-2006' has 101", league="middle-size-2006")
+
+
+def test_wrong_arguments_are_refused(plain: Path) -> None:
+    for changes in ({"league": "none"}, {"observe": "all"}, {"activation": "gelu"}, {"action_repeat": 0}, {"name": ""}):
+        with pytest.raises(ValueError, match=f"{next(iter(changes))}"):
+            read(plain, **changes)
+
+
+def test_the_activation_is_the_zips_own(plain: Path, tmp_path: Path) -> None:
+    assert read(plain, activation="relu").activation == "relu"  # this zip does not say
+    said = {"activation_fn": "<class 'torch.nn.modules.activation.ReLU'>"}
+    path = remade(plain, tmp_path / "a.zip", data=data_of(plain, policy_kwargs=said))
+    assert read(path).activation == "relu"
+    refuses(path, "its activation is relu, not tanh", activation="tanh")
+
+
+def test_a_name_is_made_from_the_file(plain: Path, tmp_path: Path) -> None:
+    path = tmp_path / "..ö|best" / "-(ö) best|.zip"
+    path.parent.mkdir()
+    assert read(remade(plain, path)).name == "best-"
+    assert read(plain, name="mine").name == "mine"
+
+
+def wrong_states(state: dict[str, Any]) -> dict[str, tuple[Any, str]]:
+    """Return tables of parameters that are no policy, and the reason."""
+    bias = state["action_net.bias"]
+    lacking = {key: value for key, value in state.items() if key != "action_net.bias"}
+    huge = torch.zeros(1).expand(2**40)
+    return {
+        "NaN": ({**state, "action_net.bias": bias * np.nan}, "must be finite"),
+        "double": ({**state, "action_net.bias": bias.double()}, "torch DoubleStorage', which is no tensor"),
+        "half": ({**state, "action_net.bias": bias.to(torch.bfloat16)}, "BFloat16Storage', which is no tensor"),
+        "lacking": (lacking, "action_net must have a weight and a bias"),
+        "no log_std": ({key: value for key, value in state.items() if key != "log_std"}, "has no log_std"),
+        "other": ({**state, "q_net.0.weight": bias}, "parameter 'q_net.0.weight': only MlpPolicy"),
+        "gap": ({**state, "mlp_extractor.policy_net.5.weight": bias}, "layers of policy_net must be 0, 2, 4"),
+        "shape": ({**state, "action_net.bias": bias[None]}, "a weight of two axes and a bias"),
+        "broadcast": ({**state, "action_net.bias": huge}, "a weight of two axes and a bias"),
+        "list": ([bias], "pickle has EMPTY_LIST"),
+        "negated": ({**state, "action_net.bias": torch._neg_view(bias)}, "negative bit"),
+        "one tensor": (bias, "must be a table of parameters"),
+        "numbers": ({3: bias}, "must hold tensors with names, got 3"),
+        "no tensors": ({"a": "b"}, "lacks the tensors|must hold tensors with names"),
+        "empty": ({}, "only|lacks|log_std"),
+    }
+
+
+def test_wrong_parameters_are_refused(plain: Path, tmp_path: Path) -> None:
+    for table, reason in wrong_states(state_of(plain)).values():
+        refuses(remade(plain, tmp_path / "a.zip", policy_pth=pth_of(table)), reason)
+
+
+def test_wrong_data_is_refused(plain: Path, tmp_path: Path) -> None:
+    box = "<class 'gymnasium.spaces.box.Box'>"
+    for content, reason in (
+        (b"", "data is not JSON"),
+        (b"[]", "data must be a JSON object"),
+        (b"[" * 100_000, "nested too deeply|not JSON"),
+        (b"\xff", "data is not JSON"),
+        (b'{"a":1,"a":2}', "the key 'a' twice"),
+        (b"{}", "observation_space must be a Box, got None"),
+        (data_of(plain, action_space=[box]), "action_space must be a Box"),
+        (data_of(plain, policy_kwargs=None), "no PPO or A2C"),
+        (data_of(plain, policy_kwargs={"n_critics": 2}), "policy_kwargs has 'n_critics'"),
+        (data_of(plain, action_space={":type:": box, "low": "[-1. nan]"}), "must lie in"),
+    ):
+        refuses(remade(plain, tmp_path / "a.zip", data=content), reason)
+
+
+def test_without_torch_the_message_says_what_to_install(plain: Path) -> None:
+    program = (
+        "import sys\n"
+        "sys.modules['torch'] = None\n"
+        "from soccer_env.agents.sb3_zip import load_sb3\n"
+        "try:\n"
+        "    load_sb3(sys.argv[1], league='legged-2001', observe='truth')\n"
+        "except ImportError as error:\n"
+        "    print(error)\n"
+    )
+    run = subprocess.run([sys.executable, "-c", program, str(plain)], capture_output=True, text=True, check=False)
+    assert run.stdout.strip() == "reading a stable-baselines3 zip needs torch: pip install soccer_env[train]", (
+        run.stderr
+    )
