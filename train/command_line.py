@@ -96,14 +96,17 @@ def complain(message: str) -> int:
     return WRONG
 
 
-def read_settings(kind: type[T], words: list[str], name: str) -> T:
+def read_settings(kind: type[T], words: list[str], name: str, default: T | None = None) -> T:
     """Return the settings dataclass that the words of a command describe; ValueError in one line for a wrong one."""
     import tyro
 
     errors = io.StringIO()
     try:
         with contextlib.redirect_stderr(errors):
-            return tyro.cli(kind, args=words, prog=f"soccer {name}", config=(tyro.conf.FlagCreatePairsOff,))
+            config = (tyro.conf.FlagCreatePairsOff,)
+            if default is None:
+                return tyro.cli(kind, args=words, prog=f"soccer {name}", config=config)
+            return tyro.cli(kind, args=words, prog=f"soccer {name}", default=default, config=config)
     except SystemExit as end:
         if not end.code:  # --help
             raise
@@ -211,6 +214,39 @@ def run_reproduce(words: list[str]) -> int:
     return 0
 
 
+def run_train(words: list[str]) -> int:
+    """Run `soccer train`."""
+    from pathlib import Path
+
+    from soccer_env.train.train_settings import TrainSettings, settings_of
+
+    config, rest = taken_out(words, "--config")
+    settings = read_settings(TrainSettings, rest, "train", settings_of(Path(config) if config else None))
+    try:
+        import stable_baselines3  # noqa: F401
+    except ImportError as error:
+        raise ValueError(f'training needs torch and stable-baselines3: pip install "soccer_env[train]" ({error})') from error
+    from soccer_env.train.training import train
+    from soccer_env.train.training_reports import screen_table
+
+    result = train(settings)
+    console().print(screen_table(result))
+    print(f"written: {settings.out / 'best.safetensors'}, {settings.out / 'learning_curve.png'}")
+    return 0
+
+
+def taken_out(words: list[str], flag: str) -> tuple[str, list[str]]:
+    """Return the value of a flag, "" without it, and the words without both; ValueError if the value is missing."""
+    for at, word in enumerate(words):
+        if word.startswith(flag + "="):
+            return word.partition("=")[2], words[:at] + words[at + 1 :]
+        if word == flag:
+            if at + 1 == len(words):
+                raise ValueError(f"{flag} needs a file")
+            return words[at + 1], words[:at] + words[at + 2 :]
+    return "", words
+
+
 def run_watch(words: list[str]) -> int:
     """Run `soccer watch`."""
     from soccer_env.train.play_settings import WatchSettings
@@ -229,6 +265,7 @@ COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "record": run_record,
     "replay": run_replay,
     "reproduce": run_reproduce,
+    "train": run_train,
     "watch": run_watch,
 }
 

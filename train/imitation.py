@@ -14,11 +14,15 @@ import numpy as np
 import torch
 
 from soccer_env.agents.learned import first_decision
+from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.train.networks import SoccerPolicy
+from soccer_env.train.progress import Progress
+from soccer_env.train.train_settings import TrainSettings, senses_of
 
 WALK = ("forward", "left", "turn")
 NO_KICK = -1.0
+TEACHER_MINUTES = 4.0  # [min] of a match that is recorded
 
 
 def record(
@@ -72,6 +76,39 @@ def fit(
     return errors
 
 
-def gather(parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
-    """Return several recordings as one."""
-    return np.concatenate([part[0] for part in parts]), np.concatenate([part[1] for part in parts])
+def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
+    """Record the teacher of a run against its opponents at all team sizes, and fit the actor; return the errors."""
+    cases = [(sizes, opponent) for sizes in settings.sizes for opponent in settings.opponent_names]
+    decisions = max(1, round(60.0 * TEACHER_MINUTES * find_league(settings.league).control_rate / settings.action_repeat))
+    parts = []
+    with Progress(f"learning from {settings.teacher}", len(cases) + settings.teacher_epochs / 2) as progress:
+        for index, (players, opponent) in enumerate(cases):
+            share = settings.teacher_steps / len(cases) / players[0]
+            count = max(1, round(share / decisions))
+            parts.append(
+                record(
+                    settings.teacher, opponent, players, min(decisions, max(1, round(share / count))),
+                    settings.action_repeat, league=settings.league, matches=count, minutes=TEACHER_MINUTES,
+                    seed=settings.seed + 1 + index, observe=settings.observe, senses=senses_of(settings.senses),
+                    pose=settings.pose, threads=settings.threads,
+                )
+            )  # fmt: skip
+            progress.advance(1.0)
+        observations = np.concatenate([part[0] for part in parts])
+        forget_own_commands(observations, network.names, settings.seed)
+        actions = np.concatenate([part[1] for part in parts])
+        return fit(
+            network, observations, actions, settings.teacher_epochs, settings.seed,
+            lambda share: progress.advance(share * settings.teacher_epochs / 2),
+        )  # fmt: skip
+
+
+def forget_own_commands(observations: np.ndarray, names: Sequence[str], seed: int) -> None:
+    """Shuffle the entries that hold the robot's last command over all rows.
+
+    A teacher decides at every control step, so that its last command nearly tells the next one, and a pupil that sees
+    it learns to go on as before [the copycat problem: de Haan, Jayaraman, Levine 2019].
+    """
+    columns = [index for index, name in enumerate(names) if name.startswith("last_")]
+    order = np.random.default_rng(seed).permutation(len(observations))
+    observations[:, columns] = observations[order][:, columns]

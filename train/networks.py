@@ -17,6 +17,7 @@ from torch import nn
 
 from soccer_env.agents.policy import Policy
 from soccer_env.observations.mirror import action_signs, observation_signs
+from soccer_env.train.train_settings import TrainSettings
 
 ACTIVATIONS = {"tanh": nn.Tanh, "relu": nn.ReLU}
 
@@ -128,4 +129,17 @@ def policy_from(
         name=name, league=league, observe=observe, inputs=tuple(network.names), actions=actions,
         action_repeat=action_repeat, kind="slots", activation=network.activation, mirror=network.mirror,
         weights=weights, biases=biases, made=made,
+    )  # fmt: skip
+
+
+def blank_policy(settings: TrainSettings, names: Sequence[str]) -> Policy:
+    """Return a policy of the shape that a run trains, all zeros: it stands still."""
+    actions = 4
+    sizes = (len(names), *settings.hidden_sizes, actions)
+    shapes = list(zip(sizes[1:], sizes, strict=False))
+    return Policy(
+        name=settings.name, league=settings.league, observe=settings.observe, inputs=tuple(names), actions="box",
+        action_repeat=settings.action_repeat, kind="slots", activation=settings.activation, mirror=settings.mirror,
+        weights=tuple(np.zeros(shape, np.float32) for shape in shapes),
+        biases=tuple(np.zeros(out, np.float32) for out, _ in shapes), made={},
     )  # fmt: skip

@@ -5,12 +5,13 @@ The help of `soccer train` is the text beside each field here.
 
 from __future__ import annotations
 
+import shlex
 from dataclasses import asdict, dataclass, fields
 from math import isfinite
 from pathlib import Path
 from typing import Any, Literal
 
-from soccer_env.train.settings import SENSES, is_number, split_players, whole
+from soccer_env.train.settings import SENSES, is_number, split_players, split_senses, whole
 
 FREE = ("out", "threads", "torch_threads", "steps", "anew", "tensorboard", "device")  # may differ when a run goes on
 SHARES = ("gae_lambda", "clip", "gamma")  # above 0, up to 1
@@ -32,6 +33,8 @@ class TrainSettings:
 
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
+    name: str = "learned"
+    """What the policy calls itself."""
     out: Path = Path("runs/train")
     """Folder of the run: checkpoints, best.safetensors, last.safetensors, logs, learning curve."""
     steps: int = 2_000_000
@@ -43,7 +46,7 @@ class TrainSettings:
     minutes: float = 2.0
     """Minutes of play in a training episode, both halves together."""
     opponents: str = "chaser@0.5,chaser,sacks-2001"
-    """Teams that play away, with + between their settings' commas left out: NAMES of `soccer list teams` or policy files."""
+    """Teams that play away, with commas between them: names of `soccer list teams`, or policy files."""
     past: int = 0
     """How many past selves are among the opponents, the oldest giving way to the newest."""
     past_every: int = 40
@@ -183,6 +186,20 @@ class TrainSettings:
         return {name: value for name, value in self.as_dict().items() if name not in FREE}
 
 
+def command_of(settings: TrainSettings) -> str:
+    """Return the command that asks for these settings; fields at their default are left out."""
+    words = ["soccer", "train"]
+    for field in fields(settings):
+        value, flag = getattr(settings, field.name), "--" + field.name.replace("_", "-")
+        if value == field.default or field.name == "anew":
+            continue
+        if isinstance(value, bool):
+            words += [flag if value else f"--no-{flag[2:]}"]
+        else:
+            words += [flag, f"{value:g}" if isinstance(value, float) else str(value)]
+    return shlex.join(words)
+
+
 def check_number(name: str, value: object, low: float) -> None:
     """Raise ValueError unless the value is a finite number above `low` (0 counts for -1), and at most 1 if a share."""
     ok = is_number(value) and isfinite(float(value)) and (float(value) > low if low >= 0.0 else float(value) >= 0.0)  # type: ignore[arg-type]
@@ -202,6 +219,11 @@ def split(text: str, name: str) -> tuple[str, ...]:
     if not all(parts):
         raise ValueError(f"{name} must be names with commas between them, got {text!r}")
     return tuple(parts)
+
+
+def senses_of(senses: str) -> dict[str, str]:
+    """Return what `Match` takes for "ideal" or "home=ideal,away=sensors"."""
+    return dict(zip(("home", "away"), split_senses(senses), strict=True))
 
 
 def layer_sizes(name: str, text: str) -> tuple[int, ...]:

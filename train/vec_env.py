@@ -10,7 +10,8 @@ the perception-to-motion delay asks, as `agents.learned` plays it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import time
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import SimpleNamespace
 from typing import Any
@@ -47,7 +48,7 @@ class SoccerVecEnv(VecEnv):
     players: team sizes (home, away), the matches being shared evenly among them; opponents: a team, its name, or a
     `players.Lineup` whose weights choose anew for each episode; state: append `Match.state()` to every observation, for
     a centralised critic; stagger: begin the first episodes at different times of play. Other settings are those of
-    `Match`. `results` collects how episodes ended until somebody takes them.
+    `Match`. `results` collects how episodes ended until somebody takes them, `seconds` the time [s] that steps took.
     """
 
     def __init__(
@@ -67,7 +68,7 @@ class SoccerVecEnv(VecEnv):
         **settings: Any,
     ) -> None:
         self.repeat, self.stagger, self.results = action_repeat, stagger, list[Result]()
-        self.render_mode = None
+        self.render_mode, self.seconds = None, 0.0
         largest = max(max(sizes) for sizes in players)
         shares = [matches * (i + 1) // len(players) - matches * i // len(players) for i in range(len(players))]
         if min(shares) < 1:
@@ -126,6 +127,7 @@ class SoccerVecEnv(VecEnv):
 
     def step_wait(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
         """Play `action_repeat` control steps of all matches; return observations, rewards, dones (rows,) and infos."""
+        started = time.perf_counter()
         rewards, dones = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs, bool)
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
         for index in range(len(self.matches)):
@@ -135,7 +137,9 @@ class SoccerVecEnv(VecEnv):
         for row in np.flatnonzero(dones):
             infos[row]["episode"] = {"r": float(self._returns[row]), "l": int(self._lengths[row]), "t": 0.0}
         self._returns[dones], self._lengths[dones] = 0.0, 0
-        return self._observations(), rewards, dones, infos
+        observations = self._observations()
+        self.seconds += time.perf_counter() - started
+        return observations, rewards, dones, infos
 
     def _play(self, index: int, rewards: np.ndarray, dones: np.ndarray, infos: list[dict[str, Any]]) -> None:
         """Play one step of the matches of one team size, into their rows."""
@@ -157,7 +161,7 @@ class SoccerVecEnv(VecEnv):
         match, home = self.matches[index], self.learners[index]
         last = match.final["observations"][:, :home]
         if self.state:
-            last = with_state(last, last_state(match))
+            last = with_state(last, home_state(match, self.largest, match.final, len(match.ended)))
         for i, m in enumerate(match.ended):
             if over[m]:
                 continue
@@ -176,7 +180,8 @@ class SoccerVecEnv(VecEnv):
         for match, home in zip(self.matches, self.learners, strict=True):
             seen = match.observations[:, :home]
             if self.state:
-                seen = with_state(seen, team_state(match, match.state(), match.matches))
+                now = {"matches": match.matches, "balls": match.balls, "robots": match.robots}
+                seen = with_state(seen, home_state(match, self.largest, now, match.count))
             parts.append(seen.reshape(match.count * home, -1))
         return np.concatenate(parts)
 
@@ -251,24 +256,17 @@ def with_state(observations: np.ndarray, state: np.ndarray) -> np.ndarray:
     return np.concatenate([observations, told], axis=2)
 
 
-def team_state(match: Match, state: np.ndarray, records: np.ndarray) -> np.ndarray:
-    """Return states (M, s) turned so that home plays towards +x, from the field frame."""
-    turned: np.ndarray = np.where(records["home_direction"][:, None] < 0.0, turn_signs(match), np.float32(1.0)) * state
-    return turned
+def home_state(match: Match, players: int, records: Mapping[str, np.ndarray], count: int) -> np.ndarray:
+    """Return `Match.state()` (M, s) with room for so many players a side, turned so that home plays towards +x."""
+    room = SimpleNamespace(max_players=players, rows=match.settings.rows)
+    parts = {name: records[name] for name in ("matches", "balls", "robots")}
+    shown = SimpleNamespace(settings=room, league=match.league, count=count, **parts)
+    away_side = parts["matches"]["home_direction"][:, None] < 0.0
+    state: np.ndarray = np.where(away_side, turn_signs(shown), np.float32(1.0)) * truth_state.write(shown)
+    return state
 
 
-def turn_signs(match: Match) -> np.ndarray:
+def turn_signs(match: Any) -> np.ndarray:
     """Return -1 for the entries of a state that a half-turn of the field turns round, else 1."""
     turned = ("_x", "_y", "_vx", "_vy", "_cos", "_sin", "home_direction")
     return np.array([-1.0 if name.endswith(turned) else 1.0 for name in truth_state.names(match)], np.float32)
-
-
-def last_state(match: Match) -> np.ndarray:
-    """Return the states (E, s) with which the matches that have just ended did so, in the frame of the home team."""
-    final = match.final
-    ended = SimpleNamespace(
-        settings=match.settings, league=match.league, count=len(match.ended),
-        matches=final["matches"], balls=final["balls"], robots=final["robots"],
-    )  # fmt: skip
-    return team_state(match, truth_state.write(ended), final["matches"])
-

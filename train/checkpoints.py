@@ -1,0 +1,111 @@
+"""Checkpoints of a training run: everything it needs to go on as if it had never stopped.
+
+Two files take turns; `latest.json` names the good one with its sha256 and is replaced last, so that a kill or a full
+disk at any moment leaves a whole checkpoint. They hold tensors and plain values only, and are read without running
+code.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import random
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+
+from soccer_env.train.files import write_whole
+
+LATEST = "latest.json"
+NAMES = ("checkpoint-0.pt", "checkpoint-1.pt")
+
+
+def write_checkpoint(folder: Path, state: dict[str, Any], step: int) -> None:
+    """Write a checkpoint beside the last one, then point at it. OSError leaves the last one in place."""
+    name = NAMES[1] if latest(folder).get("file") == NAMES[0] else NAMES[0]
+    buffer = io.BytesIO()
+    torch.save(as_tensors(state), buffer)
+    data = buffer.getvalue()
+    write_whole(folder / name, data)
+    about = {"file": name, "sha256": hashlib.sha256(data).hexdigest(), "step": step}
+    write_whole(folder / LATEST, json.dumps(about) + "\n")
+
+
+def read_checkpoint(folder: Path) -> dict[str, Any] | None:
+    """Return the newest checkpoint of a folder, None if it has none; ValueError if it is damaged."""
+    about = latest(folder)
+    if not about:
+        return None
+    path = folder / str(about.get("file"))
+    if path.name not in NAMES or not path.is_file():
+        raise ValueError(f"{folder / LATEST} names {about.get('file')!r}, which is not there; --anew starts again")
+    data = path.read_bytes()
+    if hashlib.sha256(data).hexdigest() != about.get("sha256"):
+        raise ValueError(f"{path} is damaged: its sha256 is not the one in {LATEST}; --anew starts again")
+    state: dict[str, Any] = from_tensors(torch.load(io.BytesIO(data), weights_only=True, map_location="cpu"))
+    return state
+
+
+def latest(folder: Path) -> dict[str, Any]:
+    """Return what latest.json says, {} without one; ValueError if it cannot be read."""
+    path = folder / LATEST
+    if not path.exists():
+        return {}
+    try:
+        about = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ValueError(f"{path} cannot be read ({error}); --anew starts again") from error
+    if not isinstance(about, dict):
+        raise ValueError(f"{path} is not what a training wrote; --anew starts again")
+    return about
+
+
+def as_tensors(value: Any) -> Any:
+    """Return a tree of plain values with its arrays and bytes as tensors, which are read without running code."""
+    if isinstance(value, dict):
+        return {key: as_tensors(part) for key, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [as_tensors(part) for part in value]
+    if isinstance(value, bytes):
+        return {"bytes": torch.frombuffer(bytearray(value), dtype=torch.uint8)}
+    if isinstance(value, np.ndarray):
+        return {"array": torch.from_numpy(np.ascontiguousarray(value).copy())}
+    if isinstance(value, np.generic):
+        return value.item()
+    return value
+
+
+def from_tensors(value: Any) -> Any:
+    """Return what `as_tensors` made a tree of."""
+    if isinstance(value, dict) and value.keys() == {"bytes"}:
+        return value["bytes"].numpy().tobytes()
+    if isinstance(value, dict) and value.keys() == {"array"}:
+        return value["array"].numpy()
+    if isinstance(value, dict):
+        return {key: from_tensors(part) for key, part in value.items()}
+    if isinstance(value, list):
+        return [from_tensors(part) for part in value]
+    return value
+
+
+def generators() -> dict[str, Any]:
+    """Return the states of the generators that training draws from: torch's, numpy's and Python's."""
+    _, keys, at, has_gauss, gauss = np.random.get_state()  # stable-baselines3 shuffles with numpy's global one
+    version, internal, gauss_next = random.getstate()
+    return {
+        "torch": torch.get_rng_state(),
+        "numpy": [np.asarray(keys).astype(np.int64), int(at), int(has_gauss), float(gauss)],
+        "python": [version, list(internal), gauss_next],
+    }
+
+
+def restore_generators(state: dict[str, Any]) -> None:
+    """Put the generators back."""
+    torch.set_rng_state(state["torch"])
+    keys, at, has_gauss, gauss = state["numpy"]
+    np.random.set_state(("MT19937", keys.astype(np.uint32), at, has_gauss, gauss))
+    version, internal, gauss_next = state["python"]
+    random.setstate((version, tuple(internal), gauss_next))

@@ -1,0 +1,108 @@
+"""Who a learner meets: scripted teams, policy files and its own past, the evenly matched ones the most often.
+
+Each opponent has the share of points that the learner won against it of late, and a rating (OpenSkill's
+Plackett-Luce model); both follow from the episodes' results and are kept with the run's checkpoints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from openskill.models import PlackettLuce
+
+from soccer_env.agents.learned import team_of
+from soccer_env.agents.network import pack
+from soccer_env.agents.policy import Policy
+from soccer_env.players import Lineup
+from soccer_env.teams import CompiledTeam, make_team
+
+MEMORY = 0.95  # what a result leaves of the share of points before it
+FLOOR = 0.1  # weight of an opponent against which the learner always or never wins, of that of an even one
+LEARNER = "learner"
+
+
+@dataclass
+class Standing:
+    """How the learner stands with one opponent."""
+
+    points: float = 0.5  # recent share of points that the learner won
+    episodes: int = 0
+    mu: float = 25.0  # rating of the opponent
+    sigma: float = 25.0 / 3.0
+
+
+class Curriculum:
+    """The opponents of a run and how often each is met; `lineup` is what matches get."""
+
+    def __init__(self, names: Sequence[str], past: int, first: Policy, even: bool) -> None:
+        self.even = even
+        self.past_names = [f"past-{index}" for index in range(past)]
+        self.names = [*names, *self.past_names]
+        self._past = [team_of(first) for _ in self.past_names]
+        self.filled = [0] * past  # the step at which each past self was taken, 0: not yet
+        self.standings = {name: Standing() for name in (LEARNER, *self.names)}
+        teams = (*(compiled_team(name) for name in names), *self._past)
+        self.lineup = Lineup(teams, np.ones(len(teams)), tuple(self.names))
+        self.model = PlackettLuce()
+        self._weigh()
+
+    def take(self, results: Iterable[Any]) -> None:
+        """Learn from the results of episodes (`vec_env.Result`) and weigh the opponents anew."""
+        for result in results:
+            opponent, learner = self.standings[result.opponent], self.standings[LEARNER]
+            opponent.points = MEMORY * opponent.points + (1.0 - MEMORY) * result.points
+            opponent.episodes += 1
+            learner.episodes += 1
+            self._rate(learner, opponent, result.points)
+        self._weigh()
+
+    def add_past(self, policy: Policy, step: int) -> None:
+        """Let the learner as it is now take the place of the oldest past self."""
+        if self._past:
+            oldest = int(np.argmin(self.filled))
+            self._past[oldest].settings[:] = pack(policy)
+            self.filled[oldest] = step
+            learner = self.standings[LEARNER]
+            self.standings[self.past_names[oldest]] = Standing(mu=learner.mu, sigma=learner.sigma)
+            self._weigh()
+
+    def state(self) -> dict[str, Any]:
+        """Return what a checkpoint keeps."""
+        standings = {name: vars(standing).copy() for name, standing in self.standings.items()}
+        numbers = [team.settings.copy() for team in self._past]
+        return {"standings": standings, "filled": list(self.filled), "past": numbers}
+
+    def restore(self, state: dict[str, Any]) -> None:
+        """Take back what `state` returned."""
+        self.standings = {name: Standing(**values) for name, values in state["standings"].items()}
+        self.filled = list(state["filled"])
+        for team, numbers in zip(self._past, state["past"], strict=True):
+            team.settings[:] = numbers
+        self._weigh()
+
+    def _weigh(self) -> None:
+        """Set the weights: p (1 - p) of the points p, and a floor; a past self that does not exist yet has none."""
+        shares = np.array([self.standings[name].points for name in self.names])
+        weights = FLOOR + (1.0 - FLOOR) * 4.0 * shares * (1.0 - shares) if self.even else np.ones(len(shares))
+        first_past = len(self.names) - len(self.filled)
+        if self.filled:
+            weights[first_past:] *= (np.array(self.filled) > 0) / max(1, sum(step > 0 for step in self.filled))
+        self.lineup.weights[:] = weights / weights.sum()
+
+    def _rate(self, learner: Standing, opponent: Standing, points: float) -> None:
+        """Change both ratings by a result."""
+        ranks = [1.0 - points, points]
+        sides = [[self.model.rating(mu=side.mu, sigma=side.sigma)] for side in (learner, opponent)]
+        for side, (rated,) in zip((learner, opponent), self.model.rate(sides, ranks=ranks), strict=True):
+            side.mu, side.sigma = rated.mu, rated.sigma
+
+
+def compiled_team(name: str) -> CompiledTeam:
+    """Return the team of a name or policy file; ValueError for one that cannot play among others at full speed."""
+    team = make_team(name)
+    if not isinstance(team, CompiledTeam):
+        raise ValueError(f"opponent {name!r} is a team in Python: only compiled teams and policies can train others")
+    return team

@@ -1,0 +1,142 @@
+"""The folder of a training run: one training at a time, logs that go on, files written whole.
+
+    settings.json  log.jsonl  progress.csv  evaluations.jsonl  best.safetensors  last.safetensors  learning_curve.png
+    checkpoint-0.pt  checkpoint-1.pt  latest.json
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from soccer_env.train.checkpoints import LATEST, NAMES
+from soccer_env.train.files import append_lines, read_lines, write_whole
+from soccer_env.train.train_settings import TrainSettings
+
+LOCK, SETTINGS = ".lock", "settings.json"
+LOG, TABLE, EVALUATIONS = "log.jsonl", "progress.csv", "evaluations.jsonl"
+BEST, LAST, CURVE = "best.safetensors", "last.safetensors", "learning_curve.png"
+FILES = (SETTINGS, LOG, TABLE, EVALUATIONS, BEST, LAST, CURVE, LATEST, *NAMES)
+
+
+class RunFolder:
+    """The folder of a run; ValueError if another training uses it, or if it holds a run of other settings."""
+
+    def __init__(self, settings: TrainSettings) -> None:
+        self.path = settings.out
+        if self.path.exists() and not self.path.is_dir():
+            raise ValueError(f"out: {self.path} is a file; give a folder")
+        self.path.mkdir(parents=True, exist_ok=True)
+        self._lock = lock(self.path / LOCK)
+        try:
+            if settings.anew:
+                for name in FILES:
+                    (self.path / name).unlink(missing_ok=True)
+            self._check_settings(settings)
+        except BaseException:
+            self.close()
+            raise
+
+    def close(self) -> None:
+        """Let another training use the folder."""
+        os.close(self._lock)
+
+    def _check_settings(self, settings: TrainSettings) -> None:
+        """Write the settings down, or compare them with those of the run that began here."""
+        path = self.path / SETTINGS
+        if path.exists():
+            try:
+                before = json.loads(path.read_text(encoding="utf-8"))
+            except ValueError as error:
+                raise ValueError(f"{path} cannot be read ({error}); --anew starts again") from error
+            now = json.loads(json.dumps(settings.decisive()))
+            for name, value in now.items():
+                if not isinstance(before, dict) or before.get(name) != value:
+                    was = before.get(name) if isinstance(before, dict) else before
+                    raise ValueError(
+                        f"{self.path} holds a run with {name} = {was!r}, now it is {value!r}; "
+                        "give another --out, or --anew to start again"
+                    )
+        elif any((self.path / name).exists() for name in FILES):
+            raise ValueError(f"{self.path} holds files of a run without {SETTINGS}; --anew removes them")
+        write_whole(path, json.dumps(settings.as_dict(), indent=1) + "\n")
+
+    def forget_after(self, step: int) -> None:
+        """Cut the logs back to what was known at a step, from which the run goes on."""
+        for name in (LOG, EVALUATIONS):
+            path = self.path / name
+            records = read_lines(path)
+            kept = [record for record in records if record["step"] <= step]
+            if len(kept) < len(records):
+                write_whole(path, "".join(json.dumps(record) + "\n" for record in kept))
+        self._write_table()
+
+    def log(self, record: dict[str, Any]) -> None:
+        """Add the line of a rollout to log.jsonl and progress.csv."""
+        append_lines(self.path / LOG, [record])
+        path = self.path / TABLE
+        flat = flattened(record)
+        header = "" if path.exists() else csv_lines([list(flat)])
+        with path.open("a", encoding="utf-8", newline="") as file:
+            file.write(header + csv_lines([list(flat.values())]))
+
+    def log_evaluation(self, record: dict[str, Any]) -> None:
+        """Add an evaluation to evaluations.jsonl."""
+        append_lines(self.path / EVALUATIONS, [record])
+
+    def lines(self) -> list[dict[str, Any]]:
+        """Return the lines of all rollouts so far."""
+        return read_lines(self.path / LOG)
+
+    def evaluations(self) -> list[dict[str, Any]]:
+        """Return all evaluations so far."""
+        return read_lines(self.path / EVALUATIONS)
+
+    def write(self, name: str, content: str | bytes) -> None:
+        """Write one of the other files, whole or not at all."""
+        write_whole(self.path / name, content)
+
+    def _write_table(self) -> None:
+        """Write progress.csv anew from log.jsonl."""
+        lines = [flattened(record) for record in self.lines()]
+        if lines:
+            write_whole(self.path / TABLE, csv_lines([list(lines[0]), *(list(line.values()) for line in lines)]))
+        else:
+            (self.path / TABLE).unlink(missing_ok=True)
+
+
+def lock(path: Path) -> int:
+    """Return the open lock file of a folder; ValueError if another process holds it. It ends with the process."""
+    handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
+    try:
+        import fcntl
+    except ImportError:  # Windows
+        return handle
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        os.close(handle)
+        raise ValueError(f"another training uses {path.parent}; give another --out") from error
+    return handle
+
+
+def flattened(record: dict[str, Any]) -> dict[str, Any]:
+    """Return a record with the entries of its parts as part_entry."""
+    flat: dict[str, Any] = {}
+    for name, value in record.items():
+        if isinstance(value, dict):
+            flat |= {f"{name}_{key}": part for key, part in value.items()}
+        else:
+            flat[name] = value
+    return flat
+
+
+def csv_lines(rows: list[list[Any]]) -> str:
+    """Return rows as lines of CSV."""
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue()
