@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from soccer_env.agents.network import ACTIVATION, act, pack
+from soccer_env.agents.network import AT_ONCE, LAYERS, REPEAT, SIZES, act, pack, widest
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import load
 from soccer_env.compiled import compiled
@@ -39,9 +39,9 @@ class LearnedTeam(ObservingTeam):
         self.policy.check_plays(league)
 
 
-def team_of(policy: Policy) -> LearnedTeam:
-    """Return the team that plays a policy."""
-    made = LearnedTeam(policy.name, play, MEMORY, pack(policy), observe=policy.observe)
+def team_of(policy: Policy, at_once: bool = False) -> LearnedTeam:
+    """Return the team that plays a policy; `at_once`: its decisions are counted from the first step of an episode."""
+    made = LearnedTeam(policy.name, play, MEMORY, pack(policy, at_once), observe=policy.observe)
     object.__setattr__(made, "policy", policy)
     return made
 
@@ -49,6 +49,20 @@ def team_of(policy: Policy) -> LearnedTeam:
 def from_file(path: str | Path) -> LearnedTeam:
     """Return the team of a policy file; ValueError says what is wrong with it."""
     return team_of(load(Path(path)))
+
+
+def from_zip(
+    path: str | Path,
+    league: str = "legged-2001",
+    observe: str = "truth",
+    action_repeat: int = 1,
+    activation: str | None = None,
+) -> LearnedTeam:
+    """Return the team of a zip that stable-baselines3 saved after training on a face of ours with these settings."""
+    from soccer_env.agents.sb3_zip import load_sb3
+
+    policy = load_sb3(path, league=league, observe=observe, action_repeat=action_repeat, activation=activation)
+    return team_of(policy, at_once=True)
 
 
 def team(strength: float = 1.0) -> LearnedTeam:
@@ -66,9 +80,9 @@ def first_decision(delay_steps: int, repeat: int) -> int:
 @compiled
 def play(observations, memory, commands, players, constants, numbers, first, last):
     """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
-    repeat, delay, layers = int(numbers[3]), constants[0].delay_steps, int(numbers[0])
-    size = int(numbers[4 + layers])
-    room = np.empty((3, 4096))
+    repeat, size = int(numbers[REPEAT]), int(numbers[SIZES + int(numbers[LAYERS])])
+    delay = 0 if numbers[AT_ONCE] != 0.0 else constants[0].delay_steps
+    room = np.empty((3, widest(numbers)))
     for m in range(first, last):
         for p in range(len(players)):
             mind = memory[m, p]

@@ -2,7 +2,7 @@
 
 A network lies in one flat array of numbers, so that kernels are compiled once for networks of every size:
 
-    layers, activation, mirror, action repeat | sizes of all layers | signs of a mirror | weights and biases
+    layers, activation, mirror, action repeat, at once | sizes of all layers | signs of a mirror | weights and biases
 
 An action depends bit for bit on its own observation only, whatever else is played at the same time.
 """
@@ -21,15 +21,18 @@ from soccer_env.observations.mirror import action_signs, observation_signs
 if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy
 
-LAYERS, ACTIVATION, MIRROR, REPEAT, SIZES = range(5)  # where the numbers of the head lie; sizes follow from SIZES on
+LAYERS, ACTIVATION, MIRROR, REPEAT, AT_ONCE, SIZES = range(
+    6
+)  # where the numbers of the head lie; sizes follow from SIZES on
 ACTIVATIONS = ("tanh", "relu")
 TANH = ACTIVATIONS.index("tanh")
 
 
-def pack(policy: Policy) -> np.ndarray:
-    """Return the numbers (n,) float64 of a policy's network."""
+def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
+    """Return the numbers (n,) float64 of a policy's network; `at_once`: it decides at the first step of an episode."""
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
-    head = [len(policy.weights), ACTIVATIONS.index(policy.activation), policy.mirror, policy.action_repeat, *sizes]
+    head = [len(policy.weights), ACTIVATIONS.index(policy.activation), policy.mirror, policy.action_repeat]
+    head += [at_once, *sizes]
     parts = [np.array(head, np.float64), observation_signs(policy.inputs), action_signs(sizes[-1])]
     for weight, bias in zip(policy.weights, policy.biases, strict=True):
         parts += [weight.T.astype(np.float64).ravel(), bias.astype(np.float64)]
@@ -80,7 +83,7 @@ def forward(numbers, layers, start, room):
                 room[2, j] = tanh(room[0, j]) if numbers[ACTIVATION] == TANH else max(room[0, j], 0.0)
 
 
-def widest(numbers: np.ndarray) -> int:
+@compiled
+def widest(numbers):
     """Return the width of the widest layer, inputs and outputs included."""
-    layers = int(numbers[LAYERS])
-    return int(numbers[SIZES : SIZES + layers + 1].max())
+    return int(numbers[SIZES : SIZES + int(numbers[LAYERS]) + 1].max())

@@ -29,7 +29,15 @@ from soccer_env.user_code import checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
-FINAL = ("observations", "matches", "balls", "robots", "events", "robot_events", "terms")  # kept of a match begun again at once
+FINAL = (
+    "observations",
+    "matches",
+    "balls",
+    "robots",
+    "events",
+    "robot_events",
+    "terms",
+)  # kept of a match begun again at once
 
 
 class Match:

@@ -29,6 +29,11 @@ NAMES = {  # strings only: resolved at first use
     "sacks-2001": "soccer_env.baselines.sacks_2001:team",
     "sacks-2001-tuned": "soccer_env.baselines.sacks_2001:tuned",
     "sacks-2001-future": "soccer_env.baselines.sacks_2001:future",
+    "learned": "soccer_env.agents.learned:team",
+}
+FILES = {  # by the ending of a file that is named as a team
+    ".safetensors": "soccer_env.agents.learned:from_file",
+    ".zip": "soccer_env.agents.learned:from_zip",
 }
 ENTRY_POINTS = "soccer_env.teams"
 TEAM_STREAM = int(RobotStream.TEAM)
@@ -152,11 +157,15 @@ class ObservingTeam(CompiledTeam):
     control steps until its next decision, is 0 for one of them.
     """
 
-    observe: str = "belief"  # what the observations are built from: "truth" (with ideal senses only), "percepts", "belief"
+    observe: str = (
+        "belief"  # what the observations are built from: "truth" (with ideal senses only), "percepts", "belief"
+    )
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
         """Raise ValueError: what a body feels is in no view, so that this team plays inside a match alone."""
-        raise ValueError(f"team {self.name!r} plays inside a match only: give it as controllers, opponents or teammates")
+        raise ValueError(
+            f"team {self.name!r} plays inside a match only: give it as controllers, opponents or teammates"
+        )
 
 
 def registered() -> dict[str, str]:
@@ -204,6 +213,7 @@ def parse_switch(text: str, part: str) -> tuple[str, Any]:
 def make_team(team: str | Team, strength: float | None = None, **settings: Any) -> Team:
     """Return the team of a name (NAME, NAME@STRENGTH, NAME@STRENGTH:switch=value,...), or the team itself.
 
+    A name may be the path of a policy file, or of a zip of stable-baselines3 (FILE.zip:observe=belief,action_repeat=8).
     ValueError says which names and settings exist.
     """
     if not isinstance(team, str):
@@ -215,15 +225,38 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
     name, from_name, changes = parse_team(team)
     if strength is not None:
         from_name = parse_team(f"{name}@{strength}")[1]
-    known = registered()
+    ending, known = Path(name).suffix, registered()
+    if ending in FILES and name not in known:
+        if from_name != 1.0:
+            raise ValueError(f"a policy has no strength, got {from_name:g} for {name!r}")
+        return team_of_file(name, FILES[ending], {**changes, **settings})
     if name not in known:
-        raise ValueError(f"unknown team {name!r}; known: {', '.join(known)}")
-    module, _, attribute = known[name].partition(":")
-    factory = getattr(import_module(module), attribute)
+        raise ValueError(f"unknown team {name!r}; known: {', '.join(known)}, or a policy file ({', '.join(FILES)})")
+    factory = found(known[name])
     changes = {**changes, **settings}
-    accepted = signature(factory).parameters
-    if not any(parameter.kind is parameter.VAR_KEYWORD for parameter in accepted.values()):
-        for unknown in changes.keys() - accepted.keys():
-            raise ValueError(f"team {name!r} has no setting {unknown!r}; it has: {', '.join(accepted)}")
+    check_accepted(name, factory, changes)
     made: Team = factory(strength=from_name, **changes)
     return made
+
+
+def team_of_file(path: str, where: str, settings: dict[str, Any]) -> Team:
+    """Return the team of a policy file; ValueError says what is wrong with it."""
+    factory = found(where)
+    check_accepted(path, factory, settings)
+    made: Team = factory(path, **settings)
+    return made
+
+
+def found(where: str) -> Callable[..., Any]:
+    """Return what MODULE:NAME names."""
+    module, _, attribute = where.partition(":")
+    factory: Callable[..., Any] = getattr(import_module(module), attribute)
+    return factory
+
+
+def check_accepted(name: str, factory: Callable[..., Any], settings: dict[str, Any]) -> None:
+    """Raise ValueError for settings that a team's factory does not take."""
+    accepted = signature(factory).parameters
+    if not any(parameter.kind is parameter.VAR_KEYWORD for parameter in accepted.values()):
+        for unknown in settings.keys() - accepted.keys():
+            raise ValueError(f"team {name!r} has no setting {unknown!r}; it has: {', '.join(accepted)}")

@@ -225,7 +225,9 @@ def run_train(words: list[str]) -> int:
     try:
         import stable_baselines3  # noqa: F401
     except ImportError as error:
-        raise ValueError(f'training needs torch and stable-baselines3: pip install "soccer_env[train]" ({error})') from error
+        raise ValueError(
+            f'training needs torch and stable-baselines3: pip install "soccer_env[train]" ({error})'
+        ) from error
     from soccer_env.train.training import train
     from soccer_env.train.training_reports import screen_table
 

@@ -79,7 +79,9 @@ def fit(
 def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
     """Record the teacher of a run against its opponents at all team sizes, and fit the actor; return the errors."""
     cases = [(sizes, opponent) for sizes in settings.sizes for opponent in settings.opponent_names]
-    decisions = max(1, round(60.0 * TEACHER_MINUTES * find_league(settings.league).control_rate / settings.action_repeat))
+    decisions = max(
+        1, round(60.0 * TEACHER_MINUTES * find_league(settings.league).control_rate / settings.action_repeat)
+    )
     parts = []
     with Progress(f"learning from {settings.teacher}", len(cases) + settings.teacher_epochs / 2) as progress:
         for index, (players, opponent) in enumerate(cases):

@@ -13,7 +13,7 @@ from typing import Any
 from soccer_env.compiled_sources import ROOT, file_of, sources
 from soccer_env.leagues import LEAGUES
 from soccer_env.leagues.league import League
-from soccer_env.teams import Team, parse_team, registered
+from soccer_env.teams import ObservingTeam, Team, make_team, parse_team, registered
 
 LIBRARIES = ("soccer_env", "pymunk", "numba", "numpy")
 DIGITS = 12  # of a hash, in hexadecimal
@@ -42,12 +42,13 @@ def module_hash(module: str) -> str:
 
 
 def team_hash(team: str | Team) -> str:
-    """Return a hash of the file that a team is: its policy file, or its module and what that imports."""
+    """Return a hash of what a team is: its module and what that imports, and the numbers of a learned one."""
+    found = make_team(team)
+    if isinstance(found, ObservingTeam):
+        return digest(module_hash(type(found).__module__) + hashlib.sha256(found.settings.tobytes()).hexdigest())
     if not isinstance(team, str):
         return module_hash(type(team).__module__)
     name, _, _ = parse_team(team)
-    if Path(name).is_file():
-        return hashlib.sha256(Path(name).read_bytes()).hexdigest()[:DIGITS]
     return module_hash(registered().get(name, name).partition(":")[0])
 
 

@@ -1,7 +1,7 @@
 """The folder of a training run: one training at a time, logs that go on, files written whole.
 
-    settings.json  log.jsonl  progress.csv  evaluations.jsonl  best.safetensors  last.safetensors  learning_curve.png
-    checkpoint-0.pt  checkpoint-1.pt  latest.json
+settings.json  log.jsonl  progress.csv  evaluations.jsonl  best.safetensors  last.safetensors  learning_curve.png
+checkpoint-0.pt  checkpoint-1.pt  latest.json
 """
 
 from __future__ import annotations

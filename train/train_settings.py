@@ -149,7 +149,9 @@ class TrainSettings:
         if self.evaluate_matches % 2:
             raise ValueError(f"evaluate_matches must be even, got {self.evaluate_matches}")
         if self.mirror and self.observe == "percepts":
-            raise ValueError("mirror needs observe='belief' or 'truth': a picture is not mirrored by turning signs round")
+            raise ValueError(
+                "mirror needs observe='belief' or 'truth': a picture is not mirrored by turning signs round"
+            )
         if self.observe == "truth" and self.senses != "ideal":
             raise ValueError("observe='truth' needs senses='ideal', as the policy will when it plays")
         self.sizes, self.hidden_sizes, self.critic_sizes, self.opponent_names  # noqa: B018  # each checks its text

@@ -1,7 +1,7 @@
 """`soccer train`: PPO over the batched core, against opponents of growing strength, that survives being cut.
 
-    teacher -> fit the actor     (once, if there is a teacher)
-    matches -> rollout -> PPO update -> results, past selves, evaluation -> checkpoint     (again and again)
+teacher -> fit the actor     (once, if there is a teacher)
+matches -> rollout -> PPO update -> results, past selves, evaluation -> checkpoint     (again and again)
 """
 
 from __future__ import annotations
@@ -201,7 +201,9 @@ class Training:
         model._last_episode_starts = saved["starts"]
         if running:
             statistics = self.rewards.ret_rms
-            statistics.mean, statistics.var, statistics.count = (np.float64(running[n]) for n in ("mean", "var", "count"))
+            statistics.mean, statistics.var, statistics.count = (
+                np.float64(running[n]) for n in ("mean", "var", "count")
+            )
             self.rewards.returns = running["returns"]
         self.best, self.rollouts = saved["best"], saved["rollouts"]
         self.folder.forget_after(model.num_timesteps)
@@ -234,7 +236,9 @@ class Steps(BaseCallback):
 
 def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEnv:
     """Return the environment of a run."""
-    weights = Rewards(goal=settings.goal, progress=settings.progress, approach=settings.approach, effort=settings.effort)
+    weights = Rewards(
+        goal=settings.goal, progress=settings.progress, approach=settings.approach, effort=settings.effort
+    )
     return SoccerVecEnv(
         settings.league, players=settings.sizes, matches=settings.matches, opponents=curriculum.lineup,
         action_repeat=settings.action_repeat, rewards=per_step(weights, settings.gamma, settings.action_repeat),

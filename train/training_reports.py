@@ -167,7 +167,9 @@ def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSetting
                 "high": [part["high"] for part in found],
             }
         )
-    title = f"{settings.league}, {settings.players}, seed {settings.seed}: matches of {settings.evaluate_minutes:g} minutes"
+    title = (
+        f"{settings.league}, {settings.players}, seed {settings.seed}: matches of {settings.evaluate_minutes:g} minutes"
+    )
     return draw(
         {"title": title, "x_label": "decisions [million]", "y_label": "goal difference a match", "curves": curves,
          "rules": [0.0]}
