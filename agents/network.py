@@ -21,9 +21,7 @@ from soccer_env.observations.mirror import action_signs, observation_signs
 if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy
 
-LAYERS, ACTIVATION, MIRROR, REPEAT, AT_ONCE, SIZES = range(
-    6
-)  # where the numbers of the head lie; sizes follow from SIZES on
+LAYERS, ACTIVATION, MIRROR, REPEAT, AT_ONCE, SIZES = range(6)  # where the head's numbers lie; SIZES: the first size
 ACTIVATIONS = ("tanh", "relu")
 TANH = ACTIVATIONS.index("tanh")
 

@@ -7,7 +7,6 @@ import importlib.metadata
 import json
 import subprocess
 import sys
-from pathlib import Path
 from typing import Any
 
 from soccer_env.compiled_sources import ROOT, file_of, sources
