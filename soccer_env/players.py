@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -64,7 +64,8 @@ class Squad:
     memory: np.ndarray
     observations: np.ndarray  # (M, R, n) of a team that decides from them, else (M, R, 0)
     plays: np.ndarray | None = None  # (M,) of a team of a lineup: in which matches it plays now
-    name: str = ""  # what a lineup calls it
+    name: str = ""  # its own, or what a lineup calls it
+    lineup: Lineup | None = None
 
     def describe(self) -> list[Any]:
         """Return who plays whom: what a save has to agree with."""
@@ -120,11 +121,11 @@ def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matc
             made.setdefault(key, []).append(row)
     for rows in made.values():
         told = who[agents[rows[0]]]
-        teams = told.teams if isinstance(told, Lineup) else (make_team(told),)
+        teams: Sequence[Team] = told.teams if isinstance(told, Lineup) else (make_team(told),)
         for index, team in enumerate(teams):
             squad = make_squad(team, np.array(rows, np.int64), settings, matches, len(agents))
             if isinstance(told, Lineup):
-                squad.plays, squad.name = np.zeros(matches, bool), told.names[index]
+                squad.lineup, squad.plays, squad.name = told, np.zeros(matches, bool), told.names[index]
             squads.append(squad)
     return squads
 
@@ -152,10 +153,10 @@ def find_lineups(who: dict[str, Any]) -> list[Lineup]:
 
 def call_up(squads: list[Squad], lineup: Lineup, m: int, seed: int, episode: int) -> None:
     """Let the team that a lineup chooses play the coming episode of match m."""
-    chosen = lineup.teams[lineup.choose(seed, episode)]
+    chosen = lineup.choose(seed, episode)
     for squad in squads:
-        if squad.plays is not None and any(squad.team is team for team in lineup.teams):
-            squad.plays[m] = squad.team is chosen
+        if squad.plays is not None and squad.lineup is lineup:
+            squad.plays[m] = squad.name == lineup.names[chosen]
 
 
 def check_memory(team: Team) -> np.dtype:

@@ -157,9 +157,7 @@ class ObservingTeam(CompiledTeam):
     control steps until its next decision, is 0 for one of them.
     """
 
-    observe: str = (
-        "belief"  # what the observations are built from: "truth" (with ideal senses only), "percepts", "belief"
-    )
+    observe: str = "belief"  # built from "truth" (with ideal senses only), "percepts" (with sensors only) or "belief"
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
         """Raise ValueError: what a body feels is in no view, so that this team plays inside a match alone."""

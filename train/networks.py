@@ -31,7 +31,7 @@ def layers(sizes: Sequence[int], activation: str) -> nn.Sequential:
 
 
 class ActorAndCritic(nn.Module):
-    """Two networks side by side; of features (B, n + s) the actor gets the first n, and with `signs` their mirror too."""
+    """Two networks side by side; of features (B, n + s) the actor gets the first n, with `signs` mirrored too."""
 
     signs: torch.Tensor | None
 
@@ -61,7 +61,7 @@ class ActorAndCritic(nn.Module):
 
 
 class MirrorHead(nn.Module):
-    """The last layer: the mean of the actions of rows and of the mirrored actions of their mirror images behind them."""
+    """The last layer: the mean of what rows, and their mirror images behind them mirrored back, are to do."""
 
     signs: torch.Tensor
 
