@@ -121,7 +121,7 @@ def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matc
             made.setdefault(key, []).append(row)
     for rows in made.values():
         told = who[agents[rows[0]]]
-        teams: Sequence[Team] = told.teams if isinstance(told, Lineup) else (make_team(told),)
+        teams: Sequence[Any] = told.teams if isinstance(told, Lineup) else (make_team(told),)
         for index, team in enumerate(teams):
             squad = make_squad(team, np.array(rows, np.int64), settings, matches, len(agents))
             if isinstance(told, Lineup):

@@ -57,7 +57,6 @@ class Contest:
             matches=len(seeds),
             threads=threads,
             seeds=np.array(seeds, np.uint64),
-            observe=asked.observe,
             senses=dict(zip(sides, senses, strict=True)),
             pose=asked.pose,
             controllers=dict(zip(sides, teams, strict=True)),

@@ -65,7 +65,7 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         ("league", conditions.league),
         ("players", conditions.sizes),
         ("minutes of play", f"{conditions.minutes:g}"),
-        ("senses, pose, observe", f"{conditions.senses_text}, {conditions.pose}, {conditions.observe}"),
+        ("senses, pose", f"{conditions.senses_text}, {conditions.pose}"),
         ("scene, placement", f"{conditions.scene}, {conditions.placement}"),
         ("seed", f"{conditions.seed}"),
         ("begun, commit", f"{about.get('date', '')}, {about.get('commit') or 'none'}"),

@@ -32,7 +32,7 @@ class EvaluateSettings:
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
     home: str = "chaser"
-    """The team whose result this is: a name of `soccer list teams`, or NAME@STRENGTH such as chaser@0.5."""
+    """The team whose result this is: a name of `soccer list teams`, NAME@STRENGTH as in chaser@0.5, or a policy file."""
     away: str = "random"
     """The team it plays against, written like --home."""
     matches: int = 20
@@ -49,8 +49,6 @@ class EvaluateSettings:
     """What fills the teams' beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each."""
     pose: Literal["particles", "percept"] = "particles"
     """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given."""
-    observe: str = "truth"
-    """What a learned team's observations are built from: truth, percepts or belief."""
     scene: str = "kick-off"
     """Start of each match; `soccer list scenes` names them."""
     placement: Literal["instant", "drive"] | None = None
@@ -103,7 +101,6 @@ class Conditions:
     seed: int
     senses: tuple[str, str]  # of the first team, of the second
     pose: str  # of robots that use their sensors
-    observe: str
     scene: str
     placement: str
 
@@ -136,7 +133,6 @@ def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
         seed=settings.seed,
         senses=split_senses(settings.senses),
         pose=settings.pose,
-        observe=settings.observe,
         scene=settings.scene,
         placement=settings.placement or league.evaluation_placement,
     )

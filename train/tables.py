@@ -21,6 +21,7 @@ from soccer_env.train.bench_settings import BenchSettings
 from soccer_env.train.files import write_whole
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.tables_claims import claims_table, measure_claims, measure_sensors, sensors_table
+from soccer_env.train.tables_learned import learned_rows, learned_table
 from soccer_env.train.tables_teams import (
     measure_rows,
     replay_row,
@@ -48,6 +49,7 @@ MEASURE = {
     "claims": lambda: {"about": about(), **measure_claims()},
     "scripted": lambda: {"about": about(), "rows": measure_rows(scripted_rows())},
     "sacks": lambda: {"about": about(), "rows": measure_rows(sacks_rows())},
+    "learned": lambda: {"about": about(), "rows": measure_rows(learned_rows())},
     "speed": measure_speed,
 }
 SHOW = {  # a table in Markdown
@@ -55,6 +57,7 @@ SHOW = {  # a table in Markdown
     "claims": lambda table: with_footer(claims_table(table), table),
     "scripted": lambda table: with_footer(scripted_table(table), table),
     "sacks": lambda table: with_footer(sacks_table(table), table),
+    "learned": lambda table: with_footer(learned_table(table), table),
     "speed": lambda table: speed_table(table),
 }
 
@@ -119,7 +122,7 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
     if with_tables(README.read_text(encoding="utf-8"), data) != README.read_text(encoding="utf-8"):
         problems.append("README.md does not show what tables.json holds: run make tables")
     now = about()
-    for name in ("scripted", "sacks"):
+    for name in ("scripted", "sacks", "learned"):
         if name not in data:
             continue
         made = data[name]["about"]

@@ -43,11 +43,17 @@ def sacks_rows() -> Iterator[EvaluateSettings]:
 
 
 def row_settings(
-    league: str, home: str, away: str, senses: str, matches: int, minutes: float | None = None
+    league: str,
+    home: str,
+    away: str,
+    senses: str,
+    matches: int,
+    minutes: float | None = None,
+    players: int = PLAYERS,
 ) -> EvaluateSettings:
     """Return the evaluation behind one row."""
     return EvaluateSettings(
-        league=league, home=home, away=away, senses=senses, matches=matches, minutes=minutes, players=PLAYERS,
+        league=league, home=home, away=away, senses=senses, matches=matches, minutes=minutes, players=players,
         seed=SEED, threads=2,
     )  # fmt: skip
 
@@ -66,6 +72,7 @@ def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, An
         "home": settings.home,
         "away": settings.away,
         "senses": settings.senses,
+        "players": settings.players,
         "matches": settings.matches,
         "asked_minutes": settings.minutes,
         "minutes": result.conditions.minutes,
@@ -80,7 +87,8 @@ def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, An
 def replay_row(row: dict[str, Any]) -> list[str]:
     """Play the first pair of a row again; return what differs."""
     home, minutes = row.get("home", "chaser"), row.get("asked_minutes")
-    settings = row_settings(row["league"], home, row["away"], row["senses"], row["matches"], minutes)
+    players = row.get("players", PLAYERS)
+    settings = row_settings(row["league"], home, row["away"], row["senses"], row["matches"], minutes, players)
     league = find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, {})
     seeds = seeds_for(settings.seed, 1).tolist()

@@ -55,7 +55,6 @@ def test_help_names_every_command_and_says_what_is_not_built(capsys: pytest.Capt
         (["evaluate", "--home", "still", "--away", "random@2"], "strength of team 'random@2' must be"),
         (["evaluate", "--home", "still", "--scene", "picnic"], "unknown scene 'picnic'; known: kick-off"),
         (["evaluate", "--home", "still", "--scene", "empty-goal"], "drill"),
-        (["evaluate", "--home", "still", "--observe", "x-rays"], "observe must be one of truth"),
         (["evaluate", "--players", "12"], "players must be 1 to 11"),
         (["evaluate", "--picture"], "picture needs a folder"),
         (["list", "cups"], "unknown list 'cups'; known: leagues"),

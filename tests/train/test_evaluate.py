@@ -165,7 +165,7 @@ def test_other_settings_in_the_same_folder_are_refused_unless_anew(tmp_path: Pat
 
 
 def test_what_cannot_be_played_leaves_no_folder(tmp_path: Path) -> None:
-    for wrong in ({"observe": "x-rays"}, {"senses": "eyes"}, {"home": "nobody"}, {"scene": "empty-goal"}):
+    for wrong in ({"senses": "eyes"}, {"home": "nobody"}, {"scene": "empty-goal"}):
         try:
             short(out=tmp_path / "new", matches=2, **wrong)
         except ValueError:
@@ -177,7 +177,7 @@ def test_result_json_is_the_contract(tmp_path: Path) -> None:
     record = json.loads((tmp_path / "result.json").read_text())
     expected = {
         "league": "legged-2001", "home": "random", "away": "still", "matches": 2, "minutes": 0.1, "seed": 5,
-        "observe": "truth", "senses": "sensors", "pose": "particles", "players": "2v3", "placement": "instant",
+        "senses": "sensors", "pose": "particles", "players": "2v3", "placement": "instant",
     }  # fmt: skip
     assert {name: record[name] for name in expected} == expected
     assert record["wins"] + record["draws"] + record["losses"] == 2

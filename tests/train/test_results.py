@@ -20,7 +20,6 @@ KEYS = {
     "matches",
     "minutes",
     "seed",
-    "observe",
     "senses",
     "wins",
     "draws",
