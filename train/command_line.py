@@ -218,22 +218,30 @@ def run_train(words: list[str]) -> int:
     """Run `soccer train`."""
     from pathlib import Path
 
-    from soccer_env.train.train_settings import TrainSettings, settings_of
+    from soccer_env.train.train_settings import TrainSettings
+    from soccer_env.train.train_toml import settings_of
 
     config, rest = taken_out(words, "--config")
     settings = read_settings(TrainSettings, rest, "train", settings_of(Path(config) if config else None))
     try:
-        import stable_baselines3  # noqa: F401
+        from soccer_env.train.training import train
+        from soccer_env.train.training_reports import screen_table
     except ImportError as error:
+        if (error.name or "").startswith("soccer_env"):
+            raise
+        raise ValueError(f'training needs more packages: pip install "soccer_env[train]" ({error})') from error
+    try:
+        result = train(settings)
+    except KeyboardInterrupt:
+        print(f"stopped; the same command goes on with the run in {settings.out}", file=sys.stderr)
+        return STOPPED
+    except OSError as error:
         raise ValueError(
-            f'training needs torch and stable-baselines3: pip install "soccer_env[train]" ({error})'
+            f"{error}; the same command goes on with the run in {settings.out} once that is mended"
         ) from error
-    from soccer_env.train.training import train
-    from soccer_env.train.training_reports import screen_table
-
-    result = train(settings)
     console().print(screen_table(result))
-    print(f"written: {settings.out / 'best.safetensors'}, {settings.out / 'learning_curve.png'}")
+    files = [settings.out / name for name in ("best.safetensors", "learning_curve.png")]
+    print(f"written: {', '.join(str(file) for file in files if file.exists())}")
     return 0
 
 
