@@ -1,4 +1,4 @@
-# make match    play a first evaluation (installs what it needs into .venv, without torch)
+# make match    the learned team plays a scripted one (installs what it needs into .venv, without torch)
 # make test     run the tests            make lint          ruff and mypy
 # make bench    measure the speed        make tables        regenerate the README's tables
 # make clean    remove what make built   make tables-check  replay a small part of each table
@@ -16,7 +16,7 @@ BIN := $(VENV)/bin
 .DELETE_ON_ERROR:
 
 match: $(VENV)/.has-base
-	$(BIN)/soccer evaluate --league legged-2001 --home chaser --away random@0.5 --matches 20 --minutes 4 --players 3 \
+	$(BIN)/soccer evaluate --league legged-2001 --home learned --away sacks-2001 --matches 20 --minutes 4 --players 3 \
 		--seed 1 --threads 2 --out runs/match --anew --picture
 
 test: $(VENV)/.has-train

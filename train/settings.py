@@ -32,7 +32,7 @@ class EvaluateSettings:
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
     home: str = "chaser"
-    """The team whose result this is: a name of `soccer list teams`, NAME@STRENGTH such as chaser@0.5, a policy file."""
+    """The team whose result this is: a name of `soccer list teams`, one such as chaser@0.5, or a policy file."""
     away: str = "random"
     """The team it plays against, written like --home."""
     matches: int = 20

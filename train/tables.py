@@ -21,7 +21,7 @@ from soccer_env.train.bench_settings import BenchSettings
 from soccer_env.train.files import write_whole
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.tables_claims import claims_table, measure_claims, measure_sensors, sensors_table
-from soccer_env.train.tables_learned import learned_rows, learned_table
+from soccer_env.train.tables_learned import learned_rows, learned_table, measure_training, training_table
 from soccer_env.train.tables_teams import (
     measure_rows,
     replay_row,
@@ -50,6 +50,7 @@ MEASURE = {
     "scripted": lambda: {"about": about(), "rows": measure_rows(scripted_rows())},
     "sacks": lambda: {"about": about(), "rows": measure_rows(sacks_rows())},
     "learned": lambda: {"about": about(), "rows": measure_rows(learned_rows())},
+    "training": lambda: {"about": about(), **measure_training()},
     "speed": measure_speed,
 }
 SHOW = {  # a table in Markdown
@@ -58,6 +59,7 @@ SHOW = {  # a table in Markdown
     "scripted": lambda table: with_footer(scripted_table(table), table),
     "sacks": lambda table: with_footer(sacks_table(table), table),
     "learned": lambda table: with_footer(learned_table(table), table),
+    "training": lambda table: with_footer(training_table(table), table),
     "speed": lambda table: speed_table(table),
 }
 

@@ -62,13 +62,13 @@ class TrainSettings:
     """How robots that use their sensors know where they are: a particle filter, or a noisy pose, which is faster."""
     action_repeat: int = 8
     """Control steps that a decision is kept; 8 is a gait step of the legged league."""
-    teacher: str = ""
-    """A team whose decisions the actor is fitted to before PPO begins; none by default."""
+    teacher: str = "chaser"
+    """A team whose decisions the actor is fitted to before PPO begins; "" for none."""
     teacher_steps: int = 300_000
     """Decisions of the teacher to record, over all team sizes and opponents."""
     teacher_epochs: int = 12
     """Times that the recorded decisions are gone through."""
-    critic_first: int = 0
+    critic_first: int = 3
     """Rollouts in which the critic alone learns, so that it does not mislead what the teacher taught."""
     hidden: str = "64,64"
     """Sizes of the actor's hidden layers."""
@@ -76,9 +76,9 @@ class TrainSettings:
     """Sizes of the critic's hidden layers."""
     activation: Literal["tanh", "relu"] = "tanh"
     """Activation of hidden layers."""
-    mirror: bool = False
+    mirror: bool = True
     """Make the actor the mean of a network and its left-right mirror image (observations of truth or belief)."""
-    central_critic: bool = False
+    central_critic: bool = True
     """Let the critic see the whole truth of the match (`state()`) as well; the actor never does."""
     learning_rate: float = 3e-4
     """Learning rate of Adam at the start."""
@@ -104,15 +104,15 @@ class TrainSettings:
     """End an update early beyond 1.5 times this divergence; 0: never."""
     gradient_limit: float = 0.5
     """Largest norm of a gradient."""
-    noise: float = 0.6
+    noise: float = 0.4
     """Standard deviation of the actions at the start."""
-    normalise_rewards: bool = True
+    normalise_rewards: bool = False
     """Divide rewards by the running deviation of the return."""
     goal: float = 1.0
     """Reward of a goal."""
-    progress: float = 0.5
+    progress: float = 2.0
     """Weight of the potential of the ball's place (see `soccer list rewards`)."""
-    approach: float = 0.1
+    approach: float = 0.2
     """Weight of the potential of the nearest robot's distance from the ball."""
     effort: float = 0.001
     """Weight of the cost of walking."""
