@@ -97,16 +97,18 @@ def complain(message: str) -> int:
 
 
 def read_settings(kind: type[T], words: list[str], name: str, default: T | None = None) -> T:
-    """Return the settings dataclass that the words of a command describe; ValueError in one line for a wrong one."""
+    """Return the settings dataclass that the words of a command describe; ValueError in one line for a wrong one.
+
+    With a `default`, which may come from a file, a yes-or-no setting has both flags: --mirror and --no-mirror.
+    """
     import tyro
 
     errors = io.StringIO()
     try:
         with contextlib.redirect_stderr(errors):
-            config = (tyro.conf.FlagCreatePairsOff,)
             if default is None:
-                return tyro.cli(kind, args=words, prog=f"soccer {name}", config=config)
-            return tyro.cli(kind, args=words, prog=f"soccer {name}", default=default, config=config)
+                return tyro.cli(kind, args=words, prog=f"soccer {name}", config=(tyro.conf.FlagCreatePairsOff,))
+            return tyro.cli(kind, args=words, prog=f"soccer {name}", default=default)
     except SystemExit as end:
         if not end.code:  # --help
             raise
@@ -236,6 +238,8 @@ def run_train(words: list[str]) -> int:
         print(f"stopped; the same command goes on with the run in {settings.out}", file=sys.stderr)
         return STOPPED
     except OSError as error:
+        if not (settings.out / "latest.json").exists():
+            raise
         raise ValueError(
             f"{error}; the same command goes on with the run in {settings.out} once that is mended"
         ) from error

@@ -27,9 +27,7 @@ def make_rewards(settings: TrainSettings, matches: SoccerVecEnv) -> VecNormalize
 
 
 def make_model(settings: TrainSettings, matches: VecNormalize, names: list[str]) -> PPO:
-    """Return the learner; ValueError if there is no GPU and one is asked for, or if a rollout is too small."""
-    if settings.device == "cuda" and not torch.cuda.is_available():
-        raise ValueError("device='cuda' needs a GPU that torch can use; device='auto' takes one if there is one")
+    """Return the learner."""
     shape = {
         "names": names, "hidden": settings.hidden_sizes, "critic": settings.critic_sizes,
         "activation": settings.activation, "mirror": settings.mirror, "log_std_init": float(np.log(settings.noise)),
@@ -51,10 +49,22 @@ def make_model(settings: TrainSettings, matches: VecNormalize, names: list[str])
     return model
 
 
+def check_device(device: str) -> None:
+    """Raise ValueError if there is no GPU and one is asked for; stable-baselines3 would take the CPU without a word."""
+    if device == "cuda" and not torch.cuda.is_available():
+        raise ValueError("device='cuda' needs a GPU that torch can use; device='auto' takes one if there is one")
+
+
+def check_weights(model: PPO) -> None:
+    """Raise ValueError if a weight is NaN or infinite: nothing can be learned from there on."""
+    if not all(bool(torch.isfinite(part).all()) for part in model.policy.parameters()):
+        raise ValueError(
+            f"weights became NaN or infinite by step {model.num_timesteps}: a smaller learning_rate may help"
+        )
+
+
 def part_size(decisions: int, batch: int) -> int:
     """Return the size of the nearly equal parts, of about `batch`, into which a rollout's decisions are cut."""
-    if decisions < 2 or batch < 2:
-        raise ValueError(f"a rollout and a batch must have 2 decisions at least, got {decisions} and {batch}")
     parts = max(1, round(decisions / batch))
     return -(-decisions // parts)
 

@@ -92,6 +92,8 @@ class RunFolder:
         for name in (LOG, EVALUATIONS):
             path = self.path / name
             records = read_lines(path)
+            if not all(isinstance(record.get("step"), int) for record in records):
+                raise ValueError(f"{path} is damaged: it holds a line without its step; --anew starts again")
             kept = [record for record in records if record["step"] <= step]
             if len(kept) < len(records):
                 write_whole(path, "".join(json.dumps(record) + "\n" for record in kept))

@@ -13,6 +13,7 @@ from soccer_env.match import Match
 from soccer_env.observations import names_of
 from soccer_env.rewards import Rewards
 from soccer_env.train.curriculum import Curriculum
+from soccer_env.train.learner import check_device
 from soccer_env.train.networks import blank_policy
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.train_settings import TrainSettings, command_of, senses_of
@@ -22,11 +23,12 @@ from soccer_env.train.vec_env import SoccerVecEnv, per_step
 
 def check_playable(settings: TrainSettings) -> None:
     """Raise ValueError, with the setting's name, for teams, sizes and times that cannot be played or written down."""
+    check_device(settings.device)
     league = find_league(settings.league)
     policy = replace(blank_policy(settings, names_of(league, settings.observe)), made=made_by(settings, 0))
     with said_by("opponents"):
         curriculum = Curriculum(settings.opponent_names, settings.past, policy, even=True)
-    make_matches(replace(settings, matches=len(settings.sizes), threads=1), curriculum).close()
+    make_matches(replace(settings, matches=len(settings.sizes)), curriculum).close()
     if settings.matches < len(settings.sizes):
         raise ValueError(
             f"matches must be at least one for each of {len(settings.sizes)} team sizes, got {settings.matches}"

@@ -18,6 +18,7 @@ SHARES = ("gae_lambda", "clip", "gamma")  # above 0, up to 1
 ABOVE_ZERO = ("minutes", "learning_rate", "noise", "evaluate_minutes", "gradient_limit")
 FROM_ZERO = ("entropy", "value_weight", "goal", "progress", "approach", "effort", "target_kl")
 MAX_SEED = 2**32 - 1  # of numpy's global generator, with which stable-baselines3 shuffles
+MAX_MINUTES = 10_000
 COUNTS = (
     "steps", "matches", "action_repeat", "rollout", "batch", "epochs", "evaluate_every", "evaluate_matches", "threads",
     "torch_threads", "past_every",
@@ -148,6 +149,11 @@ class TrainSettings:
         for names, low in ((ABOVE_ZERO + SHARES, 0.0), (FROM_ZERO, -1.0)):
             for name in names:
                 check_number(name, getattr(self, name), low)
+        for name in ("minutes", "evaluate_minutes"):
+            if getattr(self, name) >= MAX_MINUTES:
+                raise ValueError(f"{name} must be below {MAX_MINUTES}, got {getattr(self, name)!r}")
+        if min(self.batch, self.rollout * self.matches) < 2:
+            raise ValueError(f"a batch and a rollout must have 2 decisions at least, got batch={self.batch}")
         if self.seed > MAX_SEED:
             raise ValueError(f"seed must be at most {MAX_SEED}, got {self.seed}")
         if self.teacher and not (self.teacher_steps and self.teacher_epochs):

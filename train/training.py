@@ -21,7 +21,7 @@ from soccer_env.observations import names_of
 from soccer_env.train.checkpoints import generators, read_checkpoint, restore_generators, write_checkpoint
 from soccer_env.train.curriculum import Curriculum
 from soccer_env.train.imitation import teach
-from soccer_env.train.learner import begin, learner_state, make_model, make_rewards, restore_learner
+from soccer_env.train.learner import begin, check_weights, learner_state, make_model, make_rewards, restore_learner
 from soccer_env.train.networks import SoccerPolicy, blank_policy, policy_from
 from soccer_env.train.progress import Progress
 from soccer_env.train.run_folder import BEST, CURVE, LAST, RunFolder
@@ -88,10 +88,18 @@ class Training:
             self.board.progress = progress
             progress.advance(self.model.num_timesteps)
             if left > 0:
-                self.model.learn(left, callback=Steps(self), log_interval=None, reset_num_timesteps=False)  # type: ignore[arg-type]
-                self.after_update(last=True)
+                self._learn(left)
         evaluations = self.folder.evaluations()
         return TrainResult(self.model.num_timesteps, time.perf_counter() - self.started, self.policy(), evaluations)
+
+    def _learn(self, steps: int) -> None:
+        """Go on for so many steps, whole rollouts."""
+        try:
+            self.model.learn(steps, callback=Steps(self), log_interval=None, reset_num_timesteps=False)  # type: ignore[arg-type]
+        except ValueError:
+            check_weights(self.model)  # torch complains of NaN in the middle of an update, at length
+            raise
+        self.after_update(last=True)
 
     def policy(self) -> Policy:
         """Return the policy as it is now."""
@@ -119,6 +127,7 @@ class Training:
 
     def after_update(self, last: bool = False) -> None:
         """Take in the results of a rollout and its update."""
+        check_weights(self.model)
         self.rollouts += 1
         step, settings = self.model.num_timesteps, self.settings
         results, self.matches.results = self.matches.results, []
