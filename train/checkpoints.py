@@ -77,7 +77,7 @@ def as_tensors(value: Any) -> Any:
     if isinstance(value, (list, tuple)):
         return [as_tensors(part) for part in value]
     if isinstance(value, bytes):
-        return {"bytes": torch.frombuffer(bytearray(value), dtype=torch.uint8)}
+        return {"bytes": torch.from_numpy(np.frombuffer(value, np.uint8).copy())}
     if isinstance(value, np.ndarray):
         return {"array": torch.from_numpy(np.ascontiguousarray(value).copy())}
     if isinstance(value, np.generic):

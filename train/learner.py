@@ -56,8 +56,9 @@ def check_device(device: str) -> None:
 
 
 def check_weights(model: PPO) -> None:
-    """Raise ValueError if a weight is NaN or infinite: nothing can be learned from there on."""
-    if not all(bool(torch.isfinite(part).all()) for part in model.policy.parameters()):
+    """Raise ValueError if a weight, or the noise, is NaN, infinite or 0: nothing can be learned from there on."""
+    noise: Any = model.policy.log_std
+    if not all(bool(torch.isfinite(part).all()) for part in (*model.policy.parameters(), noise.exp(), (-noise).exp())):
         raise ValueError(
             f"weights became NaN or infinite by step {model.num_timesteps}: a smaller learning_rate may help"
         )
