@@ -208,8 +208,8 @@ def started(words: list[str], out: Path, rollouts: int) -> subprocess.Popen[str]
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(os.name != "posix", reason="needs SIGKILL")
-def test_the_command_is_stopped_refused_killed_and_goes_on(tmp_path: Path) -> None:
+@pytest.mark.skipif(os.name != "posix", reason="needs SIGSTOP")
+def test_the_command_is_refused_beside_another_stops_and_goes_on(tmp_path: Path) -> None:
     out, steps = tmp_path / "cut", 30 * ROLLOUT
     changes = {"steps": steps, "evaluate_every": 90 * ROLLOUT}
     words = words_of(out, **changes)
@@ -225,10 +225,6 @@ def test_the_command_is_stopped_refused_killed_and_goes_on(tmp_path: Path) -> No
     assert process.returncode == 130
     assert f"stopped; the same command goes on with the run in {out}" in said and "Traceback" not in said
 
-    process = started(words, out, len(records(out / "log.jsonl")) + 3)
-    process.kill()
-    process.communicate()
-    assert process.returncode == -9
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "learned: 1,440 steps" in done.stdout and f"written: {out / 'best.safetensors'}" in done.stdout
