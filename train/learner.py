@@ -75,7 +75,7 @@ def part_size(decisions: int, batch: int) -> int:
 
 def begin(model: PPO, observations: np.ndarray) -> None:
     """Let the first rollout begin with these observations; without them `learn` would reset the matches."""
-    model._last_obs = observations  # type: ignore[assignment]
+    model._last_obs = observations
     model._last_episode_starts = np.ones(model.n_envs, bool)
 
 
@@ -100,7 +100,7 @@ def restore_learner(model: PPO, rewards: VecNormalize, saved: dict[str, Any], ob
     model.policy.load_state_dict(saved["network"])
     model.policy.optimizer.load_state_dict(saved["optimizer"])
     model.num_timesteps, model._n_updates = saved["step"], saved["updates"]
-    model._last_obs = observations  # type: ignore[assignment]
+    model._last_obs = observations
     model._last_episode_starts = saved["starts"]
     running = saved["rewards"]
     if running:
