@@ -11,8 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-from soccer_env.agents.network import ACTIVATION, act, pack
-from soccer_env.agents.policy import Policy
+from soccer_env.agents.network import LAYERS, REPEAT, SIZES, act, pack
+from soccer_env.agents.policy import MAX_INPUTS, Policy
 from soccer_env.agents.policy_file import load
 from soccer_env.compiled import compiled
 from soccer_env.leagues.league import League
@@ -66,9 +66,9 @@ def first_decision(delay_steps: int, repeat: int) -> int:
 @compiled
 def play(observations, memory, commands, players, constants, numbers, first, last):
     """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
-    repeat, delay, layers = int(numbers[3]), constants[0].delay_steps, int(numbers[0])
-    size = int(numbers[4 + layers])
-    room = np.empty((3, 4096))
+    repeat, delay, layers = int(numbers[REPEAT]), constants[0].delay_steps, int(numbers[LAYERS])
+    size = int(numbers[SIZES + layers])
+    room = np.empty((3, MAX_INPUTS))
     for m in range(first, last):
         for p in range(len(players)):
             mind = memory[m, p]
