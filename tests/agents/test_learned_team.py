@@ -165,6 +165,38 @@ def test_a_save_does_not_fit_another_policy() -> None:
         other.load(one.save())
 
 
+# What it was trained to do
+
+
+@pytest.mark.parametrize("actions", ["box", "full"])
+@pytest.mark.parametrize("repeat", [1, 4, 8])
+@pytest.mark.parametrize(("observe", "senses", "settings"), SEEN)
+def test_it_plays_exactly_as_a_learner_that_was_asked_in_training(
+    observe: str, senses: str, settings: dict[str, Any], repeat: int, actions: str
+) -> None:
+    pytest.importorskip("stable_baselines3")
+    from soccer_env.train.vec_env import SoccerVecEnv
+
+    settings = {"matches": 2, "senses": senses, "seed": 4, "minutes": 0.05, **settings}
+    policy = lively(16, observe=observe, action_repeat=repeat, actions=actions)
+    learner = SoccerVecEnv(players=((2, 2),), action_repeat=repeat, actions=actions, observe=observe, **settings)
+    player = Match(
+        home=2, away=2, controllers={"home": team_of(policy), "away": "chaser"}, autoreset="same_step", **settings
+    )
+    seen = learner.reset()
+    for _ in range(first_decision(player.league.delay_steps, repeat)):
+        player.step()
+    assert same_play(learner.matches[0], player)
+    ends = 0
+    for _ in range(120 // repeat):
+        seen, _, dones, _ = learner.step(decide(policy, seen))
+        for _ in range(repeat):
+            player.step()
+        ends += dones.any()
+        assert same_play(learner.matches[0], player)
+    assert ends == 2, "it goes on so in later episodes"
+
+
 # Permutation and mirror
 
 
