@@ -18,7 +18,6 @@ import stable_baselines3 as sb3
 
 from soccer_env.train.vec_env import Result, per_step
 
-
 # What stable-baselines3 may count on
 
 
