@@ -1,5 +1,8 @@
 """A policy as a team: what it sees is what a learner sees, and what it does is what the learner would have done."""
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -195,6 +198,28 @@ def test_it_plays_exactly_as_a_learner_that_was_asked_in_training(
         ends += dones.any()
         assert same_play(learner.matches[0], player)
     assert ends == 2, "it goes on so in later episodes"
+
+
+def test_plain_python_plays_what_the_compiled_code_plays() -> None:
+    program = """
+from soccer_env import Match
+from soccer_env.agents.learned import team_of
+from tests.agents.staged_policies import lively
+for activation in ("tanh", "relu"):
+    team = team_of(lively(16, 8, activation=activation, mirror=True, action_repeat=4))
+    match = Match(home=1, away=1, controllers={"home": team, "away": team}, senses="ideal", seed=1)
+    for _ in range(60):
+        match.step()
+    print(match.state_hash())
+"""
+    printed = []
+    for disabled in ("0", "1"):
+        environment = {**os.environ, "NUMBA_DISABLE_JIT": disabled, "PYTHONPATH": str(Path(__file__).parents[2])}
+        run = subprocess.run(
+            [sys.executable, "-c", program], capture_output=True, text=True, env=environment, check=True
+        )
+        printed.append(run.stdout.split())
+    assert printed[0] == printed[1] and len(set(printed[0])) == 2
 
 
 # Permutation and mirror
