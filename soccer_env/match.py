@@ -19,7 +19,7 @@ from soccer_env.actions import numbers_for, take_actions
 from soccer_env.field import Field, keep_latest
 from soccer_env.observations import names_of
 from soccer_env.physics.space_batch import Way
-from soccer_env.players import assign, call_up, find_lineups, make_squads, run_compiled, run_python_teams
+from soccer_env.players import assign, call_up, make_squads, run_compiled, run_python_teams
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import TERMS
 from soccer_env.senses import Senses, sensing_sides
@@ -29,15 +29,8 @@ from soccer_env.user_code import checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
-FINAL = (
-    "observations",
-    "matches",
-    "balls",
-    "robots",
-    "events",
-    "robot_events",
-    "terms",
-)  # kept of a match begun again at once
+# Kept of a match that begins again at once:
+FINAL = ("observations", "matches", "balls", "robots", "events", "robot_events", "terms")
 
 
 class Match:
@@ -95,7 +88,6 @@ class Match:
     def _seat_players(self, who: dict[str, Any]) -> None:
         """Make the teams that play inside, their memories, and room for what robots believe."""
         self.squads = make_squads(self.agents, who, self.settings, self.count)
-        self._lineups = find_lineups(who)
         self.learns = np.array([agent not in who for agent in self.agents], np.int64)
         self._readers = np.array([r for squad in self.squads for r in squad.players], np.int64)
         sides = sensing_sides(self.settings, [(squad.team, squad.players) for squad in self.squads], self.learns)
@@ -132,8 +124,7 @@ class Match:
             self.field.start(int(m), int(self.seeds[m]), int(episodes[m]))
             for squad in self.squads:
                 squad.memory[m] = np.zeros((), squad.memory.dtype)
-            for lineup in self._lineups:
-                call_up(self.squads, lineup, int(m), int(self.seeds[m]), int(episodes[m]))
+            call_up(self.squads, self.settings.rows[0], int(m), int(self.seeds[m]), int(episodes[m]))
             self.field.look_up(m)
         self._observe_own()
         if self.recorder is not None:

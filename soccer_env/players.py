@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,10 +17,12 @@ from soccer_env.perception.ideal import believe_truth
 from soccer_env.random_numbers import start_streams, uniform
 from soccer_env.settings import Settings
 from soccer_env.teams import CompiledTeam, ObservingTeam, Team, TeamRandom, View, make_team
-from soccer_env.types import BELIEF, COMMAND, MAX_TEAM, NOISE_STREAMS, TRACK
+from soccer_env.types import AWAY, BELIEF, COMMAND, HOME, MAX_TEAM, NOISE_STREAMS, TRACK
 
 LONG = 4096  # characters of a team's settings in a save; longer ones are hashed
-CHOOSER = 1 << 20  # owner of the stream that a lineup draws from; robots are 1 + 2 number + team
+CHOOSER = (
+    1 << 20
+)  # owner of the stream that home's lineup draws from, away's is the next; robots are 1 + 2 number + team
 NEEDED_SENSES = {"truth": "ideal", "percepts": "sensors"}  # by what a team observes
 
 
@@ -28,7 +30,7 @@ NEEDED_SENSES = {"truth": "ideal", "percepts": "sensors"}  # by what a team obse
 class Lineup:
     """Several compiled teams, one of which plays each episode of a match; give it where a team is asked for.
 
-    Which one follows from the match's seed, the number of the episode and `weights` (teams,), the relative
+    Which one follows from the match's seed, the number of the episode, the side and `weights` (teams,), the relative
     frequencies, which may be changed between steps.
     """
 
@@ -42,14 +44,15 @@ class Lineup:
         if len(set(self.names)) != len(self.teams) or len(self.names) != len(self.teams):
             raise ValueError(f"names of a Lineup must be {len(self.teams)} different ones, got {self.names}")
         weights = np.asarray(self.weights)
-        if weights.shape != (len(self.teams),) or not (weights >= 0.0).all() or not 0.0 < weights.sum() < np.inf:
+        numbers = weights.dtype.kind in "fiu" and weights.shape == (len(self.teams),)
+        if not numbers or not (weights >= 0.0).all() or not 0.0 < weights.sum() < np.inf:
             raise ValueError(f"weights of a Lineup must be {len(self.teams)} numbers from 0, not all 0, got {weights}")
 
-    def choose(self, seed: int, episode: int) -> int:
-        """Return the index of the team that plays an episode."""
+    def choose(self, seed: int, episode: int, side: int = AWAY) -> int:
+        """Return the index of the team that plays an episode on a side, HOME or AWAY."""
         noise = np.zeros(NOISE_STREAMS, np.uint64)
         with np.errstate(over="ignore"):
-            start_streams(noise, np.uint64(seed), episode, CHOOSER)
+            start_streams(noise, np.uint64(seed), episode, CHOOSER + side)
             drawn = uniform(noise, 0)
         edges = np.cumsum(self.weights)
         return int(min(np.searchsorted(edges, drawn * edges[-1], side="right"), np.flatnonzero(self.weights)[-1]))
@@ -63,9 +66,10 @@ class Squad:
     players: np.ndarray  # (P,) rows
     memory: np.ndarray
     observations: np.ndarray  # (M, R, n) of a team that decides from them, else (M, R, 0)
+    name: str  # what a lineup calls it, else its own
+    lineup: Lineup | None = None  # that it is a part of
+    place: int = 0  # in the lineup
     plays: np.ndarray | None = None  # (M,) of a team of a lineup: in which matches it plays now
-    name: str = ""  # its own, or what a lineup calls it
-    lineup: Lineup | None = None
 
     def describe(self) -> list[Any]:
         """Return who plays whom: what a save has to agree with."""
@@ -120,17 +124,19 @@ def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matc
             key = (agent.split("_")[0], team if isinstance(team, str) else id(team))
             made.setdefault(key, []).append(row)
     for rows in made.values():
-        told = who[agents[rows[0]]]
-        teams: Sequence[Any] = told.teams if isinstance(told, Lineup) else (make_team(told),)
-        for index, team in enumerate(teams):
-            squad = make_squad(team, np.array(rows, np.int64), settings, matches, len(agents))
-            if isinstance(told, Lineup):
-                squad.lineup, squad.plays, squad.name = told, np.zeros(matches, bool), told.names[index]
+        told, players = who[agents[rows[0]]], np.array(rows, np.int64)
+        if not isinstance(told, Lineup):
+            squads.append(make_squad(make_team(told), players, settings, matches, len(agents)))
+            continue
+        for place, team in enumerate(told.teams):
+            squad = make_squad(team, players, settings, matches, len(agents))
+            squad.name, squad.lineup, squad.place = told.names[place], told, place
+            squad.plays = np.zeros(matches, bool)
             squads.append(squad)
     return squads
 
 
-def make_squad(team: Team, players: np.ndarray, settings: Settings, matches: int, robots: int) -> Squad:
+def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int, robots: int) -> Squad:
     """Return a team on its rows (P,); ValueError if it does not play the league, or not by what it would see."""
     check = getattr(team, "check_league", None)
     if check is not None:
@@ -143,20 +149,15 @@ def make_squad(team: Team, players: np.ndarray, settings: Settings, matches: int
             raise ValueError(f"team {team.name!r} observes {team.observe}: it needs senses={needed!r}, got {senses!r}")
         observed = len(names_of(settings.league, team.observe))
     memory = np.zeros((matches, len(players)), check_memory(team))
-    return Squad(team, players, memory, np.zeros((matches, robots, observed), np.float32), name=team.name)
+    return Squad(team, players, memory, np.zeros((matches, robots, observed), np.float32), team.name)
 
 
-def find_lineups(who: dict[str, Any]) -> list[Lineup]:
-    """Return the different lineups among those who play."""
-    return list({id(team): team for team in who.values() if isinstance(team, Lineup)}.values())
-
-
-def call_up(squads: list[Squad], lineup: Lineup, m: int, seed: int, episode: int) -> None:
-    """Let the team that a lineup chooses play the coming episode of match m."""
-    chosen = lineup.choose(seed, episode)
+def call_up(squads: list[Squad], home: int, m: int, seed: int, episode: int) -> None:
+    """Let the teams that lineups choose play the coming episode of match m; home's are the first `home` rows."""
     for squad in squads:
-        if squad.plays is not None and squad.lineup is lineup:
-            squad.plays[m] = squad.name == lineup.names[chosen]
+        if squad.lineup is not None and squad.plays is not None:
+            side = AWAY if squad.players[0] >= home else HOME
+            squad.plays[m] = squad.lineup.choose(seed, episode, side) == squad.place
 
 
 def check_memory(team: Team) -> np.dtype:
@@ -201,9 +202,9 @@ def run_compiled(squad: Squad, field: Any, first: int, last: int) -> None:
     team: Any = squad.team
     commands, rows, k = field.robots["command"], squad.players, field.constants
     if isinstance(team, ObservingTeam):
-        if not squad.memory["wait"][first:last].all():
-            field.write_observations(squad.observations, team.observe, rows, first, last)
         for run in squad.runs(first, last):
+            if not squad.memory["wait"][slice(*run)].all():
+                field.write_observations(squad.observations, team.observe, rows, *run)
             team.kernel(squad.observations, squad.memory, commands, rows, k, team.settings, *run)
     else:
         minds, noise = field.minds(rows), field.robots["noise"]

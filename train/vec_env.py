@@ -4,14 +4,14 @@
 
 No dicts, no processes: matches are stepped by compiled loops on one thread or more. All robots of a match begin and
 end together. An action is kept for `action_repeat` control steps; a match that ends within them begins anew at once,
-and its robots stand until the next decision. The first decision of an episode comes so early before a repeat ends as
-the perception-to-motion delay asks, as `agents.learned` plays it.
+and its robots stand until the next decision. The first decision comes so early before a repeat ends as the
+perception-to-motion delay asks, as `agents.learned` plays it; of later episodes too if episodes last whole repeats.
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from types import SimpleNamespace
 from typing import Any
@@ -21,6 +21,7 @@ from gymnasium import spaces
 from stable_baselines3.common.vec_env import VecEnv
 
 from soccer_env import truth_state
+from soccer_env.actions import FULL
 from soccer_env.agents.learned import first_decision
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
@@ -69,7 +70,6 @@ class SoccerVecEnv(VecEnv):
     ) -> None:
         self.repeat, self.stagger, self.results = action_repeat, stagger, list[Result]()
         self.render_mode, self.seconds = None, 0.0
-        largest = max(max(sizes) for sizes in players)
         shares = [matches * (i + 1) // len(players) - matches * i // len(players) for i in range(len(players))]
         if min(shares) < 1:
             raise ValueError(f"matches must be at least one for each of {len(players)} team sizes, got {matches}")
@@ -80,7 +80,7 @@ class SoccerVecEnv(VecEnv):
             )
             for (home, away), share in zip(players, shares, strict=True)
         ]  # fmt: skip
-        self.largest, self.state = largest, state
+        self.largest, self.state = max(match.settings.max_players for match in self.matches), state
         self.learners = [home for home, _ in players]
         self.observed = len(self.matches[0].observation_names)
         league = self.matches[0].league
@@ -114,8 +114,11 @@ class SoccerVecEnv(VecEnv):
             seeds = seeds[match.count :]
             if self.stagger:
                 stagger_clocks(match, self.repeat)
-            still = np.zeros((match.count, len(match.agents), self._actions.shape[1]))
-            for _ in range(self.first_decision):
+            unheard = (
+                self.repeat if self.stagger and not self.first_decision else 0
+            )  # the new clock is in no observation
+            still = np.tile(self._stand(), (match.count, len(match.agents), 1))
+            for _ in range(self.first_decision + unheard):
                 match.step(still)
         self.opponents = [playing(match) for match in self.matches]
         self._returns[:], self._lengths[:] = 0.0, 0
@@ -153,7 +156,7 @@ class SoccerVecEnv(VecEnv):
             gained += np.where(over[:, None], 0.0, paid[:, :home])
             if len(match.ended):
                 self._note_ends(index, terminated, over, infos)
-                over[match.ended], actions[match.ended] = True, 0.0
+                over[match.ended], actions[match.ended] = True, self._stand()
         dones[rows] = np.repeat(over, home)
 
     def _note_ends(self, index: int, terminated: np.ndarray, over: np.ndarray, infos: list[dict[str, Any]]) -> None:
@@ -161,7 +164,7 @@ class SoccerVecEnv(VecEnv):
         match, home = self.matches[index], self.learners[index]
         last = match.final["observations"][:, :home]
         if self.state:
-            last = with_state(last, home_state(match, self.largest, match.final, len(match.ended)))
+            last = with_state(last, last_state(match, self.largest))
         for i, m in enumerate(match.ended):
             if over[m]:
                 continue
@@ -174,14 +177,19 @@ class SoccerVecEnv(VecEnv):
             self.results.append(Result(players, opponent, int(score[0]), int(score[1])))
         self.opponents[index] = playing(match)
 
+    def _stand(self) -> np.ndarray:
+        """Return the action (4,) or (7,) of a robot that stands, its head tracking the ball by itself."""
+        action = np.zeros(self._actions.shape[1])
+        action[FULL.index("head") :][:1] = -1.0  # of "full" alone
+        return action
+
     def _observations(self) -> np.ndarray:
         """Return the observations (rows, n) of all learners, in an array of their own."""
         parts = []
         for match, home in zip(self.matches, self.learners, strict=True):
             seen = match.observations[:, :home]
             if self.state:
-                now = {"matches": match.matches, "balls": match.balls, "robots": match.robots}
-                seen = with_state(seen, home_state(match, self.largest, now, match.count))
+                seen = with_state(seen, team_state(match, self.largest))
             parts.append(seen.reshape(match.count * home, -1))
         return np.concatenate(parts)
 
@@ -256,13 +264,24 @@ def with_state(observations: np.ndarray, state: np.ndarray) -> np.ndarray:
     return np.concatenate([observations, told], axis=2)
 
 
-def home_state(match: Match, players: int, records: Mapping[str, np.ndarray], count: int) -> np.ndarray:
-    """Return `Match.state()` (M, s) with room for so many players a side, turned so that home plays towards +x."""
-    room = SimpleNamespace(max_players=players, rows=match.settings.rows)
-    parts = {name: records[name] for name in ("matches", "balls", "robots")}
-    shown = SimpleNamespace(settings=room, league=match.league, count=count, **parts)
-    away_side = parts["matches"]["home_direction"][:, None] < 0.0
-    state: np.ndarray = np.where(away_side, turn_signs(shown), np.float32(1.0)) * truth_state.write(shown)
+def team_state(match: Match, players: int) -> np.ndarray:
+    """Return `state()` (M, s) with room for `players` a side, turned so that home plays towards +x."""
+    return turned_state(match, players, {name: getattr(match, name) for name in ("matches", "balls", "robots")})
+
+
+def last_state(match: Match, players: int) -> np.ndarray:
+    """Return the states (E, s) with which the matches that have just ended did so, as `team_state` does."""
+    return turned_state(match, players, match.final)
+
+
+def turned_state(match: Match, players: int, records: dict[str, np.ndarray]) -> np.ndarray:
+    """Return the states (n, s) of n records of a match, turned so that home plays towards +x."""
+    told = SimpleNamespace(
+        settings=SimpleNamespace(max_players=players, rows=match.settings.rows), league=match.league,
+        count=len(records["matches"]), matches=records["matches"], balls=records["balls"], robots=records["robots"],
+    )  # fmt: skip
+    turns = records["matches"]["home_direction"][:, None] < 0.0
+    state: np.ndarray = np.where(turns, turn_signs(told), np.float32(1.0)) * truth_state.write(told)
     return state
 
 

@@ -228,7 +228,12 @@ def test_a_pickle_with_another_name_is_not_run(tmp_path: Path) -> None:
     for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
         content = pickle.dumps(Canary(tmp_path / "canary"), protocol)
         path = tmp_path / f"{protocol}.safetensors"
-        for disguise in (content, packed(content), packed(HEADER, content), with_table(content.decode("latin-1"))):
+        for disguise in (
+            content,
+            packed(content),
+            packed(HEADER, content + BODY),
+            with_table(content.decode("latin-1")),
+        ):
             path.write_bytes(disguise)
             with pytest.raises(ValueError, match=str(path)):
                 load(path)

@@ -1,0 +1,43 @@
+"""Policies with random weights for tests: what they play is nonsense, but lively and always the same."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from soccer_env.agents.learned import LearnedTeam, from_file
+from soccer_env.agents.network import act, pack, widest
+from soccer_env.agents.policy import ACTIONS, Policy
+from soccer_env.agents.policy_file import dump
+from soccer_env.leagues import find_league
+from soccer_env.observations import names_of
+
+
+def lively(*hidden: int, observe: str = "belief", league: str = "legged-2001", seed: int = 1, **changes: Any) -> Policy:
+    """Return a policy with these hidden layers, whose actions fill [-1, 1] and depend on the whole observation."""
+    names = tuple(names_of(find_league(league), observe))
+    outputs = ACTIONS[changes.get("actions", "box")]
+    sizes, rng = [len(names), *(hidden or (16,)), outputs], np.random.default_rng(seed)
+    fields: dict[str, Any] = {
+        "name": "lively", "league": league, "observe": observe, "inputs": names, "actions": "box", "action_repeat": 1,
+        "kind": "slots", "activation": "tanh", "mirror": False, "made": {},
+        "weights": tuple(rng.normal(0.0, 1.5 / a**0.5, (b, a)).astype(np.float32) for a, b in zip(sizes, sizes[1:])),
+        "biases": tuple(rng.normal(0.0, 0.3, b).astype(np.float32) for b in sizes[1:]),
+    }  # fmt: skip
+    return Policy(**{**fields, **changes})
+
+
+def from_disk(policy: Policy, folder: Path) -> LearnedTeam:
+    """Return the team of a policy, by way of a file."""
+    file = folder / "lively.safetensors"
+    file.write_bytes(dump(policy))
+    return from_file(file)
+
+
+def decide(policy: Policy, rows: np.ndarray) -> np.ndarray:
+    """Return the actions (n, 4 or 7) for observations (n, inputs), one row after the other."""
+    numbers = pack(policy)
+    actions, room = np.zeros((len(rows), ACTIONS[policy.actions])), np.zeros((3, widest(numbers)))
+    for row, action in zip(np.ascontiguousarray(rows, np.float32), actions):
+        act(numbers, row, action, room)
+    return actions

@@ -1,0 +1,287 @@
+"""A policy as a team: what it sees is what a learner sees, and what it does is what the learner would have done."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.agents.learned import first_decision, team_of
+from soccer_env.teams import TeamRandom, View, make_team
+from soccer_env.types import COMMAND
+from tests.agents.staged_policies import decide, from_disk, lively
+from tests.symmetry import Records, mirrored
+
+# What is observed, by which senses, with which settings.
+SEEN: list[tuple[str, str, dict[str, Any]]] = [
+    ("truth", "ideal", {}),
+    ("belief", "ideal", {}),
+    ("belief", "sensors", {}),
+    ("belief", "sensors", {"pose": "particles"}),
+    ("percepts", "sensors", {}),
+]
+NAMES = ("forward", "left", "turn", "kick")
+
+
+def commanded(match: Match) -> np.ndarray:
+    """Return the commands (M, R, 7) of the last step."""
+    command = match.robots["command"]
+    return np.stack([command[name] for name in COMMAND.names or ()], axis=-1)
+
+
+def same_play(one: Match, other: Match) -> bool:
+    """Tell whether the records of two matches are the same bit for bit."""
+    return all(
+        getattr(one, name).tobytes() == getattr(other, name).tobytes() for name in ("matches", "balls", "robots")
+    )
+
+
+# What it observes
+
+
+@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
+@pytest.mark.parametrize(("observe", "senses", "settings"), SEEN)
+def test_it_observes_bit_for_bit_what_a_learner_in_its_place_does(
+    observe: str, senses: str, settings: dict[str, Any], league: str
+) -> None:
+    settings = {"home": 2, "away": 2, "matches": 2, "senses": senses, "seed": 4, **settings}
+    team = team_of(lively(observe=observe, league=league))
+    inside = Match(league, controllers={"home": team, "away": "chaser"}, **settings)
+    outside = Match(league, opponents="chaser", observe=observe, actions="full", **settings)
+    for _ in range(60):
+        due = outside.observations[:, :2].copy()
+        inside.step()
+        assert (inside.squads[0].observations[:, :2] == due).all()
+        assert np.abs(due).max() <= 1.0 and due.any()
+        outside.step(commanded(inside))
+    assert same_play(inside, outside)
+
+
+def test_with_a_policy_at_home_and_one_away_each_observes_from_its_own_side() -> None:
+    truth, belief = team_of(lively(observe="truth")), team_of(lively())
+    match = Match(home=2, away=2, controllers={"home": truth, "away": belief}, seed=4, senses={"home": "ideal"})
+    outside = Match(home=2, away=2, observe="belief", actions="full", seed=4, senses={"home": "ideal"})
+    for _ in range(30):
+        due = outside.observations[:, 2:].copy()
+        match.step()
+        assert (match.squads[1].observations[:, 2:] == due).all()
+        outside.step(commanded(match))
+    seen = dict(zip(lively(observe="truth").inputs, match.squads[0].observations[0, 0], strict=True))
+    assert seen["own_x"] < 0.0, "the own half is at -x"
+
+
+# What it does
+
+
+def test_robots_stand_until_the_first_decision_and_keep_each_for_the_repeat() -> None:
+    match = Match(home=2, away=1, controllers={"home": team_of(lively(action_repeat=8)), "away": "still"}, seed=1)
+    asked = []
+    for _ in range(30):
+        match.step()
+        asked.append(commanded(match)[0, :2])
+    first = first_decision(match.league.delay_steps, 8)
+    assert first == 6, "the walk is latched every 8 control steps and a command needs 2 to arrive"
+    assert not np.any(asked[:first] - np.array([0, 0, 0, 0, -1, 0, 0])), "the head tracks the ball by itself"
+    for step in range(first, 30):
+        changed = bool((asked[step][:, :4] != asked[step - 1][:, :4]).any())
+        assert changed == ((step - first) % 8 == 0)
+
+
+@pytest.mark.parametrize(("delay", "repeat", "steps"), [(0, 8, 0), (2, 8, 6), (2, 1, 0), (2, 4, 2), (9, 8, 7)])
+def test_the_first_decision_comes_a_delay_before_a_repeat_ends(delay: int, repeat: int, steps: int) -> None:
+    assert first_decision(delay, repeat) == steps
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 5])
+def test_any_team_size_plays_and_each_robot_by_its_own_observation(size: int) -> None:
+    policy = lively(16)
+    match = Match(home=size, away=size, controllers={"home": team_of(policy), "away": "chaser"}, matches=2, seed=1)
+    start = match.robots["x"].copy()
+    for _ in range(50):
+        match.step()
+        rows = match.squads[0].observations[:, :size].reshape(2 * size, -1)
+        assert (commanded(match)[:, :size, :4].reshape(-1, 4) == decide(policy, rows)).all()
+    assert (match.robots["x"] != start)[:, :size].all()
+
+
+def test_a_policy_plays_beside_other_teams_of_its_side() -> None:
+    policy = lively(16)
+    match = Match(home=3, away=1, controllers={"home_1": team_of(policy), "home": "chaser", "away": "still"}, seed=1)
+    for _ in range(20):
+        match.step()
+        squad = next(squad for squad in match.squads if squad.name == "lively")
+        assert squad.players.tolist() == [1]
+        assert (commanded(match)[0, 1, :4] == decide(policy, squad.observations[0, 1:2])[0]).all()
+
+
+def test_a_team_from_a_file_plays_as_the_policy_itself(tmp_path: Path) -> None:
+    policy = lively(16, 8, action_repeat=4, mirror=True)
+    hashes = []
+    for team in (from_disk(policy, tmp_path), team_of(policy), make_team(from_disk(policy, tmp_path))):
+        match = Match(home=2, away=2, controllers={"home": team, "away": team}, seed=1)
+        for _ in range(60):
+            match.step()
+        hashes.append(match.state_hash())
+    assert len(set(hashes)) == 1
+
+
+def test_a_match_plays_alone_as_among_64_and_on_two_threads_as_on_one() -> None:
+    team = team_of(lively(16, action_repeat=4))
+    hashes = []
+    for threads in (1, 2):
+        many = Match(controllers={"home": team, "away": "chaser"}, home=2, away=1, matches=64, threads=threads, seed=3)
+        for _ in range(40):
+            many.step()
+        hashes.append(many.state_hash())
+        many.close()
+    assert hashes[0] == hashes[1]
+    one = Match(controllers={"home": team, "away": "chaser"}, home=2, away=1, seeds=[many.seeds[41]])
+    for _ in range(40):
+        one.step()
+    assert one.state_hash(0) == many.state_hash(41)
+
+
+def test_a_save_between_two_decisions_has_one_future(tmp_path: Path) -> None:
+    def fresh() -> Match:
+        team = from_disk(lively(16, action_repeat=8), tmp_path)
+        return Match(home=2, away=2, matches=2, controllers={"home": team, "away": "chaser"}, seed=3)
+
+    match = fresh()
+    for _ in range(41):
+        match.step()
+    assert (match.squads[0].memory["wait"] == 5).all()
+    saved, other = match.save(), fresh()
+    other.load(saved)
+    for _ in range(60):
+        match.step()
+        other.step()
+        assert match.state_hash() == other.state_hash()
+
+
+def test_a_save_does_not_fit_another_policy() -> None:
+    one, other = (Match(home=1, away=1, opponents=team_of(lively(16, seed=seed)), seed=1) for seed in (1, 2))
+    with pytest.raises(ValueError, match="teams differ"):
+        other.load(one.save())
+
+
+# What it was trained to do
+
+
+@pytest.mark.parametrize("actions", ["box", "full"])
+@pytest.mark.parametrize("repeat", [1, 4, 8])
+@pytest.mark.parametrize(("observe", "senses", "settings"), SEEN)
+def test_it_plays_exactly_as_a_learner_that_was_asked_in_training(
+    observe: str, senses: str, settings: dict[str, Any], repeat: int, actions: str
+) -> None:
+    pytest.importorskip("stable_baselines3")
+    from soccer_env.train.vec_env import SoccerVecEnv
+
+    settings = {"matches": 2, "senses": senses, "seed": 4, "minutes": 0.05, **settings}
+    policy = lively(16, observe=observe, action_repeat=repeat, actions=actions)
+    learner = SoccerVecEnv(players=((2, 2),), action_repeat=repeat, actions=actions, observe=observe, **settings)
+    player = Match(
+        home=2, away=2, controllers={"home": team_of(policy), "away": "chaser"}, autoreset="same_step", **settings
+    )
+    seen = learner.reset()
+    for _ in range(first_decision(player.league.delay_steps, repeat)):
+        player.step()
+    assert same_play(learner.matches[0], player)
+    ends = 0
+    for _ in range(120 // repeat):
+        seen, _, dones, _ = learner.step(decide(policy, seen))
+        for _ in range(repeat):
+            player.step()
+        ends += dones.any()
+        assert same_play(learner.matches[0], player)
+    assert ends == 2, "it goes on so in later episodes"
+
+
+def test_plain_python_plays_what_the_compiled_code_plays() -> None:
+    program = """
+from soccer_env import Match
+from soccer_env.agents.learned import team_of
+from tests.agents.staged_policies import lively
+for activation in ("tanh", "relu"):
+    team = team_of(lively(16, 8, activation=activation, mirror=True, action_repeat=4))
+    match = Match(home=1, away=1, controllers={"home": team, "away": team}, senses="ideal", seed=1)
+    for _ in range(60):
+        match.step()
+    print(match.state_hash())
+"""
+    printed = []
+    for disabled in ("0", "1"):
+        environment = {**os.environ, "NUMBA_DISABLE_JIT": disabled, "PYTHONPATH": str(Path(__file__).parents[2])}
+        run = subprocess.run(
+            [sys.executable, "-c", program], capture_output=True, text=True, env=environment, check=True
+        )
+        printed.append(run.stdout.split())
+    assert printed[0] == printed[1] and len(set(printed[0])) == 2
+
+
+# Permutation and mirror
+
+
+def test_which_of_two_team_mates_stands_where_changes_no_action() -> None:
+    """Slots go by distance; with ideal senses, for the numbers of the others are in no observation."""
+    match = Match(home=3, away=2, controllers={"home": team_of(lively(32)), "away": "still"}, seed=2, senses="ideal")
+    swapped = Match(home=3, away=2, controllers={"home": team_of(lively(32)), "away": "still"}, seed=2, senses="ideal")
+    for _ in range(30):
+        match.step()
+    records = Records.of(match)
+    records.robots[:, [1, 2]] = records.robots[:, [2, 1]]
+    for name in ("number", "keeper"):
+        records.robots[name] = match.robots[name]
+    records.put_into(swapped)
+    swapped.squads[0].memory[:] = match.squads[0].memory
+    assert (match.robots["x"][0, 1:3] != match.robots["x"][0, 2:0:-1]).all()
+    match.step()
+    swapped.step()
+    assert (commanded(match)[0, [0, 2, 1]] == commanded(swapped)[0, :3]).all()
+    assert (commanded(match)[0, 1] != commanded(match)[0, 2]).any()
+
+
+@pytest.mark.parametrize("observe", ["truth", "belief"])
+def test_a_mirror_policy_plays_a_mirrored_scene_mirrored(observe: str) -> None:
+    team = team_of(lively(32, 32, observe=observe, mirror=True))
+    one, other = (Match(home=2, away=2, controllers={"home": team, "away": team}, senses="ideal", seed=2) for _ in "ab")
+    for _ in range(30):
+        one.step()
+    mirrored(Records.of(one)).put_into(other)
+    for squad, twin in zip(one.squads, other.squads, strict=True):
+        twin.memory[:] = squad.memory
+    one.step()
+    other.step()
+    signs = np.array([1, -1, -1, 1, 1, 1, 1])
+    np.testing.assert_allclose(commanded(other), commanded(one) * signs, rtol=0.0, atol=1e-5)
+    assert np.abs(commanded(one)[..., 1:3]).max() > 0.05
+
+
+# What it refuses
+
+
+@pytest.mark.parametrize(
+    ("observe", "needed", "got"), [("truth", "ideal", "sensors"), ("percepts", "sensors", "ideal")]
+)
+def test_senses_that_cannot_give_what_it_observes_are_refused(observe: str, needed: str, got: str) -> None:
+    team = team_of(lively(observe=observe))
+    with pytest.raises(ValueError) as error:
+        Match(home=1, away=1, opponents=team, senses={"away": got, "home": needed}, seed=1)
+    assert str(error.value) == f"team 'lively' observes {observe}: it needs senses={needed!r}, got {got!r}"
+    Match(home=1, away=1, opponents=team, senses={"away": needed, "home": got}, seed=1)
+
+
+def test_another_league_is_refused() -> None:
+    with pytest.raises(ValueError, match="policy 'lively' was trained in 'legged-2001', not for 'middle-size-2006'"):
+        Match("middle-size-2006", opponents=team_of(lively()), seed=1)
+
+
+def test_a_body_is_needed_to_act() -> None:
+    match, team = Match(home=1, away=1, seed=1, senses="ideal"), team_of(lively())
+    view = View(match.league, match.beliefs, match.tracks)
+    memory, rng = np.zeros((1, 2), team.memory_dtype), TeamRandom(match.robots["noise"].copy(), np.arange(2))
+    with pytest.raises(ValueError, match="team 'lively' plays inside a match only: give it as controllers, opponents"):
+        team.act(view, memory, rng)

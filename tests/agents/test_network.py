@@ -1,0 +1,118 @@
+"""The compiled network: it agrees with torch, each row is computed alone, and a mirror policy is its own mirror."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env.agents.learned import MEMORY, play, team_of
+from soccer_env.agents.network import pack, widest
+from soccer_env.agents.policy import Policy
+from soccer_env.leagues import find_league
+from soccer_env.observations.mirror import action_signs, observation_signs
+from soccer_env.types import COMMAND
+from tests.agents.staged_policies import decide, lively
+
+SIZES = [(8,), (64, 64), (33, 7, 12)]
+
+
+def observations(policy: Policy, count: int = 64) -> np.ndarray:
+    """Return observations (count, inputs) float32 in [-1, 1]."""
+    return np.random.default_rng(3).uniform(-1.0, 1.0, (count, len(policy.inputs))).astype(np.float32)
+
+
+@pytest.mark.parametrize("actions", ["box", "full"])
+@pytest.mark.parametrize("mirror", [False, True])
+@pytest.mark.parametrize("activation", ["tanh", "relu"])
+@pytest.mark.parametrize("hidden", SIZES, ids=str)
+def test_it_agrees_with_torch(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str) -> None:
+    torch = pytest.importorskip("torch")
+    network, policy = trained(hidden, activation, mirror, actions)
+    rows = observations(policy)
+    with torch.no_grad():
+        expected = network.mean_actions(torch.as_tensor(rows)).numpy()
+    decided = decide(policy, rows)
+    np.testing.assert_allclose(decided, expected.clip(-1.0, 1.0), rtol=0.0, atol=1e-6)
+    assert np.std(decided, axis=0).min() > 0.02, "the actions of these rows differ"
+    assert (np.abs(expected) > 1.0).any(), "some have to be clipped"
+
+
+def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str) -> tuple[Any, Policy]:
+    """Return a network of torch with weights of some size, and the policy that holds its actor."""
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("stable_baselines3")
+    from gymnasium import spaces
+
+    from soccer_env.train.networks import SoccerPolicy, policy_from
+
+    names = lively().inputs
+    seen, done = (spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(names), 7 if actions == "full" else 4))
+    torch.manual_seed(1)
+    network = SoccerPolicy(seen, done, lambda _: 1e-3, names=names, hidden=hidden, activation=activation, mirror=mirror)
+    with torch.no_grad():
+        for parameter in network.actor_parameters():
+            parameter.normal_(0.0, 1.2 / parameter.shape[-1] ** 0.5)
+    made = policy_from(network, name="t", league="legged-2001", observe="belief", action_repeat=1, made={})
+    return network, made
+
+
+def commands_of(policy: Policy, seen: np.ndarray, players: list[int], first: int, last: int) -> np.ndarray:
+    """Return the commands (M, R) of players of a slice of matches that observe (M, R, n)."""
+    commands, memory = np.zeros(seen.shape[:2], COMMAND), np.zeros((len(seen), len(players)), MEMORY)
+    constants = find_league("legged-2001").constants()
+    play(seen, memory, commands, np.array(players), constants, pack(policy), first, last)
+    return commands
+
+
+@pytest.mark.parametrize("mirror", [False, True])
+def test_an_action_is_the_same_whatever_else_is_in_the_batch(mirror: bool) -> None:
+    policy = lively(64, 64, mirror=mirror)
+    seen = observations(policy, 33 * 3).reshape(33, 3, -1)
+    everybody = commands_of(policy, seen, [0, 1, 2], 0, 33)
+    alone = commands_of(policy, seen[17:18, 1:2].copy(), [0], 0, 1)
+    assert alone[0, 0] == everybody[17, 1] and np.any(alone["forward"])
+    some = commands_of(policy, seen, [2, 1], 5, 20)
+    assert (some[5:20, 1:] == everybody[5:20, 1:]).all()
+    assert (some[:, 0] == np.zeros((), COMMAND)).all() and (some[20:] == np.zeros((), COMMAND)).all()
+    seen[17, 0] = 1.0
+    seen[16] = -1.0
+    assert commands_of(policy, seen, [0, 1, 2], 0, 33)[17, 1] == everybody[17, 1]
+
+
+def test_a_team_gives_what_the_network_gives() -> None:
+    policy = lively(32)
+    seen = observations(policy, 6).reshape(3, 2, -1)
+    commands, actions = commands_of(policy, seen, [0, 1], 0, 3), decide(policy, seen.reshape(6, -1)).reshape(3, 2, 4)
+    for index, name in enumerate(("forward", "left", "turn", "kick")):
+        assert (commands[name] == actions[..., index]).all()
+    assert (commands["head"] == -1.0).all()
+
+
+@pytest.mark.parametrize("actions", ["box", "full"])
+@pytest.mark.parametrize("observe", ["truth", "belief"])
+def test_a_mirror_policy_does_the_mirrored_for_the_mirrored_exactly(observe: str, actions: str) -> None:
+    policy = lively(64, 64, observe=observe, actions=actions, mirror=True)
+    rows, signs = observations(policy), observation_signs(policy.inputs).astype(np.float32)
+    decided, mirrored = decide(policy, rows), decide(policy, rows * signs)
+    assert (mirrored == decided * action_signs(decided.shape[1])).all()
+    assert np.abs(decided[:, 1]).max() > 0.1, "something is mirrored"
+
+
+def test_a_policy_without_a_mirror_does_not_promise_that() -> None:
+    policy = lively(64, 64)
+    rows, signs = observations(policy), observation_signs(policy.inputs).astype(np.float32)
+    decided, mirrored = decide(policy, rows), decide(policy, rows * signs)
+    assert np.abs(mirrored - decided * action_signs(4)).max() > 0.1
+
+
+def test_actions_end_at_1() -> None:
+    policy = lively(biases=tuple(np.full(size, 9.0, np.float32) for size in (16, 4)))
+    assert (decide(policy, observations(policy)) == 1.0).any()
+    assert np.abs(decide(policy, observations(policy))).max() <= 1.0
+
+
+def test_networks_of_all_shapes_have_numbers_for_settings_that_saves_compare() -> None:
+    one, other = lively(8, 5), lively(8, 5, seed=2)
+    assert widest(pack(one)) == len(one.inputs)
+    assert team_of(one).settings.dtype == np.float64 and (pack(one) == team_of(one).settings).all()
+    assert (pack(one) != pack(other)).any()

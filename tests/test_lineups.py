@@ -1,0 +1,214 @@
+"""Lineups: which team plays an episode follows from seed, episode and side, and it plays as if it had come alone."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.agents.learned import team_of
+from soccer_env.players import Lineup
+from soccer_env.teams import make_team
+from soccer_env.types import AWAY, HOME
+from tests.agents.staged_policies import lively
+
+NAMES = ("still", "random@0.5", "chaser")
+
+
+def lineup(*weights: float, names: tuple[str, ...] = NAMES) -> Lineup:
+    """Return a lineup of scripted teams."""
+    teams: Any = tuple(make_team(name) for name in names)
+    return Lineup(teams, np.array(weights or (1.0,) * len(names)), names)
+
+
+def pitch(away: Any, home: Any = "chaser", **settings: Any) -> Match:
+    """Return matches of 2 against 2 that begin again at once."""
+    fields: dict[str, Any] = {"home": 2, "away": 2, "autoreset": "same_step", "max_cycles": 8, "seed": 5}
+    return Match(controllers={"home": home, "away": away}, **{**fields, **settings})
+
+
+def who_plays(match: Match, side: int = AWAY) -> list[str]:
+    """Return the name of the one team that plays for a side, of each match."""
+    squads = [squad for squad in match.squads if (squad.players[0] >= match.settings.rows[0]) == side]
+    playing = np.array([squad.plays for squad in squads if squad.plays is not None])
+    assert (playing.sum(axis=0) == 1).all()
+    return [squads[index].name for index in playing.argmax(axis=0)]
+
+
+def episodes(match: Match, count: int = 4) -> list[list[str]]:
+    """Return who plays in the coming episodes."""
+    found = []
+    for _ in range(count):
+        found.append(who_plays(match))
+        for _ in range(8):
+            match.step()
+    return found
+
+
+# Who plays
+
+
+def test_who_plays_follows_from_seed_and_episode_alone() -> None:
+    many, threaded = pitch(lineup(), matches=16), pitch(lineup(), matches=16, threads=2)
+    found = episodes(many)
+    assert episodes(threaded) == found
+    threaded.close()
+    for m in (0, 7):
+        assert episodes(pitch(lineup(), seeds=[many.seeds[m]], seed=None)) == [[row[m]] for row in found]
+    chooser = lineup()
+    assert [[NAMES[chooser.choose(int(seed), episode)] for seed in many.seeds] for episode in range(4)] == found
+    assert all(set(row) == set(NAMES) for row in found), "all of them play somewhere"
+    assert any(row != found[0] for row in found), "they change"
+
+
+def test_a_seed_begins_the_same_order_anew() -> None:
+    match = pitch(lineup(), matches=8)
+    first = episodes(match)
+    match.reset(seed=6)
+    assert episodes(match) != first
+    match.reset(seed=5)
+    assert episodes(match) == first
+
+
+def test_frequencies_follow_the_weights() -> None:
+    chooser, count = lineup(1.0, 6.0, 3.0), 4000
+    drawn = np.bincount([chooser.choose(seed, episode) for seed in range(400) for episode in range(10)], minlength=3)
+    shares = np.array([0.1, 0.6, 0.3])
+    deviation = np.sqrt(count * shares * (1.0 - shares))
+    assert (np.abs(drawn - count * shares) < 4.0 * deviation).all()
+
+
+@pytest.mark.parametrize("weights", [(0.0, 1.0, 0.0), (0.0, 1e-300, 0.0), (0.0, 1e300, 0.0)])
+def test_weight_0_never_plays(weights: tuple[float, ...]) -> None:
+    chooser = lineup(*weights)
+    assert {chooser.choose(seed, 0) for seed in range(500)} == {1}
+
+
+def test_weights_may_change_between_steps_and_count_from_the_next_episode() -> None:
+    chooser = lineup(1.0, 0.0, 0.0)
+    match = pitch(chooser, matches=4)
+    chooser.weights[:] = 0.0, 0.0, 1.0
+    assert episodes(match, 2) == [["still"] * 4, ["chaser"] * 4]
+
+
+def test_lineups_of_the_two_sides_choose_apart() -> None:
+    match = pitch(lineup(), lineup(), matches=64)
+    pairs = set(zip(who_plays(match, HOME), who_plays(match, AWAY), strict=True))
+    assert len(pairs) == len(NAMES) ** 2
+
+
+def test_a_team_may_be_in_the_lineups_of_both_sides() -> None:
+    chaser: Any = make_team("chaser")
+    still: Any = make_team("still")
+    at_home, away = Lineup((chaser, still), np.ones(2), ("c", "s")), Lineup((chaser, still), np.ones(2), ("c", "s"))
+    match = pitch(away, at_home, matches=32)
+    seeds = [int(seed) for seed in match.seeds]
+    assert who_plays(match, HOME) == ["cs"[at_home.choose(seed, 0, HOME)] for seed in seeds]
+    assert who_plays(match, AWAY) == ["cs"[away.choose(seed, 0, AWAY)] for seed in seeds]
+
+
+# How they play
+
+
+def learned_too() -> Lineup:
+    """Return a lineup of a scripted team and of two policies that decide at different times."""
+    policies = [team_of(lively(8, action_repeat=repeat, seed=repeat)) for repeat in (1, 4)]
+    chaser: Any = make_team("chaser")
+    return Lineup((chaser, *policies), np.ones(3), ("chaser", "quick", "slow"))
+
+
+@pytest.mark.parametrize("senses", ["ideal", "sensors"])
+def test_a_match_of_a_lineup_is_bit_for_bit_that_of_the_team_that_plays(senses: str) -> None:
+    chooser = learned_too()
+    match = pitch(chooser, matches=12, senses=senses, max_cycles=60)
+    playing = who_plays(match)
+    assert set(playing) == {"chaser", "quick", "slow"}
+    alone = {
+        name: pitch(team, matches=12, senses=senses, max_cycles=60)
+        for name, team in zip(chooser.names, chooser.teams, strict=True)
+    }
+    for _ in range(59):
+        match.step()
+        for other in alone.values():
+            other.step()
+    for m, name in enumerate(playing):
+        for records in ("matches", "balls", "robots"):
+            assert getattr(match, records)[m].tobytes() == getattr(alone[name], records)[m].tobytes()
+
+
+def test_nothing_is_observed_for_a_policy_that_does_not_play() -> None:
+    match = pitch(learned_too(), matches=12)
+    playing = np.array(who_plays(match))
+    match.step()
+    for squad in match.squads[2:]:
+        assert (squad.observations.any(axis=(1, 2)) == (playing == squad.name)).all()
+
+
+def test_a_memory_begins_empty_with_each_episode() -> None:
+    match = pitch(learned_too(), matches=8)
+    for _ in range(8):
+        assert not match.ended.any()
+        match.step()
+    for squad in match.squads:
+        assert not np.frombuffer(squad.memory.tobytes(), np.uint8).any()
+
+
+def test_a_save_keeps_who_plays() -> None:
+    match, other = pitch(learned_too(), matches=8), pitch(learned_too(), matches=8, seed=6)
+    for _ in range(21):
+        match.step()
+    assert who_plays(other) != who_plays(match)
+    other.load(match.save())
+    assert who_plays(other) == who_plays(match)
+    for _ in range(20):
+        match.step()
+        other.step()
+        assert match.state_hash() == other.state_hash()
+
+
+def test_a_save_of_another_lineup_is_refused() -> None:
+    saved = pitch(lineup()).save()
+    for other in (lineup(names=("still", "chaser", "random@0.5")), lineup(names=("still", "chaser")), "chaser"):
+        with pytest.raises(ValueError, match="teams differ"):
+            pitch(other).load(saved)
+
+
+# What is refused
+
+
+class Slow:
+    """A team without a kernel."""
+
+    name, memory_dtype = "slow", np.dtype([("unused", "i8")])
+
+    def act(self, view: Any, memory: np.ndarray, rng: Any) -> np.ndarray:
+        return view.stand()
+
+
+CHASER: Any = make_team("chaser")
+BAD: list[tuple[tuple[Any, ...], str]] = [
+    (((), np.ones(0), ()), "a Lineup needs at least one team, and compiled ones only"),
+    (((Slow(),), np.ones(1), ("a",)), "a Lineup needs at least one team, and compiled ones only"),
+    ((("chaser",), np.ones(1), ("a",)), "a Lineup needs at least one team, and compiled ones only"),
+    (((CHASER, CHASER), np.ones(2), ("a", "a")), "names of a Lineup must be 2 different ones, got ('a', 'a')"),
+    (((CHASER, CHASER), np.ones(2), ("a",)), "names of a Lineup must be 2 different ones, got ('a',)"),
+    (((CHASER, CHASER), np.ones(3), ("a", "b")), "weights of a Lineup must be 2 numbers from 0, not all 0"),
+    (((CHASER, CHASER), np.zeros(2), ("a", "b")), "weights of a Lineup must be 2 numbers from 0, not all 0"),
+    (((CHASER, CHASER), np.array([1.0, -0.1]), ("a", "b")), "weights of a Lineup must be 2 numbers from 0, not all 0"),
+    (((CHASER, CHASER), np.array([1.0, np.nan]), ("a", "b")), "weights of a Lineup must be 2 numbers from 0"),
+    (((CHASER, CHASER), np.array([1.0, np.inf]), ("a", "b")), "weights of a Lineup must be 2 numbers from 0"),
+    (((CHASER, CHASER), np.array(["1", "2"]), ("a", "b")), "weights of a Lineup must be 2 numbers from 0"),
+]
+
+
+@pytest.mark.parametrize(("given", "message"), BAD, ids=range(len(BAD)))
+def test_what_is_no_lineup_is_refused(given: tuple[Any, ...], message: str) -> None:
+    with pytest.raises(ValueError) as error:
+        Lineup(*given)
+    assert message in str(error.value)
+
+
+def test_a_team_of_the_lineup_that_cannot_play_is_named() -> None:
+    truth = Lineup((CHASER, team_of(lively(observe="truth"))), np.ones(2), ("chaser", "t"))
+    with pytest.raises(ValueError, match="team 'lively' observes truth: it needs senses='ideal', got 'sensors'"):
+        pitch(truth)
