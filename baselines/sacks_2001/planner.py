@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from math import atan2, cos, sin
 
+from soccer_env.baselines.deciding import free_ring
 from soccer_env.baselines.sacks_2001.goalkeeper import guard, is_shot, may_clear, meet_shot
 from soccer_env.baselines.sacks_2001.memory import (
     APPROACH,
@@ -29,7 +30,7 @@ from soccer_env.baselines.sacks_2001.memory import (
     SUPPORT,
     YIELD,
 )
-from soccer_env.baselines.sacks_2001.positions import choose_role, free_ring, go_home, support
+from soccer_env.baselines.sacks_2001.positions import choose_role, go_home, support
 from soccer_env.baselines.sacks_2001.recovery import begin_recovery, go_on_recovering
 from soccer_env.baselines.sacks_2001.shooting import choose_target, find_pass, is_open
 from soccer_env.baselines.sacks_2001.steering import choose_way, off_ahead, step_speed
