@@ -153,8 +153,9 @@ S70 = Claim(
     seconds=6.0,
     figures=moved_figure,
     ingredients=("the movers' way: constant speed, turns that change every 3 s, boards",),
-    note="The place judges. Whether dribbling suffers from the cut-off is reported beside it: the team without shots "
-    "past the mover of a drill, who walks in at 6 cm/s from beyond the cut-off.",
+    note="The place judges. Beside it the team without shots dribbles past the mover of a drill, who walks in at 6 "
+    "cm/s from beyond the cut-off; it touches the mover more often with the cut-off than without. Without it forces "
+    "also lack their - 1/x0, are stronger everywhere, and keep bodies apart as twice k2 does (S62).",
 )
 
 CLAIMS = (S70,)
