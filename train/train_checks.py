@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -71,6 +72,7 @@ def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
     """Return what a policy file says of where it comes from."""
     return {
         "command": command_of(settings),
+        "settings": json.dumps(settings.decisive(), sort_keys=True),  # whole: defaults may change one day
         "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
         "commit": commit(),
         "seed": str(settings.seed),
