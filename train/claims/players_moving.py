@@ -160,8 +160,8 @@ S70 = Claim(
     ingredients=("the movers' way: constant speed, turns that change every 3 s, boards",),
     note="The place is elsewhere, as the paper says; that the cut-off does not hurt is not so here. The team without "
     "shots dribbles past the mover of a drill, who walks in at 6 cm/s from beyond the cut-off, and touches it more "
-    "often with the cut-off than without. Cause: without it forces also lack their - 1/x0, are stronger everywhere, and keep "
-    "bodies apart as twice k2 does (S62).",
+    "often with the cut-off than without. Cause: without it forces also lack their - 1/x0, are stronger everywhere, "
+    "and keep bodies apart as twice k2 does (S62).",
 )
 
 CLAIMS = (S70,)
