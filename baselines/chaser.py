@@ -18,18 +18,14 @@ from math import atan2
 import numpy as np
 
 from soccer_env.baselines.attacking import attack
+from soccer_env.baselines.deciding import PLAY, TEAM, free_ring, keep_decision, must_decide, weaken
 from soccer_env.baselines.goalkeeping import keep_goal
 from soccer_env.baselines.sight import SIGHT, look, side_of
-from soccer_env.baselines.skills import go, stand
+from soccer_env.baselines.skills import go
 from soccer_env.compiled import compiled, records
 from soccer_env.geometry import clip, length, wrap
-from soccer_env.random_numbers import normal, uniform
+from soccer_env.random_numbers import uniform
 from soccer_env.teams import CompiledTeam
-from soccer_env.types import Phase, RobotStream
-
-PLAY = int(Phase.PLAY)
-KICK_OFF = int(Phase.KICK_OFF)
-TEAM = int(RobotStream.TEAM)
 
 MEMORY = np.dtype(
     [
@@ -44,7 +40,7 @@ MEMORY = np.dtype(
         ("wriggle", "f8"),  # [s] left of working it out
         ("wriggle_side", "f8"),  # +1 turning left, -1 right
         ("forward", "f8"),  # the command that is repeated until the next decision
-        ("left", "f8"),
+        ("aside", "f8"),
         ("turn", "f8"),
         ("kick", "f8"),
     ]
@@ -100,7 +96,6 @@ LOST = 2.0  # [s] unseen for longer the ball has to be searched for, assumed
 SEARCH = 0.5  # [1] of the top turn rate while searching, assumed
 ROOM = 2.5  # [body reaches] between the first two players that keep away from the opponents' restart, assumed
 HOME_EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assumed
-MARGIN = 0.05  # [m] beyond the rules' distance at the opponents' restart, assumed
 SETTINGS = np.dtype([("strength", "f8"), *((name, "f8") for name in NUMBERS)])
 
 
@@ -124,24 +119,14 @@ def chase(beliefs, tracks, memory, noise, commands, players, constants, settings
 @compiled
 def act(belief, tracks, memory, noise, command, k, play, sight):
     """Decide, or repeat the last decision until it is time for the next."""
-    stand(command)
-    memory.wait -= k.dt
-    if belief.situation.active == 0:
-        return
-    if memory.wait > 0.0:
-        command.forward, command.left, command.turn = memory.forward, memory.left, memory.turn
-        command.kick = memory.kick
+    if not must_decide(belief, memory, command, k):
         return
     weakness = 1.0 - play.strength
-    memory.wait = weakness * play.laziest
-    memory.aim_error = weakness * play.crookedest * normal(noise, TEAM)
-    sight.elapsed = max(k.dt, memory.wait)
-    sight.pace = 1.0 - weakness * (1.0 - play.slowest)
+    weaken(sight, memory, noise, k, weakness, play.laziest, play.crookedest, play.slowest)
     look(sight, belief, tracks, k)
     decide(belief, command, sight, memory, noise, k, play)
     command.kick *= 1.0 - weakness * (1.0 - play.softest)
-    memory.forward, memory.left, memory.turn = command.forward, command.left, command.turn
-    memory.kick = command.kick
+    keep_decision(memory, command)
 
 
 @compiled
@@ -198,15 +183,6 @@ def watch_ball(sight, memory, noise, k, play):
         memory.wriggle = play.wriggle_time
         goal = atan2(-sight.ball_y, 0.5 * k.pitch_length - sight.ball_x)
         memory.wriggle_side = side_of(wrap(goal - sight.heading))
-
-
-@compiled
-def free_ring(situation, k):
-    """Return how far from the ball the rules ask a player to stay now [m]; 0 in play and at the own restart."""
-    if situation.phase == PLAY or situation.ours >= 0.0:
-        return 0.0
-    far = k.rules_kick_off_distance if situation.phase == KICK_OFF else k.rules_restart_distance
-    return far + k.body_reach + MARGIN
 
 
 @compiled

@@ -182,7 +182,9 @@ def parse_team(text: str) -> tuple[str, float, dict[str, Any]]:
 
     ValueError for a strength outside 0 to 1 and for settings that are not written so.
     """
-    spec, colon, switches = (text, "", "") if Path(text).is_file() else text.partition(":")
+    if Path(text).is_file():
+        return text, 1.0, {}
+    spec, colon, switches = text.partition(":")
     name, _, strength = spec.partition("@")
     try:
         number = float(strength) if "@" in spec else 1.0

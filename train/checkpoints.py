@@ -39,13 +39,20 @@ def read_checkpoint(folder: Path) -> dict[str, Any] | None:
     about = latest(folder)
     if not about:
         return None
-    path = folder / str(about.get("file"))
-    if path.name not in NAMES or not path.is_file():
-        raise ValueError(f"{folder / LATEST} names {about.get('file')!r}, which is not there; --anew starts again")
+    name = about.get("file")
+    if name not in NAMES or not (folder / name).is_file():
+        raise ValueError(f"{folder / LATEST} names {name!r}, which is not there; --anew starts again")
+    path = folder / name
     data = path.read_bytes()
     if hashlib.sha256(data).hexdigest() != about.get("sha256"):
         raise ValueError(f"{path} is damaged: its sha256 is not the one in {LATEST}; --anew starts again")
-    state: dict[str, Any] = from_tensors(torch.load(io.BytesIO(data), weights_only=True, map_location="cpu"))
+    try:
+        state = from_tensors(torch.load(io.BytesIO(data), weights_only=True, map_location="cpu"))
+    except Exception as error:  # torch promises no kind; what is not plain is refused here, before any code of it runs
+        reason = " ".join(str(error).split())[:200]
+        raise ValueError(f"{path} is no checkpoint of plain values ({reason}); --anew starts again") from error
+    if not isinstance(state, dict):
+        raise ValueError(f"{path} is no checkpoint; --anew starts again")
     return state
 
 
@@ -56,7 +63,7 @@ def latest(folder: Path) -> dict[str, Any]:
         return {}
     try:
         about = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise ValueError(f"{path} cannot be read ({error}); --anew starts again") from error
     if not isinstance(about, dict):
         raise ValueError(f"{path} is not what a training wrote; --anew starts again")
@@ -70,7 +77,7 @@ def as_tensors(value: Any) -> Any:
     if isinstance(value, (list, tuple)):
         return [as_tensors(part) for part in value]
     if isinstance(value, bytes):
-        return {"bytes": torch.frombuffer(bytearray(value), dtype=torch.uint8)}
+        return {"bytes": torch.from_numpy(np.frombuffer(value, np.uint8).copy())}
     if isinstance(value, np.ndarray):
         return {"array": torch.from_numpy(np.ascontiguousarray(value).copy())}
     if isinstance(value, np.generic):
@@ -97,6 +104,7 @@ def generators() -> dict[str, Any]:
     version, internal, gauss_next = random.getstate()
     return {
         "torch": torch.get_rng_state(),
+        "cuda": torch.cuda.get_rng_state_all() if torch.cuda.is_available() else [],
         "numpy": [np.asarray(keys).astype(np.int64), int(at), int(has_gauss), float(gauss)],
         "python": [version, list(internal), gauss_next],
     }
@@ -105,6 +113,8 @@ def generators() -> dict[str, Any]:
 def restore_generators(state: dict[str, Any]) -> None:
     """Put the generators back."""
     torch.set_rng_state(state["torch"])
+    if len(state["cuda"]) == (torch.cuda.device_count() if torch.cuda.is_available() else 0):
+        torch.cuda.set_rng_state_all(state["cuda"])  # on another machine the draws differ, the run goes on
     keys, at, has_gauss, gauss = state["numpy"]
     np.random.set_state(("MT19937", keys.astype(np.uint32), at, has_gauss, gauss))
     version, internal, gauss_next = state["python"]

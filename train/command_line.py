@@ -97,16 +97,18 @@ def complain(message: str) -> int:
 
 
 def read_settings(kind: type[T], words: list[str], name: str, default: T | None = None) -> T:
-    """Return the settings dataclass that the words of a command describe; ValueError in one line for a wrong one."""
+    """Return the settings dataclass that the words of a command describe; ValueError in one line for a wrong one.
+
+    With a `default`, which may come from a file, a yes-or-no setting has both flags: --mirror and --no-mirror.
+    """
     import tyro
 
     errors = io.StringIO()
     try:
         with contextlib.redirect_stderr(errors):
-            config = (tyro.conf.FlagCreatePairsOff,)
             if default is None:
-                return tyro.cli(kind, args=words, prog=f"soccer {name}", config=config)
-            return tyro.cli(kind, args=words, prog=f"soccer {name}", default=default, config=config)
+                return tyro.cli(kind, args=words, prog=f"soccer {name}", config=(tyro.conf.FlagCreatePairsOff,))
+            return tyro.cli(kind, args=words, prog=f"soccer {name}", default=default)
     except SystemExit as end:
         if not end.code:  # --help
             raise
@@ -218,22 +220,32 @@ def run_train(words: list[str]) -> int:
     """Run `soccer train`."""
     from pathlib import Path
 
-    from soccer_env.train.train_settings import TrainSettings, settings_of
+    from soccer_env.train.train_settings import TrainSettings
+    from soccer_env.train.train_toml import settings_of
 
     config, rest = taken_out(words, "--config")
     settings = read_settings(TrainSettings, rest, "train", settings_of(Path(config) if config else None))
     try:
-        import stable_baselines3  # noqa: F401
+        from soccer_env.train.training import train
+        from soccer_env.train.training_reports import screen_table
     except ImportError as error:
+        if (error.name or "").startswith("soccer_env"):
+            raise
+        raise ValueError(f'training needs more packages: pip install "soccer_env[train]" ({error})') from error
+    try:
+        result = train(settings)
+    except KeyboardInterrupt:
+        print(f"stopped; the same command goes on with the run in {settings.out}", file=sys.stderr)
+        return STOPPED
+    except OSError as error:
+        if not (settings.out / "latest.json").exists():
+            raise
         raise ValueError(
-            f'training needs torch and stable-baselines3: pip install "soccer_env[train]" ({error})'
+            f"{error}; the same command goes on with the run in {settings.out} once that is mended"
         ) from error
-    from soccer_env.train.training import train
-    from soccer_env.train.training_reports import screen_table
-
-    result = train(settings)
     console().print(screen_table(result))
-    print(f"written: {settings.out / 'best.safetensors'}, {settings.out / 'learning_curve.png'}")
+    files = [settings.out / name for name in ("best.safetensors", "learning_curve.png")]
+    print(f"written: {', '.join(str(file) for file in files if file.exists())}")
     return 0
 
 

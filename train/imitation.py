@@ -65,7 +65,8 @@ def fit(
         order, total = torch.randperm(len(observations), generator=generator), 0.0
         for first in range(0, len(order), batch):
             chosen = order[first : first + batch]
-            error = ((network.mean_actions(rows[0][chosen]) - rows[1][chosen]) ** 2).mean()
+            seen, asked = (part[chosen].to(network.device) for part in rows)
+            error = ((network.mean_actions(seen) - asked) ** 2).mean()
             optimizer.zero_grad()
             error.backward()
             optimizer.step()

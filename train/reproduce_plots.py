@@ -44,7 +44,9 @@ def draw(figure: dict[str, Any]) -> bytes:
             low, high = numbers(curve["low"]), numbers(curve["high"])
             axes.fill_between(curve["x"], low, high, color=line.get_color(), alpha=0.2, linewidth=0)
     for rule in figure["rules"]:
-        axes.axhline(rule, color="grey", linestyle="--", linewidth=0.8, label=f"in the criteria: {rule:g}")
+        axes.axhline(
+            rule, color="grey", linestyle="--", linewidth=0.8, label=figure.get("rule", f"in the criteria: {rule:g}")
+        )
     if "arrows" in figure:
         axes.quiver(*figure["arrows"].values(), color="0.6", scale=40.0, width=0.002)
         axes.set_aspect("equal")

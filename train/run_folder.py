@@ -1,7 +1,7 @@
 """The folder of a training run: one training at a time, logs that go on, files written whole.
 
 settings.json  log.jsonl  progress.csv  evaluations.jsonl  best.safetensors  last.safetensors  learning_curve.png
-checkpoint-0.pt  checkpoint-1.pt  latest.json
+checkpoint-0.pt  checkpoint-1.pt  latest.json  tensorboard (if the package is installed)
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import csv
 import io
 import json
 import os
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,8 @@ from soccer_env.train.train_settings import TrainSettings
 LOCK, SETTINGS = ".lock", "settings.json"
 LOG, TABLE, EVALUATIONS = "log.jsonl", "progress.csv", "evaluations.jsonl"
 BEST, LAST, CURVE = "best.safetensors", "last.safetensors", "learning_curve.png"
+TENSORBOARD = "tensorboard"  # a folder
+OWN = ("league", "steps", "matches", "opponents", "past", "rollout", "epochs")  # what only a training's settings have
 FILES = (SETTINGS, LOG, TABLE, EVALUATIONS, BEST, LAST, CURVE, LATEST, *NAMES)
 
 
@@ -33,9 +36,8 @@ class RunFolder:
         self.path.mkdir(parents=True, exist_ok=True)
         self._lock = lock(self.path / LOCK)
         try:
-            if settings.anew:
-                for name in FILES:
-                    (self.path / name).unlink(missing_ok=True)
+            self._check_owner()
+            self._tidy(settings.anew)
             self._check_settings(settings)
         except BaseException:
             self.close()
@@ -45,24 +47,44 @@ class RunFolder:
         """Let another training use the folder."""
         os.close(self._lock)
 
+    def _check_owner(self) -> None:
+        """Raise ValueError if settings.json is of something else, an evaluation say: --anew must not remove that."""
+        before = self._settings_before()
+        if before is not None and not before.keys() >= set(OWN):
+            raise ValueError(f"{self.path} holds {SETTINGS} of something else than a training; give another --out")
+
+    def _tidy(self, anew: bool) -> None:
+        """Remove what a kill left half written; with `anew` all that is of an earlier run."""
+        for name in FILES:
+            for torn in self.path.glob(f".{name}.*.tmp"):
+                torn.unlink(missing_ok=True)
+            if anew:
+                (self.path / name).unlink(missing_ok=True)
+        if anew:
+            shutil.rmtree(self.path / TENSORBOARD, ignore_errors=True)
+
+    def _settings_before(self) -> dict[str, Any] | None:
+        """Return the settings that a run began with, None if there are none to read."""
+        try:
+            before = json.loads((self.path / SETTINGS).read_text(encoding="utf-8"))
+        except (FileNotFoundError, ValueError, RecursionError):
+            return None
+        return before if isinstance(before, dict) else None
+
     def _check_settings(self, settings: TrainSettings) -> None:
         """Write the settings down, or compare them with those of the run that began here."""
-        path = self.path / SETTINGS
-        if path.exists():
-            try:
-                before = json.loads(path.read_text(encoding="utf-8"))
-            except ValueError as error:
-                raise ValueError(f"{path} cannot be read ({error}); --anew starts again") from error
-            now = json.loads(json.dumps(settings.decisive()))
-            for name, value in now.items():
-                if not isinstance(before, dict) or before.get(name) != value:
-                    was = before.get(name) if isinstance(before, dict) else before
-                    raise ValueError(
-                        f"{self.path} holds a run with {name} = {was!r}, now it is {value!r}; "
-                        "give another --out, or --anew to start again"
-                    )
-        elif any((self.path / name).exists() for name in FILES):
+        path, before = self.path / SETTINGS, self._settings_before()
+        if before is None and path.exists():
+            raise ValueError(f"{path} cannot be read, it is damaged; --anew starts again")
+        if before is None and any((self.path / name).exists() for name in FILES):
             raise ValueError(f"{self.path} holds files of a run without {SETTINGS}; --anew removes them")
+        now = settings.decisive()
+        differ = [name for name in now if before is not None and before.get(name) != now[name]]
+        if before is not None and differ:
+            told = ", ".join(f"{name} = {before.get(name)!r}, now {now[name]!r}" for name in differ)
+            raise ValueError(
+                f"{self.path} holds a run with other settings ({told}); give another --out, or --anew to start again"
+            )
         write_whole(path, json.dumps(settings.as_dict(), indent=1) + "\n")
 
     def forget_after(self, step: int) -> None:
@@ -70,6 +92,8 @@ class RunFolder:
         for name in (LOG, EVALUATIONS):
             path = self.path / name
             records = read_lines(path)
+            if not all(isinstance(record.get("step"), int) for record in records):
+                raise ValueError(f"{path} is damaged: it holds a line without its step; --anew starts again")
             kept = [record for record in records if record["step"] <= step]
             if len(kept) < len(records):
                 write_whole(path, "".join(json.dumps(record) + "\n" for record in kept))

@@ -6,8 +6,8 @@ The help of `soccer evaluate` is the text beside each field here.
 from __future__ import annotations
 
 import shlex
+import sys
 from dataclasses import dataclass, fields
-from math import isfinite
 from pathlib import Path
 from typing import Literal
 
@@ -151,8 +151,14 @@ def command_of(settings: EvaluateSettings) -> str:
         if isinstance(value, bool):
             words += [flag]  # a flag at its default, off, is left out above
         else:
-            words += [flag, f"{value:g}" if isinstance(value, float) else str(value)]
+            words += [flag, written(value)]
     return shlex.join(words)
+
+
+def written(value: object) -> str:
+    """Return a value as a command has it: a float as short as it can be without becoming another one."""
+    short = f"{value:g}" if isinstance(value, float) else str(value)
+    return short if not isinstance(value, float) or float(short) == value else repr(value)
 
 
 def split_players(players: int | str | None, default: int) -> tuple[int, int]:
@@ -186,4 +192,4 @@ def whole(name: str, value: object, least: int) -> None:
 
 def is_number(value: object) -> bool:
     """Tell whether a value is a finite int or float."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and isfinite(value)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max

@@ -2,7 +2,7 @@
 
     python -m soccer_env.train.tables_sacks                 measure every claim of the paper (goes on where it stopped)
     python -m soccer_env.train.tables_sacks run FOLDER ...  take in what runs of `soccer reproduce` found
-    python -m soccer_env.train.tables_sacks write           write README.md again from claims.json
+    python -m soccer_env.train.tables_sacks write           write README.md again from claims.json and the claims' notes
 
 Measurements are kept in baselines/sacks_2001/claims.json; README.md beside it shows them between markers.
 """
@@ -168,9 +168,15 @@ def stored() -> dict[str, dict[str, Any]]:
     return found
 
 
+def with_notes(measured: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
+    """Return results with the notes that their claims have now: a note that is a text was never measured."""
+    notes = {name: claim.note for name, claim in all_claims().items() if isinstance(claim.note, str)}
+    return {name: {**row, "note": notes.get(name, row["note"])} for name, row in measured.items()}
+
+
 def write(measured: Mapping[str, Mapping[str, Any]]) -> None:
     """Write claims.json and README.md."""
-    ordered = {name: measured[name] for name in CLAIMS if name in measured}
+    ordered = with_notes({name: measured[name] for name in CLAIMS if name in measured})
     write_whole(DATA, json.dumps(ordered, indent=1) + "\n")
     write_whole(README, with_parts(README.read_text(encoding="utf-8"), ordered))
 

@@ -7,16 +7,18 @@ from __future__ import annotations
 
 import shlex
 from dataclasses import asdict, dataclass, fields
-from math import isfinite
+from math import inf
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, get_args, get_type_hints
 
-from soccer_env.train.settings import SENSES, is_number, split_players, split_senses, whole
+from soccer_env.train.settings import is_number, split_players, split_senses, whole, written
 
 FREE = ("out", "threads", "torch_threads", "steps", "anew", "tensorboard", "device")  # may differ when a run goes on
 SHARES = ("gae_lambda", "clip", "gamma")  # above 0, up to 1
 ABOVE_ZERO = ("minutes", "learning_rate", "noise", "evaluate_minutes", "gradient_limit")
 FROM_ZERO = ("entropy", "value_weight", "goal", "progress", "approach", "effort", "target_kl")
+MAX_SEED = 2**32 - 1  # of numpy's global generator, with which stable-baselines3 shuffles
+MAX_MINUTES = 10_000
 COUNTS = (
     "steps", "matches", "action_repeat", "rollout", "batch", "epochs", "evaluate_every", "evaluate_matches", "threads",
     "torch_threads", "past_every",
@@ -94,7 +96,7 @@ class TrainSettings:
     rollout: int = 64
     """Decisions of each robot between two updates."""
     batch: int = 4096
-    """Decisions in a gradient step."""
+    """Decisions in a gradient step, about: a rollout is cut into equal parts, one at least."""
     epochs: int = 4
     """Times that a rollout is gone through."""
     entropy: float = 0.0
@@ -141,6 +143,7 @@ class TrainSettings:
     def __post_init__(self) -> None:
         if isinstance(self.out, str):
             object.__setattr__(self, "out", Path(self.out))
+        check_kinds(self)
         for name in COUNTS:
             whole(name, getattr(self, name), 1)
         for name in ("past", "teacher_steps", "teacher_epochs", "critic_first", "seed"):
@@ -148,6 +151,15 @@ class TrainSettings:
         for names, low in ((ABOVE_ZERO + SHARES, 0.0), (FROM_ZERO, -1.0)):
             for name in names:
                 check_number(name, getattr(self, name), low)
+        for name in ("minutes", "evaluate_minutes"):
+            if getattr(self, name) >= MAX_MINUTES:
+                raise ValueError(f"{name} must be below {MAX_MINUTES}, got {getattr(self, name)!r}")
+        if min(self.batch, self.rollout * self.matches) < 2:
+            raise ValueError(f"a batch and a rollout must have 2 decisions at least, got batch={self.batch}")
+        if self.seed > MAX_SEED:
+            raise ValueError(f"seed must be at most {MAX_SEED}, got {self.seed}")
+        if self.teacher and not (self.teacher_steps and self.teacher_epochs):
+            raise ValueError("a teacher needs teacher_steps and teacher_epochs of at least 1")
         if self.evaluate_matches % 2:
             raise ValueError(f"evaluate_matches must be even, got {self.evaluate_matches}")
         if self.mirror and self.observe == "percepts":
@@ -156,9 +168,9 @@ class TrainSettings:
             )
         if self.kind == "attention" and self.observe == "percepts":
             raise ValueError("kind='attention' needs observe='belief' or 'truth': pictures have no slots for players")
-        if self.observe == "truth" and self.senses != "ideal":
+        if split_senses(self.senses)[0] != "ideal" and self.observe == "truth":
             raise ValueError("observe='truth' needs senses='ideal', as the policy will when it plays")
-        self.sizes, self.hidden_sizes, self.critic_sizes, self.opponent_names  # noqa: B018  # each checks its text
+        self.sizes, self.hidden_sizes, self.critic_sizes, self.opponent_names, self.judges  # noqa: B018  # check texts
 
     @property
     def sizes(self) -> tuple[tuple[int, int], ...]:
@@ -178,10 +190,12 @@ class TrainSettings:
     @property
     def opponent_names(self) -> tuple[str, ...]:
         """Return the opponents' names."""
-        names = split(self.opponents, "opponents")
-        if len(set(names)) < len(names):
-            raise ValueError(f"opponents must be different, got {self.opponents!r}")
-        return names
+        return different("opponents", self.opponents)
+
+    @property
+    def judges(self) -> tuple[str, ...]:
+        """Return the names of the opponents of the evaluations."""
+        return different("evaluate_against", self.evaluate_against)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the settings as plain values."""
@@ -202,16 +216,37 @@ def command_of(settings: TrainSettings) -> str:
         if isinstance(value, bool):
             words += [flag if value else f"--no-{flag[2:]}"]
         else:
-            words += [flag, f"{value:g}" if isinstance(value, float) else str(value)]
+            words += [flag, written(value)]
     return shlex.join(words)
+
+
+def check_kinds(settings: TrainSettings) -> None:
+    """Raise ValueError for a word that a setting does not know, and for a value that is no text or not yes or no."""
+    hints = get_type_hints(TrainSettings)
+    for field in fields(settings):
+        value, kind = getattr(settings, field.name), hints[field.name]
+        known = get_args(kind)
+        if known and value not in known:
+            raise ValueError(f"{field.name} must be one of {', '.join(known)}, got {value!r}")
+        if kind in (str, bool, Path) and not isinstance(value, kind):
+            words = {str: "a text", bool: "True or False", Path: "a path"}
+            raise ValueError(f"{field.name} must be {words[kind]}, got {value!r}")
 
 
 def check_number(name: str, value: object, low: float) -> None:
     """Raise ValueError unless the value is a finite number above `low` (0 counts for -1), and at most 1 if a share."""
-    ok = is_number(value) and isfinite(float(value)) and (float(value) > low if low >= 0.0 else float(value) >= 0.0)  # type: ignore[arg-type]
-    if not ok or (name in SHARES and float(value) > 1.0):  # type: ignore[arg-type]
+    number = float(value) if is_number(value) else -inf  # type: ignore[arg-type]
+    if not (number > low if low >= 0.0 else number >= 0.0) or (name in SHARES and number > 1.0):
         upper = " to 1" if name in SHARES else ""
         raise ValueError(f"{name} must be a number {'above 0' if low >= 0.0 else 'from 0'}{upper}, got {value!r}")
+
+
+def different(name: str, text: str) -> tuple[str, ...]:
+    """Return the names of teams in a text; ValueError if one stands there twice."""
+    names = split(text, name)
+    if len(set(names)) < len(names):
+        raise ValueError(f"{name} must be different, got {text!r}")
+    return names
 
 
 def split(text: str, name: str) -> tuple[str, ...]:
@@ -241,39 +276,3 @@ def layer_sizes(name: str, text: str) -> tuple[int, ...]:
     if not 1 <= len(sizes) <= 6 or not all(1 <= size <= 1024 for size in sizes):
         raise ValueError(f"{name} must be one to six layer sizes of 1 to 1024, as in 64,64, got {text!r}")
     return sizes
-
-
-def read_toml(path: Path) -> dict[str, Any]:
-    """Return the settings of a TOML file; ValueError for one that cannot be read and for names that do not exist."""
-    try:
-        import tomllib
-    except ModuleNotFoundError:  # Python 3.10
-        import tomli as tomllib
-    try:
-        found = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise ValueError(f"{path} cannot be read: {error}") from error
-    known = [field.name for field in fields(TrainSettings)]
-    for name in found:
-        if name not in known:
-            raise ValueError(f"{path}: unknown setting {name!r}; known: {', '.join(known)}")
-    return found
-
-
-def settings_of(config: Path | None) -> TrainSettings:
-    """Return the settings of a TOML file, or the defaults; ValueError names the file and what is wrong."""
-    if config is None:
-        return TrainSettings()
-    found = read_toml(config)
-    kinds = {name: type(value) for name, value in TrainSettings().as_dict().items()}
-    for name, value in found.items():
-        kind = kinds[name]
-        if type(value) is not kind and not (kind is float and type(value) is int):
-            raise ValueError(f"{config}: {name} must be {kind.__name__}, got {value!r}")
-    try:
-        return TrainSettings(**found)
-    except ValueError as error:
-        raise ValueError(f"{config}: {error}") from error
-
-
-__all__ = ["SENSES", "TrainSettings", "settings_of"]

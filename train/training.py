@@ -6,36 +6,28 @@ matches -> rollout -> PPO update -> results, past selves, evaluation -> checkpoi
 
 from __future__ import annotations
 
-import datetime
 import time
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import torch
-from stable_baselines3 import PPO
 from stable_baselines3.common.callbacks import BaseCallback
-from stable_baselines3.common.logger import Logger
-from stable_baselines3.common.vec_env import VecNormalize
 
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump
 from soccer_env.leagues import find_league
 from soccer_env.observations import names_of
-from soccer_env.rewards import Rewards
 from soccer_env.train.checkpoints import generators, read_checkpoint, restore_generators, write_checkpoint
 from soccer_env.train.curriculum import Curriculum
 from soccer_env.train.imitation import teach
+from soccer_env.train.learner import begin, check_weights, learner_state, make_model, make_rewards, restore_learner
 from soccer_env.train.networks import SoccerPolicy, blank_policy, policy_from
 from soccer_env.train.progress import Progress
-from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.run_folder import BEST, CURVE, LAST, RunFolder
-from soccer_env.train.train_settings import TrainSettings, command_of, senses_of
+from soccer_env.train.train_checks import check_playable, made_by, make_matches
+from soccer_env.train.train_settings import TrainSettings
 from soccer_env.train.training_reports import Board, evaluate_policy, learning_curve
-from soccer_env.train.vec_env import SoccerVecEnv, per_step
-
-LEAST_RATE = 0.05  # [1] of the learning rate that is left at the end
-SPREAD = 10.0  # [1] rewards over the deviation of the return are cut off there
 
 
 @dataclass(frozen=True)
@@ -50,6 +42,7 @@ class TrainResult:
 
 def train(settings: TrainSettings) -> TrainResult:
     """Train, or go on with the run in `settings.out`; ValueError for settings that do not fit it or each other."""
+    check_playable(settings)  # whatever cannot be played is found before a folder is made
     folder = RunFolder(settings)
     try:
         training = Training(settings, folder)
@@ -72,10 +65,7 @@ class Training:
         blank = blank_policy(settings, self.names)
         self.curriculum = Curriculum(settings.opponent_names, settings.past, blank, settings.curriculum)
         self.matches = make_matches(settings, self.curriculum)
-        self.rewards = VecNormalize(
-            self.matches, norm_obs=False, norm_reward=settings.normalise_rewards, gamma=settings.gamma,
-            clip_reward=SPREAD,
-        )  # fmt: skip
+        self.rewards = make_rewards(settings, self.matches)
         self.model = make_model(settings, self.rewards, self.names)
         self.board = Board(settings, folder)
         self.best, self.rollouts, self.started = -np.inf, 0, time.perf_counter()
@@ -98,46 +88,46 @@ class Training:
             self.board.progress = progress
             progress.advance(self.model.num_timesteps)
             if left > 0:
-                self.model.learn(left, callback=Steps(self), log_interval=None, reset_num_timesteps=False)  # type: ignore[arg-type]
-                self.after_update(last=True)
+                self._learn(left)
         evaluations = self.folder.evaluations()
         return TrainResult(self.model.num_timesteps, time.perf_counter() - self.started, self.policy(), evaluations)
+
+    def _learn(self, steps: int) -> None:
+        """Go on for so many steps, whole rollouts."""
+        try:
+            self.model.learn(steps, callback=Steps(self), log_interval=None, reset_num_timesteps=False)  # type: ignore[arg-type]
+        except ValueError:
+            check_weights(self.model)  # torch complains of NaN in the middle of an update, at length
+            raise
+        self.after_update(last=True)
 
     def policy(self) -> Policy:
         """Return the policy as it is now."""
         settings = self.settings
-        made = {
-            "command": command_of(settings),
-            "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
-            "commit": commit(),
-            "step": str(self.model.num_timesteps),
-            **{name: version_of(name) for name in ("soccer_env", "torch", "stable_baselines3", "pymunk", "numba")},
-        }
         return policy_from(
             self.network, name=settings.name, league=self.league.name, observe=settings.observe,
-            action_repeat=settings.action_repeat, made=made,
+            action_repeat=settings.action_repeat, made=made_by(settings, self.model.num_timesteps),
         )  # fmt: skip
 
     def _begin(self) -> None:
-        """Learn from the teacher, if there is one, and reset the matches."""
+        """Learn from the teacher, if there is one, see what that is worth and reset the matches."""
         self.folder.forget_after(-1)
         if self.settings.teacher:
             teach(self.network, self.settings)
-        self.model._last_obs = self.rewards.reset()  # type: ignore[assignment]
-        self.model._last_episode_starts = np.ones(self.rewards.num_envs, bool)
+        self._evaluate()
+        begin(self.model, self.rewards.reset())  # type: ignore[arg-type]
 
     def before_rollout(self) -> None:
         """Do what belongs between an update and the next rollout; the actor waits while the critic alone learns."""
         if self.board.collected:
             self.after_update()
-        elif self.rollouts == 0:
-            self._evaluate()
         self._save()
         for parameter in self.network.actor_parameters():
             parameter.requires_grad_(self.rollouts >= self.settings.critic_first)
 
     def after_update(self, last: bool = False) -> None:
         """Take in the results of a rollout and its update."""
+        check_weights(self.model)
         self.rollouts += 1
         step, settings = self.model.num_timesteps, self.settings
         results, self.matches.results = self.matches.results, []
@@ -162,52 +152,39 @@ class Training:
             self.best = mean
             self.folder.write(BEST, data)
         self.folder.log_evaluation({"step": step, "mean": mean, "rows": rows})
-        self.folder.write(CURVE, learning_curve(self.folder.evaluations(), self.settings))
+        curve = learning_curve(self.folder.evaluations(), self.settings)
+        if curve:
+            self.folder.write(CURVE, curve)
         self.board.told_evaluation(rows, time.perf_counter() - start)
 
     # Checkpoints
 
     def _save(self) -> None:
         """Write a checkpoint: the run goes on from here as if it had not been cut."""
-        start, model = time.perf_counter(), self.model
-        running = {} if not self.settings.normalise_rewards else {
-            "mean": float(self.rewards.ret_rms.mean), "var": float(self.rewards.ret_rms.var),
-            "count": float(self.rewards.ret_rms.count), "returns": self.rewards.returns,
-        }  # fmt: skip
+        start = time.perf_counter()
         state = {
-            "network": self.network.state_dict(),
-            "optimizer": self.network.optimizer.state_dict(),
-            "step": model.num_timesteps,
-            "updates": model._n_updates,
-            "starts": np.asarray(model._last_episode_starts),
+            **learner_state(self.model, self.rewards),
             "matches": self.matches.save(),
-            "rewards": running,
             "curriculum": self.curriculum.state(),
             "generators": generators(),
             "best": float(self.best),
             "rollouts": self.rollouts,
         }
-        write_checkpoint(self.folder.path, state, model.num_timesteps)
+        write_checkpoint(self.folder.path, state, self.model.num_timesteps)
         self.board.saving = time.perf_counter() - start
 
     def _restore(self, saved: dict[str, Any]) -> None:
-        """Go on from a checkpoint."""
-        model, running = self.model, saved["rewards"]
-        self.network.load_state_dict(saved["network"])
-        self.network.optimizer.load_state_dict(saved["optimizer"])
-        model.num_timesteps, model._n_updates = saved["step"], saved["updates"]
-        self.curriculum.restore(saved["curriculum"])
-        model._last_obs = self.matches.load(saved["matches"])  # type: ignore[assignment]
-        model._last_episode_starts = saved["starts"]
-        if running:
-            statistics = self.rewards.ret_rms
-            statistics.mean, statistics.var, statistics.count = (
-                np.float64(running[n]) for n in ("mean", "var", "count")
-            )
-            self.rewards.returns = running["returns"]
-        self.best, self.rollouts = saved["best"], saved["rollouts"]
-        self.folder.forget_after(model.num_timesteps)
-        restore_generators(saved["generators"])
+        """Go on from a checkpoint; ValueError, with the logs as they were, if it is of another kind of run."""
+        try:
+            self.curriculum.restore(saved["curriculum"])  # first: saved matches know whom they are played against
+            restore_learner(self.model, self.rewards, saved, self.matches.load(saved["matches"]))
+            self.best, self.rollouts = saved["best"], saved["rollouts"]
+            restore_generators(saved["generators"])
+        except (ValueError, RuntimeError, LookupError, TypeError, AttributeError) as error:
+            raise ValueError(
+                f"the checkpoint in {self.folder.path} is not of this run as it is now ({error}); --anew starts again"
+            ) from error
+        self.folder.forget_after(self.model.num_timesteps)
 
     def close(self) -> None:
         """End the threads and the logs."""
@@ -232,36 +209,3 @@ class Steps(BaseCallback):
 
     def _on_rollout_end(self) -> None:
         self.training.board.rollout_ends()
-
-
-def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEnv:
-    """Return the environment of a run."""
-    weights = Rewards(
-        goal=settings.goal, progress=settings.progress, approach=settings.approach, effort=settings.effort
-    )
-    return SoccerVecEnv(
-        settings.league, players=settings.sizes, matches=settings.matches, opponents=curriculum.lineup,
-        action_repeat=settings.action_repeat, rewards=per_step(weights, settings.gamma, settings.action_repeat),
-        state=settings.central_critic, stagger=True, seed=settings.seed, threads=settings.threads,
-        observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, minutes=settings.minutes,
-    )  # fmt: skip
-
-
-def make_model(settings: TrainSettings, matches: VecNormalize, names: list[str]) -> PPO:
-    """Return the learner."""
-    shape = {
-        "names": names, "kind": settings.kind, "hidden": settings.hidden_sizes, "critic": settings.critic_sizes,
-        "activation": settings.activation, "mirror": settings.mirror, "log_std_init": float(np.log(settings.noise)),
-    }  # fmt: skip
-
-    def rate(left: float) -> float:
-        return settings.learning_rate * (LEAST_RATE + (1.0 - LEAST_RATE) * max(left, 0.0) if settings.decay else 1.0)
-
-    model = PPO(
-        SoccerPolicy, matches, learning_rate=rate, n_steps=settings.rollout, batch_size=settings.batch,
-        n_epochs=settings.epochs, gamma=settings.gamma, gae_lambda=settings.gae_lambda, clip_range=settings.clip,
-        ent_coef=settings.entropy, vf_coef=settings.value_weight, max_grad_norm=settings.gradient_limit,
-        target_kl=settings.target_kl or None, policy_kwargs=shape, seed=settings.seed, device=settings.device,
-    )  # fmt: skip
-    model.set_logger(Logger(folder=None, output_formats=[]))
-    return model

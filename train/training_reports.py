@@ -13,13 +13,13 @@ from soccer_env.agents.policy import Policy
 from soccer_env.leagues import find_league
 from soccer_env.random_numbers import seeds_for
 from soccer_env.train.curriculum import LEARNER, Curriculum
-from soccer_env.train.evaluate import BATCH, batches, contest_of, play
+from soccer_env.train.evaluate import BATCH, Contest, batches, contest_of, play
 from soccer_env.train.progress import Progress
 from soccer_env.train.reproduce_plots import draw
 from soccer_env.train.results import summarise
-from soccer_env.train.run_folder import RunFolder
+from soccer_env.train.run_folder import TENSORBOARD, RunFolder, flattened
 from soccer_env.train.settings import EvaluateSettings, conditions_of
-from soccer_env.train.train_settings import TrainSettings, split
+from soccer_env.train.train_settings import TrainSettings
 
 NOTED = {  # what stable-baselines3 records of an update, and its name in our logs
     "train/approx_kl": "kl",
@@ -30,6 +30,7 @@ NOTED = {  # what stable-baselines3 records of an update, and its name in our lo
     "train/std": "noise",
     "train/learning_rate": "learning_rate",
 }
+UNITS = ((1e6, " [million]"), (1e3, " [thousand]"))
 EVALUATION_SEED = 1_000_003  # added to the run's seed: evaluations play other matches than training
 
 
@@ -81,7 +82,7 @@ class Board:
             "goals_against": sum(result.goals_against for result in results),
             "points": {name: round(share, 4) for name, share in points.items()},
             "rating": ratings,
-            **{name: round(float(told[key]), 6) if key in told else None for key, name in NOTED.items()},
+            **{name: rounded(told.get(key)) for key, name in NOTED.items()},
             "seconds": {name: round(value, 3) for name, value in seconds.items()},
         }
         self.folder.log(record)
@@ -105,11 +106,14 @@ class Board:
         """Write the numbers of a line for TensorBoard."""
         if self._tensorboard is None:
             return
-        from soccer_env.train.run_folder import flattened
-
         for name, value in flattened(record).items():
             if isinstance(value, (int, float)):
                 self._tensorboard.add_scalar(name, value, record["step"])
+
+
+def rounded(value: Any) -> float | None:
+    """Return a number as logs have it: None where there is none, and for NaN, which JSON does not know."""
+    return round(float(value), 6) if value is not None and np.isfinite(value) else None
 
 
 def tensorboard(settings: TrainSettings, folder: RunFolder) -> Any:
@@ -120,21 +124,27 @@ def tensorboard(settings: TrainSettings, folder: RunFolder) -> Any:
         from torch.utils.tensorboard import SummaryWriter
     except ImportError:
         return None
-    return SummaryWriter(folder.path / "tensorboard")  # type: ignore[no-untyped-call]
+    return SummaryWriter(folder.path / TENSORBOARD)
+
+
+def evaluation_of(policy: Policy, opponent: str, settings: TrainSettings) -> Contest:
+    """Return the matches of a policy against an opponent of the evaluations."""
+    players = max(settings.sizes)
+    asked = EvaluateSettings(
+        league=settings.league, home="policy", away=opponent, matches=settings.evaluate_matches,
+        minutes=settings.evaluate_minutes, players=f"{players[0]}v{players[1]}",
+        seed=settings.seed + EVALUATION_SEED, senses=settings.senses,
+    )  # fmt: skip
+    league = find_league(settings.league)
+    return contest_of(conditions_of(asked, league), league, {"policy": team_of(policy)})
 
 
 def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, Any]]:
     """Play a policy against each opponent of the evaluations; return a row for each with 95 % intervals."""
-    players = max(settings.sizes)
     rows = []
-    for opponent in split(settings.evaluate_against, "evaluate_against"):
-        asked = EvaluateSettings(
-            league=settings.league, home="policy", away=opponent, matches=settings.evaluate_matches,
-            minutes=settings.evaluate_minutes, players=f"{players[0]}v{players[1]}",
-            seed=settings.seed + EVALUATION_SEED, senses=settings.senses,
-        )  # fmt: skip
-        league = find_league(settings.league)
-        contest = contest_of(conditions_of(asked, league), league, {"policy": team_of(policy)})
+    for opponent in settings.judges:
+        contest = evaluation_of(policy, opponent, settings)
+        asked = contest.conditions
         seeds = seeds_for(asked.seed, asked.matches // 2).tolist()
         lines = []
         for batch in batches(asked.matches, set(), BATCH * settings.threads):
@@ -154,26 +164,36 @@ def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, A
 
 
 def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> bytes:
-    """Return the learning curve as a PNG: goal differences of the evaluations over steps, with 95 % intervals."""
+    """Return the learning curve as a PNG, goal differences with 95 % intervals over steps; b"" without matplotlib."""
+    try:
+        import matplotlib
+    except ImportError:
+        return b""
+    matplotlib.use("agg")  # no window, whatever the screen
+    unit, words = scale(max(one["step"] for one in evaluations))
     curves = []
     for index, row in enumerate(evaluations[0]["rows"]):
         found = [one["rows"][index] for one in evaluations]
         curves.append(
             {
                 "name": f"against {row['opponent']}",
-                "x": [one["step"] / 1e6 for one in evaluations],
+                "x": [one["step"] / unit for one in evaluations],
                 "y": [part["goal_difference"] for part in found],
                 "low": [part["low"] for part in found],
                 "high": [part["high"] for part in found],
             }
         )
-    title = (
-        f"{settings.league}, {settings.players}, seed {settings.seed}: matches of {settings.evaluate_minutes:g} minutes"
-    )
+    title = f"{settings.name}: {settings.league}, {settings.players}, seed {settings.seed}"
+    matches = f"{settings.evaluate_matches} matches of {settings.evaluate_minutes:g} min"
     return draw(
-        {"title": title, "x_label": "decisions [million]", "y_label": "goal difference a match", "curves": curves,
-         "rules": [0.0]}
+        {"title": title, "x_label": f"decisions{words}", "y_label": f"goals - goals against, a match\n({matches})",
+         "curves": curves, "rules": [0.0], "rule": "even"}
     )  # fmt: skip
+
+
+def scale(steps: int) -> tuple[float, str]:
+    """Return the unit in which so many steps are short numbers, and its words."""
+    return next(((unit, words) for unit, words in UNITS if steps >= unit), (1.0, ""))
 
 
 def stage_times(lines: Sequence[dict[str, Any]], decisions: int) -> dict[str, float]:

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from math import atan2, cos, sin
 
+from soccer_env.baselines.deciding import free_ring
 from soccer_env.baselines.sacks_2001.goalkeeper import guard, is_shot, may_clear, meet_shot
 from soccer_env.baselines.sacks_2001.memory import (
     APPROACH,
@@ -29,7 +30,7 @@ from soccer_env.baselines.sacks_2001.memory import (
     SUPPORT,
     YIELD,
 )
-from soccer_env.baselines.sacks_2001.positions import choose_role, free_ring, go_home, support
+from soccer_env.baselines.sacks_2001.positions import choose_role, go_home, support
 from soccer_env.baselines.sacks_2001.recovery import begin_recovery, go_on_recovering
 from soccer_env.baselines.sacks_2001.shooting import choose_target, find_pass, is_open
 from soccer_env.baselines.sacks_2001.steering import choose_way, off_ahead, step_speed
@@ -136,6 +137,8 @@ def choose(belief, tracks, memory, sight, k, play, elapsed):
         go_on_recovering(belief, tracks, memory, k, play, elapsed)
         if memory.behaviour != APPROACH:
             return memory.behaviour
+    if is_kicking(memory):
+        return memory.behaviour
     has_ball = memory.had_ball < play.possession_time
     unseen = memory.trusted > play.lost or ball.confidence <= 0.0
     if unseen and not has_ball and memory.kicked <= 0.0:
@@ -148,6 +151,12 @@ def choose(belief, tracks, memory, sight, k, play, elapsed):
     if situation.keeper == 0 and memory.attacks == 0 and not has_ball:
         return SUPPORT
     return choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed)
+
+
+@compiled
+def is_kicking(memory):
+    """Tell whether the leg winds up for a kick that was asked for: it cannot be called back."""
+    return (memory.behaviour == SHOOT or memory.behaviour == PASS) and memory.winding > 0.0
 
 
 @compiled
@@ -165,7 +174,7 @@ def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
     off = wrap(aim(sight, memory, k, play) - sight.heading)
     if memory.foiled <= 0.0 and abs(off) < play.orbit_until and is_open(sight, memory, k, play):
         return SHOOT
-    if play.passes == 1 and find_pass(sight, k, play) >= 0:
+    if play.passes == 1 and memory.foiled <= 0.0 and find_pass(sight, k, play) >= 0:
         return PASS
     if memory.behaviour == ORBIT and abs(off) > play.orbit_until:
         return ORBIT
@@ -276,6 +285,9 @@ def dribble(belief, tracks, memory, command, sight, k, play, elapsed):
 @compiled
 def pass_ball(command, memory, sight, k, play):
     """Turn with the ball to a team-mate and kick softly.  5"""
+    if is_kicking(memory):
+        command.kick = PASS_STRENGTH
+        return
     mate = find_pass(sight, k, play)
     if mate < 0:
         return

@@ -12,11 +12,8 @@ from soccer_env.baselines.sight import side_of
 from soccer_env.baselines.skills import go
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.types import Phase
 
-PLAY, KICK_OFF = int(Phase.PLAY), int(Phase.KICK_OFF)
 OLD_WORD = 2.5  # [s] after which what a team-mate said counts no more, assumed
-MARGIN = 0.05  # [m] beyond the rules' distance at the opponents' restart, assumed
 EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assumed
 CHANGE_SIDE = 0.2  # [m] that the ball is off the middle before supporters change sides, assumed
 ROW = 0.6  # [m] between one pair of supporters and the next behind it, assumed
@@ -33,15 +30,6 @@ def choose_role(belief, memory, play, elapsed):
     memory.role_clock = memory.role_clock + elapsed if attacks != memory.attacks else 0.0
     if memory.role_clock > play.role_time:
         memory.attacks, memory.role_clock = attacks, 0.0
-
-
-@compiled
-def free_ring(situation, k):
-    """Return how far from the ball the rules ask a player to stay now [m]; 0 in play and at the own restart."""
-    if situation.phase == PLAY or situation.ours >= 0.0:
-        return 0.0
-    far = k.rules_kick_off_distance if situation.phase == KICK_OFF else k.rules_restart_distance
-    return far + k.body_reach + MARGIN
 
 
 @compiled

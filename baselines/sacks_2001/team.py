@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
+from soccer_env.baselines.deciding import keep_decision, must_decide, weaken
 from soccer_env.baselines.sacks_2001.memory import MEMORY
 from soccer_env.baselines.sacks_2001.planner import NEVER, decide
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sight import SIGHT, look
-from soccer_env.baselines.skills import stand
 from soccer_env.compiled import compiled, records
-from soccer_env.random_numbers import normal
 from soccer_env.teams import CompiledTeam
-from soccer_env.types import RobotStream
 
-TEAM = int(RobotStream.TEAM)
 LEAGUES = ("legged",)
 TUNED = {"step_length": 0.06, "back_steps": 3, "side_steps": 3}
 FUTURE = {"passes": True, "keeper_speed": True, "free_side": True, "decisive": True}
@@ -52,22 +49,11 @@ def play(beliefs, tracks, memory, noise, commands, players, constants, settings,
 @compiled
 def command_player(belief, tracks, memory, noise, command, k, play, sight):
     """Decide, or repeat the last decision until it is time for the next."""
-    stand(command)
     if memory.begun == 0:
         memory.begun, memory.had_ball, memory.role_clock = 1, NEVER, -1.0
-    memory.wait -= k.dt
-    if belief.situation.active == 0:
+    if not must_decide(belief, memory, command, k):
         return
-    if memory.wait > 0.0:
-        command.forward, command.left, command.turn = memory.forward, memory.aside, memory.turn
-        command.kick = memory.kick
-        return
-    weakness = 1.0 - play.strength
-    memory.wait = weakness * play.weak_wait
-    memory.aim_error = weakness * play.weak_aim * normal(noise, TEAM)
-    sight.elapsed = max(k.dt, memory.wait)
-    sight.pace = 1.0 - weakness * (1.0 - play.weak_pace)
+    weaken(sight, memory, noise, k, 1.0 - play.strength, play.weak_wait, play.weak_aim, play.weak_pace)
     look(sight, belief, tracks, k)
     decide(belief, tracks, memory, command, sight, k, play, sight.elapsed)
-    memory.forward, memory.aside, memory.turn = command.forward, command.left, command.turn
-    memory.kick = command.kick
+    keep_decision(memory, command)

@@ -140,7 +140,7 @@ def look_around(command, memory, k, bearing, elapsed):
 @compiled
 def search(command, sight, memory, k, play, bearing, elapsed):
     """Turn on the spot, to the side where the ball was last, and let the head sweep over the field, then the feet."""
-    if memory.side == 0.0:
+    if memory.clock == 0.0 or memory.side == 0.0:
         memory.side = side_of(bearing)
     command.turn = SEARCH_TURN * memory.side * sight.pace
     memory.turned += abs(command.turn) * k.drive_turn * elapsed

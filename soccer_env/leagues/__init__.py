@@ -8,7 +8,13 @@ from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 
 LEAGUES: dict[str, League] = {
     league.name: league
-    for league in (legged_2001.LEAGUE, middle_size_2006.LEAGUE, legged_2001.INNER, middle_size_2006.OLD_BASE)
+    for league in (
+        legged_2001.LEAGUE,
+        middle_size_2006.LEAGUE,
+        legged_2001.INNER,
+        legged_2001.LEGS,
+        middle_size_2006.OLD_BASE,
+    )
 }
 
 

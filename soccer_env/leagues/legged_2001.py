@@ -137,3 +137,4 @@ LEAGUE = League(  # MS56
 )
 
 INNER = replace(LEAGUE, name="legged-2001-inner", pitch=replace(PITCH, length=2.8, width=1.8))  # the other reading
+LEGS = replace(LEAGUE, name="legged-2001-legs", drive=replace(DRIVE, leg_disturbance=1.0))  # legs get at the ball  MS51

@@ -50,7 +50,7 @@ def test_every_team_plays_at_every_size(league: str, team: str, home: int, away:
     assert np.isfinite(match.robots["x"]).all()
 
 
-@pytest.mark.parametrize("league", [*LEAGUES, "middle-size-2006-differential", "legged-2001-inner"])
+@pytest.mark.parametrize("league", [*LEAGUES, "middle-size-2006-differential", "legged-2001-inner", "legged-2001-legs"])
 def test_the_chaser_plays_every_league(league: str) -> None:
     match = Match(league, seed=1, matches=4, controllers={"home": "chaser", "away": "still"}, minutes=2)
     while not match.terminated.all():

@@ -89,6 +89,12 @@ def test_without_disturbance_nothing_is_drawn() -> None:
     assert (on.robots["noise"][:, 0, LEGS] != fresh.robots["noise"][:, 0, LEGS]).all()
 
 
+def test_the_variant_with_such_legs_differs_by_them_alone() -> None:
+    league, variant = find_league(LEGGED), find_league("legged-2001-legs")
+    assert variant.drive.leg_disturbance == 1.0
+    assert replace(variant, name=league.name, drive=league.drive) == league
+
+
 def test_a_mirrored_robot_pushes_the_ball_to_the_other_side() -> None:
     ways = []
     for hand in (1.0, -1.0):

@@ -39,6 +39,12 @@ def test_every_setting_of_the_team_stands_in_its_table() -> None:
     assert "4.3.2" in rows["`player_gain`"][3]
 
 
+def test_a_note_that_was_written_anew_replaces_the_one_of_the_run() -> None:
+    stored = tables_sacks.stored()
+    (name, row), *_ = ((name, row) for name, row in stored.items() if row["note"])
+    assert tables_sacks.with_notes({name: {**row, "note": "old"}})[name] == row
+
+
 def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (result,) = reproduce(ReproduceSettings(claims=("S15",), quick=True, out=tmp_path / "run"))
     monkeypatch.setattr(tables_sacks, "DATA", tmp_path / "claims.json")

@@ -188,8 +188,8 @@ S02 = Claim(
     measure=on_and_off,
     figures=time_figure,
     ingredients=("where a robot stands between, it hides the ball", "bodies slide past each other and along boards"),
-    note="A robot right before the ball hides it: the team searches instead of pushing, and its counters rest. At a "
-    "board it turns on the spot unhindered. So the recovery hardly ever begins in these drills.",
+    note="Recovery helps where somebody in the way stands fast (post). A robot right before the ball (blocker) hides "
+    "it, and the team searches; at a board (wall) it turns unhindered: there recovery has next to nothing to do.",
     seconds=12.0,
     batches=6,
 )
@@ -241,9 +241,9 @@ S03 = Claim(
     measure=push,
     figures=push_figure,
     ingredients=("friction of bodies and ball", "bodies are convex hulls with two paws: legs do not interlock"),
-    note="Detection changes nothing here: half of the time a robot takes the ball between its paws for its own and "
-    "dribbles on, else it pushes on for the ball is contested. The counters run only in the latter, each change sets "
-    "them back, and so near the ball the second one waits for 8 s.",
+    note="Detection changes nothing here: most of the time a robot takes the ball between its paws for its own, else "
+    "it pushes on, for the ball is contested. The counters run only in the latter, and a second with the ball sets "
+    "both back: the first nearly gets to its nine readings, the second one never to its 8 s.",
     seconds=1.2,
     batches=24,
 )
@@ -292,6 +292,7 @@ S30 = Claim(
     ),
     measure=steals,
     ingredients=("how the team walks round others: baselines/skills.py",),
+    note="Little depends on it: who runs into the opponent wins the ball nearly as often as who walks round it.",
     seconds=3.0,
     batches=16,
 )

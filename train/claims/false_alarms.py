@@ -181,8 +181,8 @@ S24 = Claim(
     ),
     measure=causes,
     ingredients=("stuck_count, near_zero, clearly, near_time: assumed",),
-    note="The few false alarms in play come while the ball moves away. None comes of turning: robots turn "
-    "at up to 45 degrees a second, and are done before nine readings are over.",
+    note="In play false alarms are not rare: counters go on while the ball flickers or is hidden for a moment, and "
+    "about a quarter of the recoveries come to robots that touched nobody.",
     seconds=4.5,
     batches=16,
     least=12,

@@ -140,8 +140,8 @@ S53 = Claim(
     least=2,
     batches=6,
     figures=line_figures,
-    note="Smaller constants suffice for standing players where points go; robots need about the paper's for them as "
-    "well. For players that come, values beyond the paper's help points and robots still.",
+    note="Smaller constants suffice for standing players where points go; robots need the paper's or up to twice those "
+    "for them as well. For players that come, values beyond the paper's help points and robots still.",
 )
 
 
@@ -225,7 +225,7 @@ S65 = Claim(
     batches=6,
     ingredients=("23 cm between two middles as a collision of points, which tells them how large bodies are",),
     note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "
-    "than the paper's; those keep so much room that noise, shape and delay hardly matter, and robots do better with "
+    "than the paper's; those keep so much room that noise, shape and delay matter little, and robots do better with "
     "them than with the paper's. Tuned past standing players alone, where points get by with weak forces, they do not "
     "carry over.",
 )

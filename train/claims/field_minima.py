@@ -163,9 +163,9 @@ S68 = Claim(
     seconds=7.0,
     batches=6,
     figures=flips_figure,
-    note="Most changes of robots come from what they see: with ideal senses there are few. Decisive robots "
-    "(sacks-2001-future) leave a side only when the other has clearly become better, but who goes to a side comes "
-    "nearer to the player there, and 1.2 times the force is soon reached: they change sides more often.",
+    note="Most changes of robots come from what they see: with ideal senses there are few. Decisive points "
+    "(sacks-2001-future), who leave a side only when the other has clearly become better, hardly ever change sides; "
+    "decisive robots do as often as the others.",
 )
 
 

@@ -288,9 +288,8 @@ S29 = Claim(
     measure=attempts,
     figures=tries_figure,
     ingredients=(OBSTACLE, "side_steps 5: assumed"),
-    note="About half are stopped again (S27). They slide past in the end or stay, mostly without noticing: beside the "
-    "other robot they see the ball now and then only, and each search sets the counters back. So hardly anybody tries "
-    "a second time.",
+    note="About half of the recoveries do not clear the way (S27), and some are stopped again. Who got the ball had it "
+    "in at most three tries; the others had not got it when the run ended.",
     seconds=3.0,
     batches=12,
 )

@@ -1,0 +1,115 @@
+"""Policies as teams: named by their files, with messages that say why one does not play, and told apart in results."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from soccer_env.agents.policy import Policy
+from soccer_env.agents.policy_file import dump
+from soccer_env.leagues import find_league
+from soccer_env.observations import names_of
+from soccer_env.teams import ObservingTeam, make_team
+from soccer_env.train.command_line import main
+from soccer_env.train.provenance import team_hash
+
+LEAGUE = "legged-2001"
+
+
+def policy(seed: int = 0, league: str = LEAGUE, **changes: str) -> Policy:
+    """Return a policy of random weights."""
+    rng, inputs = np.random.default_rng(seed), tuple(names_of(find_league(league), "belief"))
+    made = Policy(
+        name="tiny", league=league, observe="belief", inputs=inputs, actions="box", action_repeat=8, kind="slots",
+        activation="tanh", mirror=False, weights=(rng.normal(size=(4, len(inputs))).astype(np.float32),),
+        biases=(np.zeros(4, np.float32),), made={},
+    )  # fmt: skip
+    return replace(made, **changes)
+
+
+def written(path: Path, made: Policy) -> str:
+    path.write_bytes(dump(made))
+    return str(path)
+
+
+def evaluate(home: str, out: Path, *words: str) -> int:
+    match = ["--players", "1", "--matches", "2", "--minutes", "0.1", "--seed", "1", "--out", str(out)]
+    return main(["evaluate", "--home", home, "--away", "still", *match, *words])
+
+
+def test_a_policy_plays_by_the_name_of_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path / "tiny.safetensors", policy())
+    assert isinstance(make_team(file), ObservingTeam)
+    assert evaluate(file, tmp_path / "out") == 0
+    assert len((tmp_path / "out" / "matches.jsonl").read_text().splitlines()) == 2
+    assert json.loads((tmp_path / "out" / "result.json").read_text())["home"] == file
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize("name", ["a b.safetensors", "user@host.safetensors", "12:30.safetensors", "ü.safetensors"])
+def test_a_path_may_be_written_as_files_are(tmp_path: Path, name: str) -> None:
+    file = written(tmp_path / name, policy())
+    assert make_team(file).name == "tiny"
+
+
+def test_a_policy_has_no_strength(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path / "tiny.safetensors", policy())
+    assert evaluate(f"{file}@0.5", tmp_path / "out") == 2
+    assert f"a policy has no strength, got 0.5 for '{file}'" in capsys.readouterr().err
+    with pytest.raises(ValueError, match="a policy has no strength"):
+        make_team(file, strength=0.5)
+    assert make_team(f"{file}@1").name == "tiny"
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("name", ["none.safetensors", "none.zip"])
+def test_a_missing_file_is_said(tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert evaluate(str(tmp_path / name), tmp_path / "out") == 2
+    said = capsys.readouterr().err
+    assert name in said and "No such file" in said and said.count("\n") == 1
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_file_that_is_no_policy_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("broken.safetensors", "broken.zip"):
+        (tmp_path / name).write_bytes(b"not a policy")
+        assert evaluate(str(tmp_path / name), tmp_path / "out") == 2
+        said = capsys.readouterr().err
+        assert name in said and said.count("\n") == 1
+
+
+def test_a_policy_of_another_league_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path / "tiny.safetensors", policy())
+    assert evaluate(file, tmp_path / "out", "--league", "middle-size-2006") == 2
+    assert "policy 'tiny' was trained in 'legged-2001', not for 'middle-size-2006'" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_setting_that_a_file_does_not_have_is_said(tmp_path: Path) -> None:
+    file = written(tmp_path / "tiny.safetensors", policy())
+    with pytest.raises(ValueError, match="has no setting 'observe'"):
+        make_team(file, observe="belief")
+
+
+def test_teams_of_other_weights_have_other_hashes(tmp_path: Path) -> None:
+    one = written(tmp_path / "one.safetensors", policy(1))
+    same = written(tmp_path / "same.safetensors", policy(1))
+    other = written(tmp_path / "other.safetensors", policy(2))
+    assert team_hash(one) == team_hash(same) == team_hash(make_team(one))
+    assert team_hash(other) != team_hash(one)
+    assert team_hash("still") not in (team_hash(one), team_hash(other))
+
+
+def test_an_evaluation_does_not_go_on_with_another_policy(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path / "tiny.safetensors", policy(1))
+    assert evaluate(file, tmp_path / "out") == 0
+    lines = (tmp_path / "out" / "matches.jsonl").read_bytes()
+    assert evaluate(file, tmp_path / "out") == 0, "nothing is left to do"
+    written(tmp_path / "tiny.safetensors", policy(2))
+    capsys.readouterr()
+    assert evaluate(file, tmp_path / "out") == 2
+    assert "home_team" in capsys.readouterr().err
+    assert (tmp_path / "out" / "matches.jsonl").read_bytes() == lines
+    assert evaluate(file, tmp_path / "out", "--anew") == 0

@@ -1,0 +1,95 @@
+"""A training so small that it takes a second or two, with everything in it that a run may have.
+
+Its learning curve is not drawn (`plainly`), which would take longer than all the rest.
+"""
+
+import json
+import shutil
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from safetensors.numpy import load_file
+
+from soccer_env.train import training
+from soccer_env.train.checkpoints import read_checkpoint
+from soccer_env.train.train_settings import TrainSettings
+
+TINY: dict[str, Any] = {
+    "steps": 336, "players": "1v1,2v2", "matches": 4, "minutes": 0.1, "opponents": "still,chaser@0.5", "past": 2,
+    "past_every": 2, "teacher": "chaser", "teacher_steps": 60, "teacher_epochs": 1, "critic_first": 2, "hidden": "8",
+    "critic": "8", "mirror": True, "central_critic": True, "rollout": 8, "batch": 20, "epochs": 2,
+    "learning_rate": 0.01, "evaluate_every": 150, "evaluate_matches": 2, "evaluate_minutes": 0.1,
+    "evaluate_against": "still", "noise": 0.6, "seed": 3, "tensorboard": False, "device": "cpu",
+}  # fmt: skip
+ROLLOUT = 48  # decisions: 8 of each of 6 robots
+
+
+def tiny(out: Path, **changes: Any) -> TrainSettings:
+    """Return the settings of a tiny training: seven rollouts."""
+    return TrainSettings(out=out, **{**TINY, **changes})
+
+
+def plainly(settings: TrainSettings) -> training.TrainResult:
+    """Train without drawing learning curves."""
+    draw, training.learning_curve = training.learning_curve, lambda *_: b""
+    try:
+        return training.train(settings)
+    finally:
+        training.learning_curve = draw
+
+
+@cache
+def _whole(base: Path) -> Path:
+    """Train once for all tests; return the folder."""
+    plainly(tiny(base / "whole"))
+    return base / "whole"
+
+
+def whole_run(tmp_path_factory: Any) -> Path:
+    """Return the folder of a tiny run that nothing disturbed; it is not to be changed."""
+    return _whole(tmp_path_factory.getbasetemp())
+
+
+def copy_of(run: Path, to: Path) -> Path:
+    """Return a copy of a run's folder."""
+    shutil.copytree(run, to / "run")
+    return to / "run"
+
+
+def weights(path: Path) -> dict[str, bytes]:
+    """Return the numbers of a policy file."""
+    return {name: array.tobytes() for name, array in load_file(path).items()}
+
+
+def outcome(folder: Path) -> dict[str, Any]:
+    """Return everything that a run came to, without times."""
+    state = read_checkpoint(folder)
+    assert state is not None
+    return {
+        "best": weights(folder / "best.safetensors"),
+        "last": weights(folder / "last.safetensors"),
+        "checkpoint": plain({name: state[name] for name in state if name != "generators"}),
+        "log": [untimed(line) for line in records(folder / "log.jsonl")],
+        "evaluations": records(folder / "evaluations.jsonl"),
+    }
+
+
+def records(path: Path) -> list[dict[str, Any]]:
+    """Return the lines of a log."""
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+def untimed(line: dict[str, Any]) -> dict[str, Any]:
+    """Return a line of log.jsonl without the times."""
+    return {name: value for name, value in line.items() if name != "seconds"}
+
+
+def plain(value: Any) -> Any:
+    """Return a tree with its arrays and tensors as bytes, to be compared."""
+    if isinstance(value, dict):
+        return {name: plain(part) for name, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(part) for part in value]
+    return np.asarray(value).tobytes() if hasattr(value, "shape") else value

@@ -1,0 +1,159 @@
+"""Whom a learner meets: even opponents the most often, past selves in turn, with ratings that order the strong."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env.agents.network import pack
+from soccer_env.leagues import find_league
+from soccer_env.observations import names_of
+from soccer_env.train.curriculum import FLOOR, LEARNER, Curriculum, compiled_team
+from soccer_env.train.networks import blank_policy
+from soccer_env.train.train_settings import TrainSettings
+from soccer_env.train.vec_env import Result
+
+SETTINGS = TrainSettings(hidden="8")
+BLANK = blank_policy(SETTINGS, names_of(find_league("legged-2001"), "belief"))
+NAMES = ("still", "random", "chaser")
+
+
+def curriculum(past: int = 0, even: bool = True, names: tuple[str, ...] = NAMES) -> Curriculum:
+    return Curriculum(names, past, BLANK, even)
+
+
+def results(opponent: str, points: list[float]) -> list[Result]:
+    """Return episodes with that outcome: 1 won, 0.5 drawn, 0 lost."""
+    return [Result((1, 1), opponent, int(share == 1.0), int(share == 0.0)) for share in points]
+
+
+def policy_with(number: float) -> Any:
+    from dataclasses import replace
+
+    biases = tuple(np.full_like(bias, number) for bias in BLANK.biases)
+    return replace(BLANK, biases=biases)
+
+
+def test_all_are_met_alike_at_first() -> None:
+    assert curriculum().lineup.weights == pytest.approx([1 / 3] * 3)
+
+
+def test_an_opponent_is_met_the_oftener_the_more_even_it_is() -> None:
+    """Always beaten: p = 1, the floor alone is left. Even: p (1 - p) is largest."""
+    made = curriculum()
+    made.take(results("still", [1.0] * 500) + results("random", [1.0, 1.0, 0.0, 1.0] * 100))
+    still, random, chaser = made.lineup.weights
+    p = made.standings["random"].points
+    assert 0.6 < p < 0.9
+    assert still / chaser == pytest.approx(FLOOR, rel=1e-6)
+    assert random / chaser == pytest.approx(FLOOR + (1 - FLOOR) * 4 * p * (1 - p))
+    assert sum(made.lineup.weights) == pytest.approx(1.0)
+
+
+def test_without_a_curriculum_all_are_alike() -> None:
+    made = curriculum(even=False)
+    made.take(results("still", [1.0] * 100))
+    assert made.lineup.weights == pytest.approx([1 / 3] * 3)
+
+
+def test_points_are_those_of_late() -> None:
+    made = curriculum()
+    made.take(results("still", [0.0] * 200))
+    assert made.standings["still"].points < 0.01
+    made.take(results("still", [1.0] * 60))
+    assert made.standings["still"].points > 0.9
+    assert made.standings["still"].episodes == 260 == made.standings[LEARNER].episodes
+
+
+@pytest.mark.parametrize("even", [True, False])
+def test_a_past_self_that_does_not_exist_yet_is_never_met(even: bool) -> None:
+    made = curriculum(past=2, even=even)
+    assert made.lineup.weights[3:].tolist() == [0.0, 0.0]
+    assert {made.lineup.choose(seed, 0) for seed in range(300)} == {0, 1, 2}
+    made.add_past(BLANK, 48)
+    assert made.lineup.weights[3] > 0.0 and made.lineup.weights[4] == 0.0
+    assert {made.lineup.choose(seed, 0) for seed in range(300)} == {0, 1, 2, 3}
+
+
+def test_past_selves_together_weigh_as_much_as_one_opponent() -> None:
+    made = curriculum(past=3)
+    for step in (1, 2, 3):
+        made.add_past(BLANK, step)
+        assert made.lineup.weights[3:].sum() == pytest.approx(made.lineup.weights[0])
+
+
+def test_the_oldest_past_self_gives_way() -> None:
+    made = curriculum(past=2)
+    for step, number in ((10, 1.0), (20, 2.0), (30, 3.0)):
+        made.add_past(policy_with(number), step)
+    assert made.filled == [30, 20]
+    for team, number in zip(made.lineup.teams[3:], (3.0, 2.0)):
+        assert team.settings.tobytes() == pack(policy_with(number)).tobytes()
+    made.add_past(policy_with(4.0), 40)
+    assert made.filled == [30, 40]
+
+
+def test_a_past_self_begins_as_strong_as_the_learner_and_even_with_it() -> None:
+    made = curriculum(past=1)
+    made.take(results("chaser", [1.0] * 20))
+    made.take(results("past-0", [1.0] * 20))
+    made.add_past(BLANK, 48)
+    standing, learner = made.standings["past-0"], made.standings[LEARNER]
+    assert (standing.mu, standing.sigma) == (learner.mu, learner.sigma)
+    assert (standing.points, standing.episodes) == (0.5, 0)
+
+
+def test_without_past_selves_none_is_kept() -> None:
+    made = curriculum()
+    made.add_past(BLANK, 48)
+    assert made.names == list(NAMES)
+
+
+def test_ratings_order_the_strong_above_the_weak() -> None:
+    """The learner beats `still`, is even with `random` and is beaten by `chaser`, in random order."""
+    rng, made = np.random.default_rng(1), curriculum()
+    chances = {"still": 0.95, "random": 0.5, "chaser": 0.05}
+    for _ in range(300):
+        name = str(rng.choice(NAMES))
+        made.take(results(name, [float(rng.random() < chances[name])]))
+    rating = {name: standing.mu for name, standing in made.standings.items()}
+    assert rating["still"] < rating["random"] < rating["chaser"]
+    assert rating["still"] < rating[LEARNER] < rating["chaser"]
+    assert abs(rating["random"] - rating[LEARNER]) < 0.3 * (rating["chaser"] - rating["still"])
+
+
+def test_a_draw_brings_ratings_together() -> None:
+    made = curriculum()
+    made.take(results("chaser", [0.0] * 10))
+    before = made.standings["chaser"].mu - made.standings[LEARNER].mu
+    made.take(results("chaser", [0.5] * 10))
+    assert 0.0 < made.standings["chaser"].mu - made.standings[LEARNER].mu < before
+
+
+def test_standings_survive_a_checkpoint() -> None:
+    made, other = curriculum(past=2), curriculum(past=2)
+    made.take(results("still", [1.0, 0.0, 1.0]) + results("chaser", [0.5]))
+    made.add_past(policy_with(1.0), 48)
+    state = made.state()
+    made.take(results("random", [1.0] * 5))  # what was saved does not change with it
+    made.add_past(policy_with(2.0), 96)
+    other.restore(state)
+    again = curriculum(past=2)
+    again.take(results("still", [1.0, 0.0, 1.0]) + results("chaser", [0.5]))
+    again.add_past(policy_with(1.0), 48)
+    assert other.standings == again.standings and other.filled == again.filled
+    assert other.lineup.weights.tobytes() == again.lineup.weights.tobytes()
+    for own, theirs in zip(other.lineup.teams, again.lineup.teams):
+        assert own.settings.tobytes() == theirs.settings.tobytes()
+
+
+def test_a_team_in_python_cannot_train_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Mine:
+        name, memory_dtype = "mine", np.dtype("i8")
+
+        def act(self, view: Any, memory: Any, rng: Any) -> np.ndarray:
+            return np.zeros((*view.beliefs.shape, 4))
+
+    monkeypatch.setattr("soccer_env.train.curriculum.make_team", lambda name: Mine())
+    with pytest.raises(ValueError, match="opponent 'mine' is a team in Python: only compiled teams and policies"):
+        compiled_team("mine")

@@ -1,0 +1,92 @@
+"""What a training run is played with, found to be playable before anything is written."""
+
+from __future__ import annotations
+
+import datetime
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Any
+
+from soccer_env.leagues import find_league
+from soccer_env.match import Match
+from soccer_env.observations import names_of
+from soccer_env.rewards import Rewards
+from soccer_env.train.curriculum import Curriculum
+from soccer_env.train.learner import check_device
+from soccer_env.train.networks import blank_policy
+from soccer_env.train.provenance import commit, version_of
+from soccer_env.train.train_settings import TrainSettings, command_of, senses_of
+from soccer_env.train.training_reports import evaluation_of
+from soccer_env.train.vec_env import SoccerVecEnv, per_step
+
+
+def check_playable(settings: TrainSettings) -> None:
+    """Raise ValueError, with the setting's name, for teams, sizes and times that cannot be played or written down."""
+    check_device(settings.device)
+    league = find_league(settings.league)
+    policy = replace(blank_policy(settings, names_of(league, settings.observe)), made=made_by(settings, 0))
+    with said_by("opponents"):
+        curriculum = Curriculum(settings.opponent_names, settings.past, policy, even=True)
+    make_matches(replace(settings, matches=len(settings.sizes)), curriculum).close()
+    if settings.matches < len(settings.sizes):
+        raise ValueError(
+            f"matches must be at least one for each of {len(settings.sizes)} team sizes, got {settings.matches}"
+        )
+    with said_by("evaluate_against"):
+        for opponent in settings.judges:
+            check_contest(policy, opponent, settings)
+    if settings.teacher:
+        with said_by("teacher"):
+            for home, away in settings.sizes:
+                lesson(settings, home, away).close()
+
+
+@contextmanager
+def said_by(setting: str) -> Iterator[None]:
+    """Let a ValueError begin with the name of a setting."""
+    try:
+        yield
+    except ValueError as error:
+        raise ValueError(f"{setting}: {error}") from error
+
+
+def check_contest(policy: Any, opponent: str, settings: TrainSettings) -> None:
+    """Raise ValueError if an evaluation against this opponent cannot be played."""
+    contest = evaluation_of(policy, opponent, settings)
+    contest.start("home", [0]).close()
+    contest.start("away", [0]).close()
+
+
+def lesson(settings: TrainSettings, home: int, away: int) -> Match:
+    """Return a match that the teacher plays as the recorded ones are."""
+    players = {"home": settings.teacher, "away": settings.opponent_names[0]}
+    return Match(
+        settings.league, home=home, away=away, controllers=players,
+        observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, seed=0,
+    )  # fmt: skip
+
+
+def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
+    """Return what a policy file says of where it comes from."""
+    return {
+        "command": command_of(settings),
+        "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
+        "commit": commit(),
+        "seed": str(settings.seed),
+        "step": str(step),
+        **{name: version_of(name) for name in ("soccer_env", "torch", "stable_baselines3", "pymunk", "numba")},
+    }
+
+
+def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEnv:
+    """Return the environment of a run."""
+    weights = Rewards(
+        goal=settings.goal, progress=settings.progress, approach=settings.approach, effort=settings.effort
+    )
+    return SoccerVecEnv(
+        settings.league, players=settings.sizes, matches=settings.matches, opponents=curriculum.lineup,
+        action_repeat=settings.action_repeat, rewards=per_step(weights, settings.gamma, settings.action_repeat),
+        state=settings.central_critic, stagger=True, seed=settings.seed, threads=settings.threads,
+        observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, minutes=settings.minutes,
+    )  # fmt: skip
