@@ -2,7 +2,8 @@
 
 A network lies in one flat array of numbers, so that kernels are compiled once for networks of every size:
 
-    layers, activation, mirror, action repeat, at once | sizes of all layers | signs of a mirror | weights and biases
+    layers, kind and activation, mirror, action repeat, at once | sizes of all layers, the first layer's inputs in front
+    | with attention its shape | signs of a mirror | with attention Q, W, b of both kinds | weights and biases
 
 An action depends bit for bit on its own observation only, whatever else is played at the same time.
 """
@@ -14,6 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from soccer_env.agents.attention import SHAPE, attend, flat, layout_of, observed, shape_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.observations.mirror import action_signs, observation_signs
@@ -21,17 +23,20 @@ from soccer_env.observations.mirror import action_signs, observation_signs
 if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy
 
-LAYERS, ACTIVATION, MIRROR, REPEAT, AT_ONCE, SIZES = range(6)  # where the head's numbers lie; SIZES: the first size
-ACTIVATIONS = ("tanh", "relu")
-TANH = ACTIVATIONS.index("tanh")
+LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, SIZES = range(6)  # where the head's numbers lie; SIZES: the first size
+NETWORKS = (("slots", "tanh"), ("slots", "relu"), ("attention", "tanh"), ("attention", "relu"))
+ATTENTION = 2  # the first of NETWORKS with attention; tanh is the even ones
 
 
 def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
     """Return the numbers (n,) float64 of a policy's network; `at_once`: it decides at the first step of an episode."""
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
-    head = [len(policy.weights), ACTIVATIONS.index(policy.activation), policy.mirror, policy.action_repeat]
-    head += [at_once, *sizes]
+    network = NETWORKS.index((policy.kind, policy.activation))
+    head = [len(policy.weights), network, policy.mirror, policy.action_repeat, at_once, *sizes]
+    if policy.attention:
+        head += shape_of(layout_of(policy.inputs), len(policy.attention[1]))
     parts = [np.array(head, np.float64), observation_signs(policy.inputs), action_signs(sizes[-1])]
+    parts += flat(policy.attention)
     for weight, bias in zip(policy.weights, policy.biases, strict=True):
         parts += [weight.T.astype(np.float64).ravel(), bias.astype(np.float64)]
     return np.concatenate(parts)
@@ -44,8 +49,8 @@ def act(numbers, row, action, room):
     The mean of the network and of its mirror image where the head says so, clipped to [-1, 1].
     """
     layers = int(numbers[LAYERS])
-    inputs, outputs = int(numbers[SIZES]), int(numbers[SIZES + layers])
-    signs = SIZES + layers + 1
+    inputs, outputs = entries(numbers), int(numbers[SIZES + layers])
+    signs = SIZES + layers + 1 + (SHAPE if numbers[NETWORK] >= ATTENTION else 0)
     start = signs + inputs + outputs
     for i in range(inputs):
         room[2, i] = row[i]
@@ -65,7 +70,9 @@ def act(numbers, row, action, room):
 @compiled
 def forward(numbers, layers, start, room):
     """Compute the network for the inputs in room[2]; the outputs come to lie in room[0]."""
-    at = start
+    smooth, at = numbers[NETWORK] % 2.0 == 0.0, start
+    if numbers[NETWORK] >= ATTENTION:
+        at = attend(numbers, SIZES + layers + 1, start, smooth, room)
     for layer in range(layers):
         wide, out = int(numbers[SIZES + layer]), int(numbers[SIZES + layer + 1])
         bias = at + wide * out
@@ -78,10 +85,18 @@ def forward(numbers, layers, start, room):
         at = bias + out
         if layer < layers - 1:
             for j in range(out):
-                room[2, j] = tanh(room[0, j]) if numbers[ACTIVATION] == TANH else max(room[0, j], 0.0)
+                room[2, j] = tanh(room[0, j]) if smooth else max(room[0, j], 0.0)
+
+
+@compiled
+def entries(numbers):
+    """Return how many entries the observation has."""
+    if numbers[NETWORK] >= ATTENTION:
+        return observed(numbers, SIZES + int(numbers[LAYERS]) + 1)
+    return int(numbers[SIZES])
 
 
 @compiled
 def widest(numbers):
-    """Return the width of the widest layer, inputs and outputs included."""
-    return int(numbers[SIZES : SIZES + int(numbers[LAYERS]) + 1].max())
+    """Return the width of the widest layer, inputs, outputs and the observation included."""
+    return max(entries(numbers), int(numbers[SIZES : SIZES + int(numbers[LAYERS]) + 1].max()))

@@ -1,6 +1,7 @@
 """What a policy is: a trained network and everything that has to agree before it may play.
 
     observation (inputs,) in [-1, 1]                                       names in `inputs`, in this order
+      -> kind "attention" only: other players pooled                       attention.py
       -> weights[0] x + biases[0] -> activation                            hidden layers, 0 to 7
       -> ...
       -> weights[-1] x + biases[-1]                                        no activation
@@ -19,11 +20,12 @@ from reprlib import Repr
 import numpy as np
 
 from soccer_env.actions import BOX, FULL
+from soccer_env.agents.attention import TENSORS, layout_of
 from soccer_env.leagues.league import League
 from soccer_env.observations import OBSERVE, names_of
 
 ACTIONS = {"box": len(BOX), "full": len(FULL)}  # numbers that come out
-KINDS = ("slots",)
+KINDS = ("slots", "attention")
 ACTIVATIONS = ("tanh", "relu")
 MAX_REPEAT = 1000  # [control steps]
 MAX_LAYERS = 8
@@ -53,12 +55,13 @@ class Policy:
     inputs: tuple[str, ...]  # names of the observation's entries, in order: the whole layout
     actions: str  # "box" (4 numbers) or "full" (7)
     action_repeat: int  # [control steps] for which an action is kept, 1 to 1000
-    kind: str  # architecture: "slots" (a plain MLP over the flat observation)
+    kind: str  # architecture: "slots" (a plain MLP over the flat observation) or "attention" (over other players)
     activation: str  # "tanh" or "relu", behind every layer but the last
     mirror: bool  # True: the output is the mean of the network and of its left-right mirror image
     weights: tuple[np.ndarray, ...]  # (out, in) float32 of each layer
     biases: tuple[np.ndarray, ...]  # (out,) float32 of each layer
     made: Mapping[str, str]  # where it comes from: command, date, commit, seed, versions ... plain text
+    attention: tuple[np.ndarray, ...] = ()  # float32, as `attention.TENSORS` names them; () for kind "slots"
 
     def __post_init__(self) -> None:
         _check_text("name", self.name, NAME)
@@ -73,10 +76,13 @@ class Policy:
             raise ValueError(f"action_repeat must be 1 to {MAX_REPEAT}, got {brief(self.action_repeat)}")
         _check_inputs(self.inputs)
         _check_made(self.made)
-        _check_layers(self.weights, self.biases, len(self.inputs), ACTIONS[self.actions])
-        _check_activity(self.weights, self.biases, self.activation)
-        object.__setattr__(self, "weights", tuple(_frozen(array) for array in self.weights))
-        object.__setattr__(self, "biases", tuple(_frozen(array) for array in self.biases))
+        features = _check_attention(self.kind, self.attention, self.inputs)
+        numbers = sum(array.size for array in self.attention)
+        _check_layers(self.weights, self.biases, features, ACTIONS[self.actions], numbers)
+        largest = _check_pooled(self.attention, self.activation)
+        _check_activity(self.weights, self.biases, self.activation, largest)
+        for name in ("weights", "biases", "attention"):
+            object.__setattr__(self, name, tuple(_frozen(array) for array in getattr(self, name)))
         object.__setattr__(self, "made", dict(self.made))
 
     def check_plays(self, league: League) -> None:
@@ -144,18 +150,45 @@ def _check_made(made: object) -> None:
             raise ValueError(f"made[{key!r}] must be plain text, got {brief(text)}")
 
 
-def _check_layers(weights: object, biases: object, inputs: int, outputs: int) -> None:
+def _check_array(what: str, array: object) -> None:
+    """Raise ValueError unless something is an array of float32."""
+    if not isinstance(array, np.ndarray) or array.dtype != np.float32:
+        kind = array.dtype if isinstance(array, np.ndarray) else type(array).__name__
+        raise ValueError(f"{what} must be an array of float32, got {kind}")
+
+
+def _check_attention(kind: str, attention: object, inputs: tuple[str, ...]) -> int:
+    """Return how many numbers the first layer takes in; ValueError unless attention is as its kind and inputs ask."""
+    if not isinstance(attention, tuple) or len(attention) != (len(TENSORS) if kind == "attention" else 0):
+        size = f"{len(attention)} arrays" if isinstance(attention, tuple) else type(attention).__name__
+        wanted = f"of {', '.join(TENSORS)}" if kind == "attention" else "without arrays"
+        raise ValueError(f"attention of kind {kind!r} must be a tuple {wanted}, got {size}")
+    if kind == "slots":
+        return len(inputs)
+    layout = layout_of(inputs)
+    for name, array in zip(TENSORS, attention, strict=True):
+        _check_array(name, array)
+    width = len(attention[1]) if attention[1].ndim == 1 else 0
+    if not 1 <= width <= MAX_UNITS:
+        raise ValueError(f"{TENSORS[1]} must have the shape (1 to {MAX_UNITS},), got {attention[1].shape}")
+    for name, array, shape in zip(TENSORS, attention, layout.shapes(width), strict=True):
+        if array.shape != shape:
+            raise ValueError(f"{name} must have the shape {shape}, got {array.shape}")
+        if not np.isfinite(array).all():
+            raise ValueError(f"{name} must be finite, it holds NaN or infinity")
+    return layout.features(width)
+
+
+def _check_layers(weights: object, biases: object, inputs: int, outputs: int, numbers: int) -> None:
     """Raise ValueError unless the layers chain from the inputs to the outputs, within the limits and finite."""
     if not (isinstance(weights, tuple) and isinstance(biases, tuple) and len(weights) == len(biases)):
         raise ValueError("weights and biases must be tuples of the same length, one array for each layer")
     if not 1 <= len(weights) <= MAX_LAYERS:
         raise ValueError(f"a policy must have 1 to {MAX_LAYERS} layers, got {len(weights)}")
-    width, last, numbers = inputs, len(weights) - 1, 0
+    width, last = inputs, len(weights) - 1
     for number, (weight, bias) in enumerate(zip(weights, biases)):
         for what, array in (("weight", weight), ("bias", bias)):
-            if not isinstance(array, np.ndarray) or array.dtype != np.float32:
-                kind = array.dtype if isinstance(array, np.ndarray) else type(array).__name__
-                raise ValueError(f"layer{number}.{what} must be an array of float32, got {kind}")
+            _check_array(f"layer{number}.{what}", array)
         out = outputs if number == last else len(bias) if bias.ndim == 1 else 0
         if not 1 <= out <= MAX_UNITS:
             raise ValueError(f"layer{number}.bias must have the shape (1 to {MAX_UNITS},), got {bias.shape}")
@@ -170,14 +203,33 @@ def _check_layers(weights: object, biases: object, inputs: int, outputs: int) ->
             raise ValueError(f"layer{number} must be finite, it holds NaN or infinity")
 
 
-def _check_activity(weights: tuple[np.ndarray, ...], biases: tuple[np.ndarray, ...], activation: str) -> None:
-    """Raise ValueError if an observation in [-1, 1] could make a unit overflow, and the actions NaN."""
-    largest = 1.0  # of what a layer takes in
+def _check_pooled(attention: tuple[np.ndarray, ...], activation: str) -> float:
+    """Return the largest number that the first layer can take in; ValueError if one on the way to it could overflow."""
+    largest = 1.0
+    for first in range(0, len(attention), 3):
+        weight, bias, query = (np.abs(array.astype(np.float64)) for array in attention[first : first + 3])
+        encoded = weight.sum(axis=1) + bias
+        bounded = np.minimum(encoded, 1.0) if activation == "tanh" else encoded
+        for name, reached in ((TENSORS[first], encoded.max()), (TENSORS[first + 2], query.sum(axis=1) @ bounded)):
+            _check_reached(name, reached)
+        largest = max(largest, float(bounded.max()))
+    return largest
+
+
+def _check_activity(
+    weights: tuple[np.ndarray, ...], biases: tuple[np.ndarray, ...], activation: str, largest: float
+) -> None:
+    """Raise ValueError if inputs up to `largest` could make a unit overflow, and the actions NaN."""
     for number, (weight, bias) in enumerate(zip(weights, biases)):
         reached = np.abs(weight).sum(axis=1, dtype=np.float64) * largest + np.abs(bias)
-        if not reached.max() < MAX_ACTIVITY:
-            raise ValueError(f"layer{number} must stay below {MAX_ACTIVITY:g}, its units could reach {reached.max():g}")
+        _check_reached(f"layer{number}", reached.max())
         largest = 1.0 if activation == "tanh" else float(reached.max())
+
+
+def _check_reached(what: str, reached: float) -> None:
+    """Raise ValueError unless what units can reach stays below the limit."""
+    if not reached < MAX_ACTIVITY:
+        raise ValueError(f"{what} must stay below {MAX_ACTIVITY:g}, its units could reach {reached:g}")
 
 
 def _frozen(array: np.ndarray) -> np.ndarray:

@@ -5,7 +5,8 @@
     tensors    float32, little-endian, one after the other without gaps
 
 TEXT is JSON again: the fields of `Policy` without its arrays, and "version" (1). The schema is strict: exactly these
-keys, each once, with these types; anything else is a ValueError in one line that names the file.
+keys, each once, with these types; anything else is a ValueError in one line that names the file. The kind "attention"
+has six tensors more, "teammate.weight" and so on (`attention.TENSORS`).
 
 The safetensors library checks that the header fits into the file and is JSON, that sizes agree with shapes, and that
 the tensors cover the file without holes and overlaps. It lets duplicate names, unknown fields of a tensor and any
@@ -22,11 +23,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from safetensors import SafetensorError
 from safetensors.numpy import load as tensors_of
 from safetensors.numpy import save
 
+from soccer_env.agents.attention import TENSORS
 from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, brief
 
 VERSION = 1
@@ -56,7 +57,7 @@ def dump(policy: Policy) -> bytes:
     fields = {key: getattr(policy, key) for key in SCHEMA if key not in ("version", "inputs", "made")}
     table = {"version": VERSION, **fields, "inputs": list(policy.inputs), "made": dict(policy.made)}
     text = json.dumps(table, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
-    tensors: dict[str, np.ndarray] = {}
+    tensors = dict(zip(TENSORS, policy.attention))
     for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases)):
         tensors |= {f"layer{number}.weight": weight, f"layer{number}.bias": bias}
     content: bytes = save(tensors, metadata={KEY: text})
@@ -73,7 +74,7 @@ def parse(data: bytes, where: str) -> Policy:
     try:
         header = _header(data)
         table = _table(header)
-        _check_tensors(header)
+        _check_tensors(header, _more(table))
         return _policy(table, tensors_of(data))
     except (ValueError, SafetensorError) as error:
         raise ValueError(f"policy file {where!r}: {one_line(error)}") from None
@@ -190,11 +191,16 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
     return table
 
 
-def _check_tensors(header: Mapping[str, Any]) -> None:
-    """Raise ValueError unless the tensors are float32 layers, named from layer0 on, of two axes and one."""
+def _more(table: Mapping[str, Any]) -> tuple[str, ...]:
+    """Return the names of the tensors that a policy's kind has beside its layers."""
+    return TENSORS if table["kind"] == "attention" else ()
+
+
+def _check_tensors(header: Mapping[str, Any], more: tuple[str, ...]) -> None:
+    """Raise ValueError unless the tensors are float32 layers, named from layer0 on, of two axes and one, and `more`."""
     entries = {name: entry for name, entry in header.items() if name != "__metadata__"}
-    layers = min(len(entries) // 2, MAX_LAYERS)
-    expected = {f"layer{number}.{part}" for number in range(layers) for part in ("weight", "bias")}
+    layers = min(max(0, len(entries) - len(more)) // 2, MAX_LAYERS)
+    expected = {f"layer{number}.{part}" for number in range(layers) for part in ("weight", "bias")} | set(more)
     for name in sorted(expected - entries.keys()):
         raise ValueError(f"lacks the tensor {name!r}")
     for name in sorted(entries.keys() - expected):
@@ -204,7 +210,7 @@ def _check_tensors(header: Mapping[str, Any]) -> None:
             raise ValueError(f"{name} must have {', '.join(sorted(TENSOR))} and nothing else")
         if entry["dtype"] != "F32":
             raise ValueError(f"{name} must be of dtype 'F32', got {brief(entry['dtype'])}")
-        shape, axes = entry["shape"], 2 if name.endswith("weight") else 1
+        shape, axes = entry["shape"], 1 if name.endswith("bias") else 2
         sizes = isinstance(shape, list) and all(type(size) is int and 1 <= size <= MAX_INPUTS for size in shape)
         if not sizes or len(shape) != axes:
             raise ValueError(f"{name} must have {axes} axes of 1 to {MAX_INPUTS}, got the shape {brief(shape)}")
@@ -212,10 +218,11 @@ def _check_tensors(header: Mapping[str, Any]) -> None:
 
 def _policy(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> Policy:
     """Return the policy of a checked table and its tensors."""
-    layers = range(len(tensors) // 2)
+    layers = range((len(tensors) - len(_more(table))) // 2)
     return Policy(
         **{key: table[key] for key in SCHEMA if key not in ("version", "inputs")},
         inputs=tuple(table["inputs"]),
         weights=tuple(tensors[f"layer{number}.weight"] for number in layers),
         biases=tuple(tensors[f"layer{number}.bias"] for number in layers),
+        attention=tuple(tensors[name] for name in _more(table)),
     )

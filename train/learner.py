@@ -29,7 +29,7 @@ def make_rewards(settings: TrainSettings, matches: SoccerVecEnv) -> VecNormalize
 def make_model(settings: TrainSettings, matches: VecNormalize, names: list[str]) -> PPO:
     """Return the learner."""
     shape = {
-        "names": names, "hidden": settings.hidden_sizes, "critic": settings.critic_sizes,
+        "names": names, "kind": settings.kind, "hidden": settings.hidden_sizes, "critic": settings.critic_sizes,
         "activation": settings.activation, "mirror": settings.mirror, "log_std_init": float(np.log(settings.noise)),
     }  # fmt: skip
 

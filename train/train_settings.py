@@ -71,6 +71,8 @@ class TrainSettings:
     """Times that the recorded decisions are gone through."""
     critic_first: int = 3
     """Rollouts in which the critic alone learns, so that it does not mislead what the teacher taught."""
+    kind: Literal["slots", "attention"] = "slots"
+    """How the actor takes in other players: a slot of inputs for each, or attention over them, in whatever order."""
     hidden: str = "64,64"
     """Sizes of the actor's hidden layers."""
     critic: str = "64,64"
@@ -164,6 +166,8 @@ class TrainSettings:
             raise ValueError(
                 "mirror needs observe='belief' or 'truth': a picture is not mirrored by turning signs round"
             )
+        if self.kind == "attention" and self.observe == "percepts":
+            raise ValueError("kind='attention' needs observe='belief' or 'truth': pictures have no slots for players")
         if split_senses(self.senses)[0] != "ideal" and self.observe == "truth":
             raise ValueError("observe='truth' needs senses='ideal', as the policy will when it plays")
         self.sizes, self.hidden_sizes, self.critic_sizes, self.opponent_names, self.judges  # noqa: B018  # check texts

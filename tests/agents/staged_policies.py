@@ -1,10 +1,12 @@
 """Policies with random weights for tests: what they play is nonsense, but lively and always the same."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from soccer_env.agents.attention import layout_of
 from soccer_env.agents.learned import LearnedTeam, from_file
 from soccer_env.agents.network import act, pack, widest
 from soccer_env.agents.policy import ACTIONS, Policy
@@ -25,6 +27,18 @@ def lively(*hidden: int, observe: str = "belief", league: str = "legged-2001", s
         "biases": tuple(rng.normal(0.0, 0.3, b).astype(np.float32) for b in sizes[1:]),
     }  # fmt: skip
     return Policy(**{**fields, **changes})
+
+
+def attentive(*hidden: int, width: int = 8, observe: str = "belief", seed: int = 1, **changes: Any) -> Policy:
+    """Return the like with attention of some width over the other players."""
+    plain = lively(*hidden, observe=observe, seed=seed, **changes)
+    layout, rng = layout_of(plain.inputs), np.random.default_rng(seed)
+    attention = tuple(
+        rng.normal(0.0, 2.0 / shape[-1] ** 0.5, shape).astype(np.float32) for shape in layout.shapes(width)
+    )
+    shape = (len(plain.biases[0]), layout.features(width))
+    first = rng.normal(0.0, 3.0 / shape[1] ** 0.5, shape).astype(np.float32)
+    return replace(plain, kind="attention", attention=attention, weights=(first, *plain.weights[1:]))
 
 
 def from_disk(policy: Policy, folder: Path) -> LearnedTeam:

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -11,9 +12,10 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.agents.learned import first_decision, team_of
+from soccer_env.agents.policy import Policy
 from soccer_env.teams import TeamRandom, View, make_team
 from soccer_env.types import COMMAND
-from tests.agents.staged_policies import decide, from_disk, lively
+from tests.agents.staged_policies import attentive, decide, from_disk, lively
 from tests.symmetry import Records, mirrored
 
 # What is observed, by which senses, with which settings.
@@ -96,9 +98,10 @@ def test_the_first_decision_comes_a_delay_before_a_repeat_ends(delay: int, repea
     assert first_decision(delay, repeat) == steps
 
 
+@pytest.mark.parametrize("make", [lively, attentive])
 @pytest.mark.parametrize("size", [1, 2, 3, 5])
-def test_any_team_size_plays_and_each_robot_by_its_own_observation(size: int) -> None:
-    policy = lively(16)
+def test_any_team_size_plays_and_each_robot_by_its_own_observation(size: int, make: Callable[..., Policy]) -> None:
+    policy = make(16)
     match = Match(home=size, away=size, controllers={"home": team_of(policy), "away": "chaser"}, matches=2, seed=1)
     start = match.robots["x"].copy()
     for _ in range(50):
@@ -118,8 +121,9 @@ def test_a_policy_plays_beside_other_teams_of_its_side() -> None:
         assert (commanded(match)[0, 1, :4] == decide(policy, squad.observations[0, 1:2])[0]).all()
 
 
-def test_a_team_from_a_file_plays_as_the_policy_itself(tmp_path: Path) -> None:
-    policy = lively(16, 8, action_repeat=4, mirror=True)
+@pytest.mark.parametrize("make", [lively, attentive])
+def test_a_team_from_a_file_plays_as_the_policy_itself(tmp_path: Path, make: Callable[..., Policy]) -> None:
+    policy = make(16, 8, action_repeat=4, mirror=True)
     hashes = []
     for team in (from_disk(policy, tmp_path), team_of(policy), make_team(from_disk(policy, tmp_path))):
         match = Match(home=2, away=2, controllers={"home": team, "away": team}, seed=1)
@@ -204,9 +208,9 @@ def test_plain_python_plays_what_the_compiled_code_plays() -> None:
     program = """
 from soccer_env import Match
 from soccer_env.agents.learned import team_of
-from tests.agents.staged_policies import lively
-for activation in ("tanh", "relu"):
-    team = team_of(lively(16, 8, activation=activation, mirror=True, action_repeat=4))
+from tests.agents.staged_policies import attentive, lively
+for make, activation in ((lively, "tanh"), (lively, "relu"), (attentive, "tanh"), (attentive, "relu")):
+    team = team_of(make(16, 8, activation=activation, mirror=True, action_repeat=4))
     match = Match(home=1, away=1, controllers={"home": team, "away": team}, senses="ideal", seed=1)
     for _ in range(60):
         match.step()
@@ -219,7 +223,7 @@ for activation in ("tanh", "relu"):
             [sys.executable, "-c", program], capture_output=True, text=True, env=environment, check=True
         )
         printed.append(run.stdout.split())
-    assert printed[0] == printed[1] and len(set(printed[0])) == 2
+    assert printed[0] == printed[1] and len(set(printed[0])) == 4
 
 
 # Permutation and mirror

@@ -1,5 +1,6 @@
 """The compiled network: it agrees with torch, each row is computed alone, and a mirror policy is its own mirror."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from soccer_env.agents.policy import Policy
 from soccer_env.leagues import find_league
 from soccer_env.observations.mirror import action_signs, observation_signs
 from soccer_env.types import COMMAND
-from tests.agents.staged_policies import decide, lively
+from tests.agents.staged_policies import attentive, decide, lively
 
 SIZES = [(8,), (64, 64), (33, 7, 12)]
 
@@ -21,23 +22,25 @@ def observations(policy: Policy, count: int = 64) -> np.ndarray:
     return np.random.default_rng(3).uniform(-1.0, 1.0, (count, len(policy.inputs))).astype(np.float32)
 
 
+@pytest.mark.parametrize("kind", ["slots", "attention"])
 @pytest.mark.parametrize("actions", ["box", "full"])
 @pytest.mark.parametrize("mirror", [False, True])
 @pytest.mark.parametrize("activation", ["tanh", "relu"])
 @pytest.mark.parametrize("hidden", SIZES, ids=str)
-def test_it_agrees_with_torch(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str) -> None:
+def test_it_agrees_with_torch(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str, kind: str) -> None:
     torch = pytest.importorskip("torch")
-    network, policy = trained(hidden, activation, mirror, actions)
+    network, policy = trained(hidden, activation, mirror, actions, kind)
+    assert policy.kind == kind
     rows = observations(policy)
     with torch.no_grad():
         expected = network.mean_actions(torch.as_tensor(rows)).numpy()
     decided = decide(policy, rows)
     np.testing.assert_allclose(decided, expected.clip(-1.0, 1.0), rtol=0.0, atol=1e-6)
-    assert np.std(decided, axis=0).min() > 0.02, "the actions of these rows differ"
+    assert np.std(expected, axis=0).min() > 0.02, "the actions of these rows differ"
     assert (np.abs(expected) > 1.0).any(), "some have to be clipped"
 
 
-def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str) -> tuple[Any, Policy]:
+def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str, kind: str) -> tuple[Any, Policy]:
     """Return a network of torch with weights of some size, and the policy that holds its actor."""
     torch = pytest.importorskip("torch")
     pytest.importorskip("stable_baselines3")
@@ -48,10 +51,11 @@ def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str
     names = lively().inputs
     seen, done = (spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(names), 7 if actions == "full" else 4))
     torch.manual_seed(1)
-    network = SoccerPolicy(seen, done, lambda _: 1e-3, names=names, hidden=hidden, activation=activation, mirror=mirror)
+    settings: dict[str, Any] = {"hidden": hidden, "activation": activation, "mirror": mirror, "kind": kind}
+    network = SoccerPolicy(seen, done, lambda _: 1e-3, names=names, **settings)
     with torch.no_grad():
         for parameter in network.actor_parameters():
-            parameter.normal_(0.0, 1.2 / parameter.shape[-1] ** 0.5)
+            parameter.normal_(0.0, 1.3 / parameter.shape[-1] ** 0.5)
     made = policy_from(network, name="t", league="legged-2001", observe="belief", action_repeat=1, made={})
     return network, made
 
@@ -64,9 +68,10 @@ def commands_of(policy: Policy, seen: np.ndarray, players: list[int], first: int
     return commands
 
 
+@pytest.mark.parametrize("make", [lively, attentive])
 @pytest.mark.parametrize("mirror", [False, True])
-def test_an_action_is_the_same_whatever_else_is_in_the_batch(mirror: bool) -> None:
-    policy = lively(64, 64, mirror=mirror)
+def test_an_action_is_the_same_whatever_else_is_in_the_batch(mirror: bool, make: Callable[..., Policy]) -> None:
+    policy = make(64, 64, mirror=mirror)
     seen = observations(policy, 33 * 3).reshape(33, 3, -1)
     everybody = commands_of(policy, seen, [0, 1, 2], 0, 33)
     alone = commands_of(policy, seen[17:18, 1:2].copy(), [0], 0, 1)
@@ -88,10 +93,13 @@ def test_a_team_gives_what_the_network_gives() -> None:
     assert (commands["head"] == -1.0).all()
 
 
+@pytest.mark.parametrize("make", [lively, attentive])
 @pytest.mark.parametrize("actions", ["box", "full"])
 @pytest.mark.parametrize("observe", ["truth", "belief"])
-def test_a_mirror_policy_does_the_mirrored_for_the_mirrored_exactly(observe: str, actions: str) -> None:
-    policy = lively(64, 64, observe=observe, actions=actions, mirror=True)
+def test_a_mirror_policy_does_the_mirrored_for_the_mirrored_exactly(
+    observe: str, actions: str, make: Callable[..., Policy]
+) -> None:
+    policy = make(64, 64, observe=observe, actions=actions, mirror=True)
     rows, signs = observations(policy), observation_signs(policy.inputs).astype(np.float32)
     decided, mirrored = decide(policy, rows), decide(policy, rows * signs)
     assert (mirrored == decided * action_signs(decided.shape[1])).all()

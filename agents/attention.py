@@ -1,0 +1,168 @@
+"""Attention over other players, for policies of kind "attention": what stands before their layers.
+
+    q      = Q fixed                                 (width,)  fixed: what belongs to no slot
+    e_s    = activation(W slot_s + b)                (width,)  of each slot s in use; all slots share W and b
+    a_s    = exp(q . e_s) / sum_s exp(q . e_s)                 [Vaswani et al. 2017, 3.2.1]
+    pooled = sum_s a_s e_s                           (width,)  zeros if no slot is in use
+
+Team-mates have one Q, W and b, opponents another; what is pooled of each goes behind the fixed entries into the first
+layer. So the order of the slots does not matter, nor do the entries of empty ones. Unlike the paper there is one head
+and no division by sqrt(width): Q learns its own scale.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import exp, tanh
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+
+PLAYERS = ("teammate", "opponent")
+TENSORS = tuple(f"{kind}.{part}" for kind in PLAYERS for part in ("weight", "bias", "query"))  # W, b, Q
+SLOT = re.compile(r"(teammate|opponent)_([0-9]{1,4})_(.+)")
+PRESENT = "present"  # above 0 where a slot is in use; the first entry of each
+NARROWEST = 8  # width beside few hidden units
+SHARE = 4  # units of the first hidden layer for one of the width
+FIXED, WIDTH, SLOTS, ENTRIES = 0, 1, 2, 4  # where numbers of the shape lie; SLOTS and ENTRIES of both kinds
+SHAPE = 6  # how many there are
+
+
+@dataclass(frozen=True)
+class Layout:
+    """How many numbers of an observation belong to what; slots come last, team-mates first."""
+
+    fixed: int  # entries of no slot
+    slots: tuple[int, int]  # of team-mates and opponents
+    entries: tuple[int, int]  # of a slot of each
+
+    def shapes(self, width: int) -> tuple[tuple[int, ...], ...]:
+        """Return the shapes of TENSORS."""
+        return tuple(shape for size in self.entries for shape in ((width, size), (width,), (width, self.fixed)))
+
+    def features(self, width: int) -> int:
+        """Return how many numbers the first layer takes in."""
+        return self.fixed + len(PLAYERS) * width
+
+
+def layout_of(inputs: Sequence[str]) -> Layout:
+    """Return the layout of an observation from its names; ValueError unless it ends in slots for other players."""
+    found = [SLOT.fullmatch(name) for name in inputs]
+    fixed = next((index for index, match in enumerate(found) if match), len(found))
+    rest: list[str] = []
+    slots, entries = [], []
+    for kind in PLAYERS:
+        own = [match for match in found if match and match[1] == kind]
+        parts = [match[3] for match in own if match[2] == "0"]
+        slots.append(len({match[2] for match in own}))
+        entries.append(len(parts))
+        if parts[:1] == [PRESENT] and slots[-1] * len(parts) == len(own):
+            rest += [f"{kind}_{slot}_{part}" for slot in range(slots[-1]) for part in parts]
+    if not fixed or not all(slots) or list(inputs[fixed:]) != rest:
+        raise ValueError(
+            "kind 'attention' needs inputs that end in slots, teammate_0_present and so on, then opponent_0_present "
+            "and so on, as observations of truth and belief do"
+        )
+    return Layout(fixed, (slots[0], slots[1]), (entries[0], entries[1]))
+
+
+def width_beside(hidden: Sequence[int]) -> int:
+    """Return the width of attention before these hidden layers."""
+    return max(NARROWEST, hidden[0] // SHARE)
+
+
+def shape_of(layout: Layout, width: int) -> tuple[int, ...]:
+    """Return the shape (SHAPE,) that `attend` reads."""
+    return (layout.fixed, width, *layout.slots, *layout.entries)
+
+
+def flat(tensors: Sequence[np.ndarray]) -> list[np.ndarray]:
+    """Return TENSORS as `attend` reads them: column by column, Q, W, b of team-mates, then of opponents."""
+    parts: list[np.ndarray] = []
+    for first in range(0, len(tensors), 3):
+        weight, bias, query = tensors[first : first + 3]
+        parts += [query.T.ravel(), weight.T.ravel(), bias]
+    return [part.astype(np.float64) for part in parts]
+
+
+@compiled
+def observed(numbers, shape):
+    """Return how many entries an observation has, by the shape at `shape`."""
+    found = numbers[shape + FIXED]
+    for kind in range(2):
+        found += numbers[shape + SLOTS + kind] * numbers[shape + ENTRIES + kind]
+    return int(found)
+
+
+@compiled
+def attend(numbers, shape, start, smooth, room):
+    """Put what is pooled of both kinds behind the fixed entries in room[2]; return where the numbers go on.
+
+    Room[0] and room[1] are to work in; `smooth` is True for tanh.
+    """
+    fixed, width = int(numbers[shape + FIXED]), int(numbers[shape + WIDTH])
+    at, first = start, fixed
+    for kind in range(2):
+        slots, entries = int(numbers[shape + SLOTS + kind]), int(numbers[shape + ENTRIES + kind])
+        ask(numbers, at, fixed, width, room)
+        at += fixed * width
+        pool(numbers, at, first, slots, entries, width, kind * width, smooth, room)
+        at += (entries + 1) * width
+        first += slots * entries
+    for j in range(2 * width):
+        room[2, fixed + j] = room[1, j]
+    return at
+
+
+@compiled
+def ask(numbers, at, fixed, width, room):
+    """Write q into room[0]."""
+    for j in range(width):
+        room[0, j] = 0.0
+    for i in range(fixed):
+        value = room[2, i]
+        for j in range(width):
+            room[0, j] += value * numbers[at + i * width + j]
+
+
+@compiled
+def pool(numbers, at, first, slots, entries, width, to, smooth, room):
+    """Write what is pooled of a kind's slots into room[1] from `to` on, with q in room[0] and each e behind it.
+
+    The weights are relative to the largest so far, so that no exponential overflows.
+    """
+    top, total = 0.0, 0.0
+    for j in range(width):
+        room[1, to + j] = 0.0
+    for slot in range(first, first + slots * entries, entries):
+        if room[2, slot] > 0.0:
+            encode(numbers, at, slot, entries, width, smooth, room)
+            alike = 0.0
+            for j in range(width):
+                alike += room[0, j] * room[0, width + j]
+            kept = exp(min(top - alike, 0.0)) if total > 0.0 else 0.0
+            top = max(top, alike) if total > 0.0 else alike
+            weight = exp(alike - top)
+            total = kept * total + weight
+            for j in range(width):
+                room[1, to + j] = kept * room[1, to + j] + weight * room[0, width + j]
+    if total > 0.0:
+        for j in range(width):
+            room[1, to + j] /= total
+
+
+@compiled
+def encode(numbers, at, slot, entries, width, smooth, room):
+    """Write e of one slot into room[0], behind q."""
+    bias = at + entries * width
+    for j in range(width):
+        room[0, width + j] = numbers[bias + j]
+    for i in range(entries):
+        value = room[2, slot + i]
+        for j in range(width):
+            room[0, width + j] += value * numbers[at + i * width + j]
+    for j in range(width):
+        room[0, width + j] = tanh(room[0, width + j]) if smooth else max(room[0, width + j], 0.0)

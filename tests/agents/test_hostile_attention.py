@@ -1,0 +1,135 @@
+"""Files of policies with attention: real ones go through unchanged, wrong and hostile ones are refused in one line."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env.agents.attention import TENSORS
+from soccer_env.agents.policy_file import KEY, dump, load, parse
+from tests.agents.staged_policies import attentive, lively
+from tests.agents.test_hostile_files import WHERE, packed, refused, without
+
+INPUTS = ("ball_x", "teammate_0_present", "teammate_0_x", "opponent_0_present", "opponent_0_x")
+WHOLE = attentive(3, width=2, inputs=INPUTS, weights=(np.ones((3, 5), np.float32), np.ones((4, 3), np.float32)))
+GOOD = dump(WHOLE)
+LENGTH = int.from_bytes(GOOD[:8], "little")
+HEADER: dict[str, Any] = json.loads(GOOD[8 : 8 + LENGTH])
+TABLE: dict[str, Any] = json.loads(HEADER["__metadata__"][KEY])
+BODY = GOOD[8 + LENGTH :]
+QUERY = "opponent.query"
+
+
+def with_fields(**changes: Any) -> bytes:
+    return packed({**HEADER, "__metadata__": {KEY: json.dumps({**TABLE, **changes})}}, BODY)
+
+
+def with_tensor(name: str, **changes: Any) -> bytes:
+    return packed({**HEADER, name: {**HEADER[name], **changes}}, BODY)
+
+
+def with_number(name: str, value: float) -> bytes:
+    """Return the file with the first number of a tensor replaced."""
+    at = HEADER[name]["data_offsets"][0]
+    return packed(HEADER, BODY[:at] + np.array([value], "<f4").tobytes() + BODY[at + 4 :])
+
+
+@pytest.mark.parametrize("activation", ["tanh", "relu"])
+def test_a_file_gives_back_the_policy(tmp_path: Path, activation: str) -> None:
+    whole = attentive(16, 8, width=12, activation=activation, mirror=True, actions="full")
+    (tmp_path / "a.safetensors").write_bytes(dump(whole))
+    read = load(tmp_path / "a.safetensors")
+    assert read.kind == "attention" and len(read.attention) == 6 and read.inputs == whole.inputs
+    for name in ("weights", "biases", "attention"):
+        for own, other in zip(getattr(whole, name), getattr(read, name), strict=True):
+            assert own.tobytes() == other.tobytes() and own.shape == other.shape
+    assert dump(read) == dump(whole)
+
+
+def test_its_tensors_have_names_and_the_version_is_that_of_all() -> None:
+    assert HEADER.keys() - {"__metadata__"} == {f"layer{n}.{part}" for n in (0, 1) for part in ("weight", "bias")} | {
+        *TENSORS
+    }
+    assert TABLE["kind"] == "attention" and TABLE["version"] == 1
+    assert dump(parse(with_fields(), WHERE)) == GOOD
+
+
+def test_a_file_that_is_cut_off_anywhere_is_refused() -> None:
+    for length in range(len(GOOD)):
+        refused(GOOD[:length])
+
+
+def test_a_flipped_bit_is_refused_or_harmless() -> None:
+    for place in range(len(GOOD)):
+        for bit in (0, 3, 7):
+            content = bytearray(GOOD)
+            content[place] ^= 1 << bit
+            try:
+                found = parse(bytes(content), WHERE)
+            except ValueError as refusal:
+                assert str(refusal).startswith(f"policy file {WHERE!r}: ") and str(refusal).isprintable()
+            else:
+                assert all(np.isfinite(array).all() for array in found.attention)
+
+
+@pytest.mark.parametrize("name", TENSORS)
+def test_every_tensor_is_needed_and_of_its_shape(name: str) -> None:
+    refused(packed(without(HEADER, name), BODY), f"lacks the tensor '{name}'|has a tensor")
+    axes = 1 if name.endswith("bias") else 2
+    for shape in ([1] * (3 - axes), [0] * axes, [2.0] * axes, [2**40] * axes, [5000] * axes, "2"):
+        refused(with_tensor(name, shape=shape), f"{name} must have {axes} axes of 1 to 4096")
+    refused(with_tensor(name, dtype="F64"), f"{name} must be of dtype 'F32'")
+    refused(with_tensor(name, code="x"), f"{name} must have data_offsets, dtype, shape and nothing else")
+    refused(with_number(name, np.nan), f"{name} must be finite")
+    refused(with_number(name, -np.inf), f"{name} must be finite")
+    refused(with_number(name, 3e38), "must stay below")
+
+
+def test_what_belongs_to_one_kind_is_refused_in_the_other() -> None:
+    refused(with_fields(kind="slots"), "lacks the tensor 'layer2.bias'|has a tensor")
+    refused(with_fields(kind="Attention"), "lacks the tensor|has a tensor")
+    refused(with_fields(kind=["attention"]), "kind must be of the JSON type of str")
+    slots = dump(lively(3))
+    length = int.from_bytes(slots[:8], "little")
+    header = json.loads(slots[8 : 8 + length])
+    text = header["__metadata__"][KEY].replace('"kind":"slots"', '"kind":"attention"')
+    assert text != header["__metadata__"][KEY]
+    refused(packed({**header, "__metadata__": {KEY: text}}, slots[8 + length :]), "lacks the tensor 'opponent.bias'")
+    only = {name: entry for name, entry in HEADER.items() if not name.startswith("layer")}
+    refused(packed(only, BODY), "not fully covered|1 to 8 layers, got 0|Error")
+
+
+@pytest.mark.parametrize(
+    "inputs",
+    [
+        INPUTS[1:],
+        INPUTS[::-1],
+        ("ball_x", "a", "b", "c", "d"),
+        (*INPUTS[:3], "opponent_0_seen", "opponent_0_x"),
+        ("ball_x", *INPUTS[3:], *INPUTS[1:3]),
+        (*INPUTS[:3], "opponent_1_present", "opponent_1_x"),
+        (*INPUTS[:3], "opponent_0_present", "opponent_9999_x"),
+    ],
+)
+def test_inputs_that_do_not_end_in_slots_are_refused(inputs: tuple[str, ...]) -> None:
+    refused(with_fields(inputs=list(inputs)), "needs inputs that end in slots")
+
+
+def test_sizes_that_do_not_agree_are_refused() -> None:
+    longer = (*INPUTS, "opponent_1_present", "opponent_1_x")
+    assert parse(with_fields(inputs=list(longer)), WHERE).inputs == longer, "shared weights fit any number of slots"
+    refused(with_fields(inputs=["ball_y", *INPUTS]), r"teammate.query must have the shape \(2, 2\), got \(2, 1\)")
+    turned = [*reversed(HEADER["layer0.weight"]["shape"])]
+    refused(with_tensor("layer0.weight", shape=turned), r"layer0 must have a weight \(3, 5\)")
+    refused(with_tensor(QUERY, data_offsets=HEADER["teammate.query"]["data_offsets"]), "Error|offset")
+
+
+def test_a_policy_of_another_league_is_refused_there_although_its_weights_would_fit() -> None:
+    from soccer_env.leagues import find_league
+
+    policy = attentive(8)
+    policy.check_plays(find_league("legged-2001"))
+    with pytest.raises(ValueError, match="was trained in 'legged-2001'"):
+        policy.check_plays(find_league("middle-size-2006"))

@@ -1,0 +1,93 @@
+"""The kind "attention" in training: what a run makes fits its files, learns, and refuses what has no slots."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env.leagues import find_league
+from soccer_env.observations import names_of
+
+pytest.importorskip("stable_baselines3")
+
+import torch
+from gymnasium import spaces
+
+from soccer_env.agents.learned import team_of
+from soccer_env.agents.network import pack
+from soccer_env.train.curriculum import Curriculum
+from soccer_env.train.imitation import fit
+from soccer_env.train.networks import SoccerPolicy, blank_policy, policy_from
+from soccer_env.train.train_settings import TrainSettings, command_of
+from tests.agents.staged_policies import attentive, decide
+
+NAMES = names_of(find_league("legged-2001"), "belief")
+
+
+def network(seed: int = 1, **settings: Any) -> SoccerPolicy:
+    """Return an actor with attention for beliefs of the legged league."""
+    torch.manual_seed(seed)
+    seen, done = spaces.Box(-1.0, 1.0, (len(NAMES),), np.float32), spaces.Box(-1.0, 1.0, (4,), np.float32)
+    shape: dict[str, Any] = {"hidden": (16,), "critic": (16,), **settings}
+    return SoccerPolicy(seen, done, lambda _: 1e-3, names=NAMES, kind="attention", **shape)
+
+
+@pytest.mark.parametrize("hidden", ["64,64", "12"])
+@pytest.mark.parametrize("mirror", [False, True])
+def test_the_policy_before_training_has_the_shape_of_the_one_after(mirror: bool, hidden: str) -> None:
+    settings = TrainSettings(kind="attention", mirror=mirror, hidden=hidden)
+    blank = blank_policy(settings, NAMES)
+    sizes = settings.hidden_sizes
+    made = policy_from(
+        network(hidden=sizes, mirror=mirror), name="t", league="legged-2001", observe="belief", action_repeat=8, made={}
+    )
+    assert made.kind == blank.kind == "attention"
+    assert len(made.attention[1]) == max(8, sizes[0] // 4)
+    rows = np.random.default_rng(1).uniform(-1.0, 1.0, (5, len(NAMES))).astype(np.float32)
+    assert pack(made).shape == pack(blank).shape
+    assert (decide(blank, rows) == 0.0).all() and (decide(made, rows) != 0.0).any()
+
+
+def test_a_past_self_takes_the_blank_ones_place() -> None:
+    settings = TrainSettings(kind="attention", hidden="32")
+    curriculum = Curriculum(("still",), 1, blank_policy(settings, NAMES), True)
+    later = attentive(32, width=8, mirror=True, action_repeat=8)
+    curriculum.add_past(later, 100)
+    assert (curriculum._past[0].settings == team_of(later).settings).all()
+
+
+@pytest.mark.parametrize("mirror", [False, True])
+def test_fitting_teaches_attention_as_well(mirror: bool) -> None:
+    """Ask for the place of the nearest opponent in use, which lies in a slot that changes from row to row."""
+    rng = np.random.default_rng(1)
+    rows = np.zeros((4000, len(NAMES)), np.float32)
+    slot, place = rng.integers(0, 3, 4000), rng.uniform(-1.0, 1.0, 4000)
+    for number in range(3):
+        rows[slot == number, NAMES.index(f"opponent_{number}_present")] = 1.0
+        rows[slot == number, NAMES.index(f"opponent_{number}_x")] = place[slot == number]
+    actions = np.zeros((4000, 4), np.float32)
+    actions[:, 0] = place
+    made = network(mirror=mirror)
+    before = [parameter.clone() for parameter in made.mlp_extractor.attention.encoders.parameters()]
+    errors = fit(made, rows, actions, 20, 1, batch=128)
+    assert errors[-1] < 0.1 * errors[0] and errors[-1] < 0.003
+    after = list(made.mlp_extractor.attention.encoders.parameters())
+    assert all((one != other).any() for one, other in zip(before[2:], after[2:], strict=True)), "opponents' encoder"
+
+
+def test_the_actors_parameters_are_all_but_the_critics() -> None:
+    made = network()
+    own = {id(parameter) for parameter in made.actor_parameters()}
+    rest = [name for name, parameter in made.named_parameters() if id(parameter) not in own]
+    assert rest and all("value_net" in name for name in rest)
+    assert made.actor_parameters()[-1] is made.log_std
+
+
+def test_pictures_have_no_slots_to_attend_to() -> None:
+    with pytest.raises(ValueError, match="kind='attention' needs observe='belief' or 'truth'"):
+        TrainSettings(kind="attention", observe="percepts", mirror=False)
+
+
+def test_slots_are_the_default_and_the_command_names_the_other_kind() -> None:
+    assert TrainSettings().kind == "slots" and "--kind" not in command_of(TrainSettings())
+    assert "--kind attention" in command_of(TrainSettings(kind="attention"))
