@@ -98,7 +98,8 @@ def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
             )  # fmt: skip
             progress.advance(1.0)
         observations = np.concatenate([part[0] for part in parts])
-        forget_own_commands(observations, network.names, settings.seed)
+        if not settings.teacher_commands:
+            forget_own_commands(observations, network.names, settings.seed)
         actions = np.concatenate([part[1] for part in parts])
         return fit(
             network, observations, actions, settings.teacher_epochs, settings.seed,

@@ -79,6 +79,8 @@ class RunFolder:
         if before is None and any((self.path / name).exists() for name in FILES):
             raise ValueError(f"{self.path} holds files of a run without {SETTINGS}; --anew removes them")
         now = settings.decisive()
+        added = TrainSettings().decisive()  # a setting that came after the run began was at its default
+        before = None if before is None else added | before
         differ = [name for name in now if before is not None and before.get(name) != now[name]]
         if before is not None and differ:
             told = ", ".join(f"{name} = {before.get(name)!r}, now {now[name]!r}" for name in differ)

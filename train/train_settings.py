@@ -69,6 +69,8 @@ class TrainSettings:
     """Decisions of the teacher to record, over all team sizes and opponents."""
     teacher_epochs: int = 12
     """Times that the recorded decisions are gone through."""
+    teacher_commands: bool = False
+    """Let the pupil see its own last command meanwhile; it then learns to go on as before, and little else."""
     critic_first: int = 3
     """Rollouts in which the critic alone learns, so that it does not mislead what the teacher taught."""
     kind: Literal["slots", "attention"] = "slots"
