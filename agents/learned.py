@@ -57,12 +57,16 @@ def from_zip(
     observe: str = "truth",
     action_repeat: int = 1,
     activation: str | None = None,
+    at_once: bool = True,
 ) -> LearnedTeam:
-    """Return the team of a zip that stable-baselines3 saved after training on a face of ours with these settings."""
+    """Return the team of a zip that stable-baselines3 saved after training on a face of ours with these settings.
+
+    at_once: episodes began with a decision, as on the faces; False for `train.vec_env.SoccerVecEnv`.
+    """
     from soccer_env.agents.sb3_zip import load_sb3
 
     policy = load_sb3(path, league=league, observe=observe, action_repeat=action_repeat, activation=activation)
-    return team_of(policy, at_once=True)
+    return team_of(policy, at_once)
 
 
 def team(strength: float = 1.0) -> LearnedTeam:

@@ -207,5 +207,5 @@ def _announce() -> None:
     if os.environ.get("SOCCER_ENV_QUIET", "0") not in ("", "0"):
         return
     filled = any(folder.is_dir() and any(folder.iterdir()) for folder in folders())
-    what = "what is new" if filled else "kernels (once, about half a minute)"
+    what = "what is new" if filled else "kernels (once, one to two minutes)"
     print(f"{PACKAGE}: compiling {what} ...", file=sys.stderr, flush=True)

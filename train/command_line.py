@@ -244,6 +244,8 @@ def run_train(words: list[str]) -> int:
             f"{error}; the same command goes on with the run in {settings.out} once that is mended"
         ) from error
     console().print(screen_table(result))
+    best = max(result.evaluations, key=lambda one: one["mean"])
+    print(f"best: step {best['step']:,}, {best['mean']:+.2f} on average; the largest of several is a lucky one")
     files = [settings.out / name for name in ("best.safetensors", "learning_curve.png")]
     print(f"written: {', '.join(str(file) for file in files if file.exists())}")
     return 0

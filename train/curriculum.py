@@ -43,6 +43,7 @@ class Curriculum:
         self.names = [*names, *self.past_names]
         self._past = [team_of(first) for _ in self.past_names]
         self.filled = [0] * past  # the step at which each past self was taken, 0: not yet
+        self.leaving = dict.fromkeys(self.past_names, 0)  # episodes that began against the past self of before
         self.standings = {name: Standing() for name in (LEARNER, *self.names)}
         teams = (*(compiled_team(name) for name in names), *self._past)
         self.lineup = Lineup(teams, np.ones(len(teams)), tuple(self.names))
@@ -52,6 +53,9 @@ class Curriculum:
     def take(self, results: Iterable[Any]) -> None:
         """Learn from the results of episodes (`vec_env.Result`) and weigh the opponents anew."""
         for result in results:
+            if self.leaving.get(result.opponent, 0) > 0:
+                self.leaving[result.opponent] -= 1
+                continue
             opponent, learner = self.standings[result.opponent], self.standings[LEARNER]
             opponent.points = MEMORY * opponent.points + (1.0 - MEMORY) * result.points
             opponent.episodes += 1
@@ -59,12 +63,16 @@ class Curriculum:
             self._rate(learner, opponent, result.points)
         self._weigh()
 
-    def add_past(self, policy: Policy, step: int) -> None:
-        """Let the learner as it is now take the place of the oldest past self."""
+    def add_past(self, policy: Policy, step: int, playing: Sequence[str] = ()) -> None:
+        """Let the learner as it is now take the place of the oldest past self, at once.
+
+        `playing` names who plays each running episode: the results of those that began against another do not count.
+        """
         if self._past:
             oldest = int(np.argmin(self.filled))
             self._past[oldest].settings[:] = pack(policy)
             self.filled[oldest] = step
+            self.leaving[self.past_names[oldest]] = sum(name == self.past_names[oldest] for name in playing)
             learner = self.standings[LEARNER]
             self.standings[self.past_names[oldest]] = Standing(mu=learner.mu, sigma=learner.sigma)
             self._weigh()
@@ -73,12 +81,12 @@ class Curriculum:
         """Return what a checkpoint keeps."""
         standings = {name: vars(standing).copy() for name, standing in self.standings.items()}
         numbers = [team.settings.copy() for team in self._past]
-        return {"standings": standings, "filled": list(self.filled), "past": numbers}
+        return {"standings": standings, "filled": list(self.filled), "past": numbers, "leaving": dict(self.leaving)}
 
     def restore(self, state: dict[str, Any]) -> None:
         """Take back what `state` returned."""
         self.standings = {name: Standing(**values) for name, values in state["standings"].items()}
-        self.filled = list(state["filled"])
+        self.filled, self.leaving = list(state["filled"]), dict(state["leaving"])
         for team, numbers in zip(self._past, state["past"], strict=True):
             team.settings[:] = numbers
         self._weigh()

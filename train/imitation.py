@@ -22,7 +22,7 @@ from soccer_env.train.train_settings import TrainSettings, senses_of
 
 WALK = ("forward", "left", "turn")
 NO_KICK = -1.0
-TEACHER_MINUTES = 4.0  # [min] of a match that is recorded
+TEACHER_SEED = 2_000_003  # added to the run's seed: the teacher plays other matches than the learner
 
 
 def record(
@@ -80,9 +80,8 @@ def fit(
 def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
     """Record the teacher of a run against its opponents at all team sizes, and fit the actor; return the errors."""
     cases = [(sizes, opponent) for sizes in settings.sizes for opponent in settings.opponent_names]
-    decisions = max(
-        1, round(60.0 * TEACHER_MINUTES * find_league(settings.league).control_rate / settings.action_repeat)
-    )
+    rate = find_league(settings.league).control_rate
+    decisions = max(1, round(60.0 * settings.minutes * rate / settings.action_repeat))
     parts = []
     with Progress(f"learning from {settings.teacher}", len(cases) + settings.teacher_epochs / 2) as progress:
         for index, (players, opponent) in enumerate(cases):
@@ -91,9 +90,9 @@ def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
             parts.append(
                 record(
                     settings.teacher, opponent, players, min(decisions, max(1, round(share / count))),
-                    settings.action_repeat, league=settings.league, matches=count, minutes=TEACHER_MINUTES,
-                    seed=settings.seed + 1 + index, observe=settings.observe, senses=senses_of(settings.senses),
-                    pose=settings.pose, threads=settings.threads,
+                    settings.action_repeat, league=settings.league, matches=count, minutes=settings.minutes,
+                    seed=settings.seed + TEACHER_SEED + 1009 * index, observe=settings.observe,
+                    senses=senses_of(settings.senses), pose=settings.pose, threads=settings.threads,
                 )
             )  # fmt: skip
             progress.advance(1.0)

@@ -50,11 +50,12 @@ def row_settings(
     matches: int,
     minutes: float | None = None,
     players: int = PLAYERS,
+    seed: int = SEED,
 ) -> EvaluateSettings:
     """Return the evaluation behind one row."""
     return EvaluateSettings(
         league=league, home=home, away=away, senses=senses, matches=matches, minutes=minutes, players=players,
-        seed=SEED, threads=2,
+        seed=seed, threads=2,
     )  # fmt: skip
 
 
@@ -73,6 +74,7 @@ def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, An
         "away": settings.away,
         "senses": settings.senses,
         "players": settings.players,
+        "seed": settings.seed,
         "matches": settings.matches,
         "asked_minutes": settings.minutes,
         "minutes": result.conditions.minutes,
@@ -88,7 +90,8 @@ def replay_row(row: dict[str, Any]) -> list[str]:
     """Play the first pair of a row again; return what differs."""
     home, minutes = row.get("home", "chaser"), row.get("asked_minutes")
     players = row.get("players", PLAYERS)
-    settings = row_settings(row["league"], home, row["away"], row["senses"], row["matches"], minutes, players)
+    seed = row.get("seed", SEED)
+    settings = row_settings(row["league"], home, row["away"], row["senses"], row["matches"], minutes, players, seed)
     league = find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, {})
     seeds = seeds_for(settings.seed, 1).tolist()

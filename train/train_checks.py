@@ -7,9 +7,11 @@ import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from math import ceil
 from typing import Any
 
 from soccer_env.leagues import find_league
+from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.observations import names_of
 from soccer_env.rewards import Rewards
@@ -19,7 +21,7 @@ from soccer_env.train.networks import blank_policy
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.train_settings import TrainSettings, command_of, senses_of
 from soccer_env.train.training_reports import evaluation_of
-from soccer_env.train.vec_env import SoccerVecEnv, per_step
+from soccer_env.train.vec_env import SoccerVecEnv
 
 
 def check_playable(settings: TrainSettings) -> None:
@@ -29,7 +31,9 @@ def check_playable(settings: TrainSettings) -> None:
     policy = replace(blank_policy(settings, names_of(league, settings.observe)), made=made_by(settings, 0))
     with said_by("opponents"):
         curriculum = Curriculum(settings.opponent_names, settings.past, policy, even=True)
-    make_matches(replace(settings, matches=len(settings.sizes)), curriculum).close()
+    with said_by("opponents"):
+        make_matches(replace(settings, matches=len(settings.sizes)), curriculum).close()
+    check_minutes(settings, league)
     if settings.matches < len(settings.sizes):
         raise ValueError(
             f"matches must be at least one for each of {len(settings.sizes)} team sizes, got {settings.matches}"
@@ -41,6 +45,18 @@ def check_playable(settings: TrainSettings) -> None:
         with said_by("teacher"):
             for home, away in settings.sizes:
                 lesson(settings, home, away).close()
+
+
+def check_minutes(settings: TrainSettings, league: League) -> None:
+    """Raise ValueError unless an episode lasts whole decisions: else later ones would fall into other gait phases."""
+    half = ceil(30.0 * settings.minutes * league.control_rate - 0.5)  # [control steps] as the referee counts them
+    if 2 * half % settings.action_repeat:
+        least = settings.action_repeat / (60.0 * league.control_rate)  # [min]
+        whole = least * max(1, round(settings.minutes / least))
+        raise ValueError(
+            f"minutes must make whole decisions of {settings.action_repeat} control steps, got {settings.minutes:g}; "
+            f"try {whole:.4g}"
+        )
 
 
 @contextmanager
@@ -88,7 +104,7 @@ def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEn
     )
     return SoccerVecEnv(
         settings.league, players=settings.sizes, matches=settings.matches, opponents=curriculum.lineup,
-        action_repeat=settings.action_repeat, rewards=per_step(weights, settings.gamma, settings.action_repeat),
+        action_repeat=settings.action_repeat, rewards=weights, gamma=settings.gamma,
         state=settings.central_critic, stagger=True, seed=settings.seed, threads=settings.threads,
         observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, minutes=settings.minutes,
     )  # fmt: skip

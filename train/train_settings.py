@@ -35,7 +35,7 @@ class TrainSettings:
 
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
-    name: str = "learned"
+    name: str = "policy"
     """What the policy calls itself."""
     out: Path = Path("runs/train")
     """Folder of the run: checkpoints, best.safetensors, last.safetensors, logs, learning curve."""
@@ -47,7 +47,7 @@ class TrainSettings:
     """Matches side by side, shared among the team sizes."""
     minutes: float = 2.0
     """Minutes of play in a training episode, both halves together."""
-    opponents: str = "chaser@0.5,chaser,sacks-2001"
+    opponents: str = "still,chaser@0.5,chaser"
     """Teams that play away, with commas between them: names of `soccer list teams`, or policy files."""
     past: int = 0
     """How many past selves are among the opponents, the oldest giving way to the newest."""
@@ -121,14 +121,14 @@ class TrainSettings:
     """Weight of the potential of the nearest robot's distance from the ball."""
     effort: float = 0.001
     """Weight of the cost of walking."""
-    evaluate_every: int = 1_000_000
+    evaluate_every: int = 500_000
     """Steps between two evaluations of the policy, without noise; the best one is kept as best.safetensors."""
     evaluate_matches: int = 40
     """Matches of an evaluation against each of its opponents, even."""
     evaluate_minutes: float = 4.0
     """Minutes of play in them."""
-    evaluate_against: str = "chaser,sacks-2001"
-    """Opponents of the evaluations, at the largest team size, by sensors if the robots learn by them."""
+    evaluate_against: str = "chaser@0.5,chaser"
+    """Opponents of the evaluations, at the largest team size, as `soccer evaluate` plays: own poses by particles."""
     seed: int = 0
     """Seed of everything; the same settings and seed with one torch thread give the same weights."""
     threads: int = 1
@@ -166,12 +166,14 @@ class TrainSettings:
             raise ValueError(f"evaluate_matches must be even, got {self.evaluate_matches}")
         if self.mirror and self.observe == "percepts":
             raise ValueError(
-                "mirror needs observe='belief' or 'truth': a picture is not mirrored by turning signs round"
+                "mirror needs observe='belief' or 'truth', as turning signs round mirrors no picture: give --no-mirror"
             )
         if self.kind == "attention" and self.observe == "percepts":
             raise ValueError("kind='attention' needs observe='belief' or 'truth': pictures have no slots for players")
         if split_senses(self.senses)[0] != "ideal" and self.observe == "truth":
-            raise ValueError("observe='truth' needs senses='ideal', as the policy will when it plays")
+            raise ValueError(
+                "observe='truth' needs senses='ideal', as the policy will when it plays: give --senses ideal"
+            )
         self.sizes, self.hidden_sizes, self.critic_sizes, self.opponent_names, self.judges  # noqa: B018  # check texts
 
     @property

@@ -133,7 +133,8 @@ class Training:
         results, self.matches.results = self.matches.results, []
         self.curriculum.take(results)
         if self.rollouts % settings.past_every == 0:
-            self.curriculum.add_past(self.policy(), step)
+            playing = [name for names in self.matches.opponents for name in names]
+            self.curriculum.add_past(self.policy(), step, playing)
         self.board.log(step, self.rollouts, results, self.curriculum, self.model.logger, self.matches)
         before = step - settings.rollout * self.matches.num_envs
         if last or step // settings.evaluate_every > before // settings.evaluate_every:

@@ -47,9 +47,16 @@ class SoccerVecEnv(VecEnv):
     """Matches whose home robots learn, as rows of one environment.
 
     players: team sizes (home, away), the matches being shared evenly among them; opponents: a team, its name, or a
-    `players.Lineup` whose weights choose anew for each episode; state: append `Match.state()` to every observation, for
-    a centralised critic; stagger: begin the first episodes at different times of play. Other settings are those of
-    `Match`. `results` collects how episodes ended until somebody takes them, `seconds` the time [s] that steps took.
+    `players.Lineup` whose weights choose anew for each episode; gamma: discount of one step, which the shaping of
+    `rewards` takes over; state: append `Match.state()` to every observation, for a centralised critic; stagger: begin
+    the first episodes at different times of play. max_cycles counts steps of `action_repeat` control steps. Other
+    settings are those of `Match` (observe="truth" unless told otherwise, box or full actions). `results` collects how
+    episodes ended until somebody takes them, `seconds` the time [s] that steps took. Every reset plays the episodes of
+    the seed again. An episode that does not last whole steps shifts the next one's decisions within the gait.
+
+        env = SoccerVecEnv(players=[(2, 2)], matches=64, opponents="chaser", action_repeat=8, minutes=2.0)
+        model = A2C("MlpPolicy", env).learn(100_000)
+        model.save("mine.zip")  # soccer evaluate --home mine.zip:action_repeat=8,at_once=False --senses ideal
     """
 
     def __init__(
@@ -73,10 +80,15 @@ class SoccerVecEnv(VecEnv):
         shares = [matches * (i + 1) // len(players) - matches * i // len(players) for i in range(len(players))]
         if min(shares) < 1:
             raise ValueError(f"matches must be at least one for each of {len(players)} team sizes, got {matches}")
+        for name in ("teammates", "controllers", "autoreset"):
+            if name in settings:
+                raise ValueError(f"SoccerVecEnv takes no {name}: all home robots learn, and matches begin anew at once")
+        if settings.get("max_cycles") is not None:
+            settings["max_cycles"] *= action_repeat
         self.matches = [
             Match(
                 league, home=home, away=away, matches=share, opponents=opponents, threads=threads, seed=seed,
-                autoreset="same_step", rewards=rewards or per_step(Rewards(), gamma, action_repeat), **settings,
+                autoreset="same_step", rewards=per_step(rewards or Rewards(), gamma, action_repeat), **settings,
             )
             for (home, away), share in zip(players, shares, strict=True)
         ]  # fmt: skip
@@ -114,11 +126,11 @@ class SoccerVecEnv(VecEnv):
             seeds = seeds[match.count :]
             if self.stagger:
                 stagger_clocks(match, self.repeat)
-            unheard = (
-                self.repeat if self.stagger and not self.first_decision else 0
-            )  # the new clock is in no observation
+            until = self.first_decision
+            if self.stagger and until == 0:
+                until = self.repeat  # so that observations tell the new clock
             still = np.tile(self._stand(), (match.count, len(match.agents), 1))
-            for _ in range(self.first_decision + unheard):
+            for _ in range(until):
                 match.step(still)
         self.opponents = [playing(match) for match in self.matches]
         self._returns[:], self._lengths[:] = 0.0, 0

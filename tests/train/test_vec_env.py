@@ -108,9 +108,10 @@ def by_hand(match: Match, actions: np.ndarray, repeat: int) -> tuple[np.ndarray,
 
 @pytest.mark.parametrize("repeat", [1, 8])
 def test_transitions_are_those_of_a_match(repeat: int) -> None:
-    env = rows(action_repeat=repeat, max_cycles=45, minutes=0.15)
+    steps = 48 // repeat
+    env = rows(action_repeat=repeat, max_cycles=steps, minutes=0.15)
     match = Match(
-        home=2, away=2, matches=4, opponents="chaser", senses="ideal", autoreset="same_step", max_cycles=45,
+        home=2, away=2, matches=4, opponents="chaser", senses="ideal", autoreset="same_step", max_cycles=48,
         minutes=0.15, seeds=seeds_for(3, 4), rewards=per_step(Rewards(), 0.99, repeat),
     )  # fmt: skip
     seen, rng, ends = env.reset(), np.random.default_rng(0), 0
@@ -130,7 +131,8 @@ def test_transitions_are_those_of_a_match(repeat: int) -> None:
 
 def test_a_repeat_pays_what_its_control_steps_pay() -> None:
     rewards = Rewards()
-    once, eight = rows(rewards=rewards, action_repeat=1), rows(rewards=rewards, action_repeat=8)
+    once = rows(rewards=rewards, action_repeat=1, gamma=0.99 ** (1 / 8))
+    eight = rows(rewards=rewards, action_repeat=8, gamma=0.99)
     once.reset(), eight.reset()
     for _ in range(first_decision(once.matches[0].league.delay_steps, 8)):
         once.step(np.zeros((8, 4)))
