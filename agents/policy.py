@@ -72,6 +72,8 @@ class Policy:
         _check_choice("activation", self.activation, ACTIVATIONS)
         if type(self.mirror) is not bool:
             raise ValueError(f"mirror must be True or False, got {brief(self.mirror)}")
+        if self.mirror and self.observe == "percepts":
+            raise ValueError("mirror must be False where percepts are observed: turning signs round mirrors no picture")
         if type(self.action_repeat) is not int or not 1 <= self.action_repeat <= MAX_REPEAT:
             raise ValueError(f"action_repeat must be 1 to {MAX_REPEAT}, got {brief(self.action_repeat)}")
         _check_inputs(self.inputs)
@@ -90,7 +92,7 @@ class Policy:
 
         A variant's name begins with that of its league (legged-2001-inner); its layout has to be the same.
         """
-        if not league.name.startswith(self.league):
+        if league.name != self.league and not league.name.startswith(self.league + "-"):
             raise ValueError(f"policy {self.name!r} was trained in {self.league!r}, not for {league.name!r}")
         names = names_of(league, self.observe)
         if list(self.inputs) == names:

@@ -47,6 +47,10 @@ class Field:
         self.constants, self.weights = settings.constants(), settings.rewards.weights()
         self.physics = SpaceBatch(matches, robots + 1, way)
 
+    def discount(self, last: bool) -> None:
+        """Let the shaping of the coming control step discount, as the last one of an action does, or not."""
+        self.weights["gamma"] = self.settings.rewards.gamma if last else 1.0
+
     def start(self, m: int, seed: int, episode: int) -> None:
         """Begin an episode in match m, in a Space of its own."""
         at = slice(m, m + 1)

@@ -29,15 +29,14 @@ from soccer_env.user_code import checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
-# Kept of a match that begins again at once:
-FINAL = ("observations", "matches", "balls", "robots", "events", "robot_events", "terms")
+FINAL = ("observations", "matches", "balls", "robots", "events", "robot_events", "terms")  # kept of what was ended
 
 
 class Match:
     """M matches of one league, stepped together.
 
-    Keyword settings are those of `soccer_v0.parallel_env`, and: matches, threads, seeds (M,) instead of seed, minutes
-    of play, autoreset "off", "next_step" or "same_step", physics way "c" or "batch". ValueError names what is wrong.
+    Settings are those of `soccer_v0.parallel_env`, and: matches, threads, seeds (M,) instead of seed, minutes of play,
+    autoreset "off", "next_step" or "same_step", physics way "c" or "batch". ValueError names what is wrong.
     """
 
     def __init__(
@@ -139,18 +138,19 @@ class Match:
 
     # Stepping
 
-    def step(self, actions: Any = None) -> Transition:
+    def step(self, actions: Any = None, *, last: bool = True) -> Transition:
         """Advance all matches by `action_repeat` control steps.
 
         actions: (M, R, 4 or 7) in [-1, 1] for all robots (rows that teams play are ignored), discrete (M, R) integers,
         or None if teams play them all. Returns observations (M, R, n) float32, rewards (M, R), terminated (M,) and
         truncated (M,): the match's own arrays, valid until the next step. ValueError for actions of a wrong shape or
         that are not finite. With autoreset "off" a match that ended stands still, and one that was truncated goes on.
+        last=False: the caller keeps the action for more steps; shaping discounts once in all of them.
         """
         numbers = self._check_actions(actions)
         mode = self.settings.autoreset
         ended = np.flatnonzero(self.terminated | self.truncated) if mode == "next_step" else ()
-        self._advance(numbers)
+        self._advance(numbers, last)
         if mode == "same_step":
             return self._restart_same_step()
         if len(ended):
@@ -166,14 +166,17 @@ class Match:
             raise ValueError(f"actions are missing for {agent}: no team plays it")
         return self._no_actions
 
-    def _advance(self, numbers: np.ndarray) -> None:
+    def _advance(self, numbers: np.ndarray, last: bool) -> None:
         """Run `action_repeat` control steps; rewards and events add up, a match that is over waits."""
+        repeat = self.settings.action_repeat
+        self.field.discount(last and repeat == 1)
         self._control_step(numbers)
-        if self.settings.action_repeat == 1:
+        if repeat == 1:
             return
         rewards, terms = self.rewards.copy(), self.terms.copy()
         events, robot_events = self.events.copy(), self.robot_events.copy()
-        for _ in range(self.settings.action_repeat - 1):
+        for step in range(1, repeat):
+            self.field.discount(last and step == repeat - 1)
             self._control_step(numbers)
             rewards += self.rewards
             terms += self.terms

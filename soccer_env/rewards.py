@@ -2,7 +2,8 @@
 
 Shaping is potential-based [Ng, Harada, Russell 1999]: gamma * phi(s') - phi(s), with s' the state that the next
 observation shows (after a restart, if one was carried out) and phi = 0 once the episode has ended. It sums to zero
-over a loop and cannot be farmed; a goal therefore also pays back the potential that led to it.
+over a loop and cannot be farmed; a goal therefore also pays back the potential that led to it. Where an action is kept
+for several control steps, s and s' are the states before and after all of them.
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ class Rewards:
     progress: float = 0.5
     approach: float = 0.1
     effort: float = 0.001
-    gamma: float = 0.99  # [1] discount of the shaping
+    gamma: float = 0.99  # [1] discount of the shaping, for one action
     extra: dict[str, Callable[[Any], np.ndarray]] = field(default_factory=dict)
     """Terms of one's own: name -> function of the Match that returns (M, R) rewards, weight 1."""
 

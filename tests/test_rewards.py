@@ -160,3 +160,17 @@ def test_sparse_rewards_are_goals_alone() -> None:
         assert not match.terms[:, :, [PROGRESS, APPROACH, EFFORT]].any()
         assert (match.terms[:, :, GOAL] == match.rewards).all()
     assert find_rewards("sparse").goal == 1.0
+
+
+@pytest.mark.parametrize("repeat", [1, 8])
+def test_shaping_of_a_kept_action_discounts_once(repeat: int) -> None:
+    rewards = Rewards(goal=0.0, progress=1.0, approach=0.0, effort=0.0, gamma=0.9)
+    match = Match("legged-2001", home=1, away=1, seed=1, action_repeat=repeat, rewards=rewards)
+    match.balls["x"], match.balls["y"] = -1.0, 0.0
+    match.robots["x"], match.robots["y"] = [[0.0, 0.5]], [[0.8, 0.8]]
+    match.reseat()
+    half, length = 0.5 * match.league.pitch.length, match.league.pitch.length
+    potential = ((half - 1.0) - (half + 1.0)) / (2.0 * length)
+    _, paid, _, _ = match.step(np.zeros((1, 2, 4)))
+    assert paid[0, 0] == pytest.approx((0.9 - 1.0) * potential)
+    assert paid[0, 1] == pytest.approx((0.9 - 1.0) * -potential)

@@ -36,9 +36,9 @@ def write_checkpoint(folder: Path, state: dict[str, Any], step: int) -> None:
 
 def read_checkpoint(folder: Path) -> dict[str, Any] | None:
     """Return the newest checkpoint of a folder, None if it has none; ValueError if it is damaged."""
-    about = latest(folder)
-    if not about:
+    if not (folder / LATEST).exists():
         return None
+    about = latest(folder)
     name = about.get("file")
     if name not in NAMES or not (folder / name).is_file():
         raise ValueError(f"{folder / LATEST} names {name!r}, which is not there; --anew starts again")

@@ -21,7 +21,7 @@ from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
 from soccer_env.scenes import find_scene
-from soccer_env.teams import Team, make_team, registered
+from soccer_env.teams import ObservingTeam, Team, make_team, registered
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import commit, made_with
 from soccer_env.train.report import markdown
@@ -106,10 +106,10 @@ def find_team(name: str, teams: Mapping[str, Team]) -> str | Team:
     if name in teams:
         return make_team(teams[name])
     try:
-        make_team(name)
+        made = make_team(name)
     except ModuleNotFoundError as error:
         raise ValueError(f"team {name!r} cannot be loaded ({error}); known: {', '.join(registered())}") from error
-    return name
+    return made if isinstance(made, ObservingTeam) else name  # a policy is read once: its file may change meanwhile
 
 
 def play_missing(contest: Contest, folder: Folder, threads: int) -> None:

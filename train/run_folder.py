@@ -50,6 +50,8 @@ class RunFolder:
     def _check_owner(self) -> None:
         """Raise ValueError if settings.json is of something else, an evaluation say: --anew must not remove that."""
         before = self._settings_before()
+        if not (self.path / SETTINGS).exists() and any((self.path / name).exists() for name in (*FILES, TENSORBOARD)):
+            raise ValueError(f"{self.path} holds files, but no {SETTINGS} of a training; give another --out")
         if before is not None and not before.keys() >= set(OWN):
             raise ValueError(f"{self.path} holds {SETTINGS} of something else than a training; give another --out")
 
@@ -76,8 +78,6 @@ class RunFolder:
         path, before = self.path / SETTINGS, self._settings_before()
         if before is None and path.exists():
             raise ValueError(f"{path} cannot be read, it is damaged; --anew starts again")
-        if before is None and any((self.path / name).exists() for name in FILES):
-            raise ValueError(f"{self.path} holds files of a run without {SETTINGS}; --anew removes them")
         now = settings.decisive()
         added = TrainSettings().decisive()  # a setting that came after the run began was at its default
         before = None if before is None else added | before
@@ -88,6 +88,11 @@ class RunFolder:
                 f"{self.path} holds a run with other settings ({told}); give another --out, or --anew to start again"
             )
         write_whole(path, json.dumps(settings.as_dict(), indent=1) + "\n")
+
+    def check_new(self) -> None:
+        """Raise ValueError if rollouts were logged, and so a checkpoint written, which is not there any more."""
+        if self.lines():
+            raise ValueError(f"{self.path} holds the log of a run without its {LATEST}; --anew starts again")
 
     def forget_after(self, step: int) -> None:
         """Cut the logs back to what was known at a step, from which the run goes on."""

@@ -88,7 +88,7 @@ def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
     """Return what a policy file says of where it comes from."""
     return {
         "command": command_of(replace(settings, out=TrainSettings.out)),  # where its folder lay is nobody's business
-        "settings": json.dumps(settings.decisive(), sort_keys=True),  # whole: defaults may change one day
+        "settings": json.dumps({**settings.decisive(), "steps": settings.steps}, sort_keys=True),  # defaults may change
         "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
         "commit": commit(),
         "seed": str(settings.seed),

@@ -13,6 +13,10 @@ from typing import Any, Literal, get_args, get_type_hints
 
 from soccer_env.train.settings import is_number, split_players, split_senses, whole, written
 
+MOST = {
+    "torch_threads": 256, "rollout": 65_536, "matches": 65_536, "learning_rate": 1.0, "noise": 10.0,
+    **dict.fromkeys(("goal", "progress", "approach", "effort"), 1e9),
+}  # fmt: skip
 FREE = ("out", "threads", "torch_threads", "steps", "anew", "tensorboard", "device")  # may differ when a run goes on
 SHARES = ("gae_lambda", "clip", "gamma")  # above 0, up to 1
 ABOVE_ZERO = ("minutes", "learning_rate", "noise", "evaluate_minutes", "gradient_limit")
@@ -158,6 +162,11 @@ class TrainSettings:
                 raise ValueError(f"{name} must be below {MAX_MINUTES}, got {getattr(self, name)!r}")
         if min(self.batch, self.rollout * self.matches) < 2:
             raise ValueError(f"a batch and a rollout must have 2 decisions at least, got batch={self.batch}")
+        if self.out == Path():
+            raise ValueError("out must be a folder of the run's own")
+        for name, most in MOST.items():
+            if getattr(self, name) > most:
+                raise ValueError(f"{name} must be at most {most:g}, got {getattr(self, name)!r}")
         if self.seed > MAX_SEED:
             raise ValueError(f"seed must be at most {MAX_SEED}, got {self.seed}")
         if self.teacher and not (self.teacher_steps and self.teacher_epochs):

@@ -80,6 +80,7 @@ class Training:
         """Train to the end."""
         saved = read_checkpoint(self.folder.path)
         if saved is None:
+            self.folder.check_new()
             self._begin()
         else:
             self._restore(saved)

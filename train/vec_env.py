@@ -13,19 +13,19 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from gymnasium import spaces
 from stable_baselines3.common.vec_env import VecEnv
 
-from soccer_env import truth_state
 from soccer_env.actions import FULL
 from soccer_env.agents.learned import first_decision
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
+from soccer_env.settings import whole_number
+from soccer_env.train.critic_state import last_state, team_state, with_state
 
 
 @dataclass(frozen=True)
@@ -80,15 +80,13 @@ class SoccerVecEnv(VecEnv):
         shares = [matches * (i + 1) // len(players) - matches * i // len(players) for i in range(len(players))]
         if min(shares) < 1:
             raise ValueError(f"matches must be at least one for each of {len(players)} team sizes, got {matches}")
-        for name in ("teammates", "controllers", "autoreset"):
-            if name in settings:
-                raise ValueError(f"SoccerVecEnv takes no {name}: all home robots learn, and matches begin anew at once")
+        check_request(players, opponents, action_repeat, settings)
         if settings.get("max_cycles") is not None:
             settings["max_cycles"] *= action_repeat
         self.matches = [
             Match(
                 league, home=home, away=away, matches=share, opponents=opponents, threads=threads, seed=seed,
-                autoreset="same_step", rewards=per_step(rewards or Rewards(), gamma, action_repeat), **settings,
+                autoreset="same_step", rewards=replace(rewards or Rewards(), gamma=gamma), **settings,
             )
             for (home, away), share in zip(players, shares, strict=True)
         ]  # fmt: skip
@@ -163,8 +161,8 @@ class SoccerVecEnv(VecEnv):
         actions = np.zeros((match.count, len(match.agents), self._actions.shape[1]))
         actions[:, :home] = self._actions[rows].reshape(match.count, home, -1)
         gained, over = rewards[rows].reshape(match.count, home), np.zeros(match.count, bool)
-        for _ in range(self.repeat):
-            _, paid, terminated, _ = match.step(actions)
+        for step in range(self.repeat):
+            _, paid, terminated, _ = match.step(actions, last=step == self.repeat - 1)
             gained += np.where(over[:, None], 0.0, paid[:, :home])
             if len(match.ended):
                 self._note_ends(index, terminated, over, infos)
@@ -247,9 +245,18 @@ class SoccerVecEnv(VecEnv):
         return self._observations()
 
 
-def per_step(rewards: Rewards, gamma: float, repeat: int) -> Rewards:
-    """Return rewards whose shaping discounts by gamma in `repeat` control steps."""
-    return replace(rewards, gamma=gamma ** (1.0 / repeat))
+def check_request(players: Sequence[tuple[int, int]], opponents: Any, repeat: int, settings: dict[str, Any]) -> None:
+    """Raise ValueError for what would leave robots without a mind, or rows without a robot."""
+    for name in ("teammates", "controllers", "autoreset"):
+        if name in settings:
+            raise ValueError(f"SoccerVecEnv takes no {name}: all home robots learn, and matches begin anew at once")
+    if opponents is None:
+        raise ValueError("SoccerVecEnv needs opponents, a team or a Lineup: 'still' for robots that stand")
+    if not players or not all(len(sizes) == 2 for sizes in players):
+        raise ValueError(f"players must be team sizes (home, away), at least one, got {players!r}")
+    if settings.get("actions") == "discrete":
+        raise ValueError("SoccerVecEnv has actions 'box' or 'full', not 'discrete'")
+    whole_number("action_repeat", repeat, 1, 1000)
 
 
 def stagger_clocks(match: Match, repeat: int) -> None:
@@ -268,36 +275,3 @@ def playing(match: Match) -> list[str]:
             for m in range(match.count) if squad.plays is None else np.flatnonzero(squad.plays):
                 names[m] = squad.name
     return names
-
-
-def with_state(observations: np.ndarray, state: np.ndarray) -> np.ndarray:
-    """Return observations (M, H, n) with the state (M, s) of their match behind each."""
-    told = np.broadcast_to(state[:, None], (*observations.shape[:2], state.shape[1]))
-    return np.concatenate([observations, told], axis=2)
-
-
-def team_state(match: Match, players: int) -> np.ndarray:
-    """Return `state()` (M, s) with room for `players` a side, turned so that home plays towards +x."""
-    return turned_state(match, players, {name: getattr(match, name) for name in ("matches", "balls", "robots")})
-
-
-def last_state(match: Match, players: int) -> np.ndarray:
-    """Return the states (E, s) with which the matches that have just ended did so, as `team_state` does."""
-    return turned_state(match, players, match.final)
-
-
-def turned_state(match: Match, players: int, records: dict[str, np.ndarray]) -> np.ndarray:
-    """Return the states (n, s) of n records of a match, turned so that home plays towards +x."""
-    told = SimpleNamespace(
-        settings=SimpleNamespace(max_players=players, rows=match.settings.rows), league=match.league,
-        count=len(records["matches"]), matches=records["matches"], balls=records["balls"], robots=records["robots"],
-    )  # fmt: skip
-    turns = records["matches"]["home_direction"][:, None] < 0.0
-    state: np.ndarray = np.where(turns, turn_signs(told), np.float32(1.0)) * truth_state.write(told)
-    return state
-
-
-def turn_signs(match: Any) -> np.ndarray:
-    """Return -1 for the entries of a state that a half-turn of the field turns round, else 1."""
-    turned = ("_x", "_y", "_vx", "_vy", "_cos", "_sin", "home_direction")
-    return np.array([-1.0 if name.endswith(turned) else 1.0 for name in truth_state.names(match)], np.float32)

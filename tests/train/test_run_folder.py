@@ -98,9 +98,10 @@ def test_settings_of_something_else_are_never_removed(tmp_path: Path) -> None:
 
 def test_a_run_without_settings_is_refused(tmp_path: Path) -> None:
     (tmp_path / LATEST).write_text("{}")
-    with pytest.raises(ValueError, match="holds files of a run without settings.json; --anew removes them"):
-        RunFolder(tiny(tmp_path))
-    opened(tiny(tmp_path, anew=True))
+    for anew in (False, True):
+        with pytest.raises(ValueError, match="holds files, but no settings.json of a training; give another --out"):
+            RunFolder(tiny(tmp_path, anew=anew))
+    assert (tmp_path / LATEST).read_text() == "{}"
 
 
 def test_damaged_settings_are_refused_and_anew_mends_them(tmp_path: Path) -> None:

@@ -1,6 +1,7 @@
 """A training: the same weights from the same seed, whatever the threads; files that say what happened; its command."""
 
 import csv
+import json
 import os
 import shlex
 import signal
@@ -8,6 +9,7 @@ import subprocess
 import sys
 import time
 import warnings
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +18,7 @@ import pytest
 
 from soccer_env.agents.policy_file import load
 from soccer_env.train import training
-from soccer_env.train.train_settings import TrainSettings, command_of
+from soccer_env.train.train_settings import MOST, TrainSettings, command_of
 from soccer_env.train.training_reports import learning_curve, rounded, scale, stage_times
 from tests.train.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
 
@@ -109,7 +111,12 @@ def test_the_files_of_a_run_say_what_happened(whole: Path) -> None:
 
 def test_a_policy_says_where_it_comes_from(whole: Path) -> None:
     policy = load(whole / "last.safetensors")
-    assert policy.made["command"] == command_of(tiny(whole))
+    assert policy.made["command"] == command_of(replace(tiny(whole), out=TrainSettings.out)), (
+        "no folder of this machine"
+    )
+    assert json.loads(policy.made["settings"]) == json.loads(
+        json.dumps({**tiny(whole).decisive(), "steps": tiny(whole).steps})
+    )
     assert (policy.made["step"], policy.made["seed"]) == ("336", "3")
     assert set(policy.made) >= {"date", "commit", "soccer_env", "torch", "stable_baselines3", "numba", "pymunk"}
     assert policy.mirror and policy.observe == "belief" and policy.action_repeat == 8
@@ -135,7 +142,8 @@ def test_no_warning_of_others_reaches_the_user(tmp_path: Path) -> None:
         plainly(tiny(tmp_path / "other", steps=ROLLOUT, batch=13, teacher=""))
 
 
-def test_weights_that_became_nan_are_said(tmp_path: Path) -> None:
+def test_weights_that_became_nan_are_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(MOST, "learning_rate", 1e40)
     wild = tiny(tmp_path / "run", learning_rate=1e30, teacher="", critic_first=0)
     with (
         np.errstate(all="ignore"),
@@ -227,7 +235,7 @@ def test_the_command_is_refused_beside_another_stops_and_goes_on(tmp_path: Path)
 
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    assert "learned: 1,440 steps" in done.stdout and f"written: {out / 'best.safetensors'}" in done.stdout
+    assert "policy: 1,440 steps" in done.stdout and f"written: {out / 'best.safetensors'}" in done.stdout
     assert "Warning" not in done.stderr
     assert (out / "learning_curve.png").read_bytes().startswith(b"\x89PNG")
     plainly(tiny(tmp_path / "whole", **changes))

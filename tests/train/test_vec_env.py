@@ -16,7 +16,7 @@ pytest.importorskip("stable_baselines3")
 
 import stable_baselines3 as sb3
 
-from soccer_env.train.vec_env import Result, per_step
+from soccer_env.train.vec_env import Result
 
 # What stable-baselines3 may count on
 
@@ -97,8 +97,8 @@ def by_hand(match: Match, actions: np.ndarray, repeat: int) -> tuple[np.ndarray,
     gained, over, last = np.zeros((match.count, 2), np.float32), np.zeros(match.count, bool), dict[int, np.ndarray]()
     numbers = np.zeros((match.count, 4, 4))
     numbers[:, :2] = actions.reshape(match.count, 2, 4)
-    for _ in range(repeat):
-        _, paid, terminated, truncated = match.step(numbers)
+    for step in range(repeat):
+        _, paid, terminated, truncated = match.step(numbers, last=step == repeat - 1)
         gained[~over] += paid[~over, :2]
         for index, m in enumerate(np.flatnonzero(terminated | truncated)):
             last.setdefault(int(m), match.final["observations"][index, :2])
@@ -112,7 +112,7 @@ def test_transitions_are_those_of_a_match(repeat: int) -> None:
     env = rows(action_repeat=repeat, max_cycles=steps, minutes=0.15)
     match = Match(
         home=2, away=2, matches=4, opponents="chaser", senses="ideal", autoreset="same_step", max_cycles=48,
-        minutes=0.15, seeds=seeds_for(3, 4), rewards=per_step(Rewards(), 0.99, repeat),
+        minutes=0.15, seeds=seeds_for(3, 4), rewards=Rewards(gamma=0.99),
     )  # fmt: skip
     seen, rng, ends = env.reset(), np.random.default_rng(0), 0
     for _ in range(first_decision(match.league.delay_steps, repeat)):
@@ -130,9 +130,7 @@ def test_transitions_are_those_of_a_match(repeat: int) -> None:
 
 
 def test_a_repeat_pays_what_its_control_steps_pay() -> None:
-    rewards = Rewards()
-    once = rows(rewards=rewards, action_repeat=1, gamma=0.99 ** (1 / 8))
-    eight = rows(rewards=rewards, action_repeat=8, gamma=0.99)
+    once, eight = rows(action_repeat=1, gamma=1.0), rows(action_repeat=8, gamma=1.0)
     once.reset(), eight.reset()
     for _ in range(first_decision(once.matches[0].league.delay_steps, 8)):
         once.step(np.zeros((8, 4)))
@@ -231,7 +229,7 @@ def test_points_count_a_draw_half() -> None:
 
 
 def test_returns_of_episodes_sum_their_rewards() -> None:
-    env = rows(action_repeat=8, max_cycles=50, minutes=1.0)
+    env = rows(action_repeat=8, max_cycles=6, minutes=1.0)
     env.reset()
     sums, lengths, seen = np.zeros(8), np.zeros(8, int), 0
     for _, rewards, dones, infos in play(env, 40):
