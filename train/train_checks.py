@@ -23,6 +23,8 @@ from soccer_env.train.train_settings import TrainSettings, command_of, senses_of
 from soccer_env.train.training_reports import evaluation_of
 from soccer_env.train.vec_env import SoccerVecEnv
 
+TRAINING_SEED = 3_000_017  # added to the run's seed: a policy is not evaluated on matches that it was trained on
+
 
 def check_playable(settings: TrainSettings) -> None:
     """Raise ValueError, with the setting's name, for teams, sizes and times that cannot be played or written down."""
@@ -105,6 +107,6 @@ def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEn
     return SoccerVecEnv(
         settings.league, players=settings.sizes, matches=settings.matches, opponents=curriculum.lineup,
         action_repeat=settings.action_repeat, rewards=weights, gamma=settings.gamma,
-        state=settings.central_critic, stagger=True, seed=settings.seed, threads=settings.threads,
+        state=settings.central_critic, stagger=True, seed=settings.seed + TRAINING_SEED, threads=settings.threads,
         observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, minutes=settings.minutes,
     )  # fmt: skip

@@ -188,7 +188,7 @@ class TrainSettings:
     @property
     def sizes(self) -> tuple[tuple[int, int], ...]:
         """Return the team sizes (home, away)."""
-        return tuple(split_players(part, 3) for part in split(self.players, "players"))
+        return tuple(split_players(part, 3) for part in different("players", self.players))
 
     @property
     def hidden_sizes(self) -> tuple[int, ...]:

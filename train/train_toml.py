@@ -23,6 +23,8 @@ def settings_of(config: Path | None) -> TrainSettings:
         return TrainSettings()
     found = read_toml(config)
     for name, default in TrainSettings().as_dict().items():
+        if isinstance(found.get(name), list) and type(default) is str:  # hidden = [64, 64] is "64,64"
+            found[name] = ",".join(map(str, found[name]))
         kind, value = type(default), found.get(name, default)
         if type(value) is not kind and not (kind is float and type(value) is int):
             raise ValueError(f"{config}: {name} must be {KINDS[kind]}, got {value!r}")

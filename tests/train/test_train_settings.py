@@ -221,7 +221,7 @@ def test_a_file_gives_settings_and_flags_overrule_it(tmp_path: Path) -> None:
         ("steps = 3.0\n", "steps must be a whole number, got 3.0"),
         ("mirror = 1\n", "mirror must be true or false, got 1"),
         ('minutes = "2"\n', "minutes must be a number, got '2'"),
-        ("hidden = [64, 64]\n", "hidden must be a text"),
+        ("hidden = 64\n", "hidden must be a text"),
         ("out = 3\n", "out must be a text, got 3"),
         ("steps = 0\n", "steps must be a whole number of at least 1"),
         ("gamma = nan\n", "gamma must be a number above 0"),
@@ -285,3 +285,10 @@ def test_a_missing_package_is_said_with_what_installs_it(tmp_path: Path) -> None
     assert lines[1::2] == ["2", "2", "2"], said
     for line, missing in zip(lines[::2], ("torch", "stable_baselines3", "openskill")):
         assert 'pip install "soccer_env[train]"' in line and missing in line
+
+
+def test_lists_of_a_file_are_texts_with_commas(tmp_path: Path) -> None:
+    file = tmp_path / "run.toml"
+    file.write_text('hidden = [32, 16]\nplayers = ["1v1", "2v2"]\n')
+    settings = settings_of(file)
+    assert settings.hidden_sizes == (32, 16) and settings.sizes == ((1, 1), (2, 2))
