@@ -196,12 +196,6 @@ def scale(steps: int) -> tuple[float, str]:
     return next(((unit, words) for unit, words in UNITS if steps >= unit), (1.0, ""))
 
 
-def stage_times(lines: Sequence[dict[str, Any]], decisions: int) -> dict[str, float]:
-    """Return the time of each stage [us a decision] over a run's lines, each of `decisions` decisions."""
-    names = lines[0]["seconds"]
-    return {name: float(np.mean([line["seconds"][name] for line in lines])) / decisions * 1e6 for name in names}
-
-
 def screen_table(result: Any) -> Any:
     """Return the evaluations of a run (`training.TrainResult`) as a table for the screen."""
     from rich.table import Table

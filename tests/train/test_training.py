@@ -19,7 +19,7 @@ import pytest
 from soccer_env.agents.policy_file import load
 from soccer_env.train import training
 from soccer_env.train.train_settings import MOST, TrainSettings, command_of
-from soccer_env.train.training_reports import learning_curve, rounded, scale, stage_times
+from soccer_env.train.training_reports import learning_curve, rounded, scale
 from tests.train.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
 
 ROOT = Path(__file__).parents[2]
@@ -189,11 +189,6 @@ def test_logs_are_json_that_others_can_read() -> None:
     assert [rounded(value) for value in (1.23456789, np.float32(0.5), None, float("nan"), np.inf)] == [
         1.234568, 0.5, None, None, None,
     ]  # fmt: skip
-
-
-def test_stage_times_are_a_decision_each() -> None:
-    lines = [{"seconds": {"matches": 1.0, "update": 3.0}}, {"seconds": {"matches": 3.0, "update": 1.0}}]
-    assert stage_times(lines, 1000) == {"matches": 2000.0, "update": 2000.0}
 
 
 # The command
