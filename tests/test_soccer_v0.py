@@ -350,7 +350,9 @@ def test_reward_terms_of_ones_own_are_named_in_infos():
 @pytest.mark.parametrize("after", [1, 2])
 @pytest.mark.parametrize("league", LEAGUES)
 def test_repeated_actions_add_up_rewards_and_events(league, after):
-    once, thrice = about_to_score(after, league=league), about_to_score(after, league=league, action_repeat=3)
+    rewards = Rewards(gamma=1.0)  # shaping discounts once an action; tests/test_rewards.py has that
+    once = about_to_score(after, league=league, rewards=rewards)
+    thrice = about_to_score(after, league=league, rewards=rewards, action_repeat=3)
     parts = [once.step(standing(once)) for _ in range(3)]
     observations, rewards, _, _, infos = thrice.step(standing(thrice))
     assert np.array_equal(observations["home_1"], parts[2][0]["home_1"])
