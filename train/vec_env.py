@@ -92,6 +92,7 @@ class SoccerVecEnv(VecEnv):
         ]  # fmt: skip
         self.largest, self.state = max(match.settings.max_players for match in self.matches), state
         self.learners = [home for home, _ in players]
+        self.observed = len(self.matches[0].observation_names)  # entries before the state
         league = self.matches[0].league
         self.first_decision = first_decision(league.delay_steps, action_repeat)
         rows = [match.count * home for match, home in zip(self.matches, self.learners, strict=True)]

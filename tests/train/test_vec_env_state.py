@@ -95,7 +95,7 @@ def test_stagger_spreads_the_clocks_over_the_first_half(repeat: int) -> None:
 def test_a_save_goes_on_bit_for_bit(players: Any) -> None:
     def fresh(seed: int) -> Any:
         return rows(
-            players=players, observe="belief", senses="sensors", action_repeat=8, max_cycles=70, seed=seed, state=True,
+            players=players, observe="belief", senses="sensors", action_repeat=8, max_cycles=9, seed=seed, state=True,
             opponents=Lineup((make_team("still"), make_team("chaser")), np.ones(2), ("a", "b")),  # type: ignore[arg-type]
         )  # fmt: skip
 
