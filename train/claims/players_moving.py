@@ -147,7 +147,7 @@ S70 = Claim(
             "past a far mover without a touch, with the cut-off", lambda s: 100.0 * mean(s["with clean"]), unit="%"
         ),
         measured(
-            "the same, with the cut-off less without: it does not hurt",
+            "past a far mover untouched, with the cut-off less without >= 0",
             lambda s: gain(s, "clean"),
             unit="pp",
             at_least=0.0,
