@@ -201,7 +201,10 @@ def words_of(out: Path, **changes: Any) -> list[str]:
 
 def started(words: list[str], out: Path, rollouts: int) -> subprocess.Popen[str]:
     """Start a command and wait until its run has come to so many rollouts."""
-    process = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # a job in the background may ignore it
+    )  # fmt: skip
     log, end = out / "log.jsonl", time.monotonic() + 120.0
     while not log.exists() or log.read_bytes().count(b"\n") < rollouts:
         assert process.poll() is None, process.communicate()
