@@ -58,6 +58,14 @@ def files_on_disk() -> set[str]:
     }
 
 
+def test_the_top_level_holds_what_was_agreed() -> None:
+    if not (ROOT / ".git").exists():
+        pytest.skip("no checkout")
+    tracked = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    folders = {path.split("/")[0] for path in tracked.split("\0") if "/" in path}
+    assert folders == {".ci", "soccer_env", "baselines", "agents", "train", "tests"}, "a run wrote into the checkout?"
+
+
 def test_every_package_is_listed() -> None:
     listed = SETTINGS["tool"]["setuptools"]["packages"]
     with_modules = {file.rpartition("/")[0].replace("/", ".") for file in files_on_disk()}

@@ -162,8 +162,8 @@ class TrainSettings:
                 raise ValueError(f"{name} must be below {MAX_MINUTES}, got {getattr(self, name)!r}")
         if min(self.batch, self.rollout * self.matches) < 2:
             raise ValueError(f"a batch and a rollout must have 2 decisions at least, got batch={self.batch}")
-        if self.out == Path():
-            raise ValueError("out must be a folder of the run's own")
+        if self.out == Path() or not str(self.out).isprintable():
+            raise ValueError(f"out must be a folder of the run's own with a plain name, got {str(self.out)!r}")
         for name, most in MOST.items():
             if getattr(self, name) > most:
                 raise ValueError(f"{name} must be at most {most:g}, got {getattr(self, name)!r}")

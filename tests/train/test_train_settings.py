@@ -107,6 +107,8 @@ def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], messa
         ({"action_repeat": 1001}, "action_repeat must be 1 to 1000, got 1001"),
         ({"threads": 257}, "threads must be 1 to 256, got 257"),
         ({"name": "a|b"}, "name must be 1 to 64 characters"),
+        ({"out": Path("x\x07y")}, "out must be a folder of the run's own with a plain name"),
+        ({"out": Path()}, "out must be a folder of the run's own with a plain name"),
     ],
 )
 def test_what_cannot_be_played_is_found_before_a_folder_is_made(
