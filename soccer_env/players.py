@@ -20,9 +20,8 @@ from soccer_env.teams import CompiledTeam, ObservingTeam, Team, TeamRandom, View
 from soccer_env.types import AWAY, BELIEF, COMMAND, HOME, MAX_TEAM, NOISE_STREAMS, TRACK
 
 LONG = 4096  # characters of a team's settings in a save; longer ones are hashed
-CHOOSER = (
-    1 << 20
-)  # owner of the stream that home's lineup draws from, away's is the next; robots are 1 + 2 number + team
+# Owner of the stream that home's lineup draws from; away's is the next; robots are 1 + 2 number + team.
+CHOOSER = 1 << 20
 NEEDED_SENSES = {"truth": "ideal", "percepts": "sensors"}  # by what a team observes
 
 
