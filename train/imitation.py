@@ -8,6 +8,7 @@ until the next decision.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.train.networks import SoccerPolicy
 from soccer_env.train.progress import Progress
-from soccer_env.train.train_settings import TrainSettings, senses_of
+from soccer_env.train.train_settings import TrainSettings
 
 WALK = ("forward", "left", "turn")
 NO_KICK = -1.0
@@ -78,21 +79,21 @@ def fit(
 
 
 def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
-    """Record the teacher of a run against its opponents at all team sizes, and fit the actor; return the errors."""
-    cases = [(sizes, opponent) for sizes in settings.sizes for opponent in settings.opponent_names]
+    """Record the teacher of a run in all kinds of matches that it has, and fit the actor; return the errors."""
+    cases = list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
     rate = find_league(settings.league).control_rate
     decisions = max(1, round(60.0 * settings.minutes * rate / settings.action_repeat))
     parts = []
     with Progress(f"learning from {settings.teacher}", len(cases) + settings.teacher_epochs / 2) as progress:
-        for index, (players, opponent) in enumerate(cases):
-            share = settings.teacher_steps / len(cases) / players[0]
+        for index, (players, opponent, (weight, senses)) in enumerate(cases):
+            share = weight * len(settings.kinds_of_senses) * settings.teacher_steps / len(cases) / players[0]
             count = max(1, round(share / decisions))
             parts.append(
                 record(
                     settings.teacher, opponent, players, min(decisions, max(1, round(share / count))),
                     settings.action_repeat, league=settings.league, matches=count, minutes=settings.minutes,
                     seed=settings.seed + TEACHER_SEED + 1009 * index, observe=settings.observe,
-                    senses=senses_of(settings.senses), pose=settings.pose, threads=settings.threads,
+                    senses=senses, pose=settings.pose, threads=settings.threads,
                 )
             )  # fmt: skip
             progress.advance(1.0)

@@ -7,6 +7,7 @@ import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import product
 from math import ceil
 from typing import Any
 
@@ -21,7 +22,7 @@ from soccer_env.train.networks import blank_policy
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.train_settings import TrainSettings, command_of, senses_of
 from soccer_env.train.training_reports import evaluation_of
-from soccer_env.train.vec_env import SoccerVecEnv
+from soccer_env.train.vec_env import SoccerVecEnv, shared_out
 
 TRAINING_SEED = 3_000_017  # added to the run's seed: a policy is not evaluated on matches that it was trained on
 
@@ -34,19 +35,17 @@ def check_playable(settings: TrainSettings) -> None:
     with said_by("opponents"):
         curriculum = Curriculum(settings.opponent_names, settings.past, policy, even=True)
     with said_by("opponents"):
-        make_matches(replace(settings, matches=len(settings.sizes)), curriculum).close()
+        for share in (0.0, 1.0) if settings.ideal_share else (0.0,):
+            make_matches(replace(settings, matches=len(settings.sizes), ideal_share=share), curriculum).close()
     check_minutes(settings, league)
-    if settings.matches < len(settings.sizes):
-        raise ValueError(
-            f"matches must be at least one for each of {len(settings.sizes)} team sizes, got {settings.matches}"
-        )
+    shared_out(settings.sizes, settings.matches, settings.ideal_share)
     with said_by("evaluate_against"):
         for opponent in settings.judges:
             check_contest(policy, opponent, settings)
     if settings.teacher:
         with said_by("teacher"):
-            for home, away in settings.sizes:
-                lesson(settings, home, away).close()
+            for sizes, (_, senses) in product(settings.sizes, settings.kinds_of_senses):
+                lesson(settings, sizes, senses).close()
 
 
 def check_minutes(settings: TrainSettings, league: League) -> None:
@@ -77,12 +76,12 @@ def check_contest(policy: Any, opponent: str, settings: TrainSettings) -> None:
     contest.start("away", [0]).close()
 
 
-def lesson(settings: TrainSettings, home: int, away: int) -> Match:
+def lesson(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, str]) -> Match:
     """Return a match that the teacher plays as the recorded ones are."""
     players = {"home": settings.teacher, "away": settings.opponent_names[0]}
     return Match(
-        settings.league, home=home, away=away, controllers=players,
-        observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, seed=0,
+        settings.league, home=sizes[0], away=sizes[1], controllers=players,
+        observe=settings.observe, senses=senses, pose=settings.pose, seed=0,
     )  # fmt: skip
 
 
@@ -105,8 +104,8 @@ def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEn
         goal=settings.goal, progress=settings.progress, approach=settings.approach, effort=settings.effort
     )
     return SoccerVecEnv(
-        settings.league, players=settings.sizes, matches=settings.matches, opponents=curriculum.lineup,
-        action_repeat=settings.action_repeat, rewards=weights, gamma=settings.gamma,
+        settings.league, players=settings.sizes, matches=settings.matches, ideal_share=settings.ideal_share,
+        opponents=curriculum.lineup, action_repeat=settings.action_repeat, rewards=weights, gamma=settings.gamma,
         state=settings.central_critic, stagger=True, seed=settings.seed + TRAINING_SEED, threads=settings.threads,
         observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, minutes=settings.minutes,
     )  # fmt: skip

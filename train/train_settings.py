@@ -14,13 +14,13 @@ from typing import Any, Literal, get_args, get_type_hints
 from soccer_env.train.settings import is_number, split_players, split_senses, whole, written
 
 MOST = {
-    "torch_threads": 256, "rollout": 65_536, "matches": 65_536, "learning_rate": 1.0, "noise": 10.0,
+    "torch_threads": 256, "rollout": 65_536, "matches": 65_536, "learning_rate": 1.0, "noise": 10.0, "ideal_share": 1.0,
     **dict.fromkeys(("goal", "progress", "approach", "effort"), 1e9),
 }  # fmt: skip
 FREE = ("out", "threads", "torch_threads", "steps", "anew", "tensorboard", "device")  # may differ when a run goes on
 SHARES = ("gae_lambda", "clip", "gamma")  # above 0, up to 1
 ABOVE_ZERO = ("minutes", "learning_rate", "noise", "evaluate_minutes", "gradient_limit")
-FROM_ZERO = ("entropy", "value_weight", "goal", "progress", "approach", "effort", "target_kl")
+FROM_ZERO = ("ideal_share", "entropy", "value_weight", "goal", "progress", "approach", "effort", "target_kl")
 MAX_SEED = 2**32 - 1  # of numpy's global generator, with which stable-baselines3 shuffles
 MAX_MINUTES = 10_000
 COUNTS = (
@@ -63,6 +63,8 @@ class TrainSettings:
     """What observations are built from; the truth is for policies that play with ideal senses."""
     senses: str = "sensors"
     """What fills beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each."""
+    ideal_share: float = 0.0
+    """Share of the matches, of every team size, in which all robots have ideal senses instead; it needs belief."""
     pose: Literal["particles", "percept"] = "percept"
     """How robots that use their sensors know where they are: a particle filter, or a noisy pose, which is faster."""
     action_repeat: int = 8
@@ -179,6 +181,8 @@ class TrainSettings:
             )
         if self.kind == "attention" and self.observe == "percepts":
             raise ValueError("kind='attention' needs observe='belief' or 'truth': pictures have no slots for players")
+        if self.ideal_share and self.observe != "belief":
+            raise ValueError("ideal_share needs observe='belief': nothing else is observed with either senses")
         if split_senses(self.senses)[0] != "ideal" and self.observe == "truth":
             raise ValueError(
                 "observe='truth' needs senses='ideal', as the policy will when it plays: give --senses ideal"
@@ -189,6 +193,12 @@ class TrainSettings:
     def sizes(self) -> tuple[tuple[int, int], ...]:
         """Return the team sizes (home, away)."""
         return tuple(split_players(part, 3) for part in different("players", self.players))
+
+    @property
+    def kinds_of_senses(self) -> list[tuple[float, dict[str, str]]]:
+        """Return the share of each kind of matches and what `Match` takes as senses for it."""
+        kinds = ((1.0 - self.ideal_share, self.senses), (self.ideal_share, "ideal"))
+        return [(share, senses_of(senses)) for share, senses in kinds if share > 0.0]
 
     @property
     def hidden_sizes(self) -> tuple[int, ...]:

@@ -1,6 +1,6 @@
 """A stable-baselines3 VecEnv straight over the batched core: a row for each learning robot of each match.
 
-    rows = team sizes x matches x home robots; the away robots are played by opponents inside
+    rows = team sizes (x senses) x matches x home robots; the away robots are played by opponents inside
 
 No dicts, no processes: matches are stepped by compiled loops on one thread or more. All robots of a match begin and
 end together. An action is kept for `action_repeat` control steps; a match that ends within them begins anew at once,
@@ -46,7 +46,8 @@ class Result:
 class SoccerVecEnv(VecEnv):
     """Matches whose home robots learn, as rows of one environment.
 
-    players: team sizes (home, away), the matches being shared evenly among them; opponents: a team, its name, or a
+    players: team sizes (home, away), the matches being shared evenly among them; ideal_share: share of each size's
+    matches in which all robots have ideal senses, whatever `senses` says; opponents: a team, its name, or a
     `players.Lineup` whose weights choose anew for each episode; gamma: discount of one step, which the shaping of
     `rewards` takes over; state: append `Match.state()` to every observation, for a centralised critic; stagger: begin
     the first episodes at different times of play. max_cycles counts steps of `action_repeat` control steps. Other
@@ -65,6 +66,7 @@ class SoccerVecEnv(VecEnv):
         *,
         players: Sequence[tuple[int, int]] = ((3, 3),),
         matches: int = 64,
+        ideal_share: float = 0.0,
         opponents: Any = "chaser",
         action_repeat: int = 1,
         gamma: float = 0.99,
@@ -77,21 +79,19 @@ class SoccerVecEnv(VecEnv):
     ) -> None:
         self.repeat, self.stagger, self.results = action_repeat, stagger, list[Result]()
         self.render_mode, self.seconds = None, 0.0
-        shares = [matches * (i + 1) // len(players) - matches * i // len(players) for i in range(len(players))]
-        if min(shares) < 1:
-            raise ValueError(f"matches must be at least one for each of {len(players)} team sizes, got {matches}")
         check_request(players, opponents, action_repeat, settings)
+        groups = shared_out(players, matches, ideal_share)
         if settings.get("max_cycles") is not None:
             settings["max_cycles"] *= action_repeat
         self.matches = [
             Match(
                 league, home=home, away=away, matches=share, opponents=opponents, threads=threads, seed=seed,
-                autoreset="same_step", rewards=replace(rewards or Rewards(), gamma=gamma), **settings,
+                autoreset="same_step", rewards=replace(rewards or Rewards(), gamma=gamma), **{**settings, **senses},
             )
-            for (home, away), share in zip(players, shares, strict=True)
+            for (home, away), share, senses in groups
         ]  # fmt: skip
         self.largest, self.state = max(match.settings.max_players for match in self.matches), state
-        self.learners = [home for home, _ in players]
+        self.learners = [match.settings.home for match in self.matches]
         self.observed = len(self.matches[0].observation_names)  # entries before the state
         league = self.matches[0].league
         self.first_decision = first_decision(league.delay_steps, action_repeat)
@@ -155,7 +155,7 @@ class SoccerVecEnv(VecEnv):
         return observations, rewards, dones, infos
 
     def _play(self, index: int, rewards: np.ndarray, dones: np.ndarray, infos: list[dict[str, Any]]) -> None:
-        """Play one step of the matches of one team size, into their rows."""
+        """Play one step of the matches of one group, into their rows."""
         match, home = self.matches[index], self.learners[index]
         rows = slice(self.edges[index], self.edges[index + 1])
         actions = np.zeros((match.count, len(match.agents), self._actions.shape[1]))
@@ -257,6 +257,23 @@ def check_request(players: Sequence[tuple[int, int]], opponents: Any, repeat: in
     if settings.get("actions") == "discrete":
         raise ValueError("SoccerVecEnv has actions 'box' or 'full', not 'discrete'")
     whole_number("action_repeat", repeat, 1, 1000)
+
+
+def shared_out(
+    players: Sequence[tuple[int, int]], matches: int, ideal_share: float
+) -> list[tuple[tuple[int, int], int, dict[str, str]]]:
+    """Return groups (team size, matches, settings): every size has as many, of which a share has ideal senses."""
+    if not 0.0 <= ideal_share <= 1.0:
+        raise ValueError(f"ideal_share must be a number from 0 to 1, got {ideal_share!r}")
+    groups = []
+    for i, sizes in enumerate(players):
+        count = matches * (i + 1) // len(players) - matches * i // len(players)
+        ideal = round(ideal_share * count)
+        if count < 1 or (ideal_share > 0.0 and ideal < 1) or (ideal_share < 1.0 and ideal == count):
+            kinds = f"{len(players)} team sizes" + (", by either senses" if 0.0 < ideal_share < 1.0 else "")
+            raise ValueError(f"matches must be at least one for each of {kinds}, got {matches}")
+        groups += [(sizes, count - ideal, {}), (sizes, ideal, {"senses": "ideal"})]
+    return [group for group in groups if group[1] > 0]
 
 
 def stagger_clocks(match: Match, repeat: int) -> None:

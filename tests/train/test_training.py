@@ -47,6 +47,7 @@ def test_another_seed_gives_other_weights(tmp_path: Path, whole: Path) -> None:
     [
         {"mirror": False, "central_critic": False, "normalise_rewards": False, "curriculum": False, "decay": False},
         {"observe": "truth", "senses": "ideal", "teacher": "", "past": 0, "critic_first": 0, "activation": "relu"},
+        {"ideal_share": 0.5},
         {"observe": "percepts", "mirror": False, "target_kl": 1e-9, "entropy": 0.01, "pose": "particles"},
     ],
 )
