@@ -9,10 +9,11 @@ from __future__ import annotations
 import csv
 import io
 import json
-import os
 import shutil
 from pathlib import Path
 from typing import Any
+
+from filelock import FileLock, Timeout
 
 from soccer_env.train.checkpoints import LATEST, NAMES
 from soccer_env.train.files import append_lines, read_lines, write_whole
@@ -45,7 +46,7 @@ class RunFolder:
 
     def close(self) -> None:
         """Let another training use the folder."""
-        os.close(self._lock)
+        self._lock.release()
 
     def _check_owner(self) -> None:
         """Raise ValueError if settings.json is of something else, an evaluation say: --anew must not remove that."""
@@ -140,19 +141,14 @@ class RunFolder:
             (self.path / TABLE).unlink(missing_ok=True)
 
 
-def lock(path: Path) -> int:
-    """Return the open lock file of a folder; ValueError if another process holds it. It ends with the process."""
-    handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
+def lock(path: Path) -> FileLock:
+    """Return the lock of a folder, held; ValueError if another training holds it. It ends with the process."""
+    held = FileLock(path)
     try:
-        import fcntl
-    except ImportError:  # Windows
-        return handle
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:
-        os.close(handle)
+        held.acquire(timeout=0)
+    except Timeout as error:
         raise ValueError(f"another training uses {path.parent}; give another --out") from error
-    return handle
+    return held
 
 
 def flattened(record: dict[str, Any]) -> dict[str, Any]:
