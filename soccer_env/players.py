@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -69,6 +70,7 @@ class Squad:
     lineup: Lineup | None = None  # that it is a part of
     place: int = 0  # in the lineup
     plays: np.ndarray | None = None  # (M,) of a team of a lineup: in which matches it plays now
+    _runs: dict[tuple[int, int], tuple[bytes, list[tuple[int, int]]]] = dataclasses.field(default_factory=dict)
 
     def describe(self) -> list[Any]:
         """Return who plays whom: what a save has to agree with."""
@@ -87,8 +89,11 @@ class Squad:
         """Return the slices of a slice of matches in which the team plays."""
         if self.plays is None:
             return [(first, last)]
-        steps = np.flatnonzero(np.diff(self.plays[first:last], prepend=False, append=False)) + first
-        return list(zip(steps[::2].tolist(), steps[1::2].tolist(), strict=True))
+        plays = self.plays[first:last].tobytes()
+        if self._runs.get((first, last), (b"",))[0] != plays:  # who plays changes when an episode begins
+            steps = np.flatnonzero(np.diff(self.plays[first:last], prepend=False, append=False)) + first
+            self._runs[first, last] = plays, list(zip(steps[::2].tolist(), steps[1::2].tolist(), strict=True))
+        return self._runs[first, last][1]
 
 
 def assign(agents: list[str], home: int, opponents: Any, teammates: Any, controllers: Any) -> dict[str, Any]:
@@ -199,15 +204,18 @@ def clip_commands(commands, players, first, last):
 def run_compiled(squad: Squad, field: Any, first: int, last: int) -> None:
     """Let a compiled team decide in a slice of matches of a Field; ValueError if a command is not finite."""
     team: Any = squad.team
+    runs = squad.runs(first, last)
+    if not runs:
+        return
     commands, rows, k = field.robots["command"], squad.players, field.constants
     if isinstance(team, ObservingTeam):
-        for run in squad.runs(first, last):
+        for run in runs:
             if not squad.memory["wait"][slice(*run)].all():
                 field.write_observations(squad.observations, team.observe, rows, *run)
             team.kernel(squad.observations, squad.memory, commands, rows, k, team.settings, *run)
     else:
         minds, noise = field.minds(rows), field.robots["noise"]
-        for run in squad.runs(first, last):
+        for run in runs:
             team.kernel(*minds, squad.memory, noise, commands, rows, k, team.settings, *run)
     m, r = clip_commands(commands, rows, first, last)
     if m >= 0:
