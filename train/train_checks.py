@@ -18,11 +18,12 @@ from soccer_env.observations import names_of
 from soccer_env.rewards import Rewards
 from soccer_env.train.curriculum import Curriculum
 from soccer_env.train.learner import check_device
+from soccer_env.train.match_blocks import shared_out
 from soccer_env.train.networks import blank_policy
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.train_settings import TrainSettings, command_of, senses_of
 from soccer_env.train.training_reports import evaluation_of
-from soccer_env.train.vec_env import SoccerVecEnv, shared_out
+from soccer_env.train.vec_env import SoccerVecEnv
 
 TRAINING_SEED = 3_000_017  # added to the run's seed: a policy is not evaluated on matches that it was trained on
 

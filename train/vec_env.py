@@ -1,6 +1,6 @@
 """A stable-baselines3 VecEnv straight over the batched core: a row for each learning robot of each match.
 
-    rows = team sizes (x senses) x matches x home robots; the away robots are played by opponents inside
+    rows = blocks of matches of one team size x matches x home robots; the away robots are played by opponents inside
 
 No dicts, no processes: matches are stepped by compiled loops on one thread or more. All robots of a match begin and
 end together. An action is kept for `action_repeat` control steps; a match that ends within them begins anew at once,
@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -26,6 +27,7 @@ from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
 from soccer_env.settings import whole_number
 from soccer_env.train.critic_state import last_state, team_state, with_state
+from soccer_env.train.match_blocks import playing, shared_out, stagger_clocks
 
 
 @dataclass(frozen=True)
@@ -79,23 +81,26 @@ class SoccerVecEnv(VecEnv):
     ) -> None:
         self.repeat, self.stagger, self.results = action_repeat, stagger, list[Result]()
         self.render_mode, self.seconds = None, 0.0
-        check_request(players, opponents, action_repeat, settings)
-        groups = shared_out(players, matches, ideal_share)
+        check_request(players, opponents, action_repeat, threads, settings)
+        blocks = shared_out(players, matches, ideal_share)
+        inner = max(1, threads // len(blocks))  # threads of a block; more than one where there are few blocks
         if settings.get("max_cycles") is not None:
             settings["max_cycles"] *= action_repeat
         self.matches = [
             Match(
-                league, home=home, away=away, matches=share, opponents=opponents, threads=threads, seed=seed,
+                league, home=home, away=away, matches=count, opponents=opponents, threads=inner, seed=seed,
                 autoreset="same_step", rewards=replace(rewards or Rewards(), gamma=gamma), **{**settings, **senses},
             )
-            for (home, away), share, senses in groups
+            for (home, away), count, senses in blocks
         ]  # fmt: skip
+        self._pool = ThreadPoolExecutor(min(threads, len(blocks)))
         self.largest, self.state = max(match.settings.max_players for match in self.matches), state
         self.learners = [match.settings.home for match in self.matches]
         self.observed = len(self.matches[0].observation_names)  # entries before the state
         league = self.matches[0].league
         self.first_decision = first_decision(league.delay_steps, action_repeat)
         rows = [match.count * home for match, home in zip(self.matches, self.learners, strict=True)]
+        self._order = np.argsort([-match.count * len(match.agents) for match in self.matches]).tolist()  # longest first
         self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()
         self.opponents = [playing(match) for match in self.matches]
         width = self._observations().shape[1]
@@ -143,8 +148,11 @@ class SoccerVecEnv(VecEnv):
         started = time.perf_counter()
         rewards, dones = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs, bool)
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
+        jobs = [self._pool.submit(self._play, index, rewards, dones, infos) for index in self._order]
+        wait(jobs)  # so that nothing runs on when one of them failed
+        results = dict(zip(self._order, [job.result() for job in jobs], strict=True))
         for index in range(len(self.matches)):
-            self._play(index, rewards, dones, infos)
+            self.results += results[index]
         self._returns += rewards
         self._lengths += 1
         for row in np.flatnonzero(dones):
@@ -154,8 +162,9 @@ class SoccerVecEnv(VecEnv):
         self.seconds += time.perf_counter() - started
         return observations, rewards, dones, infos
 
-    def _play(self, index: int, rewards: np.ndarray, dones: np.ndarray, infos: list[dict[str, Any]]) -> None:
-        """Play one step of the matches of one group, into their rows."""
+    def _play(self, index: int, rewards: np.ndarray, dones: np.ndarray, infos: list[dict[str, Any]]) -> list[Result]:
+        """Play one step of a block of matches, into their rows; return how episodes ended."""
+        results: list[Result] = []
         match, home = self.matches[index], self.learners[index]
         rows = slice(self.edges[index], self.edges[index + 1])
         actions = np.zeros((match.count, len(match.agents), self._actions.shape[1]))
@@ -165,12 +174,16 @@ class SoccerVecEnv(VecEnv):
             _, paid, terminated, _ = match.step(actions, last=step == self.repeat - 1)
             gained += np.where(over[:, None], 0.0, paid[:, :home])
             if len(match.ended):
-                self._note_ends(index, terminated, over, infos)
+                results += self._note_ends(index, terminated, over, infos)
                 over[match.ended], actions[match.ended] = True, self._stand()
         dones[rows] = np.repeat(over, home)
+        return results
 
-    def _note_ends(self, index: int, terminated: np.ndarray, over: np.ndarray, infos: list[dict[str, Any]]) -> None:
-        """Write the last observations of matches that ended into the infos of their rows."""
+    def _note_ends(
+        self, index: int, terminated: np.ndarray, over: np.ndarray, infos: list[dict[str, Any]]
+    ) -> list[Result]:
+        """Write the last observations of matches that ended into the infos of their rows; return how they ended."""
+        results = []
         match, home = self.matches[index], self.learners[index]
         last = match.final["observations"][:, :home]
         if self.state:
@@ -184,8 +197,9 @@ class SoccerVecEnv(VecEnv):
                 infos[first + r]["TimeLimit.truncated"] = not terminated[m]
             score = match.final["matches"]["score"][i]
             players, opponent = (match.settings.home, match.settings.away), self.opponents[index][m]
-            self.results.append(Result(players, opponent, int(score[0]), int(score[1])))
+            results.append(Result(players, opponent, int(score[0]), int(score[1])))
         self.opponents[index] = playing(match)
+        return results
 
     def _stand(self) -> np.ndarray:
         """Return the action (4,) or (7,) of a robot that stands, its head tracking the ball by itself."""
@@ -207,6 +221,7 @@ class SoccerVecEnv(VecEnv):
 
     def close(self) -> None:
         """End the threads."""
+        self._pool.shutdown()
         for match in self.matches:
             match.close()
 
@@ -245,7 +260,9 @@ class SoccerVecEnv(VecEnv):
         return self._observations()
 
 
-def check_request(players: Sequence[tuple[int, int]], opponents: Any, repeat: int, settings: dict[str, Any]) -> None:
+def check_request(
+    players: Sequence[tuple[int, int]], opponents: Any, repeat: int, threads: int, settings: dict[str, Any]
+) -> None:
     """Raise ValueError for what would leave robots without a mind, or rows without a robot."""
     for name in ("teammates", "controllers", "autoreset"):
         if name in settings:
@@ -257,38 +274,4 @@ def check_request(players: Sequence[tuple[int, int]], opponents: Any, repeat: in
     if settings.get("actions") == "discrete":
         raise ValueError("SoccerVecEnv has actions 'box' or 'full', not 'discrete'")
     whole_number("action_repeat", repeat, 1, 1000)
-
-
-def shared_out(
-    players: Sequence[tuple[int, int]], matches: int, ideal_share: float
-) -> list[tuple[tuple[int, int], int, dict[str, str]]]:
-    """Return groups (team size, matches, settings): every size has as many, of which a share has ideal senses."""
-    if not 0.0 <= ideal_share <= 1.0:
-        raise ValueError(f"ideal_share must be a number from 0 to 1, got {ideal_share!r}")
-    groups = []
-    for i, sizes in enumerate(players):
-        count = matches * (i + 1) // len(players) - matches * i // len(players)
-        ideal = round(ideal_share * count)
-        if count < 1 or (ideal_share > 0.0 and ideal < 1) or (ideal_share < 1.0 and ideal == count):
-            kinds = f"{len(players)} team sizes" + (", by either senses" if 0.0 < ideal_share < 1.0 else "")
-            raise ValueError(f"matches must be at least one for each of {kinds}, got {matches}")
-        groups += [(sizes, count - ideal, {}), (sizes, ideal, {"senses": "ideal"})]
-    return [group for group in groups if group[1] > 0]
-
-
-def stagger_clocks(match: Match, repeat: int) -> None:
-    """Let the first episodes of M matches begin at different times of their first half, a whole number of steps on."""
-    half = match.settings.half_length
-    if np.isfinite(half):
-        strides = int(half / (match.league.dt * repeat))
-        match.matches["clock"] = np.arange(match.count) * strides // match.count * repeat * match.league.dt
-
-
-def playing(match: Match) -> list[str]:
-    """Return the name of the team that plays the last away robot now, for each match."""
-    names = [""] * match.count
-    for squad in match.squads:
-        if squad.players[-1] == len(match.agents) - 1:
-            for m in range(match.count) if squad.plays is None else np.flatnonzero(squad.plays):
-                names[m] = squad.name
-    return names
+    whole_number("threads", threads, 1, 256)

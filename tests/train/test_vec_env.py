@@ -193,10 +193,12 @@ def test_all_matches_differ_whatever_their_team_size() -> None:
     assert len({match.state_hash(m) for match in env.matches for m in range(2)}) == 4
 
 
-def test_threads_change_nothing() -> None:
-    one, two = rows(matches=8), rows(matches=8, threads=2)
+@pytest.mark.parametrize(("players", "matches"), [(((2, 2),), 8), (MIXED, 8), (MIXED, 140)])  # 1, 2 and 4 blocks
+def test_threads_change_nothing(players: tuple[tuple[int, int], ...], matches: int) -> None:
+    one, two = (rows(players=players, matches=matches, minutes=0.05, threads=threads) for threads in (1, 2))
     one.reset(), two.reset()
-    assert same(play(one, 40), play(two, 40))
+    assert same(play(one, 60), play(two, 60))
+    assert len(one.results) >= matches and one.results == two.results
     two.close()
 
 
