@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import threading
 import time
 from typing import Any
 
@@ -10,11 +11,12 @@ EVERY = 15.0  # [s] between two plain lines, at least
 
 
 class Progress:
-    """A bar over an amount of work, or plain lines; use it as a context manager."""
+    """A bar over an amount of work, or plain lines; use it as a context manager. Any thread may move it on."""
 
     def __init__(self, title: str, total: float) -> None:
         self._title, self._total, self._done, self._words = title, total, 0.0, ""
         self._said = time.monotonic()
+        self._lock = threading.Lock()
         self._bar: Any = None
         if sys.stderr.isatty() and total > 0:
             from rich.console import Console
@@ -37,19 +39,21 @@ class Progress:
 
     def advance(self, amount: float) -> None:
         """Move the bar on by an amount of work."""
-        self._done += amount
-        if self._bar is not None:
-            self._bar.advance(self._task, amount)
-        else:
-            self._say()
+        with self._lock:
+            self._done += amount
+            if self._bar is not None:
+                self._bar.advance(self._task, amount)
+            else:
+                self._say()
 
     def note(self, text: str) -> None:
         """Show a few words beside the bar."""
-        self._words = text
-        if self._bar is not None:
-            self._bar.update(self._task, note=text)
-        else:
-            self._say()
+        with self._lock:
+            self._words = text
+            if self._bar is not None:
+                self._bar.update(self._task, note=text)
+            else:
+                self._say()
 
     def _say(self) -> None:
         """Print a line, if the last one is some time ago."""

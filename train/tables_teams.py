@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import asdict
+from threading import Event
 from typing import Any
 
 from soccer_env.leagues import find_league
 from soccer_env.random_numbers import seeds_for
-from soccer_env.train.evaluate import contest_of, evaluate, play
+from soccer_env.train.contest import contest_of, play
+from soccer_env.train.evaluate import evaluate
 from soccer_env.train.results import EvaluationResult
 from soccer_env.train.settings import EvaluateSettings, command_of, conditions_of
 
@@ -97,7 +99,7 @@ def replay_row(row: dict[str, Any]) -> list[str]:
     seeds = seeds_for(settings.seed, 1).tolist()
     found = []
     for number in (0, 1):
-        (line,) = play(contest, [number], seeds, "", 1, lambda steps: None)
+        (line,) = play(contest, [number], seeds, "", 1, lambda steps: None, Event())
         found.append([line.goals_for, line.goals_against, line.state])
     if found == row["first_pair"]:
         return []

@@ -11,12 +11,11 @@ import numpy as np
 from soccer_env.agents.learned import team_of
 from soccer_env.agents.policy import Policy
 from soccer_env.leagues import find_league
-from soccer_env.random_numbers import seeds_for
+from soccer_env.train.contest import Contest, contest_of, play_matches
 from soccer_env.train.curriculum import LEARNER, Curriculum
-from soccer_env.train.evaluate import BATCH, Contest, batches, contest_of, play
 from soccer_env.train.progress import Progress
 from soccer_env.train.reproduce_plots import draw
-from soccer_env.train.results import summarise
+from soccer_env.train.results import MatchLine, summarise
 from soccer_env.train.run_folder import TENSORBOARD, RunFolder, flattened
 from soccer_env.train.settings import EvaluateSettings, conditions_of
 from soccer_env.train.train_settings import TrainSettings
@@ -144,11 +143,8 @@ def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, A
     rows = []
     for opponent in settings.judges:
         contest = evaluation_of(policy, opponent, settings)
-        asked = contest.conditions
-        seeds = seeds_for(asked.seed, asked.matches // 2).tolist()
-        lines = []
-        for batch in batches(asked.matches, set(), BATCH * settings.threads):
-            lines += play(contest, batch, seeds, "", settings.threads, lambda steps: None)
+        lines: list[MatchLine] = []
+        play_matches(contest, set(), "", settings.threads, lines.extend, lambda steps: None)
         result = summarise(contest.conditions, {}, lines)
         difference = result.goal_difference
         rows.append(

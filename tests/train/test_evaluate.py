@@ -11,10 +11,11 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.random_numbers import seeds_for
-from soccer_env.train import evaluate as module
+from soccer_env.train import contest as module
 from soccer_env.train.command_line import main
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.results import EvaluationResult
+from soccer_env.train.settings import conditions_of
 
 SHORT: dict[str, Any] = {"home": "random", "away": "still", "matches": 10, "minutes": 0.1, "seed": 5}
 
@@ -80,7 +81,7 @@ def test_pairs_share_a_seed_and_swap_sides() -> None:
 def test_the_second_match_of_a_pair_swaps_teams_and_sizes() -> None:
     settings = EvaluateSettings(home="random", away="still", players="1v2", minutes=0.1)
     league = find_league("legged-2001")
-    contest = module.contest_of(module.conditions_of(settings, league), league, {})
+    contest = module.contest_of(conditions_of(settings, league), league, {})
     there, back = contest.start("home", [1]), contest.start("away", [1])
     assert there.agents == ["home_0", "away_0", "away_1"]
     assert back.agents == ["home_0", "home_1", "away_0"]

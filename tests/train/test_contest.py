@@ -1,0 +1,87 @@
+"""How the matches of an evaluation are shared out among threads."""
+
+import threading
+import time
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from soccer_env.leagues import find_league
+from soccer_env.train import contest
+from soccer_env.train.evaluate import EvaluateSettings, evaluate
+from soccer_env.train.settings import conditions_of
+
+
+@given(pairs=st.integers(1, 600), threads=st.integers(1, 20), done=st.sets(st.integers(0, 1199)))
+def test_batches_hold_every_match_that_is_left_once(pairs: int, threads: int, done: set[int]) -> None:
+    found = list(contest.batches(2 * pairs, done, threads))
+    assert sorted(match for batch in found for match in batch) == sorted(set(range(2 * pairs)) - done)
+    assert all(1 <= len(batch) <= contest.BATCH and len({match % 2 for match in batch}) == 1 for batch in found)
+
+
+@pytest.mark.parametrize(
+    ("matches", "threads", "sizes"),
+    [(20, 2, [10] * 2), (20, 1, [10] * 2), (200, 2, [25] * 8), (20, 16, [2] * 10), (2, 8, [1, 1]), (68, 2, [17] * 4)],
+)
+def test_batches_are_equal_and_enough_for_all_threads(matches: int, threads: int, sizes: list[int]) -> None:
+    assert [len(batch) for batch in contest.batches(matches, set(), threads)] == sizes
+
+
+class Alone:
+    """A team that notices if two threads call it at once."""
+
+    name = "alone"
+    memory_dtype = np.dtype([])
+
+    def __init__(self) -> None:
+        self.inside, self.most, self.calls = 0, 0, 0
+
+    def act(self, view: Any, memory: np.ndarray, rng: Any) -> np.ndarray:
+        self.inside, self.calls = self.inside + 1, self.calls + 1
+        self.most = max(self.most, self.inside)
+        time.sleep(1e-4)
+        self.inside -= 1
+        return view.stand()
+
+
+def test_a_team_in_python_is_never_called_by_two_threads_at_once() -> None:
+    team = Alone()
+    evaluate(EvaluateSettings(home="mine", away="still", matches=8, minutes=0.05, threads=4), teams={"mine": team})
+    assert team.calls >= 48 and team.most == 1
+
+
+def test_what_fails_in_one_thread_stops_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The second batch would go on for a minute."""
+
+    def play(_: Any, batch: list[int], *rest: Any) -> list[Any]:
+        if batch[0] == 0:
+            raise RuntimeError("broken")
+        stopped: threading.Event = rest[-1]
+        return [None] if stopped.wait(60.0) else ["never told"]
+
+    monkeypatch.setattr(contest, "play", play)
+    started = time.monotonic()
+    with pytest.raises(RuntimeError, match="broken"):
+        evaluate(EvaluateSettings(home="random", away="still", matches=4, minutes=0.1, threads=2))
+    assert time.monotonic() - started < 30.0
+
+
+def test_a_batch_that_is_stopped_ends_at_once() -> None:
+
+    settings, league = (
+        EvaluateSettings(home="random", away="still", matches=2, minutes=100.0),
+        find_league("legged-2001"),
+    )
+    played = contest.contest_of(conditions_of(settings, league), league, {})
+    stopped = threading.Event()
+    steps: list[float] = []
+
+    def advance(amount: float) -> None:
+        steps.append(amount)
+        stopped.set()
+
+    assert contest.play(played, [0], [1], "", 1, advance, stopped) == []
+    assert steps == [contest.REPORT_EVERY, 0]
