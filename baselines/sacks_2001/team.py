@@ -6,8 +6,9 @@ from typing import Any
 
 from soccer_env.baselines.deciding import keep_decision, must_decide, weaken
 from soccer_env.baselines.sacks_2001.memory import MEMORY
-from soccer_env.baselines.sacks_2001.planner import NEVER, decide
+from soccer_env.baselines.sacks_2001.planner import decide
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.baselines.sacks_2001.sightings import NEVER
 from soccer_env.baselines.sight import SIGHT, look
 from soccer_env.compiled import compiled, records
 from soccer_env.teams import CompiledTeam

@@ -9,8 +9,8 @@ import pytest
 
 from soccer_env.agents.attention import TENSORS
 from soccer_env.agents.policy_file import KEY, dump, load, parse
+from tests.agents.staged_files import WHERE, packed, refused, without
 from tests.agents.staged_policies import attentive, lively
-from tests.agents.test_hostile_files import WHERE, packed, refused, without
 
 INPUTS = ("ball_x", "teammate_0_present", "teammate_0_x", "opponent_0_present", "opponent_0_x")
 WHOLE = attentive(3, width=2, inputs=INPUTS, weights=(np.ones((3, 5), np.float32), np.ones((4, 3), np.float32)))

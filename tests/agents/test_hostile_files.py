@@ -3,7 +3,6 @@
 import json
 import os
 import pickle
-import socket
 import struct
 import subprocess
 import sys
@@ -15,63 +14,21 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import KEY, MAX_FILE, MAX_HEADER, dump, load, parse
-from tests.agents.staged_zips import Canary
-
-GOOD = dump(
-    Policy(
-        name="tiny",
-        league="legged-2001",
-        observe="truth",
-        inputs=("ball_x", "ball_y"),
-        actions="box",
-        action_repeat=1,
-        kind="slots",
-        activation="tanh",
-        mirror=False,
-        weights=(np.ones((3, 2), np.float32), np.ones((4, 3), np.float32)),
-        biases=(np.ones(3, np.float32), np.ones(4, np.float32)),
-        made={"seed": "1"},
-    )
+from tests.agents.staged_files import (
+    BODY,
+    GOOD,
+    HEADER,
+    TABLE,
+    WHERE,
+    packed,
+    refused,
+    with_fields,
+    with_table,
+    with_tensor,
+    without,
 )
-LENGTH = int.from_bytes(GOOD[:8], "little")
-HEADER: dict[str, Any] = json.loads(GOOD[8 : 8 + LENGTH])
-TABLE: dict[str, Any] = json.loads(HEADER["__metadata__"][KEY])
-BODY = GOOD[8 + LENGTH :]
-WHERE = "odd\n\x1b[31m.safetensors"  # a file's name is a stranger's too
-
-
-def packed(header: dict[str, Any] | bytes, body: bytes = BODY, length: int | None = None) -> bytes:
-    """Return a safetensors file with this header, right or wrong."""
-    text = header if isinstance(header, bytes) else json.dumps(header).encode()
-    return struct.pack("<Q", len(text) if length is None else length) + text + body
-
-
-def with_table(table: Any) -> bytes:
-    text = table if isinstance(table, str) else json.dumps(table)
-    return packed({**HEADER, "__metadata__": {KEY: text}})
-
-
-def with_fields(**changes: Any) -> bytes:
-    return with_table({**TABLE, **changes})
-
-
-def with_tensor(name: str, **changes: Any) -> bytes:
-    return packed({**HEADER, name: {**HEADER[name], **changes}})
-
-
-def without(table: dict[str, Any], key: str) -> dict[str, Any]:
-    return {other: value for other, value in table.items() if other != key}
-
-
-def refused(content: bytes, reason: str | None = None) -> None:
-    """Check that a file is refused in one plain line that names it."""
-    with pytest.raises(ValueError, match=reason) as refusal:
-        parse(content, WHERE)
-    line = str(refusal.value)
-    assert line.startswith(f"policy file {WHERE!r}: ")
-    assert line.isprintable() and len(line) < 400
+from tests.agents.staged_zips import Canary
 
 
 def numbers(*values: float) -> bytes:
@@ -135,7 +92,11 @@ def test_any_json_in_a_tensor_is_refused(key: str, value: Any) -> None:
 
 
 SHIFTED = {name: dict(entry) for name, entry in HEADER.items() if name != "__metadata__"}
+
+
 DEEP = "[" * 100_000 + "]" * 100_000
+
+
 CORPUS = {
     "empty": (b"", "0 bytes"),
     "length only": (struct.pack("<Q", 0), "header is not JSON"),
@@ -240,44 +201,6 @@ def test_a_pickle_with_another_name_is_not_run(tmp_path: Path) -> None:
     assert not (tmp_path / "canary").exists()
     pickle.loads(content)  # the canary does sing
     assert (tmp_path / "canary").exists()
-
-
-def refuses(path: Any, reason: str) -> None:
-    with pytest.raises(ValueError, match=reason) as refusal:
-        load(path)
-    assert str(refusal.value).startswith("policy file ") and str(refusal.value).isprintable()
-
-
-def test_what_is_no_file_is_refused(tmp_path: Path) -> None:
-    refuses(tmp_path, "is a folder")
-    refuses(tmp_path / "none", "No such file")
-    refuses("a\0b", "null")
-    refuses("a\n" * 5000, "name too long")
-    refuses(0, "not int")  # no reading from standard input
-    refuses(None, "not NoneType")
-    (tmp_path / "empty").touch()
-    refuses(tmp_path / "empty", "0 bytes")
-    (tmp_path / "good").write_bytes(GOOD)
-    load(str(tmp_path / "good"))
-
-
-@pytest.mark.skipif(os.name != "posix", reason="links, pipes and devices of Unix")
-def test_links_pipes_and_devices_do_not_hang(tmp_path: Path) -> None:
-    (tmp_path / "a").symlink_to("b")
-    (tmp_path / "b").symlink_to("a")
-    refuses(tmp_path / "a", "symbolic links")
-    os.mkfifo(tmp_path / "pipe")
-    (tmp_path / "link").symlink_to("pipe")
-    with socket.socket(socket.AF_UNIX) as server:
-        server.bind(os.path.relpath(tmp_path / "socket"))
-    for strange in (tmp_path / "pipe", tmp_path / "link", tmp_path / "socket", "/dev/zero"):
-        refuses(strange, "is not a regular file")
-
-
-def test_a_sparse_giant_is_not_read(tmp_path: Path) -> None:
-    with (tmp_path / "giant").open("wb") as file:
-        file.truncate(2**40)
-    refuses(tmp_path / "giant", "has 1099511627776 bytes, more than the limit")
 
 
 @pytest.mark.skipif(os.name != "posix", reason="limits of Unix")

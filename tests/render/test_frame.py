@@ -1,5 +1,5 @@
-import subprocess
-import sys
+"""A frame shows ball, robots, goals and marks where the records say."""
+
 from math import cos, hypot, pi, sin
 
 import numpy as np
@@ -7,46 +7,9 @@ import pytest
 
 pytest.importorskip("pygame")
 
-from soccer_env import types
-from soccer_env.leagues import find_league
-from soccer_env.render import Arrows, Picture, Points, Polyline, colours
-
-LEAGUES = ("legged-2001", "middle-size-2006")
-
-
-def make_records(home=2, away=2):
-    """Return a match in play, a ball at rest at the centre, and robots in two columns on their own sides."""
-    match, ball, robots = np.zeros((), types.MATCH), np.zeros((), types.BALL), np.zeros(home + away, types.ROBOT)
-    match["half_length"], match["home_direction"] = 600.0, 1.0
-    match["restart_team"] = match["last_touch_team"] = match["last_touch_robot"] = -1
-    for row, robot in enumerate(robots):
-        robot["team"] = int(row >= home)
-        robot["number"] = row - home * (row >= home)
-        robot["active"] = 1
-        side = 2 * robot["team"] - 1
-        robot["x"], robot["y"] = 0.7 * side, -0.6 + 0.4 * robot["number"]
-        robot["heading"] = pi if robot["team"] else 0.0
-    return match, ball, robots
-
-
-def near(frame, colour, tolerance=24):
-    """Return where a frame shows a colour."""
-    return (np.abs(frame.astype(int) - colour).max(axis=2) <= tolerance).astype(bool)
-
-
-def around(picture, mask, x, y, radius):
-    """Return the points of a mask (rows, columns) within a radius [m] of a place, as metres in the field frame."""
-    rows, columns = np.nonzero(mask)
-    xs = (columns + 0.5 - picture.view.centre_x) / picture.view.scale
-    ys = -(rows + 0.5 - picture.header_height - picture.view.centre_y) / picture.view.scale
-    points = np.column_stack([xs, ys])
-    return points[np.hypot(xs - x, ys - y) < radius]
-
-
-def centre_of(picture, mask, x, y, radius):
-    points = around(picture, mask, x, y, radius)
-    assert len(points), "the colour is not there"
-    return points.mean(axis=0)
+from soccer_env.render import Picture, colours
+from tests.render.staged_frames import around, centre_of, make_records, near
+from tests.staging import LEAGUES
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -233,133 +196,3 @@ def test_eleven_against_eleven_and_a_robot_far_outside_are_drawn(league):
     robots[3]["x"], robots[4]["y"], ball["x"] = 1e12, -1e300, -1e200
     frame = Picture(league).draw(match, ball, robots)
     assert near(frame, colours.TEAMS[0]).any() and near(frame, colours.TEAMS[1]).any()
-
-
-def test_a_frame_depends_on_its_records_alone():
-    rng = np.random.default_rng(3)
-    used = {league: Picture(league, 480) for league in LEAGUES}
-    for turn in range(6):
-        match, ball, robots = make_records(3, 3)
-        robots["x"], robots["y"] = rng.uniform(-1.4, 1.4, 6), rng.uniform(-1, 1, 6)
-        robots["heading"], robots["has_ball"] = rng.uniform(-3, 3, 6), rng.integers(0, 2, 6)
-        match["home_direction"], match["clock"], match["phase"] = (-1) ** turn, turn * 61.0, turn
-        ball["x"], ball["vy"] = rng.uniform(-1, 1), rng.uniform(-2, 2)
-        for league in LEAGUES:
-            assert np.array_equal(
-                used[league].draw(match, ball, robots), Picture(league, 480).draw(match, ball, robots)
-            )
-
-
-def test_drawing_leaves_the_records_alone_and_takes_read_only_ones():
-    records = make_records()
-    before = [record.tobytes() for record in records]
-    for record in records:
-        record.flags.writeable = False
-    Picture("legged-2001").draw(*records)
-    assert [record.tobytes() for record in records] == before
-
-
-def test_records_of_a_batch_are_drawn_one_match_at_a_time():
-    match, ball, robots = make_records()
-    matches, balls, teams = np.stack([match] * 3), np.stack([ball] * 3), np.stack([robots] * 3)
-    balls["x"] = (0.1, 0.2, 0.3)
-    picture = Picture("legged-2001", 480)
-    ball["x"] = 0.2
-    assert np.array_equal(picture.draw(matches[1], balls[1], teams[1]), picture.draw(match, ball, robots))
-    with pytest.raises(ValueError, match=r"match must be one record, got shape \(3,\)"):
-        picture.draw(matches, balls[0], teams[0])
-    with pytest.raises(ValueError, match=r"robots must be records of shape \(R,\), got shape \(3, 4\)"):
-        picture.draw(matches[0], balls[0], teams)
-
-
-def test_overlays_show_at_their_places_under_or_over_the_robots():
-    picture = Picture("middle-size-2006")
-    match, ball, robots = make_records(1, 0)
-    robots["x"], robots["y"], ball["x"] = 2.0, 2.0, -3.0
-    pink = (250, 20, 220)
-    dots = Points([(2.0, 2.0), (-2.0, 2.0)], pink, radius=5.0)
-    frame = picture.draw(match, ball, robots, overlays=[dots])
-    for place in ((2.0, 2.0), (-2.0, 2.0)):
-        assert centre_of(picture, near(frame, pink), *place, 0.5) == pytest.approx(place, abs=0.02)
-    beneath = Points([(1.96, 2.0)], pink, radius=5.0, under=True)
-    assert not near(picture.draw(match, ball, robots, overlays=[beneath]), pink).any()
-    path = Polyline([(0.0, -1.0), (4.0, -1.0)], pink)
-    assert len(around(picture, near(picture.draw(match, ball, robots, overlays=[path]), pink), 3.0, -1.0, 0.1))
-    arrow = Arrows([(0.0, 3.0)], [(1.0, 0.0)], pink, width=3.0)
-    tip = around(picture, near(picture.draw(match, ball, robots, overlays=[arrow]), pink), 0.5, 3.0, 1.0)
-    assert tip[:, 0].max() == pytest.approx(1.0, abs=0.03)
-    assert np.ptp(tip[tip[:, 0] > 0.85, 1]) > 2 * np.ptp(tip[tip[:, 0] < 0.5, 1])
-
-
-def test_bad_overlays_name_the_value_and_leave_no_trace():
-    picture = Picture("legged-2001", 480)
-    records = make_records()
-    clean = picture.draw(*records)
-    bad = {
-        r"Points.xy must have shape \(N, 2\), got \(3,\)": Points([1.0, 2.0, 3.0], colours.WHITE),
-        r"Points.xy must be finite, got \[0.5, nan\]": Points([(0.5, np.nan)], colours.WHITE),
-        "a vector for each tail, got 2 for 1 tails": Arrows([(0, 0)], [(1, 1), (2, 2)], colours.WHITE),
-    }
-    for message, overlay in bad.items():
-        with pytest.raises(ValueError, match=message):
-            picture.draw(*records, overlays=[Polyline([(0, 0), (1, 1)], colours.WHITE), overlay])
-        assert np.array_equal(picture.draw(*records), clean)
-
-
-@pytest.mark.parametrize("width", (0, -5, 239, 100_000, 480.0, float("nan"), "960", None, True))
-def test_a_bad_width_is_a_value_error_that_names_it(width):
-    with pytest.raises(ValueError, match=f"width must be .*got {width!r}"):
-        Picture("legged-2001", width)
-
-
-def test_a_pose_that_is_not_finite_is_a_value_error_that_names_it():
-    picture = Picture("legged-2001", 480)
-    match, ball, robots = make_records()
-    robots[2]["heading"] = np.nan
-    with pytest.raises(ValueError, match="robot 2 has heading = nan"):
-        picture.draw(match, ball, robots)
-    robots[2]["heading"], ball["vx"] = 0.0, np.inf
-    with pytest.raises(ValueError, match="ball has vx = inf"):
-        picture.draw(match, ball, robots)
-    with pytest.raises(ValueError, match="unknown league 'cricket'"):
-        Picture("cricket")
-
-
-def test_names_of_any_kind_fit_the_plates():
-    picture = Picture(find_league("legged-2001"), 240)
-    for title in (("", "x" * 500), ("two\nlines\0", "möwen 2001"), ("\ud800", 7)):
-        assert picture.draw(*make_records(), title=title).shape == (picture.height, 240, 3)
-
-
-def test_pictures_outlive_pygame_quit():
-    import pygame
-
-    picture, records = Picture("legged-2001", 480), make_records()
-    before = picture.draw(*records)
-    pygame.quit()
-    records[0]["clock"] = 83.0  # a new word for the header
-    assert not np.array_equal(picture.draw(*records), before)
-
-
-def test_importing_the_package_leaves_pygame_alone_and_a_picture_needs_no_display():
-    program = """
-import sys, numpy as np
-import soccer_env.render
-assert "pygame" not in sys.modules
-from soccer_env import types
-from soccer_env.render import Picture
-frame = Picture("legged-2001").draw(np.zeros((), types.MATCH), np.zeros((), types.BALL), np.zeros(2, types.ROBOT))
-import pygame
-assert not pygame.display.get_init() and frame.any()
-"""
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
-    assert done.returncode == 0 and done.stdout == "", done.stderr
-
-
-def test_without_pygame_the_error_says_what_to_install(monkeypatch):
-    monkeypatch.setitem(sys.modules, "pygame", None)
-    with pytest.raises(ImportError, match=r'pip install "soccer_env\[render\]"'):
-        Picture("legged-2001")
-    monkeypatch.setitem(sys.modules, "pygame", sys)  # stands for the older pygame: no IS_CE
-    with pytest.raises(ImportError, match=r"older pygame"):
-        Picture("legged-2001")

@@ -1,0 +1,62 @@
+"""What a player notes of the ball before it decides: when it was seen for certain, and when between the paws.  MS27"""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from soccer_env.baselines.sacks_2001.memory import PASS, SHOOT
+from soccer_env.compiled import compiled
+
+NEVER = 1e9  # [s]
+JUST_NOW, JUST_SEEN = 0.01, 0.15  # [s]
+FOUND = 2  # sightings that make a ball certain, assumed
+OUTSIDE, OUTSIDE_SHARE = 0.10, 0.10  # [m], [1] of its distance, that a ball may seem to lie behind the boards, assumed
+GAP = 0.5  # [s] unseen that ends a row of sightings, assumed
+LOOK_DOWN = 0.8  # [s] with the head on its way down and down, after which an unseen ball is not there, assumed
+AFTER_KICK = 1.0  # [s] for which a robot looks after the ball that it kicked, assumed
+
+
+@compiled
+def note_sighting(belief, memory, k, play, elapsed):
+    """Note how long ago the ball was seen for certain: some times in a row, and not off the field.
+
+    A glimpse may be of anything orange, and there are orange patches behind the boards.
+    """
+    ball = belief.ball
+    if ball.age > GAP or ball.confidence <= 0.0 or lies_outside(belief, k, play):
+        memory.sightings = 0
+    elif ball.age < JUST_NOW:
+        memory.sightings += 1
+    memory.trusted = 0.0 if memory.sightings >= FOUND else memory.trusted + elapsed
+
+
+@compiled
+def lies_outside(belief, k, play):
+    """Tell whether a robot that knows where it is believes the ball behind the boards, by more than ranges err."""
+    own, ball = belief.own, belief.ball
+    if own.confidence < play.unsure:
+        return False
+    cosine, sine = cos(own.heading), sin(own.heading)
+    x, y = own.x + cosine * ball.x - sine * ball.y, own.y + sine * ball.x + cosine * ball.y
+    room = OUTSIDE + OUTSIDE_SHARE * ball.distance
+    return abs(x) > 0.5 * k.pitch_length + room or abs(y) > 0.5 * k.pitch_width + room
+
+
+@compiled
+def note_possession(ball, memory, k, play, elapsed):
+    """Note how long ago the ball was seen between the paws: it is not there any more if looking down does not show it.
+
+    Nor is it after a kick: then the robot looks after the ball.  MS27
+    """
+    memory.had_ball += elapsed
+    memory.down = memory.down + elapsed if memory.glances == 0 else 0.0
+    memory.kicked = max(memory.kicked - elapsed, 0.0)
+    memory.foiled = max(memory.foiled - elapsed, 0.0)
+    if ball.held == 1 and ball.age <= JUST_SEEN:
+        memory.had_ball = 0.0
+        if 0.0 < memory.kicked < AFTER_KICK - JUST_SEEN:
+            memory.foiled = play.foiled_time
+    elif memory.down > LOOK_DOWN and memory.had_ball > LOOK_DOWN:
+        memory.had_ball = NEVER
+    if (memory.behaviour == SHOOT or memory.behaviour == PASS) and memory.winding > k.kicker_wind_up + 2.0 * k.dt:
+        memory.had_ball, memory.kicked, memory.winding = NEVER, AFTER_KICK, 0.0

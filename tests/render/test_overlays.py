@@ -1,0 +1,43 @@
+"""Overlays show at their places, under or over the robots, and bad ones leave no trace."""
+
+import numpy as np
+import pytest
+
+pytest.importorskip("pygame")
+
+from soccer_env.render import Arrows, Picture, Points, Polyline, colours
+from tests.render.staged_frames import around, centre_of, make_records, near
+
+
+def test_overlays_show_at_their_places_under_or_over_the_robots():
+    picture = Picture("middle-size-2006")
+    match, ball, robots = make_records(1, 0)
+    robots["x"], robots["y"], ball["x"] = 2.0, 2.0, -3.0
+    pink = (250, 20, 220)
+    dots = Points([(2.0, 2.0), (-2.0, 2.0)], pink, radius=5.0)
+    frame = picture.draw(match, ball, robots, overlays=[dots])
+    for place in ((2.0, 2.0), (-2.0, 2.0)):
+        assert centre_of(picture, near(frame, pink), *place, 0.5) == pytest.approx(place, abs=0.02)
+    beneath = Points([(1.96, 2.0)], pink, radius=5.0, under=True)
+    assert not near(picture.draw(match, ball, robots, overlays=[beneath]), pink).any()
+    path = Polyline([(0.0, -1.0), (4.0, -1.0)], pink)
+    assert len(around(picture, near(picture.draw(match, ball, robots, overlays=[path]), pink), 3.0, -1.0, 0.1))
+    arrow = Arrows([(0.0, 3.0)], [(1.0, 0.0)], pink, width=3.0)
+    tip = around(picture, near(picture.draw(match, ball, robots, overlays=[arrow]), pink), 0.5, 3.0, 1.0)
+    assert tip[:, 0].max() == pytest.approx(1.0, abs=0.03)
+    assert np.ptp(tip[tip[:, 0] > 0.85, 1]) > 2 * np.ptp(tip[tip[:, 0] < 0.5, 1])
+
+
+def test_bad_overlays_name_the_value_and_leave_no_trace():
+    picture = Picture("legged-2001", 480)
+    records = make_records()
+    clean = picture.draw(*records)
+    bad = {
+        r"Points.xy must have shape \(N, 2\), got \(3,\)": Points([1.0, 2.0, 3.0], colours.WHITE),
+        r"Points.xy must be finite, got \[0.5, nan\]": Points([(0.5, np.nan)], colours.WHITE),
+        "a vector for each tail, got 2 for 1 tails": Arrows([(0, 0)], [(1, 1), (2, 2)], colours.WHITE),
+    }
+    for message, overlay in bad.items():
+        with pytest.raises(ValueError, match=message):
+            picture.draw(*records, overlays=[Polyline([(0, 0), (1, 1)], colours.WHITE), overlay])
+        assert np.array_equal(picture.draw(*records), clean)
