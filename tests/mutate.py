@@ -31,12 +31,17 @@ PASSED, FAILED = 0, 1  # pytest's exit codes when tests ran, and when some of th
 BROKEN = ("SyntaxError", "NameError", "TypingError", "LoweringError", "UnsupportedError")  # failures of no meaning
 
 
+def left_out(folder: str, names: list[str]) -> set[str]:
+    """Return what is not copied: compiled files, and soft links to the inner folders, where a checkout has them."""
+    inner = INNER if Path(folder) == ROOT / "soccer_env" else ()
+    return shutil.ignore_patterns("__pycache__", "*.pyc", *inner)(folder, names)
+
+
 def copy_checkout(to: Path) -> None:
     """Copy what tests need, so that it is imported instead of what is installed."""
     for name in COPIED:
         source = ROOT / name
-        ignored = shutil.ignore_patterns("__pycache__", "*.pyc")
-        shutil.copytree(source, to / name, ignore=ignored) if source.is_dir() else shutil.copy(source, to / name)
+        shutil.copytree(source, to / name, ignore=left_out) if source.is_dir() else shutil.copy(source, to / name)
     for name in INNER:
         (to / "soccer_env" / name).symlink_to(to / name, target_is_directory=True)
 
