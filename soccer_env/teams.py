@@ -96,8 +96,15 @@ def mix_array(states: np.ndarray) -> np.ndarray:
 class Team(Protocol):
     """A team. `act` sees the view of its own players and returns commands (M, P, 4) or (M, P, 7) in [-1, 1]."""
 
-    name: str
-    memory_dtype: np.dtype
+    @property
+    def name(self) -> str:
+        """Return what the team is called."""
+        ...
+
+    @property
+    def memory_dtype(self) -> np.dtype:
+        """Return the record of what a player must remember; saved and hashed with the match."""
+        ...
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
         """Return the commands of all players; memory (M, P) of `memory_dtype` is the team's to change."""
