@@ -13,7 +13,7 @@ from typing import Literal
 
 import tyro
 
-from soccer_env.train.settings import POSES, is_number, whole
+from soccer_env.train.settings import POSES, as_path, is_number, whole
 
 
 @dataclass(frozen=True)
@@ -48,8 +48,7 @@ class ReproduceSettings:
     """Remove the files that an earlier run left in --out, instead of going on with it or refusing."""
 
     def __post_init__(self) -> None:
-        if isinstance(self.out, str):
-            object.__setattr__(self, "out", Path(self.out))
+        object.__setattr__(self, "out", as_path(self.out))
         object.__setattr__(self, "claims", tuple(self.claims))
         if self.pose not in POSES:
             raise ValueError(f"pose must be one of {', '.join(POSES)}, got {self.pose!r}")

@@ -66,8 +66,7 @@ class EvaluateSettings:
         for side in ("home", "away"):
             if not isinstance(getattr(self, side), str):
                 raise ValueError(f"{side} must be a name; evaluate(settings, teams={{name: team}}) names team objects")
-        if isinstance(self.out, str):
-            object.__setattr__(self, "out", Path(self.out))
+        object.__setattr__(self, "out", as_path(self.out))
         whole("matches", self.matches, 2)
         if self.matches % 2:
             raise ValueError(f"matches must be even (each seed is played twice, sides swapped), got {self.matches}")
@@ -188,6 +187,11 @@ def whole(name: str, value: object, least: int) -> None:
     """Raise ValueError unless the value is an int of at least that."""
     if not isinstance(value, int) or isinstance(value, bool) or value < least:
         raise ValueError(f"{name} must be a whole number of at least {least}, got {value!r}")
+
+
+def as_path(given: object) -> object:
+    """Return a text as a path, for settings made in Python, and anything else as it is."""
+    return Path(given) if isinstance(given, str) else given
 
 
 def is_number(value: object) -> bool:

@@ -11,7 +11,7 @@ from math import inf
 from pathlib import Path
 from typing import Any, Literal, get_args, get_type_hints
 
-from soccer_env.train.settings import is_number, split_players, split_senses, whole, written
+from soccer_env.train.settings import as_path, is_number, split_players, split_senses, whole, written
 
 MOST = {
     "torch_threads": 256, "rollout": 65_536, "matches": 65_536, "learning_rate": 1.0, "noise": 10.0, "ideal_share": 1.0,
@@ -149,8 +149,7 @@ class TrainSettings:
     """Remove what an earlier run left in --out instead of going on with it."""
 
     def __post_init__(self) -> None:
-        if isinstance(self.out, str):
-            object.__setattr__(self, "out", Path(self.out))
+        object.__setattr__(self, "out", as_path(self.out))
         check_kinds(self)
         for name in COUNTS:
             whole(name, getattr(self, name), 1)

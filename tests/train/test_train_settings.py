@@ -198,8 +198,7 @@ def test_every_setting_is_explained(capsys: pytest.CaptureFixture[str]) -> None:
         assert f"--{field.name.replace('_', '-')}" in text
         after = source.split(f"\n    {field.name}: ", 1)[1].split("\n")[1].strip()
         assert after.startswith('"""') and len(after) > 12, f"{field.name} has no text"
-        words = after.strip('"').split()[:3]
-        assert " ".join(words) in text, f"the text of {field.name} is not in the help"
+        assert " ".join(after.strip('"').split()[:3]) in text, f"the text of {field.name} is not in the help"
 
 
 def test_names_keep_the_commas_of_their_switches() -> None:
