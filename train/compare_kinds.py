@@ -42,8 +42,8 @@ def rows(decisions: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
 def fitted(kind: str, seed: int, taught: tuple[np.ndarray, np.ndarray]) -> tuple[SoccerPolicy, float]:
     """Return a network fitted to the rows, and the processor time of that [s]."""
     torch.manual_seed(seed)
-    box = [spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(NAMES), 4)]
-    network = SoccerPolicy(*box, lambda _: 1e-3, names=NAMES, hidden=(64, 64), kind=kind, mirror=True)
+    seen, asked = (spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(NAMES), 4))
+    network = SoccerPolicy(seen, asked, lambda _: 1e-3, names=NAMES, hidden=(64, 64), kind=kind, mirror=True)
     start = time.process_time()
     fit(network, *taught, EPOCHS, seed)
     return network, time.process_time() - start

@@ -108,7 +108,8 @@ class MirrorHead(nn.Module):
     def forward(self, latent: torch.Tensor) -> torch.Tensor:
         """Return actions (B, a) for the last hidden layer (2 B, h)."""
         plain, mirrored = self.linear(latent).chunk(2)
-        return 0.5 * (plain + mirrored * self.signs)
+        actions: torch.Tensor = 0.5 * (plain + mirrored * self.signs)
+        return actions
 
 
 class SoccerPolicy(ActorCriticPolicy):
@@ -116,7 +117,10 @@ class SoccerPolicy(ActorCriticPolicy):
 
     def __init__(
         self,
-        *spaces: Any,
+        observation_space: Any,
+        action_space: Any,
+        lr_schedule: Any,
+        *,
         names: Sequence[str],
         hidden: Sequence[int] = (64, 64),
         critic: Sequence[int] = (64, 64),
@@ -127,11 +131,13 @@ class SoccerPolicy(ActorCriticPolicy):
     ) -> None:
         self.names, self.hidden, self.critic, self.activation, self.mirror = names, hidden, critic, activation, mirror
         self.kind = kind
-        super().__init__(*spaces, activation_fn=ACTIVATIONS[activation], **settings)
+        super().__init__(
+            observation_space, action_space, lr_schedule, activation_fn=ACTIVATIONS[activation], **settings
+        )
 
     def _build_mlp_extractor(self) -> None:
         signs = torch.tensor(observation_signs(self.names), dtype=torch.float32) if self.mirror else None
-        sizes: Any = (len(self.names), self.features_dim, self.hidden, self.critic)
+        sizes = (len(self.names), self.features_dim, self.hidden, self.critic)
         attention = None
         if self.kind == "attention":
             attention = Attention(layout_of(self.names), width_beside(self.hidden), self.activation)
