@@ -116,12 +116,14 @@ def measure_faces(league: str, settings: BenchSettings) -> Samples:
     """Return the samples [s] of a step and of a reset of the PettingZoo face."""
     step, reset = FaceLoad(league, settings.seed), ResetLoad(league, settings.seed)
     belief = FaceLoad(league, settings.seed, observe="belief")
-    loads = {
-        "step": partial(step.sample, 1000),
-        "belief": partial(belief.sample, 1000),
-        "reset": partial(reset.sample, 50),
-    }
-    return interleaved(loads, settings.repetitions)
+    return interleaved(
+        {
+            "step": partial(step.sample, 1000),
+            "belief": partial(belief.sample, 1000),
+            "reset": partial(reset.sample, 50),
+        },
+        settings.repetitions,
+    )
 
 
 def ratio(samples: Samples, above: str, below: str) -> float:

@@ -74,7 +74,9 @@ def record_bytes(league: str, pose: str | None = None, matches: int = 64) -> flo
 
     With ideal senses, or with the sensors and beliefs of all robots and one of the ways to their own poses.
     """
-    senses = {"senses": "ideal"} if pose is None else {"senses": "sensors", "observe": "belief", "pose": pose}
+    senses: dict[str, Any] = (
+        {"senses": "ideal"} if pose is None else {"senses": "sensors", "observe": "belief", "pose": pose}
+    )
     match = Match(league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, controllers={"home": "chaser"}, **senses)
     return sum(array.nbytes for array in arrays_of(match)) / matches
 

@@ -69,7 +69,7 @@ def fit(
             seen, asked = (part[chosen].to(network.device) for part in rows)
             error = ((network.mean_actions(seen) - asked) ** 2).mean()
             optimizer.zero_grad()
-            error.backward()
+            error.backward()  # type: ignore[no-untyped-call]  # torch gives it no return type
             optimizer.step()
             total += float(error.detach()) * len(chosen)
         schedule.step()

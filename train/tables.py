@@ -13,6 +13,7 @@ from __future__ import annotations
 import json
 import platform
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -44,7 +45,7 @@ def measure_speed(quick: bool = False) -> dict[str, Any]:
     return {"about": about(), "command": command, "machine": bench["machine"], "rows": bench["rows"]}
 
 
-MEASURE = {
+MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
     "sensors": lambda: {"about": about(), **measure_sensors()},
     "claims": lambda: {"about": about(), **measure_claims()},
     "scripted": lambda: {"about": about(), "rows": measure_rows(scripted_rows())},
@@ -53,7 +54,7 @@ MEASURE = {
     "training": lambda: {"about": about(), **measure_training()},
     "speed": measure_speed,
 }
-SHOW = {  # a table in Markdown
+SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a table in Markdown
     "sensors": lambda table: with_footer(sensors_table(table), table),
     "claims": lambda table: with_footer(claims_table(table), table),
     "scripted": lambda table: with_footer(scripted_table(table), table),

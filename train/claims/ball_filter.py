@@ -47,7 +47,8 @@ def about_own_mean(values: np.ndarray) -> np.ndarray:
     """Return values (M, T) about the mean of their row, over those that are there."""
     there = np.isfinite(values)
     total = np.where(there, values, 0.0).sum(axis=1) / np.maximum(there.sum(axis=1), 1)
-    return values - total[:, None]
+    about: np.ndarray = values - total[:, None]
+    return about
 
 
 def span_of(batch: Batch) -> float:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -217,7 +218,7 @@ S15 = Claim(
     criteria=tuple(
         exact(
             f"a pixel is worth {100 * step:.0f} cm at {100 * low:.0f} to {100 * high:.0f} cm",
-            lambda samples, step=step: range_of_step(samples, step),
+            partial(range_of_step, step=step),
             unit="cm",
             at_least=100 * low,
             at_most=100 * high,

@@ -69,7 +69,8 @@ def nearest_known(match: Match) -> np.ndarray:
     """Return how far robot 0 (M,) [m] believes the nearest player or obstacle to be; inf if it knows of none."""
     slots, obstacle = match.tracks[:, 0], match.beliefs["obstacle"]["distance"][:, 0].astype(float)
     player = np.where(slots["present"] == 1, slots["distance"], np.inf).min(axis=1)
-    return np.minimum(player, np.where(obstacle > 0.0, obstacle, np.inf))
+    nearest: np.ndarray = np.minimum(player, np.where(obstacle > 0.0, obstacle, np.inf))
+    return nearest
 
 
 def by_infrared(match: Match) -> np.ndarray:

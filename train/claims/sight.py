@@ -35,7 +35,8 @@ def ball_in_sight(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
 
 def ball_angle(match: Match, distance: np.ndarray) -> np.ndarray:
     """Return the angle [rad] under which the ball's radius is seen from a distance (M,)."""
-    return np.arcsin(np.minimum(match.league.ball.radius / np.maximum(distance, 1e-9), 1.0))
+    angle: np.ndarray = np.arcsin(np.minimum(match.league.ball.radius / np.maximum(distance, 1e-9), 1.0))
+    return angle
 
 
 def stare(match: Match, actions: np.ndarray, r: int = 0) -> None:

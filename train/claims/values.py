@@ -12,7 +12,8 @@ import numpy as np
 def known(values: Any) -> np.ndarray:
     """Return the values that are there, in one row."""
     array = np.asarray(values, float)
-    return array[np.isfinite(array)]
+    found: np.ndarray = array[np.isfinite(array)]
+    return found
 
 
 def median(values: Any) -> float:
