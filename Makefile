@@ -11,8 +11,9 @@ PYTHON ?= python3
 TORCH := torch==2.13.0
 VENV := .venv
 BIN := $(VENV)/bin
+INNER := baselines agents train
 
-.PHONY: match test lint bench tables tables-check sacks-table mutants clean
+.PHONY: match test lint types bench tables tables-check sacks-table mutants clean
 .DELETE_ON_ERROR:
 
 match: $(VENV)/.has-base
@@ -22,10 +23,19 @@ match: $(VENV)/.has-base
 test: $(VENV)/.has-train
 	$(BIN)/python -m pytest
 
-lint: $(VENV)/.has-dev
+# With torch, as its types decide what is right in train/.
+lint: $(VENV)/.has-train types
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+# mypy names modules by the folders they lie in. These soft links lie as the packages are installed (package-dir in
+# pyproject.toml); made anew each time, they follow files that come and go.
+types:
+	rm -rf build/types
+	mkdir -p build/types/soccer_env
+	@ln -s $(addprefix ../../../,$(filter-out $(INNER:%=soccer_env/%),$(wildcard soccer_env/*)) $(INNER)) \
+		build/types/soccer_env
 
 bench: $(VENV)/.has-base
 	$(BIN)/soccer bench
@@ -56,12 +66,8 @@ $(VENV)/.has-base: $(VENV)/.created pyproject.toml Makefile
 	$(BIN)/python -m pip install -e '.[render]'
 	touch $@
 
-$(VENV)/.has-dev: $(VENV)/.has-base
-	$(BIN)/python -m pip install -e '.[dev,render]'
-	touch $@
-
 # torch first and pinned: its version decides whether gigabytes of GPU libraries come along.
-$(VENV)/.has-train: $(VENV)/.has-dev
+$(VENV)/.has-train: $(VENV)/.has-base
 	$(BIN)/python -m pip install $(TORCH)
 	$(BIN)/python -m pip install -e '.[dev,train,render]'
 	touch $@

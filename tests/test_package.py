@@ -66,6 +66,18 @@ def test_the_top_level_holds_what_was_agreed() -> None:
     assert folders == {".ci", "soccer_env", "baselines", "agents", "train", "tests"}, "a run wrote into the checkout?"
 
 
+@pytest.mark.skipif(shutil.which("make") is None, reason="needs make")
+def test_types_are_checked_in_every_folder(tmp_path: Path) -> None:
+    for name in ("Makefile", "pyproject.toml", *FOLDERS.values()):
+        (tmp_path / name).symlink_to(ROOT / name)
+    for _ in range(2):  # the second time over what the first has left
+        run("make", "types", cwd=tmp_path)
+    (checked,) = SETTINGS["tool"]["mypy"]["files"]
+    walk = os.walk(tmp_path / checked, followlinks=True)
+    files = {Path(folder, name) for folder, _, names in walk for name in names if name.endswith(".py")}
+    assert {file.relative_to((tmp_path / checked).parent).as_posix() for file in files} == files_on_disk()
+
+
 def test_every_package_is_listed() -> None:
     listed = SETTINGS["tool"]["setuptools"]["packages"]
     with_modules = {file.rpartition("/")[0].replace("/", ".") for file in files_on_disk()}
