@@ -10,6 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from soccer_env.match import BLOCK, Match
+from soccer_env.scenes import SCENES
 
 
 def shared_out(
@@ -50,3 +51,10 @@ def playing(match: Match) -> list[str]:
             for m in range(match.count) if squad.plays is None else np.flatnonzero(squad.plays):
                 names[m] = squad.name
     return names
+
+
+def calls_python(match: Match) -> bool:
+    """Tell whether a match calls a team, an observation, a reward or a scene in Python: one thread at a time may."""
+    asked = match.settings
+    own = not isinstance(asked.observe, str) or bool(asked.rewards.extra) or SCENES.get(asked.scene.name) != asked.scene
+    return own or not all(squad.compiled for squad in match.squads)

@@ -27,7 +27,7 @@ from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
 from soccer_env.settings import whole_number
 from soccer_env.train.critic_state import last_state, team_state, with_state
-from soccer_env.train.match_blocks import playing, shared_out, stagger_clocks
+from soccer_env.train.match_blocks import calls_python, playing, shared_out, stagger_clocks
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ class SoccerVecEnv(VecEnv):
             )
             for (home, away), count, senses in blocks
         ]  # fmt: skip
-        self._pool = ThreadPoolExecutor(min(threads, len(blocks)))
+        self._pool = ThreadPoolExecutor(1 if any(map(calls_python, self.matches)) else min(threads, len(blocks)))
         self.largest, self.state = max(match.settings.max_players for match in self.matches), state
         self.learners = [match.settings.home for match in self.matches]
         self.observed = len(self.matches[0].observation_names)  # entries before the state
