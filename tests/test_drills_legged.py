@@ -4,8 +4,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from staging import LEGGED, deepest_overlaps, put_ball, stand
-from symmetry import Records, mirrored, mirrored_actions
 
 from soccer_env import Match
 from soccer_env.scenes import SCENES, Scene
@@ -13,6 +11,8 @@ from soccer_env.scenes.drills_legged import DRILLS_LEGGED
 from soccer_env.scenes.judging import LOST, LOST_TIME, PAST
 from soccer_env.staging import put
 from soccer_env.types import AWAY
+from tests.staging import LEGGED, deepest_overlaps, put_ball, stand
+from tests.symmetry import Records, mirrored, mirrored_actions
 
 MATCHES = 40
 DRIBBLES = [scene.name for scene in DRILLS_LEGGED if scene.success == "home gets past"]

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from staging import LEAGUES, put, put_ball, scatter, stage, stand
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.observations import layout
 from soccer_env.observations.truth import PLAYER, PLAYER_SIZE
+from tests.staging import LEAGUES, put, put_ball, scatter, stage, stand
 
 
 def entry(match: Match, r: int, name: str, m: int = 0) -> float:

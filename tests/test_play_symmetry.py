@@ -7,8 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from staging import MIDDLE, each_league, patient, put_ball, scatter, set_phase, stand, steps_in
-from symmetry import (
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+from soccer_env.types import AWAY, HOME, Phase
+from tests.staging import MIDDLE, each_league, patient, put_ball, scatter, set_phase, stand, steps_in
+from tests.symmetry import (
     HALF_TURN,
     MIRROR,
     Records,
@@ -20,10 +24,6 @@ from symmetry import (
     swapped_rows,
     turned,
 )
-
-from soccer_env import Match
-from soccer_env.leagues import find_league
-from soccer_env.types import AWAY, HOME, Phase
 
 SIZE = 3  # robots a side
 

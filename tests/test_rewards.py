@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from staging import LEAGUES, endless, put, put_ball, scatter, set_phase, stage, stand
 
 from soccer_env import Match, Rewards
 from soccer_env.rewards import APPROACH, EFFORT, GOAL, PROGRESS, find_rewards
+from tests.staging import LEAGUES, endless, put, put_ball, scatter, set_phase, stage, stand
 
 SHAPED = Rewards(goal=0.0, progress=1.0, approach=1.0, effort=0.0, gamma=1.0)
 

@@ -4,12 +4,12 @@ from itertools import product
 
 import numpy as np
 import pytest
-from staging import LEAGUES, deepest_overlaps, each_league, put_ball, send_off, stand, steps_in
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.scenes import SCENES
 from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM
+from tests.staging import LEAGUES, deepest_overlaps, each_league, put_ball, send_off, stand, steps_in
 
 SIZES = ((1, 1), (2, 3), (5, 5), (MAX_TEAM, MAX_TEAM), (1, MAX_TEAM), (MAX_TEAM, 1))
 

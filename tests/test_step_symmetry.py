@@ -5,8 +5,20 @@ Left-right to 1e-12 with noise draws mirrored too, under a half-turn with the te
 
 import numpy as np
 import pytest
-from staging import LEGGED, MIDDLE, each_league, put_ball, scatter, speed
-from symmetry import (
+
+from soccer_env import Match
+from soccer_env.compiled import compiled
+from soccer_env.observations.truth import observe_slice
+from soccer_env.physics.drive import drive, move_head
+from soccer_env.physics.kicker import work_kicker
+from soccer_env.players import believe_slice, empty_beliefs
+from soccer_env.referee.calls import judge
+from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
+from soccer_env.rewards import measure_potentials
+from soccer_env.step import clear_events
+from soccer_env.types import NO_TEAM, Phase
+from tests.staging import LEGGED, MIDDLE, each_league, put_ball, scatter, speed
+from tests.symmetry import (
     HALF_TURN,
     MIRROR,
     Records,
@@ -22,18 +34,6 @@ from symmetry import (
     turned,
     turned_events,
 )
-
-from soccer_env import Match
-from soccer_env.compiled import compiled
-from soccer_env.observations.truth import observe_slice
-from soccer_env.physics.drive import drive, move_head
-from soccer_env.physics.kicker import work_kicker
-from soccer_env.players import believe_slice, empty_beliefs
-from soccer_env.referee.calls import judge
-from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
-from soccer_env.rewards import measure_potentials
-from soccer_env.step import clear_events
-from soccer_env.types import NO_TEAM, Phase
 
 SIZE = 3  # robots a side
 DIFFERENTIAL = "middle-size-2006-differential"

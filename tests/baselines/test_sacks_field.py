@@ -5,9 +5,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
-from sacks_mind import LEAGUE, Mind
-from symmetry import mirrored_beliefs, mirrored_tracks
 
 from soccer_env.baselines.sacks_2001.forces import goal_force, player_force, repulsion, wall_force
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE, MEMORY
@@ -22,6 +19,9 @@ from soccer_env.baselines.sacks_2001.steering import (
 )
 from soccer_env.leagues import find_league
 from soccer_env.types import BELIEF, TRACK
+from tests.sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
+from tests.sacks_mind import LEAGUE, Mind
+from tests.symmetry import mirrored_beliefs, mirrored_tracks
 
 K = find_league("legged-2001").constants()[0]
 MIRROR = 1e-12

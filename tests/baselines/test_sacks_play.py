@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from staging import patient, put_ball, set_phase
 
 from soccer_env import Match, make_team
 from soccer_env.baselines.sacks_2001.memory import (
@@ -18,6 +17,7 @@ from soccer_env.baselines.sacks_2001.memory import (
 )
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.types import COMMAND, Phase
+from tests.staging import patient, put_ball, set_phase
 
 LEAGUE = "legged-2001"
 TEAMS = ("sacks-2001", "sacks-2001-tuned", "sacks-2001-future")

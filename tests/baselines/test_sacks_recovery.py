@@ -4,10 +4,10 @@ from math import atan2, cos, pi, sin
 
 import numpy as np
 import pytest
-from sacks_mind import LEAGUE, Mind
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE, SIDESTEP
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from tests.sacks_mind import LEAGUE, Mind
 
 STEP = LEAGUE.drive.gait_steps * LEAGUE.dt  # [s]
 GOAL = LEAGUE.pitch.length / 2

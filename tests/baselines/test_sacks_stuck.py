@@ -1,10 +1,10 @@
 """How a player of sacks-2001 notices that it is stuck: by counting readings in which the ball does not come nearer."""
 
 import pytest
-from sacks_mind import Mind
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, SUPPORT
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from tests.sacks_mind import Mind
 
 COUNT = SacksSettings().stuck_count
 READING = 1.0 / 3.0  # [s] between two readings

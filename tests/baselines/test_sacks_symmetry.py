@@ -4,14 +4,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
-from symmetry import mirrored_actions, mirrored_beliefs, mirrored_tracks
 
 from soccer_env import make_team
 from soccer_env.baselines.sacks_2001.memory import BEHAVIOURS
 from soccer_env.leagues import find_league
 from soccer_env.teams import CompiledTeam, TeamRandom, View
 from soccer_env.types import NOISE_STREAMS
+from tests.sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
+from tests.symmetry import mirrored_actions, mirrored_beliefs, mirrored_tracks
 
 LEAGUE = find_league("legged-2001")
 MATCHES, PLAYERS, SLOTS = 60, 3, 5

@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sacks_mind import LEAGUE, Mind
 
 from soccer_env import Match, make_team
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, GUARD, ORBIT, PASS, SEARCH, SHOOT
+from tests.sacks_mind import LEAGUE, Mind
 
 FORWARD, LEFT, TURN, KICK = range(4)
 TOUCH = LEAGUE.body.front + LEAGUE.ball.radius  # [m] from a robot's middle to a ball between its paws

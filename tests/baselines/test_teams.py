@@ -4,12 +4,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from staging import LEAGUES, scatter, set_phase
-from symmetry import mirror, turn
 
 from soccer_env import Match, make_team
 from soccer_env.teams import CompiledTeam, TeamRandom, View, parse_team, team_names
 from soccer_env.types import COMMAND
+from tests.staging import LEAGUES, scatter, set_phase
+from tests.symmetry import mirror, turn
 
 TEAMS = ("still", "random", "chaser")
 EVEN, ODD = ("forward", "kick", "head", "tilt"), ("left", "turn", "pan")

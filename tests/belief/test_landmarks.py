@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from pose_worlds import see_from
 
 from soccer_env.belief import landmarks as kernels
 from soccer_env.belief.landmarks import LANDMARK_VIEW
@@ -13,6 +12,7 @@ from soccer_env.leagues import find_league
 from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.random_numbers import start_streams
 from soccer_env.types import NOISE_STREAMS, ROBOT
+from tests.pose_worlds import see_from
 
 LEAGUE = find_league("legged-2001")
 SENSORS = LEAGUE.sensors.changed({"dither": 0.0, "landmark_miss": 0.0, "resolution": "176x144"})

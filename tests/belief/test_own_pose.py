@@ -13,12 +13,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pose_worlds import World, believe_all
-from staging import LEGGED, MIDDLE, each_league
 
 from soccer_env.belief.own_pose import POSE_MEMORY, add_motion, motion_since
 from soccer_env.percept_types import POSE_SENSED
 from soccer_env.types import OWN_POSE
+from tests.pose_worlds import World, believe_all
+from tests.staging import LEGGED, MIDDLE, each_league
 
 CLOSE = {LEGGED: 0.10, MIDDLE: 0.15}  # [m] median error of a robot that knows where it is
 NEAR = {LEGGED: 0.3, MIDDLE: 0.6}  # [m] error within which a robot has found itself again
@@ -242,8 +242,8 @@ def test_mirrored_percepts_make_mirrored_poses(name: str) -> None:
 
 SCRIPT = """
 import sys
-sys.path.insert(0, {tests!r})
-from pose_worlds import World
+sys.path.insert(0, {root!r})
+from tests.pose_worlds import World
 for league in ("legged-2001", "middle-size-2006"):
     world = World(league, robots=1)
     world.tell()
@@ -256,7 +256,7 @@ for league in ("legged-2001", "middle-size-2006"):
 
 @pytest.mark.slow
 def test_compiled_code_and_plain_python_agree_to_the_last_bit() -> None:
-    script = SCRIPT.format(tests=str(Path(__file__).parents[1]))
+    script = SCRIPT.format(root=str(Path(__file__).parents[2]))
     outputs = []
     for disabled in ("0", "1"):
         environment = {**os.environ, "NUMBA_DISABLE_JIT": disabled, "SOCCER_ENV_QUIET": "1"}

@@ -4,7 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from staging import (
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+from tests.staging import (
     LEGGED,
     MIDDLE,
     distance,
@@ -16,9 +19,6 @@ from staging import (
     stage,
     stand,
 )
-
-from soccer_env import Match
-from soccer_env.leagues import find_league
 
 DIRECTIONS = 32
 

@@ -2,7 +2,11 @@
 
 import numpy as np
 import pytest
-from staging import (
+
+from soccer_env.leagues import find_league
+from soccer_env.physics.space import build_space
+from soccer_env.types import HOME, NO_TEAM
+from tests.staging import (
     LEGGED,
     MIDDLE,
     boarded,
@@ -15,10 +19,6 @@ from staging import (
     stage,
     stand,
 )
-
-from soccer_env.leagues import find_league
-from soccer_env.physics.space import build_space
-from soccer_env.types import HOME, NO_TEAM
 
 HUNDREDS = 300
 

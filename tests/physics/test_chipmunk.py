@@ -16,6 +16,7 @@ from soccer_env.physics import chipmunk
 from soccer_env.physics.chipmunk import step_match
 from soccer_env.physics.space_batch import SpaceBatch, default_way
 
+ROOT = Path(__file__).parents[2]
 ROBOTS = 6
 BODIES = ROBOTS + 1
 HALF_LENGTH, HALF_WIDTH = 1.0, 0.7  # [m] small, so that there is always contact
@@ -168,9 +169,9 @@ def test_a_body_at_1_m_per_s_is_2_cm_further_after_20_ms():
 
 RESETS = """
 import gc, resource, sys
-sys.path[:0] = [{root!r}, {tests!r}]
+sys.path.insert(0, {root!r})
 import numpy as np
-from test_chipmunk import BODIES, DT, command, fill_space
+from tests.physics.test_chipmunk import BODIES, DT, command, fill_space
 from soccer_env.physics.space_batch import SpaceBatch
 def play(resets):
     for k in range(resets):
@@ -191,8 +192,7 @@ print(play(1000) - before)
 @pytest.mark.parametrize("way", ["c", "batch"])
 @pytest.mark.skipif(sys.platform != "linux", reason="MALLOC_PERTURB_ is glibc's")
 def test_a_thousand_resets_neither_crash_nor_leak_with_freed_memory_overwritten(way):
-    root, tests = Path(chipmunk.__file__).parents[2], Path(__file__).parent
-    code = RESETS.format(root=str(root), tests=str(tests), way=way)
+    code = RESETS.format(root=str(ROOT), way=way)
     environment = os.environ | {"MALLOC_PERTURB_": "165"}
     done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
@@ -247,7 +247,7 @@ def test_what_would_crash_or_mislead_is_refused(way):
 
 def test_the_c_way_works_without_the_compiler():
     code = """
-from test_chipmunk import fill_batch, command, DT
+from tests.physics.test_chipmunk import fill_batch, command, DT
 import numpy as np
 c, batch = fill_batch(2, "c"), fill_batch(2, "batch")
 for _ in range(5):
@@ -255,6 +255,5 @@ for _ in range(5):
         b.step_all(DT, command(b, np.random.default_rng(0)))
 assert c.bodies.tobytes() == batch.bodies.tobytes()
 """
-    root, tests = Path(chipmunk.__file__).parents[2], Path(__file__).parent
-    environment = os.environ | {"NUMBA_DISABLE_JIT": "1", "PYTHONPATH": f"{root}{os.pathsep}{tests}"}
+    environment = os.environ | {"NUMBA_DISABLE_JIT": "1", "PYTHONPATH": str(ROOT)}
     subprocess.run([sys.executable, "-c", code], env=environment, check=True, timeout=60)

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from staging import LEAGUES, LEGGED, MIDDLE, asking, each_league, outline, put, put_ball, stage, steady
 
 from soccer_env.leagues import find_league
 from soccer_env.physics.space import build_space
+from tests.staging import LEAGUES, LEGGED, MIDDLE, asking, each_league, outline, put, put_ball, stage, steady
 
 
 def pushed(league, matches, v, seconds, forward):

@@ -4,10 +4,23 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from staging import LEGGED, MIDDLE, asking, each_league, endless, put, put_ball, speed, stage, stand, steady, steps_in
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
+from tests.staging import (
+    LEGGED,
+    MIDDLE,
+    asking,
+    each_league,
+    endless,
+    put,
+    put_ball,
+    speed,
+    stage,
+    stand,
+    steady,
+    steps_in,
+)
 
 DIFFERENTIAL = "middle-size-2006-differential"
 

@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from staging import LEGGED, asking, put, put_ball, stage
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.physics.legs import LEGS, push_size
 from soccer_env.staging import patient
+from tests.staging import LEGGED, asking, put, put_ball, stage
 
 LOST = 0.10  # [m] from chest to ball
 

@@ -2,7 +2,10 @@
 
 import numpy as np
 import pytest
-from staging import (
+
+from soccer_env import Match
+from soccer_env.types import MAX_TEAM, Phase
+from tests.staging import (
     LEAGUES,
     LEGGED,
     MIDDLE,
@@ -15,9 +18,6 @@ from staging import (
     stand,
     steps_in,
 )
-
-from soccer_env import Match
-from soccer_env.types import MAX_TEAM, Phase
 
 
 def chase(match: Match) -> np.ndarray:

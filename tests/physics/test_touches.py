@@ -2,7 +2,11 @@
 
 import numpy as np
 import pytest
-from staging import (
+
+from soccer_env.leagues import find_league
+from soccer_env.physics.contacts import ball_gap
+from soccer_env.types import AWAY, HOME, NO_TEAM
+from tests.staging import (
     LEGGED,
     MIDDLE,
     asking,
@@ -17,10 +21,6 @@ from staging import (
     stand,
     steps_in,
 )
-
-from soccer_env.leagues import find_league
-from soccer_env.physics.contacts import ball_gap
-from soccer_env.types import AWAY, HOME, NO_TEAM
 
 MANY = 200
 

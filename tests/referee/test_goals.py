@@ -2,7 +2,11 @@
 
 import numpy as np
 import pytest
-from staging import (
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
+from tests.staging import (
     LEAGUES,
     LEGGED,
     MIDDLE,
@@ -14,10 +18,6 @@ from staging import (
     stand,
     steps_in,
 )
-
-from soccer_env import Match
-from soccer_env.leagues import find_league
-from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 MILLIMETRE = 0.001  # [m]
 

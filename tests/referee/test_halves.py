@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from staging import each_league, put_ball, stand, steps_in
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
+from tests.staging import each_league, put_ball, stand, steps_in
 
 MINUTES = 0.2  # two halves of 6 s
 

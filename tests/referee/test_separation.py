@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from staging import LEGGED, MIDDLE, asking, deepest_overlaps, put, put_ball, stage, stand, steps_in
-from symmetry import Records, assert_same, mirrored, mirrored_actions
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import NEVER
+from tests.staging import LEGGED, MIDDLE, asking, deepest_overlaps, put, put_ball, stage, stand, steps_in
+from tests.symmetry import Records, assert_same, mirrored, mirrored_actions
 
 NOSES = 0.291  # [m] between the centres of two robots whose paws touch
 

@@ -2,7 +2,11 @@
 
 import numpy as np
 import pytest
-from staging import (
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
+from tests.staging import (
     LEAGUES,
     LEGGED,
     MIDDLE,
@@ -18,10 +22,6 @@ from staging import (
     stand,
     steps_in,
 )
-
-from soccer_env import Match
-from soccer_env.leagues import find_league
-from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
 
 
 @each_league
