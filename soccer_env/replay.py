@@ -152,11 +152,15 @@ class Replay:
             **{f"records_{index}": np.frombuffer(entry[2], np.uint8) for index, entry in enumerate(self.log)},
         }
         partial = path.with_name(path.name + ".part")
-        with open(partial, "wb") as file:
-            np.savez_compressed(file, **arrays)  # type: ignore[arg-type]  # numpy's stubs take the arrays for allow_pickle
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(partial, path)
+        try:
+            with open(partial, "wb") as file:
+                np.savez_compressed(file, **arrays)  # type: ignore[arg-type]  # numpy's stubs take them for allow_pickle
+                file.flush()
+                os.fsync(file.fileno())
+            os.replace(partial, path)
+        except BaseException:
+            partial.unlink(missing_ok=True)
+            raise
         return path
 
     @staticmethod

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -33,7 +34,8 @@ def start(settings: PlaySettings) -> Match:
 
 
 def record(settings: RecordSettings) -> Replay:
-    """Play a match, write its replay file and return it."""
+    """Play a match, write its replay file and return it; a path that cannot be written is refused before the match."""
+    check_target(settings.out)
     match = start(settings)
     recorder = Recorder(match)
     with Progress(
@@ -44,9 +46,20 @@ def record(settings: RecordSettings) -> Replay:
             if match.matches["step"][0] % NOTE_EVERY == 0:
                 bar.advance(NOTE_EVERY)
     replay = recorder.stop()
-    settings.out.parent.mkdir(parents=True, exist_ok=True)
     replay.write(settings.out)
     return replay
+
+
+def check_target(path: Path) -> None:
+    """Make the folder of a file to write; ValueError if no file can be written there."""
+    if path.is_dir():
+        raise ValueError(f"--out is the file to write, but {path} is a folder")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ValueError(f"--out {path}: its folder cannot be made: {error.strerror}") from error
+    if not os.access(path.parent, os.W_OK):
+        raise ValueError(f"--out {path}: nothing can be written in its folder")
 
 
 def play_again(path: Path) -> int:

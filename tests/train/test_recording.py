@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 
 from soccer_env.train.command_line import main
+from soccer_env.train.play_settings import RecordSettings
+from soccer_env.train.recording import record
 
 
 @pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
@@ -39,6 +41,26 @@ def test_wrong_settings_end_in_one_line(
 ) -> None:
     assert main(["record", flag, value]) == 2
     assert message in capsys.readouterr().err
+
+
+def test_a_place_that_cannot_be_written_is_refused_before_the_match(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("soccer_env.train.recording.start", lambda settings: pytest.fail("it played"))
+    (tmp_path / "file").write_bytes(b"")
+    assert main(["record", "--out", str(tmp_path)]) == 2
+    assert main(["record", "--out", str(tmp_path / "file" / "a.replay")]) == 2
+    first, second = capsys.readouterr().err.splitlines()
+    assert "is a folder" in first and "its folder cannot be made" in second
+
+
+def test_a_replay_that_cannot_be_written_leaves_nothing_behind(tmp_path: Path) -> None:
+    settings = RecordSettings(minutes=0.01, players=1, out=tmp_path / "a.replay")
+    replay = record(settings)
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(OSError):
+        replay.write(tmp_path / "folder")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.replay", "folder"]
 
 
 def test_a_match_can_be_watched_to_its_end() -> None:
