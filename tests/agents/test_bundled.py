@@ -22,6 +22,8 @@ def test_the_policy_is_small_and_plays_by_beliefs() -> None:
 
 def test_it_was_trained_by_the_settings_beside_it() -> None:
     policy, settings = load(BUNDLED), settings_of(BUNDLED.with_suffix(".toml"))
+    recorded = json.loads(policy.made["settings"])  # those there were when it was trained
+    assert recorded == {name: getattr(settings, name) for name in recorded}
     assert policy.made["seed"] == str(settings.seed)
     assert LEAST_STEPS * settings.steps <= int(policy.made["step"]) <= settings.steps + 100_000
     assert (policy.action_repeat, policy.mirror) == (settings.action_repeat, settings.mirror)
