@@ -7,8 +7,8 @@ proves that it plays again exactly.
 
 from __future__ import annotations
 
+import io
 import json
-import os
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from pathlib import Path
@@ -23,6 +23,7 @@ from soccer_env.match import Match
 from soccer_env.scenes import Scene
 from soccer_env.settings import plain
 from soccer_env.types import COMMAND, GAZE
+from soccer_env.whole_files import write_whole
 
 FORMAT = "soccer_env replay 2"
 KEPT = (
@@ -151,16 +152,9 @@ class Replay:
             "hashes": np.array(self.hashes, "S32"),
             **{f"records_{index}": np.frombuffer(entry[2], np.uint8) for index, entry in enumerate(self.log)},
         }
-        partial = path.with_name(path.name + ".part")
-        try:
-            with open(partial, "wb") as file:
-                np.savez_compressed(file, **arrays)  # type: ignore[arg-type]  # numpy's stubs take them for allow_pickle
-                file.flush()
-                os.fsync(file.fileno())
-            os.replace(partial, path)
-        except BaseException:
-            partial.unlink(missing_ok=True)
-            raise
+        content = io.BytesIO()
+        np.savez_compressed(content, **arrays)  # type: ignore[arg-type]  # numpy's stubs take them for allow_pickle
+        write_whole(path, content.getvalue())
         return path
 
     @staticmethod

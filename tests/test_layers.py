@@ -17,7 +17,18 @@ FOLDERS = {"soccer_env.baselines": "baselines", "soccer_env.agents": "agents", "
 # Lowest first. Members of one layer do not see each other, except in the groups of PEERS and as BESIDE says.
 COMPILING = ("compiled", "compiled_cache", "compiled_sources")
 LAYERS = (
-    ("types", "percept_types", "tracks", "geometry", "frames", "optics", "words", "random_numbers", *COMPILING),
+    (
+        "types",
+        "percept_types",
+        "tracks",
+        "geometry",
+        "frames",
+        "optics",
+        "words",
+        "random_numbers",
+        "whole_files",
+        *COMPILING,
+    ),
     ("leagues",),
     ("teams",),  # the protocol, and names as strings
     ("physics", "perception", "belief", "referee"),

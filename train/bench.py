@@ -25,9 +25,9 @@ from soccer_env.train.bench_faces import (
 )
 from soccer_env.train.bench_loads import CoreLoad, Load, OwnFloor, ParticlesLoad, ReferenceFloor, SensesLoad
 from soccer_env.train.bench_settings import BenchSettings
-from soccer_env.train.files import write_whole
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import LIBRARIES, commit, version_of
+from soccer_env.whole_files import write_whole
 
 if TYPE_CHECKING:
     from rich.table import Table

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import torch
 
-from soccer_env.train.files import write_whole
+from soccer_env.whole_files import write_whole
 
 LATEST = "latest.json"
 NAMES = ("checkpoint-0.pt", "checkpoint-1.pt")

@@ -1,4 +1,4 @@
-"""Files that survive a crash: written whole or not at all, or line by line with a torn last line dropped."""
+"""Files of lines that survive a crash: a torn last line is dropped."""
 
 from __future__ import annotations
 
@@ -7,22 +7,6 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
-
-
-def write_whole(path: Path, content: str | bytes) -> None:
-    """Write a file so that readers see the old or the new content and nothing between, also after a power failure."""
-    data = content.encode() if isinstance(content, str) else content
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    try:
-        with temporary.open("wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(temporary, path)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
-    _sync_folder(path.parent)
 
 
 def append_lines(path: Path, records: Iterable[dict[str, Any]]) -> None:
@@ -66,14 +50,3 @@ def _parse(line: bytes) -> dict[str, Any] | None:
     except ValueError:
         return None
     return record if isinstance(record, dict) else None
-
-
-def _sync_folder(folder: Path) -> None:
-    """Make a rename in a folder last; where folders cannot be opened (Windows) there is nothing to do."""
-    if os.name != "posix":
-        return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)

@@ -8,10 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from soccer_env.train.claims.claim import none_or_float
-from soccer_env.train.files import append_lines, read_lines, write_whole
+from soccer_env.train.files import append_lines, read_lines
 from soccer_env.train.provenance import settings_hash
 from soccer_env.train.results import check_same
 from soccer_env.train.verdicts import Finding
+from soccer_env.whole_files import write_whole
 
 FILES = ("settings.json", "claims.jsonl", "results.json", "report.md")
 PLOTS = "plots"  # folder of pictures, ID-1.png, ID-2.png, ...

@@ -8,10 +8,11 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
 
-from soccer_env.train.files import append_lines, read_lines, write_whole
+from soccer_env.train.files import append_lines, read_lines
 from soccer_env.train.provenance import settings_hash
 from soccer_env.train.settings import Conditions
 from soccer_env.train.statistics import paired_bootstrap, required_matches
+from soccer_env.whole_files import write_whole
 
 CLEAR_POINTS = 0.95  # [1] share of the points that "beats clearly" asks for [DESIGN.md]
 LEAST_PAIRS = 5  # fewer say nothing about how results scatter: no verdict

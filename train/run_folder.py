@@ -16,8 +16,9 @@ from typing import Any
 from filelock import FileLock, Timeout
 
 from soccer_env.train.checkpoints import LATEST, NAMES
-from soccer_env.train.files import append_lines, read_lines, write_whole
+from soccer_env.train.files import append_lines, read_lines
 from soccer_env.train.train_settings import TrainSettings
+from soccer_env.whole_files import write_whole
 
 LOCK, SETTINGS = ".lock", "settings.json"
 LOG, TABLE, EVALUATIONS = "log.jsonl", "progress.csv", "evaluations.jsonl"

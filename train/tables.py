@@ -19,7 +19,6 @@ from typing import Any
 
 from soccer_env.train.bench import run as run_bench
 from soccer_env.train.bench_settings import BenchSettings
-from soccer_env.train.files import write_whole
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.tables_claims import claims_table, measure_claims, measure_sensors, sensors_table
 from soccer_env.train.tables_learned import learned_rows, learned_table, measure_training, training_table
@@ -31,6 +30,7 @@ from soccer_env.train.tables_teams import (
     scripted_rows,
     scripted_table,
 )
+from soccer_env.whole_files import write_whole
 
 DATA = Path(__file__).with_name("tables.json")
 README = Path(__file__).resolve().parents[1] / "README.md"

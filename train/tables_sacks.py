@@ -23,7 +23,7 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.team import FUTURE, TUNED
 from soccer_env.leagues.options import GREATEST
 from soccer_env.train.claims import all_claims
-from soccer_env.train.files import read_lines, write_whole
+from soccer_env.train.files import read_lines
 from soccer_env.train.report import plain
 from soccer_env.train.reproduce import reproduce
 from soccer_env.train.reproduce_folder import ClaimResult
@@ -32,6 +32,7 @@ from soccer_env.train.reproduce_settings import ReproduceSettings
 from soccer_env.train.results import read_conditions
 from soccer_env.train.tables import between_markers
 from soccer_env.train.verdicts import CONTEXT, NOT, VERDICTS
+from soccer_env.whole_files import write_whole
 
 FOLDER = Path(sacks_settings.__file__).resolve().parent
 README, DATA = FOLDER / "README.md", FOLDER / "claims.json"

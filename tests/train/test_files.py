@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env.train.files import append_lines, read_lines, write_whole
+from soccer_env.train.files import append_lines, read_lines
 
 
 def test_lines_come_back(tmp_path: Path) -> None:
@@ -38,28 +38,6 @@ def test_a_broken_line_in_the_middle_is_refused_and_kept(tmp_path: Path) -> None
     with pytest.raises(ValueError, match="line 2: not a record"):
         read_lines(path)
     assert path.read_bytes().count(b"\n") == 3
-
-
-def test_a_file_is_replaced_whole(tmp_path: Path) -> None:
-    path = tmp_path / "result.json"
-    write_whole(path, "old")
-    write_whole(path, b"new")
-    assert path.read_text() == "new"
-    assert os.listdir(tmp_path) == ["result.json"]
-
-
-def test_a_failed_write_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = tmp_path / "result.json"
-    write_whole(path, "old")
-
-    def full(_: int) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(os, "fsync", full)
-    with pytest.raises(OSError, match="No space"):
-        write_whole(path, "new")
-    assert path.read_text() == "old"
-    assert os.listdir(tmp_path) == ["result.json"]
 
 
 @pytest.mark.skipif(os.name != "posix", reason="needs SIGKILL")
