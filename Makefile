@@ -47,7 +47,7 @@ tables-check: $(VENV)/.has-base
 	$(BIN)/python -m soccer_env.train.tables --check
 
 sacks-table: $(VENV)/.has-base
-	$(BIN)/python -m soccer_env.train.tables_sacks
+	$(BIN)/python -m soccer_env.train.tables.sacks
 
 mutants: $(VENV)/.has-train
 	$(BIN)/python tests/mutate.py

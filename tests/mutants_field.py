@@ -3,7 +3,7 @@
 from tests.mutant import Mutant
 
 FORCES, STEERING = "baselines/sacks_2001/forces.py", "baselines/sacks_2001/steering.py"
-SETTINGS, POINTS = "baselines/sacks_2001/settings.py", "baselines/sacks_2001/point_world.py"
+SETTINGS, POINTS = "baselines/sacks_2001/settings.py", "train/reproduce/claims/field/point_world.py"
 TEST = "tests/baselines/test_sacks_field.py::"
 
 MUTANTS = [

@@ -27,6 +27,7 @@ LAYERS = (
         "words",
         "random_numbers",
         "whole_files",
+        "lazy_names",
         *COMPILING,
     ),
     ("leagues",),
@@ -225,7 +226,7 @@ def package_with(root: Path, files: dict[str, str]) -> Path:
         "baselines/__init__.py": "",
         "baselines/chaser.py": "from soccer_env.belief.ball import track\nfrom .still import still\n",
         "baselines/still.py": "",
-        "train/evaluate.py": "from soccer_env import Match, make_team\nfrom soccer_env.baselines import chaser\n",
+        "train/contest.py": "from soccer_env import Match, make_team\nfrom soccer_env.baselines import chaser\n",
     }
     for name, text in {**good, **files}.items():
         file = root / name

@@ -132,11 +132,11 @@ def console() -> Console:
 
 def run_evaluate(words: list[str]) -> int:
     """Run `soccer evaluate`."""
-    from soccer_env.train.settings import EvaluateSettings
+    from soccer_env.train.evaluate.settings import EvaluateSettings
 
     settings = read_settings(EvaluateSettings, words, "evaluate")
-    from soccer_env.train.evaluate import evaluate
-    from soccer_env.train.report import screen_table
+    from soccer_env.train.evaluate.evaluation import evaluate
+    from soccer_env.train.evaluate.report import screen_table
 
     result = evaluate(settings)
     console().print(screen_table(result))
@@ -168,10 +168,10 @@ def run_list(words: list[str]) -> int:
 
 def run_bench(words: list[str]) -> int:
     """Run `soccer bench`."""
-    from soccer_env.train.bench_settings import BenchSettings
+    from soccer_env.train.bench.settings import BenchSettings
 
     settings = read_settings(BenchSettings, words, "bench")
-    from soccer_env.train.bench import run, screen_table
+    from soccer_env.train.bench.benchmark import run, screen_table
 
     console().print(screen_table(run(settings)))
     return 0
@@ -179,10 +179,10 @@ def run_bench(words: list[str]) -> int:
 
 def run_record(words: list[str]) -> int:
     """Run `soccer record`."""
-    from soccer_env.train.play_settings import RecordSettings
+    from soccer_env.train.evaluate.play_settings import RecordSettings
 
     settings = read_settings(RecordSettings, words, "record")
-    from soccer_env.train.recording import record
+    from soccer_env.train.evaluate.recording import record
 
     replay = record(settings)
     print(f"written: {settings.out}, {len(replay)} control steps")
@@ -196,7 +196,7 @@ def run_replay(words: list[str]) -> int:
         return 0 if words[:1] in (["-h"], ["--help"]) else WRONG
     from pathlib import Path
 
-    from soccer_env.train.recording import play_again
+    from soccer_env.train.evaluate.recording import play_again
 
     print(f"{words[0]}: {play_again(Path(words[0]))} control steps agree")
     return 0
@@ -204,11 +204,11 @@ def run_replay(words: list[str]) -> int:
 
 def run_reproduce(words: list[str]) -> int:
     """Run `soccer reproduce`."""
-    from soccer_env.train.reproduce_settings import ReproduceSettings
+    from soccer_env.train.reproduce.settings import ReproduceSettings
 
     settings = read_settings(ReproduceSettings, words, "reproduce")
-    from soccer_env.train.reproduce import reproduce
-    from soccer_env.train.reproduce_report import screen_table
+    from soccer_env.train.reproduce.report import screen_table
+    from soccer_env.train.reproduce.reproduction import reproduce
 
     console().print(screen_table(reproduce(settings)))
     if settings.out is not None:
@@ -220,14 +220,14 @@ def run_train(words: list[str]) -> int:
     """Run `soccer train`."""
     from pathlib import Path
 
-    from soccer_env.train.train_settings import TrainSettings
-    from soccer_env.train.train_toml import settings_of
+    from soccer_env.train.ppo.settings import TrainSettings
+    from soccer_env.train.ppo.toml_file import settings_of
 
     config, rest = taken_out(words, "--config")
     settings = read_settings(TrainSettings, rest, "train", settings_of(Path(config) if config else None))
     try:
-        from soccer_env.train.training import train
-        from soccer_env.train.training_reports import screen_table
+        from soccer_env.train.ppo.reports import screen_table
+        from soccer_env.train.ppo.training import train
     except ImportError as error:
         if (error.name or "").startswith("soccer_env"):
             raise
@@ -265,10 +265,10 @@ def taken_out(words: list[str], flag: str) -> tuple[str, list[str]]:
 
 def run_watch(words: list[str]) -> int:
     """Run `soccer watch`."""
-    from soccer_env.train.play_settings import WatchSettings
+    from soccer_env.train.evaluate.play_settings import WatchSettings
 
     settings = read_settings(WatchSettings, words, "watch")
-    from soccer_env.train.recording import watch
+    from soccer_env.train.evaluate.recording import watch
 
     watch(settings)
     return 0

@@ -172,7 +172,7 @@ def rewards() -> Iterator[Table]:
 
 def claims() -> Iterator[Table]:
     """Yield the claims of the papers that `soccer reproduce` measures."""
-    from soccer_env.train.claims import all_claims
+    from soccer_env.train.reproduce.claims import all_claims
 
     rows = [
         (x.id, x.statement, f"{x.paper}, {x.section}".rstrip(", "), "\n".join(c.text for c in x.criteria if c.decides))

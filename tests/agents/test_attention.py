@@ -133,7 +133,7 @@ def test_a_strong_query_picks_one_player_and_never_overflows() -> None:
 def test_torch_learns_from_observations_in_which_nobody_is_seen() -> None:
     torch = pytest.importorskip("torch")
     pytest.importorskip("stable_baselines3")
-    from soccer_env.train.networks import Attention
+    from soccer_env.train.ppo.networks import Attention
 
     policy = attentive()
     layer = Attention(layout_of(policy.inputs), 8, "tanh")

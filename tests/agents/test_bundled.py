@@ -8,7 +8,7 @@ from soccer_env.agents.policy_file import load
 from soccer_env.leagues import find_league
 from soccer_env.observations import names_of
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
-from soccer_env.train.train_toml import settings_of
+from soccer_env.train.ppo.toml_file import settings_of
 
 LEAST_STEPS = 0.99  # [1] of the steps asked for: a run ends with whole rollouts
 

@@ -182,7 +182,7 @@ def test_it_plays_exactly_as_a_learner_that_was_asked_in_training(
     observe: str, senses: str, settings: dict[str, Any], repeat: int, actions: str
 ) -> None:
     pytest.importorskip("stable_baselines3")
-    from soccer_env.train.vec_env import SoccerVecEnv
+    from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
     settings = {"matches": 2, "senses": senses, "seed": 4, "minutes": 0.05, **settings}
     policy = lively(16, observe=observe, action_repeat=repeat, actions=actions)

@@ -46,7 +46,7 @@ def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str
     pytest.importorskip("stable_baselines3")
     from gymnasium import spaces
 
-    from soccer_env.train.networks import SoccerPolicy, policy_from
+    from soccer_env.train.ppo.networks import SoccerPolicy, policy_from
 
     names = lively().inputs
     seen, done = (spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(names), 7 if actions == "full" else 4))

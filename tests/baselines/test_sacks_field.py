@@ -8,7 +8,6 @@ import pytest
 
 from soccer_env.baselines.sacks_2001.forces import goal_force, player_force, repulsion, wall_force
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE, MEMORY
-from soccer_env.baselines.sacks_2001.point_world import PointWorld, players
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.steering import (
     choose_way,
@@ -18,6 +17,7 @@ from soccer_env.baselines.sacks_2001.steering import (
     step_speed,
 )
 from soccer_env.leagues import find_league
+from soccer_env.train.reproduce.claims.field.point_world import PointWorld, players
 from soccer_env.types import BELIEF, TRACK
 from tests.sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
 from tests.sacks_mind import LEAGUE, Mind

@@ -9,7 +9,7 @@ MIXED = ((1, 1), (3, 2))  # team sizes
 
 def rows(**settings: Any) -> Any:
     """Return 4 matches of 2 against 2 in which learners see the truth."""
-    from soccer_env.train.vec_env import SoccerVecEnv
+    from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
     fields: dict[str, Any] = {"players": ((2, 2),), "matches": 4, "observe": "truth", "senses": "ideal", "seed": 3}
     return SoccerVecEnv(**{**fields, **settings})

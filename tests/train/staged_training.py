@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 from safetensors.numpy import load_file
 
-from soccer_env.train import training
-from soccer_env.train.checkpoints import read_checkpoint
-from soccer_env.train.train_settings import TrainSettings
+from soccer_env.train.ppo import training
+from soccer_env.train.ppo.checkpoints import read_checkpoint
+from soccer_env.train.ppo.settings import TrainSettings
 
 TINY: dict[str, Any] = {
     "steps": 336, "players": "1v1,2v2", "matches": 4, "minutes": 0.1, "opponents": "still,chaser@0.5", "past": 2,

@@ -15,10 +15,10 @@ from gymnasium import spaces
 
 from soccer_env.agents.learned import team_of
 from soccer_env.agents.network import pack
-from soccer_env.train.curriculum import Curriculum
-from soccer_env.train.imitation import fit
-from soccer_env.train.networks import SoccerPolicy, blank_policy, policy_from
-from soccer_env.train.train_settings import TrainSettings, command_of
+from soccer_env.train.ppo.curriculum import Curriculum
+from soccer_env.train.ppo.imitation import fit
+from soccer_env.train.ppo.networks import SoccerPolicy, blank_policy, policy_from
+from soccer_env.train.ppo.settings import TrainSettings, command_of
 from tests.agents.staged_policies import attentive, decide
 
 NAMES = names_of(find_league("legged-2001"), "belief")

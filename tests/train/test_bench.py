@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 from soccer_env.physics import reference
-from soccer_env.train import bench, bench_faces, bench_loads
-from soccer_env.train.bench_settings import BenchSettings
+from soccer_env.train.bench import apis as bench_faces
+from soccer_env.train.bench import benchmark as bench
+from soccer_env.train.bench import loads as bench_loads
+from soccer_env.train.bench.settings import BenchSettings
 
 
 @pytest.fixture(autouse=True)

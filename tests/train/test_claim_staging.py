@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 
 from soccer_env import optics
-from soccer_env.train.claims import all_claims
-from soccer_env.train.claims.ball_occlusion import APART, CLEAR, draw_scene, stands_before
-from soccer_env.train.claims.ball_velocity import true_radial, walk_to_ball
-from soccer_env.train.claims.claim import Batch
-from soccer_env.train.claims.sight import ball_angle, ball_in_sight, blind, camera_of, follow, see_again, stare
-from soccer_env.train.claims.staging import (
+from soccer_env.train.reproduce.claim import Batch
+from soccer_env.train.reproduce.claims import all_claims
+from soccer_env.train.reproduce.claims.ball.occlusion import APART, CLEAR, draw_scene, stands_before
+from soccer_env.train.reproduce.claims.ball.velocity import true_radial, walk_to_ball
+from soccer_env.train.reproduce.reproduction import reproduce
+from soccer_env.train.reproduce.settings import ReproduceSettings
+from soccer_env.train.reproduce.staging import (
     LEGGED,
     MIDDLE,
     ahead_of,
@@ -24,8 +25,7 @@ from soccer_env.train.claims.staging import (
     watch,
     wrapped,
 )
-from soccer_env.train.reproduce import reproduce
-from soccer_env.train.reproduce_settings import ReproduceSettings
+from soccer_env.train.reproduce.true_sight import ball_angle, ball_in_sight, blind, camera_of, follow, see_again, stare
 
 BATCH = Batch("test", 0, 0)
 

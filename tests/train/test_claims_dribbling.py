@@ -4,9 +4,12 @@ import numpy as np
 import pytest
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
-from soccer_env.train.claims import dribble_or_shoot, dribble_past, dribbling, goalkeeper
-from soccer_env.train.claims.claim import Batch
-from soccer_env.train.claims.dribble_runs import (
+from soccer_env.train.reproduce.claim import Batch
+from soccer_env.train.reproduce.claims import goalkeeper
+from soccer_env.train.reproduce.claims.dribble import dribbling
+from soccer_env.train.reproduce.claims.dribble import or_shoot as dribble_or_shoot
+from soccer_env.train.reproduce.claims.dribble import past as dribble_past
+from soccer_env.train.reproduce.dribble_runs import (
     LOST,
     NO_SHOTS,
     START,
@@ -18,8 +21,8 @@ from soccer_env.train.claims.dribble_runs import (
     place_with_ball,
     run,
 )
-from soccer_env.train.claims.drill_runs import play_drill
-from soccer_env.train.claims.staging import put, stage
+from soccer_env.train.reproduce.drill_runs import play_drill
+from soccer_env.train.reproduce.staging import put, stage
 
 BATCH = Batch("test", 0, 0)
 

@@ -3,16 +3,30 @@
 import numpy as np
 import pytest
 
-from soccer_env.baselines.sacks_2001.point_world import players
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.train.claims import all_claims, field_constants, field_forces, field_minima, field_movers, field_paths
-from soccer_env.train.claims import field_numbers as numbers
-from soccer_env.train.claims.claim import Batch, as_plain
-from soccer_env.train.claims.dribble_runs import Way
-from soccer_env.train.claims.field_points import SCENES, START, TOUCH, UNIT, force_arrows, gap_ahead, one_ahead, starts
-from soccer_env.train.claims.field_robots import RobotRuns, filled, run_robots
-from soccer_env.train.reproduce_plots import draw
-from soccer_env.train.reproduce_report import figure_table
+from soccer_env.train.plots import draw
+from soccer_env.train.reproduce.claim import Batch, as_plain
+from soccer_env.train.reproduce.claims import all_claims
+from soccer_env.train.reproduce.claims.field import constants as field_constants
+from soccer_env.train.reproduce.claims.field import forces as field_forces
+from soccer_env.train.reproduce.claims.field import minima as field_minima
+from soccer_env.train.reproduce.claims.field import movers as field_movers
+from soccer_env.train.reproduce.claims.field import numbers
+from soccer_env.train.reproduce.claims.field import paths as field_paths
+from soccer_env.train.reproduce.claims.field.point_world import players
+from soccer_env.train.reproduce.claims.field.points import (
+    SCENES,
+    START,
+    TOUCH,
+    UNIT,
+    force_arrows,
+    gap_ahead,
+    one_ahead,
+    starts,
+)
+from soccer_env.train.reproduce.claims.field.robots import RobotRuns, filled, run_robots
+from soccer_env.train.reproduce.dribble_runs import Way
+from soccer_env.train.reproduce.report import figure_table
 
 BATCH = Batch("test", 0, 0)
 

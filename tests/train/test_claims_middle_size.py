@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from soccer_env.train.claims import all_claims, middle_size, own_pose
-from soccer_env.train.claims.claim import Batch
-from soccer_env.train.claims.staging import MIDDLE, begin, play, put, stage
+from soccer_env.train.reproduce.claim import Batch
+from soccer_env.train.reproduce.claims import all_claims, middle_size, own_pose
+from soccer_env.train.reproduce.staging import MIDDLE, begin, play, put, stage
 
 BATCH = Batch("test", 0, 0)
 

@@ -4,9 +4,14 @@ import numpy as np
 import pytest
 
 from soccer_env import optics
-from soccer_env.train.claims import find_claims, players_blobs, players_grouping, players_jersey, players_moving, views
-from soccer_env.train.claims.claim import Batch
-from soccer_env.train.claims.players_seen import (
+from soccer_env.train.reproduce.claim import Batch
+from soccer_env.train.reproduce.claims import find_claims
+from soccer_env.train.reproduce.claims.players import blobs as players_blobs
+from soccer_env.train.reproduce.claims.players import grouping as players_grouping
+from soccer_env.train.reproduce.claims.players import jersey as players_jersey
+from soccer_env.train.reproduce.claims.players import moving as players_moving
+from soccer_env.train.reproduce.claims.players import views
+from soccer_env.train.reproduce.claims.players.seen import (
     blob_directions,
     from_camera,
     gaps_to,
@@ -24,8 +29,8 @@ from soccer_env.train.claims.players_seen import (
     view_of,
     watchers,
 )
-from soccer_env.train.claims.sight import camera_of
-from soccer_env.train.claims.staging import begin, from_robot, play, put, standing, wrapped
+from soccer_env.train.reproduce.staging import begin, from_robot, play, put, standing, wrapped
+from soccer_env.train.reproduce.true_sight import camera_of
 
 BATCH = Batch("test", 0, 0)
 
@@ -204,6 +209,6 @@ def test_movers_keep_their_speed_and_those_that_stand_stay() -> None:
 
 def test_the_claims_are_built() -> None:
     ids = ("S32", "S33", "S34", "S35", "S36", "S37", "S38", "S39", "S40", "S41", "S61", "S66", "S69", "S70", "S72")
-    from soccer_env.train.claims import all_claims
+    from soccer_env.train.reproduce.claims import all_claims
 
     assert [claim.id for claim in find_claims(ids, all_claims())] == list(ids)

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK
-from soccer_env.train.claims import all_claims, collisions, false_alarms, find_claims, recovery, stuck_detection
-from soccer_env.train.claims.claim import Batch
-from soccer_env.train.claims.staging import ball_from, play
-from soccer_env.train.claims.stuck_runs import (
+from soccer_env.train.reproduce.claim import Batch
+from soccer_env.train.reproduce.claims import all_claims, find_claims
+from soccer_env.train.reproduce.claims.stuck import collisions, false_alarms, recovery
+from soccer_env.train.reproduce.claims.stuck import detection as stuck_detection
+from soccer_env.train.reproduce.claims.stuck.runs import (
     ABREAST,
     OVERLAP,
     anchor,
@@ -19,7 +20,8 @@ from soccer_env.train.claims.stuck_runs import (
     recovers,
     walk_up,
 )
-from soccer_env.train.verdicts import find
+from soccer_env.train.reproduce.staging import ball_from, play
+from soccer_env.train.reproduce.verdicts import find
 
 BATCH = Batch("test", 0, 0)
 

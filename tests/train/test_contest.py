@@ -10,9 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from soccer_env.leagues import find_league
-from soccer_env.train import contest
-from soccer_env.train.evaluate import EvaluateSettings, evaluate
-from soccer_env.train.settings import conditions_of
+from soccer_env.train.evaluate import EvaluateSettings, contest, evaluate
+from soccer_env.train.evaluate.settings import conditions_of
 
 
 @given(pairs=st.integers(1, 600), threads=st.integers(1, 20), done=st.sets(st.integers(0, 1199)))

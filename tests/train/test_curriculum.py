@@ -8,10 +8,10 @@ import pytest
 from soccer_env.agents.network import pack
 from soccer_env.leagues import find_league
 from soccer_env.observations import names_of
-from soccer_env.train.curriculum import FLOOR, LEARNER, Curriculum, compiled_team
-from soccer_env.train.networks import blank_policy
-from soccer_env.train.train_settings import TrainSettings
-from soccer_env.train.vec_env import Result
+from soccer_env.train.ppo.curriculum import FLOOR, LEARNER, Curriculum, compiled_team
+from soccer_env.train.ppo.networks import blank_policy
+from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.vec_env import Result
 
 SETTINGS = TrainSettings(hidden="8")
 BLANK = blank_policy(SETTINGS, names_of(find_league("legged-2001"), "belief"))
@@ -154,6 +154,6 @@ def test_a_team_in_python_cannot_train_others(monkeypatch: pytest.MonkeyPatch) -
         def act(self, view: Any, memory: Any, rng: Any) -> np.ndarray:
             return np.zeros((*view.beliefs.shape, 4))
 
-    monkeypatch.setattr("soccer_env.train.curriculum.make_team", lambda name: Mine())
+    monkeypatch.setattr("soccer_env.train.ppo.curriculum.make_team", lambda name: Mine())
     with pytest.raises(ValueError, match="opponent 'mine' is a team in Python: only compiled teams and policies"):
         compiled_team("mine")

@@ -11,11 +11,11 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.random_numbers import seeds_for
-from soccer_env.train import contest as module
 from soccer_env.train.command_line import main
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
-from soccer_env.train.results import EvaluationResult
-from soccer_env.train.settings import conditions_of
+from soccer_env.train.evaluate import contest as module
+from soccer_env.train.evaluate.results import EvaluationResult
+from soccer_env.train.evaluate.settings import conditions_of
 
 SHORT: dict[str, Any] = {"home": "random", "away": "still", "matches": 10, "minutes": 0.1, "seed": 5}
 
@@ -199,7 +199,7 @@ def test_without_pygame_there_is_a_note_and_no_picture(
     def missing() -> None:
         raise ImportError("pictures need pygame")
 
-    monkeypatch.setattr("soccer_env.train.pictures.require_pictures", missing)
+    monkeypatch.setattr("soccer_env.train.evaluate.pictures.require_pictures", missing)
     short(out=tmp_path, matches=2, picture=True)
     assert "no picture: pictures need pygame" in capsys.readouterr().err
     assert not (tmp_path / "match.png").exists()

@@ -15,8 +15,8 @@ pytest.importorskip("stable_baselines3")
 import torch
 from gymnasium import spaces
 
-from soccer_env.train.imitation import fit, forget_own_commands, record
-from soccer_env.train.networks import SoccerPolicy
+from soccer_env.train.ppo.imitation import fit, forget_own_commands, record
+from soccer_env.train.ppo.networks import SoccerPolicy
 
 SETTINGS: dict[str, Any] = {"observe": "belief", "senses": "sensors", "matches": 4, "seed": 2}
 NAMES = names_of(find_league("legged-2001"), "belief")

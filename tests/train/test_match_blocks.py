@@ -8,7 +8,7 @@ from soccer_env.match import BLOCK
 
 pytest.importorskip("stable_baselines3")
 
-from soccer_env.train.match_blocks import parts, shared_out
+from soccer_env.train.ppo.match_blocks import parts, shared_out
 
 IDEAL = {"senses": "ideal"}
 

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from soccer_env.train.command_line import main
-from soccer_env.train.play_settings import RecordSettings
-from soccer_env.train.recording import record
+from soccer_env.train.evaluate.play_settings import RecordSettings
+from soccer_env.train.evaluate.recording import record
 
 
 @pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
@@ -46,7 +46,7 @@ def test_wrong_settings_end_in_one_line(
 def test_a_place_that_cannot_be_written_is_refused_before_the_match(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("soccer_env.train.recording.start", lambda settings: pytest.fail("it played"))
+    monkeypatch.setattr("soccer_env.train.evaluate.recording.start", lambda settings: pytest.fail("it played"))
     (tmp_path / "file").write_bytes(b"")
     assert main(["record", "--out", str(tmp_path)]) == 2
     assert main(["record", "--out", str(tmp_path / "file" / "a.replay")]) == 2

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from soccer_env.train.claims.claim import SACKS, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.reproduce import looks_at, reproduce
-from soccer_env.train.reproduce_folder import ClaimResult
-from soccer_env.train.reproduce_report import screen_table
-from soccer_env.train.reproduce_settings import ReproduceSettings
-from soccer_env.train.verdicts import Criterion, Samples, counted, measured, reported
+from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.folder import ClaimResult
+from soccer_env.train.reproduce.report import screen_table
+from soccer_env.train.reproduce.reproduction import looks_at, reproduce
+from soccer_env.train.reproduce.settings import ReproduceSettings
+from soccer_env.train.reproduce.verdicts import Criterion, Samples, counted, measured, reported
 
 CALLS: list[tuple[str, int]] = []  # claim, batch
 POSES: list[str] = []  # of the same batches

@@ -5,9 +5,9 @@ import sys
 
 import pytest
 
-from soccer_env.train.claims import MODULES, all_claims, find_claims
 from soccer_env.train.command_line import main
-from soccer_env.train.reproduce_settings import ReproduceSettings, command_of
+from soccer_env.train.reproduce.claims import MODULES, all_claims, find_claims
+from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
 
 
 @pytest.mark.parametrize(
@@ -58,7 +58,7 @@ def test_claims_can_be_listed(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_settings_import_nothing_heavy() -> None:
     program = (
-        "import sys\nimport soccer_env.train.reproduce_settings\n"
+        "import sys\nimport soccer_env.train.reproduce.settings\n"
         "print(sorted({'numba', 'matplotlib', 'scipy', 'pymunk'} & set(sys.modules)))"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)

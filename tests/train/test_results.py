@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.train.report import markdown, plain, sentence
-from soccer_env.train.results import EvaluationResult, Folder, MatchLine, remove_files, summarise
-from soccer_env.train.settings import Conditions, EvaluateSettings, conditions_of
+from soccer_env.train.evaluate.report import markdown, plain, sentence
+from soccer_env.train.evaluate.results import EvaluationResult, Folder, MatchLine, remove_files, summarise
+from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings, conditions_of
 
 MADE = {"soccer_env": "1.0", "code": "abc"}
 ABOUT = {"command": "soccer evaluate --seed 3", "date": "2026-01-02", "commit": "1234567"}

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env.train.checkpoints import LATEST, as_tensors, from_tensors
-from soccer_env.train.run_folder import FILES, RunFolder, flattened
-from soccer_env.train.train_settings import TrainSettings
+from soccer_env.train.ppo.checkpoints import LATEST, as_tensors, from_tensors
+from soccer_env.train.ppo.run_folder import FILES, RunFolder, flattened
+from soccer_env.train.ppo.settings import TrainSettings
 from tests.train.staged_training import records, tiny
 
 ROOT = Path(__file__).parents[2]
@@ -42,7 +42,7 @@ def test_two_trainings_cannot_share_a_folder(tmp_path: Path) -> None:
 HOLDER = """
 import sys, time
 from pathlib import Path
-from soccer_env.train.run_folder import lock
+from soccer_env.train.ppo.run_folder import lock
 handle = lock(Path(sys.argv[1]) / ".lock")
 print("mine", flush=True)
 time.sleep(60)

@@ -7,7 +7,7 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.train.command_line import read_settings
-from soccer_env.train.settings import EvaluateSettings, command_of, conditions_of
+from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
 
 LEGGED, MIDDLE = find_league("legged-2001"), find_league("middle-size-2006")
 

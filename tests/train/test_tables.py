@@ -5,7 +5,8 @@ import json
 
 import pytest
 
-from soccer_env.train import tables, tables_teams
+from soccer_env.train.tables import pages as tables
+from soccer_env.train.tables import teams as tables_teams
 
 DATA = json.loads(tables.DATA.read_text(encoding="utf-8"))
 SAME = all(DATA["scripted"]["about"][name] == tables.about()[name] for name in (*tables.LIBRARIES, "machine"))

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.train import tables_sacks
-from soccer_env.train.claims import all_claims
-from soccer_env.train.reproduce import reproduce
-from soccer_env.train.reproduce_settings import ReproduceSettings
+from soccer_env.train.reproduce.claims import all_claims
+from soccer_env.train.reproduce.reproduction import reproduce
+from soccer_env.train.reproduce.settings import ReproduceSettings
+from soccer_env.train.tables import sacks as tables_sacks
 
 
 def rows_of(text: str) -> dict[str, list[str]]:

@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 import torch
 
-from soccer_env.train.checkpoints import LATEST, NAMES, read_checkpoint
+from soccer_env.train.ppo.checkpoints import LATEST, NAMES, read_checkpoint
 from tests.train.staged_training import ROLLOUT, copy_of, outcome, plainly, records, tiny, whole_run
 
 ROOT = Path(__file__).parents[2]
@@ -27,7 +27,7 @@ CUTTING = r"""
 import os, random, resource, signal, sys, time, traceback
 from pathlib import Path
 from tests.train.staged_training import plainly, tiny
-from soccer_env.train.checkpoints import latest
+from soccer_env.train.ppo.checkpoints import latest
 
 base, cuts, draw, sync = Path(sys.argv[1]), sys.argv[2].split(","), random.Random(5), os.fsync
 rollouts, longer = 24, {"steps": 24 * 48, "evaluate_every": 400}

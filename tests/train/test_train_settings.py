@@ -12,10 +12,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from soccer_env.train.command_line import main, read_settings
-from soccer_env.train.learner import part_size
-from soccer_env.train.train_checks import check_playable
-from soccer_env.train.train_settings import ABOVE_ZERO, COUNTS, FROM_ZERO, SHARES, TrainSettings, command_of, split
-from soccer_env.train.train_toml import settings_of
+from soccer_env.train.ppo.checks import check_playable
+from soccer_env.train.ppo.learner import part_size
+from soccer_env.train.ppo.settings import ABOVE_ZERO, COUNTS, FROM_ZERO, SHARES, TrainSettings, command_of, split
+from soccer_env.train.ppo.toml_file import settings_of
 from tests.train.staged_training import tiny
 
 ROOT = Path(__file__).parents[2]
@@ -118,7 +118,7 @@ def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], messa
 def test_what_cannot_be_played_is_found_before_a_folder_is_made(
     tmp_path: Path, changes: dict[str, Any], message: str
 ) -> None:
-    from soccer_env.train.training import train
+    from soccer_env.train.ppo.training import train
 
     with pytest.raises(ValueError, match=message):
         train(tiny(**{"out": tmp_path / "run", **changes}))

@@ -17,9 +17,9 @@ import numpy as np
 import pytest
 
 from soccer_env.agents.policy_file import load
-from soccer_env.train import training
-from soccer_env.train.train_settings import MOST, TrainSettings, command_of
-from soccer_env.train.training_reports import learning_curve, rounded, scale
+from soccer_env.train.ppo import training
+from soccer_env.train.ppo.reports import learning_curve, rounded, scale
+from soccer_env.train.ppo.settings import MOST, TrainSettings, command_of
 from tests.train.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
 
 ROOT = Path(__file__).parents[2]

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from soccer_env.train.statistics import clustered_share, unit_bootstrap, wilson_interval
-from soccer_env.train.verdicts import (
+from soccer_env.train.reproduce.verdicts import (
     CONTEXT,
     NOT,
     REPRODUCED,
@@ -20,6 +19,7 @@ from soccer_env.train.verdicts import (
     measured,
     reported,
 )
+from soccer_env.train.statistics import clustered_share, unit_bootstrap, wilson_interval
 
 stats = pytest.importorskip("scipy.stats")
 DRAWS = np.random.default_rng(3).normal(0.4, 1.5, 37)

@@ -1,0 +1,7 @@
+"""Measure the speed: `soccer bench`. Ratios of one run, never a stopwatch in a test.
+
+settings.py    what the command line asks for
+benchmark.py   the rows, interleaved, as medians with intervals, and the machine they were measured on
+loads.py       what is timed: the core under two loads, and the bare physics of the same play
+apis.py        PettingZoo's step, the memory of a match, how long importing and compiling take
+"""

@@ -1,0 +1,140 @@
+"""What else the benchmark measures: the PettingZoo face, the memory of a match, and how long things take to start."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+import tracemalloc
+from collections.abc import Callable
+from statistics import median
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from soccer_env.leagues import find_league
+from soccer_env.match import Match
+from soccer_env.physics.space import build_space
+from soccer_env.train.bench.loads import HOLD, PLAYERS, WARM_UP
+
+START_TIMES = {  # Python programs by what they start
+    "import soccer_env": "import soccer_env",
+    "soccer --help": "from soccer_env.train.command_line import main; main(['--help'])",
+    "start of an evaluation": "from soccer_env.train.command_line import main; "
+    "main('evaluate --home chaser --away random@0.5 --matches 2 --minutes 0.02'.split())",
+}
+
+
+class FaceLoad:
+    """`parallel_env.step` with random actions: dictionaries in and out, one match."""
+
+    def __init__(self, league: str, seed: int, observe: str = "truth") -> None:
+        from soccer_env import soccer_v0
+
+        rng, rate = np.random.default_rng(seed), find_league(league).control_rate
+        self.env: Any = soccer_v0.parallel_env(league=league, home=PLAYERS, away=PLAYERS, observe=observe)
+        agents = self.env.possible_agents
+        draws = rng.uniform(-1.0, 1.0, (32, len(agents), 4)).astype(np.float32)
+        self.actions = [dict(zip(agents, rows, strict=True)) for rows in draws]
+        self.hold, self.steps, self.seed = round(HOLD * rate), 0, seed
+        self.env.reset(seed=seed)
+        self.sample(round(WARM_UP * rate))
+
+    def sample(self, steps: int) -> float:
+        """Return the seconds per step."""
+        env, actions, hold = self.env, self.actions, self.hold
+        start = perf_counter()
+        for step in range(self.steps, self.steps + steps):
+            env.step(actions[step // hold % 32])
+            if not env.agents:
+                env.reset()
+        self.steps += steps
+        return (perf_counter() - start) / steps
+
+
+class ResetLoad(FaceLoad):
+    """`parallel_env.reset` in the course of play."""
+
+    def sample(self, steps: int) -> float:
+        """Return the seconds per reset, over so many of them, each after a step of play."""
+        spent = 0.0
+        for _ in range(steps):
+            self.env.step(self.actions[0])
+            self.seed += 1
+            start = perf_counter()
+            self.env.reset(seed=self.seed)
+            spent += perf_counter() - start
+        return spent / steps
+
+
+def record_bytes(league: str, pose: str | None = None, matches: int = 64) -> float:
+    """Return the bytes of a 3 v 3 match outside Chipmunk: every array that a Match and its parts hold.
+
+    With ideal senses, or with the sensors and beliefs of all robots and one of the ways to their own poses.
+    """
+    senses: dict[str, Any] = (
+        {"senses": "ideal"} if pose is None else {"senses": "sensors", "observe": "belief", "pose": pose}
+    )
+    match = Match(league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, controllers={"home": "chaser"}, **senses)
+    return sum(array.nbytes for array in arrays_of(match)) / matches
+
+
+def arrays_of(root: object) -> list[np.ndarray]:
+    """Return every array that an object of this package and its parts hold, each once, and no views."""
+    waiting, seen, found = [root], set(), []
+    while waiting:
+        item = waiting.pop()
+        if id(item) in seen:
+            continue
+        seen.add(id(item))
+        if isinstance(item, np.ndarray):
+            waiting.append(item.base)  # of a view
+            if item.base is None:
+                found.append(item)
+        elif isinstance(item, (list, tuple)):
+            waiting += item
+        elif isinstance(item, dict):
+            waiting += item.values()
+        elif type(item).__module__.startswith("soccer_env"):
+            waiting += getattr(item, "__dict__", {}).values()
+    return found
+
+
+def wrapper_bytes(league: str, spaces: int = 16) -> float:
+    """Return the bytes that pymunk's Python objects take beside one Chipmunk space of a 3 v 3 match."""
+    match = Match(league, home=PLAYERS, away=PLAYERS, seed=0)
+    build_space(match.league, match.balls[0], match.robots[0])
+    tracemalloc.start()
+    kept = [build_space(match.league, match.balls[0], match.robots[0]) for _ in range(spaces)]
+    size, _ = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    return size / len(kept)
+
+
+def start_time(program: str, repetitions: int, cold: bool = False) -> float:
+    """Return the median seconds that a Python process needs for a program; `cold`: with an empty cache each time."""
+    return median(_run(program, cold) for _ in range(repetitions))
+
+
+def _run(program: str, cold: bool) -> float:
+    with tempfile.TemporaryDirectory() as empty:
+        variables = {**os.environ, **({"SOCCER_ENV_CACHE": empty} if cold else {})}
+        start = perf_counter()
+        done = subprocess.run(
+            [sys.executable, "-c", program], env=variables, capture_output=True, text=True, check=False
+        )
+        spent = perf_counter() - start
+    if done.returncode != 0:
+        raise RuntimeError(f"{program!r} ended with {done.returncode}: {done.stderr.strip()[-400:]}")
+    return spent
+
+
+def interleaved(loads: dict[str, Callable[[], float]], repetitions: int) -> dict[str, list[float]]:
+    """Return the samples of every load, taken in turn, so that a slow moment of the machine hits all alike."""
+    samples: dict[str, list[float]] = {name: [] for name in loads}
+    for repetition in range(repetitions):
+        for name in loads if repetition % 2 == 0 else reversed(loads):
+            samples[name].append(loads[name]())
+    return samples

@@ -1,0 +1,221 @@
+"""`soccer bench`: ratios measured in one run, interleaved, as medians; with the machine they were measured on."""
+
+from __future__ import annotations
+
+import datetime
+import json
+import os
+import platform
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from functools import partial
+from pathlib import Path
+from statistics import median
+from typing import TYPE_CHECKING, Any
+
+from soccer_env.leagues import find_league
+from soccer_env.train.bench.apis import (
+    START_TIMES,
+    FaceLoad,
+    ResetLoad,
+    interleaved,
+    record_bytes,
+    start_time,
+    wrapper_bytes,
+)
+from soccer_env.train.bench.loads import CoreLoad, Load, OwnFloor, ParticlesLoad, ReferenceFloor, SensesLoad
+from soccer_env.train.bench.settings import BenchSettings
+from soccer_env.train.progress import Progress
+from soccer_env.train.provenance import LIBRARIES, commit, version_of
+from soccer_env.whole_files import write_whole
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+LEAGUES = ("legged-2001", "middle-size-2006")
+OWN_RATIO = 1.8  # core over its own scene, random load; this and all below: issue 2
+REFERENCE_RATIO = {"legged-2001": 5.0, "middle-size-2006": 2.5}
+CHASER_SPEED = {"legged-2001": 8_000.0, "middle-size-2006": 20_000.0}  # [match steps/s]
+SENSES_RATIO = 3.0  # sensors and beliefs of all robots over the core that sees the truth; this and below: issue 3
+PARTICLES_RATIO = 2.0  # own poses by particle filters over a given noisy pose
+SENSES_BYTES = {"percept": 16 * 1024, "particles": 64 * 1024}  # of a match outside Chipmunk
+BELIEF_FACE_SPEED = 6_000.0  # [steps/s] with observe="belief"
+THREADS_RATIO = 1.7  # two threads over one
+FACE_SPEED = 10_000.0  # [steps/s]
+RESET_TIME = 1e-3  # [s]
+RECORD_BYTES = 16 * 1024  # of a match outside Chipmunk
+START_LIMITS = {"import soccer_env": 1.5, "soccer --help": 0.6, "start of an evaluation": 3.0}  # [s]
+COLD_LIMIT = 60.0  # [s]
+BUSY = 0.5  # load of the last minute above which other programs take part in what is measured
+
+Samples = dict[str, list[float]]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A measured number and what it should be."""
+
+    name: str
+    value: float
+    text: str  # the value with its unit
+    target: str = ""
+    met: bool | None = None  # None: no target
+
+
+def at_most(name: str, value: float, unit: str, limit: float, scale: float = 1.0) -> Row:
+    """Return a row whose value should not be above a limit; both are shown multiplied by `scale`."""
+    return Row(name, value, f"{value * scale:.3g} {unit}".strip(), f"<= {limit * scale:g}", value <= limit)
+
+
+def at_least(name: str, value: float, unit: str, limit: float) -> Row:
+    """Return a row whose value should not be below a limit."""
+    shown = f"{value:,.0f} {unit}" if value >= 100 else f"{value:.3g} {unit}"
+    return Row(name, value, shown.strip(), f">= {limit:,g}", value >= limit)
+
+
+def run(settings: BenchSettings) -> dict[str, Any]:
+    """Measure everything and return the report that --out writes: machine, rows and samples."""
+    report: dict[str, Any] = {"machine": machine(), "settings": {**asdict(settings), "out": str(settings.out or "")}}
+    rows: list[Row] = []
+    samples: dict[str, Samples] = {}
+    with Progress("bench", 3) as progress:
+        for league in LEAGUES:
+            progress.note(league)
+            samples[league] = measure_core(league, settings)
+            rows += core_rows(league, samples[league])
+            samples[f"{league} faces"] = measure_faces(league, settings)
+            rows += face_rows(league, samples[f"{league} faces"])
+            progress.advance(1)
+        progress.note("starting")
+        rows += start_rows(settings)
+    report |= {"rows": [asdict(row) for row in rows], "samples": samples}
+    if settings.out is not None:
+        settings.out.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(settings.out, json.dumps(report, indent=2) + "\n")
+    return report
+
+
+def measure_core(league: str, settings: BenchSettings) -> Samples:
+    """Return the samples [s per match step] of the core and of its floors in one league."""
+    matches, seed, steps = settings.matches, settings.seed, settings.steps
+    loads: dict[str, Load] = {
+        "reference": ReferenceFloor(matches, seed),
+        "random floor": OwnFloor(league, None, matches, 1, seed),
+        "random": CoreLoad(league, None, matches, 1, seed),
+        "random, 2 threads": CoreLoad(league, None, matches, 2, seed),
+        "senses": SensesLoad(league, None, matches, 1, seed),
+        "particles": ParticlesLoad(league, None, matches, 1, seed),
+        "chaser floor": OwnFloor(league, "chaser", matches, 1, seed),
+        "chaser": CoreLoad(league, "chaser", matches, 1, seed),
+        "chaser, 2 threads": CoreLoad(league, "chaser", matches, 2, seed),
+    }
+    return interleaved({name: partial(load.sample, steps) for name, load in loads.items()}, settings.repetitions)
+
+
+def measure_faces(league: str, settings: BenchSettings) -> Samples:
+    """Return the samples [s] of a step and of a reset of the PettingZoo face."""
+    step, reset = FaceLoad(league, settings.seed), ResetLoad(league, settings.seed)
+    belief = FaceLoad(league, settings.seed, observe="belief")
+    return interleaved(
+        {
+            "step": partial(step.sample, 1000),
+            "belief": partial(belief.sample, 1000),
+            "reset": partial(reset.sample, 50),
+        },
+        settings.repetitions,
+    )
+
+
+def ratio(samples: Samples, above: str, below: str) -> float:
+    """Return the median over repetitions of one load's time over another's."""
+    return median(a / b for a, b in zip(samples[above], samples[below], strict=True))
+
+
+def core_rows(league: str, samples: Samples) -> Iterator[Row]:
+    """Yield the core's ratios and speeds in one league."""
+    rate = find_league(league).control_rate
+    for name in ("reference", "random floor", "chaser floor"):
+        yield Row(f"{league}: bare physics, {name}", median(samples[name]), f"{1e6 * median(samples[name]):.2f} us")
+    yield at_most(f"{league}: random over its own scene", ratio(samples, "random", "random floor"), "", OWN_RATIO)
+    limit = REFERENCE_RATIO[league]
+    yield at_most(f"{league}: random over the reference", ratio(samples, "random", "reference"), "", limit)
+    yield at_most(f"{league}: sensors and beliefs over the truth", ratio(samples, "senses", "random"), "", SENSES_RATIO)
+    found = ratio(samples, "particles", "senses")
+    yield at_most(f"{league}: particle filters over a given pose", found, "", PARTICLES_RATIO)
+    for load in ("senses", "particles"):
+        speed = 1 / median(samples[load])
+        yield Row(f"{league}: {load}", speed, f"{speed:,.0f} match steps/s ({speed / rate:,.0f} simulated s/s)")
+    for load in ("random", "chaser"):
+        speed, double = 1 / median(samples[load]), 1 / median(samples[f"{load}, 2 threads"])
+        unit = f"match steps/s ({speed / rate:,.0f} simulated s/s)"
+        if load == "chaser":
+            yield at_least(f"{league}: chaser against chaser", speed, unit, CHASER_SPEED[league])
+            own = ratio(samples, "chaser", "chaser floor")
+            yield Row(f"{league}: chaser over its own scene", own, f"{own:.3g}")
+        else:
+            yield Row(f"{league}: random", speed, f"{speed:,.0f} {unit}")
+        gain = ratio(samples, load, f"{load}, 2 threads")
+        unit = f"({double:,.0f} match steps/s)"
+        yield at_least(f"{league}: {load}, two threads over one", gain, unit, THREADS_RATIO)
+
+
+def face_rows(league: str, samples: Samples) -> Iterator[Row]:
+    """Yield the PettingZoo face's speed and the memory of a match in one league."""
+    yield at_least(f"{league}: parallel_env.step", 1 / median(samples["step"]), "steps/s", FACE_SPEED)
+    belief = 1 / median(samples["belief"])
+    yield at_least(f"{league}: parallel_env.step, observe belief", belief, "steps/s", BELIEF_FACE_SPEED)
+    yield at_most(f"{league}: parallel_env.reset", median(samples["reset"]), "ms", RESET_TIME, 1e3)
+    name = f"{league}: memory of a match outside Chipmunk"
+    yield at_most(name, record_bytes(league), "KiB", RECORD_BYTES, 1 / 1024)
+    for pose, limit in SENSES_BYTES.items():
+        yield at_most(f"{name}, sensing ({pose})", record_bytes(league, pose), "KiB", limit, 1 / 1024)
+    wrappers = wrapper_bytes(league)
+    yield Row(f"{league}: pymunk's Python objects of a match", wrappers, f"{wrappers / 1024:.3g} KiB")
+
+
+def start_rows(settings: BenchSettings) -> Iterator[Row]:
+    """Yield how long things take to start."""
+    for name, program in START_TIMES.items():
+        yield at_most(name, start_time(program, 3 if settings.quick else 7), "s", START_LIMITS[name])
+    if not settings.quick:
+        cold = start_time(START_TIMES["start of an evaluation"], 1, cold=True)
+        yield at_most("the same with an empty cache", cold, "s", COLD_LIMIT)
+
+
+def machine() -> dict[str, str]:
+    """Return what the numbers were measured on and with."""
+    return {
+        "processor": processor(),
+        "cores": f"{os.cpu_count()}",
+        "load before": f"{os.getloadavg()[0]:.2f}" if hasattr(os, "getloadavg") else "nan",
+        "system": f"{platform.system()} {platform.release()} {platform.machine()}",
+        "python": platform.python_version(),
+        **{name: version_of(name) for name in LIBRARIES},
+        "commit": commit() or "none",
+        "date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),
+    }
+
+
+def processor() -> str:
+    """Return the name of the processor."""
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text(encoding="utf-8", errors="replace").splitlines() if info.exists() else []
+    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.processor() or "unknown"
+
+
+def screen_table(report: dict[str, Any]) -> Table:
+    """Return the rows of a report as a table for the terminal."""
+    from rich.table import Table
+
+    caption = ", ".join(f"{name} {value}" for name, value in report["machine"].items())
+    if float(report["machine"]["load before"]) > BUSY:
+        caption += (
+            f"\nThe machine was busy before it began (load above {BUSY:g}): trust none of this, threads least of all."
+        )
+    drawn = Table(title="soccer bench", caption=caption)
+    for name, side in (("", "left"), ("measured", "right"), ("target", "right"), ("", "left")):
+        drawn.add_column(name, justify=side)  # type: ignore[arg-type]
+    for row in report["rows"]:
+        drawn.add_row(row["name"], row["text"], row["target"], {True: "ok", False: "MISSED", None: ""}[row["met"]])
+    return drawn

@@ -1,0 +1,29 @@
+"""Play matches and say what came of them: `soccer evaluate`, `record`, `replay` and `watch`.
+
+settings.py        what the command line asks for, and the conditions that follow   play_settings.py   of record, watch
+evaluation.py      `evaluate`: the matches that a folder lacks are played, the result of all is returned
+contest.py         the matches: pairs from the same seeds with sides swapped, many at once
+results.py         one line for each match; the result that follows from the lines
+report.py          the result in Markdown and on the screen
+pictures.py        a sheet of pictures of one match
+recording.py       a match into a replay file, out of it again, and into a window
+"""
+
+from typing import TYPE_CHECKING
+
+from soccer_env.lazy_names import lazy_names
+
+if TYPE_CHECKING:
+    from soccer_env.train.evaluate.evaluation import evaluate
+    from soccer_env.train.evaluate.results import EvaluationResult
+    from soccer_env.train.evaluate.settings import EvaluateSettings
+
+__all__ = ["EvaluateSettings", "EvaluationResult", "evaluate"]
+__getattr__, __dir__ = lazy_names(
+    __name__,
+    {
+        "EvaluateSettings": "soccer_env.train.evaluate.settings",
+        "EvaluationResult": "soccer_env.train.evaluate.results",
+        "evaluate": "soccer_env.train.evaluate.evaluation",
+    },
+)

@@ -1,0 +1,84 @@
+"""Evaluate one team against another: pairs of matches from the same seeds, sides swapped, many at once.
+
+    result = evaluate(EvaluateSettings(home="chaser", away="random@0.5", matches=20))
+
+Every match follows from its own seed alone, so the result does not depend on threads, on how many matches run side
+by side, or on where a stopped run went on.
+"""
+
+from __future__ import annotations
+
+import datetime
+import json
+import sys
+from collections.abc import Mapping
+
+from soccer_env.leagues import find_league
+from soccer_env.leagues.league import League
+from soccer_env.teams import Team
+from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
+from soccer_env.train.evaluate.report import markdown
+from soccer_env.train.evaluate.results import EvaluationResult, Folder, MatchLine, remove_files, summarise
+from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
+from soccer_env.train.progress import Progress
+from soccer_env.train.provenance import commit, made_with
+
+
+def evaluate(
+    settings: EvaluateSettings, *, league: League | None = None, teams: Mapping[str, Team] | None = None
+) -> EvaluationResult:
+    """Play the matches that settings.out does not hold yet and return the result of all.
+
+    `league` is a league of one's own instead of a named one; `teams` gives names to team objects, which settings.home
+    and settings.away may then use. Raises ValueError for settings that cannot be played and for a folder that holds
+    another evaluation.
+    """
+    league = league or find_league(settings.league)
+    contest = contest_of(conditions_of(settings, league), league, teams or {})
+    made = made_with(league, contest.first, contest.second)
+    today = datetime.datetime.now(datetime.timezone.utc).date().isoformat()
+    contest.start("home", [0])  # whatever cannot be played is found before a folder is made
+    if settings.anew:
+        remove_files(settings.out)
+    about = {"command": command_of(settings), "date": today, "commit": commit()}
+    folder = Folder(settings.out, contest.conditions, made, about)
+    play_missing(contest, folder, settings.threads)
+    result = summarise(contest.conditions, made, folder.lines)
+    folder.write("result.json", json.dumps(result.as_dict(), indent=2) + "\n")
+    folder.write("report.md", markdown(result, folder.about))
+    if settings.picture:
+        draw_first_match(contest, folder, result)
+    return result
+
+
+def play_missing(contest: Contest, folder: Folder, threads: int) -> None:
+    """Play every match that the folder lacks."""
+    conditions = contest.conditions
+    done = {line.match for line in folder.lines}
+    steps = conditions.minutes * 60.0 * contest.league.control_rate  # of a match
+    with Progress(f"{conditions.home} against {conditions.away}", steps * (conditions.matches - len(done))) as progress:
+
+        def take(lines: list[MatchLine]) -> None:
+            folder.add(lines)
+            progress.note(f"{len(folder.lines)} of {conditions.matches} matches")
+
+        play_matches(contest, done, folder.settings, threads, take, progress.advance)
+
+
+def draw_first_match(contest: Contest, folder: Folder, result: EvaluationResult) -> None:
+    """Play the first match again, by itself, and write its pictures; RuntimeError if it ends in another state."""
+    from soccer_env.render import save_png
+    from soccer_env.train.evaluate.pictures import draw_match, require_pictures
+
+    assert folder.path is not None
+    try:
+        require_pictures()
+    except ImportError as error:
+        print(f"no picture: {error}", file=sys.stderr)
+        return
+    line = result.lines[0]
+    match = contest.start(line.side, [line.seed])
+    sheet = draw_match(match, line.steps, (result.conditions.home, result.conditions.away))
+    if match.state_hash(0) != line.state:
+        raise RuntimeError(f"match 0 (seed {line.seed}) did not end as it did among others: a bug of soccer_env")
+    save_png(sheet, folder.path / "match.png")

@@ -1,0 +1,55 @@
+"""The settings of `soccer record` and `soccer watch`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from soccer_env.train.evaluate.settings import split_players, whole
+
+
+@dataclass(frozen=True)
+class PlaySettings:
+    """A match between two teams."""
+
+    league: str = "legged-2001"
+    """League to play in; `soccer list leagues` names them."""
+    home: str = "chaser"
+    """The team that plays at home: a name of `soccer list teams`, or NAME@STRENGTH."""
+    away: str = "chaser"
+    """The team that plays away."""
+    minutes: float = 1.0
+    """Minutes of play, both halves together."""
+    players: int | str | None = None
+    """Players a side, 1 to 11; 3v5 gives home 3 and away 5; None for the league's own number."""
+    seed: int = 0
+    """Seed of the match, 0 or more."""
+    placement: Literal["instant", "drive"] = "instant"
+    """How robots reach their places at a restart."""
+    senses: Literal["sensors", "ideal"] = "sensors"
+    """What fills the teams' beliefs: their sensors, or the truth."""
+    pose: Literal["particles", "percept"] = "particles"
+    """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given."""
+
+    def __post_init__(self) -> None:
+        whole("seed", self.seed, 0)
+        split_players(self.players, 1)
+
+
+@dataclass(frozen=True)
+class RecordSettings(PlaySettings):
+    """Play a match and write it to a replay file."""
+
+    out: Path = Path("match.replay")
+    """The file to write."""
+
+
+@dataclass(frozen=True)
+class WatchSettings(PlaySettings):
+    """Play a match in a window (needs pygame-ce); Escape ends it."""
+
+    width: int = 960
+    """Width of the picture [pixels]."""
+    speed: float = 1.0
+    """How many times as fast as real time, above 0."""

@@ -1,0 +1,99 @@
+"""`soccer record`, `soccer replay` and `soccer watch`: a match into a file, out of it again, and onto the screen."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+
+from soccer_env.leagues import find_league
+from soccer_env.leagues.league import League
+from soccer_env.match import Match
+from soccer_env.replay import Recorder, Replay
+from soccer_env.train.evaluate.play_settings import PlaySettings, RecordSettings, WatchSettings
+from soccer_env.train.evaluate.settings import split_players
+from soccer_env.train.progress import Progress
+
+NOTE_EVERY = 50  # control steps between two movements of the progress bar
+
+
+def start(settings: PlaySettings) -> Match:
+    """Return the match at its kick-off."""
+    home, away = split_players(settings.players, find_league(settings.league).team_size)
+    return Match(
+        settings.league,
+        home=home,
+        away=away,
+        controllers={"home": settings.home, "away": settings.away},
+        minutes=settings.minutes,
+        seed=settings.seed,
+        placement=settings.placement,
+        senses=settings.senses,
+        pose=settings.pose,
+    )
+
+
+def record(settings: RecordSettings) -> Replay:
+    """Play a match, write its replay file and return it; a path that cannot be written is refused before the match."""
+    check_target(settings.out)
+    match = start(settings)
+    recorder = Recorder(match)
+    with Progress(
+        f"{settings.home} against {settings.away}", 60.0 * settings.minutes * match.league.control_rate
+    ) as bar:
+        while not match.terminated.all():
+            match.step()
+            if match.matches["step"][0] % NOTE_EVERY == 0:
+                bar.advance(NOTE_EVERY)
+    replay = recorder.stop()
+    replay.write(settings.out)
+    return replay
+
+
+def check_target(path: Path) -> None:
+    """Make the folder of a file to write; ValueError if no file can be written there."""
+    if path.is_dir():
+        raise ValueError(f"--out is the file to write, but {path} is a folder")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ValueError(f"--out {path}: its folder cannot be made: {error.strerror}") from error
+    if not os.access(path.parent, os.W_OK):
+        raise ValueError(f"--out {path}: nothing can be written in its folder")
+
+
+def play_again(path: Path) -> int:
+    """Play a replay file again and return how many steps agreed; ValueError names the first that differs."""
+    replay = Replay.read(path)
+    with Progress(path.name, len(replay)) as bar:
+        for _ in replay.play():
+            bar.advance(1)
+    return len(replay)
+
+
+def moving(match: Match) -> Iterable[Match]:
+    """Yield a match after every control step until it ends."""
+    while not match.terminated.all():
+        match.step()
+        yield match
+
+
+def show(league: League, matches: Iterable[Match], teams: tuple[str, str], width: int, speed: float) -> None:
+    """Show the first match of each state in a window, in real time times `speed`."""
+    from soccer_env.render import Picture, Window
+
+    if not 0.0 < speed <= 100.0:
+        raise ValueError(f"speed must be above 0 and at most 100, got {speed}")
+    picture, window = Picture(league, width), Window("soccer_env", min(league.control_rate * speed, 1000.0))
+    try:
+        for match in matches:
+            if not window.show(picture.draw(match.matches[0], match.balls[0], match.robots[0], title=teams)):
+                return
+    finally:
+        window.close()
+
+
+def watch(settings: WatchSettings) -> None:
+    """Play a match in a window."""
+    match = start(settings)
+    show(match.league, moving(match), (settings.home, settings.away), settings.width, settings.speed)

@@ -1,0 +1,143 @@
+"""The report of an evaluation in Markdown, and its table on the screen: both follow from the result alone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from soccer_env.train.evaluate.results import HALF_WIDTH, EvaluationResult
+from soccer_env.train.statistics import interquartile_mean, wilson_interval
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+PAIRS_SHOWN = 100
+VERDICTS = {
+    "beats clearly": "{home} beats {away} clearly.",
+    "beats": "{home} beats {away}.",
+    "loses": "{home} loses to {away}.",
+    "loses clearly": "{home} loses clearly to {away}.",
+    "no difference shown": "No difference between {home} and {away} is shown.",
+}
+
+
+def sentence(result: EvaluationResult) -> str:
+    """Return the verdict as a sentence."""
+    text = VERDICTS.get(result.verdict, "There is {verdict}.")
+    return text.format(home=result.conditions.home, away=result.conditions.away, verdict=result.verdict)
+
+
+def rows(result: EvaluationResult) -> list[tuple[str, str, str]]:
+    """Return the numbers of a result as rows of name, value and 95 % interval."""
+    conditions = result.conditions
+    games, minutes = conditions.matches, conditions.matches * conditions.minutes
+    difference, points, rate = result.goal_difference, result.points, result.win_rate
+    _, low, high = wilson_interval(result.wins, games)
+    middle = interquartile_mean([line.goals_for - line.goals_against for line in result.lines])
+    return [
+        ("matches", f"{games}", f"{games // 2} pairs, sides swapped"),
+        ("won, drawn, lost", f"{result.wins}, {result.draws}, {result.losses}", ""),
+        (
+            "goals",
+            f"{result.goals_for} : {result.goals_against}",
+            f"{result.goals_for / minutes:.2f} : {result.goals_against / minutes:.2f} a minute",
+        ),
+        ("goal difference a match", f"{difference.mean:+.2f}", f"{difference.low:+.2f} to {difference.high:+.2f}"),
+        ("its interquartile mean", f"{middle:+.2f}", ""),
+        ("points (a draw is half)", percent(points.mean), f"{percent(points.low)} to {percent(points.high)}"),
+        ("win rate", percent(rate.mean), f"{percent(rate.low)} to {percent(rate.high)}"),
+        ("win rate, Wilson", percent(rate.mean), f"{percent(low)} to {percent(high)}"),
+    ]
+
+
+def percent(share: float) -> str:
+    """Return a share as a percentage."""
+    return f"{100 * share:.1f} %"
+
+
+def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
+    """Return the report; `about` holds the command, date and commit of the evaluation's start."""
+    conditions = result.conditions
+    settings = [
+        ("league", conditions.league),
+        ("players", conditions.sizes),
+        ("minutes of play", f"{conditions.minutes:g}"),
+        ("senses, pose", f"{conditions.senses_text}, {conditions.pose}"),
+        ("scene, placement", f"{conditions.scene}, {conditions.placement}"),
+        ("seed", f"{conditions.seed}"),
+        ("begun, commit", f"{about.get('date', '')}, {about.get('commit') or 'none'}"),
+        ("settings hash", result.lines[0].settings),
+        *((name.replace("_", " "), value) for name, value in result.made_with.items()),
+    ]
+    lines = [
+        f"# {conditions.home} against {conditions.away}",
+        f"{sentence(result)} Results are {conditions.home}'s; intervals are 95 % bootstraps over pairs.",
+        table(("", "value", "95 % interval"), rows(result)),
+        needed(result),
+        "## Conditions",
+        table(("", ""), settings),
+        "This command plays what is missing and writes this report again:",
+        f"```bash\n{about.get('command', '')}\n```",
+        "## Matches",
+        f"Score of {conditions.home} first, as home and as away.",
+        *pairs(result),
+    ]
+    return "\n\n".join(line for line in lines if line) + "\n"
+
+
+def needed(result: EvaluationResult) -> str:
+    """Return how many matches a narrower interval needs."""
+    if result.matches_needed is None:
+        return ""
+    return (
+        f"For an interval of ±{HALF_WIDTH:g} goals a match, {result.matches_needed} matches are needed "
+        f"if further ones scatter as these do."
+    )
+
+
+def pairs(result: EvaluationResult) -> list[str]:
+    """Return the table of pairs, and what it leaves out."""
+    both = list(zip(result.lines[::2], result.lines[1::2], strict=True))
+    cells = [
+        (f"{first.pair}", f"{first.seed}", *(f"{line.goals_for} : {line.goals_against}" for line in (first, second)))
+        for first, second in both[:PAIRS_SHOWN]
+    ]
+    rest = len(both) - len(cells)
+    return [
+        table(("pair", "seed", "as home", "as away"), cells),
+        f"{rest} more pairs stand in matches.jsonl." if rest else "",
+    ]
+
+
+def table(head: tuple[str, ...], cells: Sequence[tuple[str, ...]]) -> str:
+    """Return a table in Markdown."""
+    ruled = [head, ("---",) * len(head), *cells]
+    return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in ruled)
+
+
+def plain(value: float, digits: int) -> str:
+    """Return a number in a few significant digits and never in powers of ten; larger ones whole."""
+    if abs(value) >= 10**digits or not isfinite(value):
+        return f"{value:.0f}"
+    return np.format_float_positional(value, precision=digits, unique=False, fractional=False, trim="-")
+
+
+def screen_table(result: EvaluationResult) -> Table:
+    """Return the numbers of a result as a table for the terminal."""
+    from rich.table import Table
+
+    conditions = result.conditions
+    drawn = Table(
+        title=f"{conditions.home} against {conditions.away}, {conditions.league}, {conditions.sizes}, "
+        f"{conditions.minutes:g} min",
+        caption=sentence(result),
+    )
+    drawn.add_column("")
+    drawn.add_column("value", justify="right")
+    drawn.add_column("95 % interval", justify="right")
+    for row in rows(result):
+        drawn.add_row(*row)
+    return drawn

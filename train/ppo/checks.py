@@ -1,0 +1,112 @@
+"""What a training run is played with, found to be playable before anything is written."""
+
+from __future__ import annotations
+
+import datetime
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from itertools import product
+from math import ceil
+from typing import Any
+
+from soccer_env.leagues import find_league
+from soccer_env.leagues.league import League
+from soccer_env.match import Match
+from soccer_env.observations import names_of
+from soccer_env.rewards import Rewards
+from soccer_env.train.ppo.curriculum import Curriculum
+from soccer_env.train.ppo.learner import check_device
+from soccer_env.train.ppo.match_blocks import shared_out
+from soccer_env.train.ppo.networks import blank_policy
+from soccer_env.train.ppo.reports import evaluation_of
+from soccer_env.train.ppo.settings import TrainSettings, command_of, senses_of
+from soccer_env.train.ppo.vec_env import SoccerVecEnv
+from soccer_env.train.provenance import commit, version_of
+
+TRAINING_SEED = 3_000_017  # added to the run's seed: a policy is not evaluated on matches that it was trained on
+
+
+def check_playable(settings: TrainSettings) -> None:
+    """Raise ValueError, with the setting's name, for teams, sizes and times that cannot be played or written down."""
+    check_device(settings.device)
+    league = find_league(settings.league)
+    policy = replace(blank_policy(settings, names_of(league, settings.observe)), made=made_by(settings, 0))
+    with said_by("opponents"):
+        curriculum = Curriculum(settings.opponent_names, settings.past, policy, even=True)
+    with said_by("opponents"):
+        for share in (0.0, 1.0) if settings.ideal_share else (0.0,):
+            make_matches(replace(settings, matches=len(settings.sizes), ideal_share=share), curriculum).close()
+    check_minutes(settings, league)
+    shared_out(settings.sizes, settings.matches, settings.ideal_share)
+    with said_by("evaluate_against"):
+        for opponent in settings.judges:
+            check_contest(policy, opponent, settings)
+    if settings.teacher:
+        with said_by("teacher"):
+            for sizes, (_, senses) in product(settings.sizes, settings.kinds_of_senses):
+                lesson(settings, sizes, senses).close()
+
+
+def check_minutes(settings: TrainSettings, league: League) -> None:
+    """Raise ValueError unless an episode lasts whole decisions: else later ones would fall into other gait phases."""
+    half = ceil(30.0 * settings.minutes * league.control_rate - 0.5)  # [control steps] as the referee counts them
+    if 2 * half % settings.action_repeat:
+        least = settings.action_repeat / (60.0 * league.control_rate)  # [min]
+        whole = least * max(1, round(settings.minutes / least))
+        raise ValueError(
+            f"minutes must make whole decisions of {settings.action_repeat} control steps, got {settings.minutes:g}; "
+            f"try {whole:.4g}"
+        )
+
+
+@contextmanager
+def said_by(setting: str) -> Iterator[None]:
+    """Let a ValueError begin with the name of a setting."""
+    try:
+        yield
+    except ValueError as error:
+        raise ValueError(f"{setting}: {error}") from error
+
+
+def check_contest(policy: Any, opponent: str, settings: TrainSettings) -> None:
+    """Raise ValueError if an evaluation against this opponent cannot be played."""
+    contest = evaluation_of(policy, opponent, settings)
+    contest.start("home", [0]).close()
+    contest.start("away", [0]).close()
+
+
+def lesson(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, str]) -> Match:
+    """Return a match that the teacher plays as the recorded ones are."""
+    players = {"home": settings.teacher, "away": settings.opponent_names[0]}
+    return Match(
+        settings.league, home=sizes[0], away=sizes[1], controllers=players,
+        observe=settings.observe, senses=senses, pose=settings.pose, seed=0,
+    )  # fmt: skip
+
+
+def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
+    """Return what a policy file says of where it comes from."""
+    return {
+        "command": command_of(replace(settings, out=TrainSettings.out)),  # where its folder lay is nobody's business
+        "settings": json.dumps({**settings.decisive(), "steps": settings.steps}, sort_keys=True),  # defaults may change
+        "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
+        "commit": commit(),
+        "seed": str(settings.seed),
+        "step": str(step),
+        **{name: version_of(name) for name in ("soccer_env", "torch", "stable_baselines3", "pymunk", "numba")},
+    }
+
+
+def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEnv:
+    """Return the environment of a run."""
+    weights = Rewards(
+        goal=settings.goal, progress=settings.progress, approach=settings.approach, effort=settings.effort
+    )
+    return SoccerVecEnv(
+        settings.league, players=settings.sizes, matches=settings.matches, ideal_share=settings.ideal_share,
+        opponents=curriculum.lineup, action_repeat=settings.action_repeat, rewards=weights, gamma=settings.gamma,
+        state=settings.central_critic, stagger=True, seed=settings.seed + TRAINING_SEED, threads=settings.threads,
+        observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, minutes=settings.minutes,
+    )  # fmt: skip

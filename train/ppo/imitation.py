@@ -1,0 +1,118 @@
+"""Learn from a scripted teacher before learning from rewards: its decisions are recorded and the actor fitted to them.
+
+The teacher plays home, by the same senses as the learner will; what is recorded at each of the learner's decisions is
+the learner's observation and the walk that the teacher asked for at that moment, with the strongest kick of the time
+until the next decision.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import product
+from typing import Any
+
+import numpy as np
+import torch
+
+from soccer_env.agents.learned import first_decision
+from soccer_env.leagues import find_league
+from soccer_env.match import Match
+from soccer_env.train.ppo.networks import SoccerPolicy
+from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.progress import Progress
+
+WALK = ("forward", "left", "turn")
+NO_KICK = -1.0
+TEACHER_SEED = 2_000_003  # added to the run's seed: the teacher plays other matches than the learner
+
+
+def record(
+    teacher: Any, opponents: Any, players: tuple[int, int], decisions: int, repeat: int, **settings: Any
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return observations (n, entries) and actions (n, 4) of a teacher's home robots; settings are those of `Match`."""
+    home, away = players
+    match = Match(
+        home=home, away=away, controllers={"home": teacher, "away": opponents}, autoreset="same_step", **settings
+    )
+    for _ in range(first_decision(match.league.delay_steps, repeat)):
+        match.step()
+    observations, actions = [], []
+    for _ in range(decisions):
+        observations.append(match.observations[:, :home].copy())
+        for step in range(repeat):
+            match.step()
+            command = match.robots["command"][:, :home]
+            if step == 0:
+                asked = np.stack([command[name] for name in WALK] + [np.full(command.shape, NO_KICK)], axis=-1)
+            kicks = np.where(command["kick"] > 0.0, command["kick"], NO_KICK)
+            asked[..., 3] = np.maximum(asked[..., 3], kicks)
+        actions.append(asked)
+    match.close()
+    width = observations[0].shape[-1]
+    return np.concatenate(observations).reshape(-1, width), np.concatenate(actions).reshape(-1, 4).astype(np.float32)
+
+
+def fit(
+    network: SoccerPolicy, observations: np.ndarray, actions: np.ndarray, epochs: int, seed: int,
+    advance: Callable[[float], None] = lambda share: None, rate: float = 1e-3, batch: int = 4096,
+) -> list[float]:  # fmt: skip
+    """Fit the actor to recorded decisions by least squares; return the mean square error of each epoch."""
+    rows = torch.as_tensor(observations), torch.as_tensor(actions)
+    optimizer = torch.optim.Adam(network.actor_parameters()[:-1], lr=rate)
+    generator = torch.Generator().manual_seed(seed)
+    schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, epochs, eta_min=0.05 * rate)
+    errors = []
+    for _ in range(epochs):
+        order, total = torch.randperm(len(observations), generator=generator), 0.0
+        for first in range(0, len(order), batch):
+            chosen = order[first : first + batch]
+            seen, asked = (part[chosen].to(network.device) for part in rows)
+            error = ((network.mean_actions(seen) - asked) ** 2).mean()
+            optimizer.zero_grad()
+            error.backward()  # type: ignore[no-untyped-call]  # torch gives it no return type
+            optimizer.step()
+            total += float(error.detach()) * len(chosen)
+        schedule.step()
+        errors.append(total / len(order))
+        advance(1.0 / epochs)
+    return errors
+
+
+def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
+    """Record the teacher of a run in all kinds of matches that it has, and fit the actor; return the errors."""
+    cases = list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
+    rate = find_league(settings.league).control_rate
+    decisions = max(1, round(60.0 * settings.minutes * rate / settings.action_repeat))
+    parts = []
+    with Progress(f"learning from {settings.teacher}", len(cases) + settings.teacher_epochs / 2) as progress:
+        for index, (players, opponent, (weight, senses)) in enumerate(cases):
+            share = weight * len(settings.kinds_of_senses) * settings.teacher_steps / len(cases) / players[0]
+            count = max(1, round(share / decisions))
+            parts.append(
+                record(
+                    settings.teacher, opponent, players, min(decisions, max(1, round(share / count))),
+                    settings.action_repeat, league=settings.league, matches=count, minutes=settings.minutes,
+                    seed=settings.seed + TEACHER_SEED + 1009 * index, observe=settings.observe,
+                    senses=senses, pose=settings.pose, threads=settings.threads,
+                )
+            )  # fmt: skip
+            progress.advance(1.0)
+        observations = np.concatenate([part[0] for part in parts])
+        if not settings.teacher_commands:
+            forget_own_commands(observations, network.names, settings.seed)
+        actions = np.concatenate([part[1] for part in parts])
+        return fit(
+            network, observations, actions, settings.teacher_epochs, settings.seed,
+            lambda share: progress.advance(share * settings.teacher_epochs / 2),
+        )  # fmt: skip
+
+
+def forget_own_commands(observations: np.ndarray, names: Sequence[str], seed: int) -> None:
+    """Shuffle the entries that hold the robot's last command over all rows.
+
+    A teacher decides at every control step, so that its last command nearly tells the next one, and a pupil that sees
+    it learns to go on as before [the copycat problem: de Haan, Jayaraman, Levine 2019].
+    """
+    columns = [index for index, name in enumerate(names) if name.startswith("last_")]
+    order = np.random.default_rng(seed).permutation(len(observations))
+    observations[:, columns] = observations[order][:, columns]

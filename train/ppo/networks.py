@@ -1,0 +1,205 @@
+"""The actor and critic that PPO trains, and their way into a policy file.
+
+The actor sees the robot's own observation; the critic that, or with it the whole truth of the match (`state()`), which
+lies behind the observation. With the kind "attention" other players are pooled before the actor's layers; the critic
+stays plain. With `mirror` the actor is the mean of a network and of its left-right mirror image: what it does for a
+mirrored observation is the mirrored action, exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import torch
+from stable_baselines3.common.policies import ActorCriticPolicy
+from torch import nn
+
+from soccer_env.agents.attention import Layout, layout_of, width_beside
+from soccer_env.agents.policy import Policy
+from soccer_env.observations.mirror import action_signs, observation_signs
+from soccer_env.train.ppo.settings import TrainSettings
+
+ACTIVATIONS = {"tanh": nn.Tanh, "relu": nn.ReLU}
+ABSENT = -1e38  # logit of an empty slot: below all that a policy may reach, and finite, for the gradient's sake
+
+
+def layers(sizes: Sequence[int], activation: str) -> nn.Sequential:
+    """Return linear layers of these sizes, each followed by the activation."""
+    parts: list[nn.Module] = []
+    for wide, out in zip(sizes, sizes[1:], strict=False):
+        parts += [nn.Linear(wide, out), ACTIVATIONS[activation]()]
+    return nn.Sequential(*parts)
+
+
+class Attention(nn.Module):
+    """What stands before the layers of the kind "attention": `soccer_env.agents.attention` has the equations."""
+
+    def __init__(self, layout: Layout, width: int, activation: str) -> None:
+        super().__init__()
+        self.layout, self.features, self.activation = layout, layout.features(width), ACTIVATIONS[activation]()
+        self.encoders = nn.ModuleList(nn.Linear(entries, width) for entries in layout.entries)
+        self.queries = nn.ModuleList(nn.Linear(layout.fixed, width, bias=False) for _ in layout.entries)
+
+    def forward(self, own: torch.Tensor) -> torch.Tensor:
+        """Return the fixed entries with what is pooled of team-mates and opponents behind them."""
+        layout = self.layout
+        sizes = [slots * entries for slots, entries in zip(layout.slots, layout.entries, strict=True)]
+        fixed, *players = torch.split(own, [layout.fixed, *sizes], dim=1)
+        pooled = [fixed]
+        for rows, entries, encoder, query in zip(players, layout.entries, self.encoders, self.queries, strict=True):
+            rows = rows.reshape(len(rows), -1, entries)
+            encoded, absent = self.activation(encoder(rows)), rows[..., 0] <= 0.0
+            logits = (encoded * query(fixed).unsqueeze(1)).sum(-1).masked_fill(absent, ABSENT)
+            weights = logits.softmax(1).masked_fill(absent, 0.0)
+            pooled.append((weights.unsqueeze(-1) * encoded).sum(1))
+        return torch.cat(pooled, dim=1)
+
+    def tensors(self) -> list[torch.Tensor]:
+        """Return what `attention.TENSORS` names."""
+        pairs: Any = zip(self.encoders, self.queries, strict=True)
+        return [part for encoder, query in pairs for part in (encoder.weight, encoder.bias, query.weight)]
+
+
+class ActorAndCritic(nn.Module):
+    """Two networks side by side; of features (B, n + s) the actor gets the first n, with `signs` mirrored too."""
+
+    signs: torch.Tensor | None
+
+    def __init__(
+        self, inputs: int, features: int, hidden: Sequence[int], critic: Sequence[int], activation: str, signs: Any,
+        attention: Attention | None = None,
+    ) -> None:  # fmt: skip
+        super().__init__()
+        self.inputs, self.latent_dim_pi, self.latent_dim_vf = inputs, hidden[-1], critic[-1]
+        self.register_buffer("signs", signs, persistent=False)
+        self.attention = attention
+        self.policy_net = layers([attention.features if attention else inputs, *hidden], activation)
+        self.value_net = layers([features, *critic], activation)
+
+    def forward(self, features: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+        """Return the last hidden layers of actor (B or 2 B, h) and critic (B, h)."""
+        return self.forward_actor(features), self.forward_critic(features)
+
+    def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
+        """Return the last hidden layer (B, h); with a mirror (2 B, h), the mirrored rows behind."""
+        own = features[:, : self.inputs]
+        own = own if self.signs is None else torch.cat([own, own * self.signs])
+        latent: torch.Tensor = self.policy_net(self.attention(own) if self.attention else own)
+        return latent
+
+    def forward_critic(self, features: torch.Tensor) -> torch.Tensor:
+        """Return the critic's last hidden layer (B, h)."""
+        latent: torch.Tensor = self.value_net(features)
+        return latent
+
+
+class MirrorHead(nn.Module):
+    """The last layer: the mean of what rows, and their mirror images behind them mirrored back, are to do."""
+
+    signs: torch.Tensor
+
+    def __init__(self, linear: nn.Module, signs: torch.Tensor) -> None:
+        super().__init__()
+        self.linear = linear
+        self.register_buffer("signs", signs, persistent=False)
+
+    def forward(self, latent: torch.Tensor) -> torch.Tensor:
+        """Return actions (B, a) for the last hidden layer (2 B, h)."""
+        plain, mirrored = self.linear(latent).chunk(2)
+        actions: torch.Tensor = 0.5 * (plain + mirrored * self.signs)
+        return actions
+
+
+class SoccerPolicy(ActorCriticPolicy):
+    """The policy class that PPO gets; `names` are the entries of a robot's own observation."""
+
+    def __init__(
+        self,
+        observation_space: Any,
+        action_space: Any,
+        lr_schedule: Any,
+        *,
+        names: Sequence[str],
+        hidden: Sequence[int] = (64, 64),
+        critic: Sequence[int] = (64, 64),
+        activation: str = "tanh",
+        mirror: bool = False,
+        kind: str = "slots",
+        **settings: Any,
+    ) -> None:
+        self.names, self.hidden, self.critic, self.activation, self.mirror = names, hidden, critic, activation, mirror
+        self.kind = kind
+        super().__init__(
+            observation_space, action_space, lr_schedule, activation_fn=ACTIVATIONS[activation], **settings
+        )
+
+    def _build_mlp_extractor(self) -> None:
+        signs = torch.tensor(observation_signs(self.names), dtype=torch.float32) if self.mirror else None
+        sizes = (len(self.names), self.features_dim, self.hidden, self.critic)
+        attention = None
+        if self.kind == "attention":
+            attention = Attention(layout_of(self.names), width_beside(self.hidden), self.activation)
+        self.mlp_extractor: Any = ActorAndCritic(*sizes, self.activation, signs, attention)
+
+    def _build(self, lr_schedule: Any) -> None:
+        super()._build(lr_schedule)
+        if self.mirror:
+            signs = torch.tensor(action_signs(self.action_space.shape[0]), dtype=torch.float32)  # type: ignore[index]
+            self.action_net: nn.Module = MirrorHead(self.action_net, signs)
+        self.optimizer = self.optimizer_class(self.parameters(), lr=lr_schedule(1), **self.optimizer_kwargs)  # type: ignore[call-arg]
+
+    def mean_actions(self, observations: torch.Tensor) -> torch.Tensor:
+        """Return the actor's actions (B, a) without noise, not clipped."""
+        actions: torch.Tensor = self.action_net(self.mlp_extractor.forward_actor(observations))
+        return actions
+
+    def actor_parameters(self) -> list[nn.Parameter]:
+        """Return what the actor alone consists of, the width of its noise included."""
+        own = [*self.mlp_extractor.policy_net.parameters(), *self.action_net.parameters()]
+        attention = self.mlp_extractor.attention
+        return [*(attention.parameters() if attention else ()), *own, self.log_std]
+
+
+def policy_from(
+    network: SoccerPolicy, *, name: str, league: str, observe: str, action_repeat: int, made: Mapping[str, str]
+) -> Policy:
+    """Return what a policy file holds of a trained network: its actor."""
+    head = network.action_net.linear if isinstance(network.action_net, MirrorHead) else network.action_net
+    linear: list[Any] = [part for part in network.mlp_extractor.policy_net if isinstance(part, nn.Linear)]
+    linear.append(head)
+    attention = network.mlp_extractor.attention
+    weights, biases, pooling = (
+        tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts)
+        for parts in (
+            [part.weight for part in linear],
+            [part.bias for part in linear],
+            attention.tensors() if attention else [],
+        )
+    )
+    actions = {4: "box", 7: "full"}[len(biases[-1])]
+    return Policy(
+        name=name, league=league, observe=observe, inputs=tuple(network.names), actions=actions,
+        action_repeat=action_repeat, kind=network.kind, activation=network.activation, mirror=network.mirror,
+        weights=weights, biases=biases, made=made, attention=pooling,
+    )  # fmt: skip
+
+
+def blank_policy(settings: TrainSettings, names: Sequence[str]) -> Policy:
+    """Return a policy of the shape that a run trains, all zeros: it stands still."""
+    actions, features = 4, len(names)
+    pooling: tuple[tuple[int, ...], ...] = ()
+    if settings.kind == "attention":
+        layout, width = layout_of(names), width_beside(settings.hidden_sizes)
+        features, pooling = layout.features(width), layout.shapes(width)
+    sizes = (features, *settings.hidden_sizes, actions)
+    shapes = list(zip(sizes[1:], sizes, strict=False))
+    return Policy(
+        name=settings.name, league=settings.league, observe=settings.observe, inputs=tuple(names), actions="box",
+        action_repeat=settings.action_repeat, activation=settings.activation, mirror=settings.mirror,
+        kind=settings.kind,
+        weights=tuple(np.zeros(shape, np.float32) for shape in shapes),
+        biases=tuple(np.zeros(out, np.float32) for out, _ in shapes), made={},
+        attention=tuple(np.zeros(shape, np.float32) for shape in pooling),
+    )  # fmt: skip

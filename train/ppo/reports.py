@@ -1,0 +1,206 @@
+"""What a training run tells: its log line by line, evaluations with intervals, the learning curve."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from soccer_env.agents.learned import team_of
+from soccer_env.agents.policy import Policy
+from soccer_env.leagues import find_league
+from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
+from soccer_env.train.evaluate.results import MatchLine, summarise
+from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
+from soccer_env.train.plots import draw
+from soccer_env.train.ppo.curriculum import LEARNER, Curriculum
+from soccer_env.train.ppo.run_folder import TENSORBOARD, RunFolder, flattened
+from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.progress import Progress
+
+NOTED = {  # what stable-baselines3 records of an update, and its name in our logs
+    "train/approx_kl": "kl",
+    "train/clip_fraction": "clipped",
+    "train/explained_variance": "explained",
+    "train/value_loss": "value_loss",
+    "train/entropy_loss": "entropy_loss",
+    "train/std": "noise",
+    "train/learning_rate": "learning_rate",
+}
+UNITS = ((1e6, " [million]"), (1e3, " [thousand]"))
+EVALUATION_SEED = 1_000_003  # added to the run's seed: evaluations play other matches than training
+
+
+class Board:
+    """Times the stages of a rollout and writes its line."""
+
+    def __init__(self, settings: TrainSettings, folder: RunFolder) -> None:
+        self.folder, self.collected = folder, False
+        self.progress: Progress | None = None
+        self.saving = self.evaluating = 0.0
+        self._started = self._ended = time.perf_counter()
+        self._words = ""
+        self._tensorboard = tensorboard(settings, folder)
+
+    def rollout_starts(self) -> None:
+        """Note the time."""
+        self._started = time.perf_counter()
+
+    def rollout_ends(self) -> None:
+        """Note the time; the update follows."""
+        self._ended, self.collected = time.perf_counter(), True
+
+    def step_done(self, rows: int) -> None:
+        """Move the bar on by the decisions of one step."""
+        if self.progress is not None:
+            self.progress.advance(rows)
+
+    def log(
+        self, step: int, rollout: int, results: Sequence[Any], curriculum: Curriculum, logger: Any, matches: Any
+    ) -> None:
+        """Write the line of a rollout and its update."""
+        now = time.perf_counter()
+        playing, matches.seconds = matches.seconds, 0.0
+        seconds = {
+            "matches": playing,
+            "networks": self._ended - self._started - playing,
+            "update": now - self._ended,
+            "checkpoint": self.saving,
+            "evaluation": self.evaluating,
+        }
+        told = logger.name_to_value
+        points = {name: curriculum.standings[name].points for name in curriculum.names}
+        ratings = {name: round(standing.mu, 3) for name, standing in curriculum.standings.items()}
+        record = {
+            "step": step,
+            "rollout": rollout,
+            "episodes": len(results),
+            "goals_for": sum(result.goals_for for result in results),
+            "goals_against": sum(result.goals_against for result in results),
+            "points": {name: round(share, 4) for name, share in points.items()},
+            "rating": ratings,
+            **{name: rounded(told.get(key)) for key, name in NOTED.items()},
+            "seconds": {name: round(value, 3) for name, value in seconds.items()},
+        }
+        self.folder.log(record)
+        self._to_tensorboard(record)
+        self.collected, self.evaluating = False, 0.0
+        if self.progress is not None:
+            shares = ", ".join(f"{100 * share:.0f} % v {name}" for name, share in points.items() if name != LEARNER)
+            self.progress.note(f"points {shares}{self._words}")
+
+    def told_evaluation(self, rows: Sequence[dict[str, Any]], seconds: float) -> None:
+        """Note an evaluation for the bar and the next line."""
+        self.evaluating = seconds
+        self._words = "; evaluated " + ", ".join(f"{row['goal_difference']:+.2f} v {row['opponent']}" for row in rows)
+
+    def close(self) -> None:
+        """End the TensorBoard log."""
+        if self._tensorboard is not None:
+            self._tensorboard.close()
+
+    def _to_tensorboard(self, record: dict[str, Any]) -> None:
+        """Write the numbers of a line for TensorBoard."""
+        if self._tensorboard is None:
+            return
+        for name, value in flattened(record).items():
+            if isinstance(value, (int, float)):
+                self._tensorboard.add_scalar(name, value, record["step"])
+
+
+def rounded(value: Any) -> float | None:
+    """Return a number as logs have it: None where there is none, and for NaN, which JSON does not know."""
+    return round(float(value), 6) if value is not None and np.isfinite(value) else None
+
+
+def tensorboard(settings: TrainSettings, folder: RunFolder) -> Any:
+    """Return a writer of TensorBoard logs, None if it is not installed or not wanted."""
+    if not settings.tensorboard:
+        return None
+    try:
+        from torch.utils.tensorboard import SummaryWriter
+    except ImportError:
+        return None
+    return SummaryWriter(folder.path / TENSORBOARD)
+
+
+def evaluation_of(policy: Policy, opponent: str, settings: TrainSettings) -> Contest:
+    """Return the matches of a policy against an opponent of the evaluations."""
+    players = max(settings.sizes)
+    asked = EvaluateSettings(
+        league=settings.league, home="policy", away=opponent, matches=settings.evaluate_matches,
+        minutes=settings.evaluate_minutes, players=f"{players[0]}v{players[1]}",
+        seed=settings.seed + EVALUATION_SEED, senses=settings.senses,
+    )  # fmt: skip
+    league = find_league(settings.league)
+    return contest_of(conditions_of(asked, league), league, {"policy": team_of(policy)})
+
+
+def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, Any]]:
+    """Play a policy against each opponent of the evaluations; return a row for each with 95 % intervals."""
+    rows = []
+    for opponent in settings.judges:
+        contest = evaluation_of(policy, opponent, settings)
+        lines: list[MatchLine] = []
+        play_matches(contest, set(), "", settings.threads, lines.extend, lambda steps: None)
+        result = summarise(contest.conditions, {}, lines)
+        difference = result.goal_difference
+        rows.append(
+            {
+                "opponent": opponent,
+                "goal_difference": difference.mean,
+                "low": difference.low,
+                "high": difference.high,
+                "points": result.points.mean,
+            }
+        )
+    return rows
+
+
+def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> bytes:
+    """Return the learning curve as a PNG, goal differences with 95 % intervals over steps; b"" without matplotlib."""
+    try:
+        import matplotlib
+    except ImportError:
+        return b""
+    matplotlib.use("agg")  # no window, whatever the screen
+    unit, words = scale(max(one["step"] for one in evaluations))
+    curves = []
+    for index, row in enumerate(evaluations[0]["rows"]):
+        found = [one["rows"][index] for one in evaluations]
+        curves.append(
+            {
+                "name": f"against {row['opponent']}",
+                "x": [one["step"] / unit for one in evaluations],
+                "y": [part["goal_difference"] for part in found],
+                "low": [part["low"] for part in found],
+                "high": [part["high"] for part in found],
+            }
+        )
+    title = f"{settings.name}: {settings.league}, {settings.players}, seed {settings.seed}"
+    matches = f"{settings.evaluate_matches} matches of {settings.evaluate_minutes:g} min"
+    return draw(
+        {"title": title, "x_label": f"decisions{words}", "y_label": f"goals - goals against, a match\n({matches})",
+         "curves": curves, "rules": [0.0], "rule": "even"}
+    )  # fmt: skip
+
+
+def scale(steps: int) -> tuple[float, str]:
+    """Return the unit in which so many steps are short numbers, and its words."""
+    return next(((unit, words) for unit, words in UNITS if steps >= unit), (1.0, ""))
+
+
+def screen_table(result: Any) -> Any:
+    """Return the evaluations of a run (`training.TrainResult`) as a table for the screen."""
+    from rich.table import Table
+
+    table = Table(title=f"{result.policy.name}: {result.steps:,} steps, {result.seconds:.0f} s")
+    for column in ("step", "against", "points", "goal difference a match (95 % interval)"):
+        table.add_column(column, justify="left" if column == "against" else "right")
+    for one in result.evaluations:
+        for row in one["rows"]:
+            difference = f"{row['goal_difference']:+.2f} ({row['low']:+.2f} to {row['high']:+.2f})"
+            table.add_row(f"{one['step']:,}", row["opponent"], f"{100 * row['points']:.0f} %", difference)
+    return table

@@ -1,0 +1,300 @@
+"""The settings of a training run: what the command line and a TOML file give.
+
+The help of `soccer train` is the text beside each field here.
+"""
+
+from __future__ import annotations
+
+import shlex
+from dataclasses import asdict, dataclass, fields
+from math import inf
+from pathlib import Path
+from typing import Any, Literal, get_args, get_type_hints
+
+from soccer_env.train.evaluate.settings import as_path, is_number, split_players, split_senses, whole, written
+
+MOST = {
+    "torch_threads": 256, "rollout": 65_536, "matches": 65_536, "learning_rate": 1.0, "noise": 10.0, "ideal_share": 1.0,
+    **dict.fromkeys(("goal", "progress", "approach", "effort"), 1e9),
+}  # fmt: skip
+FREE = ("out", "threads", "torch_threads", "steps", "anew", "tensorboard", "device")  # may differ when a run goes on
+SHARES = ("gae_lambda", "clip", "gamma")  # above 0, up to 1
+ABOVE_ZERO = ("minutes", "learning_rate", "noise", "evaluate_minutes", "gradient_limit")
+FROM_ZERO = ("ideal_share", "entropy", "value_weight", "goal", "progress", "approach", "effort", "target_kl")
+MAX_SEED = 2**32 - 1  # of numpy's global generator, with which stable-baselines3 shuffles
+MAX_MINUTES = 10_000
+COUNTS = (
+    "steps", "matches", "action_repeat", "rollout", "batch", "epochs", "evaluate_every", "evaluate_matches", "threads",
+    "torch_threads", "past_every",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class TrainSettings:
+    """Train a policy by PPO; all robots of the home team share it, the away team is played by opponents.
+
+    A run that was stopped, even by kill -9, goes on where its last rollout began when the same command is given again.
+    --config FILE reads settings from a TOML file; flags overrule it. One step is one decision of one robot.
+    """
+
+    league: str = "legged-2001"
+    """League to play in; `soccer list leagues` names them."""
+    name: str = "policy"
+    """What the policy calls itself."""
+    out: Path = Path("runs/train")
+    """Folder of the run: checkpoints, best.safetensors, last.safetensors, logs, learning curve."""
+    steps: int = 2_000_000
+    """Decisions of learning robots to train for; a finished run goes on if this is raised."""
+    players: str = "3v3"
+    """Players a side; several, mixed in one run, with commas between them: 1v1,2v2,3v3."""
+    matches: int = 128
+    """Matches side by side, shared among the team sizes."""
+    minutes: float = 2.0
+    """Minutes of play in a training episode, both halves together."""
+    opponents: str = "still,chaser@0.5,chaser"
+    """Teams that play away, with commas between them: names of `soccer list teams`, or policy files."""
+    past: int = 0
+    """How many past selves are among the opponents, the oldest giving way to the newest."""
+    past_every: int = 40
+    """Rollouts between two past selves."""
+    curriculum: bool = True
+    """Meet an opponent the oftener the more evenly it is matched; False: all alike."""
+    observe: Literal["belief", "percepts", "truth"] = "belief"
+    """What observations are built from; the truth is for policies that play with ideal senses."""
+    senses: str = "sensors"
+    """What fills beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each."""
+    ideal_share: float = 0.0
+    """Share of the matches, of every team size, in which all robots have ideal senses instead; it needs belief."""
+    pose: Literal["particles", "percept"] = "percept"
+    """How robots that use their sensors know where they are: a particle filter, or a noisy pose, which is faster."""
+    action_repeat: int = 8
+    """Control steps that a decision is kept; 8 is a gait step of the legged league."""
+    teacher: str = "chaser"
+    """A team whose decisions the actor is fitted to before PPO begins; "" for none."""
+    teacher_steps: int = 300_000
+    """Decisions of the teacher to record, over all team sizes and opponents."""
+    teacher_epochs: int = 12
+    """Times that the recorded decisions are gone through."""
+    teacher_commands: bool = False
+    """Let the pupil see its own last command meanwhile; it then learns to go on as before, and little else."""
+    critic_first: int = 3
+    """Rollouts in which the critic alone learns, so that it does not mislead what the teacher taught."""
+    kind: Literal["slots", "attention"] = "slots"
+    """How the actor takes in other players: a slot of inputs for each, or attention over them, in whatever order."""
+    hidden: str = "64,64"
+    """Sizes of the actor's hidden layers."""
+    critic: str = "64,64"
+    """Sizes of the critic's hidden layers."""
+    activation: Literal["tanh", "relu"] = "tanh"
+    """Activation of hidden layers."""
+    mirror: bool = True
+    """Make the actor the mean of a network and its left-right mirror image (observations of truth or belief)."""
+    central_critic: bool = True
+    """Let the critic see the whole truth of the match (`state()`) as well; the actor never does."""
+    learning_rate: float = 3e-4
+    """Learning rate of Adam at the start."""
+    decay: bool = True
+    """Let the learning rate fall linearly to a twentieth at `steps`."""
+    gamma: float = 0.99
+    """Discount for one decision, of the shaping too."""
+    gae_lambda: float = 0.95
+    """Lambda of the generalised advantage estimate."""
+    clip: float = 0.2
+    """How far the ratio of new to old probability may go from 1."""
+    rollout: int = 64
+    """Decisions of each robot between two updates."""
+    batch: int = 4096
+    """Decisions in a gradient step, about: a rollout is cut into equal parts, one at least."""
+    epochs: int = 4
+    """Times that a rollout is gone through."""
+    entropy: float = 0.0
+    """Weight of the entropy bonus."""
+    value_weight: float = 0.5
+    """Weight of the critic's loss."""
+    target_kl: float = 0.0
+    """End an update early beyond 1.5 times this divergence; 0: never."""
+    gradient_limit: float = 0.5
+    """Largest norm of a gradient."""
+    noise: float = 0.4
+    """Standard deviation of the actions at the start."""
+    normalise_rewards: bool = False
+    """Divide rewards by the running deviation of the return."""
+    goal: float = 1.0
+    """Reward of a goal."""
+    progress: float = 2.0
+    """Weight of the potential of the ball's place (see `soccer list rewards`)."""
+    approach: float = 0.2
+    """Weight of the potential of the nearest robot's distance from the ball."""
+    effort: float = 0.001
+    """Weight of the cost of walking."""
+    evaluate_every: int = 500_000
+    """Steps between two evaluations of the policy, without noise; the best one is kept as best.safetensors."""
+    evaluate_matches: int = 40
+    """Matches of an evaluation against each of its opponents, even."""
+    evaluate_minutes: float = 4.0
+    """Minutes of play in them."""
+    evaluate_against: str = "chaser@0.5,chaser"
+    """Opponents of the evaluations, at the largest team size, as `soccer evaluate` plays: own poses by particles."""
+    seed: int = 0
+    """Seed of everything; the same settings and seed with one torch thread give the same weights."""
+    threads: int = 1
+    """Threads that share the matches; the result does not depend on them."""
+    torch_threads: int = 1
+    """Threads of torch; more than one helps only where cores are idle."""
+    device: Literal["auto", "cpu", "cuda"] = "auto"
+    """Where the networks are trained: auto takes a GPU if there is one."""
+    tensorboard: bool = True
+    """Write a TensorBoard log as well, if the package is installed."""
+    anew: bool = False
+    """Remove what an earlier run left in --out instead of going on with it."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "out", as_path(self.out))
+        check_kinds(self)
+        for name in COUNTS:
+            whole(name, getattr(self, name), 1)
+        for name in ("past", "teacher_steps", "teacher_epochs", "critic_first", "seed"):
+            whole(name, getattr(self, name), 0)
+        for names, low in ((ABOVE_ZERO + SHARES, 0.0), (FROM_ZERO, -1.0)):
+            for name in names:
+                check_number(name, getattr(self, name), low)
+        for name in ("minutes", "evaluate_minutes"):
+            if getattr(self, name) >= MAX_MINUTES:
+                raise ValueError(f"{name} must be below {MAX_MINUTES}, got {getattr(self, name)!r}")
+        if min(self.batch, self.rollout * self.matches) < 2:
+            raise ValueError(f"a batch and a rollout must have 2 decisions at least, got batch={self.batch}")
+        if self.out == Path() or not str(self.out).isprintable():
+            raise ValueError(f"out must be a folder of the run's own with a plain name, got {str(self.out)!r}")
+        for name, most in MOST.items():
+            if getattr(self, name) > most:
+                raise ValueError(f"{name} must be at most {most:g}, got {getattr(self, name)!r}")
+        if self.seed > MAX_SEED:
+            raise ValueError(f"seed must be at most {MAX_SEED}, got {self.seed}")
+        if self.teacher and not (self.teacher_steps and self.teacher_epochs):
+            raise ValueError("a teacher needs teacher_steps and teacher_epochs of at least 1")
+        if self.evaluate_matches % 2:
+            raise ValueError(f"evaluate_matches must be even, got {self.evaluate_matches}")
+        if self.mirror and self.observe == "percepts":
+            raise ValueError(
+                "mirror needs observe='belief' or 'truth', as turning signs round mirrors no picture: give --no-mirror"
+            )
+        if self.kind == "attention" and self.observe == "percepts":
+            raise ValueError("kind='attention' needs observe='belief' or 'truth': pictures have no slots for players")
+        if self.ideal_share and self.observe != "belief":
+            raise ValueError("ideal_share needs observe='belief': nothing else is observed with either senses")
+        if split_senses(self.senses)[0] != "ideal" and self.observe == "truth":
+            raise ValueError(
+                "observe='truth' needs senses='ideal', as the policy will when it plays: give --senses ideal"
+            )
+        self.sizes, self.hidden_sizes, self.critic_sizes, self.opponent_names, self.judges  # noqa: B018  # check texts
+
+    @property
+    def sizes(self) -> tuple[tuple[int, int], ...]:
+        """Return the team sizes (home, away)."""
+        return tuple(split_players(part, 3) for part in different("players", self.players))
+
+    @property
+    def kinds_of_senses(self) -> list[tuple[float, dict[str, str]]]:
+        """Return the share of each kind of matches and what `Match` takes as senses for it."""
+        kinds = ((1.0 - self.ideal_share, self.senses), (self.ideal_share, "ideal"))
+        return [(share, senses_of(senses)) for share, senses in kinds if share > 0.0]
+
+    @property
+    def hidden_sizes(self) -> tuple[int, ...]:
+        """Return the sizes of the actor's hidden layers."""
+        return layer_sizes("hidden", self.hidden)
+
+    @property
+    def critic_sizes(self) -> tuple[int, ...]:
+        """Return the sizes of the critic's hidden layers."""
+        return layer_sizes("critic", self.critic)
+
+    @property
+    def opponent_names(self) -> tuple[str, ...]:
+        """Return the opponents' names."""
+        return different("opponents", self.opponents)
+
+    @property
+    def judges(self) -> tuple[str, ...]:
+        """Return the names of the opponents of the evaluations."""
+        return different("evaluate_against", self.evaluate_against)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the settings as plain values."""
+        return {**asdict(self), "out": str(self.out)}
+
+    def decisive(self) -> dict[str, Any]:
+        """Return what a run that goes on must have in common with its beginning."""
+        return {name: value for name, value in self.as_dict().items() if name not in FREE}
+
+
+def command_of(settings: TrainSettings) -> str:
+    """Return the command that asks for these settings; fields at their default are left out."""
+    words = ["soccer", "train"]
+    for field in fields(settings):
+        value, flag = getattr(settings, field.name), "--" + field.name.replace("_", "-")
+        if value == field.default or field.name == "anew":
+            continue
+        if isinstance(value, bool):
+            words += [flag if value else f"--no-{flag[2:]}"]
+        else:
+            words += [flag, written(value)]
+    return shlex.join(words)
+
+
+def check_kinds(settings: TrainSettings) -> None:
+    """Raise ValueError for a word that a setting does not know, and for a value that is no text or not yes or no."""
+    hints = get_type_hints(TrainSettings)
+    for field in fields(settings):
+        value, kind = getattr(settings, field.name), hints[field.name]
+        known = get_args(kind)
+        if known and value not in known:
+            raise ValueError(f"{field.name} must be one of {', '.join(known)}, got {value!r}")
+        if kind in (str, bool, Path) and not isinstance(value, kind):
+            words = {str: "a text", bool: "True or False", Path: "a path"}
+            raise ValueError(f"{field.name} must be {words[kind]}, got {value!r}")
+
+
+def check_number(name: str, value: object, low: float) -> None:
+    """Raise ValueError unless the value is a finite number above `low` (0 counts for -1), and at most 1 if a share."""
+    number = float(value) if is_number(value) else -inf  # type: ignore[arg-type]
+    if not (number > low if low >= 0.0 else number >= 0.0) or (name in SHARES and number > 1.0):
+        upper = " to 1" if name in SHARES else ""
+        raise ValueError(f"{name} must be a number {'above 0' if low >= 0.0 else 'from 0'}{upper}, got {value!r}")
+
+
+def different(name: str, text: str) -> tuple[str, ...]:
+    """Return the names of teams in a text; ValueError if one stands there twice."""
+    names = split(text, name)
+    if len(set(names)) < len(names):
+        raise ValueError(f"{name} must be different, got {text!r}")
+    return names
+
+
+def split(text: str, name: str) -> tuple[str, ...]:
+    """Return the parts of a text between commas; a part NAME:switch=value keeps the commas of its switches."""
+    parts: list[str] = []
+    for part in text.split(","):
+        if "=" in part and ":" not in part and parts:
+            parts[-1] += "," + part
+        else:
+            parts.append(part.strip())
+    if not all(parts):
+        raise ValueError(f"{name} must be names with commas between them, got {text!r}")
+    return tuple(parts)
+
+
+def senses_of(senses: str) -> dict[str, str]:
+    """Return what `Match` takes for "ideal" or "home=ideal,away=sensors"."""
+    return dict(zip(("home", "away"), split_senses(senses), strict=True))
+
+
+def layer_sizes(name: str, text: str) -> tuple[int, ...]:
+    """Return the layer sizes of "64,64"; ValueError for anything else."""
+    try:
+        sizes = tuple(int(part) for part in str(text).split(","))
+    except ValueError:
+        sizes = ()
+    if not 1 <= len(sizes) <= 6 or not all(1 <= size <= 1024 for size in sizes):
+        raise ValueError(f"{name} must be one to six layer sizes of 1 to 1024, as in 64,64, got {text!r}")
+    return sizes

@@ -1,0 +1,49 @@
+"""The settings of a training run from a TOML file: `soccer train --config FILE`."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+from soccer_env.train.ppo.settings import TrainSettings
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+KINDS = {bool: "true or false", int: "a whole number", float: "a number", str: "a text"}
+
+
+def settings_of(config: Path | None) -> TrainSettings:
+    """Return the settings of a TOML file, or the defaults; ValueError names the file and what is wrong."""
+    if config is None:
+        return TrainSettings()
+    found = read_toml(config)
+    for name, default in TrainSettings().as_dict().items():
+        if isinstance(found.get(name), list) and type(default) is str:  # hidden = [64, 64] is "64,64"
+            found[name] = ",".join(map(str, found[name]))
+        kind, value = type(default), found.get(name, default)
+        if type(value) is not kind and not (kind is float and type(value) is int):
+            raise ValueError(f"{config}: {name} must be {KINDS[kind]}, got {value!r}")
+    if found.get("anew"):
+        raise ValueError(f"{config}: anew is for the command line: here it would remove the run that is to go on")
+    try:
+        return TrainSettings(**found)
+    except ValueError as error:
+        raise ValueError(f"{config}: {error}") from error
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """Return the settings of a TOML file; ValueError for one that cannot be read and for names that do not exist."""
+    try:
+        found = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:  # what is no TOML or no UTF-8 is a ValueError
+        raise ValueError(f"{path} cannot be read: {error}") from error
+    known = [field.name for field in fields(TrainSettings)]
+    for name in found:
+        if name not in known:
+            raise ValueError(f"{path}: unknown setting {name!r}; known: {', '.join(known)}")
+    return found

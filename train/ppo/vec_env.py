@@ -1,0 +1,277 @@
+"""A stable-baselines3 VecEnv straight over the batched core: a row for each learning robot of each match.
+
+    rows = blocks of matches of one team size x matches x home robots; the away robots are played by opponents inside
+
+No dicts, no processes: matches are stepped by compiled loops on one thread or more. All robots of a match begin and
+end together. An action is kept for `action_repeat` control steps; a match that ends within them begins anew at once,
+and its robots stand until the next decision. The first decision comes so early before a repeat ends as the
+perception-to-motion delay asks, as `agents.learned` plays it; of later episodes too if episodes last whole repeats.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+from stable_baselines3.common.vec_env import VecEnv
+
+from soccer_env.actions import FULL
+from soccer_env.agents.learned import first_decision
+from soccer_env.match import Match
+from soccer_env.random_numbers import seeds_for
+from soccer_env.rewards import Rewards
+from soccer_env.settings import whole_number
+from soccer_env.train.ppo.critic_state import last_state, team_state, with_state
+from soccer_env.train.ppo.match_blocks import calls_python, playing, shared_out, stagger_clocks
+
+
+@dataclass(frozen=True)
+class Result:
+    """How an episode ended, from the learners' side."""
+
+    players: tuple[int, int]  # a side
+    opponent: str
+    goals_for: int
+    goals_against: int
+
+    @property
+    def points(self) -> float:
+        """Return 1 for a win, 0.5 for a draw, 0 for a defeat."""
+        return 0.5 + 0.5 * float(np.sign(self.goals_for - self.goals_against))
+
+
+class SoccerVecEnv(VecEnv):
+    """Matches whose home robots learn, as rows of one environment.
+
+    players: team sizes (home, away), the matches being shared evenly among them; ideal_share: share of each size's
+    matches in which all robots have ideal senses, whatever `senses` says; opponents: a team, its name, or a
+    `players.Lineup` whose weights choose anew for each episode; gamma: discount of one step, which the shaping of
+    `rewards` takes over; state: append `Match.state()` to every observation, for a centralised critic; stagger: begin
+    the first episodes at different times of play. max_cycles counts steps of `action_repeat` control steps. Other
+    settings are those of `Match` (observe="truth" unless told otherwise, box or full actions). `results` collects how
+    episodes ended until somebody takes them, `seconds` the time [s] that steps took. Every reset plays the episodes of
+    the seed again. An episode that does not last whole steps shifts the next one's decisions within the gait.
+
+        env = SoccerVecEnv(players=[(2, 2)], matches=64, opponents="chaser", action_repeat=8, minutes=2.0)
+        model = A2C("MlpPolicy", env).learn(100_000)
+        model.save("mine.zip")  # soccer evaluate --home mine.zip:action_repeat=8,at_once=False --senses ideal
+    """
+
+    def __init__(
+        self,
+        league: Any = "legged-2001",
+        *,
+        players: Sequence[tuple[int, int]] = ((3, 3),),
+        matches: int = 64,
+        ideal_share: float = 0.0,
+        opponents: Any = "chaser",
+        action_repeat: int = 1,
+        gamma: float = 0.99,
+        rewards: Rewards | None = None,
+        state: bool = False,
+        stagger: bool = False,
+        seed: int = 0,
+        threads: int = 1,
+        **settings: Any,
+    ) -> None:
+        self.repeat, self.stagger, self.results = action_repeat, stagger, list[Result]()
+        self.render_mode, self.seconds = None, 0.0
+        check_request(players, opponents, action_repeat, threads, settings)
+        blocks = shared_out(players, matches, ideal_share)
+        inner = max(1, threads // len(blocks))  # threads of a block; more than one where there are few blocks
+        if settings.get("max_cycles") is not None:
+            settings["max_cycles"] *= action_repeat
+        self.matches = [
+            Match(
+                league, home=home, away=away, matches=count, opponents=opponents, threads=inner, seed=seed,
+                autoreset="same_step", rewards=replace(rewards or Rewards(), gamma=gamma), **{**settings, **senses},
+            )
+            for (home, away), count, senses in blocks
+        ]  # fmt: skip
+        self._pool = ThreadPoolExecutor(1 if any(map(calls_python, self.matches)) else min(threads, len(blocks)))
+        self.largest, self.state = max(match.settings.max_players for match in self.matches), state
+        self.learners = [match.settings.home for match in self.matches]
+        self.observed = len(self.matches[0].observation_names)  # entries before the state
+        league = self.matches[0].league
+        self.first_decision = first_decision(league.delay_steps, action_repeat)
+        rows = [match.count * home for match, home in zip(self.matches, self.learners, strict=True)]
+        self._order = np.argsort([-match.count * len(match.agents) for match in self.matches]).tolist()  # longest first
+        self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()
+        self.opponents = [playing(match) for match in self.matches]
+        width = self._observations().shape[1]
+        action = self.matches[0].settings.actions.size
+        self._actions = np.zeros((self.edges[-1], action))
+        super().__init__(
+            self.edges[-1],
+            spaces.Box(-1.0, 1.0, (width,), np.float32),
+            spaces.Box(-1.0, 1.0, (action,), np.float32),
+        )
+        self._seed = seed
+        self._returns, self._lengths = np.zeros(self.num_envs), np.zeros(self.num_envs, np.int64)
+
+    # What stable-baselines3 asks for
+
+    def seed(self, seed: int | None = None) -> Sequence[int | None]:
+        """Take the seed of the next reset."""
+        self._seed = self._seed if seed is None else seed
+        return [self._seed] * self.num_envs
+
+    def reset(self) -> np.ndarray:
+        """Begin episodes in all matches; return the first observations (rows, n) on which robots decide."""
+        seeds = seeds_for(self._seed, sum(match.count for match in self.matches))
+        for match in self.matches:
+            match.reset(seeds=seeds[: match.count])
+            seeds = seeds[match.count :]
+            if self.stagger:
+                stagger_clocks(match, self.repeat)
+            until = self.first_decision
+            if self.stagger and until == 0:
+                until = self.repeat  # so that observations tell the new clock
+            still = np.tile(self._stand(), (match.count, len(match.agents), 1))
+            for _ in range(until):
+                match.step(still)
+        self.opponents = [playing(match) for match in self.matches]
+        self._returns[:], self._lengths[:] = 0.0, 0
+        return self._observations()
+
+    def step_async(self, actions: np.ndarray) -> None:
+        """Take the actions (rows, 4 or 7) of the next step."""
+        self._actions[:] = np.clip(actions, -1.0, 1.0)
+
+    def step_wait(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
+        """Play `action_repeat` control steps of all matches; return observations, rewards, dones (rows,) and infos."""
+        started = time.perf_counter()
+        rewards, dones = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs, bool)
+        infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
+        jobs = [self._pool.submit(self._play, index, rewards, dones, infos) for index in self._order]
+        wait(jobs)  # so that nothing runs on when one of them failed
+        results = dict(zip(self._order, [job.result() for job in jobs], strict=True))
+        for index in range(len(self.matches)):
+            self.results += results[index]
+        self._returns += rewards
+        self._lengths += 1
+        for row in np.flatnonzero(dones):
+            infos[row]["episode"] = {"r": float(self._returns[row]), "l": int(self._lengths[row]), "t": 0.0}
+        self._returns[dones], self._lengths[dones] = 0.0, 0
+        observations = self._observations()
+        self.seconds += time.perf_counter() - started
+        return observations, rewards, dones, infos
+
+    def _play(self, index: int, rewards: np.ndarray, dones: np.ndarray, infos: list[dict[str, Any]]) -> list[Result]:
+        """Play one step of a block of matches, into their rows; return how episodes ended."""
+        results: list[Result] = []
+        match, home = self.matches[index], self.learners[index]
+        rows = slice(self.edges[index], self.edges[index + 1])
+        actions = np.zeros((match.count, len(match.agents), self._actions.shape[1]))
+        actions[:, :home] = self._actions[rows].reshape(match.count, home, -1)
+        gained, over = rewards[rows].reshape(match.count, home), np.zeros(match.count, bool)
+        for step in range(self.repeat):
+            _, paid, terminated, _ = match.step(actions, last=step == self.repeat - 1)
+            gained += np.where(over[:, None], 0.0, paid[:, :home])
+            if len(match.ended):
+                results += self._note_ends(index, terminated, over, infos)
+                over[match.ended], actions[match.ended] = True, self._stand()
+        dones[rows] = np.repeat(over, home)
+        return results
+
+    def _note_ends(
+        self, index: int, terminated: np.ndarray, over: np.ndarray, infos: list[dict[str, Any]]
+    ) -> list[Result]:
+        """Write the last observations of matches that ended into the infos of their rows; return how they ended."""
+        results = []
+        match, home = self.matches[index], self.learners[index]
+        last = match.final["observations"][:, :home]
+        if self.state:
+            last = with_state(last, last_state(match, self.largest))
+        for i, m in enumerate(match.ended):
+            if over[m]:
+                continue
+            first = self.edges[index] + int(m) * home
+            for r in range(home):
+                infos[first + r]["terminal_observation"] = last[i, r]
+                infos[first + r]["TimeLimit.truncated"] = not terminated[m]
+            score = match.final["matches"]["score"][i]
+            players, opponent = (match.settings.home, match.settings.away), self.opponents[index][m]
+            results.append(Result(players, opponent, int(score[0]), int(score[1])))
+        self.opponents[index] = playing(match)
+        return results
+
+    def _stand(self) -> np.ndarray:
+        """Return the action (4,) or (7,) of a robot that stands, its head tracking the ball by itself."""
+        action = np.zeros(self._actions.shape[1])
+        action[FULL.index("head") :][:1] = -1.0  # of "full" alone
+        return action
+
+    def _observations(self) -> np.ndarray:
+        """Return the observations (rows, n) of all learners, in an array of their own."""
+        parts = []
+        for match, home in zip(self.matches, self.learners, strict=True):
+            seen = match.observations[:, :home]
+            if self.state:
+                seen = with_state(seen, team_state(match, self.largest))
+            parts.append(seen.reshape(match.count * home, -1))
+        return np.concatenate(parts)
+
+    # What VecEnv asks of environments that are objects of their own; these are rows
+
+    def close(self) -> None:
+        """End the threads."""
+        self._pool.shutdown()
+        for match in self.matches:
+            match.close()
+
+    def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
+        """Return an attribute of this environment, once for each row asked for."""
+        return [getattr(self, attr_name)] * len(list(self._get_indices(indices)))
+
+    def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
+        """Raise AttributeError: rows have no attributes of their own."""
+        raise AttributeError(f"rows of a SoccerVecEnv have no attribute {attr_name!r} of their own")
+
+    def env_method(self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any) -> list[Any]:
+        """Raise AttributeError: rows have no methods of their own."""
+        raise AttributeError(f"rows of a SoccerVecEnv have no method {method_name!r} of their own")
+
+    def env_is_wrapped(self, wrapper_class: Any, indices: Any = None) -> list[bool]:
+        """Return False for each row asked for."""
+        return [False] * len(list(self._get_indices(indices)))
+
+    # Saving
+
+    def save(self) -> dict[str, Any]:
+        """Return everything that its future depends on, as plain values, and reseat the matches on it."""
+        return {
+            "matches": [match.save() for match in self.matches],
+            "returns": self._returns.tolist(),
+            "lengths": self._lengths.tolist(),
+        }
+
+    def load(self, saved: dict[str, Any]) -> np.ndarray:
+        """Go on from what `save` returned; return the observations. ValueError if it is from other settings."""
+        for match, bits in zip(self.matches, saved["matches"], strict=True):
+            match.load(bits)
+        self.opponents = [playing(match) for match in self.matches]
+        self._returns[:], self._lengths[:] = saved["returns"], saved["lengths"]
+        return self._observations()
+
+
+def check_request(
+    players: Sequence[tuple[int, int]], opponents: Any, repeat: int, threads: int, settings: dict[str, Any]
+) -> None:
+    """Raise ValueError for what would leave robots without a mind, or rows without a robot."""
+    for name in ("teammates", "controllers", "autoreset"):
+        if name in settings:
+            raise ValueError(f"SoccerVecEnv takes no {name}: all home robots learn, and matches begin anew at once")
+    if opponents is None:
+        raise ValueError("SoccerVecEnv needs opponents, a team or a Lineup: 'still' for robots that stand")
+    if not players or not all(len(sizes) == 2 for sizes in players):
+        raise ValueError(f"players must be team sizes (home, away), at least one, got {players!r}")
+    if settings.get("actions") == "discrete":
+        raise ValueError("SoccerVecEnv has actions 'box' or 'full', not 'discrete'")
+    whole_number("action_repeat", repeat, 1, 1000)
+    whole_number("threads", threads, 1, 256)

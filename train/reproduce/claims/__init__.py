@@ -1,0 +1,79 @@
+"""The claims of the two papers, a folder for each theme, each claim with its own measurement.
+
+To add a claim:
+
+1. Write a module in the folder of its theme (or extend one) with `CLAIMS = (Claim(...), ...)`, and name it in MODULES
+   below; a module without CLAIMS serves the others of its folder.
+2. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin, play), plays them, and
+   returns arrays whose first axis are independent units (normally the matches); NaN stands for "no value". All
+   randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
+3. Criteria (`../verdicts.py`): `measured` (any quantity of the samples, bootstrap over units), `counted` (share of hits
+   among trials in each unit), `exact` (arithmetic), `reported` (a number that decides nothing). All must hold.
+4. `without=Without(ingredient, measure)` makes it by construction: the same criteria with the ingredient off.
+5. One batch should take 2 to 3 s compiled on one core; write what it takes into `seconds`, the cap into `batches`
+   (default run: at most about 2 minutes a claim). `figures(samples)` returns plain data; the report draws it.
+6. `soccer reproduce ID --quick`; a test in tests/train/reproduce holds every module to these rules.
+
+Measure what the paper's words say over the range they speak of; a claim that does not hold is a finding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from importlib import import_module
+
+from soccer_env.train.reproduce.claim import Claim
+
+MODULES: tuple[str, ...] = (
+    "ball.range",
+    "ball.occlusion",
+    "ball.in_play",
+    "ball.memory",
+    "ball.filter",
+    "ball.velocity",
+    "ball.gap",
+    "stuck.collisions",
+    "stuck.detection",
+    "stuck.false_alarms",
+    "stuck.recovery",
+    "sensors",
+    "players.tracked",
+    "players.grouping",
+    "players.ghosts",
+    "players.memory",
+    "players.jersey",
+    "players.blobs",
+    "players.range",
+    "players.moving",
+    "players.head_down",
+    "field.forces",
+    "field.numbers",
+    "field.paths",
+    "field.movers",
+    "field.constants",
+    "field.minima",
+    "players.views",
+    "resolution",
+    "dribble.dribbling",
+    "dribble.past",
+    "dribble.or_shoot",
+    "goalkeeper",
+    "middle_size",
+    "own_pose",
+)
+
+
+def all_claims() -> dict[str, Claim]:
+    """Return every claim that is built, by id, in the order of the modules."""
+    modules = [import_module(f"soccer_env.train.reproduce.claims.{name}") for name in MODULES]
+    claims = [claim for module in modules for claim in module.CLAIMS]
+    return {claim.id: claim for claim in sorted(claims, key=lambda claim: (claim.study, claim.id))}
+
+
+def find_claims(ids: Iterable[str], known: Mapping[str, Claim]) -> list[Claim]:
+    """Return claims by their ids, each once; ValueError for an unknown id says which exist."""
+    wanted = list(dict.fromkeys(ids))
+    for name in wanted:
+        if name not in known:
+            raise ValueError(f"unknown claim {name!r}; known: {', '.join(known)}")
+    return [known[name] for name in wanted]

@@ -1,0 +1,179 @@
+"""Velocities after a time without sight of the ball.  [Sacks 2001, 3.2]"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claims.ball.velocity import true_radial
+from soccer_env.train.reproduce.staging import begin, play, put, put_ball, stage, standing
+from soccer_env.train.reproduce.true_sight import blind, follow, see_again, stare
+from soccer_env.train.reproduce.values import least_rise, middles_of, rms
+from soccer_env.train.reproduce.verdicts import Samples, measured, reported
+
+MATCHES, SECONDS = 32, 30.0  # [s] of each match
+SIGHT = 3.0  # [s] of sight between two times without
+LONGEST = 3.0  # [s] without sight, at most
+LIMIT = 1.5  # [s] "more than 1.5 second", Sacks 2001, 3.2
+BINS = (0.0, 0.10, 0.75, 1.5, 2.5, 4.0)  # [s] edges of the gap before a reading; below 0.1: seen all the time
+NEVER = 1e3  # [s] stands for an age without end
+KICKS = 0.15  # [1/s] how often a ball changes its velocity by 10 cm/s and more in 3 v 3 of the chaser, counted
+FASTEST = 0.8  # [m/s] of such a kick
+ROOM, MIDDLE = 0.35, 0.80  # [m] radius of the circle in which the ball is kept, and how far its middle is ahead
+KEPT = 0.5  # [m] from the ball, in play
+START = -0.5  # [m] where the robot stands
+CLEAN = {"patches": 0.0, "red_as_orange": 0.0}  # only the ball is orange
+
+Steer = Callable[[], None]
+
+
+def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
+    """Return matches in which a robot stares at a ball that is kicked about, their actions, and what steers them."""
+    match = stage(batch, matches=MATCHES, actions="full", sensors=CLEAN, memory={"velocity_gate": gate})
+    put(match, 0, START, 0.0)
+    put_ball(match, START + MIDDLE, 0.0)
+    begin(match)
+    actions, rng, ball = standing(match), batch.rng(2), match.balls
+
+    def steer() -> None:
+        hit = rng.random(MATCHES) < KICKS * match.league.dt
+        angle, far = rng.uniform(-np.pi, np.pi, MATCHES), ROOM * np.sqrt(rng.random(MATCHES))
+        speed = rng.uniform(0.0, FASTEST, MATCHES)
+        x, y = START + MIDDLE + far * np.cos(angle) - ball["x"], far * np.sin(angle) - ball["y"]
+        away = np.maximum(np.hypot(x, y), 1e-9)
+        for axis, part in (("x", x), ("y", y)):
+            for name in (f"v{axis}", f"roll_{axis}"):
+                ball[name] = np.where(hit, speed * part / away, ball[name])
+        stare(match, actions)
+
+    return match, actions, steer
+
+
+def in_play(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
+    """Return matches in which a robot follows a ball that three opponents play who see all, with the rest as above."""
+    match = stage(
+        batch, matches=MATCHES, away=3, opponents="chaser", senses={"home": "sensors", "away": "ideal"},
+        sensors=CLEAN, memory={"velocity_gate": gate},
+    )  # fmt: skip
+    match.reset(seeds=batch.seeds(MATCHES))
+    actions = standing(match)
+
+    def steer() -> None:
+        actions[:, 0, :3] = follow(match, KEPT)
+
+    return match, actions, steer
+
+
+def schedule(batch: Batch, steps: int, dt: float) -> np.ndarray:
+    """Return in which steps (T,) nobody sees the ball, the same for all matches and variants."""
+    rng, dark, at = batch.rng(1), np.zeros(steps + 1, bool), 0
+    while at < steps:
+        at += round(SIGHT / dt)
+        gap = round(rng.uniform(0.3, LONGEST) / dt)
+        dark[at : at + gap] = True
+        at += gap
+    return dark
+
+
+def read_velocities(batch: Batch, match: Match, actions: np.ndarray, steer: Steer) -> tuple[np.ndarray, np.ndarray]:
+    """Return the gap before each radial velocity that is read (M, T) [s] and its error [m/s]; NaN: none read."""
+    dt = match.league.dt
+    dark = schedule(batch, round(SECONDS / dt), dt)
+    before, age = np.zeros(MATCHES), np.full(MATCHES, NEVER)
+    waiting = np.zeros(MATCHES)  # [s] gap that the next reading follows
+    gaps, errors = [], []
+    for step in play(match, SECONDS, actions):
+        ball = match.beliefs["ball"][:, 0]
+        now, older = ball["radial"].copy(), np.minimum(ball["age"], NEVER)
+        found_again = (older < 0.5 * dt) & (age > 0.5 * dt)
+        waiting = np.where(found_again, np.maximum(waiting, age), waiting)
+        read = (now != before) & (now != 0.0)
+        gaps.append(np.where(read, waiting, np.nan))
+        errors.append(np.where(read, now - true_radial(match), np.nan))
+        waiting[read] = 0.0
+        before, age = now, older
+        (blind if dark[step + 1] else see_again)(match)
+        steer()
+    match.close()
+    return np.stack(gaps, axis=1), np.stack(errors, axis=1)
+
+
+def with_and_without_gate(batch: Batch) -> Samples:
+    """Return gaps and errors with the rule and without, of both scenes."""
+    found = {}
+    for scene, set_up in (("kicked", kicked_about), ("play", in_play)):
+        for word, gate in (("on", True), ("off", False)):
+            name = f"{scene} {word}"
+            found[f"gap {name}"], found[f"error {name}"] = read_velocities(batch, *set_up(batch, gate))
+    return found
+
+
+def error_after(samples: Samples, name: str, low: float, high: float = NEVER) -> float:
+    """Return the rms error [cm/s] of velocities read after gaps of low to high [s]."""
+    gap = samples[f"gap {name}"]
+    return 100 * rms(samples[f"error {name}"][(gap >= low) & (gap < high)])
+
+
+def by_gap(samples: Samples, name: str) -> list[float]:
+    """Return the rms errors [cm/s] in the bins."""
+    return [error_after(samples, name, low, high) for low, high in zip(BINS, BINS[1:], strict=False)]
+
+
+def long_over_none(samples: Samples, name: str) -> float:
+    """Return the error after gaps above the limit over that without a gap."""
+    return error_after(samples, name, LIMIT) / error_after(samples, name, 0.0, BINS[1])
+
+
+def gap_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the errors against the gap."""
+    names = (
+        ("kicked on", "rule on"),
+        ("kicked off", "rule off"),
+        ("play on", "in play, rule on"),
+        ("play off", "in play, rule off"),
+    )
+    curves = tuple(Curve(title, middles_of(BINS), by_gap(samples, name)) for name, title in names)
+    return (Figure("Radial velocity after a gap in sight", "gap [s]", "rms error [cm/s]", curves),)
+
+
+S19 = Claim(
+    id="S19",
+    paper=SACKS,
+    section="3.2",
+    statement="A velocity over more than 1.5 s without sight is likely to be wrong: the position is stored only.",
+    method=f"{MATCHES} robots a batch look for {SECONDS:g} s at a ball that is kicked about "
+    f"{100 * (MIDDLE - ROOM):.0f} to {100 * (MIDDLE + ROOM):.0f} cm ahead; now and then they see nothing for up to "
+    f"{LONGEST:g} s. Error of each radial velocity that is read, by the gap in sight before it, with the rule and "
+    "without. Beside it the same in play, where a robot follows at 50 cm a ball that three chasers have, and which "
+    "mostly creeps.",
+    criteria=(
+        measured(
+            "without the rule: error after gaps above 1.5 s over that without a gap, above 1",
+            lambda samples: long_over_none(samples, "kicked off"),
+            above=1.0,
+        ),
+        measured(
+            "with the rule: error after gaps above 1.5 s at most 1.25 times that without a gap",
+            lambda samples: long_over_none(samples, "kicked on"),
+            at_most=1.25,
+        ),
+        reported(
+            "without the rule, least rise from bin to bin of the gap",
+            lambda samples: least_rise(by_gap(samples, "kicked off")),
+            unit="cm/s",
+        ),
+        reported("without the rule, no gap", lambda samples: by_gap(samples, "kicked off")[0], unit="cm/s"),
+        reported("in play, without the rule: the first ratio", lambda samples: long_over_none(samples, "play off")),
+        reported("in play, with the rule: the second ratio", lambda samples: long_over_none(samples, "play on")),
+    ),
+    measure=with_and_without_gate,
+    figures=gap_figure,
+    ingredients=("how often and how hard the ball is kicked", "memory.velocity_gap", "sensors.dither"),
+    seconds=2.0,
+    batches=24,
+)
+
+CLAIMS = (S19,)

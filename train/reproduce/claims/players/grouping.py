@@ -1,0 +1,202 @@
+"""Which blobs are one player: how often one is missed or a ghost is seen, and who is missed.  [Sacks 2001, 4.1.1]"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claims.players.seen import (
+    from_camera,
+    is_fresh,
+    owners,
+    put_facing,
+    slot_bearings,
+    slots_of,
+    turn_head,
+    watchers,
+)
+from soccer_env.train.reproduce.staging import begin, from_robot, play, standing, wrapped
+from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
+
+MATCHES = 192
+SETTLE, SECONDS = 0.5, 0.5  # [s]
+FACTORS = (1.0, 2.0, 3.0, 4.0, 6.0)
+CHOSEN = 3.0  # Sacks 2001, 4.1.1
+NEAR, FAR = 0.45, 2.0  # [m] of the players in view
+WIDE = 0.35  # [rad] of their bearings: within the camera's view, less half a robot
+APART = 0.30  # [m] between bodies' middles
+TILT = -0.10  # [rad] of the head that looks over the field
+FOES = [1, 2]  # rows of the two opponents in view
+UNLIKE = 1.2  # [1] ratio of distances from which on one is clearly the farther, S72
+ASIDE, RANGE = 0.10, 0.15  # [m], [1] by which the place of a slot errs, S72
+DRAWS = 50  # of places, until two do not touch
+
+
+def put_two_in_view(match: Match, rng: np.random.Generator) -> None:
+    """Put two opponents somewhere in the view of robot 0, who looks ahead, seen from any side."""
+    shape, rows = (DRAWS, match.count, 2), np.arange(match.count)
+    distance, bearing = rng.uniform(NEAR, FAR, shape), rng.uniform(-WIDE, WIDE, shape)
+    x, y = distance * np.cos(bearing), distance * np.sin(bearing)
+    first = (np.hypot(x[..., 0] - x[..., 1], y[..., 0] - y[..., 1]) > APART).argmax(axis=0)
+    for i, r in enumerate(FOES):
+        view = rng.uniform(-np.pi, np.pi, match.count)
+        put_facing(match, r, distance[first, rows, i], bearing[first, rows, i], view)
+
+
+def seen_and_believed(match: Match) -> tuple[np.ndarray, np.ndarray]:
+    """Return whether each opponent in view shows a blob (M, 2), and how many slots this frame filled with it (M, 2).
+
+    Blobs and slots are those of the opponent that is nearest aside.
+    """
+    mine, slots = owners(match, FOES), slots_of(match)
+    away, true = from_camera(match, FOES)
+    aside = np.abs(wrapped(slot_bearings(match, slots)[:, :, None] - true[:, None, :])) * away[:, None, :]
+    nearest = np.where(is_fresh(match, slots), aside.argmin(axis=2), -1)
+    visible = np.stack([(mine == i).any(axis=1) for i in range(len(FOES))], axis=1)
+    return visible, np.stack([(nearest == i).sum(axis=1) for i in range(len(FOES))], axis=1)
+
+
+def ghosts_and_misses(visible: np.ndarray, filled: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return how many slots too many there are (M,), and how many players that show a blob have none (M,)."""
+    return np.maximum(filled - visible, 0).sum(axis=1), (visible & (filled == 0)).sum(axis=1)
+
+
+def count_errors(batch: Batch, factor: float) -> Samples:
+    """Return counts (M,) over all frames: ghosts, missed, filled slots, visible players, with a grouping factor."""
+    match = watchers(batch, MATCHES, away=2, memory={"grouping": factor})
+    put_two_in_view(match, batch.rng())
+    begin(match)
+    actions = standing(match)
+    turn_head(match, actions, 0, 0.0, TILT)
+    total = np.zeros((4, MATCHES))
+    for step in play(match, SETTLE + SECONDS, actions):
+        if step >= SETTLE * match.league.control_rate:
+            visible, filled = seen_and_believed(match)
+            total += np.stack([*ghosts_and_misses(visible, filled), filled.sum(axis=1), visible.sum(axis=1)])
+    match.close()
+    return {f"{name} {factor:g}": total[i] for i, name in enumerate(("ghosts", "missed", "filled", "visible"))}
+
+
+def try_factors(batch: Batch) -> Samples:
+    """Return the counts for every factor."""
+    samples: Samples = {}
+    for factor in FACTORS:
+        samples |= count_errors(batch, factor)
+    return samples
+
+
+def share(samples: Samples, name: str, factor: float) -> float:
+    """Return ghosts or missed players [%] of the players that are visible."""
+    return 100 * float(samples[f"{name} {factor:g}"].sum() / max(samples[f"visible {factor:g}"].sum(), 1.0))
+
+
+def wrong(samples: Samples, factor: float) -> float:
+    """Return ghosts and missed players together [%] of the players that are visible."""
+    return share(samples, "ghosts", factor) + share(samples, "missed", factor)
+
+
+def factor_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw ghosts and missed players against the factor."""
+    curves = [
+        Curve(name, FACTORS, [share(samples, name, factor) for factor in FACTORS]) for name in ("ghosts", "missed")
+    ]
+    label = "grouping factor [sizes of the larger blob]"
+    return (Figure("Two players in view: ghosts and misses", label, "per visible player [%]", tuple(curves)),)
+
+
+S33 = Claim(
+    id="S33",
+    paper=SACKS,
+    section="4.1.1",
+    statement="It works best to take two blobs for one player if they are closer than three times the larger one's "
+    "size; that errs on the side of counting two players as one.",
+    method=f"{MATCHES} robots a batch look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away in "
+    "their view, from any side; a ghost is a slot filled in a frame beyond one for each opponent that shows a blob, a "
+    "missed one shows a blob and fills no slot; same seeds for each factor.",
+    criteria=(
+        counted("ghosts at a factor of 3 <= 5 % of the slots filled", "ghosts 3", "filled 3", at_most=5.0),
+        measured(
+            "missed less ghosts at a factor of 3 > 0, of the players visible",
+            lambda samples: share(samples, "missed", CHOSEN) - share(samples, "ghosts", CHOSEN),
+            unit="%",
+            above=0.0,
+        ),
+        measured(
+            "ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible",
+            lambda samples: wrong(samples, CHOSEN) - min(wrong(samples, f) for f in FACTORS if f != CHOSEN),
+            unit="%",
+            below=0.0,
+        ),
+        *(reported(f"ghosts and misses at {factor:g}", partial(wrong, factor=factor), unit="%") for factor in FACTORS),
+    ),
+    measure=try_factors,
+    seconds=4.0,
+    figures=factor_figure,
+    ingredients=("sensors.sticker_*, all assumed", "the gap of two blobs, taken between their middles"),
+)
+
+
+def keep_one(batch: Batch) -> Samples:
+    """Return, over frames with two opponents visible and one slot filled: how often the nearer was kept (M,)."""
+    match = watchers(batch, 2 * MATCHES, away=2)
+    put_two_in_view(match, batch.rng())
+    begin(match)
+    actions = standing(match)
+    turn_head(match, actions, 0, 0.0, TILT)
+    kept, merged = np.zeros((2, match.count))
+    true = np.stack([from_robot(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])[0] for r in FOES], axis=1)
+    for step in play(match, SETTLE + SECONDS, actions):
+        if step < SETTLE * match.league.control_rate:
+            continue
+        visible, filled = seen_and_believed(match)
+        one = visible.all(axis=1) & (filled.sum(axis=1) == 1)
+        merged += one
+        kept += one & (kept_one(match) == true.argmin(axis=1))
+    match.close()
+    unlike = true.max(axis=1) > UNLIKE * true.min(axis=1)
+    return {"nearer": kept, "merged": merged, "nearer unlike": kept * unlike, "merged unlike": merged * unlike}
+
+
+def kept_one(match: Match) -> np.ndarray:
+    """Return which of the two opponents (M,) the slot filled in this frame stands for.
+
+    The one whose place is nearer to the slot's, counted in what places err by: ASIDE, and RANGE of the distance.
+    """
+    slots, rows = slots_of(match), np.arange(match.count)
+    row = is_fresh(match, slots).argmax(axis=1)
+    away, true = from_camera(match, FOES)
+    x, y = slots["x"][rows, row], slots["y"][rows, row]
+    places = [from_robot(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])[0] for r in FOES]
+    beside = np.abs(wrapped(slot_bearings(match, slots)[rows, row][:, None] - true)) * away / ASIDE
+    beyond = np.log(np.maximum(np.hypot(x, y), 0.01)[:, None] / np.stack(places, axis=1)) / RANGE
+    return np.asarray((beside * beside + beyond * beyond).argmin(axis=1))
+
+
+S72 = Claim(
+    id="S72",
+    paper=SACKS,
+    section="4.1.1",
+    statement="To ignore a player that is present means to ignore only one that is farther away, because blobs are "
+    "considered in order of size.",
+    method=f"{2 * MATCHES} robots a batch look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away "
+    "in their view, from any side; frames in which both show a blob and one slot is filled, with the opponent whose "
+    f"place is nearest to it ({100 * ASIDE:.0f} cm aside count like {100 * RANGE:.0f} % of the distance).",
+    criteria=(
+        counted("the nearer one is kept >= 95 %", "nearer", "merged", at_least=95.0),
+        reported(
+            f"the same where distances differ by {100 * (UNLIKE - 1):.0f} % or more",
+            lambda samples: 100 * float(samples["nearer unlike"].sum() / max(samples["merged unlike"].sum(), 1.0)),
+            unit="%",
+        ),
+    ),
+    measure=keep_one,
+    batches=24,
+    seconds=2.0,
+    ingredients=("sensors.sticker_*: a flank's sticker is larger than a nearer chest's", "memory.grouping = 3"),
+)
+
+CLAIMS = (S33, S72)

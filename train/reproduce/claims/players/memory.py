@@ -1,0 +1,163 @@
+"""Whether one opponent fills the whole memory of opponents, by how they are matched.  [Sacks 2001, 4.1.1]"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claims.players.grouping import TILT
+from soccer_env.train.reproduce.claims.players.seen import is_fresh, put_facing, slots_of, turn_head, watchers
+from soccer_env.train.reproduce.staging import begin, play, standing
+from soccer_env.train.reproduce.values import about_own_mean, mean, median, rms
+from soccer_env.train.reproduce.verdicts import Samples, measured, reported
+
+MATCHES = 64
+SECONDS = 30.0  # [s] in which a single opponent is in view
+LOOK = 1.0  # [s] at each of the two others before
+NEAR, FAR = 0.5, 1.5  # [m] of the opponents
+AHEAD = 0.25  # [rad] greatest bearing of the one in view
+ASIDE, TURNED = (1.1, 1.4), 1.25  # [rad] bearings of the others, out of view of a head that looks ahead; pan at them
+POWERS = {  # of distance and angle in the likelihood
+    "U/d": (1.0, 0.0),
+    "U/d^3": (3.0, 0.0),
+    "U/(d a)": (1.0, 1.0),
+    "U/(d^3 a)": (3.0, 1.0),
+}
+STEADY = 0.08  # [1] scatter of the range up to which the narrowed criterion asks
+ONE_PLAYER = 1e6  # grouping factor by which all blobs of a colour are one player
+EVERY = 8  # frames between two points of the figure
+FIRST, FINAL = "U/d", "U/(d^3 a)"  # what was tried first, and what was kept
+
+
+def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict[str, np.ndarray]:
+    """Look at three opponents, then for SECONDS at one alone; arrays (M, T).
+
+    "filled": how many slots have been filled since, which should be one; "range": scatter of its distance [1].
+    """
+    rng = batch.rng()
+    match = watchers(batch, MATCHES, away=3, sensors=sensors, memory=memory)
+    for r, low, high in ((1, -AHEAD, AHEAD), (2, *ASIDE), (3, -ASIDE[1], -ASIDE[0])):
+        distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(low, high, MATCHES)
+        put_facing(match, r, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
+    begin(match)
+    actions = standing(match)
+    for pan in (TURNED, -TURNED, 0.0):
+        turn_head(match, actions, 0, pan, TILT)
+        for _ in play(match, LOOK, actions):
+            pass
+    filled: list[np.ndarray] = []
+    seen: list[np.ndarray] = []
+    for step in play(match, SECONDS, actions):
+        slots = slots_of(match)
+        since = (step + 0.5) * match.league.dt
+        filled.append(((slots["present"] == 1) & (slots["age"] < since)).sum(axis=1))
+        nearest = np.where(is_fresh(match, slots), slots["distance"], np.inf).min(axis=1)
+        seen.append(np.where(np.isfinite(nearest), nearest, np.nan))
+    match.close()
+    ranges = np.stack(seen, axis=1)
+    middle = np.array([median(run) for run in ranges])
+    return {"filled": np.stack(filled, axis=1), "range": about_own_mean(ranges) / middle[:, None]}
+
+
+def compare_likelihoods(batch: Batch) -> Samples:
+    """Return the share of time (M,) in which one opponent holds two slots or more, by each likelihood.
+
+    All blobs in view count as one player, so that only the matching can fill a second slot.
+    """
+    samples: Samples = {}
+    for name, (distance, angle) in POWERS.items():
+        found = stare_at_one(batch, {}, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
+        samples[name] = (found["filled"] >= 2).mean(axis=1)
+        samples[f"all {name}"] = (found["filled"] >= 3).mean(axis=1)
+        samples[f"course {name}"] = found["filled"][:, ::EVERY] >= 2
+    samples["range"] = found["range"]
+    return samples
+
+
+def compare_causes(batch: Batch) -> Samples:
+    """Return the same, and what the final likelihood does in three cases.
+
+    "steady": in runs with steady ranges; "grouped": with blobs grouped as usual; "whole": if no sticker is ever missed.
+    """
+    samples = compare_likelihoods(batch)
+    steady = np.array([rms(run) for run in samples["range"]]) <= STEADY
+    samples["steady"] = np.where(steady, samples[FINAL], np.nan)
+    samples["grouped"] = (stare_at_one(batch, {})["filled"] >= 2).mean(axis=1)
+    whole = stare_at_one(batch, {"player_miss": 0.0}, grouping=ONE_PLAYER)
+    return samples | {"whole": (whole["filled"] >= 2).mean(axis=1), "whole range": whole["range"]}
+
+
+def share(samples: Samples, name: str) -> float:
+    """Return a share of time [%]."""
+    return 100 * mean(samples[name])
+
+
+def slot_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw how many runs have a second slot filled against the time."""
+    steps = samples[f"course {FINAL}"].shape[1]
+    times = [float(i * SECONDS / steps) for i in range(steps)]
+    curves = [Curve(name, times, list(100 * samples[f"course {name}"].mean(axis=0))) for name in POWERS]
+    return (Figure("One opponent in view: runs in which it holds two slots", "time [s]", "runs [%]", tuple(curves)),)
+
+
+HOW = (
+    f"{MATCHES} robots a batch have looked at three standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away and "
+    f"then look at one of them alone for {SECONDS:g} s, all its blobs taken for one player; share of the time in which "
+    "it has filled two slots or more, same seeds for each likelihood"
+)
+
+S35 = Claim(
+    id="S35",
+    paper=SACKS,
+    section="4.1.1",
+    statement="Uncertainty over distance lets a single opponent fill all three slots; over the cube of the distance "
+    "and the angle it usually does not.",
+    method=f"{HOW}: U/d first, U/(d^3 angle) at last.",
+    criteria=(
+        measured("U/d: two slots or more >= 80 % of the time", lambda s: share(s, FIRST), unit="%", at_least=80.0),
+        measured("U/(d^3 angle): two slots or more <= 10 %", lambda s: share(s, FINAL), unit="%", at_most=10.0),
+        reported("U/(d^3 angle), runs whose ranges scatter by 8 % or less", lambda s: share(s, "steady"), unit="%"),
+        reported("U/(d^3 angle), no sticker is ever missed", lambda samples: share(samples, "whole"), unit="%"),
+        reported("U/d: all three slots", lambda samples: share(samples, f"all {FIRST}"), unit="%"),
+        reported("U/(d^3 angle) with blobs grouped by factor 3", lambda samples: share(samples, "grouped"), unit="%"),
+        reported("scatter of a frame's range", lambda samples: 100 * rms(samples["range"]), unit="%"),
+        reported("the same, no sticker is ever missed", lambda s: 100 * rms(s["whole range"]), unit="%"),
+    ),
+    measure=compare_causes,
+    batches=16,
+    seconds=5.0,
+    figures=slot_figure,
+    ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
+    note="Where a frame misses the trunk's sticker (5 %), the one of the head is the largest blob that is left, the "
+    "player seems nearly twice as far, and goes into another slot; without such frames the final likelihood holds.",
+)
+
+
+S36 = Claim(
+    id="S36",
+    paper=SACKS,
+    section="4.1.1",
+    statement="It is not clear that the factor of the angle helps.",
+    method=f"{HOW}: with the angle and without.",
+    criteria=(
+        reported("U/(d^3 angle)", lambda samples: share(samples, "U/(d^3 a)"), unit="%"),
+        reported("U/d^3", lambda samples: share(samples, "U/d^3"), unit="%"),
+        reported("U/(d angle)", lambda samples: share(samples, "U/(d a)"), unit="%"),
+        reported("U/d", lambda samples: share(samples, "U/d"), unit="%"),
+        reported(
+            "the angle takes away, of U/d^3",
+            lambda samples: share(samples, "U/d^3") - share(samples, "U/(d^3 a)"),
+            unit="%",
+        ),
+    ),
+    measure=compare_likelihoods,
+    batches=4,
+    seconds=5.0,
+    figures=slot_figure,
+    ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
+)
+
+CLAIMS = (S35, S36)

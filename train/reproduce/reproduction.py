@@ -1,0 +1,157 @@
+"""Measure the papers' claims: batch by batch, until the interval decides or the cap is reached.
+
+    results = reproduce(ReproduceSettings(claims=("S05",), quick=True))
+
+Every batch follows from the run's seed, the claim's id and the batch's number alone, so that no result depends on
+threads, on other claims, or on where a stopped run went on. A claim is looked at after its least number of batches,
+twice that, four times that, and so on; the looks share the 5 % of the interval (Bonferroni), so that stopping early
+does not make verdicts bolder.
+"""
+
+from __future__ import annotations
+
+import datetime
+import json
+from collections.abc import Mapping
+
+from soccer_env.train.plots import draw_all
+from soccer_env.train.progress import Progress
+from soccer_env.train.provenance import LIBRARIES, commit, digest, module_hash, version_of
+from soccer_env.train.reproduce.claim import Batch, Claim, as_plain, joined, none_or_float
+from soccer_env.train.reproduce.claims import all_claims, find_claims
+from soccer_env.train.reproduce.folder import ClaimFolder, ClaimResult, as_record, remove_files
+from soccer_env.train.reproduce.report import markdown
+from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
+from soccer_env.train.reproduce.verdicts import (
+    BY_CONSTRUCTION,
+    CONTEXT,
+    REPRODUCED,
+    UNDECIDED,
+    Finding,
+    Samples,
+    combine,
+    deciding,
+    find,
+)
+from soccer_env.train.statistics import CONFIDENCE
+
+
+def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None = None) -> list[ClaimResult]:
+    """Measure the claims that settings.out does not hold yet and return the results of all.
+
+    `known` are claims of one's own instead of the built ones. Raises ValueError for an unknown id and for a folder
+    that holds another run.
+    """
+    known = all_claims() if known is None else known
+    asked = settings.claims or [claim.id for claim in known.values() if not claim.study]
+    claims = find_claims(asked, known)
+    if settings.anew:
+        remove_files(settings.out)
+    conditions = {
+        "claims": [claim.id for claim in claims], "budget": settings.budget, "pose": settings.pose,
+        "seed": settings.seed,
+    }  # fmt: skip
+    today = datetime.datetime.now(datetime.timezone.utc).date().isoformat()
+    about = {"command": command_of(settings), "date": today, "commit": commit()}
+    folder = ClaimFolder(settings.out, conditions, made_with(claims), about)
+    measure_missing(claims, settings, folder)
+    results = [folder.results[claim.id] for claim in claims]
+    folder.write("results.json", json.dumps([result.as_dict() for result in results], indent=2) + "\n")
+    plots, trouble = draw_all(results, folder)
+    folder.write("report.md", markdown(results, folder, plots, trouble))
+    return results
+
+
+def made_with(claims: list[Claim]) -> dict[str, str]:
+    """Return what must be the same for results to be the same: versions, and the code of matches and claims."""
+    modules = sorted(
+        {getattr(claim.measure, "func", claim.measure).__module__ for claim in claims}
+    )  # func: of a partial
+    code = {"code": module_hash("soccer_env.match"), "claims": digest("".join(map(module_hash, modules)))}
+    return {name: version_of(name) for name in LIBRARIES} | code
+
+
+def measure_missing(claims: list[Claim], settings: ReproduceSettings, folder: ClaimFolder) -> None:
+    """Measure every claim that the folder lacks."""
+    missing = [claim for claim in claims if claim.id not in folder.results]
+    caps = {claim.id: settings.cap(claim.batches, claim.quick, claim.seconds, len(claims)) for claim in missing}
+    work = sum(caps[claim.id] * claim.seconds for claim in missing)
+    with Progress("reproduce", work) as progress:
+        for claim in missing:
+            progress.note(f"{claim.id}, {len(folder.results)} of {len(claims)} done")
+            cap = caps[claim.id]
+            taken = examine(claim, settings, cap, folder, progress)
+            progress.advance((cap - taken) * claim.seconds)
+
+
+def examine(claim: Claim, settings: ReproduceSettings, cap: int, folder: ClaimFolder, progress: Progress) -> int:
+    """Take batches of a claim until it is decided, keep the result, and return how many were taken."""
+    looks = looks_at(cap, claim.least)
+    confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
+    pose = claim.pose or settings.pose
+    batches: list[Samples] = []
+    findings: list[Finding] = []
+    for index in range(cap):
+        batches.append(claim.measure(Batch(claim.id, settings.seed, index, settings.threads, pose)))
+        progress.advance(claim.seconds)
+        if index + 1 in looks:
+            findings = [find(criterion, joined(batches), confidence) for criterion in claim.criteria]
+            if combine(findings) not in (UNDECIDED, CONTEXT):
+                break
+    without: list[Finding] = []
+    if claim.without is not None:
+        indices = range(len(batches))
+        off = [claim.without.measure(Batch(claim.id, settings.seed, i, settings.threads, pose)) for i in indices]
+        without = [find(criterion, joined(off), confidence) for criterion in claim.criteria]
+    folder.add(result_of(claim, settings, joined(batches), findings, without, cap / len(batches), folder.settings))
+    return len(batches)
+
+
+def looks_at(cap: int, least: int = 1) -> list[int]:
+    """Return after how many batches a claim is looked at: the least number, twice, four times ... that, and its cap."""
+    return [*(least * 2**i for i in range(cap.bit_length()) if least * 2**i < cap), cap]
+
+
+def result_of(
+    claim: Claim,
+    settings: ReproduceSettings,
+    samples: Samples,
+    findings: list[Finding],
+    without: list[Finding],
+    share: float,  # of the cap to the batches that were taken
+    settings_hash: str,
+) -> ClaimResult:
+    """Return the result of a claim from its samples and what they say about each criterion."""
+    verdict, main = combine(findings), deciding(findings)
+    if claim.without is not None and verdict == REPRODUCED:
+        verdict = BY_CONSTRUCTION
+    units = len(next(iter(samples.values()))) if samples else 0
+    note = claim.note if isinstance(claim.note, str) else claim.note(samples)
+    return ClaimResult(
+        id=claim.id,
+        paper=claim.paper,
+        section=claim.section,
+        statement=claim.statement,
+        method=claim.method,
+        verdict=verdict,
+        quick=settings.quick,
+        pose=claim.pose or settings.pose,
+        estimate=none_or_float(main.estimate) if main else None,
+        low=none_or_float(main.low) if main else None,
+        high=none_or_float(main.high) if main else None,
+        criterion=main.criterion if main else "",
+        n=units,
+        cap=round(units * share),
+        seed=settings.seed,
+        command=command_of(settings, claim.id),
+        ingredients=list(claim.ingredients),
+        note=note,
+        findings=[as_record(finding) for finding in findings],
+        without=claim.without.ingredient if claim.without else "",
+        without_findings=[as_record(finding) for finding in without],
+        figures=[as_plain(figure) for figure in claim.figures(samples)],
+        settings=settings_hash,
+    )
+
+
+__all__ = ["ReproduceSettings", "reproduce"]

@@ -1,0 +1,88 @@
+"""The settings of a reproduction run: what the command line reads.
+
+The help of `soccer reproduce` is the text beside each field here.
+"""
+
+from __future__ import annotations
+
+import shlex
+from dataclasses import dataclass
+from math import floor
+from pathlib import Path
+from typing import Literal
+
+import tyro
+
+from soccer_env.train.evaluate.settings import POSES, as_path, is_number, whole
+
+
+@dataclass(frozen=True)
+class ReproduceSettings:
+    """Measure what the papers claim, and say of each claim whether it holds here.
+
+    Samples are taken in batches until the 95 % interval decides a claim or its cap is reached. The same claims, seed
+    and budget give the same results whatever --threads is. A run that was stopped goes on with the claims that are
+    missing when the same command is given again.
+    """
+
+    claims: tyro.conf.Positional[tuple[str, ...]] = ()
+    """Ids such as S05 or H10, as `soccer list claims` names them; `sensors` draws all sensor errors over the range."""
+    all: bool = False
+    """Measure every claim that is built."""
+    quick: bool = False
+    """Take few samples: a first look, all claims within five minutes after compiling. Verdicts are marked "(quick)"
+    wherever they are shown."""
+    minutes: float | None = None
+    """Take as many samples as fit in so many minutes, shared evenly over the claims, by the cost of a sample that
+    each claim states for one core; not by the clock."""
+    pose: Literal["particles", "percept"] = "particles"
+    """How robots know where they are: a particle filter, or a noisy pose that is given. The report and results.json
+    name it for every claim; a claim about the particles (H27) is measured with them."""
+    seed: int = 0
+    """Seed from which all samples follow, 0 or more."""
+    threads: int = 1
+    """Threads that share the matches of a batch; no result depends on them."""
+    out: Path | None = None
+    """Folder for claims.jsonl, results.json, report.md and plots; without it nothing is written."""
+    anew: bool = False
+    """Remove the files that an earlier run left in --out, instead of going on with it or refusing."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "out", as_path(self.out))
+        object.__setattr__(self, "claims", tuple(self.claims))
+        if self.pose not in POSES:
+            raise ValueError(f"pose must be one of {', '.join(POSES)}, got {self.pose!r}")
+        whole("seed", self.seed, 0)
+        whole("threads", self.threads, 1)
+        if bool(self.claims) == self.all:
+            raise ValueError("give the ids of claims, or --all; `soccer list claims` names them")
+        if self.minutes is not None and not (is_number(self.minutes) and 0.0 < self.minutes < 100_000.0):
+            raise ValueError(f"minutes must be above 0 and below 100000, got {self.minutes!r}")
+        if self.quick and self.minutes is not None:
+            raise ValueError("give quick or minutes, not both")
+
+    @property
+    def budget(self) -> str:
+        """Return the budget in a word or two."""
+        return "quick" if self.quick else "default" if self.minutes is None else f"{self.minutes:g} minutes"
+
+    def cap(self, batches: int, quick: int, seconds: float, claims: int) -> int:
+        """Return how many batches a claim may take of those that it allows, with so many claims in the run."""
+        if self.quick:
+            return quick
+        return batches if self.minutes is None else max(1, floor(60.0 * self.minutes / claims / seconds))
+
+
+def command_of(settings: ReproduceSettings, claim: str = "") -> str:
+    """Return the command that asks for these settings, or the one for a single claim with the same samples."""
+    single = bool(claim) and settings.minutes is None  # the share of --minutes depends on all claims
+    words = ["soccer", "reproduce", *((claim,) if single else settings.claims)]
+    words += ["--all"] if settings.all and not single else []
+    words += ["--quick"] if settings.quick else []
+    words += ["--minutes", f"{settings.minutes:g}"] if settings.minutes is not None else []
+    words += ["--pose", settings.pose] if settings.pose != POSES[0] else []
+    words += ["--seed", f"{settings.seed}"]
+    if not claim:
+        words += ["--threads", f"{settings.threads}"] if settings.threads != 1 else []
+        words += ["--out", str(settings.out)] if settings.out is not None else []
+    return shlex.join(words)

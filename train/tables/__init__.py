@@ -1,0 +1,11 @@
+"""The tables of the READMEs: measured by commands, kept as JSON, written between markers.
+
+python -m soccer_env.train.tables           measure all, or some by name       (make tables)
+python -m soccer_env.train.tables --check   replay a small part of each        (make tables-check)
+python -m soccer_env.train.tables.sacks     every claim of Sacks 2001          (make sacks-table)
+
+pages.py     which tables there are, and their way into the pages
+teams.py     teams against teams      learned.py   the learned team, and how long its training takes
+claims.py    what `soccer reproduce` measures        sacks.py   the page of the team sacks-2001
+tables.json  what was measured
+"""

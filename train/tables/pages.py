@@ -1,0 +1,168 @@
+"""The README's tables: measured by commands, kept as JSON beside this file, written between markers in README.md.
+
+    python -m soccer_env.train.tables [NAME]     measure all tables, or one, anew and write both
+    python -m soccer_env.train.tables --check    replay a small part of each and fail where it no longer agrees
+
+The check plays the first pair of matches of every row again and compares score and final state; where versions or the
+kind of machine differ from those of the table, play differs in its last bits, and it says so instead. For speed it
+measures quickly and asks only that no ratio has grown beyond a factor.
+"""
+
+from __future__ import annotations
+
+import json
+import platform
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from soccer_env.train.bench.benchmark import run as run_bench
+from soccer_env.train.bench.settings import BenchSettings
+from soccer_env.train.provenance import commit, version_of
+from soccer_env.train.tables.claims import claims_table, measure_claims, measure_sensors, sensors_table
+from soccer_env.train.tables.learned import learned_rows, learned_table, measure_training, training_table
+from soccer_env.train.tables.teams import (
+    measure_rows,
+    replay_row,
+    sacks_rows,
+    sacks_table,
+    scripted_rows,
+    scripted_table,
+)
+from soccer_env.whole_files import write_whole
+
+DATA = Path(__file__).with_name("tables.json")
+README = Path(__file__).resolve().parents[2] / "README.md"
+LIBRARIES = ("pymunk", "numba", "numpy")
+SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
+
+
+def measure_speed(quick: bool = False) -> dict[str, Any]:
+    """Measure the speed."""
+    bench = run_bench(BenchSettings(quick=quick))
+    command = "soccer bench --quick" if quick else "soccer bench"
+    return {"about": about(), "command": command, "machine": bench["machine"], "rows": bench["rows"]}
+
+
+MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
+    "sensors": lambda: {"about": about(), **measure_sensors()},
+    "claims": lambda: {"about": about(), **measure_claims()},
+    "scripted": lambda: {"about": about(), "rows": measure_rows(scripted_rows())},
+    "sacks": lambda: {"about": about(), "rows": measure_rows(sacks_rows())},
+    "learned": lambda: {"about": about(), "rows": measure_rows(learned_rows())},
+    "training": lambda: {"about": about(), **measure_training()},
+    "speed": measure_speed,
+}
+SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a table in Markdown
+    "sensors": lambda table: with_footer(sensors_table(table), table),
+    "claims": lambda table: with_footer(claims_table(table), table),
+    "scripted": lambda table: with_footer(scripted_table(table), table),
+    "sacks": lambda table: with_footer(sacks_table(table), table),
+    "learned": lambda table: with_footer(learned_table(table), table),
+    "training": lambda table: with_footer(training_table(table), table),
+    "speed": lambda table: speed_table(table),
+}
+
+
+def about() -> dict[str, str]:
+    """Return what a table was made with."""
+    import datetime
+
+    versions = {name: version_of(name) for name in LIBRARIES}
+    today = datetime.datetime.now(datetime.timezone.utc).date().isoformat()
+    return {"date": today, "commit": commit(), "machine": machine(), **versions}
+
+
+def machine() -> str:
+    """Return the kind of machine, on which bits depend."""
+    return f"{platform.system()} {platform.machine()}"
+
+
+def speed_table(table: dict[str, Any]) -> str:
+    """Return the table of speeds in Markdown."""
+    lines = ["| | measured | target |", "|---|---|---|"]
+    for row in table["rows"]:
+        missed = {False: " (missed)", True: "", None: ""}[row["met"]]
+        lines.append(f"| {row['name']} | {row['text']}{missed} | {row['target']} |")
+    host = table["machine"]
+    where = f"{host['processor']}, {host['cores']} cores, load before {host['load before']}, Python {host['python']}"
+    return "\n".join([*lines, "", f"Command: `{table['command']}`. {where}.", footer(table["about"])])
+
+
+def with_footer(text: str, table: dict[str, Any]) -> str:
+    """Return a table with the line under it."""
+    return f"{text}\n{footer(table['about'])}"
+
+
+def footer(facts: dict[str, str]) -> str:
+    """Return the line under a table."""
+    return "Made by `make tables`: " + ", ".join(f"{name} {value}" for name, value in facts.items()) + "."
+
+
+def with_tables(readme: str, data: dict[str, Any]) -> str:
+    """Return the README with the tables between their markers; ValueError for a marker that is missing."""
+    for name, show in SHOW.items():
+        if name not in data:
+            continue
+        readme = between_markers(readme, name, show(data[name]))
+    return readme
+
+
+def between_markers(readme: str, name: str, text: str) -> str:
+    """Return a README with a table between its markers; ValueError for a marker that is missing."""
+    begin, end = f"<!-- table: {name} -->", f"<!-- end of table: {name} -->"
+    before, found, rest = readme.partition(begin)
+    _, closed, after = rest.partition(end)
+    if not found or not closed:
+        raise ValueError(f"README.md lacks the markers of table {name}")
+    return f"{before}{begin}\n{text}\n{end}{after}"
+
+
+def check(data: dict[str, Any], quick: bool = False) -> list[str]:
+    """Return one sentence for each table, or part of it, that no longer agrees; `quick` leaves out the speed."""
+    problems = []
+    if with_tables(README.read_text(encoding="utf-8"), data) != README.read_text(encoding="utf-8"):
+        problems.append("README.md does not show what tables.json holds: run make tables")
+    now = about()
+    for name in ("scripted", "sacks", "learned"):
+        if name not in data:
+            continue
+        made = data[name]["about"]
+        if all(made[what] == now[what] for what in (*LIBRARIES, "machine")):
+            problems += [problem for row in data[name]["rows"] for problem in replay_row(row)]
+        else:
+            print(f"tables: versions or machine differ from those of {name}; matches are not compared", file=sys.stderr)
+    return problems if quick else problems + slower_rows(data["speed"])
+
+
+def slower_rows(table: dict[str, Any]) -> list[str]:
+    """Measure quickly; return the ratios to the bare physics that have grown beyond the allowed factor."""
+    before = {
+        row["name"]: row["value"] for row in table["rows"] if " over " in row["name"] and "threads" not in row["name"]
+    }
+    now = {row["name"]: row["value"] for row in run_bench(BenchSettings(quick=True))["rows"]}
+    return [
+        f"{name}: {now[name]:.2f} now, {value:.2f} in the table"
+        for name, value in before.items()
+        if now[name] > SLOWER * value
+    ]
+
+
+def main(arguments: list[str]) -> int:
+    """Measure and write the tables, or check them; return the exit code."""
+    names = [name for name in arguments if name in MEASURE]
+    if arguments not in (names, ["--check"], ["--check", "--quick"]):
+        print(f"usage: python -m soccer_env.train.tables [{'|'.join(MEASURE)}] [--check [--quick]]", file=sys.stderr)
+        return 2
+    if arguments == names:
+        data = json.loads(DATA.read_text(encoding="utf-8")) if names else {}
+        data |= {name: MEASURE[name]() for name in names or MEASURE}
+        write_whole(DATA, json.dumps(data, indent=1) + "\n")
+        write_whole(README, with_tables(README.read_text(encoding="utf-8"), data))
+        return 0
+    problems = check(json.loads(DATA.read_text(encoding="utf-8")), quick="--quick" in arguments)
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    print("tables: " + ("all agree" if not problems else f"{len(problems)} no longer agree"))
+    return 1 if problems else 0

@@ -1,0 +1,204 @@
+"""The README of the team sacks-2001: what the paper says beside what was measured, and every setting with its source.
+
+    python -m soccer_env.train.tables.sacks                 measure every claim of the paper (goes on where it stopped)
+    python -m soccer_env.train.tables.sacks run FOLDER ...  take in what runs of `soccer reproduce` found
+    python -m soccer_env.train.tables.sacks write           write README.md again from claims.json and the claims' notes
+
+Measurements are kept in baselines/sacks_2001/claims.json; README.md beside it shows them between markers.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict
+from math import pi
+from pathlib import Path
+from typing import Any
+
+from soccer_env.baselines.sacks_2001 import settings as sacks_settings
+from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.baselines.sacks_2001.team import FUTURE, TUNED
+from soccer_env.leagues.options import GREATEST
+from soccer_env.train.evaluate.report import plain
+from soccer_env.train.evaluate.results import read_conditions
+from soccer_env.train.files import read_lines
+from soccer_env.train.reproduce.claims import all_claims
+from soccer_env.train.reproduce.folder import ClaimResult
+from soccer_env.train.reproduce.report import with_interval
+from soccer_env.train.reproduce.reproduction import reproduce
+from soccer_env.train.reproduce.settings import ReproduceSettings
+from soccer_env.train.reproduce.verdicts import CONTEXT, NOT, VERDICTS
+from soccer_env.train.tables.pages import between_markers
+from soccer_env.whole_files import write_whole
+
+FOLDER = Path(sacks_settings.__file__).resolve().parent
+README, DATA = FOLDER / "README.md", FOLDER / "claims.json"
+RUN = Path("runs/sacks-claims")  # where the command measures, so that it can be stopped
+SEED, THREADS = 1, 2
+CLAIMS = tuple(f"S{number:02}" for number in range(1, 73))
+NOT_MEASURED = "not measured"
+KEPT = ("id", "statement", "section", "verdict", "quick", "n", "command", "note", "without", "pose")  # of a result
+
+
+def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
+    """Return what the table keeps of a claim's result, with the date and commit of its run."""
+    record = asdict(result)
+    findings = [
+        {"criterion": one["criterion"], "verdict": one["verdict"], "shown": with_interval(one)}
+        for one in result.findings
+    ]
+    kept = {name: record[name] for name in KEPT}
+    run = {name: about.get(name, "") for name in ("date", "commit")}
+    return {**kept, "findings": findings, "criterion": result.criterion, "about": run}
+
+
+def take_folder(path: Path) -> dict[str, dict[str, Any]]:
+    """Return the claims of Sacks (2001) that a run of `soccer reproduce` left in a folder; ValueError without any."""
+    about = read_conditions(path / "settings.json")["about"]
+    results = [ClaimResult(**record) for record in read_lines(path / "claims.jsonl")]
+    found = {result.id: taken(result, about) for result in results if result.id in CLAIMS}
+    if not found:
+        raise ValueError(f"{path} holds no claim of Sacks 2001")
+    return found
+
+
+def measure() -> dict[str, dict[str, Any]]:
+    """Measure every claim of the paper that is built, in RUN, and return them all."""
+    built = tuple(name for name in CLAIMS if name in all_claims())
+    reproduce(ReproduceSettings(claims=built, seed=SEED, threads=THREADS, out=RUN))
+    return take_folder(RUN)
+
+
+def claims_table(measured: Mapping[str, Mapping[str, Any]]) -> str:
+    """Return every claim of the paper in Markdown: those without a result are shown as not measured."""
+    says = {name: f"{claim.statement} [{claim.section}]" for name, claim in all_claims().items()}
+    lines = ["| id | the paper says | measured (95 % interval) | verdict | note |", "|---|---|---|---|---|"]
+    for name in CLAIMS:
+        row = measured.get(name)
+        cells = (name, says.get(name, ""), "", NOT_MEASURED, "") if row is None else cells_of(row)
+        lines.append("| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ") for cell in cells) + " |")
+    return "\n".join([counted(measured), "", *lines, "", *sources(measured)])
+
+
+def cells_of(row: Mapping[str, Any]) -> tuple[str, ...]:
+    """Return a row of the table of claims: every criterion, what decides in bold, what is reported in the note."""
+    deciding = [one for one in row["findings"] if one["verdict"] != CONTEXT]
+    shown = "<br>".join(f"{one['criterion']}: **{one['shown']}**" for one in deciding or row["findings"])
+    beside = [f"{one['criterion']}: {one['shown']}" for one in row["findings"] if one["verdict"] == CONTEXT]
+    notes = [f"Rests on {row['without']}." if row["without"] else "", first_paragraph(row["note"])]
+    notes += ["Beside it: " + "; ".join(beside) + "."] if deciding and beside else []
+    verdict = f"{row['verdict']} (quick)" if row["quick"] else row["verdict"]
+    bold = f"**{verdict}**" if row["verdict"] == NOT else verdict
+    return row["id"], f"{row['statement']} [{row['section']}]", shown, bold, " ".join(note for note in notes if note)
+
+
+def first_paragraph(note: str) -> str:
+    """Return a note up to its first empty line: what follows are tables."""
+    return note.strip().partition("\n\n")[0]
+
+
+def counted(measured: Mapping[str, Mapping[str, Any]]) -> str:
+    """Return how many claims got which verdict."""
+    counts = Counter(row["verdict"] for row in measured.values())
+    parts = [f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict]]
+    missing = len(CLAIMS) - len(measured)
+    quick = sum(row["quick"] for row in measured.values())
+    few = f" {quick} of them from few samples, marked (quick)." if quick else ""
+    return f"{len(CLAIMS)} claims: {', '.join([*parts, *([f'{missing} {NOT_MEASURED}'] if missing else [])])}.{few}"
+
+
+def sources(measured: Mapping[str, Mapping[str, Any]]) -> list[str]:
+    """Return with what the rows were measured: one line for each run."""
+    runs: dict[str, list[str]] = {}
+    for name in CLAIMS:
+        if name in measured:
+            about = measured[name]["about"]
+            runs.setdefault(f"{about.get('date', '')}, commit {about.get('commit') or 'none'}", []).append(name)
+    return [f"Measured {run}: {', '.join(names)}." for run, names in runs.items()]
+
+
+def settings_table(_: object = None) -> str:
+    """Return every setting of the team in Markdown, with what may stand in it and where its value comes from."""
+    lines = ["| setting | value | allowed | what it is, source |", "|---|---|---|---|"]
+    for name, value, allowed, note in SacksSettings().rows():
+        unit, _, text = note.partition("] ") if note.startswith("[") else ("", "", note)
+        room = allowed.replace(f" to {GREATEST:.0f}", " or more")
+        lines.append(f"| `{name}` | {shown(value, unit)} | {room} | {text} |")
+    return "\n".join(lines)
+
+
+def shown(value: Any, unit: str) -> str:
+    """Return a setting's value with its unit; an angle in degrees too."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return str(value)
+    number = plain(float(value), 3)
+    if unit == "[rad":
+        return f"{number} rad ({value * 180.0 / pi:.0f} degrees)"
+    return f"{number} {unit[1:]}" if unit not in ("", "[1") else number
+
+
+def variants_table(_: object = None) -> str:
+    """Return in Markdown what the variants of the team change."""
+    plain_team = asdict(SacksSettings())
+    lines = ["| team | setting | sacks-2001 | here |", "|---|---|---|---|"]
+    for name, changes in (("sacks-2001-tuned", TUNED), ("sacks-2001-future", FUTURE)):
+        lines += [f"| `{name}` | `{key}` | {plain_team[key]} | {value} |" for key, value in changes.items()]
+    return "\n".join(lines)
+
+
+PARTS: dict[str, Callable[[Mapping[str, Mapping[str, Any]]], str]] = {
+    "claims": claims_table,
+    "settings": settings_table,
+    "variants": variants_table,
+}
+
+
+def with_parts(readme: str, measured: Mapping[str, Mapping[str, Any]]) -> str:
+    """Return the README with its tables between their markers."""
+    for name, show in PARTS.items():
+        readme = between_markers(readme, name, show(measured))
+    return readme
+
+
+def stored() -> dict[str, dict[str, Any]]:
+    """Return what claims.json holds."""
+    found: dict[str, dict[str, Any]] = json.loads(DATA.read_text(encoding="utf-8")) if DATA.exists() else {}
+    return found
+
+
+def with_notes(measured: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
+    """Return results with the notes that their claims have now: a note that is a text was never measured."""
+    notes = {name: claim.note for name, claim in all_claims().items() if isinstance(claim.note, str)}
+    return {name: {**row, "note": notes.get(name, row["note"])} for name, row in measured.items()}
+
+
+def write(measured: Mapping[str, Mapping[str, Any]]) -> None:
+    """Write claims.json and README.md."""
+    ordered = with_notes({name: measured[name] for name in CLAIMS if name in measured})
+    write_whole(DATA, json.dumps(ordered, indent=1) + "\n")
+    write_whole(README, with_parts(README.read_text(encoding="utf-8"), ordered))
+
+
+def main(arguments: Iterable[str]) -> int:
+    """Measure, take in runs or write; return the exit code."""
+    words = list(arguments)
+    if not words:
+        write(measure())
+    elif words == ["write"]:
+        write(stored())
+    elif words[0] == "run" and len(words) > 1:
+        measured = stored()
+        for folder in words[1:]:
+            measured |= take_folder(Path(folder))
+        write(measured)
+    else:
+        print("usage: python -m soccer_env.train.tables.sacks [run FOLDER ... | write]", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

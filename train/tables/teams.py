@@ -1,0 +1,139 @@
+"""The README's tables of teams against teams: which evaluations they are made of, and how a row is played again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import asdict
+from threading import Event
+from typing import Any
+
+from soccer_env.leagues import find_league
+from soccer_env.random_numbers import seeds_for
+from soccer_env.train.evaluate.contest import contest_of, play
+from soccer_env.train.evaluate.evaluation import evaluate
+from soccer_env.train.evaluate.results import EvaluationResult
+from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
+
+SEED, PLAYERS = 1, 3
+MATCHES = {"ideal": 200, "sensors": 100}
+OPPONENTS = {  # of the chaser, by what fills the beliefs of both teams
+    "ideal": ("still", "random", "chaser@0", "chaser@0.25", "chaser@0.5", "chaser@0.75"),
+    "sensors": ("still", "random", "chaser@0", "chaser@0.5"),
+}
+LEAGUES = ("legged-2001", "middle-size-2006")
+SACKS_MATCHES, SACKS_MINUTES = 200, 4.0
+SACKS = (  # home, against the chaser
+    "sacks-2001@0", "sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75", "sacks-2001",
+    "sacks-2001:recovery=False", "sacks-2001:avoidance=False", "sacks-2001:step_length=0.06",
+    "sacks-2001-tuned", "sacks-2001-tuned:recovery=False", "sacks-2001-tuned:avoidance=False", "sacks-2001-future",
+)  # fmt: skip
+
+
+def scripted_rows() -> Iterator[EvaluateSettings]:
+    """Yield the evaluations of the chaser."""
+    for league in LEAGUES:
+        for senses, opponents in OPPONENTS.items():
+            for away in opponents:
+                yield row_settings(league, "chaser", away, senses, MATCHES[senses])
+
+
+def sacks_rows() -> Iterator[EvaluateSettings]:
+    """Yield the evaluations of sacks-2001, its strengths, switches and variants."""
+    for home in SACKS:
+        yield row_settings("legged-2001", home, "chaser", "sensors", SACKS_MATCHES, SACKS_MINUTES)
+    yield row_settings("legged-2001", "sacks-2001-future", "sacks-2001", "sensors", SACKS_MATCHES, SACKS_MINUTES)
+
+
+def row_settings(
+    league: str,
+    home: str,
+    away: str,
+    senses: str,
+    matches: int,
+    minutes: float | None = None,
+    players: int = PLAYERS,
+    seed: int = SEED,
+) -> EvaluateSettings:
+    """Return the evaluation behind one row."""
+    return EvaluateSettings(
+        league=league, home=home, away=away, senses=senses, matches=matches, minutes=minutes, players=players,
+        seed=seed, threads=2,
+    )  # fmt: skip
+
+
+def measure_rows(evaluations: Iterator[EvaluateSettings]) -> list[dict[str, Any]]:
+    """Play evaluations and return their rows."""
+    return [row_of(settings, evaluate(settings)) for settings in evaluations]
+
+
+def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, Any]:
+    """Return what a table keeps of an evaluation."""
+    first = [[line.goals_for, line.goals_against, line.state] for line in result.lines[:2]]
+    return {
+        "command": command_of(settings),
+        "league": settings.league,
+        "home": settings.home,
+        "away": settings.away,
+        "senses": settings.senses,
+        "players": settings.players,
+        "seed": settings.seed,
+        "matches": settings.matches,
+        "asked_minutes": settings.minutes,
+        "minutes": result.conditions.minutes,
+        "settings_hash": result.lines[0].settings,
+        "goals": [result.goals_for, result.goals_against],
+        "goal_difference": asdict(result.goal_difference),
+        "points": asdict(result.points),
+        "first_pair": first,
+    }
+
+
+def replay_row(row: dict[str, Any]) -> list[str]:
+    """Play the first pair of a row again; return what differs."""
+    home, minutes = row.get("home", "chaser"), row.get("asked_minutes")
+    players = row.get("players", PLAYERS)
+    seed = row.get("seed", SEED)
+    settings = row_settings(row["league"], home, row["away"], row["senses"], row["matches"], minutes, players, seed)
+    league = find_league(settings.league)
+    contest = contest_of(conditions_of(settings, league), league, {})
+    seeds = seeds_for(settings.seed, 1).tolist()
+    found = []
+    for number in (0, 1):
+        (line,) = play(contest, [number], seeds, "", 1, lambda steps: None, Event())
+        found.append([line.goals_for, line.goals_against, line.state])
+    if found == row["first_pair"]:
+        return []
+    return [f"{row['command']}: the first pair now ends {found}, the table has {row['first_pair']}"]
+
+
+def scripted_table(table: dict[str, Any]) -> str:
+    """Return the table of the scripted teams in Markdown."""
+    lines = [
+        "| league | senses | chaser against | matches | points | goal difference a match | goals a minute | settings |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for row in table["rows"]:
+        lines.append(f"| {row['league']} | {row['senses']} | {row['away']} | {row['matches']} | {measured(row)} |")
+    return "\n".join([*lines, "", f"Command of a row: `{table['rows'][0]['command']}`"])
+
+
+def sacks_table(table: dict[str, Any]) -> str:
+    """Return the table of sacks-2001 in Markdown."""
+    lines = [
+        "| team | against | matches | points | goal difference a match | goals a minute | settings |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    for row in table["rows"]:
+        lines.append(f"| `{row['home']}` | {row['away']} | {row['matches']} | {measured(row)} |")
+    return "\n".join([*lines, "", f"Command of a row: `{table['rows'][0]['command']}`"])
+
+
+def measured(row: dict[str, Any]) -> str:
+    """Return points, goal difference, goals a minute and the settings' hash of a row."""
+    minutes = row["matches"] * row["minutes"]
+    points, difference = row["points"], row["goal_difference"]
+    return (
+        f"{100 * points['mean']:.1f} % ({100 * points['low']:.1f} to {100 * points['high']:.1f}) "
+        f"| {difference['mean']:+.2f} ({difference['low']:+.2f} to {difference['high']:+.2f}) "
+        f"| {row['goals'][0] / minutes:.2f} : {row['goals'][1] / minutes:.2f} | `{row['settings_hash']}`"
+    )
