@@ -65,12 +65,12 @@ def chain_of(league: League) -> Chain:
 @lru_cache(maxsize=1)
 def legged_chain() -> Chain:
     """Return the chain of the legged robots."""
-    from soccer_env.belief import legged as belief
-    from soccer_env.belief.own_pose import PARTICLE
-    from soccer_env.belief.talk import SOUND_MESSAGE
+    from soccer_env.belief.legged import believe as belief
+    from soccer_env.belief.legged.talk import SOUND_MESSAGE
+    from soccer_env.belief.particles import PARTICLE
     from soccer_env.percept_types import LEGGED_PERCEPT
-    from soccer_env.perception.calibration import calibrate
-    from soccer_env.perception.legged import sense_slice
+    from soccer_env.perception.legged.calibration import calibrate
+    from soccer_env.perception.legged.sense import sense_slice
 
     return Chain(
         LEGGED_PERCEPT, belief.LEGGED_MEMORY, SOUND_MESSAGE, PARTICLE, sense_slice, belief.believe_slice, calibrate, 0
@@ -80,11 +80,11 @@ def legged_chain() -> Chain:
 @lru_cache(maxsize=4)
 def omni_chain(late: int) -> Chain:
     """Return the chain of the middle-size robots."""
-    from soccer_env.belief import omni as belief
-    from soccer_env.belief.own_pose import PARTICLE
-    from soccer_env.belief.talk import RADIO_MESSAGE
+    from soccer_env.belief.omni import believe as belief
+    from soccer_env.belief.omni.radio import RADIO_MESSAGE
+    from soccer_env.belief.particles import PARTICLE
     from soccer_env.percept_types import OMNI_PERCEPT
-    from soccer_env.perception.omni import line_tables, sense_slice
+    from soccer_env.perception.omni.sense import line_tables, sense_slice
 
     return Chain(
         OMNI_PERCEPT, belief.OMNI_MEMORY, RADIO_MESSAGE, PARTICLE, sense_slice, belief.believe_slice, line_tables, late

@@ -2,7 +2,11 @@
 
 from tests.mutant import Mutant
 
-BALL, BLOB, VELOCITY = "soccer_env/belief/ball.py", "soccer_env/belief/ball_blob.py", "soccer_env/belief/velocity.py"
+BALL, BLOB, VELOCITY = (
+    "soccer_env/belief/legged/ball.py",
+    "soccer_env/belief/legged/ball_blob.py",
+    "soccer_env/belief/legged/velocity.py",
+)
 TEST_BALL, TEST_BLOB = "tests/belief/test_ball.py::", "tests/belief/test_ball_blob.py::"
 TEST_VELOCITY = "tests/belief/test_velocity.py::"
 

@@ -2,9 +2,9 @@
 
 from tests.mutant import Mutant
 
-BODY, INFRARED = "soccer_env/perception/body.py", "soccer_env/perception/infrared.py"
-DRIVE, HEAD = "soccer_env/physics/drive.py", "soccer_env/belief/head.py"
-MEMORY, TALK, WORDS = "soccer_env/belief/legged.py", "soccer_env/belief/talk.py", "soccer_env/words.py"
+BODY, INFRARED = "soccer_env/perception/body.py", "soccer_env/perception/legged/infrared.py"
+DRIVE, HEAD = "soccer_env/physics/drive.py", "soccer_env/belief/legged/head.py"
+MEMORY, TALK, WORDS = "soccer_env/belief/legged/believe.py", "soccer_env/belief/legged/talk.py", "soccer_env/words.py"
 LEGS, TEST_LEGS = "soccer_env/physics/legs.py", "tests/physics/test_legs.py::"
 TEST_HEAD, TEST_TALK = "tests/belief/test_head.py::", "tests/belief/test_talk.py::"
 TEST_FELT = "tests/perception/test_body.py::test_ms06_a_robot_feels_touch_and_whether_it_lies_on_its_side"
@@ -69,7 +69,7 @@ MUTANTS = [
     ),
     Mutant(
         "MS06",
-        TALK,
+        "soccer_env/belief/talk.py",
         "0 if lost else 1, frame + wait",
         "0 if lost else 1, frame",
         TEST_TALK + "test_ms06_a_word_is_heard_by_team_mates_alone_half_a_second_later",

@@ -3,11 +3,11 @@
 from tests.mutant import Mutant
 
 LEAGUE = "soccer_env/leagues/middle_size_2006.py"
-AROUND, PICTURE = "soccer_env/perception/around.py", "soccer_env/perception/omni.py"
-SIGHTINGS, LINES = "soccer_env/perception/sightings.py", "soccer_env/perception/line_picture.py"
-LIGHTING, KALMAN = "soccer_env/perception/lighting.py", "soccer_env/belief/kalman.py"
-BALL, PLAYERS = "soccer_env/belief/omni_ball.py", "soccer_env/belief/omni_players.py"
-REPORTS, TALK = "soccer_env/belief/reports.py", "soccer_env/belief/talk.py"
+AROUND, PICTURE = "soccer_env/perception/omni/around.py", "soccer_env/perception/omni/sense.py"
+SIGHTINGS, LINES = "soccer_env/perception/omni/sightings.py", "soccer_env/perception/omni/line_picture.py"
+LIGHTING, KALMAN = "soccer_env/perception/omni/lighting.py", "soccer_env/belief/omni/kalman.py"
+BALL, PLAYERS = "soccer_env/belief/omni/ball.py", "soccer_env/belief/omni/players.py"
+REPORTS, TALK = "soccer_env/belief/omni/reports.py", "soccer_env/belief/omni/radio.py"
 TEST_LEAGUE, TEST_LIGHT = "tests/test_mechanisms.py::", "tests/perception/test_lighting.py::"
 TEST_OMNI, TEST_TRACKING = "tests/perception/test_omni.py::", "tests/belief/test_tracking.py::"
 TEST_BALL, TEST_PLAYERS = "tests/belief/test_omni_ball.py::", "tests/belief/test_omni_players.py::"
@@ -23,14 +23,14 @@ MUTANTS = [
     ),
     Mutant(
         "MH02",
-        "soccer_env/leagues/mirror.py",
+        "soccer_env/optics/mirror_camera.py",
         "    return horizon_radius(s) * distance / (distance + s.mirror_curve)",
         "    return 0.5 * s.image * distance / s.mirror_edge",
         TEST_OMNI + "test_mh02_bearings_are_good_to_a_pixel_and_ranges_fail_with_the_mirrors_curve",
     ),
     Mutant(
         "MH02",
-        "soccer_env/leagues/mirror.py",
+        "soccer_env/optics/mirror_camera.py",
         "    return 0.5 * s.image * (s.mirror_edge + s.mirror_curve) / s.mirror_edge",
         "    return 0.5 * s.image",
         TEST_OMNI + "test_mh02_the_mirror_shows_ten_metres_in_290_pixels",
@@ -121,7 +121,7 @@ MUTANTS = [
     ),
     Mutant(
         "MH06",
-        "soccer_env/belief/tracking.py",
+        "soccer_env/belief/omni/tracking.py",
         "    thing.vy += G_along * along * uy + G_across * across * ux",
         "    thing.vy += 0.0",
         TEST_BALL + "test_mh06_a_ball_that_rolls_by_is_tracked_with_its_velocity",

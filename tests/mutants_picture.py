@@ -2,9 +2,9 @@
 
 from tests.mutant import Mutant
 
-BLOBS, CAMERA = "soccer_env/perception/blobs.py", "soccer_env/perception/camera.py"
-JERSEY, TABLES = "soccer_env/perception/jersey.py", "soccer_env/perception/calibration.py"
-PICTURE = "soccer_env/perception/picture.py"
+BLOBS, CAMERA = "soccer_env/perception/legged/blobs.py", "soccer_env/perception/legged/camera.py"
+JERSEY, TABLES = "soccer_env/perception/legged/jersey.py", "soccer_env/perception/legged/calibration.py"
+PICTURE = "soccer_env/perception/legged/picture.py"
 TEST_BLOBS, TEST_CAMERA = "tests/perception/test_camera_blobs.py::", "tests/perception/test_camera.py::"
 TEST_JERSEY, TEST_TABLES = "tests/perception/test_camera_jersey.py::", "tests/perception/test_calibration.py::"
 

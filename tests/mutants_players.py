@@ -2,9 +2,9 @@
 
 from tests.mutant import Mutant
 
-PLAYERS = "soccer_env/belief/players.py"
-OBSTACLE = "soccer_env/belief/obstacle.py"
-GROUPING, MATCHING = "soccer_env/belief/grouping.py", "soccer_env/belief/matching.py"
+PLAYERS = "soccer_env/belief/legged/players.py"
+OBSTACLE = "soccer_env/belief/legged/obstacle.py"
+GROUPING, MATCHING = "soccer_env/belief/legged/grouping.py", "soccer_env/belief/legged/matching.py"
 TEST_PLAYERS, TEST_MEMORY = "tests/belief/test_players.py::", "tests/belief/test_players_memory.py::"
 TEST_OBSTACLE = "tests/belief/test_obstacle.py::"
 TEST_GROUPING, TEST_MATCHING = "tests/belief/test_grouping.py::", "tests/belief/test_matching.py::"

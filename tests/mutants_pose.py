@@ -3,14 +3,14 @@
 from tests.mutant import Mutant
 
 OWN_POSE, PARTICLES = "soccer_env/belief/own_pose.py", "soccer_env/belief/particles.py"
-LANDMARKS, LINES = "soccer_env/belief/landmarks.py", "soccer_env/belief/field_lines.py"
+LANDMARKS, LINES = "soccer_env/belief/legged/landmarks.py", "soccer_env/belief/omni/field_lines.py"
 TEST_POSE, TEST_PARTICLES = "tests/belief/test_own_pose.py::", "tests/belief/test_particles.py::"
 TEST_LANDMARKS, TEST_LINES = "tests/belief/test_landmarks.py::", "tests/belief/test_field_lines.py::"
 
 MUTANTS = [
     Mutant(
         "MH08",
-        OWN_POSE,
+        "soccer_env/belief/legged/own_pose.py",
         "    weigh_by_landmarks(particles, view, motion, noise, hand, k, w)",
         "    move_particles(particles, motion, *field_of(k), noise, hand)",
         TEST_POSE + "test_mh08_a_robot_that_was_told_its_pose_keeps_it_while_it_walks_about_and_slips[legged-2001]",

@@ -5,7 +5,11 @@ from tests.mutant import Mutant
 PLANNER, XLA = "baselines/sacks_2001/planner.py", "baselines/sacks_2001/xla.py"
 GOALKEEPER, SHOOTING = "baselines/sacks_2001/goalkeeper.py", "baselines/sacks_2001/shooting.py"
 STUCK, STEERING = "baselines/sacks_2001/stuck.py", "baselines/sacks_2001/steering.py"
-BALL, BLOB, PLAYERS = "soccer_env/belief/ball.py", "soccer_env/belief/ball_blob.py", "soccer_env/belief/players.py"
+BALL, BLOB, PLAYERS = (
+    "soccer_env/belief/legged/ball.py",
+    "soccer_env/belief/legged/ball_blob.py",
+    "soccer_env/belief/legged/players.py",
+)
 TEST = "tests/baselines/test_sacks_team.py::"
 KNEW = TEST + "test_ms52_what_robots_knew_before_is_a_switch_that_changes_play"
 

@@ -16,15 +16,18 @@ from dataclasses import replace
 
 import numpy as np
 
-from soccer_env import optics
-from soccer_env.belief.own_pose import PARTICLE, POSE_MEMORY, believe_pose_legged, believe_pose_omni
+from soccer_env.belief.legged.own_pose import believe_pose_legged
+from soccer_env.belief.omni.own_pose import believe_pose_omni
+from soccer_env.belief.own_pose import POSE_MEMORY
+from soccer_env.belief.particles import PARTICLE
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.legged_sensors import LeggedSensors
+from soccer_env.optics import head_camera as optics
 from soccer_env.percept_types import LANDMARKS, LEGGED_PERCEPT, NO_POSE, OMNI_PERCEPT, POSE_TOLD
 from soccer_env.perception.body import count_steps
-from soccer_env.perception.omni import line_tables
-from soccer_env.perception.omni import sense_slice as sense_omni
+from soccer_env.perception.omni.sense import line_tables
+from soccer_env.perception.omni.sense import sense_slice as sense_omni
 from soccer_env.random_numbers import normal, start_streams, uniform
 from soccer_env.types import BALL, BELIEF, MATCH, NOISE_STREAMS, OWN_POSE, ROBOT, ROBOT_EVENTS, RobotStream
 

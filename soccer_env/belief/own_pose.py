@@ -4,6 +4,8 @@
 * given a noisy pose as a percept: that, the cheap path;
 * particles: the odometry in every frame, landmarks or lines every few frames;
 * no particles: the odometry alone. The error grows, the confidence falls.
+
+This is what all robots share; `legged/own_pose.py` goes by landmarks, `omni/own_pose.py` by white lines.
 """
 
 from __future__ import annotations
@@ -12,10 +14,7 @@ from math import cos, exp, sin, sqrt
 
 import numpy as np
 
-from soccer_env.belief.field_lines import LINE_VIEW, draw_from_goal, look_at_lines, weigh_by_lines
-from soccer_env.belief.landmarks import LANDMARK_VIEW, draw_from_landmark, look_at_landmarks, weigh_by_landmarks
 from soccer_env.belief.particles import (
-    PARTICLE,
     cluster_near,
     estimate,
     move_particles,
@@ -25,11 +24,9 @@ from soccer_env.belief.particles import (
     share_of_fresh,
     weights_from_costs,
 )
-from soccer_env.compiled import compiled, records
+from soccer_env.compiled import compiled
 from soccer_env.geometry import wrap
 from soccer_env.percept_types import POSE_SENSED, POSE_TOLD
-
-__all__ = ["PARTICLE", "POSE_MEMORY", "believe_pose_legged", "believe_pose_omni"]
 
 SURE = 100.0  # confidence of a pose that was told or is given
 HELD = 0.3  # [1] share of the particles that stay behind while something is touched, assumed
@@ -49,48 +46,6 @@ POSE_MEMORY = np.dtype(
         ("begun", "i1"),  # 1: the particles have been put somewhere
     ]
 )
-
-
-@compiled
-def believe_pose_legged(percept, own, memory, particles, noise, k, s, w):
-    """Bring the own pose of a legged robot up to the percept; its particles go by landmarks and goals.  MH08"""
-    if not particles_are_due(percept.body, own, memory, particles, noise, k, s, w):
-        return
-    view = records(1, LANDMARK_VIEW)[0]
-    seen = look_at_landmarks(percept, view, k, s, w)
-    hand = np.float64(percept.body.handedness)
-    if seen == 0:
-        go_on_blind(own, memory, particles, noise, hand, k, w)
-        return
-    motion = motion_since(memory, k, w)
-    weigh_by_landmarks(particles, view, motion, noise, hand, k, w)
-    if conclude(own, memory, particles, seen, noise, w):
-        for i in range(particles.shape[0]):
-            if particles[i].weight == 0.0:
-                draw_from_landmark(particles[i], view, noise, hand, k, w)
-
-
-@compiled
-def believe_pose_omni(percept, own, memory, particles, noise, k, s, w, table):
-    """Bring the own pose of a middle-size robot up to the percept; its particles go by white lines and goals.  MH08
-
-    `table` is the record of `perception.omni.line_tables`.
-    """
-    if not particles_are_due(percept.body, own, memory, particles, noise, k, s, w):
-        return
-    view = records(1, LINE_VIEW)[0]
-    seen = look_at_lines(percept, own, view, k, s, w)
-    hand = np.float64(percept.body.handedness)
-    if seen == 0:
-        go_on_blind(own, memory, particles, noise, hand, k, w)
-        return
-    motion = motion_since(memory, k, w)
-    half_length, half_width = field_of(k)
-    weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table)
-    if conclude(own, memory, particles, seen, noise, w):
-        for i in range(particles.shape[0]):
-            if particles[i].weight == 0.0:
-                draw_from_goal(particles[i], view, half_length, half_width, noise, hand, w)
 
 
 @compiled

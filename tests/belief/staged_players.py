@@ -19,14 +19,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.belief.players import PLAYERS_MEMORY, believe_players
+from soccer_env.belief.legged.players import PLAYERS_MEMORY, believe_players
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import Slots
-from soccer_env.optics import camera_place, focal_y, pixel_of_direction
+from soccer_env.optics.head_camera import camera_place, focal_y, pixel_of_direction
 from soccer_env.percept_types import LEGGED_PERCEPT
-from soccer_env.perception.calibration import CALIBRATION
+from soccer_env.perception.legged.calibration import CALIBRATION
 from soccer_env.types import OWN_POSE, TRACK
 
 LEAGUE = find_league("legged-2001")

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.belief.talk import RADIO_MESSAGE, SOUND_MESSAGE, exchange, exchange_radio
+from soccer_env.belief.legged.talk import SOUND_MESSAGE, exchange
+from soccer_env.belief.omni.radio import RADIO_MESSAGE, exchange_radio
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.optics import camera_place, direction_of_pixel
+from soccer_env.optics.head_camera import camera_place, direction_of_pixel
 from tests.belief.staged_ball import LEAGUE, Watcher
 
 RADIUS = LEAGUE.ball.radius

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from soccer_env.belief import field_lines as kernels
-from soccer_env.belief.field_lines import LINE_VIEW
+from soccer_env.belief.omni import field_lines as kernels
+from soccer_env.belief.omni.field_lines import LINE_VIEW
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.leagues import find_league
 from soccer_env.percept_types import OMNI_PERCEPT
-from soccer_env.perception.omni import line_tables, sense_slice
+from soccer_env.perception.omni.sense import line_tables, sense_slice
 from soccer_env.random_numbers import start_streams
 from soccer_env.types import BALL, BELIEF, MATCH, NOISE_STREAMS, OWN_POSE, ROBOT, ROBOT_EVENTS
 

@@ -12,7 +12,7 @@ import itertools
 import numpy as np
 import pytest
 
-from soccer_env.belief.grouping import box_of_player, is_larger, largest_left, player_of, size_of
+from soccer_env.belief.legged.grouping import box_of_player, is_larger, largest_left, player_of, size_of
 from soccer_env.percept_types import BLOB, BLOBS
 from tests.belief.staged_players import LEAGUE, Blob, player
 

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.belief.head import FAR_TILT, HEAD_MEMORY, NEAR_TILT, choose_gaze
+from soccer_env.belief.legged.head import FAR_TILT, HEAD_MEMORY, NEAR_TILT, choose_gaze
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.optics import camera_place, pixel_of_direction
+from soccer_env.optics.head_camera import camera_place, pixel_of_direction
 from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.types import BELIEF, GAZE
 from tests.staging import LEGGED, asking, put, put_ball, stage, steady

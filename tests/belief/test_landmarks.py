@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from soccer_env.belief import landmarks as kernels
-from soccer_env.belief.landmarks import LANDMARK_VIEW
+from soccer_env.belief.legged import landmarks as kernels
+from soccer_env.belief.legged.landmarks import LANDMARK_VIEW
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.leagues import find_league
 from soccer_env.percept_types import LEGGED_PERCEPT

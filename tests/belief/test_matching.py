@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.belief.matching import (
+from soccer_env.belief.legged.matching import (
     LEAST_ANGLE,
     LEAST_DISTANCE,
     angle_between,
@@ -17,7 +17,7 @@ from soccer_env.belief.matching import (
     likelihood,
     uncertainty_of,
 )
-from soccer_env.belief.players import grow_older, remember
+from soccer_env.belief.legged.players import grow_older, remember
 from soccer_env.compiled import compiled
 from soccer_env.leagues.constants import constants_of
 from soccer_env.types import TRACK

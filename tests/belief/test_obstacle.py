@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.belief.obstacle import believe_obstacle
+from soccer_env.belief.legged.obstacle import believe_obstacle
 from soccer_env.compiled import compiled
-from soccer_env.optics import camera_place
+from soccer_env.optics.head_camera import camera_place
 from soccer_env.types import BELIEF
 from tests.belief.staged_players import LEAGUE, Onlooker
 from tests.staging import LEGGED, put, put_ball, send_off, stage

@@ -7,7 +7,7 @@ from math import inf
 import numpy as np
 import pytest
 
-from soccer_env.belief.omni_ball import BALL_MEMORY
+from soccer_env.belief.omni.ball import BALL_MEMORY
 from soccer_env.types import BALL_BELIEF
 from tests.belief.staged_omni import begin, in_frame, off, run, state, thinking
 from tests.staging import asking, put, put_ball, stand

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.belief.omni import OMNI_MEMORY
-from soccer_env.belief.omni_players import READING, nearest_pair
-from soccer_env.belief.tracking import FILTER
+from soccer_env.belief.omni.believe import OMNI_MEMORY
+from soccer_env.belief.omni.players import READING, nearest_pair
+from soccer_env.belief.omni.tracking import FILTER
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import Slots

@@ -7,7 +7,7 @@ from math import atan2, cos, hypot, sin
 import pytest
 
 from soccer_env.belief.odometry import move_point
-from soccer_env.optics import camera_place, direction_of_pixel, focal_y
+from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_y
 from tests.belief.staged_players import (
     AHEAD,
     FACTORS,

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.belief.kalman import COVARIANCE, fit_gains, predict_covariance, start_covariance, update_covariance
-from soccer_env.belief.tracking import DELAYS, FILTER, MOTION, correct, predict, reading_of, reading_sd, start
+from soccer_env.belief.omni.kalman import COVARIANCE, fit_gains, predict_covariance, start_covariance, update_covariance
+from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, correct, predict, reading_of, reading_sd, start
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.percept_types import SIGHTING

@@ -10,8 +10,8 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.optics import camera_place
-from soccer_env.perception.infrared import measure_range, trace_beam
+from soccer_env.optics.head_camera import camera_place
+from soccer_env.perception.legged.infrared import measure_range, trace_beam
 from soccer_env.types import BALL, MATCH, ROBOT
 from tests.staging import LEGGED
 

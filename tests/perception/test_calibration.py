@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.optics import camera_place
-from soccer_env.perception.calibration import CALIBRATION, calibrate
-from soccer_env.perception.sketch import BALL, OPPONENTS
+from soccer_env.optics.head_camera import camera_place
+from soccer_env.perception.legged.calibration import CALIBRATION, calibrate
+from soccer_env.perception.legged.sketch import BALL, OPPONENTS
 from tests.perception.staged_picture import Scene
 from tests.staging import LEGGED
 

@@ -7,8 +7,8 @@ from math import pi
 import numpy as np
 import pytest
 
-from soccer_env.optics import camera_place, direction_of_pixel, focal_x, focal_y, image_height, image_width
-from soccer_env.perception.sketch import BALL, OPPONENT_GOAL, OWN_GOAL
+from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_x, focal_y, image_height, image_width
+from soccer_env.perception.legged.sketch import BALL, OPPONENT_GOAL, OWN_GOAL
 from soccer_env.types import AWAY
 from tests.perception.staged_picture import Scene
 

@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from soccer_env.perception.blobs import bell
-from soccer_env.perception.sketch import BALL, OPPONENTS, PATCHES
+from soccer_env.perception.legged.blobs import bell
+from soccer_env.perception.legged.sketch import BALL, OPPONENTS, PATCHES
 from tests.perception.staged_picture import Scene
 from tests.symmetry import Records, assert_same, mirrored, mirrored_percepts, swapped_rows, turned
 

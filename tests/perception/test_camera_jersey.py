@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from soccer_env.perception.sketch import OPPONENTS, TEAMMATES
+from soccer_env.perception.legged.sketch import OPPONENTS, TEAMMATES
 from tests.perception.staged_picture import Scene
 
 FRONT, SIDE, REAR = pi, 0.5 * pi, 0.0  # [rad] headings of a robot on the +x axis

@@ -9,7 +9,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues.constants import constants_of
-from soccer_env.perception.infrared import beam_direction
+from soccer_env.perception.legged.infrared import beam_direction
 from tests.perception.staged_beam import LEAGUE, Place, aim_at, measure_all, trace_all
 from tests.staging import LEGGED, scatter
 from tests.symmetry import Records, mirrored, swapped_rows, turned

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from soccer_env.perception.sketch import BALL, OPPONENT_GOAL, OPPONENTS
+from soccer_env.perception.legged.sketch import BALL, OPPONENT_GOAL, OPPONENTS
 from tests.perception.staged_picture import Scene, cast_ball, cast_jersey
 
 FINER = 4  # times the camera's resolution

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.leagues.mirror import ground_distance, image_radius, metres_across, metres_along
+from soccer_env.optics.mirror_camera import ground_distance, image_radius, metres_across, metres_along
 from tests.perception.staged_omni import NOW, SHARP, SURE, apart, around, gather, look, watching
 from tests.staging import MIDDLE, put, put_ball, scatter, set_phase, stand
 

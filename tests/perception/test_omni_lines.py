@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.leagues.mirror import metres_along
-from soccer_env.perception.lines import COLUMNS, ROWS, TABLES, line_tables, nearest_line
+from soccer_env.optics.mirror_camera import metres_along
+from soccer_env.perception.omni.lines import COLUMNS, ROWS, TABLES, line_tables, nearest_line
 from tests.perception.staged_omni import NOW, SHARP, SURE, gather, look, watching
 from tests.staging import MIDDLE, put
 

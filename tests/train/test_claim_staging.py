@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from soccer_env import optics
+from soccer_env.optics import head_camera as optics
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims import all_claims
 from soccer_env.train.reproduce.claims.ball.occlusion import APART, CLEAR, draw_scene, stands_before

@@ -8,6 +8,8 @@
     learner.py         PPO, and what of it has to be kept          checkpoints.py    so that a cut run goes on
     run_folder.py      what a run leaves behind                    reports.py        its log, evaluations and curve
     compare_kinds.py   the two kinds of networks on the same task
+
+Importing this package is quick: torch comes with the first name that needs it.
 """
 
 from typing import TYPE_CHECKING

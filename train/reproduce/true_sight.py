@@ -11,7 +11,7 @@ from soccer_env.train.reproduce.staging import from_robot, play, standing
 def camera_of(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
     """Return where the camera of robot r is (M, 3) [m] and the unit vector along its axis (M, 3), field frame.
 
-    The same geometry as soccer_env.optics, which works on one robot at a time; a test holds them together.
+    The same geometry as soccer_env.optics.head_camera, which works on one robot at a time; a test holds them together.
     """
     s, robot = match.league.sensors, match.robots[:, r]
     pan, tilt = robot["heading"] + robot["pan"], robot["tilt"]

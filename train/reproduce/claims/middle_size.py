@@ -160,7 +160,7 @@ H26 = Claim(
     ),
     figures=light_figures,
     ingredients=(
-        "sensors.table_width and the law of perception/lighting.py",
+        "sensors.table_width and the law of perception/omni/lighting.py",
         "sensors.table_time",
         "sensors.light_period",
     ),

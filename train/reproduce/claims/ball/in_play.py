@@ -104,7 +104,7 @@ S10 = Claim(
     "sees the ball and the camera's axis meets it.",
     criteria=(counted("frames with the axis on the ball: at least 60 %", "on ball", "seen", at_least=60.0),),
     measure=heads_in_play,
-    ingredients=("speeds of neck joints", "belief/head.py", "the chaser as the team that plays"),
+    ingredients=("speeds of neck joints", "belief/legged/head.py", "the chaser as the team that plays"),
     seconds=1.2,
     batches=32,
 )

@@ -231,7 +231,7 @@ S07 = Claim(
     ),
     measure=by_dimension,
     figures=hidden_figure,
-    ingredients=("bodies that hide what lies behind them, perception/picture.py", "where the others stand"),
+    ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )
 
 S08 = Claim(
@@ -263,7 +263,7 @@ S08 = Claim(
     ),
     measure=by_dimension,
     figures=hidden_figure,
-    ingredients=("bodies that hide what lies behind them, perception/picture.py", "where the others stand"),
+    ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )
 
 S09 = Claim(

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.perception.calibration import calibrate
+from soccer_env.perception.legged.calibration import calibrate
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.staging import LEGGED, ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
 from soccer_env.train.reproduce.true_sight import camera_of, look_first
@@ -104,7 +104,7 @@ S05 = Claim(
     ),
     measure=old_system,
     figures=range_figure,
-    ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/calibration.py"),
+    ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/legged/calibration.py"),
     seconds=0.7,
 )
 

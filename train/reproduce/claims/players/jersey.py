@@ -206,7 +206,7 @@ S38 = Claim(
     seconds=1.5,
     without=Without("smaller stickers on chest and rump than on the flanks; here all are alike", stickers_alike),
     figures=over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
-    ingredients=("sensors.sticker_*, all assumed", "the tables of perception/calibration.py"),
+    ingredients=("sensors.sticker_*, all assumed", "the tables of perception/legged/calibration.py"),
 )
 
 CLAIMS = (S37, S38)

@@ -12,7 +12,7 @@ import numpy as np
 from soccer_env.leagues import find_league
 from soccer_env.leagues.legged_sensors import RESOLUTIONS
 from soccer_env.match import Match
-from soccer_env.optics import SMALLEST_HEIGHT, SMALLEST_WIDTH
+from soccer_env.optics.head_camera import SMALLEST_HEIGHT, SMALLEST_WIDTH
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.staging import LEGGED, ahead_of, from_robot, hide_ball, put, stage, wrapped
 from soccer_env.train.reproduce.true_sight import camera_of
@@ -129,7 +129,7 @@ def matched(gaps: np.ndarray, limit: float) -> np.ndarray:
 def blob_directions(match: Match, colour: str = "opponents") -> tuple[np.ndarray, np.ndarray]:
     """Return bearings and elevations (M, blobs) [rad] of robot 0's blobs of a colour from its camera, NaN without one.
 
-    The same geometry as soccer_env.optics, which works on one robot at a time; a test holds them together.
+    The same geometry as soccer_env.optics.head_camera, which works on one robot at a time; a test holds them together.
     """
     percept, s = match.percepts[:, 0], match.league.sensors
     blobs, pan, tilt = percept[colour], percept["pan"][:, None].astype(float), percept["tilt"][:, None].astype(float)

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
-from soccer_env.perception.blobs import clear, deliver
-from soccer_env.perception.bodies import HEAD, TRUNK, find_bodies
-from soccer_env.perception.camera import bring_up_to_date, from_camera, point_camera
-from soccer_env.perception.jersey import is_lowered, put_head_stickers, put_trunk_stickers
-from soccer_env.perception.scenery import draw_goals, draw_landmarks, draw_patches
-from soccer_env.perception.sketch import BALL, KINDS, OPPONENTS, TEAMMATES, draw_panel, draw_sphere
+from soccer_env.perception.legged.blobs import clear, deliver
+from soccer_env.perception.legged.bodies import HEAD, TRUNK, find_bodies
+from soccer_env.perception.legged.camera import bring_up_to_date, from_camera, point_camera
+from soccer_env.perception.legged.jersey import is_lowered, put_head_stickers, put_trunk_stickers
+from soccer_env.perception.legged.scenery import draw_goals, draw_landmarks, draw_patches
+from soccer_env.perception.legged.sketch import BALL, KINDS, OPPONENTS, TEAMMATES, draw_panel, draw_sphere
 
 
 @compiled

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from soccer_env.belief.omni_ball import BALL_MEMORY, believe_ball
-from soccer_env.belief.omni_players import READING, SLOTS, believe_players
-from soccer_env.belief.own_pose import POSE_MEMORY, believe_pose_omni
-from soccer_env.belief.talk import exchange_radio
-from soccer_env.belief.tracking import DELAYS, FILTER, MOTION, note_motion
+from soccer_env.belief.omni.ball import BALL_MEMORY, believe_ball
+from soccer_env.belief.omni.own_pose import believe_pose_omni
+from soccer_env.belief.omni.players import READING, SLOTS, believe_players
+from soccer_env.belief.omni.radio import exchange_radio
+from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, note_motion
+from soccer_env.belief.own_pose import POSE_MEMORY
 from soccer_env.compiled import compiled, records
 from soccer_env.percept_types import OTHERS, POSE_TOLD
 from soccer_env.tracks import forget

@@ -14,7 +14,7 @@ from math import inf
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.perception.camera import axes_of
+from soccer_env.perception.legged.camera import axes_of
 
 LENS = 0.01  # [m] depth at which things are cut off that reach behind the lens, assumed
 CORNERS = 8  # of a box

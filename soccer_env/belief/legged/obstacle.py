@@ -16,10 +16,10 @@ from math import atan2, cos, inf, sin
 
 import numpy as np
 
-from soccer_env.belief.players import range_by_infrared
+from soccer_env.belief.legged.players import range_by_infrared
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.optics import camera_place
+from soccer_env.optics.head_camera import camera_place
 
 
 @compiled

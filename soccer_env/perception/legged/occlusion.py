@@ -12,8 +12,8 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.perception.bodies import HEAD, TRUNK, in_box_axes, trace_box
-from soccer_env.perception.outlines import OUTLINE, chain_at, piece_at
+from soccer_env.perception.legged.bodies import HEAD, TRUNK, in_box_axes, trace_box
+from soccer_env.perception.legged.outlines import OUTLINE, chain_at, piece_at
 
 PIECES = 96  # pieces of a kind that a sketch has room for: the stickers of 21 others, and some cuts
 COLUMNS = 176  # into which a thing is cut, at most

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from soccer_env.belief.ball import BALL_MEMORY, believe_ball
-from soccer_env.belief.head import HEAD_MEMORY, choose_gaze
-from soccer_env.belief.obstacle import believe_obstacle
-from soccer_env.belief.own_pose import POSE_MEMORY, believe_pose_legged
-from soccer_env.belief.players import PLAYERS_MEMORY, believe_players
-from soccer_env.belief.talk import exchange
+from soccer_env.belief.legged.ball import BALL_MEMORY, believe_ball
+from soccer_env.belief.legged.head import HEAD_MEMORY, choose_gaze
+from soccer_env.belief.legged.obstacle import believe_obstacle
+from soccer_env.belief.legged.own_pose import believe_pose_legged
+from soccer_env.belief.legged.players import PLAYERS_MEMORY, believe_players
+from soccer_env.belief.legged.talk import exchange
+from soccer_env.belief.own_pose import POSE_MEMORY
 from soccer_env.compiled import compiled
 
 LEGGED_MEMORY = np.dtype(

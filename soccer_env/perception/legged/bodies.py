@@ -12,9 +12,9 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.perception.camera import bring_up_to_date, from_camera, in_view, swing
-from soccer_env.perception.infrared import hull_edges
-from soccer_env.perception.outlines import (
+from soccer_env.perception.legged.camera import bring_up_to_date, from_camera, in_view, swing
+from soccer_env.perception.legged.infrared import hull_edges
+from soccer_env.perception.legged.outlines import (
     CORNERS,
     LENS,
     add_lower,

@@ -15,7 +15,7 @@ from math import cos, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.optics import focal_x, focal_y, image_height, image_width
+from soccer_env.optics.head_camera import focal_x, focal_y, image_height, image_width
 
 POSE = np.dtype(
     [  # the directions of a robot and of its head, kept for all who see it in a step; mirrored with the handedness

@@ -8,13 +8,13 @@ A robot that was just put somewhere gets its first pictures at once, until those
 from __future__ import annotations
 
 from soccer_env.compiled import compiled, records
-from soccer_env.perception.around import AROUND, survey
 from soccer_env.perception.body import light_barrier, sense_body
 from soccer_env.perception.ideal import situation
-from soccer_env.perception.lighting import adapt_table, brightness, measure_light, recognised
-from soccer_env.perception.line_picture import LINE_MAP, draw_map, find_lines
-from soccer_env.perception.lines import TABLES, line_tables
-from soccer_env.perception.sightings import clear, find_ball, find_goals, find_players
+from soccer_env.perception.omni.around import AROUND, survey
+from soccer_env.perception.omni.lighting import adapt_table, brightness, measure_light, recognised
+from soccer_env.perception.omni.line_picture import LINE_MAP, draw_map, find_lines
+from soccer_env.perception.omni.lines import TABLES, line_tables
+from soccer_env.perception.omni.sightings import clear, find_ball, find_goals, find_players
 from soccer_env.types import MAX_TEAM
 
 __all__ = ["TABLES", "line_tables", "sense_slice"]

@@ -13,7 +13,7 @@ from math import atan2
 
 import numpy as np
 
-from soccer_env.belief.tracking import (
+from soccer_env.belief.omni.tracking import (
     at_exposure,
     carry,
     correct,

@@ -12,7 +12,7 @@ from math import atan2, inf
 import numpy as np
 
 from soccer_env.belief.odometry import move_point
-from soccer_env.belief.tracking import (
+from soccer_env.belief.omni.tracking import (
     FILTER,
     at_exposure,
     carry,

@@ -14,13 +14,13 @@ from math import atan2, cos, sin, tan
 
 import numpy as np
 
-from soccer_env.belief.grouping import COMBINED, box_of_player, largest_left, player_of
-from soccer_env.belief.matching import likeliest_slot
+from soccer_env.belief.legged.grouping import COMBINED, box_of_player, largest_left, player_of
+from soccer_env.belief.legged.matching import likeliest_slot
 from soccer_env.belief.odometry import turn_axes
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.leagues.legged_sensors import PLAYER_VIEWS, SLOTS
-from soccer_env.optics import camera_place, direction_of_pixel, focal_x, focal_y
+from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_x, focal_y
 from soccer_env.percept_types import BLOBS, POSE_TOLD
 from soccer_env.tracks import clear_slots
 

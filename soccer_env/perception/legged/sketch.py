@@ -13,9 +13,9 @@ import numpy as np
 
 from soccer_env.compiled import compiled, records
 from soccer_env.percept_types import LANDMARKS, OTHERS
-from soccer_env.perception.bodies import BODY, RECTANGLE, measure_hull
-from soccer_env.perception.camera import CAMERA, POSE, axes_of, face_ahead, in_view, open_camera, sphere_box
-from soccer_env.perception.occlusion import (
+from soccer_env.perception.legged.bodies import BODY, RECTANGLE, measure_hull
+from soccer_env.perception.legged.camera import CAMERA, POSE, axes_of, face_ahead, in_view, open_camera, sphere_box
+from soccer_env.perception.legged.occlusion import (
     COLUMN,
     COLUMNS,
     HIDDEN,
@@ -27,7 +27,7 @@ from soccer_env.perception.occlusion import (
     cut_into_pieces,
     find_hiders,
 )
-from soccer_env.perception.outlines import (
+from soccer_env.perception.legged.outlines import (
     LENS,
     OUTLINE,
     TRACING,

@@ -11,8 +11,8 @@ from math import atan2, cos, exp, floor, inf, log, pi, sin, sqrt
 from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
 from soccer_env.geometry import clip, length, wrap
-from soccer_env.leagues.mirror import ground_distance, image_radius
-from soccer_env.perception.around import body_radius, half_angle, visible_part
+from soccer_env.optics.mirror_camera import ground_distance, image_radius
+from soccer_env.perception.omni.around import body_radius, half_angle, visible_part
 from soccer_env.random_numbers import uniform
 from soccer_env.types import RobotStream
 

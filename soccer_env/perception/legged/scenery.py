@@ -11,8 +11,8 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.percept_types import LANDMARKS
-from soccer_env.perception.camera import from_camera, in_view
-from soccer_env.perception.sketch import LANDMARK, NOBODY, OPPONENT_GOAL, OWN_GOAL, PATCHES, draw_panel
+from soccer_env.perception.legged.camera import from_camera, in_view
+from soccer_env.perception.legged.sketch import LANDMARK, NOBODY, OPPONENT_GOAL, OWN_GOAL, PATCHES, draw_panel
 from soccer_env.random_numbers import GOLDEN, MIX_1, MIX_2, mix
 
 TO_UNIT = 1.0 / 9007199254740992.0  # 2**-53

@@ -10,10 +10,10 @@ from math import ceil, cos, floor, pi, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.leagues.mirror import ground_distance, image_radius
+from soccer_env.optics.mirror_camera import ground_distance, image_radius
 from soccer_env.percept_types import LINES
-from soccer_env.perception.around import body_radius
-from soccer_env.perception.sightings import CAMERA, to_pixel
+from soccer_env.perception.omni.around import body_radius
+from soccer_env.perception.omni.sightings import CAMERA, to_pixel
 from soccer_env.random_numbers import uniform
 
 LINE_MAP = np.dtype(

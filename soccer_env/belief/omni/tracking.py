@@ -10,18 +10,18 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
-from soccer_env.belief.kalman import (
+from soccer_env.belief.odometry import move_point, turn_axes
+from soccer_env.belief.omni.kalman import (
     COVARIANCE,
     fit_gains,
     predict_covariance,
     start_covariance,
     update_covariance,
 )
-from soccer_env.belief.odometry import move_point, turn_axes
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.leagues.mirror import metres_across, metres_along
 from soccer_env.leagues.omni_sensors import FILTERS
+from soccer_env.optics.mirror_camera import metres_across, metres_along
 
 KALMAN, LEAST_SQUARES = FILTERS["kalman"], FILTERS["least-squares"]
 DELAYS = 3  # frames that a picture may be late, at most

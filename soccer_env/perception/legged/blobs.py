@@ -12,8 +12,8 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.percept_types import BLOBS, LANDMARKS
-from soccer_env.perception.occlusion import PIECES
-from soccer_env.perception.sketch import BALL, OPPONENT_GOAL, OPPONENTS, OWN_GOAL, PATCHES, TEAMMATES
+from soccer_env.perception.legged.occlusion import PIECES
+from soccer_env.perception.legged.sketch import BALL, OPPONENT_GOAL, OPPONENTS, OWN_GOAL, PATCHES, TEAMMATES
 from soccer_env.random_numbers import GOLDEN, mix, normal, uniform
 from soccer_env.types import RobotStream
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from soccer_env.compiled import compiled
 from soccer_env.perception.body import sense_body
 from soccer_env.perception.ideal import situation
-from soccer_env.perception.infrared import measure_range
-from soccer_env.perception.picture import take_picture
-from soccer_env.perception.sketch import make_sketch
+from soccer_env.perception.legged.infrared import measure_range
+from soccer_env.perception.legged.picture import take_picture
+from soccer_env.perception.legged.sketch import make_sketch
 
 
 @compiled

@@ -18,9 +18,9 @@ from math import atan2, cos, inf, sin
 
 import numpy as np
 
-from soccer_env.belief.ball_blob import choose_blob, place_of_ball
+from soccer_env.belief.legged.ball_blob import choose_blob, place_of_ball
+from soccer_env.belief.legged.velocity import ROUNDING, turn_velocity, update_velocity
 from soccer_env.belief.odometry import turn_axes
-from soccer_env.belief.velocity import ROUNDING, turn_velocity, update_velocity
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.leagues.legged_sensors import AVERAGED_MOST, ODOMETRY

@@ -9,8 +9,8 @@ from __future__ import annotations
 from math import cos, inf, sin, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.optics import camera_place
-from soccer_env.perception.solids import reach_boards, reach_box, reach_carpet, reach_post, reach_sphere
+from soccer_env.optics.head_camera import camera_place
+from soccer_env.perception.legged.solids import reach_boards, reach_box, reach_carpet, reach_post, reach_sphere
 from soccer_env.random_numbers import normal
 from soccer_env.types import RobotStream
 

@@ -19,9 +19,9 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.leagues.league import League
-from soccer_env.optics import camera_place
-from soccer_env.perception.picture import draw_scene
-from soccer_env.perception.sketch import BALL, OPPONENTS, make_sketch
+from soccer_env.optics.head_camera import camera_place
+from soccer_env.perception.legged.picture import draw_scene
+from soccer_env.perception.legged.sketch import BALL, OPPONENTS, make_sketch
 from soccer_env.types import AWAY, MATCH, ROBOT
 from soccer_env.types import BALL as BALL_RECORD
 

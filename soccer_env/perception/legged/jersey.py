@@ -12,7 +12,7 @@ lies behind it: a near robot that looks at the ball seems far away.  [Sacks 2001
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.perception.bodies import HEAD, TRUNK, in_box_axes
+from soccer_env.perception.legged.bodies import HEAD, TRUNK, in_box_axes
 
 
 @compiled

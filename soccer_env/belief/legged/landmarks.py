@@ -21,7 +21,7 @@ import numpy as np
 
 from soccer_env.belief.particles import OUTLIER, bounded, draw_seeing, move_particle
 from soccer_env.compiled import compiled
-from soccer_env.optics import camera_place, direction_of_pixel, image_height, image_width
+from soccer_env.optics.head_camera import camera_place, direction_of_pixel, image_height, image_width
 from soccer_env.percept_types import BLOBS, LANDMARKS
 from soccer_env.random_numbers import uniform
 from soccer_env.types import RobotStream

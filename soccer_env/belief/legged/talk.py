@@ -1,0 +1,45 @@
+"""Words of four bits by loudspeaker: how far the ball is, 1 to 15, or 0 "I do not see it".  MS06"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from soccer_env.belief.talk import RADIO, REMEMBERED, SEEN, deliver, frames_between, hear, message_of, send
+from soccer_env.compiled import compiled
+from soccer_env.random_numbers import uniform
+from soccer_env.words import SILENT, distance_of, word_for
+
+WORD = np.dtype(
+    [  # what a loudspeaker says
+        ("frame", "i4"),  # in which it was said
+        ("word", "i4"),  # range of the speaker's distance to the ball
+        ("distance", "f8"),  # [m] of that range; inf: not seen
+    ]
+)
+SOUND_MESSAGE = message_of(WORD)
+
+
+@compiled
+def exchange(percepts, beliefs, tracks, messages, noise, k, s, home, rows):
+    """Let the robots of one match say a word of four bits each second, and hear their team-mates.  MS06
+
+    Four bits a second: s.audio_period between two words, heard after s.audio_delay, lost with probability s.audio_loss.
+    """
+    pause, wait = frames_between(s.audio_period, s.audio_delay, k)
+    for r in rows:
+        message, frame = messages[r], np.int64(percepts[r].body.frame)
+        deliver(message, frame)
+        if percepts[r].body.active == 1 and frame % pause == 0:
+            say_word(message.reports[1 - message.latest], beliefs[r].ball)
+            send(message, frame, wait, uniform(noise[r], RADIO) < s.audio_loss)
+            deliver(message, frame)
+    for r in rows:
+        hear(beliefs[r].heard, messages, r, percepts[r].body.frame, REMEMBERED * pause + wait, k, home, rows)
+
+
+@compiled
+def say_word(report, ball):
+    """Write the word for the distance to the ball, and nothing more.  MS06"""
+    seen = ball.confidence > 0.0 and ball.age < SEEN
+    report.word = word_for(ball.filtered_distance) if seen else SILENT
+    report.distance = distance_of(report.word)

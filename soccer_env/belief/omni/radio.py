@@ -1,0 +1,75 @@
+"""Reports by radio: own pose, ball and number; `reports.py` makes and uses them.  MH05"""
+
+from __future__ import annotations
+
+from math import inf
+
+import numpy as np
+
+from soccer_env.belief.omni.reports import adopt_ball, place_teammates, write_report
+from soccer_env.belief.talk import RADIO, REMEMBERED, SEEN, deliver, frames_between, hear, message_of, send
+from soccer_env.compiled import compiled
+from soccer_env.random_numbers import uniform
+from soccer_env.words import word_for
+
+REPORT = np.dtype(
+    [
+        ("frame", "i4"),  # in which it was said
+        ("word", "i2"),  # range of the speaker's distance to the ball
+        ("number", "i1"),  # of the speaker
+        ("keeper", "i1"),  # 1: it is the goalkeeper
+        ("distance", "f8"),  # [m] of the speaker to the ball, as far as it tells; inf: not seen
+        ("x", "f8"),  # [m] team frame: the speaker
+        ("y", "f8"),  # [m]
+        ("heading", "f8"),  # [rad] team frame
+        ("vx", "f8"),  # [m/s] team frame
+        ("vy", "f8"),  # [m/s]
+        ("confidence", "f8"),  # [0, 100] in this pose
+        ("ball_x", "f8"),  # [m] team frame
+        ("ball_y", "f8"),  # [m]
+        ("ball_vx", "f8"),  # [m/s] team frame
+        ("ball_vy", "f8"),  # [m/s]
+        ("ball_age", "f8"),  # [s] since the speaker saw it
+        ("ball_confidence", "f8"),  # [0, 100] in where it is on the field; 0: no ball is known
+    ]
+)
+RADIO_MESSAGE = message_of(REPORT)
+
+
+@compiled
+def exchange_radio(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows):
+    """Let the robots of one match report by radio, and fill in for what they do not see themselves.  MH05
+
+    Every s.radio_period, delivered s.radio_delay later, lost with probability s.radio_loss; `shared` False: no radio.
+    """
+    if w.shared == 0:
+        return
+    pause, wait = frames_between(s.radio_period, s.radio_delay, k)
+    fresh = False
+    for r in rows:
+        message, frame = messages[r], np.int64(percepts[r].body.frame)
+        message.fresh = 0
+        deliver(message, frame)
+        if percepts[r].body.active == 1 and frame % pause == 0:
+            say_report(message.reports[1 - message.latest], beliefs[r])
+            send(message, frame, wait, uniform(noise[r], RADIO) < s.radio_loss)
+            deliver(message, frame)
+        fresh = fresh or message.fresh == 1
+    room = np.empty((max(beliefs.shape[0], tracks.shape[1]) if fresh else 0, 4))
+    for r in rows:
+        frame = np.int64(percepts[r].body.frame)
+        if fresh:
+            place_teammates(beliefs[r].own, tracks[r], messages, r, frame, room, k, w, home, rows)
+        if beliefs[r].ball.age >= w.shared_age:
+            adopt_ball(beliefs[r], messages, r, frame, k, w, home, rows)
+        hear(beliefs[r].heard, messages, r, frame, REMEMBERED * pause + wait, k, home, rows)
+
+
+@compiled
+def say_report(report, belief):
+    """Write all that a robot tells by radio.  MH05"""
+    ball = belief.ball
+    seen = ball.confidence > 0.0 and ball.age < SEEN
+    report.distance = ball.filtered_distance if seen else inf
+    report.word = word_for(report.distance)
+    write_report(report, belief)
