@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from soccer_env.agents.network import AT_ONCE, LAYERS, REPEAT, SIZES, act, pack, widest
+from soccer_env.agents.perceptron import AT_ONCE, LAYERS, REPEAT, SIZES, act, pack, widest
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import load
 from soccer_env.compiled import compiled

@@ -15,10 +15,10 @@ from soccer_env.observations.belief import observe_belief_slice
 from soccer_env.observations.truth import observe_slice
 from soccer_env.physics.space import build_space
 from soccer_env.physics.space_batch import SpaceBatch, Way
-from soccer_env.players import believe_slice, empty_beliefs
 from soccer_env.rewards import TERMS
 from soccer_env.senses import UNUSED, Senses
 from soccer_env.settings import Settings
+from soccer_env.squads import believe_slice, empty_beliefs
 from soccer_env.step import begin_slice, finish_slice, step_slice
 from soccer_env.types import BALL, EVENTS, MATCH, QUIET, ROBOT, ROBOT_EVENTS
 

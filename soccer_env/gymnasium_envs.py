@@ -29,7 +29,7 @@ def register() -> None:
                 gymnasium.register(
                     known_as,
                     entry_point="soccer_env.gymnasium_envs:SoloSoccer",
-                    vector_entry_point="soccer_env.gymnasium_vector:SoccerVectorEnv",
+                    vector_entry_point="soccer_env.api.gymnasium_vector:SoccerVectorEnv",
                     kwargs={"league": league, "home": size, "away": size},
                 )
     if hasattr(pettingzoo, "register") and "soccer_env/soccer-v0" not in pettingzoo.parallel_registry:

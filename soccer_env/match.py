@@ -19,11 +19,11 @@ from soccer_env.actions import numbers_for, take_actions
 from soccer_env.field import Field, keep_latest
 from soccer_env.observations import names_of
 from soccer_env.physics.space_batch import Way
-from soccer_env.players import assign, call_up, make_squads, run_compiled, run_python_teams
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import TERMS
 from soccer_env.senses import Senses, sensing_sides
 from soccer_env.settings import check_known, make_settings, whole_number
+from soccer_env.squads import assign, call_up, make_squads, run_compiled, run_python_teams
 from soccer_env.types import QUIET, ROBOT_EVENTS
 from soccer_env.user_code import checked
 

@@ -28,7 +28,7 @@ from pettingzoo.utils.conversions import parallel_to_aec_wrapper
 from pettingzoo.utils.wrappers import OrderEnforcingWrapper
 
 from soccer_env.actions import discrete_index
-from soccer_env.faces import (
+from soccer_env.api.report import (
     OPTIONS,
     RENDER_MODES,
     Infos,

@@ -4,7 +4,11 @@ from tests.mutant import Mutant
 
 BODY, INFRARED = "soccer_env/perception/body.py", "soccer_env/perception/legged/infrared.py"
 DRIVE, HEAD = "soccer_env/physics/drive.py", "soccer_env/belief/legged/head.py"
-MEMORY, TALK, WORDS = "soccer_env/belief/legged/believe.py", "soccer_env/belief/legged/talk.py", "soccer_env/words.py"
+MEMORY, TALK, WORDS = (
+    "soccer_env/belief/legged/believe.py",
+    "soccer_env/belief/legged/talk.py",
+    "soccer_env/ball_words.py",
+)
 LEGS, TEST_LEGS = "soccer_env/physics/legs.py", "tests/physics/test_legs.py::"
 TEST_HEAD, TEST_TALK = "tests/belief/test_head.py::", "tests/belief/test_talk.py::"
 TEST_FELT = "tests/perception/test_body.py::test_ms06_a_robot_feels_touch_and_whether_it_lies_on_its_side"

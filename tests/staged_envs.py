@@ -7,8 +7,8 @@ import numpy as np
 from gymnasium.vector import AutoresetMode
 
 from soccer_env import soccer_v0
+from soccer_env.api.gymnasium_vector import SoccerVectorEnv
 from soccer_env.gymnasium_envs import SoloSoccer
-from soccer_env.gymnasium_vector import SoccerVectorEnv
 
 GAMES = [("legged-2001", 1, 1), ("legged-2001", 3, 5), ("middle-size-2006", 3, 3), ("middle-size-2006", 11, 11)]
 MODES = [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP]

@@ -6,7 +6,7 @@ import pytest
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 
 from soccer_env import Scene
-from soccer_env.gymnasium_vector import SoccerVectorEnv
+from soccer_env.api.gymnasium_vector import SoccerVectorEnv
 from tests.staged_envs import MODES, make, make_many
 from tests.staging import LEAGUES
 

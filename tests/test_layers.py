@@ -24,7 +24,7 @@ LAYERS = (
         "geometry",
         "frames",
         "optics",
-        "words",
+        "ball_words",
         "random_numbers",
         "whole_files",
         "lazy_names",
@@ -35,10 +35,10 @@ LAYERS = (
     ("physics", "perception", "belief", "referee"),
     ("actions", "observations", "rewards", "scenes"),
     ("settings",),
-    ("step", "episodes", "players", "senses", "truth_state", "saving", "user_code"),  # the parts of a match
+    ("step", "episodes", "squads", "senses", "truth_state", "saving", "user_code"),  # the parts of a match
     ("field",),
     ("match",),
-    ("soccer_v0", "gymnasium_envs", "gymnasium_vector", "faces", "render", "replay", "staging"),
+    ("soccer_v0", "gymnasium_envs", "api", "render", "replay", "staging"),
     ("baselines", "agents"),
     ("train",),
 )
@@ -64,7 +64,7 @@ HIDDEN_FROM_PLAYERS = {
     "senses",
     "field",
     "match",
-} | {"replay", "soccer_v0", "gymnasium_envs", "gymnasium_vector", "faces", "staging"}
+} | {"replay", "soccer_v0", "gymnasium_envs", "api", "staging"}
 # Belief works on percepts. The records of types.py that hold the truth, by name:
 BELIEF_MAY_SEE = {*LAYERS[0], "leagues", "belief"}
 TRUTH_RECORDS = {"MATCH", "BALL", "ROBOT", "EVENTS", "ROBOT_EVENTS"}

@@ -7,7 +7,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.agents.learned import team_of
-from soccer_env.players import Lineup
+from soccer_env.squads import Lineup
 from soccer_env.teams import make_team
 from soccer_env.types import AWAY, HOME
 from tests.agents.staged_policies import lively

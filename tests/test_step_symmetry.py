@@ -11,10 +11,10 @@ from soccer_env.compiled import compiled
 from soccer_env.observations.truth import observe_slice
 from soccer_env.physics.drive import drive, move_head
 from soccer_env.physics.kicker import work_kicker
-from soccer_env.players import believe_slice, empty_beliefs
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
 from soccer_env.rewards import measure_potentials
+from soccer_env.squads import believe_slice, empty_beliefs
 from soccer_env.step import clear_events
 from soccer_env.types import NO_TEAM, Phase
 from tests.staging import LEGGED, MIDDLE, each_league, put_ball, scatter, speed

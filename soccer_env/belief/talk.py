@@ -14,9 +14,9 @@ from math import inf
 
 import numpy as np
 
+from soccer_env.ball_words import SILENT
 from soccer_env.compiled import compiled
 from soccer_env.types import RobotStream
-from soccer_env.words import SILENT
 
 RADIO = int(RobotStream.RADIO)
 SEEN = 0.5  # [s] a ball that was seen so recently is "seen": pictures miss one now and then, assumed

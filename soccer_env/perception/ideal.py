@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from math import atan2, cos, inf, pi, sin
 
+from soccer_env.ball_words import word_for
 from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
 from soccer_env.geometry import length, wrap
 from soccer_env.tracks import clear_slots
 from soccer_env.types import NO_TEAM
-from soccer_env.words import word_for
 
 SURE = 100.0  # confidence of what is seen  MS03
 

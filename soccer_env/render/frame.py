@@ -9,13 +9,13 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
-from soccer_env.render.bench import draw_bench
 from soccer_env.render.canvas import Canvas, Point, new_surface, require_pygame
 from soccer_env.render.colours import TEAM_NAMES
 from soccer_env.render.header import Header, height_of, story_of
 from soccer_env.render.overlays import Overlay
 from soccer_env.render.pitch import Ground
-from soccer_env.render.players import Players, figures_of
+from soccer_env.render.robots import Players, figures_of
+from soccer_env.render.substitutes import draw_bench
 from soccer_env.render.view import view_of
 
 LEAST_WIDTH, MOST_WIDTH = 240, 2560  # [px]

@@ -9,8 +9,8 @@ import numpy as np
 from soccer_env.leagues.league import League
 from soccer_env.render import colours
 from soccer_env.render.canvas import Canvas
+from soccer_env.render.captions import clock_words, goal_team, half_words, phase_words, possession_words
 from soccer_env.render.colours import Colour
-from soccer_env.render.words import clock_words, goal_team, half_words, phase_words, possession_words
 from soccer_env.types import NO_TEAM, Phase
 
 SCORE_ROW = 0.56  # of the bar's height; the rest names phase and possession

@@ -8,7 +8,7 @@ import numpy as np
 
 from soccer_env.agents.attention import layout_of
 from soccer_env.agents.learned import LearnedTeam, from_file
-from soccer_env.agents.network import act, pack, widest
+from soccer_env.agents.perceptron import act, pack, widest
 from soccer_env.agents.policy import ACTIONS, Policy
 from soccer_env.agents.policy_file import dump
 from soccer_env.leagues import find_league

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from soccer_env.agents.learned import MEMORY, play, team_of
-from soccer_env.agents.network import pack, widest
+from soccer_env.agents.perceptron import pack, widest
 from soccer_env.agents.policy import Policy
 from soccer_env.leagues import find_league
-from soccer_env.observations.mirror import action_signs, observation_signs
+from soccer_env.observations.reflection import action_signs, observation_signs
 from soccer_env.types import COMMAND
 from tests.agents.staged_policies import attentive, decide, lively
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.words import FARTHEST, GROWTH, NEAREST, SILENT, distance_of, word_for
+from soccer_env.ball_words import FARTHEST, GROWTH, NEAREST, SILENT, distance_of, word_for
 from tests.belief.staged_talk import Talkers
 from tests.staging import MIDDLE, each_league
 

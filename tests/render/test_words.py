@@ -3,7 +3,7 @@ import pytest
 
 from soccer_env import types
 from soccer_env.leagues import find_league
-from soccer_env.render.words import PHASES, clock_words, goal_team, half_words, phase_words, possession_words
+from soccer_env.render.captions import PHASES, clock_words, goal_team, half_words, phase_words, possession_words
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 RULES = find_league("middle-size-2006").rules

@@ -14,7 +14,7 @@ import torch
 from gymnasium import spaces
 
 from soccer_env.agents.learned import team_of
-from soccer_env.agents.network import pack
+from soccer_env.agents.perceptron import pack
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.imitation import fit
 from soccer_env.train.ppo.networks import SoccerPolicy, blank_policy, policy_from

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.agents.network import pack
+from soccer_env.agents.perceptron import pack
 from soccer_env.leagues import find_league
 from soccer_env.observations import names_of
 from soccer_env.train.ppo.curriculum import FLOOR, LEARNER, Curriculum, compiled_team

@@ -7,8 +7,8 @@ import pytest
 
 from soccer_env import Match, Rewards
 from soccer_env.agents.learned import first_decision
-from soccer_env.players import Lineup
 from soccer_env.random_numbers import seeds_for
+from soccer_env.squads import Lineup
 from soccer_env.teams import make_team
 from tests.train.staged_rows import MIXED, draw, play, rows, same
 

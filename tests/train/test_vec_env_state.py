@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from soccer_env import truth_state
-from soccer_env.players import Lineup
+from soccer_env.squads import Lineup
 from soccer_env.teams import make_team
 from tests.train.staged_rows import MIXED, play, rows, same
 

@@ -16,7 +16,7 @@ import torch
 from gymnasium import spaces
 
 from soccer_env.agents.learned import MEMORY, play
-from soccer_env.agents.network import pack
+from soccer_env.agents.perceptron import pack
 from soccer_env.leagues import find_league
 from soccer_env.observations import names_of
 from soccer_env.train.ppo.imitation import fit, forget_own_commands, record

@@ -14,9 +14,9 @@ import numpy as np
 from openskill.models import PlackettLuce
 
 from soccer_env.agents.learned import team_of
-from soccer_env.agents.network import pack
+from soccer_env.agents.perceptron import pack
 from soccer_env.agents.policy import Policy
-from soccer_env.players import Lineup
+from soccer_env.squads import Lineup
 from soccer_env.teams import CompiledTeam, make_team
 
 MEMORY = 0.95  # what a result leaves of the share of points before it

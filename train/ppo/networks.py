@@ -18,7 +18,7 @@ from torch import nn
 
 from soccer_env.agents.attention import Layout, layout_of, width_beside
 from soccer_env.agents.policy import Policy
-from soccer_env.observations.mirror import action_signs, observation_signs
+from soccer_env.observations.reflection import action_signs, observation_signs
 from soccer_env.train.ppo.settings import TrainSettings
 
 ACTIVATIONS = {"tanh": nn.Tanh, "relu": nn.ReLU}

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from soccer_env.ball_words import SILENT, distance_of, word_for
 from soccer_env.belief.talk import RADIO, REMEMBERED, SEEN, deliver, frames_between, hear, message_of, send
 from soccer_env.compiled import compiled
 from soccer_env.random_numbers import uniform
-from soccer_env.words import SILENT, distance_of, word_for
 
 WORD = np.dtype(
     [  # what a loudspeaker says

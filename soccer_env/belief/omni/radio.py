@@ -6,11 +6,11 @@ from math import inf
 
 import numpy as np
 
+from soccer_env.ball_words import word_for
 from soccer_env.belief.omni.reports import adopt_ball, place_teammates, write_report
 from soccer_env.belief.talk import RADIO, REMEMBERED, SEEN, deliver, frames_between, hear, message_of, send
 from soccer_env.compiled import compiled
 from soccer_env.random_numbers import uniform
-from soccer_env.words import word_for
 
 REPORT = np.dtype(
     [

@@ -18,7 +18,7 @@ import numpy as np
 from soccer_env.agents.attention import SHAPE, attend, flat, layout_of, observed, shape_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
-from soccer_env.observations.mirror import action_signs, observation_signs
+from soccer_env.observations.reflection import action_signs, observation_signs
 
 if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy

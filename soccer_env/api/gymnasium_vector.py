@@ -10,7 +10,7 @@ import numpy as np
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
-from soccer_env.faces import NO_EVENTS, PHASES, Report, Screen, check_options, check_render_mode
+from soccer_env.api.report import NO_EVENTS, PHASES, Report, Screen, check_options, check_render_mode
 from soccer_env.gymnasium_envs import choose_learner
 from soccer_env.match import Match
 

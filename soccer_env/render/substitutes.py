@@ -6,7 +6,7 @@ from math import ceil
 
 from soccer_env.render import colours
 from soccer_env.render.canvas import Canvas
-from soccer_env.render.players import Figure
+from soccer_env.render.robots import Figure
 from soccer_env.render.view import View
 
 

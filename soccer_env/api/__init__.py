@@ -1,0 +1,5 @@
+"""What the APIs of a match share; the APIs themselves are `soccer_v0` (PettingZoo) and `gymnasium_envs`.
+
+report.py             infos in words, frames and windows, and checks of what callers pass
+gymnasium_vector.py   many matches as one Gymnasium VectorEnv
+"""
