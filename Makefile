@@ -50,7 +50,7 @@ sacks-table: $(VENV)/.has-base
 	$(BIN)/python -m soccer_env.train.tables.sacks
 
 mutants: $(VENV)/.has-train
-	$(BIN)/python tests/mutate.py
+	$(BIN)/python tests/mutation/mutate.py
 
 # Everything here can be made again, .venv included. runs/ holds results and stays.
 clean:

@@ -1,4 +1,4 @@
-"""Windows and sound of every test go nowhere; tests import what they share as `tests.staging`."""
+"""Windows and sound of every test go nowhere; tests import what they share as `tests.scenes.staging`."""
 
 import os
 import sys

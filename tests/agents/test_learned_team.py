@@ -16,7 +16,7 @@ from soccer_env.agents.policy import Policy
 from soccer_env.teams import TeamRandom, View, make_team
 from soccer_env.types import COMMAND
 from tests.agents.staged_policies import attentive, decide, from_disk, lively
-from tests.symmetry import Records, mirrored
+from tests.scenes.symmetry import Records, mirrored
 
 # What is observed, by which senses, with which settings.
 SEEN: list[tuple[str, str, dict[str, Any]]] = [

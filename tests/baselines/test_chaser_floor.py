@@ -86,7 +86,7 @@ def test_it_beats_random_players(league: str, minutes: float) -> None:
 def test_every_step_of_strength_wins_points(league: str, minutes: float) -> None:
     """100 matches each against strength 1, which against itself has half of the points by symmetry.
 
-    The README's table has all steps with 200 matches each, and tests/train/test_tables.py asks it for a ladder.
+    The README's table has all steps with 200 matches each, and tests/train/tables/test_tables.py asks it for a ladder.
     """
     placement = find_league(league).evaluation_placement  # as `soccer evaluate` and the README's table play
     ladder = [points(score(league, f"chaser@{s}", "chaser", 100, minutes, 1, placement)) for s in (0, 0.5)]

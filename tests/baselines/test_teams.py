@@ -8,8 +8,8 @@ import pytest
 from soccer_env import Match, make_team
 from soccer_env.teams import CompiledTeam, TeamRandom, View, parse_team, team_names
 from soccer_env.types import COMMAND
-from tests.staging import LEAGUES, scatter, set_phase
-from tests.symmetry import mirror, turn
+from tests.scenes.staging import LEAGUES, scatter, set_phase
+from tests.scenes.symmetry import mirror, turn
 
 TEAMS = ("still", "random", "chaser")
 EVEN, ODD = ("forward", "kick", "head", "tilt"), ("left", "turn", "pan")

@@ -14,7 +14,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.percept_types import LEGGED_PERCEPT, OMNI_PERCEPT
 from soccer_env.types import BELIEF, NOISE_STREAMS, TRACK
-from tests.staging import LEGGED, MIDDLE
+from tests.scenes.staging import LEGGED, MIDDLE
 
 
 @compiled

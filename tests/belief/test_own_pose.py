@@ -17,8 +17,8 @@ import pytest
 from soccer_env.belief.own_pose import POSE_MEMORY, add_motion, motion_since
 from soccer_env.percept_types import POSE_SENSED
 from soccer_env.types import OWN_POSE
-from tests.pose_worlds import World, believe_all
-from tests.staging import LEGGED, MIDDLE, each_league
+from tests.scenes.pose_worlds import World, believe_all
+from tests.scenes.staging import LEGGED, MIDDLE, each_league
 
 CLOSE = {LEGGED: 0.10, MIDDLE: 0.15}  # [m] median error of a robot that knows where it is
 NEAR = {LEGGED: 0.3, MIDDLE: 0.6}  # [m] error within which a robot has found itself again
@@ -243,7 +243,7 @@ def test_mirrored_percepts_make_mirrored_poses(name: str) -> None:
 SCRIPT = """
 import sys
 sys.path.insert(0, {root!r})
-from tests.pose_worlds import World
+from tests.scenes.pose_worlds import World
 for league in ("legged-2001", "middle-size-2006"):
     world = World(league, robots=1)
     world.tell()

@@ -10,7 +10,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.ball_words import FARTHEST, GROWTH, NEAREST, SILENT, distance_of, word_for
 from tests.belief.staged_talk import Talkers
-from tests.staging import MIDDLE, each_league
+from tests.scenes.staging import MIDDLE, each_league
 
 RATE = 16  # [1/s] control steps of the legged league
 LATE = 8  # frames that a word is on its way

@@ -13,8 +13,8 @@ from soccer_env.leagues.omni_sensors import OmniSensors
 from soccer_env.percept_types import BODY_PERCEPT
 from soccer_env.perception.body import light_barrier
 from soccer_env.types import ROBOT
-from tests.staging import LEGGED, MIDDLE, WALK, asking, each_league, put, put_ball, stage, stand, steady
-from tests.symmetry import Records, assert_same, mirrored, mirrored_percepts, swapped_rows, turned
+from tests.scenes.staging import LEGGED, MIDDLE, WALK, asking, each_league, put, put_ball, stage, stand, steady
+from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_percepts, swapped_rows, turned
 
 EXACT = {"odometry_noise": 0.0}
 SINGLE = 1e-6  # [m, rad] a percept is no finer

@@ -14,7 +14,7 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.percept_types import BODY_PERCEPT, NO_POSE, POSE_SENSED, POSE_TOLD
 from soccer_env.perception.body import sense_body
 from soccer_env.types import MATCH, ROBOT, ROBOT_EVENTS
-from tests.staging import LEGGED, each_league, put, put_ball, stage, stand
+from tests.scenes.staging import LEGGED, each_league, put, put_ball, stage, stand
 
 SHARP = {"pose_noise": 0.0, "pose_turn_noise": 0.0, "place_noise": 0.0, "place_turn_noise": 0.0}
 

@@ -6,7 +6,7 @@ import pytest
 from soccer_env.leagues import find_league
 from soccer_env.physics.space import build_space
 from soccer_env.types import HOME, NO_TEAM
-from tests.staging import (
+from tests.scenes.staging import (
     LEGGED,
     MIDDLE,
     boarded,

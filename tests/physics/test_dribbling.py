@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.physics.space import build_space
-from tests.staging import LEAGUES, LEGGED, MIDDLE, asking, each_league, outline, put, put_ball, stage, steady
+from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, asking, each_league, outline, put, put_ball, stage, steady
 
 
 def pushed(league, matches, v, seconds, forward):

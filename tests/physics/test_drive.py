@@ -7,7 +7,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from tests.staging import (
+from tests.scenes.staging import (
     LEGGED,
     MIDDLE,
     asking,

@@ -4,7 +4,18 @@ import numpy as np
 
 from soccer_env import Match
 from soccer_env.types import Phase
-from tests.staging import boarded, each_league, energy, put_ball, scatter, set_phase, speed, stage, stand, steps_in
+from tests.scenes.staging import (
+    boarded,
+    each_league,
+    energy,
+    put_ball,
+    scatter,
+    set_phase,
+    speed,
+    stage,
+    stand,
+    steps_in,
+)
 
 SOLVER = 1e-9  # [J] of rounding in a step
 

@@ -7,7 +7,19 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from tests.staging import LEGGED, MIDDLE, asking, each_league, put, put_ball, speed, stage, stand, steady, steps_in
+from tests.scenes.staging import (
+    LEGGED,
+    MIDDLE,
+    asking,
+    each_league,
+    put,
+    put_ball,
+    speed,
+    stage,
+    stand,
+    steady,
+    steps_in,
+)
 
 
 def at_the_ball(league, matches=1, ahead=0.005, aside=0.0, row=0, **settings) -> Match:

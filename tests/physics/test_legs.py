@@ -10,7 +10,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.physics.legs import LEGS, push_size
 from soccer_env.staging import patient
-from tests.staging import LEGGED, asking, put, put_ball, stage
+from tests.scenes.staging import LEGGED, asking, put, put_ball, stage
 
 LOST = 0.10  # [m] from chest to ball
 

@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.types import MAX_TEAM, Phase
-from tests.staging import (
+from tests.scenes.staging import (
     LEAGUES,
     LEGGED,
     MIDDLE,

@@ -6,7 +6,7 @@ import pytest
 from soccer_env.leagues import find_league
 from soccer_env.physics.contacts import ball_gap
 from soccer_env.types import AWAY, HOME, NO_TEAM
-from tests.staging import (
+from tests.scenes.staging import (
     LEGGED,
     MIDDLE,
     asking,

@@ -6,7 +6,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.staging import each_league, put_ball, stand, steps_in
+from tests.scenes.staging import each_league, put_ball, stand, steps_in
 
 MINUTES = 0.2  # two halves of 6 s
 

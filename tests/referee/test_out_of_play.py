@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.staging import LEGGED, MIDDLE, asking, put, put_ball, stage, stand, steps_in
+from tests.scenes.staging import LEGGED, MIDDLE, asking, put, put_ball, stage, stand, steps_in
 
 LEAGUE = find_league(MIDDLE)
 HALF_LENGTH, HALF_WIDTH = LEAGUE.pitch.length / 2, LEAGUE.pitch.width / 2

@@ -6,7 +6,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM, Phase
-from tests.staging import (
+from tests.scenes.staging import (
     LEAGUES,
     LEGGED,
     MIDDLE,

@@ -8,8 +8,8 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import NEVER
-from tests.staging import LEGGED, MIDDLE, asking, deepest_overlaps, put, put_ball, stage, stand, steps_in
-from tests.symmetry import Records, assert_same, mirrored, mirrored_actions
+from tests.scenes.staging import LEGGED, MIDDLE, asking, deepest_overlaps, put, put_ball, stage, stand, steps_in
+from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_actions
 
 NOSES = 0.291  # [m] between the centres of two robots whose paws touch
 

@@ -9,7 +9,7 @@ pytest.importorskip("pygame")
 
 from soccer_env.render import Picture, colours
 from tests.render.staged_frames import around, centre_of, make_records, near
-from tests.staging import LEAGUES
+from tests.scenes.staging import LEAGUES
 
 
 @pytest.mark.parametrize("league", LEAGUES)

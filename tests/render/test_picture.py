@@ -11,7 +11,7 @@ pytest.importorskip("pygame")
 from soccer_env.leagues import find_league
 from soccer_env.render import Picture
 from tests.render.staged_frames import make_records
-from tests.staging import LEAGUES
+from tests.scenes.staging import LEAGUES
 
 
 def test_a_frame_depends_on_its_records_alone():

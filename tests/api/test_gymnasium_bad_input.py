@@ -1,0 +1,150 @@
+"""The Gymnasium faces refuse bad settings, actions, resets and calls, and nothing has changed."""
+
+import numpy as np
+import pytest
+
+from tests.scenes.staged_envs import MODES, make, make_many
+
+NAN = float("nan")
+GOOD = np.zeros((4, 4), np.float32)
+
+
+# Settings
+
+
+@pytest.mark.parametrize("maker", [make, make_many])
+@pytest.mark.parametrize(
+    ("settings", "complaint"),
+    [
+        ({"agent": "home_2"}, "unknown agent 'home_2'; known: home_0, home_1, away_0, away_1"),
+        ({"agent": 1}, "unknown agent 1; known"),
+        ({"opponents": None}, "home_1 is the one learner.*away_0"),
+        ({"teammates": None}, "home_1 is the one learner.*home_0"),
+        ({"controllers": {"home_1": "still"}}, "controllers must map .* other than home_1"),
+        ({"controllers": "still"}, "controllers must map"),
+        ({"controllers": {"home_5": "still"}}, "unknown agent 'home_5' in controllers"),
+        ({"opponents": "giants"}, "unknown team 'giants'"),
+        ({"league": "football"}, "unknown league 'football'"),
+        ({"home": 12}, "home must be 1 to 11, got 12"),
+        ({"render_mode": "ascii"}, "render_mode must be one of rgb_array"),
+    ],
+)
+def test_bad_settings_are_refused(maker, settings, complaint):
+    with pytest.raises(ValueError, match=complaint):
+        maker(**settings)
+
+
+@pytest.mark.parametrize(
+    ("settings", "complaint"),
+    [
+        ({"num_envs": 0}, "matches must be .*1"),
+        ({"num_envs": 2.5}, "matches must be .*2.5"),
+        ({"threads": 0}, "threads must be 1 to 256, got 0"),
+        ({"autoreset_mode": "Disabled"}, "autoreset_mode must be one of NextStep, SameStep, got 'Disabled'"),
+        ({"render_mode": "human"}, "render_mode must be one of rgb_array, got 'human'"),
+    ],
+)
+def test_bad_settings_of_the_vector_env_are_refused(settings, complaint):
+    with pytest.raises(ValueError, match=complaint):
+        make_many(**settings)
+
+
+# Actions
+
+
+@pytest.mark.parametrize(
+    ("action", "complaint"),
+    [
+        (np.array([0, NAN, 0, 0]), "home_1.*nan"),
+        (np.zeros(3), r"home_1 must be 4 numbers.*\(3,\)"),
+        (np.zeros((2, 4)), r"home_1 must be 4 numbers.*\(2, 4\)"),
+        (None, "home_1 must be 4 numbers"),
+        ("forward", "home_1 must be 4 numbers"),
+        (3, "home_1 must be 4 numbers"),
+    ],
+)
+def test_bad_actions_are_refused_and_change_nothing(action, complaint):
+    env = make()
+    env.reset(seed=1)
+    env.step(np.zeros(4))
+    before = env.match.state_hash()
+    with pytest.raises(ValueError, match=complaint):
+        env.step(action)
+    assert env.match.state_hash() == before
+    env.step(np.zeros(4))
+
+
+@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize(
+    ("actions", "complaint"),
+    [
+        (np.where(np.arange(16).reshape(4, 4) == 9, np.inf, GOOD), "home_1 in match 2.*inf"),
+        (GOOD[:3], r"home_1 must be numbers of shape \(4, 4\), got float32 of shape \(3, 4\)"),
+        (GOOD[0], r"shape \(4, 4\), got float32 of shape \(4,\)"),
+        (GOOD.astype(complex), "got complex"),
+        (GOOD.astype(bool), "got bool"),
+        (GOOD.astype(str), "got <U"),
+        ([[0.0], [1.0, 2.0]], "must be numbers of shape"),
+        (None, "got object"),
+        ({"home_1": GOOD}, "got object"),
+    ],
+)
+def test_bad_actions_of_the_vector_env_are_refused_and_change_nothing(mode, actions, complaint):
+    envs, witness = make_many(autoreset_mode=mode), make_many(autoreset_mode=mode)
+    envs.reset(seed=1), witness.reset(seed=1)
+    envs.step(GOOD), witness.step(GOOD)
+    before = envs.match.state_hash()
+    with pytest.raises(ValueError, match=complaint):
+        envs.step(actions)
+    assert envs.match.state_hash() == before
+    assert np.array_equal(envs.step(GOOD)[0], witness.step(GOOD)[0])
+
+
+@pytest.mark.parametrize(
+    ("actions", "complaint"),
+    [([0, 12, 0, 0], "home_1 in match 1 must be 0 to 11, got 12"), ([0.0, 1.0, 2.0, 3.0], "integers of shape")],
+)
+def test_bad_discrete_actions_of_the_vector_env_are_refused(actions, complaint):
+    envs = make_many(actions="discrete")
+    envs.reset(seed=1)
+    before = envs.match.state_hash()
+    with pytest.raises(ValueError, match=complaint):
+        envs.step(actions)
+    assert envs.match.state_hash() == before
+    envs.step([0, 11, 3, 4])
+
+
+# Resets, and calls in the wrong order
+
+
+@pytest.mark.parametrize(
+    ("arguments", "complaint"),
+    [
+        ({"seed": -1}, "seed.*-1"),
+        ({"seed": 1.5}, "seed.*1.5"),
+        ({"seed": [1, 2]}, "seeds must be 4 whole numbers"),
+        ({"seed": [1, 2, 3, None]}, "each seed must be a whole number of 0 or more, got None"),
+        ({"seed": [1, 2, 3, -4]}, "got -4"),
+        ({"options": {"reset_mask": np.ones(4, bool)}}, "unknown option 'reset_mask'; known: match_seeds"),
+        ({"options": {"match_seeds": [1, 2]}}, "seeds must be 4 whole numbers"),
+        ({"seed": 1, "options": {"match_seeds": [1, 2, 3, 4]}}, "both"),
+    ],
+)
+def test_bad_resets_of_the_vector_env_are_refused(arguments, complaint):
+    envs = make_many()
+    envs.reset(seed=1)
+    before = envs.match.state_hash()
+    with pytest.raises(ValueError, match=complaint):
+        envs.reset(**arguments)
+    assert envs.match.state_hash() == before
+
+
+def test_calls_in_the_wrong_order_say_that_reset_is_due():
+    solo, envs = make(max_cycles=1, render_mode="rgb_array"), make_many(render_mode="rgb_array")
+    for call in (lambda: solo.step(GOOD[0]), lambda: envs.step(GOOD), solo.render, envs.render):
+        with pytest.raises(RuntimeError, match="before reset"):
+            call()
+    solo.reset(seed=0)
+    solo.step(GOOD[0])
+    with pytest.raises(RuntimeError, match="after the end"):
+        solo.step(GOOD[0])

@@ -1,0 +1,140 @@
+"""sacks-2001 in whole matches: any size, alone, without a ball, never stuck for long, weaker at less strength."""
+
+import numpy as np
+import pytest
+
+from soccer_env import Match, make_team
+from soccer_env.baselines.sacks_2001.memory import (
+    APPROACH,
+    BACK,
+    DRIBBLE,
+    ORBIT,
+    PASS,
+    ROTATE,
+    SEARCH,
+    SHOOT,
+    SIDESTEP,
+)
+from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.types import COMMAND, Phase
+from tests.scenes.staging import patient, put_ball, set_phase
+
+LEAGUE = "legged-2001"
+TEAMS = ("sacks-2001", "sacks-2001-tuned", "sacks-2001-future")
+BUSY = (APPROACH, BACK, SIDESTEP, ROTATE, ORBIT, DRIBBLE, SHOOT, PASS)  # supporters and goalkeepers may stand
+STANDS, LONG = 0.05, 30.0  # [m] within which a robot stands; [s] for which no busy one may
+PAUSE = 3.0  # [s] of other things that end a standstill
+
+
+def numbers(match: Match) -> np.ndarray:
+    """Return the commands of all robots (M, R, 7)."""
+    return np.stack([match.robots["command"][name] for name in COMMAND.names or ()], axis=-1)
+
+
+@pytest.mark.parametrize("senses", ["ideal", "sensors"])
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize(("home", "away"), [(1, 1), (2, 1), (1, 5), (11, 11)])
+def test_it_plays_at_every_size(team: str, senses: str, home: int, away: int) -> None:
+    match = Match(LEAGUE, home=home, away=away, seed=1, controllers={"home": team, "away": team}, senses=senses)
+    for _ in range(200):
+        match.step()
+    commands = numbers(match)
+    assert np.isfinite(commands).all() and np.abs(commands).max() <= 1.0
+    assert np.isfinite(match.robots["x"]).all()
+
+
+def test_other_leagues_are_refused() -> None:
+    with pytest.raises(ValueError, match="'sacks-2001' plays legged, not middle-size-2006"):
+        Match("middle-size-2006", controllers={"home": "sacks-2001"}, seed=1)
+    Match("legged-2001-inner", controllers={"home": "sacks-2001", "away": "still"}, seed=1).step()
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"strength": 1.5}, "strength must be 0 to 1"),
+        ({"exponent": 4}, "exponent must be 1 to 3"),
+        ({"exponent": 1.5}, "exponent must be a whole number"),
+        ({"goal_force": "strong"}, "goal_force must be one of unit, proportional"),
+        ({"player_range": 0.0}, "player_range must be 0.01 to 100"),
+        ({"step_length": -0.01}, "step_length must be 0 to"),
+        ({"recovery": 1}, "recovery must be True or False"),
+    ],
+)
+def test_settings_that_cannot_be_are_refused(changes: dict[str, object], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        SacksSettings().changed(changes)
+
+
+@pytest.mark.parametrize("extreme", [{"replan": 10.0}, {"step_length": 1.0}, {"player_gain": 1e6}, {"settle": 0.01}])
+def test_extreme_settings_give_commands_that_a_robot_can_obey(extreme: dict[str, float]) -> None:
+    team = make_team("sacks-2001", **extreme)
+    match = Match(LEAGUE, home=2, away=2, matches=8, seed=2, controllers={"home": team, "away": "chaser"}, minutes=0.5)
+    while not match.terminated.all():
+        match.step()
+        assert np.isfinite(numbers(match)).all()
+
+
+def test_a_robot_without_team_mates_still_goes_for_the_ball() -> None:
+    """All the others of its team are sent off: the last one attacks by itself."""
+    match = Match(LEAGUE, matches=16, seed=3, controllers={"home": "sacks-2001", "away": "still"}, minutes=3)
+    match.robots["active"][:, :2] = 0
+    match.robots["x"][:, :2], match.robots["y"][:, :2] = [[-9.0, -9.6]], 9.0
+    match.reseat()
+    touched = np.zeros(16, bool)
+    while not match.terminated.all():
+        match.step()
+        touched |= match.robot_events["touch"][:, 2] == 1
+    assert touched.all()
+
+
+def test_a_robot_that_never_sees_the_ball_goes_on_searching_all_over_its_half() -> None:
+    """The ball lies out of sight for three minutes: it turns, goes home, turns again, and never stops or blows up."""
+    teams = {"home": "sacks-2001", "away": "still"}
+    match = Match(patient(LEAGUE), matches=8, home=2, away=1, seed=4, controllers=teams)
+    set_phase(match, Phase.PLAY)
+    put_ball(match, 50.0, 50.0)
+    match.reseat()
+    turned, searching = np.zeros((8, 2)), 0.0
+    for _ in range(16 * 180):
+        before = match.robots["heading"][:, :2].copy()
+        match.step()
+        turned += np.abs(np.angle(np.exp(1j * (match.robots["heading"][:, :2] - before))))
+        searching += (match.squads[0].memory["behaviour"] == SEARCH).mean() / (16 * 180)
+    assert np.isfinite(numbers(match)).all()
+    assert searching > 0.6, "what is taken for a ball passes"
+    assert (turned > 4.0 * np.pi).all()
+
+
+@pytest.mark.slow
+def test_no_busy_robot_stands_for_half_a_minute() -> None:
+    """Neither a board nor an opponent, nor a ball that it cannot move, holds a player for 30 s of play.
+
+    A search or another role in between counts as standing too, unless it lasts.
+    """
+    teams = {"home": "sacks-2001", "away": "chaser"}
+    match = Match(LEAGUE, controllers=teams, matches=24, threads=2, seed=11, minutes=4)
+    squad = match.squads[0]
+    since, idle, anchor, longest = np.zeros((24, 3)), np.zeros((24, 3)), np.zeros((2, 24, 3)), 0.0
+    while not match.terminated.all():
+        match.step()
+        here = np.stack([match.robots["x"][:, squad.players], match.robots["y"][:, squad.players]])
+        busy = np.isin(squad.memory["behaviour"], BUSY) & (match.matches["phase"] == Phase.PLAY)[:, None]
+        idle = np.where(busy, 0.0, idle + match.league.dt)
+        moved = (np.hypot(*(here - anchor)) > STANDS) | (idle > PAUSE)
+        anchor, since = np.where(moved, here, anchor), np.where(moved, 0.0, since + match.league.dt)
+        longest = max(longest, since.max())
+    assert longest < LONG
+
+
+@pytest.mark.slow
+def test_two_steps_of_strength_win_goals() -> None:
+    """The README's table has every step of 200 matches; here the ends of the ladder, on the same seeds."""
+    gaps = []
+    for strength in (0.0, 1.0):
+        teams = {"home": f"sacks-2001@{strength}", "away": "chaser"}
+        match = Match(LEAGUE, controllers=teams, matches=60, threads=2, seed=5, minutes=3)
+        while not match.terminated.all():
+            match.step()
+        gaps.append((match.matches["score"][:, 0] - match.matches["score"][:, 1]).mean())
+    assert gaps[1] - gaps[0] > 0.3

@@ -1,0 +1,207 @@
+"""What the players of sacks-2001 do with the ball and without it, and what the team was before, as switches."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match, make_team
+from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, GUARD, ORBIT, PASS, SEARCH, SHOOT
+from tests.scenes.sacks_mind import LEAGUE, Mind
+
+FORWARD, LEFT, TURN, KICK = range(4)
+TOUCH = LEAGUE.body.front + LEAGUE.ball.radius  # [m] from a robot's middle to a ball between its paws
+OLD = {"avoidance": False, "blind_shots": True}  # orbit and shoot
+
+
+def believe_player(mind: Mind, slot: int, x: float, y: float, teammate: int = 0) -> None:
+    """Let a player be remembered there [m], robot frame."""
+    track = mind.tracks[0, 0, slot]
+    track["present"], track["teammate"], track["number"], track["age"] = 1, teammate, -1, 0.0
+    track["x"], track["y"] = x, y
+    track["distance"], track["bearing"] = np.hypot(x, y), np.arctan2(y, x)
+
+
+def holding(heading: float, x: float = 0.3, **settings: Any) -> Mind:
+    """Return a mind that has the ball between its paws, turned by `heading` [rad] off the goal."""
+    mind = Mind(**settings)
+    mind.stand_at(x, 0.0, heading)
+    mind.see_ball(TOUCH, held=1)
+    return mind
+
+
+def test_ms26_it_goes_to_the_ball_orbits_it_to_face_the_goal_and_shoots() -> None:
+    mind = Mind(**OLD)
+    mind.stand_at(-0.5, 0.0)
+    mind.see_ball(0.8, 0.2)
+    command = mind.think()[-1]
+    assert mind.memory["behaviour"] == APPROACH and command[FORWARD] > 0.8 and command[TURN] > 0.0 == command[KICK]
+    mind.stand_at(0.3, 0.0, np.pi / 2)
+    mind.see_ball(TOUCH, held=1)
+    command = mind.think()[-1]
+    assert mind.memory["behaviour"] == ORBIT
+    assert command[TURN] < 0.0 < command[LEFT] and command[KICK] == 0.0  # round the ball, the goal lies to the right
+    mind.stand_at(0.3, 0.0, 0.05)
+    command = mind.think()[-1]
+    assert mind.memory["behaviour"] == SHOOT and command[KICK] == 1.0
+
+
+def test_ms26_it_does_not_shoot_while_it_faces_away_from_the_goal_or_is_far_from_it() -> None:
+    for mind in (holding(0.9), holding(0.0, -1.0)):
+        assert mind.think(1.0)[:, KICK].max() == 0.0
+        assert mind.memory["behaviour"] != SHOOT
+
+
+def test_ms26_a_kick_that_the_leg_winds_up_for_is_seen_through() -> None:
+    """It cannot be called back: though the goal closes meanwhile, the player knows afterwards that it has kicked."""
+    mind = holding(0.0)
+    mind.think()
+    assert mind.memory["behaviour"] == SHOOT
+    mind.stand_at(0.3, 0.0, 0.9)
+    assert (mind.think(LEAGUE.kicker.wind_up)[:, KICK] == 1.0).all()
+    mind.see_ball(0.6)
+    mind.think(0.3)
+    assert mind.memory["behaviour"] == APPROACH and mind.memory["kicked"] > 0.0
+
+
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_a_search_begins_on_the_side_where_the_ball_was_last(side: float) -> None:
+    mind = Mind()
+    mind.see_ball(0.8, side)
+    mind.think()
+    mind.memory["side"] = -side  # of an orbit before
+    mind.belief["ball"]["age"] = 3.0
+    command = mind.think(3.0)[-1]
+    assert mind.memory["behaviour"] == SEARCH and command[TURN] * side > 0.0
+
+
+def blocked(**settings: Any) -> Mind:
+    """Return a mind 0.9 m before the ball, an opponent a little to the left of the way to it."""
+    mind = Mind(**settings)
+    mind.stand_at(-0.5, 0.0)
+    mind.see_ball(0.9)
+    believe_player(mind, 2, 0.5, 0.05)
+    return mind
+
+
+def test_ms27_others_are_avoided_with_the_ball_alone() -> None:
+    chaser = blocked()
+    command = chaser.think()[-1]
+    assert chaser.memory["behaviour"] == APPROACH and command[LEFT] == 0.0 and command[FORWARD] > 0.9
+    dribbler = blocked()
+    dribbler.see_ball(TOUCH, held=1)
+    command = dribbler.think()[-1]
+    assert dribbler.memory["behaviour"] == DRIBBLE and command[LEFT] < -0.1
+    careful = blocked(avoid_chasing=True)
+    assert careful.think()[-1, LEFT] < -0.1
+
+
+def test_ms27_a_ball_that_was_between_the_paws_counts_as_there_for_a_while() -> None:
+    mind = holding(0.0, -1.2, glance_time=0.0)
+    mind.think()
+    assert mind.memory["behaviour"] == DRIBBLE
+    mind.see_ball(0.6)
+    mind.think(0.5)
+    assert mind.memory["behaviour"] == DRIBBLE
+    mind.think(2.0)
+    assert mind.memory["behaviour"] == APPROACH
+
+
+@pytest.mark.parametrize("avoidance", [True, False])
+def test_ms52_without_avoidance_the_ball_is_orbited_instead_of_dribbled(avoidance: bool) -> None:
+    mind = holding(0.7, -0.5, avoidance=avoidance)
+    mind.think()
+    assert mind.memory["behaviour"] == (DRIBBLE if avoidance else ORBIT)
+
+
+@pytest.mark.parametrize("two", [True, False])
+def test_ms52_with_one_counter_a_robot_near_the_ball_thinks_itself_stuck(two: bool) -> None:
+    mind = Mind(two_counters=two)
+    mind.see_ball(0.3)
+    mind.think(4.0)
+    assert mind.memory["behaviour"] == (APPROACH if two else BACK)
+
+
+@pytest.mark.parametrize("clamp", [True, False])
+def test_ms52_without_the_clamp_a_player_ahead_pushes_the_robot_back(clamp: bool) -> None:
+    mind = holding(0.0, -0.5, clamp=clamp, body_clamp=clamp, contested_range=0.0)
+    believe_player(mind, 2, 0.25, 0.0)
+    command = mind.think()[-1]
+    assert mind.memory["behaviour"] == DRIBBLE
+    assert command[FORWARD] > 0.0 if clamp else command[FORWARD] < 0.0
+
+
+def played(memory: dict[str, Any]) -> np.ndarray:
+    """Return where everybody is after a while of play by sensors with a memory (M, R)."""
+    teams = {"home": "sacks-2001", "away": "sacks-2001"}
+    match = Match("legged-2001", matches=4, seed=3, controllers=teams, memory=memory)
+    for _ in range(20 * LEAGUE.control_rate):
+        match.step()
+    places: np.ndarray = match.robots["x"].copy()
+    match.close()
+    return places
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("memory", [{"odometry": "rotation"}, {"slots": "nearest"}, {"ball_range": "infrared"}])
+def test_ms52_what_robots_knew_before_is_a_switch_that_changes_play(memory: dict[str, Any]) -> None:
+    assert (played({}) != played(memory)).any(axis=1).mean() > 0.5
+
+
+def keeper(**settings: Any) -> Mind:
+    """Return a goalkeeper before whom a shot comes straight ahead, its bearing growing: it will pass on the left."""
+    mind = Mind(**settings)
+    mind.belief["situation"]["keeper"] = 1
+    mind.stand_at(-1.3, 0.0)
+    mind.see_ball(1.0, radial=-0.8)
+    mind.belief["ball"]["angular"] = 0.2
+    return mind
+
+
+def test_ms53_the_goalkeeper_steps_to_where_the_ball_will_pass() -> None:
+    mind, bearing = keeper(), keeper(angular_keeper=False)
+    assert mind.think()[-1, LEFT] > 0.5
+    assert bearing.think()[-1, LEFT] == 0.0
+    assert mind.memory["behaviour"] == bearing.memory["behaviour"] == GUARD
+
+
+def before_a_wall(**settings: Any) -> Mind:
+    """Return a mind that has the ball, three opponents before the goal, a team-mate on the left."""
+    mind = holding(0.0, 0.4, **settings)
+    for slot, y in ((2, 0.13), (3, -0.13), (4, 0.0)):
+        believe_player(mind, slot, 0.55, y)
+    believe_player(mind, 0, 0.4, 0.55, teammate=1)
+    return mind
+
+
+def test_ms53_no_pass_is_given_where_a_kick_was_stopped_at_once() -> None:
+    mind = before_a_wall(passes=True)
+    mind.memory["foiled"] = 1.0
+    mind.think(0.5)
+    assert mind.memory["behaviour"] == DRIBBLE
+    mind.think(1.0)
+    assert mind.memory["behaviour"] == PASS
+
+
+@pytest.mark.parametrize("passes", [True, False])
+def test_ms53_a_remembered_team_mate_is_passed_to_when_the_goal_is_blocked(passes: bool) -> None:
+    mind = before_a_wall(passes=passes)
+    mind.think()
+    assert (mind.memory["behaviour"] == PASS) == passes
+    mind.stand_at(0.4, 0.0, 0.9)
+    for slot in range(5):  # the same players, seen from the body that has turned
+        x, y = mind.tracks[0, 0, slot]["x"], mind.tracks[0, 0, slot]["y"]
+        believe_player(mind, slot, *turned(float(x), float(y), -0.9), teammate=int(slot < 2))
+    mind.tracks[0, 0, 1]["present"] = 0
+    assert (mind.think()[-1, KICK] > 0.0) == passes
+
+
+def turned(x: float, y: float, angle: float) -> tuple[float, float]:
+    """Return a vector turned by an angle [rad]."""
+    return x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle)
+
+
+@pytest.mark.parametrize("name", ["sacks-2001-tuned", "sacks-2001-future"])
+def test_the_variants_are_made_of_settings(name: str) -> None:
+    variant, plain = make_team(name), make_team("sacks-2001")
+    assert variant.name == name and variant.settings.tobytes() != plain.settings.tobytes()  # type: ignore[attr-defined]

@@ -1,0 +1,228 @@
+"""The head keeps the believed ball at the centre of the picture, and searches when there is none."""
+
+from __future__ import annotations
+
+from math import cos, inf, pi, sin
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.belief.legged.head import FAR_TILT, HEAD_MEMORY, NEAR_TILT, choose_gaze
+from soccer_env.compiled import compiled
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.optics.head_camera import camera_place, pixel_of_direction
+from soccer_env.percept_types import LEGGED_PERCEPT
+from soccer_env.types import BELIEF, GAZE
+from tests.scenes.staging import LEGGED, asking, put, put_ball, stage, steady
+
+LEAGUE = find_league(LEGGED)
+RADIUS = LEAGUE.ball.radius
+CENTRED = 3.0 * pi / 180.0  # [rad] from the optical axis that counts as the image's centre
+PERIOD = LEAGUE.memory.search_period
+
+
+@compiled
+def choose(percepts, beliefs, memories, gazes, constants, sensors, settings):  # type: ignore[no-untyped-def]
+    for i in range(beliefs.shape[0]):
+        choose_gaze(percepts[i], beliefs[i], memories[i], gazes[i], constants[0], sensors[0], settings[0])
+
+
+class Head:
+    """The head of one robot with a belief that the test sets."""
+
+    def __init__(self, hand: float = 1.0, **memory: float) -> None:
+        self.percepts, self.beliefs = np.zeros(1, LEGGED_PERCEPT), np.zeros(1, BELIEF)
+        self.memories, self.gazes = np.zeros(1, HEAD_MEMORY), np.zeros(1, GAZE)
+        self.percepts["body"]["handedness"] = hand
+        self.settings = LEAGUE.memory.changed(memory).record()
+        self.ball = self.beliefs["ball"]
+
+    def believe(self, distance: float, bearing: float, age: float = 0.0, confidence: float = 100.0) -> None:
+        """Set the belief about the ball."""
+        for name, value in (("distance", distance), ("bearing", bearing), ("age", age), ("confidence", confidence)):
+            self.ball[name] = value
+
+    def gaze(self) -> tuple[float, float]:
+        """Return the pan and tilt of the next frame [rad]."""
+        choose(
+            self.percepts, self.beliefs, self.memories, self.gazes,
+            constants_of(LEAGUE), LEAGUE.sensors.record(), self.settings,
+        )  # fmt: skip
+        return float(self.gazes["pan"][0]), float(self.gazes["tilt"][0])
+
+    def sweep(self, seconds: float) -> np.ndarray:
+        """Return the gazes (frames, 2) of a head that goes on as it is."""
+        return np.array([self.gaze() for _ in range(round(seconds * LEAGUE.control_rate))])
+
+
+def off_centre(pan: float, tilt: float, x: float, y: float) -> float:
+    """Return the angle [rad] between the optical axis and a ball at a place in the robot's frame [m]."""
+    to = np.array([x, y, RADIUS]) - camera_place(pan, tilt, np.rec.array(LEAGUE.sensors.record())[0])
+    axis = np.array([cos(tilt) * cos(pan), cos(tilt) * sin(pan), sin(tilt)])
+    return float(np.arccos(np.clip(np.dot(axis, to) / np.linalg.norm(to), -1.0, 1.0)))
+
+
+@pytest.mark.parametrize("bearing", [0.0, 0.5, -1.1])
+@pytest.mark.parametrize("distance", [0.2, 0.35, 0.8, 2.5])
+def test_ms07_the_believed_ball_is_put_at_the_centre_of_the_picture(distance: float, bearing: float) -> None:
+    """MS07: wherever it lies within the reach of the neck, the optical axis goes through its centre."""
+    head = Head()
+    head.believe(distance, bearing)
+    pan, tilt = head.gaze()
+    x, y = distance * cos(bearing), distance * sin(bearing)
+    assert off_centre(pan, tilt, x, y) == pytest.approx(0.0, abs=1e-7)
+    to = np.array([x, y, RADIUS]) - camera_place(pan, tilt, np.rec.array(LEAGUE.sensors.record())[0])
+    direction = np.arctan2(to[1], to[0]), np.arctan2(to[2], np.hypot(to[0], to[1]))
+    u, v, inside = pixel_of_direction(*direction, pan, tilt, np.rec.array(LEAGUE.sensors.record())[0])
+    assert (u, v) == pytest.approx((0.0, 0.0), abs=1e-6) and inside == 1
+
+
+@pytest.mark.parametrize(("distance", "bearing"), [(0.5, 3.0), (0.5, -2.0), (0.0, 0.0), (0.02, 1.0), (1e6, 0.3)])
+def test_the_gaze_stays_within_the_joint_limits(distance: float, bearing: float) -> None:
+    head, limits = Head(), LEAGUE.head
+    head.believe(distance, bearing)
+    pan, tilt = head.gaze()
+    assert abs(pan) <= limits.pan_limit and limits.tilt_low <= tilt <= limits.tilt_high
+
+
+def test_a_ball_that_was_seen_a_moment_ago_is_still_looked_at() -> None:
+    head = Head()
+    head.believe(0.6, 0.4, age=0.9, confidence=91.0)
+    assert off_centre(*head.gaze(), 0.6 * cos(0.4), 0.6 * sin(0.4)) < 1e-6
+
+
+# Searching
+
+
+@pytest.mark.parametrize("bearing", [0.3, -0.3, 2.9, -1e-9])
+def test_ms07_the_search_begins_on_the_side_where_the_ball_was_believed(bearing: float) -> None:
+    """MS07: and sweeps to the other side in one period."""
+    head = Head()
+    head.believe(0.9, bearing, age=1.1, confidence=89.0)
+    pans = head.sweep(PERIOD)[:, 0]
+    assert pans[0] == pytest.approx(np.sign(bearing) * LEAGUE.head.pan_limit)
+    assert (np.diff(pans) * np.sign(bearing) < 0.0).all()
+    assert pans[-1] == pytest.approx(-np.sign(bearing) * LEAGUE.head.pan_limit, rel=0.1)
+
+
+def test_the_search_sweeps_near_and_far_ground_in_turn_without_a_jump() -> None:
+    head = Head()
+    head.believe(0.9, 0.3, age=inf, confidence=50.0)
+    gazes = head.sweep(4 * PERIOD)
+    assert np.abs(np.diff(gazes[:, 0])).max() < 1.1 * 2 * LEAGUE.head.pan_limit / (PERIOD * LEAGUE.control_rate)
+    tilts = gazes[:: round(PERIOD * LEAGUE.control_rate), 1]
+    assert tilts == pytest.approx([FAR_TILT, NEAR_TILT, FAR_TILT, NEAR_TILT])
+    assert np.ptp(gazes[:, 0]) == pytest.approx(2 * LEAGUE.head.pan_limit, rel=0.05)
+
+
+def test_a_ball_lost_at_the_feet_is_searched_for_at_the_feet_first() -> None:
+    for side in (1.0, -1.0):
+        head = Head()
+        head.believe(0.2, 0.1 * side, age=1.5, confidence=85.0)
+        pan, tilt = head.gaze()
+        assert tilt == NEAR_TILT and pan == pytest.approx(side * LEAGUE.head.pan_limit)
+
+
+def test_a_search_that_follows_another_begins_anew() -> None:
+    head = Head()
+    head.believe(0.9, 0.3, age=2.0, confidence=80.0)
+    head.sweep(1.7 * PERIOD)
+    head.believe(0.9, -0.3)
+    head.sweep(0.5)
+    head.believe(0.9, -0.3, age=1.1, confidence=89.0)
+    assert head.gaze()[0] == pytest.approx(-LEAGUE.head.pan_limit)
+
+
+def test_ms07_a_glimpse_of_a_patch_does_not_begin_the_search_again() -> None:
+    head, steady = Head(), Head()
+    for one in (head, steady):
+        one.believe(0.9, 0.3, age=2.0, confidence=80.0)
+        one.sweep(1.7 * PERIOD)
+    head.believe(2.5, -0.6)  # one frame long
+    head.gaze()
+    head.believe(2.5, -0.6, age=0.3, confidence=97.0)
+    assert head.gaze() == steady.gaze()  # on with the sweep at the feet, long before search_after
+
+
+def test_a_robot_that_never_saw_the_ball_searches_and_its_mirror_image_the_other_way() -> None:
+    one, other = Head(), Head(hand=-1.0)
+    found, image = one.sweep(2.5 * PERIOD), other.sweep(2.5 * PERIOD)
+    assert (image[:, 0] == -found[:, 0]).all() and (image[:, 1] == found[:, 1]).all()
+    assert found[0, 0] == LEAGUE.head.pan_limit
+
+
+def test_the_two_tilts_cover_all_ground_that_a_ball_may_lie_on() -> None:
+    """One of the sweeps shows a fifth of a ball's height or more, from between the paws to the farthest corner."""
+    half = 0.5 * LEAGUE.sensors.view_height
+    between_paws = LEAGUE.body.front + RADIUS
+    for distance in np.linspace(between_paws, 3.6, 300):
+        seen = []
+        for tilt in (NEAR_TILT, FAR_TILT):
+            ahead, _, height = camera_place(0.0, tilt, np.rec.array(LEAGUE.sensors.record())[0])
+            down, level = RADIUS - height, distance - ahead
+            off = abs(np.arctan2(down, level) - tilt)
+            seen.append(off - np.arcsin(min(RADIUS / np.hypot(down, level), 1.0)) * 0.6 < half)
+        assert any(seen), distance
+
+
+def test_the_settings_say_when_and_how_fast_it_searches() -> None:
+    head = Head(search_after=3.0)
+    head.believe(0.9, 0.3, age=2.9)
+    assert head.gaze()[0] < 0.5
+    head = Head(search_after=0.0, search_period=0.0)
+    head.believe(0.9, 0.3)
+    assert np.isfinite(head.sweep(1.0)).all()
+
+
+# Walking
+
+
+def watch(match: Match, actions: Any, seconds: float) -> np.ndarray:
+    """Return how far from the picture's centre [rad] the ball is in each frame; robot 0 believes in the true ball."""
+    head, robot, ball = Head(), match.robots[0, 0:1], match.balls[0]
+    match.field.senses.believe = lambda field, first, last: None
+    found = []
+    for _ in range(round(seconds * match.league.control_rate)):
+        x, y = ball["x"] - robot["x"][0], ball["y"] - robot["y"][0]
+        cosine, sine = cos(robot["heading"][0]), sin(robot["heading"][0])
+        ahead, left = cosine * x + sine * y, cosine * y - sine * x
+        found.append(off_centre(robot["pan"][0], robot["tilt"][0], ahead, left))
+        head.believe(float(np.hypot(ahead, left)), float(np.arctan2(left, ahead)))
+        head.percepts["body"] = match.percepts["body"][0, 0]
+        robot["gaze"]["pan"], robot["gaze"]["tilt"] = head.gaze()
+        match.step(actions)
+    return np.array(found)
+
+
+def test_ms07_the_ball_stays_at_the_centre_of_the_picture_while_the_robot_walks() -> None:
+    """MS07: the head follows at the speed of its joints; the beam on its axis meets the ball in most frames."""
+    match = stage(steady(LEGGED), observe="belief")
+    put(match, 0, -1.0, -0.5, 0.2)
+    put_ball(match, -0.5, -0.2)
+    match.reseat()
+    found = watch(match, asking(match, forward=0.8, left=0.4, turn=0.15), 5.0)
+    settled = found[8:]  # after half a second to find it
+    assert (settled < CENTRED).mean() > 0.95
+    assert np.median(settled) < 0.1 * CENTRED  # it leads by the robot's own motion, and does not lag behind
+
+
+def test_the_head_leads_a_ball_that_lies_still_and_not_one_that_comes_along() -> None:
+    for distance, lead in ((0.5, True), (0.15, False)):
+        head = Head()
+        head.believe(distance, 0.2)
+        at_rest = head.gaze()
+        head.percepts["body"]["turn"] = 0.05
+        assert (head.gaze()[0] < at_rest[0]) == lead
+
+
+def test_the_head_catches_a_ball_aside_at_the_speed_of_its_joints() -> None:
+    match = stage(steady(LEGGED), observe="belief")
+    put(match, 0, 0.0, 0.0)
+    put_ball(match, 0.4, 0.6)
+    match.reseat()
+    found = watch(match, asking(match), 1.0)
+    frames = np.arctan2(0.6, 0.4 - 0.075) / LEAGUE.head.pan_speed * LEAGUE.control_rate
+    assert (found > CENTRED).sum() == pytest.approx(frames, abs=1.5)

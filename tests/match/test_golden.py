@@ -1,0 +1,63 @@
+"""Golden hashes: play may change its bits only knowingly, with an entry under "Changes results" in CHANGELOG.md.
+
+They hold for the versions and the kind of machine they were made on; elsewhere the test says so and is left out.
+After a wanted change: `python tests/match/test_golden.py` prints the new table.
+"""
+
+import platform
+from importlib.metadata import version
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+
+MADE_WITH = "pymunk 7.3.1, numba 0.68.1, numpy 2.4.6, Linux x86_64"
+GOLDEN = {
+    ("legged-2001", "actions"): "51cc2dae05861e5e33c3a0e558df29ab",
+    ("legged-2001", "teams"): "d5769d36a85424b6157617bc1db13484",
+    ("legged-2001", "senses"): "35ccb3091b282c1e128067aead56d0f5",
+    ("middle-size-2006", "actions"): "0bd4707e8046cab03768402d26b03ade",
+    ("middle-size-2006", "teams"): "d8f22d631b2b541294c555674d719294",
+    ("middle-size-2006", "senses"): "a58111907d3a028bbc1649560f21ed8e",
+}
+
+
+def here() -> str:
+    """Return the versions and the kind of machine on which bits depend."""
+    versions = ", ".join(f"{name} {version(name)}" for name in ("pymunk", "numba", "numpy"))
+    return f"{versions}, {platform.system()} {platform.machine()}"
+
+
+def play(league: str, who: str) -> str:
+    """Return the hash after 600 control steps of random actions, of random players, or of players with all senses."""
+    team = {"actions": None, "teams": "random", "senses": "chaser"}[who]
+    teams = None if team is None else {"home": team, "away": team}
+    match = Match(
+        league,
+        home=3,
+        away=2,
+        matches=3,
+        seed=2001,
+        placement="drive",
+        controllers=teams,
+        minutes=0.3,
+        pose="particles",
+    )
+    rng = np.random.default_rng(2006)
+    for _ in range(600):
+        match.step(None if teams else rng.uniform(-1.0, 1.0, (3, 5, 4)))
+    return match.state_hash()
+
+
+@pytest.mark.parametrize(("league", "who"), GOLDEN)
+def test_play_has_not_changed_unnoticed(league: str, who: str) -> None:
+    if here() != MADE_WITH:
+        pytest.skip(f"made with {MADE_WITH}, not with {here()}")
+    assert play(league, who) == GOLDEN[league, who]
+
+
+if __name__ == "__main__":
+    print(here())
+    for row in GOLDEN:
+        print(row, play(*row))

@@ -1,0 +1,158 @@
+"""Match: team sizes and padding, how episodes start and end, what a step pays, state and memory."""
+
+import gc
+import tracemalloc
+
+import numpy as np
+import pytest
+
+from soccer_env import Match, Rewards
+from soccer_env.types import MAX_TEAM
+from tests.scenes.staging import LEAGUES
+
+
+def draw(match: Match, rng: np.random.Generator) -> np.ndarray:
+    """Return random actions for every robot."""
+    return rng.uniform(-1.0, 1.0, (match.count, len(match.agents), match.settings.actions.size))
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+@pytest.mark.parametrize(("home", "away"), [(1, 1), (1, 11), (3, 5), (11, 11)])
+def test_any_team_sizes_play(league: str, home: int, away: int) -> None:
+    match = Match(league, home=home, away=away, seed=1)
+    rng = np.random.default_rng(0)
+    for _ in range(100):
+        observations, rewards, _, _ = match.step(draw(match, rng))
+    assert observations.shape == (1, home + away, len(match.observation_names))
+    assert rewards.shape == (1, home + away)
+    assert match.agents[0] == "home_0" and match.agents[-1] == f"away_{away - 1}"
+
+
+def test_number_0_keeps_goal_when_a_team_has_two() -> None:
+    match = Match(home=2, away=1, seed=1)
+    assert match.robots["keeper"].tolist() == [[1, 0, 0]]
+    assert Match(home=3, away=3, keeper=2, seed=1).robots["keeper"].tolist() == [[0, 0, 1, 0, 0, 1]]
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_padding_is_inactive_and_changes_nothing(league: str) -> None:
+    small, padded = Match(league, home=2, away=1, seed=4), Match(league, home=2, away=1, max_players=4, seed=4)
+    assert padded.robots["active"].tolist() == [[1, 1, 0, 0, 1, 0, 0, 0]]
+    rng = np.random.default_rng(0)
+    for _ in range(200):
+        actions = rng.uniform(-1.0, 1.0, (1, 3, 4))
+        wide = np.zeros((1, 8, 4))
+        wide[:, [0, 1, 4]] = actions
+        small.step(actions)
+        padded.step(wide)
+    np.testing.assert_array_equal(small.observations[0], padded.observations[0, [0, 1, 4]])
+
+
+@pytest.mark.parametrize("mode", ["off", "next_step", "same_step"])
+def test_matches_end_by_the_clock_and_start_again_as_told(mode: str) -> None:
+    match = Match(home=1, away=1, matches=2, seed=1, minutes=0.1, autoreset=mode)
+    ends = []
+    for step in range(1, 201):
+        _, _, terminated, truncated = match.step(np.zeros((2, 2, 4)))
+        assert not truncated.any()
+        if terminated.any():
+            ends.append(step)
+    seconds = 96  # control steps of 0.1 minutes
+    expected = {"off": list(range(seconds, 201)), "next_step": [96, 193], "same_step": [96, 192]}
+    assert ends == expected[mode]
+
+
+def test_next_step_pays_nothing_for_the_step_that_restarts() -> None:
+    match = Match(home=1, away=1, seed=1, max_cycles=3, autoreset="next_step")
+    actions = np.ones((1, 2, 4))
+    for _ in range(3):
+        _, rewards, _, truncated = match.step(actions)
+    assert truncated[0] and rewards.any()
+    observations, rewards, terminated, truncated = match.step(actions)
+    assert not rewards.any() and not terminated[0] and not truncated[0] and match.matches["step"][0] == 0
+    assert match.matches["episode"][0] == 1
+    fresh = Match(home=1, away=1, seed=1)
+    fresh.reset()
+    np.testing.assert_array_equal(observations, fresh.observations)
+
+
+def test_same_step_keeps_the_last_observation() -> None:
+    off = Match(home=1, away=1, seed=1, max_cycles=3)
+    same = Match(home=1, away=1, seed=1, max_cycles=3, autoreset="same_step")
+    actions = np.ones((1, 2, 4))
+    for _ in range(3):
+        last, off_rewards, _, _ = off.step(actions)
+        _, same_rewards, _, truncated = same.step(actions)
+    assert truncated[0] and same.ended.tolist() == [0]
+    np.testing.assert_array_equal(same.final["observations"], last)
+    np.testing.assert_array_equal(off_rewards, same_rewards)
+
+
+def test_action_repeat_adds_up_what_single_steps_pay() -> None:
+    once = Match("middle-size-2006", home=2, away=2, seed=2)
+    four = Match("middle-size-2006", home=2, away=2, seed=2, action_repeat=4)
+    rng = np.random.default_rng(0)
+    for _ in range(50):
+        actions = draw(once, rng)
+        paid = sum(once.step(actions, last=step == 3)[1].copy() for step in range(4))
+        np.testing.assert_allclose(four.step(actions)[1], paid, atol=1e-12)
+    assert once.state_hash() == four.state_hash()
+
+
+def test_an_episode_of_one_goal_ends_at_the_goal() -> None:
+    match = Match("middle-size-2006", home=1, away=1, seed=1, episode="goal")
+    match.balls["x"], match.balls["vx"] = 5.9, 4.0
+    match.balls["y"] = 0.3
+    match.reseat()
+    for _ in range(10):
+        _, rewards, terminated, _ = match.step(np.zeros((1, 2, 4)))
+        if terminated[0]:
+            break
+    assert terminated[0] and match.matches["score"][0].tolist() == [1, 0]
+    assert match.terms[0, 0, 0] == 1.0 and match.terms[0, 1, 0] == -1.0
+    before = match.state_hash()
+    match.step(np.ones((1, 2, 4)))
+    assert not match.rewards.any(), "a match that is over pays nothing"
+    assert before == match.state_hash() or not match.events["goal"][0] >= 0
+
+
+def test_state_has_room_for_max_players_and_says_who_is_there() -> None:
+    from soccer_env import truth_state
+
+    match = Match("middle-size-2006", home=1, away=2, max_players=3, seed=1, matches=2)
+    state, names = match.state(), truth_state.names(match)
+    assert state.shape == (2, len(names)) and state.dtype == np.float32
+    present = [bool(state[0, names.index(f"{side}_{i}_present")]) for side in ("home", "away") for i in range(3)]
+    assert present == [True, False, False, True, True, False]
+    assert np.abs(state).max() <= 1.0
+
+
+def test_memory_stays_flat_over_thousands_of_resets() -> None:
+    match = Match(home=1, away=1, seed=1)
+    for _ in range(200):
+        match.reset()
+    gc.collect()
+    tracemalloc.start()
+    for _ in range(2000):
+        match.reset()
+    gc.collect()
+    grown = tracemalloc.get_traced_memory()[0]
+    tracemalloc.stop()
+    assert grown < 200_000  # [bytes]
+
+
+def test_a_league_has_room_for_eleven() -> None:
+    assert MAX_TEAM == 11
+
+
+def test_a_ball_that_is_held_is_not_touched_and_steering_costs_nothing() -> None:
+    match = Match("middle-size-2006", home=2, away=2, seed=1, placement="drive", minutes=1, rewards=Rewards(effort=1.0),
+                  controllers={"home": "chaser", "away": "chaser"})  # fmt: skip
+    placed = 0
+    while not match.terminated[0]:
+        match.step()
+        if match.matches["placing"][0]:
+            placed += 1
+            assert not match.robot_events["touch"].any() or match.events["restart"][0]
+            assert not match.terms[..., 3].any()
+    assert placed > 0

@@ -1,0 +1,176 @@
+"""Rewards: goals once and for the right team; shaping that cannot be farmed and leaks over nothing."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match, Rewards
+from soccer_env.rewards import APPROACH, EFFORT, GOAL, PROGRESS, find_rewards
+from tests.scenes.staging import LEAGUES, endless, put, put_ball, scatter, set_phase, stage, stand
+
+SHAPED = Rewards(goal=0.0, progress=1.0, approach=1.0, effort=0.0, gamma=1.0)
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_a_goal_pays_one_to_every_robot_of_the_team_and_costs_the_others_one_once(league: str) -> None:
+    match = Match(league, home=2, away=3, seed=1, rewards="sparse")
+    goal = match.league.pitch.length / 2
+    put_ball(match, goal - 0.02, 0.0, 1.0)
+    set_phase(match, 0)
+    match.robots["y"] = 0.8 * match.league.pitch.width / 2
+    match.robots["x"] = -goal + 0.5 + 0.6 * np.arange(5) * match.league.body.reach * 2
+    match.reseat()
+    paid = np.zeros(5)
+    for _ in range(match.league.control_rate):
+        paid += match.step(stand(match))[1][0]
+    assert paid.tolist() == [1.0, 1.0, -1.0, -1.0, -1.0]
+    assert match.matches["score"][0].tolist() == [1, 0]
+
+
+def test_a_goal_in_the_second_half_counts_for_the_team_that_attacks_there() -> None:
+    match = Match(home=1, away=1, seed=1, rewards="sparse")
+    match.matches["half"], match.matches["home_direction"] = 1, -1.0
+    set_phase(match, 0)
+    put_ball(match, 1.48, 0.0, 1.0)
+    match.robots["y"] = [0.5, -0.5]
+    match.reseat()
+    paid = sum(match.step(stand(match))[1][0].copy() for _ in range(8))
+    assert paid.tolist() == [-1.0, 1.0] and match.matches["score"][0].tolist() == [0, 1]
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_shaping_sums_to_zero_over_a_loop(league: str) -> None:
+    """Whatever happens in between, only the first and the last state count: shuttling the ball farms nothing."""
+    match = Match(league, home=3, away=3, matches=8, seed=2, rewards=SHAPED, controllers={"home": "random"})
+    start = potentials(match)
+    rng = np.random.default_rng(0)
+    total = np.zeros((8, 6))
+    for _ in range(600):  # restarts and goals included
+        total += match.step(rng.uniform(-1.0, 1.0, (8, 6, 4)))[1]
+    np.testing.assert_allclose(total, potentials(match) - start, atol=1e-9)
+
+
+def potentials(match: Match) -> np.ndarray:
+    """Return progress plus approach for each robot (M, R), worked out from the records by other means."""
+    pitch, ball, robots = match.league.pitch, match.balls, match.robots
+    found = np.zeros(robots.shape)
+    for m in range(match.count):
+        for r, robot in enumerate(robots[m]):
+            side = match.matches["home_direction"][m] * (1 if robot["team"] == 0 else -1)
+            ahead = np.hypot(ball["x"][m] - side * pitch.length / 2, ball["y"][m])
+            behind = np.hypot(ball["x"][m] + side * pitch.length / 2, ball["y"][m])
+            mates = [other for other in robots[m] if other["team"] == robot["team"] and other["active"]]
+            nearest = min(np.hypot(other["x"] - ball["x"][m], other["y"] - ball["y"][m]) for other in mates)
+            found[m, r] = (behind - ahead) / (2 * pitch.length) - nearest / np.hypot(pitch.length, pitch.width)
+    return found
+
+
+def test_a_discounted_loop_pays_what_the_potentials_say() -> None:
+    match = Match(home=1, away=1, seed=2, rewards=Rewards(goal=0.0, effort=0.0, progress=1.0, approach=1.0, gamma=0.9))
+    rng = np.random.default_rng(0)
+    before = potentials(match)
+    for _ in range(50):
+        _, paid, _, _ = match.step(rng.uniform(-1.0, 1.0, (1, 2, 4)))
+        after = potentials(match)
+        np.testing.assert_allclose(paid, 0.9 * after - before, atol=1e-12)
+        before = after
+
+
+def test_shaping_does_not_leak_over_a_reset() -> None:
+    fresh, used = Match(home=1, away=1, seed=3, rewards=SHAPED), Match(home=1, away=1, seed=1, rewards=SHAPED)
+    for _ in range(50):
+        used.step(np.ones((1, 2, 4)))
+    used.reset(seed=3)
+    np.testing.assert_array_equal(fresh.step(np.ones((1, 2, 4)))[1], used.step(np.ones((1, 2, 4)))[1])
+
+
+@pytest.mark.parametrize("mode", ["same_step", "next_step"])
+def test_shaping_does_not_leak_over_an_autoreset(mode: str) -> None:
+    match = Match(home=1, away=1, seed=3, rewards=SHAPED, max_cycles=7, autoreset=mode)
+    rng = np.random.default_rng(0)
+    for _ in range(40):
+        step, before = match.matches["step"][0], potentials(match)
+        match.step(rng.uniform(-1.0, 1.0, (1, 2, 4)))
+        if match.matches["step"][0] > step:
+            np.testing.assert_allclose(match.rewards, potentials(match) - before, atol=1e-12)
+
+
+def test_the_potential_of_a_finished_episode_is_zero() -> None:
+    match = Match(home=1, away=1, seed=3, rewards=SHAPED, minutes=0.01)
+    total = np.zeros((1, 2))
+    start = potentials(match)
+    while not match.terminated[0]:
+        total += match.step(np.ones((1, 2, 4)))[1]
+    np.testing.assert_allclose(total, -start, atol=1e-12)
+
+
+def test_the_terms_add_up_and_weights_scale_them() -> None:
+    heavy = Rewards(goal=3.0, progress=1.0, approach=0.2, effort=0.002)
+    one, two = Match(seed=1), Match(seed=1, rewards=heavy)
+    scale = np.array([3.0, 2.0, 2.0, 2.0])
+    rng = np.random.default_rng(0)
+    for _ in range(100):
+        actions = rng.uniform(-1.0, 1.0, (1, 6, 4))
+        one.step(actions)
+        two.step(actions)
+        np.testing.assert_allclose(one.terms.sum(axis=-1), one.rewards, atol=1e-12)
+        np.testing.assert_allclose(one.terms * scale, two.terms, atol=1e-12)
+
+
+def test_effort_is_the_mean_square_of_the_clipped_command() -> None:
+    match = Match(home=1, away=1, seed=1)
+    match.step(np.array([[[9.0, -0.5, 0.5, 1.0], [0.0, 0.0, 0.0, 1.0]]]))
+    assert match.terms[0, 0, EFFORT] == pytest.approx(-0.001 * (1.0 + 0.25 + 0.25) / 3)
+    assert match.terms[0, 1, EFFORT] == 0.0
+
+
+def test_progress_is_gained_by_one_team_and_lost_by_the_other() -> None:
+    match = stage(endless("middle-size-2006"), rewards=Rewards(gamma=1.0))
+    put(match, 0, -3.0, 3.0)
+    put(match, 1, 3.0, -3.0)
+    put_ball(match, 0.0, 0.0, 3.0)
+    match.reseat()
+    match.step(stand(match))
+    assert match.terms[0, 0, PROGRESS] > 0.0
+    assert match.terms[0, 0, PROGRESS] == pytest.approx(-match.terms[0, 1, PROGRESS])
+
+
+def test_approach_rewards_the_nearest_robot_for_coming_nearer() -> None:
+    match = stage("middle-size-2006", home=2, away=1, rewards=Rewards(gamma=1.0))
+    for r, x in enumerate((-3.0, -1.0, 2.0)):
+        put(match, r, x, 0.5, forward=1.0 if r == 1 else 0.0)
+    match.reseat()
+    match.step(np.array([[[0.0] * 4, [0.4, 0, 0, 0], [0.0] * 4]]))
+    assert match.terms[0, 0, APPROACH] == match.terms[0, 1, APPROACH] > 0.0 == match.terms[0, 2, APPROACH]
+
+
+@pytest.mark.parametrize("bad", [{"goal": np.nan}, {"progress": "much"}, {"gamma": 1.5}, {"extra": {"goal": len}}])
+def test_bad_weights_are_refused_by_name(bad: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match=rf"Rewards\.{next(iter(bad))}"):
+        Rewards(**bad)
+
+
+def test_sparse_rewards_are_goals_alone() -> None:
+    match = Match(seed=1, rewards="sparse", matches=4)
+    scatter(match, np.random.default_rng(0))
+    match.reseat()
+    for _ in range(20):
+        match.step(np.ones((4, 6, 4)))
+        assert not match.terms[:, :, [PROGRESS, APPROACH, EFFORT]].any()
+        assert (match.terms[:, :, GOAL] == match.rewards).all()
+    assert find_rewards("sparse").goal == 1.0
+
+
+@pytest.mark.parametrize("repeat", [1, 8])
+def test_shaping_of_a_kept_action_discounts_once(repeat: int) -> None:
+    rewards = Rewards(goal=0.0, progress=1.0, approach=0.0, effort=0.0, gamma=0.9)
+    match = Match("legged-2001", home=1, away=1, seed=1, action_repeat=repeat, rewards=rewards)
+    match.balls["x"], match.balls["y"] = -1.0, 0.0
+    match.robots["x"], match.robots["y"] = [[0.0, 0.5]], [[0.8, 0.8]]
+    match.reseat()
+    half, length = 0.5 * match.league.pitch.length, match.league.pitch.length
+    potential = ((half - 1.0) - (half + 1.0)) / (2.0 * length)
+    _, paid, _, _ = match.step(np.zeros((1, 2, 4)))
+    assert paid[0, 0] == pytest.approx((0.9 - 1.0) * potential)
+    assert paid[0, 1] == pytest.approx((0.9 - 1.0) * -potential)

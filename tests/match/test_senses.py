@@ -1,0 +1,258 @@
+"""Promises of the whole chain of senses: nothing hidden is seen, no belief reads the truth, noise is reproducible."""
+
+import pkgutil
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+import pytest
+
+import soccer_env
+from soccer_env import Match, baselines, belief, leagues, perception
+from soccer_env.saving import dump
+from tests.scenes.staging import scatter, set_phase
+from tests.scenes.symmetry import (
+    Records,
+    assert_same,
+    mirrored,
+    mirrored_actions,
+    mirrored_beliefs,
+    mirrored_percepts,
+    mirrored_tracks,
+    swapped_rows,
+    turned,
+)
+
+LEAGUES = ("legged-2001", "middle-size-2006")
+EXACT, CLOSE = 1e-12, 1e-9
+
+
+def sensing(league: str, matches: int = 4, home: int = 3, away: int = 3, **settings: Any) -> Match:
+    """Return matches whose robots all use their sensors."""
+    return Match(league, home=home, away=away, matches=matches, **{"seed": 5, "observe": "belief", **settings})
+
+
+def draws(match: Match, steps: int, seed: int = 0) -> np.ndarray:
+    """Return actions (steps, M, R, 4), each kept for half a second."""
+    rng, hold = np.random.default_rng(seed), match.league.control_rate // 2
+    kept = rng.uniform(-1.0, 1.0, (steps // hold + 1, match.count, match.robots.shape[1], 4))
+    return np.repeat(kept, hold, axis=0)[:steps]
+
+
+def look_again(match: Match) -> None:
+    """Let all robots forget, and take a first look at the field as it is."""
+    for m in range(match.count):
+        match.field.senses.start(m, match.robots)
+    match.field.senses.step(match.field, 0, match.count)
+
+
+def finite(records: np.ndarray) -> bool:
+    """Tell whether every number of records is finite; ages may be infinite."""
+    if records.dtype.names:
+        return all(
+            finite(records[name]) for name in records.dtype.names if name not in ("age", "seconds_left", "heard")
+        )
+    return records.dtype.kind != "f" or bool(np.isfinite(records).all())
+
+
+@pytest.mark.parametrize("pose", ["percept", "particles"])
+@pytest.mark.parametrize("league", LEAGUES)
+def test_a_belief_never_reads_the_truth(league: str, pose: str) -> None:
+    match, other = (sensing(league, pose=pose) for _ in range(2))
+    actions = draws(match, 60)
+    for step in range(60):
+        match.step(actions[step])
+        field, senses = other.field, other.field.senses
+        look, senses.believe = senses.believe, lambda field, first, last: None  # type: ignore[method-assign]
+        field.observe = lambda first, last: None  # type: ignore[method-assign]
+        other.step(actions[step])
+        truth = [array.copy() for array in (field.matches, field.balls, field.robots)]
+        poison(field)
+        look(field, 0, other.count)
+        noise, gaze = field.robots["noise"].copy(), field.robots["gaze"].copy()
+        for array, kept in zip((field.matches, field.balls, field.robots), truth, strict=True):
+            array[:] = kept
+        field.robots["noise"], field.robots["gaze"] = noise, gaze
+        del senses.believe, field.observe
+    assert other.beliefs.tobytes() == match.beliefs.tobytes()
+    assert other.tracks.tobytes() == match.tracks.tobytes()
+    assert other.state_hash() == match.state_hash()
+
+
+def poison(field: Any) -> None:
+    """Make nonsense of everything true, but for the robots' own noise streams."""
+    for array in (field.matches, field.balls, field.robots):
+        for name in array.dtype.names:
+            if name not in ("noise", "gaze") and array[name].dtype.kind == "f":
+                array[name] = np.nan
+            elif name not in ("noise", "gaze") and array[name].dtype.kind in "iu":
+                array[name] = 77
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_play_is_the_same_whatever_robots_sense(league: str) -> None:
+    plays = []
+    for settings in ({"observe": "truth"}, {"observe": "percepts"}, {"observe": "belief", "pose": "particles"}):
+        match = sensing(league, **settings)
+        for actions in draws(match, 100):
+            match.step(actions)
+        plays.append(np.concatenate([match.robots[name].ravel() for name in ("x", "y", "heading", "vx", "omega")]))
+        plays[-1] = np.append(plays[-1], match.balls["x"])
+    assert plays[0].tobytes() == plays[1].tobytes() == plays[2].tobytes()
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_one_match_alone_senses_what_it_senses_among_many(league: str) -> None:
+    many = sensing(league, matches=8, pose="particles", threads=2)
+    alone = sensing(league, matches=1, pose="particles", seed=None, seeds=many.seeds[5:6])
+    for actions in draws(many, 150):
+        many.step(actions)
+        alone.step(actions[5:6])
+    assert alone.state_hash(0) == many.state_hash(5)
+    assert alone.percepts.tobytes() == many.percepts[5:6].tobytes()
+    assert alone.observations.tobytes() == many.observations[5:6].tobytes()
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_a_save_goes_on_with_the_same_senses(league: str) -> None:
+    match = sensing(league, pose="particles")
+    actions = draws(match, 80)
+    for step in range(40):
+        match.step(actions[step])
+    saved = match.save()
+    futures = []
+    for _ in range(2):
+        for step in range(40, 80):
+            match.step(actions[step])
+        futures.append(match.state_hash())
+        match.load(saved)
+    assert futures[0] == futures[1]
+
+
+def scattered_pair(league: str, pose: str, changed: Callable[[Records], Records], seed: int) -> tuple[Match, Match]:
+    """Return matches whose robots have just been told where they stand, at random, and their image."""
+    match = sensing(league, matches=6, pose=pose)
+    scatter(match, np.random.default_rng(seed))
+    set_phase(match, 0)
+    image = sensing(league, matches=6, pose=pose)
+    changed(Records.of(match)).put_into(image)
+    match.reseat()
+    for one in (match, image):
+        one.robots["placed"] = 1
+        look_again(one)
+    return match, image
+
+
+@pytest.mark.parametrize("pose", ["percept", "particles"])
+@pytest.mark.parametrize("league", LEAGUES)
+def test_mirrored_play_is_sensed_and_believed_mirrored(league: str, pose: str) -> None:
+    match, image = scattered_pair(league, pose, mirrored, seed=1)
+    lines = getattr(match.league.sensors, "lines", 0)
+    for actions in draws(match, 24, seed=3):
+        compare_mirrored(match, image, lines)
+        match.step(0.5 * actions)
+        image.step(0.5 * mirrored_actions(actions))
+
+
+def compare_mirrored(match: Match, image: Match, lines: int) -> None:
+    """Assert that percepts, beliefs and tracks are mirrored, in matches whose robots have not touched anything."""
+    calm = match.robot_events["collision"].any(axis=1) | match.robot_events["touch"].any(axis=1)
+    rows = ~calm
+    assert_same(mirrored_percepts(match.percepts[rows], lines), image.percepts[rows], 1e-5, "percepts")
+    assert_same(mirrored_beliefs(match.beliefs[rows]), image.beliefs[rows], 1e-6, "beliefs")
+    assert_same(mirrored_tracks(match.tracks[rows]), image.tracks[rows], 1e-6, "tracks")
+
+
+@pytest.mark.parametrize("pose", ["percept", "particles"])
+@pytest.mark.parametrize("league", LEAGUES)
+def test_a_half_turn_with_the_teams_swapped_changes_nothing_that_is_sensed(league: str, pose: str) -> None:
+    match, image = scattered_pair(league, pose, turned, seed=2)
+    for actions in draws(match, 24, seed=4):
+        calm = ~(match.robot_events["collision"].any(axis=1) | match.robot_events["touch"].any(axis=1))
+        assert_same(swapped_rows(match.percepts)[calm], image.percepts[calm], 1e-5, "percepts")
+        assert_same(swapped_rows(match.beliefs)[calm], image.beliefs[calm], 1e-6, "beliefs")
+        assert_same(swapped_rows(match.tracks)[calm], image.tracks[calm], 1e-6, "tracks")
+        match.step(0.5 * actions)
+        image.step(0.5 * swapped_rows(actions))
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_a_crowd_in_one_place_breaks_nothing(league: str) -> None:
+    match = sensing(league, matches=2, home=11, away=11, pose="particles")
+    match.robots["x"], match.robots["y"] = 0.3, 0.0
+    match.balls["x"], match.balls["y"] = 0.3, 0.0  # inside all of them
+    for _ in range(30):
+        match.field.senses.step(match.field, 0, match.count)
+        assert finite(match.beliefs) and finite(match.tracks) and finite(match.percepts)
+    match.robots["x"] = np.linspace(-1.0, 1.0, 22)  # all in one bearing
+    match.robots["heading"] = 0.0
+    for _ in range(30):
+        match.field.senses.step(match.field, 0, match.count)
+        assert finite(match.beliefs) and finite(match.tracks) and finite(match.percepts)
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_a_robot_that_sees_nothing_for_minutes_stays_sane(league: str) -> None:
+    names = ("ball_miss", "player_miss") if league == LEAGUES[1] else ("ball_miss", "player_miss", "landmark_miss")
+    blind = dict.fromkeys(names, 1.0) | ({"line_miss": 1.0, "goal_miss": 1.0} if league == LEAGUES[1] else {})
+    match = sensing(league, matches=1, home=1, away=1, pose="particles", sensors=blind, minutes=10.0)
+    for actions in draws(match, 3 * 60 * match.league.control_rate // 4):
+        match.step(actions)
+    assert finite(match.beliefs) and finite(match.tracks) and np.isfinite(match.observations).all()
+    assert np.abs(match.observations).max() <= 1.0
+
+
+@pytest.mark.parametrize("observe", ["percepts", "belief"])
+@pytest.mark.parametrize("league", LEAGUES)
+def test_observations_stay_in_their_box_at_every_team_size(league: str, observe: str) -> None:
+    for home, away in ((1, 1), (2, 5), (11, 11)):
+        match = sensing(league, matches=2, home=home, away=away, observe=observe)
+        for actions in draws(match, 60):
+            match.step(actions)
+            assert np.abs(match.observations).max() <= 1.0
+        assert match.observations.shape[2] == len(match.observation_names) == len(set(match.observation_names))
+
+
+def test_beliefs_that_nobody_uses_are_not_made_up() -> None:
+    match = Match("legged-2001", seed=1)
+    with pytest.raises(ValueError, match="nobody in this match uses its sensors"):
+        match.beliefs  # noqa: B018
+    with pytest.raises(ValueError, match="nobody in this match uses its sensors"):
+        match.percepts  # noqa: B018
+    assert Match("legged-2001", seed=1, senses="ideal").beliefs["ball"]["confidence"].min() == 100.0
+
+
+def test_each_team_has_its_own_senses() -> None:
+    teams = {"home": "chaser", "away": "chaser"}
+    match = Match("legged-2001", seed=1, controllers=teams, senses={"home": "ideal", "away": "sensors"}, minutes=0.2)
+    while not match.terminated.all():
+        match.step()
+    true = np.hypot(match.balls["x"] - match.robots["x"][0], match.balls["y"] - match.robots["y"][0])
+    assert match.beliefs["ball"]["distance"][0, :3] == pytest.approx(true[:3], abs=1e-9)
+    assert (abs(match.beliefs["ball"]["distance"][0, 3:] - true[3:]) > 1e-6).all()
+
+
+def test_a_save_with_nonsense_in_the_memory_is_refused() -> None:
+    match = sensing("legged-2001", matches=1)
+    memory = match.field.senses.memories
+    for name, value in (("count", 100), ("x", np.nan)):
+        kept = memory["ball"][name].copy()
+        memory["ball"][name] = value
+        damaged = dump(match)
+        memory["ball"][name] = kept
+        before = match.state_hash()
+        with pytest.raises(ValueError, match="this save is damaged"):
+            match.load(damaged)
+        assert match.state_hash() == before
+
+
+def test_no_field_of_a_record_hides_behind_a_method_of_numpys() -> None:
+    """In plain Python `record.round` would be numpy's method, whatever the field holds."""
+    names = dir(np.void)
+    for package in (soccer_env, perception, belief, baselines, leagues):
+        for module in pkgutil.iter_modules(package.__path__, package.__name__ + "."):
+            if not module.ispkg:
+                for name, value in vars(import_module(module.name)).items():
+                    fields = set(value.names or ()) if isinstance(value, np.dtype) else set()
+                    assert not fields & set(names), f"{module.name}.{name}"

@@ -1,0 +1,246 @@
+"""Left and right are equal, and so are home and away, in each stage of a step.
+
+Left-right to 1e-12 with noise draws mirrored too, under a half-turn with the teams swapped to 1e-9.
+"""
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.compiled import compiled
+from soccer_env.observations.truth import observe_slice
+from soccer_env.physics.drive import drive, move_head
+from soccer_env.physics.kicker import work_kicker
+from soccer_env.referee.calls import judge
+from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
+from soccer_env.rewards import measure_potentials
+from soccer_env.squads import believe_slice, empty_beliefs
+from soccer_env.step import clear_events
+from soccer_env.types import NO_TEAM, Phase
+from tests.scenes.staging import LEGGED, MIDDLE, each_league, put_ball, scatter, speed
+from tests.scenes.symmetry import (
+    HALF_TURN,
+    MIRROR,
+    Records,
+    assert_close,
+    assert_same,
+    assert_same_records,
+    mirrored,
+    mirrored_beliefs,
+    mirrored_events,
+    mirrored_observations,
+    mirrored_tracks,
+    swapped_rows,
+    turned,
+    turned_events,
+)
+
+SIZE = 3  # robots a side
+DIFFERENTIAL = "middle-size-2006-differential"
+
+
+def mid_game(name, matches=60, seed=1, **settings) -> Match:
+    """Return matches with records as they are in mid-game: random play, both halves, ball anywhere and moving."""
+    match = Match(name, home=SIZE, away=SIZE, matches=matches, seed=seed, actions="full", **settings)
+    rng = np.random.default_rng(seed)
+    for step in range(40):
+        if step % 8 == 0:
+            actions = rng.uniform(-1.0, 1.0, (matches, 2 * SIZE, 7))
+        match.step(actions)
+    scatter(match, rng, 0.95)
+    match.matches["half"] = rng.integers(0, 2, matches)
+    match.matches["home_direction"] = 1.0 - 2.0 * match.matches["half"]
+    match.matches["score"] = rng.integers(0, 4, (matches, 2))
+    touched = rng.integers(-1, 2 * SIZE, matches)
+    match.matches["last_touch_robot"] = touched
+    match.matches["last_touch_team"] = np.where(touched < 0, NO_TEAM, touched // SIZE)
+    angle, v = rng.uniform(-np.pi, np.pi, matches), rng.uniform(0.0, 0.5, matches) * match.league.ball.top_speed
+    put_ball(match, match.balls["x"], match.balls["y"], v * np.cos(angle), v * np.sin(angle))
+    match.robots["has_ball"] = rng.integers(0, 2, match.robots.shape)
+    match.robots["kick_clock"] = rng.choice([0.0, 0.0, match.league.dt / 2, -0.2], match.robots.shape)
+    match.robots["kick_strength"] = rng.uniform(0.3, 1.0, match.robots.shape)
+    match.robots["command"]["kick"] = rng.uniform(-1.0, 1.0, match.robots.shape)
+    match.reseat()
+    return match
+
+
+def in_both_worlds(match, stage, events=False):
+    """Run a stage on the records, on their mirror image and on their half-turn, and compare what comes out."""
+    records, constants = Records.of(match), match.settings.constants()
+    happened = []
+    for image in (records, left_right := mirrored(records), half_turn := turned(records)):
+        happened.append((match.events.copy(), match.robot_events.copy()))
+        stage(image, *happened[-1], constants)
+    assert_same_records(left_right, mirrored(records), MIRROR)
+    assert_same_records(half_turn, turned(records), HALF_TURN)
+    if events:
+        (one, robots), (mirror, mirror_robots), (turn, turn_robots) = happened
+        assert_same(mirror, mirrored_events(one), MIRROR)
+        assert_same(turn, turned_events(one, 2 * SIZE), HALF_TURN)
+        assert_same(mirror_robots, robots, MIRROR)
+        assert_same(turn_robots, swapped_rows(robots), HALF_TURN)
+    return records
+
+
+# Stages
+
+
+@compiled
+def drive_all(matches, balls, robots, constants):
+    for m in range(len(matches)):
+        for r in range(robots.shape[1]):
+            drive(robots[m, r], constants[0], matches[m].step, matches[m].handedness)
+            move_head(robots[m, r], constants[0], balls[m])
+        matches[m].step += 1
+
+
+@compiled
+def steer_all(robots, constants):
+    for m in range(len(robots)):
+        for r in range(robots.shape[1]):
+            steer_to_place(robots[m, r], constants[0])
+
+
+@compiled
+def kick_all(matches, balls, robots, robot_events, constants):
+    for m in range(len(matches)):
+        for r in range(robots.shape[1]):
+            work_kicker(robots[m, r], robot_events[m, r], constants[0], balls[m], matches[m].handedness)
+
+
+@compiled
+def judge_all(matches, balls, robots, events, robot_events, constants, placement):
+    for m in range(len(matches)):
+        clear_events(events[m], robot_events[m])
+        judge(matches[m], balls[m], robots[m], events[m], constants[0], matches[m].last_touch_robot)
+        if events[m].restart != 0 and matches[m].over == 0:
+            carry_out_restart(matches[m], balls[m], robots[m], constants[0], placement)
+
+
+@compiled
+def end_all(matches, balls, robots, constants):
+    for m in range(len(matches)):
+        end_placing(matches[m], balls[m], robots[m], constants[0])
+
+
+@compiled
+def measure_all(matches, balls, robots, constants, potentials):
+    for m in range(len(matches)):
+        measure_potentials(matches[m], balls[m], robots[m], constants[0], potentials[m])
+
+
+@pytest.mark.parametrize("name", [LEGGED, MIDDLE, DIFFERENTIAL])
+def test_driving_is_symmetric_over_many_gait_steps(name):
+    def stage(records, events, robot_events, constants):
+        for _ in range(40):
+            drive_all(records.matches, records.balls, records.robots, constants)
+
+    before = mid_game(name)
+    after = in_both_worlds(before, stage)
+    assert not np.array_equal(after.robots["slip"], before.robots["slip"])
+    assert speed(after.robots).max() > 0.3 * before.league.drive.forward
+
+
+@each_league
+def test_kicks_are_symmetric_and_stray_to_mirrored_sides(name):
+    match = mid_game(name, 200)
+    body, ball = match.league.body, match.league.ball
+    row, reach = np.arange(200) % (2 * SIZE), body.front + ball.radius + 0.004
+    robot = match.robots[np.arange(200), row]
+    put_ball(
+        match, robot["x"] + reach * np.cos(robot["heading"]), robot["y"] + reach * np.sin(robot["heading"]), 0.1, 0.2
+    )
+
+    def stage(records, events, robot_events, constants):
+        robot_events["kick"] = 0
+        kick_all(records.matches, records.balls, records.robots, robot_events, constants)
+
+    after = in_both_worlds(match, stage, events=False)
+    assert (speed(after.balls) > 0.5).mean() > 0.1
+
+
+@pytest.mark.parametrize("placement", [0, 1])
+@each_league
+def test_the_referee_and_restarts_are_symmetric(name, placement):
+    match = mid_game(name, 240, seed=2)
+    league, rng, count = match.league, np.random.default_rng(3), match.count
+    match.matches["phase"] = rng.choice([Phase.PLAY, Phase.KICK_OFF, Phase.THROW_IN], count)
+    match.matches["restart_team"] = rng.integers(0, 2, count)
+    outside = league.ball.radius + 0.01
+    end, side = rng.choice([-1.0, 1.0], (2, count))
+    x = end * (league.pitch.length / 2 + outside) * rng.choice([1.0, 0.3], count)
+    y = side * np.where(rng.random(count) < 0.4, 0.2, league.pitch.width / 2 + outside)
+    put_ball(match, np.where(np.arange(count) % 4 == 0, match.balls["x"], x), y)
+    stuck = np.arange(count) % 5 == 0
+    match.matches["still_clock"] = np.where(stuck, league.rules.stuck_time, 0.0)
+    match.balls["x"][stuck], match.balls["y"][stuck] = 0.4 * end[stuck], 0.3 * side[stuck]
+    match.matches["still_x"], match.matches["still_y"] = match.balls["x"], match.balls["y"]
+    match.matches["clock"][::7] = match.matches["half_length"][::7]
+
+    def stage(records, events, robot_events, constants):
+        judge_all(records.matches, records.balls, records.robots, events, robot_events, constants, placement)
+        kinds.update(events["restart"].tolist())
+
+    kinds: set[int] = set()
+    in_both_worlds(match, stage, events=True)
+    assert kinds >= {0, Phase.KICK_OFF, Phase.DROP_BALL}
+    assert name == LEGGED or kinds >= {Phase.THROW_IN, Phase.GOAL_KICK, Phase.CORNER_KICK}
+
+
+@pytest.mark.parametrize("name", [LEGGED, MIDDLE, DIFFERENTIAL])
+def test_driving_to_places_is_symmetric_and_so_is_its_end(name):
+    match = mid_game(name, 100, seed=4)
+    match.matches["phase"], match.matches["placing"] = Phase.KICK_OFF, 1
+    match.matches["restart_team"] = np.arange(100) % 2
+    match.matches["restart_x"], match.matches["restart_y"] = 0.3, -0.2
+    match.matches["phase_clock"] = match.league.rules.placing_time
+
+    def stage(records, events, robot_events, constants):
+        steer_all(records.robots, constants)
+        end_all(records.matches, records.balls, records.robots, constants)
+
+    after = in_both_worlds(match, stage)
+    assert (after.matches["placing"] == 0).all()
+
+
+@each_league
+def test_potentials_are_symmetric(name):
+    match = mid_game(name, 200, seed=5)
+    constants, records = match.settings.constants(), Records.of(match)
+    potentials = []
+    for image in (records, mirrored(records), turned(records)):
+        potentials.append(np.zeros((200, 2, 2)))
+        measure_all(image.matches, image.balls, image.robots, constants, potentials[-1])
+    assert_close(potentials[1], potentials[0], MIRROR, "mirror")
+    assert_close(potentials[2], potentials[0][:, ::-1], HALF_TURN, "half-turn")
+    assert abs(potentials[0]).max() > 0.1
+
+
+@each_league
+def test_ideal_beliefs_are_symmetric(name):
+    match = mid_game(name, 100, seed=6)
+    constants, records = match.settings.constants(), Records.of(match)
+    everyone = np.arange(2 * SIZE)
+    believed = []
+    for image in (records, mirrored(records), turned(records)):
+        beliefs, tracks = empty_beliefs(100, 2 * SIZE, match.league)
+        believe_slice(image.matches, image.balls, image.robots, beliefs, tracks, constants, everyone, 0, 100)
+        believed.append((beliefs, tracks))
+    (beliefs, tracks), (mirror, mirror_tracks), (turn, turn_tracks) = believed
+    assert_same(mirror, mirrored_beliefs(beliefs), MIRROR)
+    assert_same(mirror_tracks, mirrored_tracks(tracks), MIRROR)
+    assert_same(turn, swapped_rows(beliefs), HALF_TURN)
+    assert_same(turn_tracks, swapped_rows(tracks), HALF_TURN)
+
+
+@each_league
+def test_observations_are_symmetric(name):
+    match = mid_game(name, 100, seed=7)
+    constants, records = match.settings.constants(), Records.of(match)
+    seen = []
+    for image in (records, mirrored(records), turned(records)):
+        seen.append(np.zeros_like(match.observations))
+        observe_slice(image.matches, image.balls, image.robots, seen[-1], constants, 0, 100)
+    single = np.finfo(np.float32).eps  # the last bit of a float32
+    assert_close(seen[1], mirrored_observations(seen[0], match.observation_names), MIRROR + single, "mirror")
+    assert_close(seen[2], swapped_rows(seen[0]), HALF_TURN + 2.0 * single, "half-turn")

@@ -1,0 +1,9 @@
+"""The mutants of the mutation check: mechanism, piece of source, what replaces it, and the test that must notice."""
+
+from tests.mutation import ball, body, field, omni, picture, players, pose, stuck, team
+from tests.mutation.mutant import Mutant
+
+__all__ = ["MUTANTS", "Mutant"]
+
+PARTS = (body, picture, ball, players, field, omni, pose, stuck, team)
+MUTANTS: list[Mutant] = [mutant for part in PARTS for mutant in part.MUTANTS]

@@ -1,0 +1,192 @@
+"""Mutants of the middle-size robots: base, kicker, mirror camera, light, tracking, radio."""
+
+from tests.mutation.mutant import Mutant
+
+LEAGUE = "soccer_env/leagues/middle_size_2006.py"
+AROUND, PICTURE = "soccer_env/perception/omni/around.py", "soccer_env/perception/omni/sense.py"
+SIGHTINGS, LINES = "soccer_env/perception/omni/sightings.py", "soccer_env/perception/omni/line_picture.py"
+LIGHTING, KALMAN = "soccer_env/perception/omni/lighting.py", "soccer_env/belief/omni/kalman.py"
+BALL, PLAYERS = "soccer_env/belief/omni/ball.py", "soccer_env/belief/omni/players.py"
+REPORTS, TALK = "soccer_env/belief/omni/reports.py", "soccer_env/belief/omni/radio.py"
+TEST_LEAGUE, TEST_LIGHT = "tests/repository/test_mechanisms.py::", "tests/perception/omni/test_lighting.py::"
+TEST_OMNI, TEST_TRACKING = "tests/perception/omni/test_omni.py::", "tests/belief/omni/test_tracking.py::"
+TEST_BALL, TEST_PLAYERS = "tests/belief/omni/test_ball.py::", "tests/belief/omni/test_players.py::"
+TEST_REPORTS, TEST_TALK = "tests/belief/omni/test_reports.py::", "tests/belief/test_talk.py::"
+
+MUTANTS = [
+    Mutant(
+        "MH01",
+        "soccer_env/physics/drive.py",
+        "    robot.walk.left += share * aside",
+        "    robot.walk.left += 0.5 * share * aside",
+        TEST_LEAGUE + "test_mh01_the_omnidirectional_base_reaches_its_top_speed_in_every_direction",
+    ),
+    Mutant(
+        "MH02",
+        "soccer_env/optics/mirror_camera.py",
+        "    return horizon_radius(s) * distance / (distance + s.mirror_curve)",
+        "    return 0.5 * s.image * distance / s.mirror_edge",
+        TEST_OMNI + "test_mh02_bearings_are_good_to_a_pixel_and_ranges_fail_with_the_mirrors_curve",
+    ),
+    Mutant(
+        "MH02",
+        "soccer_env/optics/mirror_camera.py",
+        "    return 0.5 * s.image * (s.mirror_edge + s.mirror_curve) / s.mirror_edge",
+        "    return 0.5 * s.image",
+        TEST_OMNI + "test_mh02_the_mirror_shows_ten_metres_in_290_pixels",
+    ),
+    Mutant(
+        "MH02",
+        SIGHTINGS,
+        "    error = s.pixel_noise * sqrt(",
+        "    error = 0.0 * sqrt(",
+        TEST_OMNI + "test_mh02_bearings_are_good_to_a_pixel_and_ranges_fail_with_the_mirrors_curve",
+    ),
+    Mutant(
+        "MH02",
+        AROUND,
+        "        if low >= high:\n            return 0.0, 0.0",
+        "        if low >= high:\n            return 0.0, 1.0",
+        TEST_OMNI + "test_mh02_a_hidden_ball_is_never_seen",
+    ),
+    Mutant(
+        "MH02",
+        AROUND,
+        "    return 0.5 * (low + high), (high - low)",
+        "    return 0.0, (high - low)",
+        TEST_OMNI + "test_mh02_of_a_ball_half_hidden_the_other_half_is_seen",
+    ),
+    Mutant(
+        "MH02",
+        PICTURE,
+        "    due = slot.body.active == 1 and slot.body.frame + late == match.step",
+        "    due = False",
+        TEST_OMNI + "test_mh02_a_picture_arrives_some_frames_after_its_exposure",
+    ),
+    Mutant(
+        "MH02",
+        LINES,
+        "dx, dy, map, k.pitch_circle, s.hidden_radius, map.free[i])",
+        "dx, dy, map, 0.0, s.hidden_radius, map.free[i])",
+        "tests/perception/omni/test_omni_lines.py::test_mh02_the_first_line_in_each_direction_is_seen_to_a_pixel",
+    ),
+    Mutant(
+        "MH03",
+        LEAGUE,
+        "    control_rate=50,",
+        "    control_rate=25,",
+        TEST_LEAGUE + "test_mh03_the_control_cycle_takes_20_ms",
+    ),
+    Mutant(
+        "MH04",
+        "soccer_env/physics/kicker.py",
+        "    ball.vx += speed * ahead",
+        "    ball.vx += 0.5 * speed * ahead",
+        TEST_LEAGUE + "test_mh04_the_kicker_shoots_as_hard_as_it_is_told",
+    ),
+    Mutant(
+        "MH05",
+        TALK,
+        "    if w.shared == 0:",
+        "    if w.shared != 2:",
+        TEST_TALK + "test_mh05_a_radio_message_is_heard_a_few_frames_later_with_its_distance",
+    ),
+    Mutant(
+        "MH05",
+        REPORTS,
+        "        late = (frame - report.frame) * k.dt if w.delay_compensation == 1 else 0.0",
+        "        late = 0.0",
+        TEST_REPORTS + "test_mh05_team_mates_are_where_they_say",
+    ),
+    Mutant(
+        "MH05",
+        REPORTS,
+        "    if best >= 0:",
+        "    if best >= 99:",
+        TEST_REPORTS + "test_mh05_a_ball_that_one_sees_is_known_to_all",
+    ),
+    Mutant(
+        "MH06",
+        KALMAN,
+        "    P.vv = vv + q",
+        "    P.vv = vv",
+        TEST_TRACKING + "test_mh06_the_filter_is_the_textbooks_kalman_filter",
+    ),
+    Mutant(
+        "MH06",
+        KALMAN,
+        "    return K_x + age * K_v, K_v",
+        "    return 1.0, 0.0",
+        TEST_TRACKING + "test_mh06_the_line_fit_is_that_of_least_squares",
+    ),
+    Mutant(
+        "MH06",
+        "soccer_env/belief/omni/tracking.py",
+        "    thing.vy += G_along * along * uy + G_across * across * ux",
+        "    thing.vy += 0.0",
+        TEST_BALL + "test_mh06_a_ball_that_rolls_by_is_tracked_with_its_velocity",
+    ),
+    Mutant(
+        "MH06",
+        BALL,
+        "        if filter.surprises < w.surprise_count:",
+        "        if filter.surprises < 100:",
+        TEST_BALL + "test_mh06_a_ball_that_is_somewhere_else_is_believed_there_after_some_readings",
+    ),
+    Mutant(
+        "MH06",
+        PLAYERS,
+        "and readings[i].off[slot] < least:",
+        "and best < 0 and readings[i].off[slot] < gate:",
+        TEST_PLAYERS + "test_mh06_the_nearest_pair_of_reading_and_track_comes_first",
+    ),
+    Mutant(
+        "MH06",
+        PLAYERS,
+        "count, teammate, first, last, w.gate)",
+        "count, teammate, first, last, 0.0)",
+        TEST_PLAYERS + "test_mh06_two_that_pass_each_other_keep_their_tracks",
+    ),
+    Mutant(
+        "MH06",
+        PLAYERS,
+        "        correct(track, filter, x, y, late, max(track.age - age, k.dt), s, w)",
+        "        start(track, filter, x, y, PLAYER_SPEED, s)",
+        TEST_PLAYERS + "test_mh06_a_player_that_moves_is_tracked_with_its_velocity",
+    ),
+    Mutant(
+        "MH07",
+        LIGHTING,
+        "(match.clock / s.light_period + start))",
+        "match.clock / s.light_period)",
+        TEST_LIGHT + "test_mh07_light_swings_as_told_and_differs_from_match_to_match",
+    ),
+    Mutant(
+        "MH07",
+        LIGHTING,
+        "    if s.colour_table != ADAPTIVE:",
+        "    if s.colour_table == ADAPTIVE:",
+        TEST_LIGHT + "test_mh07_the_adaptive_table_follows_the_light_and_the_fixed_one_does_not",
+    ),
+    Mutant(
+        "MH07",
+        LIGHTING,
+        "    return exp(-min(log(2.0) * difference * difference, DARKEST))",
+        "    return 1.0",
+        TEST_LIGHT + "test_mh07_a_table_that_is_off_by_its_width_misses_half",
+    ),
+    Mutant(
+        "MH23",
+        LEAGUE,
+        "    length=12.0,",
+        "    length=10.0,",
+        TEST_LEAGUE + "test_mh23_the_middle_size_preset_has_room_for_six_robots",
+    ),
+    Mutant(
+        "MH24",
+        SIGHTINGS,
+        "found = kept if s.ball_coloured == 1 else UNCOLOURED",
+        "found = kept",
+        TEST_OMNI + "test_mh24_a_ball_without_colour_is_found_less_often_and_mistaken_more_often",
+    ),
+]

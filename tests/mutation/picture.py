@@ -1,0 +1,106 @@
+"""Mutants of the camera on a legged robot's head: what it sees, and the tables from sizes to ranges."""
+
+from tests.mutation.mutant import Mutant
+
+BLOBS, CAMERA = "soccer_env/perception/legged/blobs.py", "soccer_env/perception/legged/camera.py"
+JERSEY, TABLES = "soccer_env/perception/legged/jersey.py", "soccer_env/perception/legged/calibration.py"
+PICTURE = "soccer_env/perception/legged/picture.py"
+TEST_BLOBS, TEST_CAMERA = "tests/perception/legged/test_camera_blobs.py::", "tests/perception/legged/test_camera.py::"
+TEST_JERSEY, TEST_TABLES = (
+    "tests/perception/legged/test_camera_jersey.py::",
+    "tests/perception/legged/test_calibration.py::",
+)
+
+MUTANTS = [
+    Mutant(
+        "MS04",
+        BLOBS,
+        "        put_largest_first(pieces, count)",
+        "        pass",
+        TEST_BLOBS + "test_ms04_four_largest_blobs_of_each_colour_largest_first",
+    ),
+    Mutant(
+        "MS04",
+        BLOBS,
+        "    count = min(count, BLOBS)",
+        "    count = min(count, BLOBS - 1)",
+        TEST_BLOBS + "test_ms04_four_largest_blobs_of_each_colour_largest_first",
+    ),
+    Mutant(
+        "MS04",
+        BLOBS,
+        "    report(sketch, BALL, percept.ball,",
+        "    report(sketch, BALL, percept.teammates,",
+        TEST_BLOBS + "test_ms04_fewer_blobs_leave_the_rest_empty",
+    ),
+    Mutant(
+        "MS08",
+        CAMERA,
+        "    camera.cosine, camera.sine = pose.gaze_cosine, pose.gaze_sine",
+        "    camera.cosine, camera.sine = pose.cosine, pose.sine",
+        TEST_CAMERA + "test_ms08_head_angles_and_pixel_give_the_bearing",
+    ),
+    Mutant(
+        "MS08",
+        CAMERA,
+        "    camera.level, camera.steep = pose.level, pose.steep",
+        "    camera.level, camera.steep = 1.0, 0.0",
+        TEST_CAMERA + "test_ms08_head_angles_and_pixel_give_the_bearing",
+    ),
+    Mutant(
+        "MS09",
+        TABLES,
+        "    table = np.interp(asked, sizes, ranges)",
+        "    table = 14.0 / asked",
+        TEST_TABLES + "test_ms09_the_range_of_a_ball_is_that_of_the_pinhole",
+    ),
+    Mutant(
+        "MS09",
+        TABLES,
+        "    table = np.interp(asked, sizes, ranges)",
+        "    table = 14.0 / asked",
+        TEST_TABLES + "test_ms09_a_noiseless_ball_is_where_the_table_says",
+    ),
+    Mutant(
+        "MS33",
+        TABLES,
+        "HEAD_ON, FROM_THE_SIDE = pi, 0.5 * pi",
+        "HEAD_ON, FROM_THE_SIDE = pi, pi",
+        TEST_TABLES + "test_ms33_a_noiseless_player_is_where_the_table_of_its_view_says",
+    ),
+    Mutant(
+        "MS37",
+        JERSEY,
+        "    elif x < -trunk.half_length:",
+        "    else:",
+        TEST_JERSEY + "test_ms37_several_stickers_are_seen_and_only_those_that_face_the_camera",
+    ),
+    Mutant(
+        "MS37",
+        JERSEY,
+        "0.5 * s.jersey * s.sticker_chest_width, 0.5 * s.jersey * s.sticker_chest_height",
+        "0.5 * s.jersey * s.sticker_flank_width, 0.5 * s.jersey * s.sticker_flank_height",
+        TEST_JERSEY + "test_ms37_a_player_appears_slightly_smaller_head_on",
+    ),
+    Mutant(
+        "MS37",
+        JERSEY,
+        "    if abs(y) > head.half_width:",
+        "    if abs(y) < 0.0:",
+        TEST_JERSEY + "test_ms37_without_its_head_stickers_a_player_is_half_as_high",
+    ),
+    Mutant(
+        "MS50",
+        JERSEY,
+        "    return body.tilt < -s.head_down",
+        "    return False",
+        TEST_JERSEY + "test_ms50_a_lowered_head_hides_a_part_of_the_jersey",
+    ),
+    Mutant(
+        "MS50",
+        PICTURE,
+        "    if body.boxes[HEAD].shown == 1 and not lowered:",
+        "    if body.boxes[HEAD].shown == 1:",
+        TEST_JERSEY + "test_ms50_from_the_side_a_lowered_head_hides_its_own_stickers_alone",
+    ),
+]

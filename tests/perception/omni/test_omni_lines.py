@@ -1,0 +1,114 @@
+"""White lines of the pitch: what a robot knows of them, and the first one that it sees in each direction."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from soccer_env.leagues import find_league
+from soccer_env.optics.mirror_camera import metres_along
+from soccer_env.perception.omni.lines import COLUMNS, ROWS, TABLES, line_tables, nearest_line
+from tests.perception.omni.staged_omni import NOW, SHARP, SURE, gather, look, watching
+from tests.scenes.staging import MIDDLE, put
+
+LEAGUE = find_league(MIDDLE)
+PITCH = LEAGUE.pitch
+S = LEAGUE.sensors.record().view(np.recarray)[0]
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "distance"),
+    [
+        (0.3, 3.0, 0.3),  # halfway line
+        (0.0, 0.0, 0.0),  # the halfway line runs through the centre spot
+        (0.7, 0.0, 0.3),  # centre circle
+        (3.0, 3.8, 0.2),  # touchline
+        (-5.9, 3.5, 0.1),  # goal line
+        (-6.5, -4.5, np.hypot(0.5, 0.5)),  # beyond the corner
+        (4.4, 1.0, 0.1),  # penalty area, 1.5 x 5 m
+        (-5.2, 2.6, 0.1),  # its side
+        (5.6, -1.0, 0.1),  # goal area, 0.5 x 3 m
+        (5.75, 1.52, 0.02),  # its side
+    ],
+)
+def test_the_lines_run_where_the_rules_of_2006_draw_them(x: float, y: float, distance: float) -> None:
+    for sign_x, sign_y in ((1, 1), (-1, 1), (1, -1), (-1, -1)):
+        found = nearest_line(PITCH, np.array(sign_x * x), np.array(sign_y * y))
+        assert found == pytest.approx(distance, abs=1e-9)
+
+
+@pytest.mark.parametrize("size", [(12.0, 8.0), (18.0, 12.0), (8.0, 5.0)])
+def test_the_table_of_lines_covers_any_pitch_and_a_metre_round_it(size: tuple[float, float]) -> None:
+    pitch = replace(PITCH, length=size[0], width=size[1])
+    table = line_tables(replace(LEAGUE, pitch=pitch))
+    assert table.dtype == TABLES and table is line_tables(replace(LEAGUE, pitch=pitch))
+    cell, first_x, first_y = (float(table[name][0]) for name in ("cell", "first_x", "first_y"))
+    assert first_x <= -0.5 * size[0] - 1.0 + 1e-9 and first_y <= -0.5 * size[1] - 1.0 + 1e-9
+    assert first_x + COLUMNS * cell == pytest.approx(-first_x) and first_y + ROWS * cell == pytest.approx(-first_y)
+    rng = np.random.default_rng(0)
+    x, y = rng.uniform(-0.5, 0.5, (2, 500)) * (np.array(size)[:, None] + 2.0)
+    i, j = np.floor((x - first_x) / cell).astype(int), np.floor((y - first_y) / cell).astype(int)
+    known = table["nearest_line"][0, i, j]
+    assert abs(known - nearest_line(pitch, x, y)).max() <= cell * np.sqrt(0.5) + 1e-6
+    assert np.array_equal(table["nearest_line"][0], table["nearest_line"][0, ::-1, ::-1])
+    assert size != (12.0, 8.0) or cell == 0.1
+
+
+def march(x: float, y: float, angle: float) -> float:
+    """Return the distance of the first line along a ray [m], found in small steps; 0 if there is none in range."""
+    t = np.arange(S.hidden_radius, S.line_range, 0.002)
+    off = nearest_line(PITCH, x + t * np.cos(angle), y + t * np.sin(angle))
+    near = np.flatnonzero(off <= 0.0011)
+    if not len(near):
+        return 0.0
+    block = near[near - near[0] == np.arange(len(near))]  # a flat ray comes near before it crosses
+    return float(t[block[np.argmin(off[block])]])
+
+
+def test_mh02_the_first_line_in_each_direction_is_seen_to_a_pixel() -> None:
+    """MH02: directions run from straight ahead to the left; a whole pixel limits the distance."""
+    match = watching(40, sensors={**SURE, **SHARP})
+    rng = np.random.default_rng(1)
+    x, y, heading = rng.uniform(-6.3, 6.3, 40), rng.uniform(-4.3, 4.3, 40), rng.uniform(-np.pi, np.pi, 40)
+    put(match, 0, x, y, heading)
+    lines, count = look(match)["lines"], LEAGUE.sensors.lines
+    wrong = 0  # a ray may just graze the end of a line or the circle, or a line lie where the body ends
+    for m in range(40):
+        for i in range(count):
+            true = march(x[m], y[m], heading[m] + 2.0 * np.pi * i / count)
+            wrong += abs(lines[m, i] - true) > 0.6 * metres_along(S, true) + 0.004
+    assert wrong < 0.01 * 40 * count and (lines[:, :count] > 0.0).mean() > 0.4
+    assert not lines[:, count:].any()
+
+
+def test_lines_are_missed_and_misjudged_like_all_things() -> None:
+    match = watching(20, sensors=NOW)
+    put(match, 0, 2.0, 2.0, 0.0)
+    found = gather(match, 200)["lines"][..., 6]  # the touchline to the left
+    seen = found > 0.0
+    assert seen.mean() == pytest.approx(1.0 - S.line_miss, abs=0.02)
+    error = found[seen] - 2.0
+    assert error.std() == pytest.approx(np.sqrt(S.pixel_noise**2 + 1 / 12) * metres_along(S, 2.0), rel=0.1)
+    assert abs(error.mean()) < 0.2 * error.std()
+
+
+def test_no_line_is_seen_through_a_robot() -> None:
+    match = watching(sensors={**SURE, **SHARP})
+    put(match, 0, 2.0, 2.0, 0.0)
+    assert look(match)["lines"][0, 6] == pytest.approx(2.0, abs=0.03)
+    put(match, 1, 2.0, 3.2)
+    assert look(match)["lines"][0, 6] == 0.0
+    put(match, 1, 2.0, 4.5)
+    assert look(match)["lines"][0, 6] == pytest.approx(2.0, abs=0.03)
+    put(match, 1, 2.5, 3.2)  # beside the ray
+    assert look(match)["lines"][0, 6] == pytest.approx(2.0, abs=0.03)
+
+
+@pytest.mark.parametrize("count", [1, 2, 7, 32])
+def test_there_may_be_1_to_32_directions(count: int) -> None:
+    match = watching(sensors={**SURE, **SHARP, "lines": count})
+    put(match, 0, 2.0, 2.0, np.pi / 2)
+    lines = look(match)["lines"][0]
+    assert lines[0] == pytest.approx(2.0, abs=0.03) and not lines[count:].any()

@@ -1,0 +1,154 @@
+"""A run's folder belongs to one training at a time and to one set of settings; its logs say each thing once."""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from soccer_env.train.ppo.checkpoints import LATEST, as_tensors, from_tensors
+from soccer_env.train.ppo.run_folder import FILES, RunFolder, flattened
+from soccer_env.train.ppo.settings import TrainSettings
+from tests.train.ppo.staged_training import records, tiny
+
+ROOT = Path(__file__).parents[3]
+
+
+def opened(settings: TrainSettings) -> RunFolder:
+    """Return the folder of a run, unlocked again."""
+    folder = RunFolder(settings)
+    folder.close()
+    return folder
+
+
+def test_a_folder_holds_its_settings(tmp_path: Path) -> None:
+    settings = tiny(tmp_path / "a" / "b")
+    opened(settings)
+    assert json.loads((settings.out / "settings.json").read_text()) == settings.as_dict()
+
+
+def test_two_trainings_cannot_share_a_folder(tmp_path: Path) -> None:
+    folder = RunFolder(tiny(tmp_path))
+    with pytest.raises(ValueError, match="another training uses .*give another --out"):
+        RunFolder(tiny(tmp_path, anew=True))
+    assert (tmp_path / "settings.json").exists(), "--anew of the second one must not touch the first one's files"
+    folder.close()
+    opened(tiny(tmp_path))
+
+
+HOLDER = """
+import sys, time
+from pathlib import Path
+from soccer_env.train.ppo.run_folder import lock
+handle = lock(Path(sys.argv[1]) / ".lock")
+print("mine", flush=True)
+time.sleep(60)
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs SIGKILL")
+def test_the_lock_ends_with_the_process(tmp_path: Path) -> None:
+    words = [sys.executable, "-c", HOLDER, str(tmp_path)]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, cwd=ROOT) as holder:
+        assert holder.stdout is not None and holder.stdout.readline() == "mine\n"
+        with pytest.raises(ValueError, match="another training uses"):
+            RunFolder(tiny(tmp_path))
+        holder.kill()
+    opened(tiny(tmp_path))
+
+
+def test_other_settings_are_refused_and_all_are_named(tmp_path: Path) -> None:
+    opened(tiny(tmp_path))
+    with pytest.raises(ValueError, match=r"seed = 3, now 4, gamma|gamma = 0.99, now 0.9, .*seed = 3, now 4"):
+        RunFolder(tiny(tmp_path, seed=4, gamma=0.9))
+    opened(tiny(tmp_path))
+
+
+@pytest.mark.parametrize(
+    "change", [{"steps": 900}, {"threads": 2}, {"torch_threads": 2}, {"device": "auto"}, {"tensorboard": True}]
+)
+def test_what_does_not_decide_may_change(tmp_path: Path, change: dict) -> None:
+    opened(tiny(tmp_path))
+    opened(tiny(tmp_path, **change))
+    name, value = next(iter(change.items()))
+    assert json.loads((tmp_path / "settings.json").read_text())[name] == value
+
+
+def test_anew_starts_again_and_leaves_what_is_not_of_the_run(tmp_path: Path) -> None:
+    opened(tiny(tmp_path))
+    for name in FILES[1:]:
+        (tmp_path / name).write_text("old")
+    (tmp_path / "tensorboard").mkdir()
+    (tmp_path / "tensorboard" / "events").write_text("old")
+    (tmp_path / "notes.txt").write_text("mine")
+    opened(tiny(tmp_path, seed=4, anew=True))
+    assert {path.name for path in tmp_path.iterdir()} == {".lock", "notes.txt", "settings.json"}
+
+
+def test_settings_of_something_else_are_never_removed(tmp_path: Path) -> None:
+    (tmp_path / "settings.json").write_text('{"conditions": {}, "made_with": {}, "about": {}}')
+    for anew in (False, True):
+        with pytest.raises(ValueError, match="holds settings.json of something else"):
+            RunFolder(tiny(tmp_path, anew=anew))
+    assert "conditions" in (tmp_path / "settings.json").read_text()
+
+
+def test_a_run_without_settings_is_refused(tmp_path: Path) -> None:
+    (tmp_path / LATEST).write_text("{}")
+    for anew in (False, True):
+        with pytest.raises(ValueError, match="holds files, but no settings.json of a training; give another --out"):
+            RunFolder(tiny(tmp_path, anew=anew))
+    assert (tmp_path / LATEST).read_text() == "{}"
+
+
+def test_damaged_settings_are_refused_and_anew_mends_them(tmp_path: Path) -> None:
+    (tmp_path / "settings.json").write_text("{")
+    with pytest.raises(ValueError, match="settings.json cannot be read, it is damaged; --anew starts again"):
+        RunFolder(tiny(tmp_path))
+    opened(tiny(tmp_path, anew=True))
+
+
+def test_a_file_is_no_folder(tmp_path: Path) -> None:
+    (tmp_path / "run").write_text("")
+    with pytest.raises(ValueError, match="is a file; give a folder"):
+        RunFolder(tiny(tmp_path / "run"))
+
+
+def test_what_a_kill_left_half_written_is_removed(tmp_path: Path) -> None:
+    for name in (".checkpoint-0.pt.123.tmp", ".latest.json.9.tmp", ".notes.tmp"):
+        (tmp_path / name).write_text("half")
+    opened(tiny(tmp_path))
+    assert {path.name for path in tmp_path.iterdir()} == {".lock", ".notes.tmp", "settings.json"}
+
+
+def test_logs_are_cut_back_to_a_step(tmp_path: Path) -> None:
+    folder = opened(tiny(tmp_path))
+    for step in (48, 96, 144):
+        folder.log({"step": step, "points": {"still": 0.5, "a,b": 1.0}})
+        folder.log_evaluation({"step": step})
+    folder.forget_after(96)
+    folder.log({"step": 120, "points": {"still": 0.6, "a,b": 0.0}})
+    assert [line["step"] for line in records(tmp_path / "log.jsonl")] == [48, 96, 120]
+    assert [line["step"] for line in records(tmp_path / "evaluations.jsonl")] == [48, 96]
+    with (tmp_path / "progress.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [row["step"] for row in rows] == ["48", "96", "120"]
+    assert [row["points_a,b"] for row in rows] == ["1.0", "1.0", "0.0"]
+    folder.forget_after(-1)
+    assert folder.lines() == [] and not (tmp_path / "progress.csv").exists()
+
+
+def test_parts_of_a_record_get_columns_of_their_own() -> None:
+    assert flattened({"step": 1, "seconds": {"a": 2, "b": 3}}) == {"step": 1, "seconds_a": 2, "seconds_b": 3}
+
+
+def test_plain_values_survive_as_tensors() -> None:
+    import numpy as np
+
+    tree = {"a": [1, 2.5, None, "x", True], "b": b"\x00\xff", "c": {"d": np.arange(6.0).reshape(2, 3)}, "e": b""}
+    back = from_tensors(as_tensors(tree))
+    assert back["a"] == tree["a"] and back["b"] == tree["b"] and back["e"] == b""
+    assert back["c"]["d"].tolist() == [[0.0, 1.0, 2.0], [3.0, 4.0, 5.0]] and back["c"]["d"].dtype == np.float64

@@ -1,0 +1,273 @@
+"""A run that is cut goes on as if it had not been: killed, out of room on the disk, or damaged by others."""
+
+import hashlib
+import io
+import json
+import os
+import pickle
+import re
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+import torch
+
+from soccer_env.train.ppo.checkpoints import LATEST, NAMES, read_checkpoint
+from tests.train.ppo.staged_training import ROLLOUT, copy_of, outcome, plainly, records, tiny, whole_run
+
+ROOT = Path(__file__).parents[3]
+
+# Trains in one child process after the other until one gets to the end. A child is cut: killed by its parent after a
+# random time ("moment"), by itself in the middle of a write to the disk, the last bytes of which are then lost, as in a
+# power failure ("write"), or by having no more room on the disk from some write on ("full").
+CUTTING = r"""
+import os, random, resource, signal, sys, time, traceback
+from pathlib import Path
+from tests.train.ppo.staged_training import plainly, tiny
+from soccer_env.train.ppo.checkpoints import latest
+
+base, cuts, draw, sync = Path(sys.argv[1]), sys.argv[2].split(","), random.Random(5), os.fsync
+rollouts, longer = 24, {"steps": 24 * 48, "evaluate_every": 400}
+started = time.monotonic()
+plainly(tiny(base / "whole", **longer))
+duration = time.monotonic() - started
+settings = tiny(base / "cut", **longer)
+log = settings.out / "log.jsonl"
+
+def lines():
+    return log.read_bytes().count(b"\n") if log.exists() else 0
+
+def tear(handle):
+    try:
+        os.ftruncate(handle, max(0, os.fstat(handle).st_size - 9))
+    except OSError:
+        pass  # a folder
+    os.kill(os.getpid(), signal.SIGKILL)
+
+def fill(handle):
+    resource.setrlimit(resource.RLIMIT_FSIZE, (600, resource.RLIM_INFINITY))
+
+def hook(number, act):
+    left = [number]
+    def fsync(handle):
+        left[0] -= 1
+        if left[0] == 0:
+            act(handle)
+        sync(handle)
+    os.fsync = fsync
+
+def child(cut):
+    if cut in ("write", "full"):
+        hook(draw.randrange(3, 13), tear if cut == "write" else fill)
+    try:
+        plainly(settings)
+    except OSError:
+        os._exit(2)
+    except BaseException:
+        traceback.print_exc()
+        os._exit(1)
+    os._exit(0)
+
+for cut in [*cuts, "not"]:
+    moment, before = draw.uniform(0.0, 2.0) * duration / rollouts, lines()
+    process = os.fork()
+    if not process:
+        child(cut)
+    if cut == "moment":
+        while lines() == before and before < rollouts:
+            time.sleep(0.002)
+        time.sleep(moment)
+        os.kill(process, signal.SIGKILL)
+    status = os.waitpid(process, 0)[1]
+    print(cut, os.waitstatus_to_exitcode(status), latest(settings.out).get("step", -1), lines(), flush=True)
+"""
+CUTS = ["write", "moment", "full", "write", "moment", "write", "moment", "write"]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name != "posix", reason="needs SIGKILL")
+def test_a_run_cut_again_and_again_ends_as_one_that_was_not(tmp_path: Path) -> None:
+    words = [sys.executable, "-c", CUTTING, str(tmp_path), ",".join(CUTS)]
+    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=300, check=False)
+    said = done.stdout + done.stderr
+    assert done.returncode == 0, said
+    ends = [(cut, *map(int, numbers)) for cut, *numbers in map(str.split, done.stdout.splitlines())]
+    assert sum(code != 0 for _, code, _, _ in ends) >= 5, said
+    for cut, code, step, lines in ends:
+        assert code in (0, {"full": 2, "not": 0}.get(cut, -9)), said
+        assert step >= (lines - 1) * ROLLOUT, f"more than one rollout was lost\n{said}"
+        assert code != 0 or step == 24 * ROLLOUT, said
+    steps = [step for _, _, step, _ in ends]
+    assert steps == sorted(steps) and len(set(steps)) > 3, said
+    assert outcome(tmp_path / "cut") == outcome(tmp_path / "whole")
+    assert_whole_logs(tmp_path / "cut", rollouts=24, evaluations=[0, 432, 816, 1152])
+    assert not list((tmp_path / "cut").glob(".*.tmp")), "what a kill left half written is removed"
+
+
+def assert_whole_logs(folder: Path, rollouts: int = 7, evaluations: Sequence[int] = (0, 192, 336)) -> None:
+    steps = [line["step"] for line in records(folder / "log.jsonl")]
+    assert steps == [ROLLOUT * number for number in range(1, rollouts + 1)]
+    table = (folder / "progress.csv").read_text().splitlines()
+    assert [line.split(",")[0] for line in table] == ["step", *map(str, steps)]
+    assert len({line.count(",") for line in table}) == 1
+    assert [one["step"] for one in records(folder / "evaluations.jsonl")] == list(evaluations)
+
+
+@pytest.fixture
+def run(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a copy of the folder of a finished run."""
+    return copy_of(whole_run(tmp_path_factory), tmp_path)
+
+
+def newest(folder: Path) -> Path:
+    return folder / json.loads((folder / LATEST).read_text())["file"]
+
+
+def flip(folder: Path) -> Path:
+    path = newest(folder)
+    content = bytearray(path.read_bytes())
+    content[len(content) // 2] ^= 4
+    path.write_bytes(content)
+    return path
+
+
+def truncate(folder: Path) -> Path:
+    path = newest(folder)
+    path.write_bytes(path.read_bytes()[:-1])
+    return path
+
+
+def remove(folder: Path) -> Path:
+    newest(folder).unlink()
+    return folder / LATEST
+
+
+def overwritten(name: str, content: str) -> Callable[[Path], Path]:
+    def damage(folder: Path) -> Path:
+        (folder / name).write_text(content)
+        return folder / name
+
+    return damage
+
+
+def signed(content: bytes) -> Callable[[Path], Path]:
+    """Return what puts content in place of the checkpoint, with the sha256 that belongs to it."""
+
+    def damage(folder: Path) -> Path:
+        (folder / NAMES[0]).write_bytes(content)
+        about = {"file": NAMES[0], "sha256": hashlib.sha256(content).hexdigest(), "step": 336}
+        (folder / LATEST).write_text(json.dumps(about))
+        return folder / NAMES[0]
+
+    return damage
+
+
+def torch_bytes(value: Any) -> bytes:
+    file = io.BytesIO()
+    torch.save(value, file)
+    return file.getvalue()
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        flip,
+        truncate,
+        remove,
+        overwritten(LATEST, ""),
+        overwritten(LATEST, "[]"),
+        overwritten(LATEST, "[" * 100_000),
+        overwritten(LATEST, '{"file": "../whole/checkpoint-0.pt", "sha256": ""}'),
+        overwritten(LATEST, '{"file": ["checkpoint-0.pt"], "sha256": ""}'),
+        overwritten("settings.json", '{"league": '),
+        overwritten("settings.json", "[]"),
+        overwritten("log.jsonl", '{"step": 48}\n{"step": \n{"step": 96}\n'),
+        overwritten("log.jsonl", '{"stop": 48}\n'),
+        overwritten("evaluations.jsonl", '{"step": "many"}\n'),
+        signed(b""),
+        signed(b"PK" * 100),
+        signed(torch_bytes([1, 2])),
+    ],
+)
+def test_a_damaged_run_is_refused_by_file_and_nothing_is_lost(run: Path, damage: Callable[[Path], Path]) -> None:
+    culprit = damage(run)
+    before = {path.name: path.read_bytes() for path in run.iterdir()}
+    with pytest.raises(ValueError, match=re.escape(str(culprit))):
+        plainly(tiny(run, steps=400))
+    assert {path.name: path.read_bytes() for path in run.iterdir()} | before == before
+    assert set(before) == {path.name for path in run.iterdir()}
+
+
+class Canary:
+    """Pickled, this makes a file as it is read."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (os.mkdir, (str(self.path),))
+
+
+@pytest.mark.parametrize("write", [torch_bytes, lambda value: pickle.dumps(value, 2)])
+def test_a_checkpoint_never_runs_code(run: Path, tmp_path: Path, write: Callable[[Any], bytes]) -> None:
+    canary = tmp_path / "canary"
+    content = write({"network": Canary(canary)})
+    pickle.loads(pickle.dumps(Canary(canary)))
+    assert canary.exists(), "the canary works where pickles are run"
+    canary.rmdir()
+    signed(content)(run)
+    with pytest.raises(ValueError, match="no checkpoint of plain values"):
+        plainly(tiny(run, steps=400))
+    assert not canary.exists()
+
+
+@pytest.mark.parametrize("lacking", ["network", "matches", "curriculum", "generators", "rewards", "starts"])
+def test_a_checkpoint_that_lacks_something_is_refused(run: Path, lacking: str) -> None:
+    state = torch.load(newest(run), weights_only=True)
+    del state[lacking]
+    signed(torch_bytes(state))(run)
+    with pytest.raises(ValueError, match=f"is not of this run as it is now .*{lacking}"):
+        plainly(tiny(run, steps=400))
+
+
+def test_a_checkpoint_of_another_network_is_refused(run: Path, tmp_path: Path) -> None:
+    found = json.loads((run / "settings.json").read_text())
+    (run / "settings.json").write_text(json.dumps({**found, "hidden": "9"}))
+    with pytest.raises(ValueError, match="is not of this run as it is now"):
+        plainly(tiny(run, hidden="9"))
+
+
+def test_a_torn_last_line_of_a_log_is_dropped(run: Path) -> None:
+    for name in ("log.jsonl", "evaluations.jsonl"):
+        with (run / name).open("ab") as file:
+            file.write(b'{"step": 38')
+    (run / "progress.csv").write_text("step\n1,")
+    plainly(tiny(run))
+    assert_whole_logs(run)
+
+
+@pytest.mark.parametrize("write", [2, 12, 20])
+def test_a_full_disk_leaves_the_last_good_checkpoint(
+    tmp_path: Path, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch, write: int
+) -> None:
+    """The disk fills up at that many writes; with room again the run ends as if nothing had been."""
+    left, sync = [write], os.fsync
+
+    def full(handle: int) -> None:
+        left[0] -= 1
+        if left[0] < 0:
+            raise OSError(28, "No space left on device")
+        sync(handle)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(os, "fsync", full)
+        with pytest.raises(OSError, match="No space left"):
+            plainly(tiny(tmp_path / "run"))
+    state = read_checkpoint(tmp_path / "run")
+    assert (state is None) == (write == 2)
+    plainly(tiny(tmp_path / "run"))
+    assert outcome(tmp_path / "run") == outcome(whole_run(tmp_path_factory))
+    assert_whole_logs(tmp_path / "run")

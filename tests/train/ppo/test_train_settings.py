@@ -1,0 +1,300 @@
+"""The settings of a training: every bad value has a plain message, and a command says the same again."""
+
+import shlex
+import subprocess
+import sys
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from soccer_env.train.command_line import main, read_settings
+from soccer_env.train.ppo.checks import check_playable
+from soccer_env.train.ppo.learner import part_size
+from soccer_env.train.ppo.settings import ABOVE_ZERO, COUNTS, FROM_ZERO, SHARES, TrainSettings, command_of, split
+from soccer_env.train.ppo.toml_file import settings_of
+from tests.train.ppo.staged_training import tiny
+
+ROOT = Path(__file__).parents[3]
+NAN, INFINITY = float("nan"), float("inf")
+
+
+@pytest.mark.parametrize("name", [*ABOVE_ZERO, *SHARES])
+@pytest.mark.parametrize("value", [NAN, INFINITY, -INFINITY, 0, 0.0, -1.0, "1", None, True, 10**400])
+def test_what_is_not_above_0_is_refused(name: str, value: Any) -> None:
+    with pytest.raises(ValueError, match=f"{name} must be a number above 0"):
+        TrainSettings(**{name: value})
+
+
+@pytest.mark.parametrize("name", FROM_ZERO)
+def test_weights_may_be_0_and_not_less(name: str) -> None:
+    assert getattr(TrainSettings(**{name: 0.0}), name) == 0.0
+    for value in (NAN, INFINITY, -1e-9, "0", None):
+        with pytest.raises(ValueError, match=f"{name} must be a number from 0"):
+            TrainSettings(**{name: value})
+
+
+@pytest.mark.parametrize("name", SHARES)
+def test_a_share_is_1_at_most(name: str) -> None:
+    assert getattr(TrainSettings(**{name: 1.0}), name) == 1.0
+    with pytest.raises(ValueError, match=f"{name} must be a number above 0 to 1, got 1.01"):
+        TrainSettings(**{name: 1.01})
+
+
+@pytest.mark.parametrize("name", [*COUNTS, "seed", "past", "teacher_steps", "teacher_epochs", "critic_first"])
+def test_a_count_is_a_whole_number(name: str) -> None:
+    least = 1 if name in COUNTS else 0
+    for value in (least - 1, 2.0, NAN, "2", None, True):
+        with pytest.raises(ValueError, match=f"{name} must be a whole number of at least {least}"):
+            TrainSettings(**{name: value})
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"mirror": True, "observe": "percepts"}, "mirror needs observe='belief' or 'truth'"),
+        ({"observe": "truth"}, "observe='truth' needs senses='ideal'"),
+        ({"observe": "truth", "senses": "home=sensors,away=ideal"}, "observe='truth' needs senses='ideal'"),
+        ({"observe": "x-rays"}, "observe must be one of belief, percepts, truth, got 'x-rays'"),
+        ({"pose": "gps"}, "pose must be one of particles, percept"),
+        ({"activation": "gelu"}, "activation must be one of tanh, relu"),
+        ({"device": "tpu"}, "device must be one of auto, cpu, cuda"),
+        ({"mirror": "yes"}, "mirror must be True or False, got 'yes'"),
+        ({"decay": 1}, "decay must be True or False, got 1"),
+        ({"name": 3}, "name must be a text, got 3"),
+        ({"senses": "eyes"}, "senses must be one of ideal, sensors"),
+        ({"senses": None}, "senses must be a text"),
+        ({"ideal_share": 1.01}, "ideal_share must be at most 1, got 1.01"),
+        ({"ideal_share": 0.5, "observe": "percepts"}, "ideal_share needs observe='belief'"),
+        ({"ideal_share": 0.5, "observe": "truth", "senses": "ideal"}, "ideal_share needs observe='belief'"),
+        ({"out": 3}, "out must be a path"),
+        ({"hidden": "x"}, "hidden must be one to six layer sizes"),
+        ({"hidden": "64,"}, "hidden must be one to six layer sizes"),
+        ({"critic": "0"}, "critic must be one to six layer sizes"),
+        ({"critic": "8,8,8,8,8,8,8"}, "critic must be one to six layer sizes"),
+        ({"players": "0v3"}, "players must be 1 to 11"),
+        ({"players": "3v12"}, "players must be 1 to 11"),
+        ({"players": "1v1,,2v2"}, "players must be names with commas"),
+        ({"players": "a few"}, "players must be 1 to 11"),
+        ({"opponents": ""}, "opponents must be names with commas"),
+        ({"opponents": "chaser,chaser"}, "opponents must be different"),
+        ({"evaluate_against": "chaser,"}, "evaluate_against must be names with commas"),
+        ({"evaluate_matches": 3}, "evaluate_matches must be even, got 3"),
+        ({"minutes": 1e300}, "minutes must be below 10000"),
+        ({"evaluate_minutes": 10_000.0}, "evaluate_minutes must be below 10000"),
+        ({"seed": 2**32}, "seed must be at most 4294967295"),
+        ({"batch": 1}, "a batch and a rollout must have 2 decisions at least"),
+        ({"rollout": 1, "matches": 1}, "a batch and a rollout must have 2 decisions at least"),
+        ({"teacher": "chaser", "teacher_steps": 0}, "a teacher needs teacher_steps"),
+    ],
+)
+def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        replace(TrainSettings(mirror=False), **changes)
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"league": "moon"}, "unknown league 'moon'; known: legged-2001"),
+        ({"opponents": "still,winners"}, "opponents: unknown team 'winners'"),
+        ({"opponents": "chaser@2"}, "opponents: strength of team 'chaser@2' must be a number from 0 to 1"),
+        ({"opponents": "none.safetensors"}, "opponents: policy file 'none.safetensors'"),
+        ({"opponents": "sacks-2001", "league": "middle-size-2006"}, "plays legged, not middle-size-2006"),
+        ({"evaluate_against": "nobody"}, "evaluate_against: unknown team 'nobody'"),
+        ({"teacher": "professor"}, "teacher: unknown team 'professor'"),
+        ({"matches": 1}, "matches must be at least one for each of 2 team sizes, got 1"),
+        ({"matches": 3, "ideal_share": 0.1}, "matches must be at least one for each of 2 team sizes, by either senses"),
+        ({"action_repeat": 1001}, "action_repeat must be 1 to 1000, got 1001"),
+        ({"threads": 257}, "threads must be 1 to 256, got 257"),
+        ({"name": "a|b"}, "name must be 1 to 64 characters"),
+        ({"out": Path("x\x07y")}, "out must be a folder of the run's own with a plain name"),
+        ({"out": Path()}, "out must be a folder of the run's own with a plain name"),
+    ],
+)
+def test_what_cannot_be_played_is_found_before_a_folder_is_made(
+    tmp_path: Path, changes: dict[str, Any], message: str
+) -> None:
+    from soccer_env.train.ppo.training import train
+
+    with pytest.raises(ValueError, match=message):
+        train(tiny(**{"out": tmp_path / "run", **changes}))
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_missing_gpu_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("torch.cuda.is_available", lambda: False)
+    with pytest.raises(ValueError, match="device='cuda' needs a GPU"):
+        check_playable(tiny(tmp_path, device="cuda"))
+
+
+@pytest.mark.parametrize(
+    ("decisions", "batch", "size"),
+    [(24576, 4096, 4096), (16448, 4096, 4112), (1000, 4096, 1000), (336, 20, 20), (3, 2, 2), (2, 2, 2), (5, 2, 3)],
+)
+def test_a_rollout_is_cut_into_nearly_equal_parts(decisions: int, batch: int, size: int) -> None:
+    assert part_size(decisions, batch) == size
+
+
+@given(decisions=st.integers(2, 100_000), batch=st.integers(2, 20_000))
+def test_no_part_of_a_rollout_is_a_scrap(decisions: int, batch: int) -> None:
+    """stable-baselines3 takes a gradient step as long from a scrap of 3 decisions as from a whole batch."""
+    size = part_size(decisions, batch)
+    parts = -(-decisions // size)
+    last = decisions - (parts - 1) * size
+    assert 2 <= size <= decisions
+    assert size - last < decisions / batch + 1
+
+
+def from_words(command: str) -> TrainSettings:
+    """Return the settings that the command line makes of a command."""
+    words = shlex.split(command)
+    assert words[:2] == ["soccer", "train"]
+    return read_settings(TrainSettings, words[2:], "train", TrainSettings())
+
+
+NUMBERS = st.floats(1e-12, 9999.0)
+CHANGES: dict[str, st.SearchStrategy[Any]] = {
+    **dict.fromkeys(ABOVE_ZERO, NUMBERS),
+    **dict.fromkeys(("learning_rate", "noise"), st.floats(1e-12, 1.0)),
+    **dict.fromkeys(FROM_ZERO, st.floats(0.0, 1e9)),
+    "ideal_share": st.floats(0.0, 1.0),
+    **dict.fromkeys(SHARES, st.floats(1e-9, 1.0)),
+    **dict.fromkeys(("steps", "batch", "epochs", "teacher_steps", "critic_first"), st.integers(2, 10**12)),
+    **dict.fromkeys(("mirror", "curriculum", "decay", "central_critic", "normalise_rewards"), st.booleans()),
+    "teacher": st.sampled_from(["", "chaser", "sacks-2001@0.25", "my policy.safetensors"]),
+    "opponents": st.sampled_from(["still", "sacks-2001:pull=True,other=2,chaser", "a b.zip:observe=belief", "'\"$x"]),
+    "name": st.sampled_from(["learned", "a b", "--mirror x"[2:]]),
+    "pose": st.sampled_from(["particles", "percept"]),
+    "activation": st.sampled_from(["tanh", "relu"]),
+    "out": st.sampled_from([Path("a b"), Path("/tmp/it's")]),
+    "players": st.sampled_from(["1v1", "1v1,2v2,3v5"]),
+    "senses": st.sampled_from(["ideal", "home=ideal,away=sensors"]),
+}
+
+
+@settings(max_examples=40, deadline=None)
+@given(changes=st.fixed_dictionaries({}, optional=CHANGES))
+def test_a_command_asks_for_the_same_settings(changes: dict[str, Any]) -> None:
+    wanted = TrainSettings(**changes)
+    assert from_words(command_of(wanted)) == wanted
+
+
+def test_a_flag_may_say_what_is_the_default_anyhow() -> None:
+    for word in ("--mirror", "--no-mirror", "--curriculum", "--no-curriculum"):
+        name, value = word.replace("no-", "")[2:], "no-" not in word
+        assert getattr(from_words(f"soccer train {word}"), name) is value
+
+
+def test_every_setting_is_explained(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["train", "--help"])
+    text = " ".join(capsys.readouterr().out.replace("│", " ").split())
+    source = Path(sys.modules[TrainSettings.__module__].__file__ or "").read_text()
+    for field in fields(TrainSettings):
+        assert f"--{field.name.replace('_', '-')}" in text
+        after = source.split(f"\n    {field.name}: ", 1)[1].split("\n")[1].strip()
+        assert after.startswith('"""') and len(after) > 12, f"{field.name} has no text"
+        assert " ".join(after.strip('"').split()[:3]) in text, f"the text of {field.name} is not in the help"
+
+
+def test_names_keep_the_commas_of_their_switches() -> None:
+    assert split("chaser, sacks-2001:a=1,b=2,still", "x") == ("chaser", "sacks-2001:a=1,b=2", "still")
+
+
+# Settings from a file
+
+
+def test_a_file_gives_settings_and_flags_overrule_it(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text('steps = 77\nminutes = 1\nmirror = false\nhidden = "8"\nout = "there"\n')
+    found = settings_of(path)
+    assert found == TrainSettings(steps=77, minutes=1, mirror=False, hidden="8", out=Path("there"))
+    again = read_settings(TrainSettings, ["--steps", "88", "--mirror"], "train", found)
+    assert again == replace(found, steps=88, mirror=True)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("", None),
+        ("step = 3\n", "unknown setting 'step'; known: league, name, out, steps"),
+        ("[training]\nsteps = 3\n", "unknown setting 'training'"),
+        ('steps = "many"\n', "steps must be a whole number, got 'many'"),
+        ("steps = 3.0\n", "steps must be a whole number, got 3.0"),
+        ("mirror = 1\n", "mirror must be true or false, got 1"),
+        ('minutes = "2"\n', "minutes must be a number, got '2'"),
+        ("hidden = 64\n", "hidden must be a text"),
+        ("out = 3\n", "out must be a text, got 3"),
+        ("steps = 0\n", "steps must be a whole number of at least 1"),
+        ("gamma = nan\n", "gamma must be a number above 0"),
+        ('observe = "x-rays"\n', "observe must be one of belief"),
+        ("anew = true\n", "anew is for the command line"),
+        ("steps 3\n", "cannot be read: "),
+        ("steps = 3\nsteps = 4\n", "cannot be read: "),
+        ("name = '\udcff'\n", "cannot be read: "),
+    ],
+)
+def test_a_wrong_file_is_named(tmp_path: Path, content: str, message: str | None) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_bytes(content.encode(errors="surrogateescape"))
+    if message is None:
+        assert settings_of(path) == TrainSettings()
+        return
+    with pytest.raises(ValueError, match=f"mine.toml: {message}|mine.toml {message}"):
+        settings_of(path)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--config"], "--config needs a file"),
+        (["--config", "nowhere.toml"], "nowhere.toml cannot be read: "),
+        (["--config=nowhere.toml"], "nowhere.toml cannot be read: "),
+        (["--config", "."], "cannot be read: "),
+        (["--steps", "0"], "steps must be a whole number of at least 1, got 0"),
+        (["--learning-rate", "nan"], "learning_rate must be a number above 0, got nan"),
+        (["--decay", "maybe"], "maybe"),
+        (["--opponent", "still"], "Unrecognized options: --opponent"),
+        (["--observe", "x-rays"], "--observe"),
+    ],
+)
+def test_a_wrong_command_is_one_line(words: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["train", *words]) == 2
+    said = capsys.readouterr().err
+    assert message in said and said.startswith("soccer: ") and said.count("\n") == 1
+
+
+MISSING = """
+import sys
+from soccer_env.train.command_line import main
+
+class Missing:
+    @staticmethod
+    def find_spec(name, path=None, target=None):
+        if name.partition(".")[0] == missing:
+            raise ModuleNotFoundError(f"No module named {name!r}", name=name)
+
+sys.meta_path.insert(0, Missing)
+for missing in ("torch", "stable_baselines3", "openskill"):
+    print(main(["train", "--steps", "1"]), file=sys.stderr)
+"""
+
+
+@pytest.mark.slow
+def test_a_missing_package_is_said_with_what_installs_it(tmp_path: Path) -> None:
+    said = subprocess.run([sys.executable, "-c", MISSING], capture_output=True, text=True, cwd=ROOT, check=True).stderr
+    lines = said.splitlines()
+    assert lines[1::2] == ["2", "2", "2"], said
+    for line, missing in zip(lines[::2], ("torch", "stable_baselines3", "openskill")):
+        assert 'pip install "soccer_env[train]"' in line and missing in line
+
+
+def test_lists_of_a_file_are_texts_with_commas(tmp_path: Path) -> None:
+    file = tmp_path / "run.toml"
+    file.write_text('hidden = [32, 16]\nplayers = ["1v1", "2v2"]\n')
+    settings = settings_of(file)
+    assert settings.hidden_sizes == (32, 16) and settings.sizes == ((1, 1), (2, 2))

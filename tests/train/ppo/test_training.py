@@ -1,0 +1,242 @@
+"""A training: the same weights from the same seed, whatever the threads; files that say what happened; its command."""
+
+import csv
+import json
+import os
+import shlex
+import signal
+import subprocess
+import sys
+import time
+import warnings
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env.agents.policy_file import load
+from soccer_env.train.ppo import training
+from soccer_env.train.ppo.reports import learning_curve, rounded, scale
+from soccer_env.train.ppo.settings import MOST, TrainSettings, command_of
+from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
+
+ROOT = Path(__file__).parents[3]
+
+
+@pytest.fixture
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the folder of a finished run, which is not to be changed."""
+    return whole_run(tmp_path_factory)
+
+
+@pytest.mark.parametrize("change", [{}, {"threads": 2}])
+def test_the_same_seed_gives_the_same_weights(tmp_path: Path, whole: Path, change: dict[str, Any]) -> None:
+    plainly(tiny(tmp_path / "run", **change))
+    assert outcome(tmp_path / "run") == outcome(whole)
+
+
+def test_another_seed_gives_other_weights(tmp_path: Path, whole: Path) -> None:
+    plainly(tiny(tmp_path / "run", seed=4))
+    assert weights(tmp_path / "run" / "last.safetensors") != weights(whole / "last.safetensors")
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"mirror": False, "central_critic": False, "normalise_rewards": False, "curriculum": False, "decay": False},
+        {"observe": "truth", "senses": "ideal", "teacher": "", "past": 0, "critic_first": 0, "activation": "relu"},
+        {"ideal_share": 0.5},
+        {"observe": "percepts", "mirror": False, "target_kl": 1e-9, "entropy": 0.01, "pose": "particles"},
+    ],
+)
+def test_other_kinds_of_runs_go_on_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, change: dict[str, Any]) -> None:
+    """Cut by an error in the middle of the third rollout, a run ends as one that was not."""
+    plainly(tiny(tmp_path / "whole", steps=4 * ROLLOUT, **change))
+    steps = training.Steps._on_step
+    left = [20]
+
+    def cut(self: training.Steps) -> bool:
+        left[0] -= 1
+        if not left[0]:
+            raise KeyboardInterrupt
+        return steps(self)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(training.Steps, "_on_step", cut)
+        with pytest.raises(KeyboardInterrupt):
+            plainly(tiny(tmp_path / "cut", steps=4 * ROLLOUT, **change))
+    assert len(records(tmp_path / "cut" / "log.jsonl")) == 2
+    plainly(tiny(tmp_path / "cut", steps=4 * ROLLOUT, **change))
+    assert outcome(tmp_path / "cut") == outcome(tmp_path / "whole")
+
+
+def test_more_steps_go_on_with_a_finished_run(tmp_path: Path, whole: Path) -> None:
+    """Without a falling learning rate the weights are those of a run that was longer from the beginning."""
+    for steps in (2 * ROLLOUT, 2 * ROLLOUT, 4 * ROLLOUT):  # a finished run that is asked again does nothing
+        result = plainly(tiny(tmp_path / "two", steps=steps, decay=False))
+        assert result.steps == steps
+    plainly(tiny(tmp_path / "one", steps=4 * ROLLOUT, decay=False))
+    assert weights(tmp_path / "one" / "last.safetensors") == weights(tmp_path / "two" / "last.safetensors")
+    assert [line["step"] for line in records(tmp_path / "two" / "log.jsonl")] == [48, 96, 144, 192]
+    assert [one["step"] for one in records(tmp_path / "two" / "evaluations.jsonl")] == [0, 96, 192]
+
+
+def test_the_actor_waits_while_the_critic_alone_learns(tmp_path: Path) -> None:
+    plainly(tiny(tmp_path / "run", steps=2 * ROLLOUT, critic_first=2))
+    begun = tmp_path / "run" / "best.safetensors"  # all evaluations are alike: the first one stays the best
+    assert load(begun).made["step"] == "0"
+    assert weights(tmp_path / "run" / "last.safetensors") == weights(begun)
+    plainly(tiny(tmp_path / "run", steps=3 * ROLLOUT, critic_first=2))
+    assert weights(tmp_path / "run" / "last.safetensors") != weights(begun)
+
+
+def test_the_files_of_a_run_say_what_happened(whole: Path) -> None:
+    names = {path.name for path in whole.iterdir()}
+    assert names >= {"settings.json", "log.jsonl", "progress.csv", "evaluations.jsonl", "best.safetensors"}
+    assert names >= {"last.safetensors", "checkpoint-0.pt", "checkpoint-1.pt", "latest.json"}
+    lines = records(whole / "log.jsonl")
+    assert [line["rollout"] for line in lines] == [1, 2, 3, 4, 5, 6, 7]
+    assert sum(line["episodes"] for line in lines) > 4
+    assert set(lines[0]["points"]) == {"still", "chaser@0.5", "past-0", "past-1"}
+    assert all(time >= 0.0 for line in lines for time in line["seconds"].values())
+    assert {line["noise"] for line in lines[:2]} == {0.6}, "the critic alone learned"
+    with (whole / "progress.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["value_loss"]) for row in rows] == [line["value_loss"] for line in lines]
+    evaluations = records(whole / "evaluations.jsonl")
+    assert [one["step"] for one in evaluations] == [0, 192, 336]
+    assert all(row["low"] <= row["goal_difference"] <= row["high"] for one in evaluations for row in one["rows"])
+
+
+def test_a_policy_says_where_it_comes_from(whole: Path) -> None:
+    policy = load(whole / "last.safetensors")
+    assert policy.made["command"] == command_of(replace(tiny(whole), out=TrainSettings.out)), (
+        "no folder of this machine"
+    )
+    assert json.loads(policy.made["settings"]) == json.loads(
+        json.dumps({**tiny(whole).decisive(), "steps": tiny(whole).steps})
+    )
+    assert (policy.made["step"], policy.made["seed"]) == ("336", "3")
+    assert set(policy.made) >= {"date", "commit", "soccer_env", "torch", "stable_baselines3", "numba", "pymunk"}
+    assert policy.mirror and policy.observe == "belief" and policy.action_repeat == 8
+
+
+def test_the_best_policy_is_that_of_the_best_evaluation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    differences = iter([0.0, 2.0, 1.0])
+
+    def pretend(policy: Any, settings: TrainSettings) -> list[dict[str, Any]]:
+        difference = next(differences)
+        return [{"opponent": "still", "goal_difference": difference, "low": 0.0, "high": 0.0, "points": 0.5}]
+
+    monkeypatch.setattr(training, "evaluate_policy", pretend)
+    plainly(tiny(tmp_path / "run"))
+    assert load(tmp_path / "run" / "best.safetensors").made["step"] == "192"
+    assert load(tmp_path / "run" / "last.safetensors").made["step"] == "336"
+
+
+def test_no_warning_of_others_reaches_the_user(tmp_path: Path) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", UserWarning)
+        plainly(tiny(tmp_path / "run", steps=ROLLOUT, batch=10_000, teacher=""))
+        plainly(tiny(tmp_path / "other", steps=ROLLOUT, batch=13, teacher=""))
+
+
+def test_weights_that_became_nan_are_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(MOST, "learning_rate", 1e40)
+    wild = tiny(tmp_path / "run", learning_rate=1e30, teacher="", critic_first=0)
+    with (
+        np.errstate(all="ignore"),
+        pytest.raises(ValueError, match="weights became NaN or infinite by step [0-9]+: a smaller learning_rate"),
+    ):
+        plainly(wild)
+    assert np.isfinite(load(tmp_path / "run" / "best.safetensors").weights[0]).all()
+
+
+# What is drawn and noted
+
+
+def evaluation(step: int, *differences: float) -> dict[str, Any]:
+    rows = [
+        {"opponent": f"team-{number}", "goal_difference": value, "low": value - 1, "high": value + 1, "points": 0.5}
+        for number, value in enumerate(differences)
+    ]
+    return {"step": step, "rows": rows}
+
+
+def test_a_learning_curve_is_a_picture() -> None:
+    one = learning_curve([evaluation(0, 0.0, -2.0)], tiny(Path("x")))
+    three = learning_curve([evaluation(n * 10**6, n, n - 2.0) for n in range(3)], tiny(Path("x")))
+    assert one.startswith(b"\x89PNG") and three.startswith(b"\x89PNG") and one != three
+    assert three == learning_curve([evaluation(n * 10**6, n, n - 2.0) for n in range(3)], tiny(Path("x")))
+
+
+def test_without_matplotlib_there_is_no_picture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    assert learning_curve([evaluation(0, 0.0)], tiny(Path("x"))) == b""
+    training.train(tiny(tmp_path / "run", steps=ROLLOUT, teacher=""))
+    assert not (tmp_path / "run" / "learning_curve.png").exists()
+    assert (tmp_path / "run" / "last.safetensors").exists()
+
+
+def test_steps_are_told_in_fitting_units() -> None:
+    assert scale(2_000_000) == (1e6, " [million]")
+    assert scale(336_000) == (1e3, " [thousand]")
+    assert scale(336) == (1.0, "") == scale(0)
+
+
+def test_logs_are_json_that_others_can_read() -> None:
+    assert [rounded(value) for value in (1.23456789, np.float32(0.5), None, float("nan"), np.inf)] == [
+        1.234568, 0.5, None, None, None,
+    ]  # fmt: skip
+
+
+# The command
+
+
+def words_of(out: Path, **changes: Any) -> list[str]:
+    """Return a command as a user gives it to the shell, of a run long enough to be cut."""
+    return [sys.executable, "-m", "soccer_env.train.command_line", *shlex.split(command_of(tiny(out, **changes)))[1:]]
+
+
+def started(words: list[str], out: Path, rollouts: int) -> subprocess.Popen[str]:
+    """Start a command and wait until its run has come to so many rollouts."""
+    process = subprocess.Popen(
+        words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # a job in the background may ignore it
+    )  # fmt: skip
+    log, end = out / "log.jsonl", time.monotonic() + 120.0
+    while not log.exists() or log.read_bytes().count(b"\n") < rollouts:
+        assert process.poll() is None, process.communicate()
+        assert time.monotonic() < end, "nothing happens"
+        time.sleep(0.02)
+    return process
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name != "posix", reason="needs SIGSTOP")
+def test_the_command_is_refused_beside_another_stops_and_goes_on(tmp_path: Path) -> None:
+    out, steps = tmp_path / "cut", 120 * ROLLOUT
+    changes = {"steps": steps, "evaluate_every": 400 * ROLLOUT}
+    words = words_of(out, **changes)
+
+    process = started(words, out, 2)
+    process.send_signal(signal.SIGSTOP)  # so that it is not done before the second one has looked
+    second = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert second.returncode == 2
+    assert f"soccer: another training uses {out}; give another --out" in second.stderr
+    process.send_signal(signal.SIGINT)
+    process.send_signal(signal.SIGCONT)
+    said = process.communicate()[1]
+    assert process.returncode == 130
+    assert f"stopped; the same command goes on with the run in {out}" in said and "Traceback" not in said
+
+    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "policy: 5,760 steps" in done.stdout and f"written: {out / 'best.safetensors'}" in done.stdout
+    assert "Warning" not in done.stderr
+    assert (out / "learning_curve.png").read_bytes().startswith(b"\x89PNG")
+    plainly(tiny(tmp_path / "whole", **changes))
+    assert outcome(out) == outcome(tmp_path / "whole")
+    assert [line["step"] for line in records(out / "log.jsonl")] == list(range(ROLLOUT, steps + 1, ROLLOUT))

@@ -1,0 +1,277 @@
+"""The VecEnv: what stable-baselines3 may count on, and that its rows are the matches that lie under it."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match, Rewards
+from soccer_env.agents.learned import first_decision
+from soccer_env.random_numbers import seeds_for
+from soccer_env.squads import Lineup
+from soccer_env.teams import make_team
+from tests.train.evaluate.staged_rows import MIXED, draw, play, rows, same
+
+pytest.importorskip("stable_baselines3")
+
+import stable_baselines3 as sb3
+
+from soccer_env.train.ppo.vec_env import Result
+
+# What stable-baselines3 may count on
+
+
+@pytest.mark.parametrize("state", [False, True])
+@pytest.mark.parametrize("actions", ["box", "full"])
+@pytest.mark.parametrize("observe", ["truth", "belief", "percepts"])
+def test_shapes_types_and_bounds_are_those_of_the_spaces(observe: str, actions: str, state: bool) -> None:
+    env = rows(observe=observe, actions=actions, state=state, players=MIXED, senses="sensors", minutes=0.05)
+    assert env.num_envs == 2 * 1 + 2 * 3 and env.action_space.shape == ({"box": 4, "full": 7}[actions],)
+    seen = env.reset()
+    history = [(seen, np.zeros(8, np.float32), np.zeros(8, bool), [{}] * 8), *play(env, 60)]
+    for seen, rewards, dones, infos in history:
+        assert seen.shape == (8, *env.observation_space.shape) and seen.dtype == env.observation_space.dtype  # type: ignore[misc]
+        assert all(row in env.observation_space for row in seen)
+        assert rewards.shape == dones.shape == (8,)
+        assert rewards.dtype == np.float32 and dones.dtype == bool and np.isfinite(rewards).all()
+        assert isinstance(infos, list) and len(infos) == 8
+        for info, done in zip(infos, dones, strict=True):
+            assert set(info) == ({"terminal_observation", "TimeLimit.truncated", "episode"} if done else set())
+            assert not done or info["terminal_observation"] in env.observation_space
+    assert sum(dones.sum() for _, _, dones, _ in history) == 8, "each row ended once"
+
+
+def test_what_rows_share_can_be_asked_for_and_what_they_have_not_is_said() -> None:
+    env = rows()
+    assert env.get_attr("repeat") == [1] * 8 and env.get_attr("repeat", [2, 3]) == [1, 1]
+    assert env.env_is_wrapped(sb3.common.vec_env.VecMonitor, [0, 1]) == [False, False]
+    assert env.seed(7) == [7] * 8
+    with pytest.raises(AttributeError, match="have no attribute 'speed' of their own"):
+        env.set_attr("speed", 1)
+    with pytest.raises(AttributeError, match="have no method 'render' of their own"):
+        env.env_method("render")
+
+
+def test_ppo_learns_on_it() -> None:
+    env = rows(action_repeat=8, minutes=0.1, seed=1)
+    model = sb3.PPO("MlpPolicy", env, n_steps=16, batch_size=32, n_epochs=1, seed=1, device="cpu")
+    before = [parameter.detach().clone() for parameter in model.policy.parameters()]
+    model.learn(2 * 16 * 8)
+    assert model.num_timesteps == 256 and len(model.ep_info_buffer) == len(env.results) * 2 > 0
+    assert any((one != other).any() for one, other in zip(before, model.policy.parameters(), strict=True))
+
+
+@pytest.mark.parametrize("repeat", [1, 8])
+def test_what_was_returned_is_not_overwritten_by_the_next_step(repeat: int) -> None:
+    env = rows(action_repeat=repeat, minutes=0.05)
+    kept, copies = [env.reset()], []
+    copies.append(kept[0].copy())
+    for seen, rewards, dones, infos in play(env, 50):
+        last = [info["terminal_observation"] for info in infos if info]
+        kept += [seen, rewards, dones, *last]
+        copies += [array.copy() for array in (seen, rewards, dones, *last)]
+    assert all(np.array_equal(one, copy) for one, copy in zip(kept, copies, strict=True))
+    assert len(kept) > 1 + 3 * 50, "some episode ended"
+
+
+def test_actions_are_clipped_and_nonsense_is_refused() -> None:
+    wild, tame = rows(), rows()
+    wild.reset(), tame.reset()
+    assert same([wild.step(np.full((8, 4), 1e30))], [tame.step(np.ones((8, 4)))])
+    with pytest.raises(ValueError, match="not finite"):
+        wild.step(np.full((8, 4), np.nan))
+    with pytest.raises(ValueError, match="broadcast"):
+        wild.step(np.ones((7, 4)))
+
+
+def test_each_team_size_needs_a_match() -> None:
+    with pytest.raises(ValueError, match="matches must be at least one for each of 2 team sizes, got 1"):
+        rows(players=MIXED, matches=1)
+
+
+def test_a_share_of_the_matches_of_each_size_has_ideal_senses() -> None:
+    env = rows(players=MIXED, matches=16, observe="belief", senses="sensors", ideal_share=0.25)
+    told = [(match.settings.home, match.count, match.settings.senses) for match in env.matches]
+    sensors, ideal = ("sensors", "sensors"), ("ideal", "ideal")
+    assert told == [(1, 6, sensors), (1, 2, ideal), (3, 6, sensors), (3, 2, ideal)]
+    seen, age = env.reset(), env.matches[0].observation_names.index("ball_age")
+    assert seen.shape == (8 * 1 + 8 * 3, len(env.matches[0].observation_names))
+    by_match = np.repeat([False, True, False, True], [6, 2, 18, 6])
+    assert (seen[by_match, age] == 0.0).all() and (seen[~by_match, age] > 0.0).any()
+    alone = rows(players=MIXED, matches=16, observe="belief", senses="ideal")
+    assert same(play(rows(players=MIXED, matches=16, observe="belief", ideal_share=1.0), 3), play(alone, 3))
+
+
+@pytest.mark.parametrize(("share", "matches"), [(0.1, 4), (0.9, 4), (0.5, 1)])
+def test_either_senses_need_a_match(share: float, matches: int) -> None:
+    with pytest.raises(ValueError, match="at least one for each of 1 team sizes, by either senses"):
+        rows(observe="belief", senses="sensors", ideal_share=share, matches=matches)
+    with pytest.raises(ValueError, match="ideal_share must be a number from 0 to 1, got 1.5"):
+        rows(observe="belief", ideal_share=1.5)
+
+
+# The matches under it
+
+
+def by_hand(match: Match, actions: np.ndarray, repeat: int) -> tuple[np.ndarray, np.ndarray, dict[int, np.ndarray]]:
+    """Play one step of 2 against 2 with a Match alone; return rewards and ends (M,), and last observations by match."""
+    gained, over, last = np.zeros((match.count, 2), np.float32), np.zeros(match.count, bool), dict[int, np.ndarray]()
+    numbers = np.zeros((match.count, 4, 4))
+    numbers[:, :2] = actions.reshape(match.count, 2, 4)
+    for step in range(repeat):
+        _, paid, terminated, truncated = match.step(numbers, last=step == repeat - 1)
+        gained[~over] += paid[~over, :2]
+        for index, m in enumerate(np.flatnonzero(terminated | truncated)):
+            last.setdefault(int(m), match.final["observations"][index, :2])
+            over[m], numbers[m] = True, 0.0
+    return gained, over, last
+
+
+@pytest.mark.parametrize("repeat", [1, 8])
+def test_transitions_are_those_of_a_match(repeat: int) -> None:
+    steps = 48 // repeat
+    env = rows(action_repeat=repeat, max_cycles=steps, minutes=0.15)
+    match = Match(
+        home=2, away=2, matches=4, opponents="chaser", senses="ideal", autoreset="same_step", max_cycles=48,
+        minutes=0.15, seeds=seeds_for(3, 4), rewards=Rewards(gamma=0.99),
+    )  # fmt: skip
+    seen, rng, ends = env.reset(), np.random.default_rng(0), 0
+    for _ in range(first_decision(match.league.delay_steps, repeat)):
+        match.step(np.zeros((4, 4, 4)))
+    for _ in range(160 // repeat):
+        assert (seen == match.observations[:, :2].reshape(8, -1)).all()
+        actions = draw(env, rng)
+        seen, rewards, dones, infos = env.step(actions)
+        paid, over, last = by_hand(match, actions, repeat)
+        assert (rewards == paid.ravel()).all() and (dones == np.repeat(over, 2)).all()
+        for m, rows_of_it in last.items():
+            assert all((infos[2 * m + r]["terminal_observation"] == rows_of_it[r]).all() for r in range(2))
+        ends += len(last)
+    assert ends >= 8 and match.state_hash() == env.matches[0].state_hash()
+
+
+def test_a_repeat_pays_what_its_control_steps_pay() -> None:
+    once, eight = rows(action_repeat=1, gamma=1.0), rows(action_repeat=8, gamma=1.0)
+    once.reset(), eight.reset()
+    for _ in range(first_decision(once.matches[0].league.delay_steps, 8)):
+        once.step(np.zeros((8, 4)))
+    actions = draw(once, np.random.default_rng(0))
+    paid = sum(once.step(actions)[1] for _ in range(8))
+    np.testing.assert_allclose(eight.step(actions)[1], paid, atol=1e-6)
+    assert np.any(paid)
+
+
+@pytest.mark.parametrize("repeat", [1, 8])
+def test_a_mix_of_team_sizes_plays_as_each_size_alone(repeat: int) -> None:
+    mixed = rows(players=MIXED, action_repeat=repeat, senses="sensors", observe="belief")
+    mixed.reset()
+    assert mixed.learners == [1, 3] and mixed.edges == [0, 2, 8]
+    for size, match, seeds in zip(MIXED, mixed.matches, np.split(seeds_for(3, 4), 2), strict=True):
+        assert (match.settings.home, match.settings.away) == size and match.seeds.tolist() == seeds.tolist()
+    alone = rows(players=MIXED[:1], action_repeat=repeat, senses="sensors", observe="belief", matches=2)
+    alone.reset()
+    rng = np.random.default_rng(0)
+    for _ in range(30):
+        actions = draw(mixed, rng)
+        assert (mixed.step(actions)[0][:2] == alone.step(actions[:2])[0]).all()
+
+
+def test_a_seed_tells_the_episodes() -> None:
+    one, other, third = rows(), rows(), rows(seed=4)
+    starts = [env.reset() for env in (one, other, third)]
+    assert (starts[0] == starts[1]).all()
+    first = play(one, 40)
+    assert same(first, play(other, 40))
+    assert not same(first, play(third, 40))
+    third.seed(3)
+    assert (third.reset() == starts[0]).all() and same(first, play(third, 40))
+
+
+def test_all_matches_differ_whatever_their_team_size() -> None:
+    env = rows(players=((1, 1), (1, 1)))
+    env.reset()
+    assert len({match.state_hash(m) for match in env.matches for m in range(2)}) == 4
+
+
+@pytest.mark.parametrize(("players", "matches"), [(((2, 2),), 8), (MIXED, 8), (MIXED, 140)])  # 1, 2 and 4 blocks
+def test_threads_change_nothing(players: tuple[tuple[int, int], ...], matches: int) -> None:
+    one, two = (rows(players=players, matches=matches, minutes=0.05, threads=threads) for threads in (1, 2))
+    one.reset(), two.reset()
+    assert same(play(one, 60), play(two, 60))
+    assert len(one.results) >= matches and one.results == two.results
+    two.close()
+
+
+# Ends
+
+
+def test_an_end_by_max_cycles_is_a_time_limit_for_all_rows_of_the_match() -> None:
+    env = rows(max_cycles=12)
+    env.reset()
+    history = play(env, 12)
+    assert not any(dones.any() for _, _, dones, _ in history[:-1])
+    _, _, dones, infos = history[-1]
+    assert dones.all() and all(info["TimeLimit.truncated"] is True for info in infos)
+
+
+def test_the_final_whistle_is_no_time_limit() -> None:
+    env = rows(minutes=0.05)
+    env.reset()
+    history = play(env, 48)
+    assert not any(dones.any() for _, _, dones, _ in history[:-1])
+    _, _, dones, infos = history[-1]
+    assert dones.all() and all(info["TimeLimit.truncated"] is False for info in infos)
+
+
+@pytest.mark.parametrize("repeat", [1, 8])
+def test_a_goal_that_ends_the_episode_is_no_time_limit_and_ends_its_match_alone(repeat: int) -> None:
+    env = rows(episode="goal", action_repeat=repeat, rewards=Rewards(progress=0.0, approach=0.0, effort=0.0))
+    env.reset()
+    shoot(env.matches[0], 2)
+    for _ in range(20):
+        _, rewards, dones, infos = env.step(np.zeros((8, 4)))
+        if dones.any():
+            break
+    assert np.flatnonzero(dones).tolist() == [4, 5]
+    assert infos[4]["TimeLimit.truncated"] is False and infos[5]["TimeLimit.truncated"] is False
+    assert (rewards == np.array([0, 0, 0, 0, 1, 1, 0, 0])).all()
+    assert env.results == [Result((2, 2), "chaser", 1, 0)] and env.results[0].points == 1.0
+
+
+def shoot(match: Match, m: int) -> None:
+    """Let the ball of match m roll into the goal that home attacks."""
+    half = match.league.pitch.length / 2.0
+    match.balls["x"][m], match.balls["y"][m], match.balls["vx"][m] = half - 0.2, 0.0, 2.0
+    for r in range(len(match.agents)):
+        match.robots["x"][m, r], match.robots["y"][m, r] = -half + 0.3, 0.4 * r - 0.6
+    match.reseat()
+
+
+def test_points_count_a_draw_half() -> None:
+    assert [Result((1, 1), "x", *score).points for score in ((2, 1), (1, 1), (0, 3))] == [1.0, 0.5, 0.0]
+
+
+def test_returns_of_episodes_sum_their_rewards() -> None:
+    env = rows(action_repeat=8, max_cycles=6, minutes=1.0)
+    env.reset()
+    sums, lengths, seen = np.zeros(8), np.zeros(8, int), 0
+    for _, rewards, dones, infos in play(env, 40):
+        sums, lengths = sums + rewards, lengths + 1
+        for row in np.flatnonzero(dones):
+            assert infos[row]["episode"]["r"] == pytest.approx(sums[row], abs=1e-6)
+            assert infos[row]["episode"]["l"] == lengths[row]
+            sums[row], lengths[row], seen = 0.0, 0, seen + 1
+    assert seen >= 4 * 8 and all(isinstance(info["episode"]["r"], float) for info in infos if info)
+
+
+def test_results_name_the_opponent_that_played() -> None:
+    teams: Any = tuple(make_team(name) for name in ("still", "chaser"))
+    lineup = Lineup(teams, np.ones(2), ("nobody", "somebody"))
+    env = rows(opponents=lineup, max_cycles=10, matches=8)
+    env.reset()
+    for episode in range(3):
+        expected = [lineup.names[lineup.choose(int(seed), episode)] for seed in env.matches[0].seeds]
+        assert env.opponents == [expected] and len(set(expected)) == 2
+        play(env, 10)
+        assert [result.opponent for result in env.results] == expected
+        env.results.clear()
