@@ -98,71 +98,71 @@ def observed(numbers, shape):
 
 
 @compiled
-def attend(numbers, shape, start, smooth, room):
-    """Put what is pooled of both kinds behind the fixed entries in room[2]; return where the numbers go on.
+def attend(numbers, shape, start, smooth, scratch):
+    """Put what is pooled of both kinds behind the fixed entries in scratch[2]; return where the numbers go on.
 
-    Room[0] and room[1] are to work in; `smooth` is True for tanh.
+    Scratch[0] and scratch[1] are to work in; `smooth` is True for tanh.
     """
     fixed, width = int(numbers[shape + FIXED]), int(numbers[shape + WIDTH])
     at, first = start, fixed
     for kind in range(2):
         slots, entries = int(numbers[shape + SLOTS + kind]), int(numbers[shape + ENTRIES + kind])
-        ask(numbers, at, fixed, width, room)
+        ask(numbers, at, fixed, width, scratch)
         at += fixed * width
-        pool(numbers, at, first, slots, entries, width, kind * width, smooth, room)
+        pool(numbers, at, first, slots, entries, width, kind * width, smooth, scratch)
         at += (entries + 1) * width
         first += slots * entries
     for j in range(2 * width):
-        room[2, fixed + j] = room[1, j]
+        scratch[2, fixed + j] = scratch[1, j]
     return at
 
 
 @compiled
-def ask(numbers, at, fixed, width, room):
-    """Write q into room[0]."""
+def ask(numbers, at, fixed, width, scratch):
+    """Write q into scratch[0]."""
     for j in range(width):
-        room[0, j] = 0.0
+        scratch[0, j] = 0.0
     for i in range(fixed):
-        value = room[2, i]
+        value = scratch[2, i]
         for j in range(width):
-            room[0, j] += value * numbers[at + i * width + j]
+            scratch[0, j] += value * numbers[at + i * width + j]
 
 
 @compiled
-def pool(numbers, at, first, slots, entries, width, to, smooth, room):
-    """Write what is pooled of a kind's slots into room[1] from `to` on, with q in room[0] and each e behind it.
+def pool(numbers, at, first, slots, entries, width, to, smooth, scratch):
+    """Write what is pooled of a kind's slots into scratch[1] from `to` on, with q in scratch[0] and each e behind it.
 
     The weights are relative to the largest so far, so that no exponential overflows.
     """
     top, total = 0.0, 0.0
     for j in range(width):
-        room[1, to + j] = 0.0
+        scratch[1, to + j] = 0.0
     for slot in range(first, first + slots * entries, entries):
-        if room[2, slot] > 0.0:
-            encode(numbers, at, slot, entries, width, smooth, room)
+        if scratch[2, slot] > 0.0:
+            encode(numbers, at, slot, entries, width, smooth, scratch)
             alike = 0.0
             for j in range(width):
-                alike += room[0, j] * room[0, width + j]
+                alike += scratch[0, j] * scratch[0, width + j]
             kept = exp(min(top - alike, 0.0)) if total > 0.0 else 0.0
             top = max(top, alike) if total > 0.0 else alike
             weight = exp(alike - top)
             total = kept * total + weight
             for j in range(width):
-                room[1, to + j] = kept * room[1, to + j] + weight * room[0, width + j]
+                scratch[1, to + j] = kept * scratch[1, to + j] + weight * scratch[0, width + j]
     if total > 0.0:
         for j in range(width):
-            room[1, to + j] /= total
+            scratch[1, to + j] /= total
 
 
 @compiled
-def encode(numbers, at, slot, entries, width, smooth, room):
-    """Write e of one slot into room[0], behind q."""
+def encode(numbers, at, slot, entries, width, smooth, scratch):
+    """Write e of one slot into scratch[0], behind q."""
     bias = at + entries * width
     for j in range(width):
-        room[0, width + j] = numbers[bias + j]
+        scratch[0, width + j] = numbers[bias + j]
     for i in range(entries):
-        value = room[2, slot + i]
+        value = scratch[2, slot + i]
         for j in range(width):
-            room[0, width + j] += value * numbers[at + i * width + j]
+            scratch[0, width + j] += value * numbers[at + i * width + j]
     for j in range(width):
-        room[0, width + j] = tanh(room[0, width + j]) if smooth else max(room[0, width + j], 0.0)
+        scratch[0, width + j] = tanh(scratch[0, width + j]) if smooth else max(scratch[0, width + j], 0.0)

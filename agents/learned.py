@@ -86,14 +86,14 @@ def play(observations, memory, commands, players, constants, numbers, first, las
     """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
     repeat, size = int(numbers[REPEAT]), int(numbers[SIZES + int(numbers[LAYERS])])
     delay = 0 if numbers[AT_ONCE] != 0.0 else constants[0].delay_steps
-    room = np.empty((3, widest(numbers)))
+    scratch = np.empty((3, widest(numbers)))
     for m in range(first, last):
         for p in range(len(players)):
             mind = memory[m, p]
             if mind.begun == 0:
                 mind.begun, mind.wait, mind.action[HEAD] = 1, -delay % repeat, -1.0
             if mind.wait == 0:
-                act(numbers, observations[m, players[p]], mind.action[:size], room)
+                act(numbers, observations[m, players[p]], mind.action[:size], scratch)
                 mind.wait = repeat
             mind.wait -= 1
             obey(commands[m, players[p]], mind.action)

@@ -43,8 +43,8 @@ def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
 
 
 @compiled
-def act(numbers, row, action, room):
-    """Write the action (a,) for one observation (n,); room (3, widest) is to work in.
+def act(numbers, row, action, scratch):
+    """Write the action (a,) for one observation (n,); scratch (3, widest) is to work in.
 
     The mean of the network and of its mirror image where the head says so, clipped to [-1, 1].
     """
@@ -53,39 +53,39 @@ def act(numbers, row, action, room):
     signs = SIZES + layers + 1 + (SHAPE if numbers[NETWORK] >= ATTENTION else 0)
     start = signs + inputs + outputs
     for i in range(inputs):
-        room[2, i] = row[i]
-    forward(numbers, layers, start, room)
+        scratch[2, i] = row[i]
+    forward(numbers, layers, start, scratch)
     for i in range(outputs):
-        action[i] = room[0, i]
+        action[i] = scratch[0, i]
     if numbers[MIRROR] != 0.0:
         for i in range(inputs):
-            room[2, i] = numbers[signs + i] * row[i]
-        forward(numbers, layers, start, room)
+            scratch[2, i] = numbers[signs + i] * row[i]
+        forward(numbers, layers, start, scratch)
         for i in range(outputs):
-            action[i] = 0.5 * (action[i] + numbers[signs + inputs + i] * room[0, i])
+            action[i] = 0.5 * (action[i] + numbers[signs + inputs + i] * scratch[0, i])
     for i in range(outputs):
         action[i] = clip(action[i], -1.0, 1.0)
 
 
 @compiled
-def forward(numbers, layers, start, room):
-    """Compute the network for the inputs in room[2]; the outputs come to lie in room[0]."""
+def forward(numbers, layers, start, scratch):
+    """Compute the network for the inputs in scratch[2]; the outputs come to lie in scratch[0]."""
     smooth, at = numbers[NETWORK] % 2.0 == 0.0, start
     if numbers[NETWORK] >= ATTENTION:
-        at = attend(numbers, SIZES + layers + 1, start, smooth, room)
+        at = attend(numbers, SIZES + layers + 1, start, smooth, scratch)
     for layer in range(layers):
         wide, out = int(numbers[SIZES + layer]), int(numbers[SIZES + layer + 1])
         bias = at + wide * out
         for j in range(out):
-            room[0, j] = numbers[bias + j]
+            scratch[0, j] = numbers[bias + j]
         for i in range(wide):  # column by column: no sum is reordered, and the inner loop uses vector instructions
-            value = room[2, i]
+            value = scratch[2, i]
             for j in range(out):
-                room[0, j] += value * numbers[at + i * out + j]
+                scratch[0, j] += value * numbers[at + i * out + j]
         at = bias + out
         if layer < layers - 1:
             for j in range(out):
-                room[2, j] = tanh(room[0, j]) if smooth else max(room[0, j], 0.0)
+                scratch[2, j] = tanh(scratch[0, j]) if smooth else max(scratch[0, j], 0.0)
 
 
 @compiled

@@ -18,7 +18,7 @@ from math import atan2
 import numpy as np
 
 from soccer_env.baselines.attacking import attack
-from soccer_env.baselines.deciding import PLAY, TEAM, free_ring, keep_decision, must_decide, weaken
+from soccer_env.baselines.deciding import PLAY, TEAM, apply_strength, free_ring, keep_decision, must_decide
 from soccer_env.baselines.goalkeeping import keep_goal
 from soccer_env.baselines.sight import SIGHT, look, side_of
 from soccer_env.baselines.skills import go
@@ -122,7 +122,7 @@ def act(belief, tracks, memory, noise, command, k, play, sight):
     if not must_decide(belief, memory, command, k):
         return
     weakness = 1.0 - play.strength
-    weaken(sight, memory, noise, k, weakness, play.laziest, play.crookedest, play.slowest)
+    apply_strength(sight, memory, noise, k, weakness, play.laziest, play.crookedest, play.slowest)
     look(sight, belief, tracks, k)
     decide(belief, command, sight, memory, noise, k, play)
     command.kick *= 1.0 - weakness * (1.0 - play.softest)

@@ -30,7 +30,7 @@ def must_decide(belief, memory, command, k):
 
 
 @compiled
-def weaken(sight, memory, noise, k, weakness, wait, aim, pace):
+def apply_strength(sight, memory, noise, k, weakness, wait, aim, pace):
     """Set how long this decision lasts, how far the aim is off and how fast the player may be.
 
     `weakness` is 0 to 1; at 1 it waits `wait` [s], aims off by `aim` [rad] in deviation, and has `pace` [1].

@@ -16,14 +16,14 @@ import numpy as np
 
 from soccer_env import saving, truth_state
 from soccer_env.actions import numbers_for, take_actions
-from soccer_env.field import Field, keep_latest
+from soccer_env.match_batch import MatchBatch, keep_latest
 from soccer_env.observations import names_of
-from soccer_env.physics.space_batch import Way
+from soccer_env.physics.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import TERMS
 from soccer_env.senses import Senses, sensing_sides
 from soccer_env.settings import check_known, make_settings, whole_number
-from soccer_env.squads import assign, call_up, make_squads, run_compiled, run_python_teams
+from soccer_env.squads import assign, choose_teams, make_squads, run_compiled, run_python_teams
 from soccer_env.types import QUIET, ROBOT_EVENTS
 from soccer_env.user_code import checked
 
@@ -36,7 +36,7 @@ class Match:
     """M matches of one league, stepped together.
 
     Settings are those of `soccer_v0.parallel_env`, and: matches, threads, seeds (M,) instead of seed, minutes of play,
-    autoreset "off", "next_step" or "same_step", physics way "c" or "batch". ValueError names what is wrong.
+    autoreset "off", "next_step" or "same_step", physics backend "c" or "batch". ValueError names what is wrong.
     """
 
     def __init__(
@@ -52,7 +52,7 @@ class Match:
         opponents: Any = None,
         teammates: Any = None,
         controllers: Any = None,
-        way: Way | None = None,
+        backend: Backend | None = None,
         **settings: Any,
     ) -> None:
         self.count = whole_number("matches", matches, 1, 1 << 20)
@@ -64,8 +64,8 @@ class Match:
         self.agents = [f"{side}_{i}" for side, size in zip(("home", "away"), rows, strict=True) for i in range(size)]
         self.observation_names = names_of(self.league, self.settings.observe)
         self.term_names = [*TERMS, *self.settings.rewards.extra]
-        self._lay_field(way)
-        self._seat_players(assign(self.agents, self.settings.home, opponents, teammates, controllers))
+        self._make_arrays(backend)
+        self._make_squads(assign(self.agents, self.settings.home, opponents, teammates, controllers))
         self._pool = ThreadPoolExecutor(self.threads) if self.threads > 1 else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)
@@ -73,25 +73,25 @@ class Match:
         self._started = False
         self.reset(seed=seed, seeds=seeds)
 
-    def _lay_field(self, way: Way | None) -> None:
+    def _make_arrays(self, backend: Backend | None) -> None:
         """Make the arrays and show them as attributes; observations of a user's own lie beside the field."""
         own = not isinstance(self.settings.observe, str)
         count, robots, observed = self.count, len(self.agents), len(self.observation_names)
-        self.field = field = Field(self.settings, count, robots, 0 if own else observed, way)
-        self.matches, self.balls, self.robots = field.matches, field.balls, field.robots
-        self.events, self.robot_events = field.events, field.robot_events
-        self.rewards, self.terms = field.rewards, field.terms
-        self.terminated, self.truncated = field.terminated, field.truncated
-        self.observations = np.zeros((count, robots, observed), np.float32) if own else field.observations
+        self.batch = batch = MatchBatch(self.settings, count, robots, 0 if own else observed, backend)
+        self.matches, self.balls, self.robots = batch.matches, batch.balls, batch.robots
+        self.events, self.robot_events = batch.events, batch.robot_events
+        self.rewards, self.terms = batch.rewards, batch.terms
+        self.terminated, self.truncated = batch.terminated, batch.truncated
+        self.observations = np.zeros((count, robots, observed), np.float32) if own else batch.observations
 
-    def _seat_players(self, who: dict[str, Any]) -> None:
+    def _make_squads(self, who: dict[str, Any]) -> None:
         """Make the teams that play inside, their memories, and room for what robots believe."""
         self.squads = make_squads(self.agents, who, self.settings, self.count)
         self.learns = np.array([agent not in who for agent in self.agents], np.int64)
         self._readers = np.array([r for squad in self.squads for r in squad.players], np.int64)
         sides = sensing_sides(self.settings, [(squad.team, squad.players) for squad in self.squads], self.learns)
         if sides:
-            self.field.senses = Senses(self.settings, self.count, sides)
+            self.batch.senses = Senses(self.settings, self.count, sides)
         unplayed = self.count if not self.learns.any() else 0  # with learners there are always actions
         self._no_actions = np.zeros((unplayed, len(self.agents), self.settings.actions.size))
 
@@ -120,21 +120,21 @@ class Match:
     def _begin(self, rows: Iterable[int], episodes: np.ndarray) -> None:
         """Begin the given episodes (M,) in some matches, and observe them."""
         for m in rows:
-            self.field.start(int(m), int(self.seeds[m]), int(episodes[m]))
+            self.batch.start(int(m), int(self.seeds[m]), int(episodes[m]))
             for squad in self.squads:
                 squad.memory[m] = np.zeros((), squad.memory.dtype)
-            call_up(self.squads, self.settings.rows[0], int(m), int(self.seeds[m]), int(episodes[m]))
-            self.field.look_up(m)
+            choose_teams(self.squads, self.settings.rows[0], int(m), int(self.seeds[m]), int(episodes[m]))
+            self.batch.look_first(m)
         self._observe_own()
         if self.recorder is not None:
-            self.recorder.note_seating(rows)
+            self.recorder.note_rebuild(rows)
 
-    def reseat(self, rows: Iterable[int] | None = None) -> None:
+    def rebuild(self, rows: Iterable[int] | None = None) -> None:
         """Rebuild Spaces from the records: the running match then shares its future with every copy of them."""
         rows = range(self.count) if rows is None else list(rows)
-        self.field.seat(rows)
+        self.batch.build_spaces(rows)
         if self.recorder is not None:
-            self.recorder.note_seating(rows)
+            self.recorder.note_rebuild(rows)
 
     # Stepping
 
@@ -169,14 +169,14 @@ class Match:
     def _advance(self, numbers: np.ndarray, last: bool) -> None:
         """Run `action_repeat` control steps; rewards and events add up, a match that is over waits."""
         repeat = self.settings.action_repeat
-        self.field.discount(last and repeat == 1)
+        self.batch.discount(last and repeat == 1)
         self._control_step(numbers)
         if repeat == 1:
             return
         rewards, terms = self.rewards.copy(), self.terms.copy()
         events, robot_events = self.events.copy(), self.robot_events.copy()
         for step in range(1, repeat):
-            self.field.discount(last and step == repeat - 1)
+            self.batch.discount(last and step == repeat - 1)
             self._control_step(numbers)
             rewards += self.rewards
             terms += self.terms
@@ -188,7 +188,7 @@ class Match:
     def _control_step(self, numbers: np.ndarray) -> None:
         """Run one control step of all matches, in slices, on one thread or several."""
         waiting = np.flatnonzero(self.matches["over"]) if self.settings.rewards.extra else ()
-        run_python_teams(self.squads, self.league, self.field)
+        run_python_teams(self.squads, self.league, self.batch)
         if self.recorder is not None:
             self._decide(numbers, 0, self.count)
             self.recorder.note_commands(self.robots["command"])
@@ -213,16 +213,16 @@ class Match:
             stop = min(start + BLOCK, last)
             if self.recorder is None:
                 self._decide(numbers, start, stop)
-            self.field.step(start, stop)
+            self.batch.step(start, stop)
 
     def _decide(self, numbers: np.ndarray, first: int, last: int) -> None:
         """Fill the commands of a slice: learners' actions, and compiled teams."""
         take_actions(self.robots, numbers, first, last, self.learns)
         if len(self._readers):
-            self.field.believe_truth(self._readers, first, last)
+            self.batch.believe_truth(self._readers, first, last)
         for squad in self.squads:
             if squad.compiled:
-                run_compiled(squad, self.field, first, last)
+                run_compiled(squad, self.batch, first, last)
 
     # Starting again
 
@@ -254,19 +254,19 @@ class Match:
 
         ValueError if nobody uses any.
         """
-        return self.field.all_minds()[0]
+        return self.batch.all_minds()[0]
 
     @property
     def tracks(self) -> np.ndarray:
         """Return what every robot believes about other players (M, R, slots); ValueError as for `beliefs`."""
-        return self.field.all_minds()[1]
+        return self.batch.all_minds()[1]
 
     @property
     def percepts(self) -> np.ndarray:
         """Return what every robot's sensors delivered (M, R); ValueError if nobody uses them."""
-        if self.field.senses is None:
+        if self.batch.senses is None:
             raise ValueError("nobody in this match uses its sensors: give observe='percepts', or senses='sensors'")
-        return self.field.senses.percepts
+        return self.batch.senses.percepts
 
     def state(self) -> np.ndarray:
         """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players a side and present flags."""
@@ -275,18 +275,18 @@ class Match:
     # Saving
 
     def save(self) -> bytes:
-        """Return everything that the future depends on, and reseat the running matches on it."""
+        """Return everything that the future depends on, and rebuild the running matches on it."""
         saved = saving.dump(self)
-        self.reseat()
+        self.rebuild()
         return saved
 
     def load(self, saved: bytes) -> None:
         """Go on from what `save` returned; ValueError (and no change) if it is damaged or from other settings."""
         saving.restore(self, saved)
-        self.reseat()
+        self.rebuild()
         self.rewards[:] = 0.0
         self.terms[:] = 0.0
-        self.field.observe(0, self.count)
+        self.batch.observe(0, self.count)
         self._observe_own()
 
     def state_hash(self, m: int | None = None) -> str:

@@ -1,6 +1,6 @@
 """Save, restore and hash matches: bytes with a checked header, nothing executable.
 
-A save holds the records and the memories of the teams. Physics is rebuilt from the records (a reseat), so a save has
+A save holds the records and the memories of the teams. Physics is rebuilt from the records (a rebuild), so a save has
 one future.
 """
 
@@ -37,8 +37,8 @@ def parts(match: Match, memory: bool = True) -> dict[str, np.ndarray]:
     }
     if not memory:
         return arrays
-    if match.field.senses is not None:
-        arrays |= match.field.senses.parts
+    if match.batch.senses is not None:
+        arrays |= match.batch.senses.parts
     memories = {f"memory_{index}": squad.memory for index, squad in enumerate(match.squads)}
     chosen = {f"plays_{index}": squad.plays for index, squad in enumerate(match.squads) if squad.plays is not None}
     return {**arrays, **memories, **chosen}

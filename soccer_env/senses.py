@@ -133,29 +133,29 @@ class Senses:
         robots["senses"][m, self.rows] = 1
         self.asleep[m] = False
 
-    def step(self, field: Any, first: int, last: int) -> None:
-        """Sense and believe in a slice of matches of a Field."""
-        self.sense(field, first, last)
-        self.believe(field, first, last)
+    def step(self, batch: Any, first: int, last: int) -> None:
+        """Sense and believe in a slice of matches of a MatchBatch."""
+        self.sense(batch, first, last)
+        self.believe(batch, first, last)
 
-    def sense(self, field: Any, first: int, last: int) -> None:
+    def sense(self, batch: Any, first: int, last: int) -> None:
         """Fill the percepts from the truth."""
         self.chain.sense(
-            field.matches, field.balls, field.robots, field.robot_events, self.percepts, self.pending, self.beliefs,
-            field.constants, self.sensors, self.pose_sensed, self.asleep, self.rows, first, last,
+            batch.matches, batch.balls, batch.robots, batch.robot_events, self.percepts, self.pending, self.beliefs,
+            batch.constants, self.sensors, self.pose_sensed, self.asleep, self.rows, first, last,
         )  # fmt: skip
 
-    def believe(self, field: Any, first: int, last: int) -> None:
-        """Bring the beliefs up to the percepts; of the field it gets the robots' noise and gazes alone."""
+    def believe(self, batch: Any, first: int, last: int) -> None:
+        """Bring the beliefs up to the percepts; of the batch it gets the robots' noise and gazes alone."""
         self.chain.believe(
             self.percepts, self.beliefs, self.tracks, self.memories, self.particles, self.messages,
-            field.robots["noise"], field.robots["gaze"], field.constants, self.sensors, self.memory_settings,
+            batch.robots["noise"], batch.robots["gaze"], batch.constants, self.sensors, self.memory_settings,
             self.tables, self.home, self.asleep, self.rows, first, last,
         )  # fmt: skip
 
-    def observe_percepts(self, field: Any, room: np.ndarray, rows: np.ndarray, first: int, last: int) -> None:
-        """Write what those of `rows` that use their sensors observe of their percepts into room (M, R, n)."""
+    def observe_percepts(self, batch: Any, out: np.ndarray, rows: np.ndarray, first: int, last: int) -> None:
+        """Write what those of `rows` that use their sensors observe of their percepts into out (M, R, n)."""
         self.observer(
-            self.percepts, self.beliefs, field.robots, room, field.constants, self.sensors,
+            self.percepts, self.beliefs, batch.robots, out, batch.constants, self.sensors,
             self.settings.half_length, rows[self.used[rows]], first, last,
         )  # fmt: skip

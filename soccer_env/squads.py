@@ -75,10 +75,10 @@ class Squad:
     def describe(self) -> list[Any]:
         """Return who plays whom: what a save has to agree with."""
         settings = getattr(self.team, "settings", None)
-        told = settings.tobytes().hex() if isinstance(settings, np.ndarray) else ""
-        if len(told) > LONG:
-            told = hashlib.sha256(told.encode()).hexdigest()
-        return [self.name, told, self.players.tolist()]
+        given = settings.tobytes().hex() if isinstance(settings, np.ndarray) else ""
+        if len(given) > LONG:
+            given = hashlib.sha256(given.encode()).hexdigest()
+        return [self.name, given, self.players.tolist()]
 
     @property
     def compiled(self) -> bool:
@@ -128,13 +128,13 @@ def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matc
             key = (agent.split("_")[0], team if isinstance(team, str) else id(team))
             made.setdefault(key, []).append(row)
     for rows in made.values():
-        told, players = who[agents[rows[0]]], np.array(rows, np.int64)
-        if not isinstance(told, Lineup):
-            squads.append(make_squad(make_team(told), players, settings, matches, len(agents)))
+        given, players = who[agents[rows[0]]], np.array(rows, np.int64)
+        if not isinstance(given, Lineup):
+            squads.append(make_squad(make_team(given), players, settings, matches, len(agents)))
             continue
-        for place, team in enumerate(told.teams):
+        for place, team in enumerate(given.teams):
             squad = make_squad(team, players, settings, matches, len(agents))
-            squad.name, squad.lineup, squad.place = told.names[place], told, place
+            squad.name, squad.lineup, squad.place = given.names[place], given, place
             squad.plays = np.zeros(matches, bool)
             squads.append(squad)
     return squads
@@ -156,7 +156,7 @@ def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int,
     return Squad(team, players, memory, np.zeros((matches, robots, observed), np.float32), team.name)
 
 
-def call_up(squads: list[Squad], home: int, m: int, seed: int, episode: int) -> None:
+def choose_teams(squads: list[Squad], home: int, m: int, seed: int, episode: int) -> None:
     """Let the teams that lineups choose play the coming episode of match m; home's are the first `home` rows."""
     for squad in squads:
         if squad.lineup is not None and squad.plays is not None:
@@ -201,20 +201,20 @@ def clip_commands(commands, players, first, last):
     return -1, -1
 
 
-def run_compiled(squad: Squad, field: Any, first: int, last: int) -> None:
+def run_compiled(squad: Squad, batch: Any, first: int, last: int) -> None:
     """Let a compiled team decide in a slice of matches of a Field; ValueError if a command is not finite."""
     team: Any = squad.team
     runs = squad.runs(first, last)
     if not runs:
         return
-    commands, rows, k = field.robots["command"], squad.players, field.constants
+    commands, rows, k = batch.robots["command"], squad.players, batch.constants
     if isinstance(team, ObservingTeam):
         for run in runs:
             if not squad.memory["wait"][slice(*run)].all():
-                field.write_observations(squad.observations, team.observe, rows, *run)
+                batch.write_observations(squad.observations, team.observe, rows, *run)
             team.kernel(squad.observations, squad.memory, commands, rows, k, team.settings, *run)
     else:
-        minds, noise = field.minds(rows), field.robots["noise"]
+        minds, noise = batch.minds(rows), batch.robots["noise"]
         for run in runs:
             team.kernel(*minds, squad.memory, noise, commands, rows, k, team.settings, *run)
     m, r = clip_commands(commands, rows, first, last)
@@ -244,13 +244,13 @@ def run_python(squad: Squad, league: League, beliefs: np.ndarray, tracks: np.nda
         robots["command"][name][:, squad.players] = column
 
 
-def run_python_teams(squads: list[Squad], league: League, field: Any) -> None:
+def run_python_teams(squads: list[Squad], league: League, batch: Any) -> None:
     """Let teams without a kernel decide, in all matches of a Field at once."""
     for squad in squads:
         if not squad.compiled:
-            field.believe_truth(squad.players, 0, len(field.matches))
-            beliefs, tracks = field.minds(squad.players)
-            run_python(squad, league, beliefs, tracks, field.robots)
+            batch.believe_truth(squad.players, 0, len(batch.matches))
+            beliefs, tracks = batch.minds(squad.players)
+            run_python(squad, league, beliefs, tracks, batch.robots)
 
 
 def empty_beliefs(matches: int, robots: int, league: League) -> tuple[np.ndarray, np.ndarray]:

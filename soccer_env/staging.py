@@ -1,6 +1,6 @@
 """Put robots and ball of running matches somewhere, for claims and tests.
 
-Records are set directly; `match.reseat()` then rebuilds the physics from them.
+Records are set directly; `match.rebuild()` then rebuilds the physics from them.
 """
 
 from __future__ import annotations

@@ -36,7 +36,7 @@ def step_slice(
     terms, rewards, observations, terminated, truncated, limit, first, last,
 ):  # fmt: skip
     """Step the matches first, ..., last - 1; return the first whose physics broke down, or -1."""
-    k, before, room, broken = constants[0], np.empty((2, 2)), make_room(robots.shape[1]), -1
+    k, before, scratch, broken = constants[0], np.empty((2, 2)), make_scratch(robots.shape[1]), -1
     for m in range(first, last):
         match, ball, team, happened = matches[m], balls[m], robots[m], events[m]
         if match.over == 1:
@@ -49,7 +49,7 @@ def step_slice(
             continue
         if finish_step(match, ball, team, happened, robot_events[m], bodies[m], velocities[m], k):
             write_bodies(links, m)
-        end_step(match, ball, team, happened, k, weights[0], before, terms[m], rewards[m], observations[m], room)
+        end_step(match, ball, team, happened, k, weights[0], before, terms[m], rewards[m], observations[m], scratch)
         terminated[m] = match.over == 1
         truncated[m] = not terminated[m] and (match.step >= limit or out_of_time(match, k))
     return broken
@@ -84,7 +84,7 @@ def finish_slice(
     terms, rewards, observations, terminated, truncated, limit, before, substeps, moved, first, last,
 ):  # fmt: skip
     """Do the part after the physics; `moved` (M,) marks the matches whose bodies have to be written back."""
-    k, room, broken = constants[0], make_room(robots.shape[1]), -1
+    k, scratch, broken = constants[0], make_scratch(robots.shape[1]), -1
     for m in range(first, last):
         match, ball, team, happened = matches[m], balls[m], robots[m], events[m]
         moved[m] = False
@@ -94,7 +94,7 @@ def finish_slice(
             broken = m if broken < 0 else broken
             continue
         moved[m] = finish_step(match, ball, team, happened, robot_events[m], bodies[m], velocities[m], k)
-        end_step(match, ball, team, happened, k, weights[0], before[m], terms[m], rewards[m], observations[m], room)
+        end_step(match, ball, team, happened, k, weights[0], before[m], terms[m], rewards[m], observations[m], scratch)
         terminated[m] = match.over == 1
         truncated[m] = not terminated[m] and (match.step >= limit or out_of_time(match, k))
     return broken
@@ -158,9 +158,9 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k
 
 
 @compiled
-def end_step(match, ball, robots, events, k, weight, before, terms, rewards, observations, room):
+def end_step(match, ball, robots, events, k, weight, before, terms, rewards, observations, scratch):
     """Reward and observe."""
-    after, axes, rows, squares = room
+    after, axes, rows, squares = scratch
     measure_potentials(match, ball, robots, k, after)
     reward_robots(match, robots, events, before, after, weight, terms, rewards)
     if observations.shape[1] > 0:
@@ -168,7 +168,7 @@ def end_step(match, ball, robots, events, k, weight, before, terms, rewards, obs
 
 
 @compiled
-def make_room(robots):
+def make_scratch(robots):
     """Return arrays to work in: potentials (2, 2), axes of the robots (R, 2), rows and squared distances of players."""
     return np.empty((2, 2)), np.empty((robots, 2)), np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
 

@@ -47,12 +47,12 @@ def write(match: Match) -> np.ndarray:
     Absent players are zeros.
     """
     players = match.settings.max_players
-    room = np.zeros((match.count, 2, players, len(ROBOT)))
+    players_of_both = np.zeros((match.count, 2, players, len(ROBOT)))
     home_rows = match.settings.rows[HOME]
     numbers = robot_numbers(match)
-    room[:, 0, :home_rows] = numbers[:, :home_rows]
-    room[:, 1, : numbers.shape[1] - home_rows] = numbers[:, home_rows:]
-    parts = [game_numbers(match), ball_numbers(match), room.reshape(match.count, -1)]
+    players_of_both[:, 0, :home_rows] = numbers[:, :home_rows]
+    players_of_both[:, 1, : numbers.shape[1] - home_rows] = numbers[:, home_rows:]
+    parts = [game_numbers(match), ball_numbers(match), players_of_both.reshape(match.count, -1)]
     state: np.ndarray = np.clip(np.concatenate(parts, axis=1), -1.0, 1.0).astype(np.float32)
     return state
 

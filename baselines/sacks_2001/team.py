@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from soccer_env.baselines.deciding import keep_decision, must_decide, weaken
+from soccer_env.baselines.deciding import apply_strength, keep_decision, must_decide
 from soccer_env.baselines.sacks_2001.memory import MEMORY
 from soccer_env.baselines.sacks_2001.planner import decide
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
@@ -54,7 +54,7 @@ def command_player(belief, tracks, memory, noise, command, k, play, sight):
         memory.begun, memory.had_ball, memory.role_clock = 1, NEVER, -1.0
     if not must_decide(belief, memory, command, k):
         return
-    weaken(sight, memory, noise, k, 1.0 - play.strength, play.weak_wait, play.weak_aim, play.weak_pace)
+    apply_strength(sight, memory, noise, k, 1.0 - play.strength, play.weak_wait, play.weak_aim, play.weak_pace)
     look(sight, belief, tracks, k)
     decide(belief, tracks, memory, command, sight, k, play, sight.elapsed)
     keep_decision(memory, command)

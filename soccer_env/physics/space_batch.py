@@ -4,7 +4,7 @@ Two ways lead from the arrays to the Spaces and back, with bit-identical results
 code (`chipmunk.py`), `"batch"` is the public `pymunk.batch`, one match after the other from Python.
 
 At each reset `batch.set_space(m, space)`. At each step a kernel fills `batch.velocities`, `batch.step_all(dt,
-substeps)` goes either way, and the next kernel reads `batch.bodies`; with the C way one kernel can do all three.
+substeps)` goes either way, and the next kernel reads `batch.bodies`; with the C backend one kernel can do all three.
 """
 
 import functools
@@ -23,7 +23,7 @@ from pymunk.batch import BodyFields
 
 from soccer_env.physics import chipmunk
 
-Way = Literal["c", "batch"]
+Backend = Literal["c", "batch"]
 
 VELOCITY = BodyFields.VELOCITY | BodyFields.ANGULAR_VELOCITY
 STATE = BodyFields.POSITION | BodyFields.ANGLE | VELOCITY
@@ -34,20 +34,20 @@ class SpaceBatch:
 
     `bodies` (M, B + SPARE_ROWS, 6) holds x, y [m], angle [rad], vx, vy [m/s], angular velocity [rad/s]; `velocities`
     (M, B + SPARE_ROWS, 3) holds vx, vy, angular velocity. Rows from B on are not for the caller. `links` (M,) is what
-    kernels take (the C way only). It holds addresses: keep the batch as long as a kernel may use it.
+    kernels take (the C backend only). It holds addresses: keep the batch as long as a kernel may use it.
     """
 
-    def __init__(self, matches: int, bodies: int, way: Way | None = None) -> None:
+    def __init__(self, matches: int, bodies: int, backend: Backend | None = None) -> None:
         if matches < 1 or bodies < 1:
             raise ValueError(f"matches and bodies must be at least 1, got {matches} and {bodies}")
-        if way not in ("c", "batch", None):
-            raise ValueError(f"way must be 'c' or 'batch', got {way!r}")
-        self.way: Way = way or default_way()
+        if backend not in ("c", "batch", None):
+            raise ValueError(f"backend must be 'c' or 'batch', got {backend!r}")
+        self.backend: Backend = backend or default_backend()
         self.size = bodies
         self.spaces: list[pymunk.Space | None] = [None] * matches
         self.bodies = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 6))
         self.velocities = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 3))
-        self.links = chipmunk.make_links(self.bodies, self.velocities) if self.way == "c" else None
+        self.links = chipmunk.make_links(self.bodies, self.velocities) if self.backend == "c" else None
         self._read_buffer, self._write_buffer = pymunk_batch.Buffer(), pymunk_batch.Buffer()
         self._lock = threading.Lock()  # around the buffers
 
@@ -126,7 +126,7 @@ class SpaceBatch:
 
 
 def _check_space(space: pymunk.Space, bodies: int) -> None:
-    """Refuse what pymunk would only notice in `Space.step`, which the C way bypasses, and what would move the rows."""
+    """Refuse what pymunk would only notice in `Space.step`, which the C backend bypasses, and what moves the rows."""
     if len(space.bodies) != bodies or any(body.body_type != pymunk.Body.DYNAMIC for body in space.bodies):
         raise ValueError(f"the Space must hold {bodies} dynamic bodies and no others; walls go on its static body")
     if not all(0.0 < number < math.inf for body in space.bodies for number in (body.mass, body.moment)):
@@ -136,7 +136,7 @@ def _check_space(space: pymunk.Space, bodies: int) -> None:
 
 
 @functools.cache
-def default_way() -> Way:
+def default_backend() -> Backend:
     """Return "c" where it is known to work (Linux on 64-bit x86) or passes a test here, and "batch" elsewhere."""
     if not chipmunk.layout_fits():
         warnings.warn(f"pymunk {pymunk.version} is not the one known; physics is slower", RuntimeWarning, stacklevel=3)
@@ -145,7 +145,7 @@ def default_way() -> Way:
     return "c" if known or _collision("c") == _collision("batch") else "batch"
 
 
-def _collision(way: Way) -> bytes:
+def _collision(backend: Backend) -> bytes:
     """Play a short collision and return all that was read back at its end."""
     space = pymunk.Space()
     space.add(pymunk.Segment(space.static_body, (1.0, -1.0), (1.0, 1.0), 0.05))
@@ -153,7 +153,7 @@ def _collision(way: Way) -> bytes:
         body = pymunk.Body(1.0, 0.01)
         body.position = (x, 0.1 * x)
         space.add(body, pymunk.Circle(body, 0.1))
-    batch = SpaceBatch(1, 3, way)
+    batch = SpaceBatch(1, 3, backend)
     batch.set_space(0, space)
     for _ in range(20):
         batch.velocities[0, :3] = (0.8, 0.1, 0.5), (0.0, 0.0, 0.0), (-0.4, 0.0, 0.2)

@@ -1,6 +1,6 @@
 """Replay files: a saved state, the commands of every robot, and what happened between the steps.
 
-Nobody decides anything in a replay, so it needs neither the teams nor their policies. Its log holds each reseat (a
+Nobody decides anything in a replay, so it needs neither the teams nor their policies. Its log holds each rebuild (a
 save or load rebuilds the physics) and the records of each episode that began; a hash of the play per control step
 proves that it plays again exactly.
 """
@@ -40,12 +40,12 @@ LARGEST = 1 << 30  # [bytes] of a replay's parts, unpacked
 
 
 class Recorder:
-    """Write down a running match. Starting to record reseats it, as a save does."""
+    """Write down a running match. Starting to record rebuilds it, as a save does."""
 
     def __init__(self, match: Match) -> None:
         match.recorder = None
         self.start = saving.dump(match, memory=False)
-        match.reseat()
+        match.rebuild()
         self.settings = match.settings
         self.commands: list[np.ndarray] = []
         self.gazes: list[np.ndarray] = []
@@ -63,10 +63,10 @@ class Recorder:
         """Note the hash of the play after a control step."""
         self.hashes.append(saving.play_hash(match))
 
-    def note_seating(self, rows: Any) -> None:
+    def note_rebuild(self, rows: Any) -> None:
         """Note that the physics of some matches was rebuilt from records that may be new.
 
-        A reseat, a load or a new episode.
+        A rebuild, a load or a new episode.
         """
         self.log.append((len(self.commands), [int(m) for m in rows], saving.dump(self._match, memory=False)))
 
@@ -110,7 +110,7 @@ class Replay:
         except (KeyError, TypeError, AttributeError, OverflowError) as error:
             raise ValueError(f"the settings of this replay are damaged: {error!r}") from error
         saving.restore(match, self.start, memory=False)
-        match.reseat()
+        match.rebuild()
         return match
 
     def play(self) -> Iterator[Match]:
@@ -122,9 +122,9 @@ class Replay:
             while pending and pending[0][0] == step:
                 _, rows, records = pending.pop(0)
                 if not all(0 <= m < match.count for m in rows):
-                    raise ValueError(f"this replay is damaged: it seats matches {rows} of {match.count}")
+                    raise ValueError(f"this replay is damaged: it rebuilds matches {rows} of {match.count}")
                 saving.restore(match, records, memory=False)
-                match.reseat(rows)
+                match.rebuild(rows)
             if step == len(self.commands):
                 return
             match.robots["gaze"] = self.gazes[step]

@@ -51,7 +51,7 @@ def from_disk(policy: Policy, folder: Path) -> LearnedTeam:
 def decide(policy: Policy, rows: np.ndarray) -> np.ndarray:
     """Return the actions (n, 4 or 7) for observations (n, inputs), one row after the other."""
     numbers = pack(policy)
-    actions, room = np.zeros((len(rows), ACTIONS[policy.actions])), np.zeros((3, widest(numbers)))
+    actions, scratch = np.zeros((len(rows), ACTIONS[policy.actions])), np.zeros((3, widest(numbers)))
     for row, action in zip(np.ascontiguousarray(rows, np.float32), actions):
-        act(numbers, row, action, room)
+        act(numbers, row, action, scratch)
     return actions

@@ -84,7 +84,7 @@ def test_the_chaser_decides_for_an_image_as_for_the_scene(league: str, change: o
         set_phase(match, 0)
         scatter(match, np.random.default_rng(2))
         match.balls["vx"], match.balls["vy"] = np.random.default_rng(3).normal(0.0, 0.5, (2, 60))
-        match.reseat()
+        match.rebuild()
         made.append(match)
     scene, image = made
     change(image)  # type: ignore[operator]

@@ -29,7 +29,7 @@ def drill(scene: str, matches: int = MATCHES, home: int = 1, away: int | None = 
 
 def outcome(match: Match) -> list[int]:
     """Return the result of one control step in which everybody stands."""
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     result: list[int] = match.events["drill"].tolist()
     return result
@@ -99,7 +99,7 @@ def test_one_that_faces_the_wall_has_the_ball_behind_it() -> None:
 def test_a_shot_at_the_far_post_that_nobody_stops_is_a_goal() -> None:
     match = drill("far-post-shots")
     put(match, 1, -1.0, 0.0)
-    match.reseat()
+    match.rebuild()
     results = np.zeros(MATCHES, int)
     for _ in range(16 * 4):
         match.step(stand(match))
@@ -167,7 +167,7 @@ def test_a_dribbler_that_touches_anybody_has_failed() -> None:
 def test_a_ball_lost_for_two_seconds_is_a_failure_and_one_that_is_caught_up_with_is_not() -> None:
     match = empty("dribble-past-one")
     put_ball(match, -0.5 + LOST + 0.02, 0.0)
-    match.reseat()
+    match.rebuild()
     steps = round(LOST_TIME * match.league.control_rate)
     for _ in range(steps):
         match.step(stand(match))
@@ -190,7 +190,7 @@ def test_goals_end_a_dribble() -> None:
 def test_a_mirrored_drill_is_judged_the_same(scene: str) -> None:
     match, other = drill(scene, seed=8), drill(scene, seed=8)
     mirrored(Records.of(match)).put_into(other)
-    match.reseat()
+    match.rebuild()
     rng = np.random.default_rng(1)
     results = np.zeros((2, MATCHES), int)
     for step in range(80):

@@ -43,7 +43,7 @@ def test_every_scene_begins_with_everybody_on_the_pitch_and_nobody_in_anybody(na
 def test_a_shot_that_nobody_saves_is_a_goal(name):
     match = Match(name, home=1, away=1, matches=50, seed=4, scene="shot-at-keeper", episode="drill")
     send_off(match, [1])
-    match.reseat()
+    match.rebuild()
     drill, goal = np.zeros(50, int), np.full(50, NO_TEAM)
     for _ in range(steps_in(match, 9.0)):
         match.step(stand(match))
@@ -56,7 +56,7 @@ def test_a_shot_that_nobody_saves_is_a_goal(name):
 def test_a_shot_that_stops_is_saved(name):
     match = Match(name, home=1, away=1, matches=3, seed=4, scene="shot-at-keeper", episode="drill")
     put_ball(match, 0.5, [0.0, 0.1, -0.2], 0.1, 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert (match.events["drill"] == 1).all() and match.terminated.all()
 
@@ -66,7 +66,7 @@ def test_only_a_goal_by_home_empties_the_goal(name):
     match = Match(name, home=1, away=1, matches=2, seed=4, scene="empty-goal", episode="drill")
     over = match.league.pitch.length / 2 + match.league.ball.radius + 0.01
     put_ball(match, [over, -over], 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert match.events["goal"].tolist() == [HOME, AWAY] and match.events["drill"].tolist() == [1, -1]
     assert match.terminated.all()

@@ -83,8 +83,8 @@ def test_threads_do_not_matter(league: str, team: str) -> None:
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_both_ways_of_driving_chipmunk_agree(league: str) -> None:
-    c = Match(league, home=3, away=3, matches=2, seed=3, way="c", placement="drive")
-    batch = Match(league, home=3, away=3, matches=2, seed=3, way="batch", placement="drive")
+    c = Match(league, home=3, away=3, matches=2, seed=3, backend="c", placement="drive")
+    batch = Match(league, home=3, away=3, matches=2, seed=3, backend="batch", placement="drive")
     assert play(c, 400) == play(batch, 400)
     assert c.observations.tobytes() == batch.observations.tobytes()
     assert c.rewards.tobytes() == batch.rewards.tobytes()

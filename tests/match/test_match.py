@@ -103,7 +103,7 @@ def test_an_episode_of_one_goal_ends_at_the_goal() -> None:
     match = Match("middle-size-2006", home=1, away=1, seed=1, episode="goal")
     match.balls["x"], match.balls["vx"] = 5.9, 4.0
     match.balls["y"] = 0.3
-    match.reseat()
+    match.rebuild()
     for _ in range(10):
         _, rewards, terminated, _ = match.step(np.zeros((1, 2, 4)))
         if terminated[0]:

@@ -39,7 +39,7 @@ def whole_steps(name, image, change_actions, tolerance, seed, **settings):
     scatter(one, rng, 0.8)
     angle, v = rng.uniform(-np.pi, np.pi, 40), rng.uniform(0.0, 0.3, 40) * league.ball.top_speed
     put_ball(one, one.balls["x"], one.balls["y"], v * np.cos(angle), v * np.sin(angle))
-    one.reseat()
+    one.rebuild()
     image(Records.of(one)).put_into(other)
     free, compared = np.ones(40, bool), 0
     for step in range(steps_in(one, 6.0)):
@@ -91,7 +91,7 @@ def test_a_restart_in_a_whole_step_is_symmetric(phase):
     x, y = {"kick-off": (over, 0.3), "throw-in": (2.0, wide), "goal kick": (over, 2.0), "corner": (over, -2.0)}[phase]
     one.matches["last_touch_team"] = AWAY if phase == "corner" else HOME
     put_ball(one, x, y)
-    one.reseat()
+    one.rebuild()
     mirrored(Records.of(one)).put_into(left_right)
     turned(Records.of(one)).put_into(half_turn)
     for match in (one, left_right, half_turn):
@@ -109,7 +109,7 @@ def test_the_noise_of_a_mirrored_kick_is_mirrored():
     one.robots["x"][:, 0], one.robots["y"][:, 0], one.robots["heading"][:, 0] = -1.0, 0.0, 0.0
     put_ball(one, -1.0 + gap, 0.0)
     one.robots["has_ball"][:, 0] = 1
-    one.reseat()
+    one.rebuild()
     mirrored(Records.of(one)).put_into(other)
     actions = stand(one)
     actions[:, 0, 3] = 1.0

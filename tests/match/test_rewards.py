@@ -20,7 +20,7 @@ def test_a_goal_pays_one_to_every_robot_of_the_team_and_costs_the_others_one_onc
     set_phase(match, 0)
     match.robots["y"] = 0.8 * match.league.pitch.width / 2
     match.robots["x"] = -goal + 0.5 + 0.6 * np.arange(5) * match.league.body.reach * 2
-    match.reseat()
+    match.rebuild()
     paid = np.zeros(5)
     for _ in range(match.league.control_rate):
         paid += match.step(stand(match))[1][0]
@@ -34,7 +34,7 @@ def test_a_goal_in_the_second_half_counts_for_the_team_that_attacks_there() -> N
     set_phase(match, 0)
     put_ball(match, 1.48, 0.0, 1.0)
     match.robots["y"] = [0.5, -0.5]
-    match.reseat()
+    match.rebuild()
     paid = sum(match.step(stand(match))[1][0].copy() for _ in range(8))
     assert paid.tolist() == [-1.0, 1.0] and match.matches["score"][0].tolist() == [0, 1]
 
@@ -130,7 +130,7 @@ def test_progress_is_gained_by_one_team_and_lost_by_the_other() -> None:
     put(match, 0, -3.0, 3.0)
     put(match, 1, 3.0, -3.0)
     put_ball(match, 0.0, 0.0, 3.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert match.terms[0, 0, PROGRESS] > 0.0
     assert match.terms[0, 0, PROGRESS] == pytest.approx(-match.terms[0, 1, PROGRESS])
@@ -140,7 +140,7 @@ def test_approach_rewards_the_nearest_robot_for_coming_nearer() -> None:
     match = stage("middle-size-2006", home=2, away=1, rewards=Rewards(gamma=1.0))
     for r, x in enumerate((-3.0, -1.0, 2.0)):
         put(match, r, x, 0.5, forward=1.0 if r == 1 else 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(np.array([[[0.0] * 4, [0.4, 0, 0, 0], [0.0] * 4]]))
     assert match.terms[0, 0, APPROACH] == match.terms[0, 1, APPROACH] > 0.0 == match.terms[0, 2, APPROACH]
 
@@ -154,7 +154,7 @@ def test_bad_weights_are_refused_by_name(bad: dict[str, Any]) -> None:
 def test_sparse_rewards_are_goals_alone() -> None:
     match = Match(seed=1, rewards="sparse", matches=4)
     scatter(match, np.random.default_rng(0))
-    match.reseat()
+    match.rebuild()
     for _ in range(20):
         match.step(np.ones((4, 6, 4)))
         assert not match.terms[:, :, [PROGRESS, APPROACH, EFFORT]].any()
@@ -168,7 +168,7 @@ def test_shaping_of_a_kept_action_discounts_once(repeat: int) -> None:
     match = Match("legged-2001", home=1, away=1, seed=1, action_repeat=repeat, rewards=rewards)
     match.balls["x"], match.balls["y"] = -1.0, 0.0
     match.robots["x"], match.robots["y"] = [[0.0, 0.5]], [[0.8, 0.8]]
-    match.reseat()
+    match.rebuild()
     half, length = 0.5 * match.league.pitch.length, match.league.pitch.length
     potential = ((half - 1.0) - (half + 1.0)) / (2.0 * length)
     _, paid, _, _ = match.step(np.zeros((1, 2, 4)))

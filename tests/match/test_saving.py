@@ -1,4 +1,4 @@
-"""Saves, loads, reseats and replays: one save has one future, and a replay plays again exactly."""
+"""Saves, loads, rebuilds and replays: one save has one future, and a replay plays again exactly."""
 
 from pathlib import Path
 
@@ -54,7 +54,7 @@ def test_team_memory_is_saved(league: str) -> None:
         assert squad.memory.tobytes() == expected.tobytes()
 
 
-def test_reading_hashing_and_rendering_never_reseat() -> None:
+def test_reading_hashing_and_rendering_never_rebuild() -> None:
     watched, left = lively("legged-2001"), lively("legged-2001")
     for step in range(200):
         go(watched, 1, step)

@@ -43,8 +43,8 @@ def draws(match: Match, steps: int, seed: int = 0) -> np.ndarray:
 def look_again(match: Match) -> None:
     """Let all robots forget, and take a first look at the field as it is."""
     for m in range(match.count):
-        match.field.senses.start(m, match.robots)
-    match.field.senses.step(match.field, 0, match.count)
+        match.batch.senses.start(m, match.robots)
+    match.batch.senses.step(match.batch, 0, match.count)
 
 
 def finite(records: np.ndarray) -> bool:
@@ -63,18 +63,18 @@ def test_a_belief_never_reads_the_truth(league: str, pose: str) -> None:
     actions = draws(match, 60)
     for step in range(60):
         match.step(actions[step])
-        field, senses = other.field, other.field.senses
-        look, senses.believe = senses.believe, lambda field, first, last: None  # type: ignore[method-assign]
-        field.observe = lambda first, last: None  # type: ignore[method-assign]
+        batch, senses = other.batch, other.batch.senses
+        look, senses.believe = senses.believe, lambda batch, first, last: None  # type: ignore[method-assign]
+        batch.observe = lambda first, last: None  # type: ignore[method-assign]
         other.step(actions[step])
-        truth = [array.copy() for array in (field.matches, field.balls, field.robots)]
-        poison(field)
-        look(field, 0, other.count)
-        noise, gaze = field.robots["noise"].copy(), field.robots["gaze"].copy()
-        for array, kept in zip((field.matches, field.balls, field.robots), truth, strict=True):
+        truth = [array.copy() for array in (batch.matches, batch.balls, batch.robots)]
+        poison(batch)
+        look(batch, 0, other.count)
+        noise, gaze = batch.robots["noise"].copy(), batch.robots["gaze"].copy()
+        for array, kept in zip((batch.matches, batch.balls, batch.robots), truth, strict=True):
             array[:] = kept
-        field.robots["noise"], field.robots["gaze"] = noise, gaze
-        del senses.believe, field.observe
+        batch.robots["noise"], batch.robots["gaze"] = noise, gaze
+        del senses.believe, batch.observe
     assert other.beliefs.tobytes() == match.beliefs.tobytes()
     assert other.tracks.tobytes() == match.tracks.tobytes()
     assert other.state_hash() == match.state_hash()
@@ -137,7 +137,7 @@ def scattered_pair(league: str, pose: str, changed: Callable[[Records], Records]
     set_phase(match, 0)
     image = sensing(league, matches=6, pose=pose)
     changed(Records.of(match)).put_into(image)
-    match.reseat()
+    match.rebuild()
     for one in (match, image):
         one.robots["placed"] = 1
         look_again(one)
@@ -183,12 +183,12 @@ def test_a_crowd_in_one_place_breaks_nothing(league: str) -> None:
     match.robots["x"], match.robots["y"] = 0.3, 0.0
     match.balls["x"], match.balls["y"] = 0.3, 0.0  # inside all of them
     for _ in range(30):
-        match.field.senses.step(match.field, 0, match.count)
+        match.batch.senses.step(match.batch, 0, match.count)
         assert finite(match.beliefs) and finite(match.tracks) and finite(match.percepts)
     match.robots["x"] = np.linspace(-1.0, 1.0, 22)  # all in one bearing
     match.robots["heading"] = 0.0
     for _ in range(30):
-        match.field.senses.step(match.field, 0, match.count)
+        match.batch.senses.step(match.batch, 0, match.count)
         assert finite(match.beliefs) and finite(match.tracks) and finite(match.percepts)
 
 
@@ -235,7 +235,7 @@ def test_each_team_has_its_own_senses() -> None:
 
 def test_a_save_with_nonsense_in_the_memory_is_refused() -> None:
     match = sensing("legged-2001", matches=1)
-    memory = match.field.senses.memories
+    memory = match.batch.senses.memories
     for name, value in (("count", 100), ("x", np.nan)):
         kept = memory["ball"][name].copy()
         memory["ball"][name] = value

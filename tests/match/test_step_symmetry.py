@@ -60,7 +60,7 @@ def mid_game(name, matches=60, seed=1, **settings) -> Match:
     match.robots["kick_clock"] = rng.choice([0.0, 0.0, match.league.dt / 2, -0.2], match.robots.shape)
     match.robots["kick_strength"] = rng.uniform(0.3, 1.0, match.robots.shape)
     match.robots["command"]["kick"] = rng.uniform(-1.0, 1.0, match.robots.shape)
-    match.reseat()
+    match.rebuild()
     return match
 
 

@@ -25,7 +25,7 @@ def feeling(league: Any, matches: int = 1, home: int = 1, away: int = 1, **setti
     match = stage(league, matches, home, away, observe="percepts", **settings)
     put(match, 0, 0.0, 0.0)
     put_ball(match, -0.4 * match.league.pitch.length, -0.4 * match.league.pitch.width)
-    match.reseat()
+    match.rebuild()
     return match
 
 
@@ -71,7 +71,7 @@ def test_a_stuck_robot_feels_that_it_walks(name: str) -> None:
     match = feeling(steady(name), sensors=EXACT)
     edge = match.league.pitch.length / 2 + match.league.pitch.band_end
     put(match, 0, edge - match.league.body.reach, 0.4 * match.league.pitch.width)  # its nose at the boards
-    match.reseat()
+    match.rebuild()
     felt, true = travelled(match, asking(match, forward=1.0), 4 * match.league.control_rate)
     assert felt > 0.8 * 3.0 * match.league.drive.forward
     assert abs(true) < 0.2 * felt
@@ -115,7 +115,7 @@ def test_ms06_a_robot_feels_touch_and_whether_it_lies_on_its_side() -> None:
     put(match, 1, 0.26, 0.0, np.pi)
     put_ball(match, -1.0, 0.5)
     match.robots["fallen"][:, 0] = 1.0
-    match.reseat()
+    match.rebuild()
     for _ in range(8):
         match.step(asking(match, 1, forward=1.0))
     assert (body(match)["touch"], body(match)["upright"]) == (1, 0)
@@ -129,7 +129,7 @@ def test_a_kick_is_felt_in_the_frame_in_which_it_hits() -> None:
     put(match, 1, 0.0, 0.0)
     put(match, 0, -3.0, 1.0)
     put_ball(match, 0.18 + 0.11, 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     match.step(asking(match, 1, kick=1.0))
     assert match.percepts["body"]["kicked"][0].tolist() == [0, 1, 0]
@@ -181,9 +181,9 @@ def walking(league: str) -> Match:
 def felt_by(match: Match, frames: int = 3) -> np.ndarray:
     """Return what robots feel when they begin to, and a few frames later; nothing moves in between."""
     for m in range(match.count):
-        match.field.senses.start(m, match.robots)
+        match.batch.senses.start(m, match.robots)
     for _ in range(frames):
-        match.field.senses.sense(match.field, 0, match.count)
+        match.batch.senses.sense(match.batch, 0, match.count)
     return match.percepts.copy()
 
 

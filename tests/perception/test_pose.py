@@ -27,7 +27,7 @@ def posed(
     put(match, 0, 0.4, 0.3, heading)
     put(match, 1, -0.4, -0.3, heading - np.pi)
     put_ball(match, -1.0, 0.7)
-    match.reseat()
+    match.rebuild()
     return match
 
 

@@ -41,7 +41,7 @@ def test_a_rolling_ball_stops_after_v_squared_over_2a_in_every_direction(name, s
     angle = np.tile(np.linspace(-np.pi, np.pi, DIRECTIONS), len(speeds))
     match = stage(league, len(v))
     put_ball(match, 0.0, 0.0, v * np.cos(angle), v * np.sin(angle))
-    match.reseat()
+    match.rebuild()
     steps = roll_out(match, 2000)
     way = v**2 / (2.0 * a)
     last_step = a * league.dt**2 / 8.0  # [m] by which the step in which it stops may fall short
@@ -56,7 +56,7 @@ def test_a_rolling_ball_stops_after_v_squared_over_2a_in_every_direction(name, s
 def test_a_rolling_ball_loses_speed_at_a_constant_rate(name):
     match = stage(endless(name))
     put_ball(match, 0.0, 0.0, 2.0, 0.0)
-    match.reseat()
+    match.rebuild()
     speeds = []
     for _ in range(20):
         match.step(stand(match))
@@ -73,7 +73,7 @@ def test_a_kicked_ball_slides_until_it_rolls_at_three_fifths_of_its_speed(name):
     v = np.linspace(0.5, model.top_speed, 40)
     match = stage(league, len(v))
     put_ball(match, 0.0, 0.0, 0.0, v, rolls=False)
-    match.reseat()
+    match.rebuild()
     rolls_at = np.full(len(v), np.nan)
     for _ in range(2000):
         match.step(stand(match))
@@ -92,7 +92,7 @@ def test_a_kicked_ball_slides_until_it_rolls_at_three_fifths_of_its_speed(name):
 def test_a_ball_that_rolls_never_slides_again_by_itself(name):
     match = stage(endless(name))
     put_ball(match, 0.0, 0.0, 1.0, -0.7)
-    match.reseat()
+    match.rebuild()
     while speed(match.balls).any():
         match.step(stand(match))
         assert match.balls["vx"] == match.balls["roll_x"] and match.balls["vy"] == match.balls["roll_y"]
@@ -102,7 +102,7 @@ def test_a_ball_that_rolls_never_slides_again_by_itself(name):
 def test_a_ball_at_rest_stays_exactly_where_it_is(name):
     match = stage(patient(name), 3)
     put_ball(match, [0.0, 0.3, -0.7], [0.1, 0.0, 0.4])
-    match.reseat()
+    match.rebuild()
     before = match.balls.copy()
     for _ in range(200):
         match.step(stand(match))
@@ -114,7 +114,7 @@ def test_backspin_slows_a_ball_and_can_bring_it_back(name):
     match = stage(endless(name))
     put_ball(match, 0.0, 0.0, 0.3, 0.0)
     match.balls["roll_x"] = -1.0
-    match.reseat()
+    match.rebuild()
     furthest = 0.0
     while speed(match.balls).any():
         match.step(stand(match))
@@ -128,7 +128,7 @@ def test_nothing_moves_faster_than_the_balls_top_speed(name):
     times = np.array([1.05, 1.5, 5.0, 50.0])
     match = stage(endless(name), 4)
     put_ball(match, 0.0, 0.0, 0.6 * times * top, -0.8 * times * top)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert (speed(match.balls) <= top * (1.0 + 1e-12)).all() and speed(match.balls) == pytest.approx(top)
     np.testing.assert_allclose(np.arctan2(match.balls["vy"], match.balls["vx"]), np.arctan2(-4.0, 3.0))

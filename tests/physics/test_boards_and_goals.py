@@ -45,7 +45,7 @@ def test_a_ball_comes_back_from_a_board_with_the_product_of_both_elasticities(na
     match = stage(league, 100)
     edge = league.pitch.width / 2 - league.ball.radius
     put_ball(match, 0.3, edge - rng.uniform(0.1, 0.4, 100), 0.0, v, rolls=False)
-    match.reseat()
+    match.rebuild()
     before, after, _ = bounces(match, "y", 60)
     np.testing.assert_allclose(after, before * league.ball.elasticity * league.pitch.wall_elasticity, rtol=1e-6)
 
@@ -58,7 +58,7 @@ def test_a_glancing_ball_keeps_its_speed_along_the_board_but_for_friction(name):
     match = stage(league, 50)
     edge = league.pitch.width / 2 - league.ball.radius
     put_ball(match, -0.5, edge - 0.1, v * np.cos(angle), v * np.sin(angle), rolls=False)
-    match.reseat()
+    match.rebuild()
     before, after, along = bounces(match, "y", 30)
     assert (along <= v * np.cos(angle) + 1e-9).all()
     most = league.ball.friction * league.pitch.wall_friction * (before + after)
@@ -74,7 +74,7 @@ def test_a_ball_comes_back_from_a_robot_with_the_product_of_both_elasticities(na
     back = league.body.reach
     put(match, 0, 0.5, 0.0, 0.0)  # seen from behind
     put_ball(match, 0.5 - back - league.ball.radius - rng.uniform(0.05, 0.4, 100), 0.0, v, 0.0, rolls=False)
-    match.reseat()
+    match.rebuild()
     before, after, _ = bounces(match, "x", 60)
     both = league.ball.elasticity * league.body.elasticity
     pushed = (league.ball.mass / (league.ball.mass + league.body.mass)) * (1.0 + both) * before
@@ -87,7 +87,7 @@ def test_a_ball_loses_nothing_to_a_board_that_it_never_meets(name):
     league = icy(boarded(name))
     match = stage(league)
     put_ball(match, -0.9, 0.0, 1.0, 0.0)
-    match.reseat()
+    match.rebuild()
     for _ in range(10):
         match.step(stand(match))
     assert match.balls["vx"][0] == pytest.approx(1.0, abs=1e-6)
@@ -99,7 +99,7 @@ def test_a_ball_on_the_post_stays_out():
     match = stage(league, 120)
     y = np.concatenate([s * (pitch.goal_width / 2 + pitch.post_radius + offsets) for s in (1, -1)])
     put_ball(match, pitch.length / 2 - 1.0, y, 9.0, 0.0)
-    match.reseat()
+    match.rebuild()
     out = np.zeros(120, bool)
     for _ in range(30):
         match.step(stand(match))
@@ -116,7 +116,7 @@ def test_a_ball_off_the_inside_of_the_post_goes_in():
     match = stage(league, 2)
     y = pitch.goal_width / 2 + pitch.post_radius - 0.14  # [m] the post turns it inwards
     put_ball(match, pitch.length / 2 - 1.0, [y, -y], 9.0, 0.0)
-    match.reseat()
+    match.rebuild()
     goals = 0
     for _ in range(60):
         match.step(stand(match))
@@ -190,7 +190,7 @@ def test_no_ball_passes_through_a_board_a_post_or_a_net_at_top_speed(name, make)
     direction = np.arctan2(aim - y, rng.choice([-1, 1], HUNDREDS) * (pitch.length / 2 + pitch.goal_depth / 2) - x)
     direction[::2] = rng.uniform(-np.pi, np.pi, HUNDREDS // 2)
     put_ball(match, x, y, league.ball.top_speed * np.cos(direction), league.ball.top_speed * np.sin(direction))
-    match.reseat()
+    match.rebuild()
     bounced = np.zeros(HUNDREDS, bool)
     for _ in range(60):
         old, speeds = places(match), speed(match.balls)
@@ -217,7 +217,7 @@ def test_no_ball_passes_through_a_robot_at_top_speed(name, depth):
     aside = rng.uniform(-1.0, 1.0, HUNDREDS) * 0.5 * min(body.disc_radius or 0.0775, 0.2)
     x, y = away * np.cos(angle) - aside * np.sin(angle), away * np.sin(angle) + aside * np.cos(angle)
     put_ball(match, x, y, -ball.top_speed * np.cos(angle), -ball.top_speed * np.sin(angle))
-    match.reseat()
+    match.rebuild()
     knocked = np.zeros(HUNDREDS, bool)
     for _ in range(12):
         old = places(match)
@@ -243,7 +243,7 @@ def test_a_legged_robot_fits_into_the_goal_and_not_through_the_board_beside_it()
     match = stage(league, 2)
     put(match, 0, 1.3, [0.0, 0.55], 0.0)
     put_ball(match, -1.0, 0.0)
-    match.reseat()
+    match.rebuild()
     actions = stand(match)
     actions[:, 0, 0] = 1.0
     for _ in range(160):

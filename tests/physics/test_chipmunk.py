@@ -14,7 +14,7 @@ import pytest
 from soccer_env.compiled import compiled
 from soccer_env.physics import chipmunk
 from soccer_env.physics.chipmunk import step_match
-from soccer_env.physics.space_batch import SpaceBatch, default_way
+from soccer_env.physics.space_batch import SpaceBatch, default_backend
 
 ROOT = Path(__file__).parents[2]
 ROBOTS = 6
@@ -51,8 +51,8 @@ def walls():
     return list(zip(corners, corners[1:] + corners[:1], strict=True)) + goal
 
 
-def fill_batch(matches, way=None, polygons=False):
-    batch = SpaceBatch(matches, BODIES, way)
+def fill_batch(matches, backend=None, polygons=False):
+    batch = SpaceBatch(matches, BODIES, backend)
     for m in range(matches):
         batch.set_space(m, fill_space(m, polygons))
     return batch
@@ -69,7 +69,7 @@ def command(batch, rng):
 
 @pytest.mark.parametrize("polygons", [False, True])
 def test_both_ways_agree_bit_for_bit_over_10000_match_steps(polygons):
-    ways = [fill_batch(10, way, polygons) for way in ("c", "batch")]
+    ways = [fill_batch(10, backend, polygons) for backend in ("c", "batch")]
     rngs = [np.random.default_rng(1) for _ in ways]
     knocks = 0
     for step in range(1000):
@@ -84,9 +84,9 @@ def test_both_ways_agree_bit_for_bit_over_10000_match_steps(polygons):
     assert knocks > 20000  # of 60,000: rich in contact
 
 
-@pytest.mark.parametrize("way", ["c", "batch"])
-def test_body_attributes_agree_with_the_rows(way):
-    batch = fill_batch(1, way)
+@pytest.mark.parametrize("backend", ["c", "batch"])
+def test_body_attributes_agree_with_the_rows(backend):
+    batch = fill_batch(1, backend)
     bodies = list(batch.spaces[0].bodies)
     batch.step_all(DT, command(batch, np.random.default_rng(2)))
     rows = [[*body.position, body.angle, *body.velocity, body.angular_velocity] for body in bodies]
@@ -98,9 +98,9 @@ def test_body_attributes_agree_with_the_rows(way):
     assert (*body.position, body.angle, *body.velocity, body.angular_velocity) == (0.5, -0.25, 1.5, 0.125, 2.0, -3.0)
 
 
-@pytest.mark.parametrize("way", ["c", "batch"])
-def test_writing_back_what_was_read_changes_nothing(way):
-    kept, rewritten = (fill_batch(2, way, polygons=True) for _ in range(2))
+@pytest.mark.parametrize("backend", ["c", "batch"])
+def test_writing_back_what_was_read_changes_nothing(backend):
+    kept, rewritten = (fill_batch(2, backend, polygons=True) for _ in range(2))
     rngs = [np.random.default_rng(3) for _ in range(2)]
     for _ in range(200):
         for batch, rng in zip((kept, rewritten), rngs, strict=True):
@@ -110,9 +110,9 @@ def test_writing_back_what_was_read_changes_nothing(way):
     assert kept.bodies.tobytes() == rewritten.bodies.tobytes()
 
 
-@pytest.mark.parametrize("way", ["c", "batch"])
-def test_walls_stay_where_they_are_and_have_no_speed(way):
-    batch = fill_batch(1, way)
+@pytest.mark.parametrize("backend", ["c", "batch"])
+def test_walls_stay_where_they_are_and_have_no_speed(backend):
+    batch = fill_batch(1, backend)
     static = batch.spaces[0].static_body
     for _ in range(100):
         batch.step_all(DT, command(batch, np.random.default_rng(4)))
@@ -120,9 +120,9 @@ def test_walls_stay_where_they_are_and_have_no_speed(way):
     assert (*static.position, static.angle, *static.velocity, static.angular_velocity) == (0.0,) * 6
 
 
-@pytest.mark.parametrize("way", ["c", "batch"])
-def test_two_threads_play_what_one_plays(way):
-    alone, shared = fill_batch(40, way), fill_batch(40, way)
+@pytest.mark.parametrize("backend", ["c", "batch"])
+def test_two_threads_play_what_one_plays(backend):
+    alone, shared = fill_batch(40, backend), fill_batch(40, backend)
     rngs = [np.random.default_rng(5) for _ in range(2)]
     with ThreadPoolExecutor(2) as pool:
         for _ in range(100):
@@ -181,7 +181,7 @@ def play(resets):
         assert np.isfinite(batch.bodies).all()
     gc.collect()
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss  # [KiB]
-batch, rng = SpaceBatch(4, BODIES, {way!r}), np.random.default_rng(0)
+batch, rng = SpaceBatch(4, BODIES, {backend!r}), np.random.default_rng(0)
 for m in range(4):
     batch.set_space(m, fill_space(m))
 before = play(300)
@@ -189,10 +189,10 @@ print(play(1000) - before)
 """
 
 
-@pytest.mark.parametrize("way", ["c", "batch"])
+@pytest.mark.parametrize("backend", ["c", "batch"])
 @pytest.mark.skipif(sys.platform != "linux", reason="MALLOC_PERTURB_ is glibc's")
-def test_a_thousand_resets_neither_crash_nor_leak_with_freed_memory_overwritten(way):
-    code = RESETS.format(root=str(ROOT), way=way)
+def test_a_thousand_resets_neither_crash_nor_leak_with_freed_memory_overwritten(backend):
+    code = RESETS.format(root=str(ROOT), backend=backend)
     environment = os.environ | {"MALLOC_PERTURB_": "165"}
     done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
@@ -203,26 +203,26 @@ def test_an_unknown_library_means_the_batch_way_and_a_warning(monkeypatch):
     assert chipmunk.layout_fits()
     monkeypatch.setitem(chipmunk.C_FUNCTIONS, "step", "cpNoSuchFunction")
     assert not chipmunk.layout_fits()
-    default_way.cache_clear()
+    default_backend.cache_clear()
     with pytest.warns(RuntimeWarning, match="slower"):
-        assert default_way() == "batch"
-    default_way.cache_clear()
+        assert default_backend() == "batch"
+    default_backend.cache_clear()
 
 
 def test_another_platform_takes_the_c_way_only_after_a_test(monkeypatch):
     monkeypatch.setattr("platform.machine", lambda: "riscv64")
-    default_way.cache_clear()
-    assert default_way() == "c"
+    default_backend.cache_clear()
+    assert default_backend() == "c"
     answers = iter((b"this", b"that"))
-    monkeypatch.setattr("soccer_env.physics.space_batch._collision", lambda way: next(answers))
-    default_way.cache_clear()
-    assert default_way() == "batch"
-    default_way.cache_clear()
+    monkeypatch.setattr("soccer_env.physics.space_batch._collision", lambda backend: next(answers))
+    default_backend.cache_clear()
+    assert default_backend() == "batch"
+    default_backend.cache_clear()
 
 
-@pytest.mark.parametrize("way", ["c", "batch"])
-def test_what_would_crash_or_mislead_is_refused(way):
-    batch = SpaceBatch(2, BODIES, way)
+@pytest.mark.parametrize("backend", ["c", "batch"])
+def test_what_would_crash_or_mislead_is_refused(backend):
+    batch = SpaceBatch(2, BODIES, backend)
     with pytest.raises(ValueError, match="no Space yet"):
         batch.step_all(DT, 4)
     with pytest.raises(ValueError, match="7 dynamic bodies"):
@@ -241,7 +241,7 @@ def test_what_would_crash_or_mislead_is_refused(way):
         batch.step_slice(DT, 4, 0, 3)
     with pytest.raises(TypeError, match="addresses"):
         copy.deepcopy(batch)
-    with pytest.raises(ValueError, match="way"):
+    with pytest.raises(ValueError, match="backend"):
         SpaceBatch(1, 1, "fast")
 
 

@@ -13,7 +13,7 @@ def pushed(league, matches, v, seconds, forward):
     match = stage(league, matches, seed=4)
     put(match, 0, -1.2, 0.0, 0.0)
     put_ball(match, -1.2 + league.body.front + league.ball.radius + 0.003, 0.0)
-    match.reseat()
+    match.rebuild()
     kept = np.ones(matches, bool)
     for step in range(round(seconds * league.control_rate)):
         match.step(asking(match, forward=forward(step * league.dt) * v / league.drive.forward))
@@ -46,7 +46,7 @@ def test_a_robot_that_turns_on_the_spot_loses_its_ball():
     match = stage(steady(MIDDLE))
     put(match, 0, -1.0, 0.0, 0.0)
     put_ball(match, -1.0 + 0.18 + 0.11 + 0.003, 0.0)
-    match.reseat()
+    match.rebuild()
     for _ in range(100):
         match.step(asking(match, turn=1.0))
     assert match.robots["has_ball"][0, 0] == 0
@@ -59,7 +59,7 @@ def test_a_ball_a_little_off_the_middle_is_steered_into_the_pocket_by_its_tips(n
     match = stage(league, 21)
     put(match, 0, -1.2, 0.0, 0.0)
     put_ball(match, -1.2 + league.body.tip_x + league.ball.radius + league.body.tip_radius + 0.05, aside)
-    match.reseat()
+    match.rebuild()
     share = 0.5 if name == LEGGED else 0.2
     for _ in range(round(0.5 / (share * league.drive.forward) * league.control_rate)):
         match.step(asking(match, forward=share))
@@ -73,7 +73,7 @@ def test_a_ball_against_the_front_lies_in_the_pocket_and_overlaps_nothing(name):
     put(match, 0, 0.0, 0.0, 0.7)
     reach = league.body.front + league.ball.radius
     put_ball(match, reach * np.cos(0.7), reach * np.sin(0.7))
-    match.reseat()
+    match.rebuild()
     match.step(asking(match))
     assert match.robots["has_ball"][0, 0] == 1
     space = build_space(league, match.balls[0], match.robots[0])

@@ -30,7 +30,7 @@ def on_its_own(league, matches=1, **settings):
     match = stage(league, matches, **settings)
     put(match, 0, 0.0, 0.0)
     put_ball(match, -0.4 * match.league.pitch.length, -0.4 * match.league.pitch.width)
-    match.reseat()
+    match.rebuild()
     return match
 
 
@@ -163,7 +163,7 @@ def test_a_turn_counter_clockwise_is_positive_and_left_is_to_the_left():
 def test_a_differential_base_cannot_move_sideways():
     match = on_its_own(find_league(DIFFERENTIAL), 20)
     match.robots["heading"][:, 0] = np.linspace(-3.0, 3.0, 20)
-    match.reseat()
+    match.rebuild()
     for _ in range(100):
         match.step(asking(match, left=1.0))
     assert not speed(match.robots)[:, 0].any()
@@ -230,7 +230,7 @@ def test_a_robot_without_commands_stands_where_it_is(name):
 def test_a_robot_sent_off_neither_moves_nor_kicks_whatever_it_is_told(name):
     match = stage(name, 4)
     put(match, 1, 0.5, 0.5)
-    match.reseat()
+    match.rebuild()
     before = match.robots[:, 0].copy()
     for _ in range(100):
         match.step(asking(match, forward=1.0, left=1.0, turn=1.0, kick=1.0))

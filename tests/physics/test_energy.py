@@ -32,7 +32,7 @@ def let_loose(name: str, matches: int, seed: int) -> Match:
     angle, v = (rng.uniform(low, high, match.robots.shape) for low, high in ((-np.pi, np.pi), (0.0, drive.forward)))
     match.robots["vx"], match.robots["vy"] = v * np.cos(angle), v * np.sin(angle)
     match.robots["omega"] = rng.uniform(-drive.turn, drive.turn, match.robots.shape)
-    match.reseat()
+    match.rebuild()
     return match
 
 
@@ -59,7 +59,7 @@ def test_a_ball_that_has_come_back_from_a_board_gets_no_faster(name):
     ball, pitch = match.league.ball, match.league.pitch
     edge = pitch.width / 2 - ball.radius
     put_ball(match, 0.3, edge - rng.uniform(0.2, 0.5, 250), 0.0, rng.uniform(0.3, 1.0, 250) * ball.top_speed)
-    match.reseat()
+    match.rebuild()
     came, fastest = np.zeros((2, 250))
     for _ in range(40):
         last = match.balls["vy"].copy()

@@ -28,7 +28,7 @@ def at_the_ball(league, matches=1, ahead=0.005, aside=0.0, row=0, **settings) ->
     body, ball = match.league.body, match.league.ball
     put(match, row, -0.3 * match.league.pitch.length, 0.1, 0.0)
     put_ball(match, match.robots["x"][:, row] + body.front + ball.radius + ahead, 0.1 + aside)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))  # from now on it knows that it has the ball
     return match
 
@@ -98,7 +98,7 @@ def test_a_walking_robot_brakes_as_soon_as_it_winds_up():
     match = at_the_ball(steady(LEGGED))
     put(match, 0, match.robots["x"][:, 0], 0.1, 0.0, forward=0.07)
     put_ball(match, match.balls["x"], 0.1, 0.07, 0.0)
-    match.reseat()
+    match.rebuild()
     actions, speeds = asking(match, forward=0.07 / 0.12, kick=1.0), []
     while not match.robot_events["kick"][0, 0]:
         match.step(actions)
@@ -112,7 +112,7 @@ def test_a_ball_that_rolls_away_during_the_wind_up_is_missed():
     actions = asking(match, kick=1.0)
     match.step(actions)
     match.balls["x"] += 0.2
-    match.reseat()
+    match.rebuild()
     at, _, _ = kicks(match, actions, 12)
     assert at[0] == -1 and not speed(match.balls).any()
     assert match.robots["kick_clock"][0, 0] < 0.0, "it has kicked the air"
@@ -126,7 +126,7 @@ def test_kicks_stray_from_the_heading_with_the_leagues_deviation(name, degrees):
     reach = match.league.body.front + match.league.ball.radius + 0.002
     put(match, 0, -0.5, 0.0, heading)
     put_ball(match, -0.5 + reach * np.cos(heading), reach * np.sin(heading))
-    match.reseat()
+    match.rebuild()
     at, _, direction = kicks(match, asking(match, kick=1.0), 12)
     off = (direction - match.robots["heading"][:, 0] + np.pi) % (2.0 * np.pi) - np.pi
     assert (at > 0).all()
@@ -177,7 +177,7 @@ def test_after_a_kick_the_kicker_recharges(name, pause):
             times.append(step)
         put_ball(match, x, 0.1)  # somebody puts the ball back
         match.robots["has_ball"][:, 0] = 1
-        match.reseat()
+        match.rebuild()
     wind_up = np.ceil(match.league.kicker.wind_up * match.league.control_rate)
     gap = np.diff(times) / match.league.control_rate
     assert len(gap) >= 2
@@ -203,7 +203,7 @@ def test_a_dribbled_ball_leaves_with_the_robots_speed_on_top():
     put(match, 0, -3.0, 0.0, 0.0, forward=1.5)
     put_ball(match, -3.0 + 0.18 + 0.11 + 0.005, 0.0, 1.5, 0.0)
     match.robots["has_ball"][:, 0] = 1
-    match.reseat()
+    match.rebuild()
     at, v, _ = kicks(match, asking(match, forward=1.5 / 2.6, kick=0.4), 1)
     assert at[0] == 1 and v[0] == pytest.approx(5.5 - carpet(match), abs=0.01)
 
@@ -218,7 +218,7 @@ def test_two_robots_that_kick_against_each_other_at_once_are_equals(name):
     put(match, 1, apart, 0.0, np.pi)
     put_ball(match, 0.0, 0.0)
     match.robots["has_ball"] = 1
-    match.reseat()
+    match.rebuild()
     kicked = False
     for _ in range(20):
         match.step(asking(match, r=slice(None), kick=1.0))

@@ -26,7 +26,7 @@ def pushed(legs: float, step: float, angle: float = 0.0, seconds: float = 12.0, 
     match = stage(league, matches, seed=4)
     put(match, 0, -1.2, 0.0, 0.0)
     put_ball(match, -1.2 + league.body.front + league.ball.radius + 0.001, 0.0)
-    match.reseat()
+    match.rebuild()
     speed = step / (league.drive.gait_steps * league.dt)
     forward, left = speed * np.cos(angle) / league.drive.forward, speed * np.sin(angle) / league.drive.sideways
     for _ in range(round(seconds * league.control_rate)):
@@ -66,7 +66,7 @@ def interlocked(legs: float, angle: float) -> float:
     put(match, 0, -0.3, 0.0, 0.0)
     put(match, 1, -0.04, 0.0, np.pi)
     put_ball(match, 1.0, 0.8)
-    match.reseat()
+    match.rebuild()
     held, speed = [], 0.06
     forward, left = speed * np.cos(angle) / league.drive.forward, speed * np.sin(angle) / league.drive.sideways
     for _ in range(4 * league.drive.gait_steps):
@@ -102,7 +102,7 @@ def test_a_mirrored_robot_pushes_the_ball_to_the_other_side() -> None:
         match.matches["handedness"] = hand
         put(match, 0, -1.2, 0.0, 0.0)
         put_ball(match, -1.2 + match.league.body.front + match.league.ball.radius + 0.001, 0.0)
-        match.reseat()
+        match.rebuild()
         for _ in range(48):
             match.step(asking(match, forward=0.8, left=0.3 * hand))
         ways.append((match.balls["x"].copy(), match.balls["y"].copy()))

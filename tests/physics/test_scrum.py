@@ -43,7 +43,7 @@ def test_six_robots_that_push_a_ball_for_a_minute_never_push_it_out_or_into_each
     match = Match(patient(name), home=3, away=3, matches=8, seed=2)
     set_phase(match, Phase.PLAY)
     scatter(match, np.random.default_rng(2), 0.9)
-    match.reseat()
+    match.rebuild()
     ball, pitch, body = match.league.ball, match.league.pitch, match.league.body
     worst: dict[str, float] = {}
     touches = 0
@@ -69,7 +69,7 @@ def test_robots_that_run_at_full_speed_into_the_boards_stay_inside_them(name):
     match = Match(name, home=3, away=3, matches=20, seed=3)
     rng = np.random.default_rng(3)
     scatter(match, rng)
-    match.reseat()
+    match.rebuild()
     pitch = match.league.pitch
     for _ in range(steps_in(match, 20.0 if name == LEGGED else 5.0)):
         actions = stand(match)

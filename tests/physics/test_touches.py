@@ -46,7 +46,7 @@ def test_a_bounce_within_one_control_step_is_a_touch_by_that_robot(name, top):
     away = body.reach + r + rng.uniform(0.05, 0.4, MANY)
     v = rng.uniform(0.5, 1.0, MANY) * top
     put_ball(match, away * np.cos(angle), away * np.sin(angle), -v * np.cos(angle), -v * np.sin(angle))
-    match.reseat()
+    match.rebuild()
     touched = run_until_touched(match, 1.0 if name == LEGGED else 0.3)
     assert touched[:, 0].all() and not touched[:, 1].any()
     assert (match.matches["last_touch_team"] == HOME).all() and (match.matches["last_touch_robot"] == 0).all()
@@ -59,7 +59,7 @@ def test_a_fast_ball_on_a_robot_that_drives_away_is_a_touch():
     u = rng.uniform(0.5, 2.6, MANY)
     put(match, 1, 0.0, 0.0, np.pi, forward=u)
     put_ball(match, rng.uniform(0.5, 0.9, MANY), rng.uniform(-0.1, 0.1, MANY), -rng.uniform(6.0, 11.0, MANY), 0.0)
-    match.reseat()
+    match.rebuild()
     touched = np.zeros(MANY, bool)
     for _ in range(steps_in(match, 0.4)):
         match.step(asking(match, r=1, forward=u / 2.6))
@@ -77,7 +77,7 @@ def test_a_bounce_off_a_board_is_nobodys_touch(name):
     put(match, 0, 0.0, edge - 0.6 * rng.uniform(1.0, 2.0, MANY), 0.0)
     put(match, 1, -1.0, edge - 2.0 * body.reach, 0.0)
     put_ball(match, body.reach + r + 0.06, edge - r - rng.uniform(0.05, 0.2, MANY), rng.uniform(0.0, 0.5, MANY), v)
-    match.reseat()
+    match.rebuild()
     bounced = np.zeros(MANY, bool)
     for _ in range(3):
         match.step(stand(match))
@@ -91,7 +91,7 @@ def test_a_ball_that_a_board_sends_towards_a_robot_has_not_touched_it_yet():
     match = stage(LEGGED)
     put(match, 0, 0.0, 1.0 - 0.042 - 0.042 - 0.05 - 0.0775, 0.0)  # its flank is 5 cm from a ball at the board
     put_ball(match, 0.0, 0.93, 0.0, 1.5)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert match.balls["vy"][0] < 0.0, "it has come back from the board"
     assert not match.robot_events["touch"].any()
@@ -103,7 +103,7 @@ def test_a_bounce_off_a_board_beside_a_robot_that_hugs_it_is_nobodys_touch():
     put(match, 0, 0.0, 1.0 - 0.0775 - 0.005, 0.0)
     v, angle = rng.uniform(1.0, 2.0, MANY), rng.uniform(1.0, np.pi / 2, MANY)
     put_ball(match, 0.22, 1.0 - 0.042 - rng.uniform(0.05, 0.12, MANY), v * np.cos(angle), v * np.sin(angle))
-    match.reseat()
+    match.rebuild()
     for _ in range(3):
         match.step(stand(match))
         assert not match.robot_events["touch"].any()
@@ -116,7 +116,7 @@ def test_a_ball_that_passes_close_by_is_not_touched(name):
     side = max(y for _, y in body.corners) if body.corners else body.disc_radius
     put(match, 0, 0.0, 0.0, 0.0)
     put_ball(match, -1.0, side + r + 0.01, match.league.ball.top_speed, 0.0)
-    match.reseat()
+    match.rebuild()
     touched = run_until_touched(match, 1.5)
     assert match.balls["x"][0] > 0.3 and not touched.any()
 
@@ -127,7 +127,7 @@ def test_the_kicker_touches_the_ball_even_if_it_is_gone_at_the_end_of_the_step(n
     put(match, 1, 0.0, 0.0, 0.0)
     put_ball(match, match.league.body.front + match.league.ball.radius + 0.02, 0.0)
     match.robots["has_ball"][:, 1] = 1
-    match.reseat()
+    match.rebuild()
     while not match.robot_events["kick"].any():
         match.step(asking(match, r=1, kick=1.0))
     assert match.robot_events["touch"].tolist() == [[0, 1]]
@@ -141,7 +141,7 @@ def test_of_two_robots_that_touch_the_ball_the_nearer_is_the_last(name):
     put(match, 0, [-apart - 0.0005, -apart - 0.003], 0.0, 0.0)
     put(match, 1, [apart + 0.003, apart + 0.0005], 0.0, np.pi)
     put_ball(match, 0.0, 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert match.robot_events["touch"].sum(axis=1).tolist() == [2, 2]
     assert match.events["touch_team"].tolist() == [HOME, AWAY]
@@ -155,7 +155,7 @@ def test_robots_that_meet_have_a_collision_and_those_apart_have_none(name):
     put(match, 2, 2.0 * reach + 0.01, 0.0, np.pi)
     put(match, 1, -2.5 * reach, 3.0 * reach, 0.0)
     put_ball(match, 0.3, -0.6)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert not match.robot_events["collision"].any()
     for _ in range(steps_in(match, 2.0)):
@@ -187,7 +187,7 @@ def test_nobody_far_away_has_the_ball(name):
     rng = np.random.default_rng(5)
     put(match, 0, 0.0, 0.0, rng.uniform(-np.pi, np.pi, 60))
     put_ball(match, rng.uniform(-1.0, 1.0, 60), rng.uniform(-0.9, 0.9, 60))
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     far = distance(match.balls, 0.0, 0.0) > match.league.body.reach + 2.2 * match.league.ball.radius
     assert far.sum() > 20

@@ -25,7 +25,7 @@ MILLIMETRE = 0.001  # [m]
 def ball_at(match, x, y):
     """Lay the ball down and let the referee look once."""
     put_ball(match, x, y)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
 
 
@@ -54,7 +54,7 @@ def test_a_rolling_ball_counts_in_the_step_in_which_it_is_over_and_from_every_an
     put_ball(
         match, end * (pitch.length / 2 - away), aim - away * np.tan(angle), end * v * np.cos(angle), v * np.sin(angle)
     )
-    match.reseat()
+    match.rebuild()
     scored = np.full(matches, NO_TEAM)
     for _ in range(400):
         match.step(stand(match))
@@ -105,7 +105,7 @@ def test_a_goal_is_counted_once(name):
     league = match.league
     match.matches["phase"] = Phase.PLAY
     put_ball(match, league.pitch.length / 2 + league.ball.radius + 0.01, 0.0, 0.5 * league.ball.top_speed, 0.0)
-    match.reseat()
+    match.rebuild()
     goals = 0
     for _ in range(100):
         match.step(stand(match))
@@ -138,7 +138,7 @@ def test_a_shot_is_a_goal_and_a_shot_wide_is_none(name):
     put_ball(
         match, x, [0.1 * league.pitch.goal_width, 0.75 * league.pitch.goal_width], 0.6 * league.ball.top_speed, 0.0
     )
-    match.reseat()
+    match.rebuild()
     goals = np.zeros(2, int)
     for _ in range(steps_in(match, 1.5)):
         match.step(stand(match))
@@ -151,7 +151,7 @@ def test_the_scorer_is_the_robot_that_touched_the_ball_last():
     put(match, 1, 1.2, 0.0, 0.0)
     put_ball(match, 1.2 + match.league.body.front + match.league.ball.radius + 0.003, 0.0)
     match.robots["has_ball"][:, 1] = 1
-    match.reseat()
+    match.rebuild()
     actions = stand(match)
     actions[:, 1, 3] = 1.0
     for _ in range(40):

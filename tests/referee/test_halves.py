@@ -94,7 +94,7 @@ def test_a_goal_in_the_last_moment_of_a_half_counts(name):
         match.step(stand(match))
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
     put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert match.events["goal"][0] == HOME and match.events["half_time"][0] == 1
     assert match.matches["score"].tolist() == [[1, 0]]
@@ -109,7 +109,7 @@ def test_the_goal_that_ends_an_episode_ends_it_even_at_half_time(name):
         match.step(stand(match))
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
     put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert match.events["goal"][0] == HOME and match.terminated[0]
     assert match.events["half_time"][0] == 0 and match.matches["phase"][0] == Phase.OVER
@@ -127,11 +127,11 @@ def test_events_name_teams_and_not_sides(name):
     match.robots["x"][:, 1], match.robots["y"][:, 1], match.robots["heading"][:, 1] = [x, -x], 0.0, [0.0, np.pi]
     gap = league.body.front + league.ball.radius + 0.002
     put_ball(match, [x + gap, -x - gap], 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert match.events["touch_team"].tolist() == [HOME, HOME]
     put_ball(match, [7.0 * x, -7.0 * x], 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert match.events["goal"].tolist() == [HOME, HOME] and match.matches["score"].tolist() == [[1, 0], [1, 0]]
     assert match.events["restart_team"].tolist() == [AWAY, AWAY]

@@ -23,7 +23,7 @@ def called(x, y, touches=TOUCHES, directions=DIRECTIONS, **settings) -> Match:
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
     match.matches["last_touch_team"], match.matches["home_direction"] = touches, directions
     put_ball(match, x, y)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     return match
 
@@ -79,7 +79,7 @@ def test_the_last_touch_before_it_went_out_decides_and_not_an_earlier_one():
     put(match, 1, 0.45, 3.6, np.pi / 2)  # the ball glances off away's robot
     put_ball(match, 0.0, 2.0 + 0.18 + 0.11 + 0.005)
     match.robots["has_ball"][:, 0] = 1
-    match.reseat()
+    match.rebuild()
     teams = []
     for _ in range(steps_in(match, 2.0)):
         match.step(asking(match, kick=0.5))
@@ -95,7 +95,7 @@ def test_the_middle_size_robot_that_drives_the_ball_out_loses_it():
     match = stage(MIDDLE)
     put(match, 0, 0.0, 2.5, np.pi / 2)
     put_ball(match, 0.0, 2.5 + 0.18 + 0.11 + 0.005)
-    match.reseat()
+    match.rebuild()
     for _ in range(steps_in(match, 4.0)):
         match.step(asking(match, forward=0.4))
         if match.events["out"][0]:
@@ -109,7 +109,7 @@ def test_on_a_walled_field_the_ball_never_goes_out():
     rng = np.random.default_rng(0)
     angle = rng.uniform(-np.pi, np.pi, 60)
     put_ball(match, rng.uniform(-1.2, 1.2, 60), rng.uniform(-0.8, 0.8, 60), 2.0 * np.cos(angle), 2.0 * np.sin(angle))
-    match.reseat()
+    match.rebuild()
     for _ in range(64):
         match.step(stand(match))
         assert not match.events["out"].any()

@@ -53,7 +53,7 @@ def called(name, phase, home, away, placement="instant", seed=0) -> Match:
     }[phase]
     match.matches["last_touch_team"] = last
     put_ball(match, x, y)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert (match.events["restart"] == phase).all() and (match.events["restart_team"] == TAKERS).all()
     return match
@@ -142,7 +142,7 @@ def test_the_old_base_finds_its_place_without_stepping_aside():
     set_phase(match, Phase.PLAY)
     scatter(match, np.random.default_rng(3), 0.8)
     put_ball(match, match.league.pitch.length / 2 + 0.2, 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     places = match.robots[["place_x", "place_y"]].copy()
     last = match.robots.copy()
@@ -188,7 +188,7 @@ def test_play_goes_on_once_the_ball_has_moved(name):
     far = match.league.rules.in_play_distance
     match.balls["x"] = [far - 0.001, far + 0.001]
     match.robots["x"][:, 0] -= 0.3
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert match.matches["phase"].tolist() == [Phase.KICK_OFF, Phase.PLAY]
     assert match.events["in_play"].tolist() == [0, 1] and match.matches["restart_team"].tolist() == [HOME, NO_TEAM]
@@ -221,7 +221,7 @@ def test_a_restart_forgets_who_touched_the_ball(name):
     set_phase(match, Phase.PLAY)
     match.matches["last_touch_team"], match.matches["last_touch_robot"] = HOME, 0
     put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert match.matches["last_touch_team"][0] == NO_TEAM and match.matches["last_touch_robot"][0] == -1
 
@@ -233,7 +233,7 @@ def test_sent_off_robots_are_not_placed(name):
     before = match.robots[:, absent].copy()
     set_phase(match, Phase.PLAY)
     put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert (match.events["restart"] == Phase.KICK_OFF).all()
     for axis in ("x", "y", "heading"):

@@ -22,7 +22,7 @@ def pushing(league=LEGGED, matches=1, x=0.3, y=0.4, contact_time=15.0):
     put_ball(match, -1.2, -0.8)
     put(match, 0, x, y, 0.0)
     put(match, 1, np.asarray(x) + NOSES, y, np.pi)
-    match.reseat()
+    match.rebuild()
     return match, asking(match, [0, 1], forward=1.0)
 
 
@@ -73,7 +73,7 @@ def test_team_mates_are_left_alone():
 def test_at_a_board_the_other_one_is_moved_farther_and_nobody_stands_in_anybody():
     match, actions = pushing(matches=3, x=np.array([1.05, -1.3, 0.0]), y=np.array([0.5, -0.8, 0.83]))
     put_ball(match, match.robots["x"][:, 0] - 0.25, match.robots["y"][:, 0])
-    match.reseat()
+    match.rebuild()
     match.robots["locked"] = 14.9
     assert separations(match, actions, 0.5)
     assert max(deepest_overlaps(match).values()) < 0.002
@@ -87,7 +87,7 @@ def test_a_mirrored_pair_is_pulled_apart_the_same_way():
     (match, actions), (other, _) = pushing(), pushing()
     match.robots["locked"] = 15.0
     mirrored(Records.of(match)).put_into(other)
-    match.reseat()
+    match.rebuild()
     match.step(actions)
     other.step(mirrored_actions(actions))
     assert match.events["separated"][0] == other.events["separated"][0] == 1

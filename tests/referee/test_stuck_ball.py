@@ -28,7 +28,7 @@ from tests.scenes.staging import (
 def test_a_ball_that_stays_is_stuck_after_the_leagues_time(name):
     match = stage(name)
     put_ball(match, 0.4, 0.3)
-    match.reseat()
+    match.rebuild()
     steps = 0
     while not match.events["stuck"][0]:
         match.step(stand(match))
@@ -53,7 +53,7 @@ def test_a_moving_ball_is_never_stuck_however_slowly_it_moves_on(name, pace):
         match.balls["x"][0] += 0.6 * way
         for field in put_clock.dtype.names:
             match.matches[field] = put_clock[field]  # `put_ball` would start the clock again
-        match.reseat()
+        match.rebuild()
         match.step(stand(match))
         assert not match.events["stuck"].any()
 
@@ -63,11 +63,11 @@ def test_a_ball_that_trembles_on_the_spot_is_stuck(name):
     match = stage(name)
     rules = match.league.rules
     put_ball(match, 0.0, 0.0)
-    match.reseat()
+    match.rebuild()
     called = 0
     for step in range(steps_in(match, rules.stuck_time) + 2):
         match.balls["x"] = 0.4 * rules.stuck_radius * np.sin(step)
-        match.reseat()
+        match.rebuild()
         match.step(stand(match))
         called += match.events["stuck"][0]
     assert called == 1
@@ -94,7 +94,7 @@ def test_a_stuck_ball_is_dropped_at_the_spot_on_its_own_side(name):
     match = stage(league, 6)
     put_ball(match, x, y)
     match.matches["still_clock"] = rules.stuck_time
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert (match.events["stuck"] == 1).all()
     middle = np.array([1, 1, 1, 1, 0, 0])
@@ -117,7 +117,7 @@ def test_at_a_dropped_ball_the_robots_are_pulled_apart_and_away_from_it(name, si
     match.robots["vx"], match.robots["vy"], match.robots["omega"] = 0.05, -0.03, 0.2
     match.matches["still_x"], match.matches["still_y"] = match.balls["x"], match.balls["y"]
     match.matches["still_clock"] = rules.stuck_time
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert (match.events["stuck"] == 1).all() and (match.matches["placing"] == 0).all()
     far = distance(match.robots, match.balls["x"][:, None], match.balls["y"][:, None])
@@ -136,7 +136,7 @@ def test_robots_crowded_into_a_corner_behind_a_dropped_ball_find_a_way_out():
     put(match, 2, end * rng.uniform(1.2, 1.33, 60), side * rng.uniform(0.35, 0.5, 60), 0.0)
     put_ball(match, end * 0.7, side * 0.55)
     match.matches["still_clock"] = match.league.rules.stuck_time
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert (match.events["stuck"] == 1).all()
     assert deepest_overlaps(match)["robot robot"] < 0.001
@@ -150,7 +150,7 @@ def test_robots_far_from_a_dropped_ball_stay_where_they_are(name):
     put(match, 0, -1.0, -0.6, 0.4)
     put_ball(match, 1.2, 0.9 * match.league.pitch.width / 2)
     match.matches["still_clock"] = match.league.rules.stuck_time
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert match.events["stuck"][0] == 1
     assert match.robots[["x", "y", "heading"]][0, 0].tolist() == (-1.0, -0.6, 0.4)
@@ -161,7 +161,7 @@ def test_anybody_may_play_a_dropped_ball_at_once():
     set_phase(match, Phase.DROP_BALL)
     match.matches["restart_x"], match.matches["restart_y"] = 0.0, 0.0
     put_ball(match, 0.0, 0.0, 0.5, 0.0)
-    match.reseat()
+    match.rebuild()
     for _ in range(4):
         match.step(stand(match))
     assert match.matches["phase"][0] == Phase.PLAY

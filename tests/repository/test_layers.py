@@ -36,7 +36,7 @@ LAYERS = (
     ("actions", "observations", "rewards", "scenes"),
     ("settings",),
     ("step", "episodes", "squads", "senses", "truth_state", "saving", "user_code"),  # the parts of a match
-    ("field",),
+    ("match_batch",),
     ("match",),
     ("soccer_v0", "gymnasium_envs", "api", "render", "replay", "staging"),
     ("baselines", "agents"),
@@ -62,7 +62,7 @@ HIDDEN_FROM_PLAYERS = {
     "truth_state",
     "saving",
     "senses",
-    "field",
+    "match_batch",
     "match",
 } | {"replay", "soccer_v0", "gymnasium_envs", "api", "staging"}
 # Belief works on percepts. The records of types.py that hold the truth, by name:

@@ -58,7 +58,7 @@ def place(match: Match) -> None:
     match.robots["x"][:, 0], match.robots["y"][:, 0], match.robots["heading"][:, 0] = -1.0, -0.5, 0.0
     match.robots["x"][:, 1], match.robots["y"][:, 1] = 5.0, 3.0
     match.balls["x"], match.balls["y"] = -5.5, -3.5
-    match.reseat()
+    match.rebuild()
 
 
 def test_mh03_the_control_cycle_takes_20_ms() -> None:
@@ -77,7 +77,7 @@ def test_mh04_the_kicker_shoots_as_hard_as_it_is_told(strength: float) -> None:
         match.robots["heading"][row] = 0.0
     match.balls["x"] = -3.0 + 0.18 + 0.11
     match.balls["y"] = [2.0, -2.0]
-    match.reseat()
+    match.rebuild()
     actions = np.zeros((2, 3, 4))
     match.step(actions)
     actions[:, :2, 3] = strength
@@ -92,7 +92,7 @@ def test_ms07_the_head_keeps_the_ball_ahead_of_the_camera() -> None:
     match = Match("legged-2001", home=1, away=1, actions="full", seed=0)
     match.robots["x"][:, 0], match.robots["y"][:, 0], match.robots["heading"][:, 0] = -1.0, -0.5, 0.0
     match.balls["x"], match.balls["y"] = -0.8, -0.1
-    match.reseat()
+    match.rebuild()
     run(match, (0, 0, 0, 0, -1, 0, 0), 1)
     assert match.robots["pan"][0, 0] == pytest.approx(match.league.head.pan_speed / 16)
     run(match, (0, 0, 0, 0, -1, 0, 0), 16)

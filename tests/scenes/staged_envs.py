@@ -37,7 +37,7 @@ def put_ball(env: Any, x: float, y: float = 0.0, vx: float = 0.0, vy: float = 0.
     for name, value in (("x", x), ("y", y), ("vx", vx), ("vy", vy), ("roll_x", vx), ("roll_y", vy)):
         match.balls[name][0] = value
     match.matches["phase"], match.matches["restart_team"] = 0, -1
-    match.reseat()
+    match.rebuild()
 
 
 def standing(env: Any) -> dict[str, np.ndarray]:

@@ -42,7 +42,7 @@ class Records:
     def put_into(self, match: Any) -> None:
         """Make them the records of a Match, and rebuild its physics."""
         match.matches[:], match.balls[:], match.robots[:] = self.matches, self.balls, self.robots
-        match.reseat()
+        match.rebuild()
 
 
 # Left-right mirror

@@ -244,7 +244,7 @@ class SoccerVecEnv(VecEnv):
     # Saving
 
     def save(self) -> dict[str, Any]:
-        """Return everything that its future depends on, as plain values, and reseat the matches on it."""
+        """Return everything that its future depends on, as plain values, and rebuild the matches on it."""
         return {
             "matches": [match.save() for match in self.matches],
             "returns": self._returns.tolist(),

@@ -67,7 +67,7 @@ def begin_dribbling(match: Match) -> None:
     begin(match)
     match.robots["placed"] = match.robots["active"]
     for m in range(match.count):
-        match.field.look_up(m)
+        match.batch.look_first(m)
     start_dribbling(match)
 
 

@@ -62,8 +62,8 @@ def hide_ball(match: Match, rows: Any = slice(None)) -> None:
 
 def begin(match: Match) -> None:
     """Let the scene begin: bodies where the records say, and robots that have seen nothing yet."""
-    match.reseat()
-    senses = match.field.senses
+    match.rebuild()
+    senses = match.batch.senses
     if senses is not None:
         for m in range(match.count):
             senses.start(m, match.robots)

@@ -81,7 +81,7 @@ def see_again(match: Match) -> None:
 
 def records_of(match: Match) -> np.ndarray:
     """Return the (1,) record of the sensor settings that the running match reads."""
-    senses = match.field.senses
+    senses = match.batch.senses
     assert senses is not None, "nobody uses its sensors"
     record: np.ndarray = senses.sensors
     return record

@@ -36,27 +36,27 @@ def believe_slice(
     rows below `home` are team-mates of each other, as are those from it on. There is no head to turn.
     """
     k, s, w, table = constants[0], sensors[0], settings[0], tables[0]
-    room = records(OTHERS, READING), records(1, TRACK), records(1, FILTER)
+    scratch = records(OTHERS, READING), records(1, TRACK), records(1, FILTER)
     for m in range(first, last):
         if asleep[m]:
             continue
         for r in rows:
             percept, belief, memory = percepts[m, r], beliefs[m, r], memories[m, r]
             believe_pose_omni(percept, belief.own, memory.pose, particles[m, r], noise[m, r], k, s, w, table)
-            track_things(percept, belief, tracks[m, r], memory, room, k, s, w)
+            track_things(percept, belief, tracks[m, r], memory, scratch, k, s, w)
             belief.obstacle.distance = belief.obstacle.bearing = 0.0  # there is no ranger
         exchange_radio(percepts[m], beliefs[m], tracks[m], messages[m], noise[m], k, s, w, home, rows)
 
 
 @compiled
-def track_things(percept, belief, tracks, memory, room, k, s, w):
+def track_things(percept, belief, tracks, memory, scratch, k, s, w):
     """Bring ball and players up to the percept; who is put somewhere else and told so begins anew.  MH06"""
     note_motion(memory.motions, percept.body)
     if percept.body.pose == POSE_TOLD:
         forget_things(memory, tracks)
     frames = picture_age(percept, k, w)
     believe_ball(percept, belief.own, belief.ball, memory.ball, memory.motions, frames, k, s, w)
-    believe_players(percept, tracks, memory.players, memory.motions, frames, room, k, s, w)
+    believe_players(percept, tracks, memory.players, memory.motions, frames, scratch, k, s, w)
 
 
 @compiled

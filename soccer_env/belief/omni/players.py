@@ -32,7 +32,7 @@ PLAYER_SPEED = 1.5  # [m/s] sd of the speed of a player of whom only one reading
 SLOTS = 2 * MAX_TEAM  # room for tracks, at most
 
 READING = np.dtype(
-    [  # room: a player in the picture
+    [  # scratch: a player in the picture
         ("x", "f8"),  # [m] robot frame of now
         ("y", "f8"),  # [m]
         ("taken", "i8"),  # 1: it belongs to a track
@@ -42,12 +42,12 @@ READING = np.dtype(
 
 
 @compiled
-def believe_players(percept, tracks, filters, motions, frames, room, k, s, w):
+def believe_players(percept, tracks, filters, motions, frames, scratch, k, s, w):
     """Bring the tracks of other players up to the percept.  MH06
 
-    The picture counts as `frames` old; room: OTHERS READINGs, one TRACK and one FILTER to work in.
+    The picture counts as `frames` old; scratch: OTHERS READINGs, one TRACK and one FILTER to work in.
     """
-    readings, spare_tracks, spare_filters = room
+    readings, spare_tracks, spare_filters = scratch
     move_players(tracks, filters, motions[percept.body.frame % motions.shape[0]], k, s, w)
     count = read_players(percept, motions, frames, readings)
     mates, everyone = k.teammate_slots, k.teammate_slots + k.opponent_slots

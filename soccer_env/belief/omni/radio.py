@@ -55,11 +55,11 @@ def exchange_radio(percepts, beliefs, tracks, messages, noise, k, s, w, home, ro
             send(message, frame, wait, uniform(noise[r], RADIO) < s.radio_loss)
             deliver(message, frame)
         fresh = fresh or message.fresh == 1
-    room = np.empty((max(beliefs.shape[0], tracks.shape[1]) if fresh else 0, 4))
+    scratch = np.empty((max(beliefs.shape[0], tracks.shape[1]) if fresh else 0, 4))
     for r in rows:
         frame = np.int64(percepts[r].body.frame)
         if fresh:
-            place_teammates(beliefs[r].own, tracks[r], messages, r, frame, room, k, w, home, rows)
+            place_teammates(beliefs[r].own, tracks[r], messages, r, frame, scratch, k, w, home, rows)
         if beliefs[r].ball.age >= w.shared_age:
             adopt_ball(beliefs[r], messages, r, frame, k, w, home, rows)
         hear(beliefs[r].heard, messages, r, frame, REMEMBERED * pause + wait, k, home, rows)

@@ -38,32 +38,32 @@ def write_report(report, belief):
 
 
 @compiled
-def place_teammates(own, tracks, messages, r, frame, room, k, w, home, rows):
+def place_teammates(own, tracks, messages, r, frame, scratch, k, w, home, rows):
     """Put the team-mates whose reports have just arrived into the tracks (slots,) of robot r.  MH05
 
     The nearest pair of report and track within w.gate comes first. A track that the own camera has seen lately keeps
     its place and gets the number; a report that is left over takes a free slot, or that of a team-mate farther away.
-    room (rows or slots, 4): of each speaker where it is in the robot frame [m] and whether its report is open; whether
-    each slot is taken.
+    scratch (rows or slots, 4): of each speaker where it is in the robot frame [m] and whether its report is open; and
+    whether each slot is taken.
     """
-    room[:, 2:] = 0.0
+    scratch[:, 2:] = 0.0
     axes = cos(own.heading), sin(own.heading)
-    locate_teammates(own, axes, messages, r, frame, room, k, w, home, rows)
+    locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows)
     while True:
-        other, slot = nearest_pair(tracks, room, k, w, rows)
+        other, slot = nearest_pair(tracks, scratch, k, w, rows)
         if other < 0:
             break
-        take_report(own, axes, tracks, slot, messages[other], room[other], room[slot], frame, k, w)
+        take_report(own, axes, tracks, slot, messages[other], scratch[other], scratch[slot], frame, k, w)
     for other in rows:
-        if room[other, 2] == 1.0:
-            slot = free_slot(tracks, messages[other], room, other, frame, k, w)
+        if scratch[other, 2] == 1.0:
+            slot = free_slot(tracks, messages[other], scratch, other, frame, k, w)
             if slot >= 0:
                 tracks[slot].present, tracks[slot].confidence = 1, 0.0
-                take_report(own, axes, tracks, slot, messages[other], room[other], room[slot], frame, k, w)
+                take_report(own, axes, tracks, slot, messages[other], scratch[other], scratch[slot], frame, k, w)
 
 
 @compiled
-def locate_teammates(own, axes, messages, r, frame, room, k, w, home, rows):
+def locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows):
     """Fill in where the team-mates are that have just reported; one who knows nothing of its own place does not count.
 
     A report is late by the time that it was on its way: the team-mate has gone on since.
@@ -80,31 +80,31 @@ def locate_teammates(own, axes, messages, r, frame, room, k, w, home, rows):
             continue
         late = (frame - report.frame) * k.dt if w.delay_compensation == 1 else 0.0
         x, y = report.x + late * report.vx - own.x, report.y + late * report.vy - own.y
-        room[other, 0], room[other, 1] = turn_axes(x, y, axes[0], axes[1])
-        room[other, 2] = 1.0
+        scratch[other, 0], scratch[other, 1] = turn_axes(x, y, axes[0], axes[1])
+        scratch[other, 2] = 1.0
 
 
 @compiled
-def nearest_pair(tracks, room, k, w, rows):
+def nearest_pair(tracks, scratch, k, w, rows):
     """Return the open report and the free track that are nearest to each other within the gate; -1, -1 if none are.
 
     The gate is w.gate, and wider for one who is far away, whose place errs with the own heading.
     """
     best, best_slot, least = -1, -1, inf
     for other in rows:
-        if room[other, 2] == 0.0:
+        if scratch[other, 2] == 0.0:
             continue
-        gate = w.gate + ASTRAY * length(room[other, 0], room[other, 1])
+        gate = w.gate + ASTRAY * length(scratch[other, 0], scratch[other, 1])
         for slot in range(k.teammate_slots):
-            if tracks[slot].present == 1 and room[slot, 3] == 0.0:
-                x, y = room[other, 0] - tracks[slot].x, room[other, 1] - tracks[slot].y
+            if tracks[slot].present == 1 and scratch[slot, 3] == 0.0:
+                x, y = scratch[other, 0] - tracks[slot].x, scratch[other, 1] - tracks[slot].y
                 if x * x + y * y < min(least, gate * gate):
                     best, best_slot, least = other, slot, x * x + y * y
     return best, best_slot
 
 
 @compiled
-def free_slot(tracks, message, room, other, frame, k, w):
+def free_slot(tracks, message, scratch, other, frame, k, w):
     """Return the slot for a team-mate that no track is near to, or -1.
 
     It is the one that it had; a free one; or that of the team-mate farthest away, if that is farther than this one. A
@@ -112,7 +112,7 @@ def free_slot(tracks, message, room, other, frame, k, w):
     """
     report = message.reports[message.latest]
     confidence = told_confidence(report, frame, k, w)
-    empty, last, farthest = -1, -1, length(room[other, 0], room[other, 1])
+    empty, last, farthest = -1, -1, length(scratch[other, 0], scratch[other, 1])
     for slot in range(k.teammate_slots):
         track = tracks[slot]
         if track.present == 0:

@@ -80,7 +80,7 @@ def test_a_robot_without_team_mates_still_goes_for_the_ball() -> None:
     match = Match(LEAGUE, matches=16, seed=3, controllers={"home": "sacks-2001", "away": "still"}, minutes=3)
     match.robots["active"][:, :2] = 0
     match.robots["x"][:, :2], match.robots["y"][:, :2] = [[-9.0, -9.6]], 9.0
-    match.reseat()
+    match.rebuild()
     touched = np.zeros(16, bool)
     while not match.terminated.all():
         match.step()
@@ -94,7 +94,7 @@ def test_a_robot_that_never_sees_the_ball_goes_on_searching_all_over_its_half() 
     match = Match(patient(LEAGUE), matches=8, home=2, away=1, seed=4, controllers=teams)
     set_phase(match, Phase.PLAY)
     put_ball(match, 50.0, 50.0)
-    match.reseat()
+    match.rebuild()
     turned, searching = np.zeros((8, 2)), 0.0
     for _ in range(16 * 180):
         before = match.robots["heading"][:, :2].copy()

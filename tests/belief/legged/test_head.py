@@ -183,7 +183,7 @@ def test_the_settings_say_when_and_how_fast_it_searches() -> None:
 def watch(match: Match, actions: Any, seconds: float) -> np.ndarray:
     """Return how far from the picture's centre [rad] the ball is in each frame; robot 0 believes in the true ball."""
     head, robot, ball = Head(), match.robots[0, 0:1], match.balls[0]
-    match.field.senses.believe = lambda field, first, last: None
+    match.batch.senses.believe = lambda field, first, last: None
     found = []
     for _ in range(round(seconds * match.league.control_rate)):
         x, y = ball["x"] - robot["x"][0], ball["y"] - robot["y"][0]
@@ -202,7 +202,7 @@ def test_ms07_the_ball_stays_at_the_centre_of_the_picture_while_the_robot_walks(
     match = stage(steady(LEGGED), observe="belief")
     put(match, 0, -1.0, -0.5, 0.2)
     put_ball(match, -0.5, -0.2)
-    match.reseat()
+    match.rebuild()
     found = watch(match, asking(match, forward=0.8, left=0.4, turn=0.15), 5.0)
     settled = found[8:]  # after half a second to find it
     assert (settled < CENTRED).mean() > 0.95
@@ -222,7 +222,7 @@ def test_the_head_catches_a_ball_aside_at_the_speed_of_its_joints() -> None:
     match = stage(steady(LEGGED), observe="belief")
     put(match, 0, 0.0, 0.0)
     put_ball(match, 0.4, 0.6)
-    match.reseat()
+    match.rebuild()
     found = watch(match, asking(match), 1.0)
     frames = np.arctan2(0.6, 0.4 - 0.075) / LEAGUE.head.pan_speed * LEAGUE.control_rate
     assert (found > CENTRED).sum() == pytest.approx(frames, abs=1.5)

@@ -167,7 +167,7 @@ def facing(matches: int, distance: Any, view: Any = 0.0, **settings: Any) -> Mat
     put(match, 0, 0.0, 0.0)
     put(match, 1, distance, 0.0, pi - view)
     put_ball(match, -1.4, 0.9)
-    match.reseat()
+    match.rebuild()
     return match
 
 
@@ -203,7 +203,7 @@ def come_near(**memory: Any) -> tuple[Match, np.ndarray, np.ndarray, np.ndarray]
         pass
     match.robots["x"][:, 1] = np.tile(np.linspace(0.45, 0.6, 4), 6)
     match.robots["y"][:, 1], match.robots["tilt"][:, 1] = 0.0, -1.0
-    match.reseat()
+    match.rebuild()
     rows: list[tuple[np.ndarray, np.ndarray, np.ndarray]] = []
     for _ in stare(match, 1.5, -1.0):
         slots = match.tracks[:, 0]
@@ -250,7 +250,7 @@ def test_a_lone_robot_takes_neither_ball_nor_boards_nor_carpet_for_somebody() ->
             rng.uniform(-1.5, 1.5, count),
             rng.uniform(-1, 0.7, count),
         )
-        match.field.senses.step(match.field, 0, count)
+        match.batch.senses.step(match.batch, 0, count)
         read += int(((match.percepts["infrared"] > 0.0) & (match.percepts["infrared"] < 0.4)).sum())
         assert not match.beliefs["obstacle"]["distance"].any()
     assert read > 1000

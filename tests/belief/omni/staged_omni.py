@@ -29,9 +29,9 @@ def thinking(matches: int = 1, home: int = 1, away: int = 1, sensors: Any = None
 
 def begin(match: Match) -> None:
     """Build the physics of what was put somewhere, and let robots forget all that they believed."""
-    match.reseat()
+    match.rebuild()
     for m in range(match.count):
-        match.field.senses.start(m, match.robots)
+        match.batch.senses.start(m, match.robots)
 
 
 def run(match: Match, seconds: float, actions: np.ndarray | None = None) -> None:

@@ -70,7 +70,7 @@ def test_mh06_after_a_kick_the_velocity_is_soon_right_again(name: str) -> None:
     begin(match)
     run(match, 0.4)
     put_ball(match, 3.0, -1.0, -3.0, 7.0)
-    match.reseat()
+    match.rebuild()
     run(match, 0.2)
     assert np.median(off(match)[1]) < 1.2
     assert np.median(off(match)[0]) < 0.15
@@ -84,7 +84,7 @@ def test_mh06_a_ball_that_is_somewhere_else_is_believed_there_after_some_reading
     begin(match)
     run(match, 0.4)
     put_ball(match, 2.0, 1.5)
-    match.reseat()
+    match.rebuild()
     match.step(stand(match))
     assert np.median(off(match)[0]) > 2.0  # the picture is late, and one reading is not enough
     run(match, 0.2)
@@ -143,7 +143,7 @@ def test_a_ball_that_is_not_seen_is_carried_by_the_odometry_and_fades() -> None:
     begin(match)
     run(match, 1.0)
     before = match.beliefs["ball"]["confidence"][:, 0].copy()
-    match.field.senses.sensors["ball_miss"] = 1.0
+    match.batch.senses.sensors["ball_miss"] = 1.0
     run(match, 1.0, asking(match, 0, 0.0, 0.0, 0.5))
     ball = match.beliefs["ball"][:, 0]
     assert np.median(off(match)[0]) < 0.25
@@ -182,7 +182,7 @@ def test_a_ball_lost_for_long_has_no_velocity_and_needs_two_readings() -> None:
     put_ball(match, 1.0, 0.0, 2.0, 0.0)
     begin(match)
     run(match, 0.3)
-    sensors = match.field.senses.sensors
+    sensors = match.batch.senses.sensors
     sensors["ball_miss"] = 1.0
     run(match, 4.1)
     ball = match.beliefs["ball"][0, 0]
@@ -200,10 +200,10 @@ def test_a_robot_that_is_put_somewhere_and_told_forgets_the_ball() -> None:
     begin(match)
     run(match, 0.5)
     assert match.tracks["present"][0, 0].sum() == 1
-    match.field.senses.sensors["ball_miss"] = match.field.senses.sensors["player_miss"] = 1.0
+    match.batch.senses.sensors["ball_miss"] = match.batch.senses.sensors["player_miss"] = 1.0
     run(match, 0.1)
     match.robots["placed"][0, 0] = 1
-    match.field.senses.step(match.field, 0, 1)
+    match.batch.senses.step(match.batch, 0, 1)
     assert match.beliefs["ball"]["confidence"][0, 0] == 0.0 and match.beliefs["ball"]["age"][0, 0] == inf
     assert match.tracks["present"][0, 0].sum() == 0
 

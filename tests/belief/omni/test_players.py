@@ -124,7 +124,7 @@ def test_players_at_rest_stay_at_rest_for_a_robot_that_drives_and_turns() -> Non
 def test_who_is_not_seen_coasts_fades_and_is_forgotten() -> None:
     match = with_players({1: (2.0, 1.0)}, 1, 1)
     run(match, 0.4)
-    match.field.senses.sensors["player_miss"] = 1.0
+    match.batch.senses.sensors["player_miss"] = 1.0
     run(match, 0.5)
     found = tracks_of(match, False)[:, 0]
     assert found["present"].all()
@@ -159,7 +159,7 @@ def test_a_player_that_jumps_within_the_gate_is_believed_after_readings_in_a_row
     match = with_players({1: (2.0, 0.0)}, 1, 1)
     run(match, 0.4)
     put(match, 1, 2.0, 0.8)
-    match.reseat()
+    match.rebuild()
     run(match, 0.04)
     assert (tracks_of(match, False)["y"][:, 0] < 0.2).all()  # one reading, a frame late
     run(match, 0.02)
@@ -189,8 +189,8 @@ def test_standing_in_a_crowd_breaks_nothing() -> None:
     for r in range(22):
         put(match, r, 0.0, 0.0)
     for m in range(2):
-        match.field.senses.start(m, match.robots)
+        match.batch.senses.start(m, match.robots)
     for _ in range(60):
-        match.field.senses.step(match.field, 0, 2)
+        match.batch.senses.step(match.batch, 0, 2)
         match.matches["step"] += 1
     assert all(np.isfinite(match.tracks[name]).all() for name in TRACK.names)

@@ -65,8 +65,8 @@ def track(readings: np.ndarray, late: float = 0.0, slowing: float = 0.0, **memor
     """Return the states (T, 4) of a thing that readings (T, 2) show to a robot that stands."""
     found = np.zeros((len(readings), 4))
     settings = LEAGUE.memory.changed(memory).record()
-    room = np.zeros(1, MOTION), np.zeros(1, THING), np.zeros(1, FILTER)
-    follow(readings, *room, late, 4.0, slowing, K, S, settings, found)
+    scratch = np.zeros(1, MOTION), np.zeros(1, THING), np.zeros(1, FILTER)
+    follow(readings, *scratch, late, 4.0, slowing, K, S, settings, found)
     return found
 
 
@@ -167,12 +167,12 @@ def test_a_filter_is_as_sure_as_it_is_right() -> None:
     for seed in range(40):
         places = rolling(60, (4.0, 1.0), (0.5, 0.5))
         readings, found = noisy(places, seed), np.zeros((60, 4))
-        room = np.zeros(1, MOTION), np.zeros(1, THING), np.zeros(1, FILTER)
-        follow(readings, *room, 0.0, 0.3, 0.0, K, S, LEAGUE.memory.record(), found)
+        scratch = np.zeros(1, MOTION), np.zeros(1, THING), np.zeros(1, FILTER)
+        follow(readings, *scratch, 0.0, 0.3, 0.0, K, S, LEAGUE.memory.record(), found)
         error = found[-1, :2] - places[-1]
         line = places[-1] / np.hypot(*places[-1])
-        ratios.append((error @ line) ** 2 / room[2]["along"]["xx"][0])
-        ratios.append((error @ [-line[1], line[0]]) ** 2 / room[2]["across"]["xx"][0])
+        ratios.append((error @ line) ** 2 / scratch[2]["along"]["xx"][0])
+        ratios.append((error @ [-line[1], line[0]]) ** 2 / scratch[2]["across"]["xx"][0])
     assert 0.5 < np.mean(ratios) < 1.5
 
 

@@ -22,7 +22,7 @@ def seeing(match: Match, seconds: float) -> dict[str, np.ndarray]:
     found: dict[str, list[np.ndarray]] = {name: [] for name in ("light", "table", "ball", "players", "lines")}
     for step in range(round(seconds * 50)):
         match.matches["step"], match.matches["clock"] = step, step * 0.02
-        match.field.senses.sense(match.field, 0, match.count)
+        match.batch.senses.sense(match.batch, 0, match.count)
         for name, kept in found.items():
             kept.append(match.percepts[name][:, 0].copy())
     return {name: np.stack(kept) for name, kept in found.items()}
@@ -91,12 +91,12 @@ def test_the_table_takes_its_time() -> None:
     """A time constant: after a sudden change a share of 1 - 1/e of it is made good in `table_time`."""
     match = watching(sensors={**CHANGING, "light_period": 1e6, "table_time": 1.0})
     seeing(match, 0.1)
-    senses: Any = match.field.senses
+    senses: Any = match.batch.senses
     light = float(senses.percepts["light"][0, 0])
     senses.percepts["table"][0, 0] = light + 0.5
     for step in range(50):
         match.matches["step"] = 5 + step
-        senses.sense(match.field, 0, 1)
+        senses.sense(match.batch, 0, 1)
     assert senses.percepts["table"][0, 0] - light == pytest.approx(0.5 / np.e, abs=0.03)
 
 

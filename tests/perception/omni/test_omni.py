@@ -204,14 +204,14 @@ def test_mh02_a_picture_arrives_some_frames_after_its_exposure() -> None:
     """MH02: 50 pictures a second, each some frames late; what is felt is current."""
     for late in (1, 2, 3):
         match = watching(sensors={**SURE, **SHARP, "camera_delay": late})
-        match.reseat()
+        match.rebuild()
         for m in range(1):
-            match.field.senses.start(m, match.robots)
+            match.batch.senses.start(m, match.robots)
         shown = []
         for step in range(8):
             match.matches["step"] = step
             put_ball(match, 1.0 + 0.2 * step, 0.0)
-            match.field.senses.sense(match.field, 0, 1)
+            match.batch.senses.sense(match.batch, 0, 1)
             percept = match.percepts[0, 0]
             shown.append(round((percept["ball"]["distance"] - 1.0) / 0.2))
             assert percept["age"] == pytest.approx(0.0 if step < late else late * 0.02)
@@ -221,7 +221,7 @@ def test_mh02_a_picture_arrives_some_frames_after_its_exposure() -> None:
 
 def test_a_robot_that_was_moved_sees_its_new_place_at_once() -> None:
     match = watching(sensors={**SURE, **SHARP, "camera_delay": 3})
-    match.reseat()
+    match.rebuild()
     for _ in range(10):
         match.step(stand(match))
     assert match.percepts["age"][0, 0] == pytest.approx(0.06)
@@ -229,6 +229,6 @@ def test_a_robot_that_was_moved_sees_its_new_place_at_once() -> None:
     put_ball(match, 4.0, 0.0)
     match.robots["placed"][0, 0] = 1
     match.matches["step"] += 1
-    match.field.senses.sense(match.field, 0, 1)
+    match.batch.senses.sense(match.batch, 0, 1)
     assert match.percepts["age"][0, 0] == 0.0
     assert match.percepts["ball"]["distance"][0, 0] == pytest.approx(1.0, abs=0.02)

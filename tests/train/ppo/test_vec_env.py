@@ -244,7 +244,7 @@ def shoot(match: Match, m: int) -> None:
     match.balls["x"][m], match.balls["y"][m], match.balls["vx"][m] = half - 0.2, 0.0, 2.0
     for r in range(len(match.agents)):
         match.robots["x"][m, r], match.robots["y"][m, r] = -half + 0.3, 0.4 * r - 0.6
-    match.reseat()
+    match.rebuild()
 
 
 def test_points_count_a_draw_half() -> None:

@@ -56,7 +56,7 @@ def test_one_in_the_way_that_is_anchored_stays_and_overlaps_with_the_straight_wa
 
 def test_without_an_anchor_a_standing_robot_gives_way() -> None:
     match = behind_post(BATCH, 16, recovery=False)
-    match.reseat()  # bodies as the league has them
+    match.rebuild()  # bodies as the league has them
     other = match.robots[:, 1].copy()
     for _ in play(match, 8.0):
         pass

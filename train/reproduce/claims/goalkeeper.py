@@ -45,7 +45,7 @@ def face_shots(batch: Batch, settings: dict[str, Any], **more: Any) -> tuple[np.
     begin(match)
     match.robots["placed"] = match.robots["active"]
     for m in range(match.count):
-        match.field.look_up(m)
+        match.batch.look_first(m)
     return shoot(match, x, y, speed * np.cos(way), speed * np.sin(way)), speed
 
 
@@ -56,7 +56,7 @@ def shoot(match: Match, x: np.ndarray, y: np.ndarray, vx: np.ndarray, vy: np.nda
         if step <= LOOK * match.league.control_rate:
             moving = step == round(LOOK * match.league.control_rate)
             put_ball(match, x, y, vx * moving, vy * moving)
-            match.reseat()
+            match.rebuild()
         match.step()
         scored |= match.matches["score"][:, 1] > 0
     match.close()

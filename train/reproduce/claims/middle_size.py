@@ -38,7 +38,7 @@ def watch_under(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarray]:
     away, beyond = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(NEAR, FAR, MATCHES)
     put_ball(match, x + away * np.cos(course), y + away * np.sin(course))
     put(match, 1, x - beyond * np.cos(course), y - beyond * np.sin(course))
-    match.reseat()  # not begun anew: the table has followed the light before
+    match.rebuild()  # not begun anew: the table has followed the light before
     true, _ = from_robot(match, 0, match.balls["x"], match.balls["y"])
     frames: dict[str, list[np.ndarray]] = {"light": [], "found": [], "error": []}
     for step in play(match, SECONDS):

@@ -74,7 +74,7 @@ def carry_away(match: Match, rng: np.random.Generator) -> None:
                 break
         robots["x"][m, 0], robots["y"][m, 0] = x, y
     put(match, 0, robots["x"][:, 0].copy(), robots["y"][:, 0].copy(), rng.uniform(-np.pi, np.pi, match.count))
-    match.reseat()
+    match.rebuild()
 
 
 def drive_and_carry(batch: Batch) -> Samples:

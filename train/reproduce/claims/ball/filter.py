@@ -51,7 +51,7 @@ def span_of(batch: Batch) -> float:
     begin(match)
     look_first(match, SETTLE)
     put_ball(match, 0.5 + JUMP, 0.0)
-    match.reseat()
+    match.rebuild()
     places = [float(match.beliefs["ball"]["filtered_distance"][0, 0]) for _ in play(match, SETTLE)]
     match.close()
     still = [abs(place - places[-1]) < 0.1 * JUMP for place in places]

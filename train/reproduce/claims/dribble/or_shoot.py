@@ -27,7 +27,7 @@ def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: bool) -> tupl
     match = start_drill(batch, SCENE, settings, MATCHES, 0.0)
     if not blockers:
         send_off(match, range(1, match.robots.shape[1]))
-        match.reseat()
+        match.rebuild()
     start, best = match.balls["x"].copy(), match.balls["x"].copy()
     goals, running, ended = np.zeros(MATCHES), np.ones(MATCHES, bool), np.full(MATCHES, SECONDS)
     for step in range(round(SECONDS * match.league.control_rate)):

@@ -178,7 +178,7 @@ def slot_bearings(match: Match, slots: np.ndarray) -> np.ndarray:
 
 def memory_of(match: Match) -> np.ndarray:
     """Return the (1,) record of the memory settings that the running match reads."""
-    senses = match.field.senses
+    senses = match.batch.senses
     assert senses is not None, "nobody uses its sensors"
     record: np.ndarray = senses.memory_settings
     return record

@@ -37,7 +37,7 @@ def begin_seeking(match: Match) -> None:
     begin(match)
     match.robots["placed"] = match.robots["active"]
     for m in range(match.count):
-        match.field.look_up(m)
+        match.batch.look_first(m)
 
 
 def mind(match: Match) -> np.ndarray:
@@ -60,15 +60,15 @@ def approaches(match: Match) -> np.ndarray:
 
 def hold(match: Match) -> None:
     """Immobilise robots: from now on they go nowhere, whatever their legs do; they can still turn."""
-    match.field.constants["drive_traction"] = NO_GRIP
+    match.batch.constants["drive_traction"] = NO_GRIP
     for name in ("vx", "vy"):
         match.robots[name] = 0.0
-    match.reseat()
+    match.rebuild()
 
 
 def anchor(match: Match, rows: Sequence[int]) -> None:
     """Make robots so heavy that nobody pushes them aside."""
-    for space in match.field.physics.spaces:
+    for space in match.batch.physics.spaces:
         bodies = [] if space is None else list(space.bodies)
         for r in rows:
             body = bodies[1 + r]  # the ball comes first

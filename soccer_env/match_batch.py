@@ -1,4 +1,4 @@
-"""Field: the records of M matches with the Spaces under them, and how a slice of them is stepped.
+"""MatchBatch: the records of M matches with the Spaces under them, and how a slice of them is stepped.
 
 It knows nothing of who plays: commands lie in the robots' records before a step, and what happened lies in the arrays
 after it.
@@ -14,7 +14,7 @@ from soccer_env.episodes import start_match
 from soccer_env.observations.belief import observe_belief_slice
 from soccer_env.observations.truth import observe_slice
 from soccer_env.physics.space import build_space
-from soccer_env.physics.space_batch import SpaceBatch, Way
+from soccer_env.physics.space_batch import Backend, SpaceBatch
 from soccer_env.rewards import TERMS
 from soccer_env.senses import UNUSED, Senses
 from soccer_env.settings import Settings
@@ -25,10 +25,10 @@ from soccer_env.types import BALL, EVENTS, MATCH, QUIET, ROBOT, ROBOT_EVENTS
 Advance = Callable[[float, np.ndarray, int, int], None]  # moves the Spaces on: dt [s], substeps (M,), first, last
 
 
-class Field:
+class MatchBatch:
     """M matches of R robots each: records (M,) and (M, R), rewards (M, R), observations (M, R, n)."""
 
-    def __init__(self, settings: Settings, matches: int, robots: int, observed: int, way: Way | None) -> None:
+    def __init__(self, settings: Settings, matches: int, robots: int, observed: int, backend: Backend | None) -> None:
         self.settings = settings
         self.matches, self.balls = np.zeros(matches, MATCH), np.zeros(matches, BALL)
         self.robots = np.zeros((matches, robots), ROBOT)
@@ -45,7 +45,7 @@ class Field:
         self._ideal = empty_beliefs(matches if any(ideal) else 0, robots, settings.league)
         self.terminated, self.truncated = np.zeros(matches, bool), np.zeros(matches, bool)
         self.constants, self.weights = settings.constants(), settings.rewards.weights()
-        self.physics = SpaceBatch(matches, robots + 1, way)
+        self.physics = SpaceBatch(matches, robots + 1, backend)
 
     def discount(self, last: bool) -> None:
         """Let the shaping of the coming control step discount, as the last one of an action does, or not."""
@@ -58,12 +58,12 @@ class Field:
         start_match(self.settings, self.constants, *records, seed, episode)
         if self.senses is not None:
             self.senses.start(m, self.robots)
-        self.seat([m])
+        self.build_spaces([m])
         self.events[m] = QUIET
         self.robot_events[m] = np.zeros((), ROBOT_EVENTS)
         self.terminated[m] = self.truncated[m] = False
 
-    def seat(self, rows: Iterable[int]) -> None:
+    def build_spaces(self, rows: Iterable[int]) -> None:
         """Rebuild the Spaces of some matches from their records."""
         for m in rows:
             self.physics.set_space(m, build_space(self.settings.league, self.balls[m], self.robots[m]))
@@ -72,7 +72,7 @@ class Field:
         """Run one control step of a slice of matches."""
         if self.senses is not None:
             self.senses.asleep[first:last] = self.matches["over"][first:last]
-        if self.physics.way == "c":
+        if self.physics.backend == "c":
             self._step_at_once(first, last)
         else:
             self.step_in_stages(first, last, self.physics.step_slice)
@@ -115,7 +115,7 @@ class Field:
         if not self._truth_seen.shape[2]:
             self.observe(first, last)
 
-    def look_up(self, m: int) -> None:
+    def look_first(self, m: int) -> None:
         """Let the robots of a match that has just begun sense, believe and observe."""
         if self.senses is not None:
             self.senses.step(self, m, m + 1)
@@ -153,16 +153,16 @@ class Field:
             everyone = np.arange(self.robots.shape[1])
             self.write_observations(self.observations, self.settings.observe, everyone, first, last)
 
-    def write_observations(self, room: np.ndarray, observe: str, rows: np.ndarray, first: int, last: int) -> None:
-        """Write what some robots of a slice observe into room (M, R, n): of the truth everybody's, else of `rows`."""
+    def write_observations(self, out: np.ndarray, observe: str, rows: np.ndarray, first: int, last: int) -> None:
+        """Write what some robots of a slice observe into out (M, R, n): of the truth everybody's, else of `rows`."""
         if observe == "truth":
-            observe_slice(self.matches, self.balls, self.robots, room, self.constants, first, last)
+            observe_slice(self.matches, self.balls, self.robots, out, self.constants, first, last)
         elif observe == "percepts" and self.senses is not None:
-            self.senses.observe_percepts(self, room, rows, first, last)
+            self.senses.observe_percepts(self, out, rows, first, last)
         elif observe == "belief":
-            self._observe_beliefs(room, rows, first, last)
+            self._observe_beliefs(out, rows, first, last)
 
-    def _observe_beliefs(self, room: np.ndarray, rows: np.ndarray, first: int, last: int) -> None:
+    def _observe_beliefs(self, out: np.ndarray, rows: np.ndarray, first: int, last: int) -> None:
         """Write what robots believe: from the sensors of those that use them, from the truth for ideal ones."""
         self.believe_truth(rows, first, last)
         sensing = rows[:0] if self.senses is None else rows[self.senses.used[rows]]
@@ -170,7 +170,7 @@ class Field:
             if len(those):
                 beliefs, tracks = (told.beliefs, told.tracks) if isinstance(told, Senses) else self._ideal
                 observe_belief_slice(
-                    beliefs, tracks, self.robots, room, self.constants, self.settings.half_length, those, first, last
+                    beliefs, tracks, self.robots, out, self.constants, self.settings.half_length, those, first, last
                 )
 
     def _check(self, broken: int) -> None:
