@@ -280,6 +280,9 @@ class Missing:
 
 sys.meta_path.insert(0, Missing)
 for missing in ("torch", "stable_baselines3", "openskill"):
+    for name in list(sys.modules):  # whatever order they are imported in
+        if name.partition(".")[0] == missing or name.startswith("soccer_env.train.ppo"):
+            del sys.modules[name]
     print(main(["train", "--steps", "1"]), file=sys.stderr)
 """
 
