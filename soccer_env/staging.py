@@ -1,6 +1,9 @@
-"""Put robots and ball of running matches somewhere, for claims and tests.
+"""Put robots and ball of running matches somewhere, and reach what the parts of a match keep, for claims and tests.
 
-Records are set directly; `match.rebuild()` then rebuilds the physics from them.
+    put(match, 0, x=0.0, y=0.0); put_ball(match, 0.5, 0.0)      records are set directly
+    begin(match)                                                bodies and senses then follow from them
+
+Whoever stages a match reaches inside it through this file alone: what robots, players and sensors keep may move.
 """
 
 from __future__ import annotations
@@ -15,6 +18,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.league import NEVER, League
 from soccer_env.match import Match
 from soccer_env.physics.space import parking_place
+from soccer_env.squads import Squad
 from soccer_env.types import NO_TEAM
 
 
@@ -57,3 +61,75 @@ def put_ball(match: Match, x: Any, y: Any, vx: Any = 0.0, vy: Any = 0.0, rolls: 
     ball["roll_x"], ball["roll_y"] = (vx, vy) if rolls else (0.0, 0.0)
     ball["spin"] = 0.0
     match.matches["still_x"], match.matches["still_y"], match.matches["still_clock"] = x, y, 0.0
+
+
+def begin(match: Match, placed: bool = False) -> None:
+    """Let a staged scene begin: bodies where the records say, and robots that have seen nothing yet.
+
+    `placed`: robots know where they were put, as after a restart, and take their first look.
+    """
+    match.rebuild()
+    if match.batch.senses is not None:
+        for m in range(match.count):
+            match.batch.senses.start(m, match.robots)
+    if placed:
+        match.robots["placed"] = match.robots["active"]
+        for m in range(match.count):
+            match.batch.look_first(m)
+
+
+# What the parts of a match keep: views, to be read and changed
+
+
+def squad_of(match: Match, r: int) -> Squad:
+    """Return the squad that plays robot r; ValueError for a robot that is played from outside."""
+    for squad in match.squads:
+        if r in squad.players:
+            return squad
+    raise ValueError(f"robot {r} is played from outside: no team of the match remembers anything for it")
+
+
+def memory_of(match: Match, r: int = 0) -> np.ndarray:
+    """Return what the player of robot r remembers (M,), its team's own record."""
+    squad = squad_of(match, r)
+    memory: np.ndarray = squad.memory[:, int(np.flatnonzero(squad.players == r)[0])]
+    return memory
+
+
+def team_settings_of(match: Match, r: int = 0) -> np.ndarray:
+    """Return the records (rows,) of settings that the compiled team of robot r reads."""
+    settings: np.ndarray = squad_of(match, r).team.settings  # type: ignore[attr-defined]  # of compiled teams alone
+    return settings
+
+
+def sensors_of(match: Match) -> np.ndarray:
+    """Return the record (1,) of the sensor settings that the running match reads."""
+    settings: np.ndarray = _senses_of(match).sensors
+    return settings
+
+
+def memory_settings_of(match: Match) -> np.ndarray:
+    """Return the record (1,) of the memory settings, of sensors and beliefs, that the running match reads."""
+    settings: np.ndarray = _senses_of(match).memory_settings
+    return settings
+
+
+def constants_of(match: Match) -> np.ndarray:
+    """Return the record (1,) of the league's constants that the running match reads."""
+    return match.batch.constants
+
+
+def set_mass(match: Match, rows: Iterable[int], mass: float, moment: float) -> None:
+    """Give robots another mass [kg] and moment of inertia [kg m2], until their Space is rebuilt."""
+    for space in match.batch.physics.spaces:
+        bodies = [] if space is None else list(space.bodies)
+        for r in rows:
+            body = bodies[1 + r]  # the ball comes first
+            body.mass, body.moment = mass, moment
+
+
+def _senses_of(match: Match) -> Any:
+    """Return the senses of a match; ValueError if nobody uses its sensors."""
+    if match.batch.senses is None:
+        raise ValueError("nobody in this match uses its sensors")
+    return match.batch.senses

@@ -11,6 +11,7 @@ from soccer_env.baselines.sacks_2001.memory import DRIBBLE
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
+from soccer_env.staging import memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.staging import LEGGED, begin, put, put_ball, stage
@@ -64,19 +65,16 @@ def place_with_ball(match: Match, x: Any = START, y: Any = 0.0, heading: Any = 0
 
 def begin_dribbling(match: Match) -> None:
     """Let the scene begin with robots that know where they were put, and robot 0's player dribbling already."""
-    begin(match)
-    match.robots["placed"] = match.robots["active"]
-    for m in range(match.count):
-        match.batch.look_first(m)
+    begin(match, placed=True)
     start_dribbling(match)
 
 
 def start_dribbling(match: Match) -> None:
     """Let the first player of a sacks team have felt the ball between its paws just now: it dribbles already."""
-    if match.squads:
-        memory = match.squads[0].memory
-        memory["begun"][:, 0], memory["behaviour"][:, 0], memory["attacks"][:, 0] = 1, DRIBBLE, 1
-        memory["had_ball"][:, 0] = memory["role_clock"][:, 0] = 0.0
+    if not match.learns[0]:
+        memory = memory_of(match)
+        memory["begun"], memory["behaviour"], memory["attacks"] = 1, DRIBBLE, 1
+        memory["had_ball"] = memory["role_clock"] = 0.0
 
 
 def run(match: Match, seconds: float, actions: np.ndarray | None = None, moved: Any = None) -> Way:
@@ -97,7 +95,7 @@ def note(match: Match) -> tuple[np.ndarray, ...]:
     robot, ball = match.robots[:, 0], match.balls
     away = np.hypot(ball["x"] - robot["x"], ball["y"] - robot["y"])
     gap = away - match.league.body.front - match.league.ball.radius
-    dribbles = match.squads[0].memory["behaviour"][:, 0] == DRIBBLE if match.squads else np.ones(match.count, bool)
+    dribbles = np.ones(match.count, bool) if match.learns[0] else memory_of(match)["behaviour"] == DRIBBLE
     fields = (robot["x"], robot["y"], gap, robot["has_ball"] == 1, dribbles, match.robot_events["collision"][:, 0] == 1)
     scored = match.matches["score"][:, 0] > 0
     return tuple(np.array(value) for value in (*fields, ball["x"], ball["y"], scored))

@@ -19,6 +19,7 @@ import numpy as np
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
+from soccer_env.staging import begin as begin
 from soccer_env.staging import patient, send_off, set_phase
 from soccer_env.staging import put as put
 from soccer_env.staging import put_ball as put_ball
@@ -58,15 +59,6 @@ def hide_ball(match: Match, rows: Any = slice(None)) -> None:
     """Take the ball out of sight in some matches (rows or a mask), far behind the boards, where it lies still."""
     for name, value in (("x", 50.0), ("y", 50.0), ("vx", 0.0), ("vy", 0.0), ("roll_x", 0.0), ("roll_y", 0.0)):
         match.balls[name][rows] = value
-
-
-def begin(match: Match) -> None:
-    """Let the scene begin: bodies where the records say, and robots that have seen nothing yet."""
-    match.rebuild()
-    senses = match.batch.senses
-    if senses is not None:
-        for m in range(match.count):
-            senses.start(m, match.robots)
 
 
 def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Iterator[int]:

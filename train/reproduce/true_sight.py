@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.staging import sensors_of
 from soccer_env.train.reproduce.staging import from_robot, play, standing
 
 
@@ -69,22 +70,14 @@ def blind(match: Match) -> None:
     """Let no frame show the ball any more, nor what robots take for it, from now on; patches are the caller's."""
     for name, value in BLIND.items():
         if hasattr(match.league.sensors, name):
-            records_of(match)[name] = value
+            sensors_of(match)[name] = value
 
 
 def see_again(match: Match) -> None:
     """End what `blind` did."""
     for name in BLIND:
         if hasattr(match.league.sensors, name):
-            records_of(match)[name] = getattr(match.league.sensors, name)
-
-
-def records_of(match: Match) -> np.ndarray:
-    """Return the (1,) record of the sensor settings that the running match reads."""
-    senses = match.batch.senses
-    assert senses is not None, "nobody uses its sensors"
-    record: np.ndarray = senses.sensors
-    return record
+            sensors_of(match)[name] = getattr(match.league.sensors, name)
 
 
 def follow(match: Match, keep: float = 0.0, r: int = 0) -> np.ndarray:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
+from soccer_env.staging import memory_of
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims import goalkeeper
 from soccer_env.train.reproduce.claims.dribble import dribbling
@@ -55,7 +56,7 @@ def test_a_dribbler_begins_with_its_ball_and_knows_where_it_is() -> None:
     assert (np.hypot(own["x"] - START, own["y"]) < 0.15).all()
     for _ in range(32):
         match.step()
-    assert (match.squads[0].memory["behaviour"][:, 0] == DRIBBLE).mean() > 0.8
+    assert (memory_of(match)["behaviour"] == DRIBBLE).mean() > 0.8
     assert match.robots["has_ball"][:, 0].all()
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env.optics import head_camera as optics
+from soccer_env.staging import memory_settings_of
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims import find_claims
 from soccer_env.train.reproduce.claims.players import blobs as players_blobs
@@ -18,7 +19,6 @@ from soccer_env.train.reproduce.claims.players.seen import (
     is_fresh,
     look_at,
     matched,
-    memory_of,
     nearest_seen,
     owners,
     places_of,
@@ -153,7 +153,7 @@ def test_two_in_view_do_not_touch() -> None:
 
 def test_the_memory_reads_the_settings_that_a_claim_changes() -> None:
     match = looking(matches=4)
-    memory_of(match)["ghost_time"] = 0.0
+    memory_settings_of(match)["ghost_time"] = 0.0
     match.step(standing(match))
     assert (slots_of(match)["age"] == 0.0).all()
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK
+from soccer_env.staging import memory_of
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims import all_claims, find_claims
 from soccer_env.train.reproduce.claims.stuck import collisions, false_alarms, recovery
@@ -15,7 +16,6 @@ from soccer_env.train.reproduce.claims.stuck.runs import (
     approaches,
     behind_post,
     hold,
-    mind,
     recover,
     recovers,
     walk_up,
@@ -66,13 +66,13 @@ def test_without_an_anchor_a_standing_robot_gives_way() -> None:
 
 def test_a_recovery_that_is_begun_for_it_goes_as_the_team_goes() -> None:
     match = recovery.begin_recovery(BATCH, 0.4, back_steps=2)
-    assert (mind(match)["behaviour"] == BACK).all() and (mind(match)["tries"] == 1).all()
+    assert (memory_of(match)["behaviour"] == BACK).all() and (memory_of(match)["tries"] == 1).all()
     seen = set()
     for _ in play(match, 5.0):
-        seen |= set(mind(match)["behaviour"].tolist())
+        seen |= set(memory_of(match)["behaviour"].tolist())
     assert BACK in seen and APPROACH in seen
     recover(match, np.arange(match.count) < 3)
-    assert (mind(match)["behaviour"][:3] == BACK).all()
+    assert (memory_of(match)["behaviour"][:3] == BACK).all()
 
 
 @pytest.mark.parametrize(

@@ -42,10 +42,7 @@ def face_shots(batch: Batch, settings: dict[str, Any], **more: Any) -> tuple[np.
     there = goal + OUT * np.cos(facing) - aside * np.sin(facing), OUT * np.sin(facing) + aside * np.cos(facing)
     put(match, 0, *there, facing)
     put_ball(match, x, y)
-    begin(match)
-    match.robots["placed"] = match.robots["active"]
-    for m in range(match.count):
-        match.batch.look_first(m)
+    begin(match, placed=True)
     return shoot(match, x, y, speed * np.cos(way), speed * np.sin(way)), speed
 
 

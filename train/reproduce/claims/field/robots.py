@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
+from soccer_env.staging import memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims.field.point_runs import SIDE
@@ -95,7 +96,7 @@ def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str =
     off: list[np.ndarray] = []
 
     def note(step: int) -> None:
-        memory, robot = match.squads[0].memory[:, 0], match.robots[:, 0]
+        memory, robot = memory_of(match), match.robots[:, 0]
         goal = np.arctan2(-robot["y"], GOAL_X - robot["x"])
         off.append(np.where(memory["behaviour"] == DRIBBLE, wrapped(memory["way"] - goal), np.nan))
 

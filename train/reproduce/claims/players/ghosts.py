@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.staging import memory_settings_of
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.grouping import (
     TILT,
@@ -21,7 +22,6 @@ from soccer_env.train.reproduce.claims.players.grouping import (
 from soccer_env.train.reproduce.claims.players.seen import (
     gaps_to,
     matched,
-    memory_of,
     put_facing,
     slots_of,
     turn_head,
@@ -58,10 +58,10 @@ def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
         turn_head(match, actions, 0, pan, TILT)
         for _ in play(match, seconds, actions):
             pass
-    chosen, factor = float(memory_of(match)["grouping"][0]), EVENTS[event]
-    memory_of(match)["grouping"] = chosen if factor is None else factor
+    chosen, factor = float(memory_settings_of(match)["grouping"][0]), EVENTS[event]
+    memory_settings_of(match)["grouping"] = chosen if factor is None else factor
     match.step(actions)
-    memory_of(match)["grouping"] = chosen
+    memory_settings_of(match)["grouping"] = chosen
     ghosts, missed = ghosts_and_misses(*seen_and_believed(match))
     errors = [error_of(match)]
     for _ in play(match, AFTER, actions):

@@ -174,11 +174,3 @@ def slot_bearings(match: Match, slots: np.ndarray) -> np.ndarray:
     ahead, left = cosine * dx + sine * dy, cosine * dy - sine * dx
     bearing: np.ndarray = np.arctan2(slots["y"] - left[:, None], slots["x"] - ahead[:, None])
     return bearing
-
-
-def memory_of(match: Match) -> np.ndarray:
-    """Return the (1,) record of the memory settings that the running match reads."""
-    senses = match.batch.senses
-    assert senses is not None, "nobody uses its sensors"
-    record: np.ndarray = senses.memory_settings
-    return record

@@ -10,10 +10,11 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH
 from soccer_env.match import Match
+from soccer_env.staging import memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
-from soccer_env.train.reproduce.claims.stuck.runs import begin_seeking, behind_post
-from soccer_env.train.reproduce.staging import LEGGED, ahead_of, kick_off, play, put, put_ball, stage
+from soccer_env.train.reproduce.claims.stuck.runs import behind_post
+from soccer_env.train.reproduce.staging import LEGGED, ahead_of, begin, kick_off, play, put, put_ball, stage
 from soccer_env.train.reproduce.values import mean
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
 
@@ -205,8 +206,8 @@ def push(batch: Batch) -> Samples:
             controllers={side: make_team("sacks-2001", recovery=recovery) for side in ("home", "away")},
         )  # fmt: skip
         until = np.full(PUSHES, np.inf)
-        for squad in match.squads:  # they have been after the ball before
-            squad.memory["begun"], squad.memory["attacks"], squad.memory["behaviour"] = 1, 1, APPROACH
+        for memory in (memory_of(match, r) for r in range(2)):  # they have been after the ball before
+            memory["begun"], memory["attacks"], memory["behaviour"] = 1, 1, APPROACH
         for step in play(match, DEADLOCK):
             until[match.events["drill"] != 0] = (step + 1) * match.league.dt
         match.close()
@@ -260,7 +261,7 @@ def steal(batch: Batch, avoid: bool) -> np.ndarray:
     put_ball(match, *ahead_of(match, 1, match.league.body.front + match.league.ball.radius + 0.003, 0.0))
     angle, away = np.pi + rng.uniform(-1.2, 1.2, STEALS), rng.uniform(0.5, 0.8, STEALS)
     put(match, 0, x + away * np.cos(angle), y + away * np.sin(angle), angle + np.pi + rng.uniform(-0.3, 0.3, STEALS))
-    begin_seeking(match)
+    begin(match, placed=True)
     won, over = np.zeros(STEALS), np.zeros(STEALS, bool)
     for _ in play(match, STEAL_TIME):
         alone = (match.robots["has_ball"][:, 0] == 1) & (match.robots["has_ball"][:, 1] == 0)

@@ -10,10 +10,11 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import BACK
 from soccer_env.match import Match
+from soccer_env.staging import memory_of
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.stuck.detection import NEAR, latencies
-from soccer_env.train.reproduce.claims.stuck.runs import begin_seeking, recovers, seekers
-from soccer_env.train.reproduce.staging import ahead_of, ball_from, kick_off, play, put, put_ball
+from soccer_env.train.reproduce.claims.stuck.runs import recovers, seekers
+from soccer_env.train.reproduce.staging import ahead_of, ball_from, begin, kick_off, play, put, put_ball
 from soccer_env.train.reproduce.values import least_rise, mean
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
 
@@ -39,7 +40,7 @@ def approach(batch: Batch, rolls: bool, **settings: Any) -> np.ndarray:
     angle, speed = rng.uniform(-np.pi, np.pi, TRIES), rng.uniform(*ROLLS, TRIES) * float(rolls)
     place = ahead_of(match, 0, rng.uniform(0.4, 0.9, TRIES), rng.uniform(-np.pi, np.pi, TRIES))
     put_ball(match, *place, speed * np.cos(angle), speed * np.sin(angle))
-    begin_seeking(match)
+    begin(match, placed=True)
     alarms, over = np.zeros(TRIES), np.zeros(TRIES, bool)
     for _ in play(match, TIME):
         alarms[recovers(match) & ~over] = 1.0
@@ -116,7 +117,7 @@ def alarms_in_play(batch: Batch) -> tuple[np.ndarray, np.ndarray]:
     for _ in play(match, PLAY_TIME):
         signs = [*signs[1 - rows :], np.stack([signs_of(match, r) for r in range(count)], axis=-1)]
         contact = [*contact[1 - rows :], match.robot_events["collision"] == 1]
-        behaviour = np.concatenate([squad.memory["behaviour"] for squad in match.squads], axis=1)
+        behaviour = np.stack([memory_of(match, r)["behaviour"] for r in range(count)], axis=1)
         begins, before = (behaviour == BACK) & ~before, behaviour == BACK
         recoveries += begins.sum(axis=1)
         for m, r in np.argwhere(begins & (np.mean(contact, axis=0) < FREE)):

@@ -11,9 +11,10 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import BACK, SIDESTEP
 from soccer_env.match import Match
+from soccer_env.staging import memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.reproduce.claims.stuck.runs import behind_post, mind, recover, recovers
+from soccer_env.train.reproduce.claims.stuck.runs import behind_post, recover, recovers
 from soccer_env.train.reproduce.staging import LEGGED, ball_from, play, wrapped
 from soccer_env.train.reproduce.values import known, mean
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
@@ -47,8 +48,8 @@ class Watch:
         pushes = ~np.isnan(self.free) & still & (match.robot_events["collision"][:, 0] == 1)
         self.pushing = np.where(pushes, self.pushing + match.league.dt, 0.0)
         self.stuck[np.isnan(self.stuck) & (self.pushing >= PUSHED)] = now
-        self.tries += (mind(match)["behaviour"] == BACK) & ~self.was & np.isnan(self.got)
-        self.was = mind(match)["behaviour"] == BACK
+        self.tries += (memory_of(match)["behaviour"] == BACK) & ~self.was & np.isnan(self.got)
+        self.was = memory_of(match)["behaviour"] == BACK
         self.got[np.isnan(self.got) & (robot["has_ball"] == 1)] = now
 
 
@@ -155,10 +156,10 @@ def sidestep(batch: Batch, either: bool) -> Samples:
     before, after, watch = misalignment(match), np.full(RUNS, np.nan), Watch(match)
     asides = np.zeros(RUNS, bool)
     for step in play(match, 9.0 + CLEAR):
-        stepping = mind(match)["behaviour"] == SIDESTEP
+        stepping = memory_of(match)["behaviour"] == SIDESTEP
         asides |= stepping
         if either:
-            match.squads[0].memory["side"][stepping, 0] = side[stepping]
+            memory_of(match)["side"][stepping] = side[stepping]
         watch.note((step + 1) * match.league.dt)
         now = ~np.isnan(watch.free) & np.isnan(after)
         after[now] = misalignment(match)[now]
@@ -219,7 +220,7 @@ def face_wall(batch: Batch, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
     solved, tries = np.zeros(WALL_RUNS), np.zeros(WALL_RUNS)
     for _ in play(match, LONGEST):
         solved += match.events["drill"] == 1
-        tries = np.where(match.matches["over"] == 1, tries, np.maximum(tries, mind(match)["tries"]))
+        tries = np.where(match.matches["over"] == 1, tries, np.maximum(tries, memory_of(match)["tries"]))
     match.close()
     return solved, tries
 

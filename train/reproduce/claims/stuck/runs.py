@@ -14,7 +14,8 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE
 from soccer_env.match import Match
-from soccer_env.teams import CompiledTeam, make_team
+from soccer_env.staging import constants_of, memory_of, set_mass, team_settings_of
+from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.staging import LEGGED, ahead_of, begin, put, put_ball, stage
 
@@ -32,35 +33,21 @@ def seekers(batch: Batch, matches: int, others: int = 1, **settings: Any) -> Mat
     return stage(batch, LEGGED, matches=matches, away=others, controllers=sides)
 
 
-def begin_seeking(match: Match) -> None:
-    """Let the scene begin with robots that know where they were put."""
-    begin(match)
-    match.robots["placed"] = match.robots["active"]
-    for m in range(match.count):
-        match.batch.look_first(m)
-
-
-def mind(match: Match) -> np.ndarray:
-    """Return what the player of robot 0 remembers (M,), the team's own record."""
-    memory: np.ndarray = match.squads[0].memory[:, 0]
-    return memory
-
-
 def recovers(match: Match) -> np.ndarray:
     """Return where (M,) the player of robot 0 is recovering from a collision."""
-    behaviour = mind(match)["behaviour"]
+    behaviour = memory_of(match)["behaviour"]
     return (behaviour >= BACK) & (behaviour <= ROTATE)
 
 
 def approaches(match: Match) -> np.ndarray:
     """Return where (M,) the player of robot 0 tries to get to the ball."""
-    found: np.ndarray = mind(match)["behaviour"] == APPROACH
+    found: np.ndarray = memory_of(match)["behaviour"] == APPROACH
     return found
 
 
 def hold(match: Match) -> None:
     """Immobilise robots: from now on they go nowhere, whatever their legs do; they can still turn."""
-    match.batch.constants["drive_traction"] = NO_GRIP
+    constants_of(match)["drive_traction"] = NO_GRIP
     for name in ("vx", "vy"):
         match.robots[name] = 0.0
     match.rebuild()
@@ -68,11 +55,7 @@ def hold(match: Match) -> None:
 
 def anchor(match: Match, rows: Sequence[int]) -> None:
     """Make robots so heavy that nobody pushes them aside."""
-    for space in match.batch.physics.spaces:
-        bodies = [] if space is None else list(space.bodies)
-        for r in rows:
-            body = bodies[1 + r]  # the ball comes first
-            body.mass, body.moment = HEAVY, HEAVY
+    set_mass(match, rows, HEAVY, HEAVY)
 
 
 def walk_up(batch: Batch, matches: int, nearest: float, farthest: float, **settings: Any) -> Match:
@@ -82,7 +65,7 @@ def walk_up(batch: Batch, matches: int, nearest: float, farthest: float, **setti
     heading = rng.uniform(-0.5, 0.5, matches)
     put(match, 0, START, rng.uniform(-0.3, 0.3, matches), heading, forward=match.league.drive.forward)
     put_ball(match, *ahead_of(match, 0, rng.uniform(nearest, farthest, matches), rng.uniform(-0.3, 0.3, matches)))
-    begin_seeking(match)
+    begin(match, placed=True)
     return match
 
 
@@ -101,15 +84,14 @@ def behind_post(batch: Batch, matches: int, ways: float = 0.4, **settings: Any) 
     post_x, post_y = x + ahead * np.cos(way) - aside * np.sin(way), y + ahead * np.sin(way) + aside * np.cos(way)
     put(match, 1, post_x, post_y, way + np.pi + rng.uniform(-0.3, 0.3, matches))
     put_ball(match, *ahead_of(match, 0, ahead + rng.uniform(*BEYOND, matches), 0.0))
-    begin_seeking(match)
+    begin(match, placed=True)
     anchor(match, (1,))
     return match
 
 
 def recover(match: Match, rows: Any = slice(None)) -> None:
     """Let the player of robot 0 begin a recovery now, as if it had noticed that it is stuck."""
-    memory, team = match.squads[0].memory, match.squads[0].team
-    assert isinstance(team, CompiledTeam)
-    memory["behaviour"][rows, 0], memory["clock"][rows, 0], memory["stuck"][rows, 0] = BACK, 0.0, 0
-    memory["tries"][rows, 0] = 1
-    memory["left"][rows, 0] = team.settings["back_steps"][0] * match.league.drive.gait_steps * match.league.dt
+    memory, steps = memory_of(match), team_settings_of(match)["back_steps"][0]
+    memory["behaviour"][rows], memory["clock"][rows], memory["stuck"][rows] = BACK, 0.0, 0
+    memory["tries"][rows] = 1
+    memory["left"][rows] = steps * match.league.drive.gait_steps * match.league.dt

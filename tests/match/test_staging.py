@@ -1,0 +1,87 @@
+"""What staging shows of a running match is the match's own: what is written there is what the match plays with."""
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.baselines.sacks_2001.memory import DRIBBLE, SHOOT
+from soccer_env.staging import (
+    begin,
+    constants_of,
+    memory_of,
+    memory_settings_of,
+    put,
+    put_ball,
+    sensors_of,
+    set_mass,
+    team_settings_of,
+)
+
+
+def sacks(**settings: object) -> Match:
+    """Return two matches of sacks-2001 (home, 2 robots) against robots that stand (2)."""
+    sides = {"home": "sacks-2001", "away": "still"}
+    return Match("legged-2001", home=2, away=2, matches=2, seed=4, controllers=sides, pose="percept", **settings)
+
+
+def test_a_players_memory_is_its_teams_record_of_that_robot() -> None:
+    match = sacks()
+    memory_of(match, 0)["behaviour"], memory_of(match, 1)["behaviour"] = DRIBBLE, [SHOOT, DRIBBLE]
+    assert match.squads[0].memory["behaviour"].tolist() == [[DRIBBLE, SHOOT], [DRIBBLE, DRIBBLE]]
+    memory_of(match, 3)["unused"] = 7
+    assert match.squads[1].memory["unused"].tolist() == [[0, 7], [0, 7]]
+    assert team_settings_of(match, 1) is match.squads[0].team.settings  # type: ignore[attr-defined]
+
+
+def test_a_robot_that_is_played_from_outside_has_no_memory() -> None:
+    match = Match("legged-2001", home=1, away=1, opponents="still")
+    with pytest.raises(ValueError, match="robot 0 is played from outside"):
+        memory_of(match, 0)
+
+
+@pytest.mark.parametrize("of", [sensors_of, memory_settings_of])
+def test_a_match_without_sensors_has_no_settings_of_them(of: object) -> None:
+    with pytest.raises(ValueError, match="nobody in this match uses its sensors"):
+        of(sacks(senses="ideal"))  # type: ignore[operator]
+
+
+def test_what_the_match_reads_can_be_changed() -> None:
+    match = sacks()
+    put(match, 0, 0.0, 0.0)
+    put_ball(match, 0.5, 0.0)
+    begin(match)
+    sensors_of(match)["ball_miss"] = 1.0
+    sensors_of(match)["red_as_orange"] = 0.0  # nor what is taken for it
+    for _ in range(32):
+        match.step(None)
+    assert (match.beliefs["ball"]["confidence"][:, 0] == 0.0).all()
+    constants_of(match)["drive_traction"] = 1e-6
+    x = match.robots["x"][:, 0].copy()
+    for _ in range(32):
+        match.step(None)
+    assert np.abs(match.robots["x"][:, 0] - x).max() < 0.05
+
+
+def test_a_scene_begins_with_robots_that_know_where_they_are_or_not() -> None:
+    known, lost = sacks(), sacks()
+    for match, placed in ((known, True), (lost, False)):
+        put(match, 0, 0.4, -0.3, 1.0)
+        begin(match, placed=placed)
+    assert np.hypot(known.beliefs["own"]["x"][:, 0] - 0.4, known.beliefs["own"]["y"][:, 0] + 0.3).max() < 0.3
+    assert (lost.beliefs["ball"]["confidence"] == 0.0).all()
+
+
+def test_a_heavy_robot_stays_where_a_walking_one_pushes_it() -> None:
+    moved = []
+    for mass in (None, 1e4):
+        match = Match("legged-2001", home=1, away=1, rules="none", seed=2)
+        put(match, 0, 0.0, 0.0)
+        put(match, 1, 0.3, 0.0)
+        put_ball(match, 0.0, 0.8)
+        begin(match)
+        if mass:
+            set_mass(match, (1,), mass, mass)
+        for _ in range(64):
+            match.step(np.array([[[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]]]))
+        moved.append(abs(float(match.robots["x"][0, 1]) - 0.3))
+    assert moved[0] > 0.02 > 0.001 > moved[1]
