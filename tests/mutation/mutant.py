@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import NamedTuple
+
+from tests.mutation import syntax
 
 
 class Mutant(NamedTuple):
@@ -10,6 +13,15 @@ class Mutant(NamedTuple):
 
     id: str  # of the mechanism, as in soccer_env/REFERENCES.md
     file: str
-    original: str  # stands exactly once in the file
+    original: str  # expression or statements that stand once in the file, in whatever layout; see syntax.py
     replacement: str
     test: str
+    where: str = ""  # function or class to look in, if that stands in others as well
+
+    def changed(self, text: str) -> str:
+        """Return the text of the file with the mechanism switched off; ValueError if its piece is not there once."""
+        if Path(self.file).suffix == ".py":
+            return syntax.replace(text, self.original, self.replacement, self.where)
+        if text.count(self.original) != 1:
+            raise ValueError(f"{self.original!r} stands {text.count(self.original)} times in {self.file}")
+        return text.replace(self.original, self.replacement)
