@@ -22,9 +22,10 @@ from soccer_env.baselines.deciding import PLAY, TEAM, apply_strength, free_ring,
 from soccer_env.baselines.goalkeeping import keep_goal
 from soccer_env.baselines.sight import SIGHT, look, side_of
 from soccer_env.baselines.skills import go
-from soccer_env.compiled import compiled, records
+from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
 from soccer_env.random_numbers import uniform
+from soccer_env.team_kernels import per_player
 from soccer_env.teams import CompiledTeam
 
 MEMORY = np.dtype(
@@ -102,22 +103,11 @@ SETTINGS = np.dtype([("strength", "f8"), *((name, "f8") for name in NUMBERS)])
 def team(strength: float = 1.0) -> CompiledTeam:
     """Return the team; `settings` has a row for each kind of base, in the order of `DRIVE_KINDS`."""
     rows = [(strength, *(numbers[kind] for numbers in NUMBERS.values())) for kind in range(3)]
-    return CompiledTeam("chaser", chase, MEMORY, np.array(rows, SETTINGS))
+    return CompiledTeam("chaser", CHASER, MEMORY, np.array(rows, SETTINGS))
 
 
 @compiled
-def chase(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
-    """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
-    sight = records(1, SIGHT)
-    k, play = constants[0], settings[constants[0].drive_kind]
-    for m in range(first, last):
-        for p in range(len(players)):
-            r = players[p]
-            act(beliefs[m, r], tracks[m, r], memory[m, p], noise[m, r], commands[m, r], k, play, sight[0])
-
-
-@compiled
-def act(belief, tracks, memory, noise, command, k, play, sight):
+def chase(belief, tracks, memory, noise, command, k, play, sight):
     """Decide, or repeat the last decision until it is time for the next."""
     if not must_decide(belief, memory, command, k):
         return
@@ -215,3 +205,6 @@ def support_place(memory, play, ring):
     pair = memory.rank // 2
     side = memory.side if memory.rank % 2 == 0 else -memory.side
     return play.back * (pair - 0.5), side * play.aside
+
+
+CHASER = per_player(chase, SIGHT)

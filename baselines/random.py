@@ -6,6 +6,7 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.random_numbers import uniform
+from soccer_env.team_kernels import STRENGTH, per_blind_player
 from soccer_env.teams import CompiledTeam
 from soccer_env.types import RobotStream
 
@@ -18,29 +19,20 @@ MEMORY = np.dtype(
         ("kick", "f8"),  # [-1, 1]
     ]
 )
-SETTINGS = np.dtype([("strength", "f8")])
 LONGEST = 1.5  # [s] a command is kept at most
 TEAM = int(RobotStream.TEAM)
 
 
 def team(strength: float = 1.0) -> CompiledTeam:
     """Return a team of random walkers; `strength` scales their speed and how often they kick."""
-    return CompiledTeam("random", wander, MEMORY, np.array([(strength,)], SETTINGS), blind=True)
+    return CompiledTeam("random", RANDOM, MEMORY, np.array([(strength,)], STRENGTH), blind=True)
 
 
 @compiled
-def wander(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
-    """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
-    for m in range(first, last):
-        for p in range(len(players)):
-            r = players[p]
-            wander_on(memory[m, p], noise[m, r], commands[m, r], constants[0].dt, settings[0].strength)
-
-
-@compiled
-def wander_on(memory, noise, command, dt, strength):
+def wander(memory, noise, command, k, settings):
     """Keep the remembered command or draw a new one."""
-    memory.seconds -= dt
+    strength = settings.strength
+    memory.seconds -= k.dt
     if memory.seconds <= 0.0:
         memory.seconds = LONGEST * uniform(noise, TEAM)
         memory.forward = strength * (2.0 * uniform(noise, TEAM) - 1.0)
@@ -50,3 +42,6 @@ def wander_on(memory, noise, command, dt, strength):
     command.forward, command.left = memory.forward, memory.left
     command.turn, command.kick = memory.turn, memory.kick
     command.head = -1.0
+
+
+RANDOM = per_blind_player(wander)

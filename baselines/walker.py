@@ -7,24 +7,22 @@ from __future__ import annotations
 
 import numpy as np
 
+from soccer_env.baselines.skills import stand
 from soccer_env.compiled import compiled
+from soccer_env.team_kernels import NO_MEMORY, STRENGTH, per_blind_player
 from soccer_env.teams import CompiledTeam
-
-MEMORY = np.dtype([("unused", "i8")])
-SETTINGS = np.dtype([("strength", "f8")])
 
 
 def team(strength: float = 1.0) -> CompiledTeam:
     """Return a team whose players walk on and on."""
-    return CompiledTeam("walker", walk_on, MEMORY, np.array([(strength,)], SETTINGS), blind=True)
+    return CompiledTeam("walker", WALKER, NO_MEMORY, np.array([(strength,)], STRENGTH), blind=True)
 
 
 @compiled
-def walk_on(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
-    """Command every player to walk straight ahead."""
-    for m in range(first, last):
-        for r in players:
-            command = commands[m, r]
-            command.forward = settings[0].strength
-            command.left = command.turn = command.kick = 0.0
-            command.head = -1.0
+def walk_on(memory, noise, command, k, settings):
+    """Walk straight ahead."""
+    stand(command)
+    command.forward = settings.strength
+
+
+WALKER = per_blind_player(walk_on)

@@ -1,7 +1,17 @@
 """What a team is, and the registry of named teams.
 
 A team decides from beliefs alone. It is a protocol: anything with `name`, `memory_dtype` and `act` plays. The shipped
-teams also offer a compiled `kernel`, which a match runs without Python between its steps.
+teams also offer a compiled `kernel`, which a match runs without Python between its steps (`team_kernels.py`).
+
+A package of one's own ships teams by name with the entry point group `soccer_env.teams`; in its pyproject.toml:
+
+    [project.entry-points."soccer_env.teams"]
+    lions = "my_package.lions:team"
+
+What an entry point names is a factory, not a team: it takes `strength` (0 to 1, what follows the @ of lions@0.5) and,
+by name, whatever settings the team has (lions:brave=True), and returns the team.
+
+    def team(strength: float = 1.0, brave: bool = False) -> Team: ...
 """
 
 from __future__ import annotations
@@ -241,9 +251,10 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
         raise ValueError(f"unknown team {name!r}; known: {', '.join(known)}, or a policy file ({', '.join(FILES)})")
     factory = found(known[name])
     changes = {**changes, **settings}
+    check_factory(name, known[name], factory)
     check_accepted(name, factory, changes)
     made: Team = factory(strength=from_name, **changes)
-    return made
+    return make_team(made)
 
 
 def team_of_file(path: str, where: str, settings: dict[str, Any]) -> Team:
@@ -259,6 +270,13 @@ def found(where: str) -> Callable[..., Any]:
     module, _, attribute = where.partition(":")
     factory: Callable[..., Any] = getattr(import_module(module), attribute)
     return factory
+
+
+def check_factory(name: str, where: str, factory: Any) -> None:
+    """Raise ValueError unless what a named team stands for is a factory that takes a strength."""
+    accepted = signature(factory).parameters.values() if callable(factory) else ()
+    if not any(one.name == "strength" or one.kind is one.VAR_KEYWORD for one in accepted):
+        raise ValueError(f"team {name!r} must be a function that takes strength=, {where} is {factory!r}")
 
 
 def check_accepted(name: str, factory: Callable[..., Any], settings: dict[str, Any]) -> None:

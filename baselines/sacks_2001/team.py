@@ -1,4 +1,4 @@
-"""The teams sacks-2001 and sacks-2001-future, as kernels that decide for all their players in a slice of matches."""
+"""The teams sacks-2001, sacks-2001-future and sacks-2001-tuned: one kernel, three sets of settings."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from soccer_env.baselines.sacks_2001.planner import decide
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.sightings import NEVER
 from soccer_env.baselines.sight import SIGHT, look
-from soccer_env.compiled import compiled, records
+from soccer_env.compiled import compiled
+from soccer_env.team_kernels import per_player
 from soccer_env.teams import CompiledTeam
 
 LEAGUES = ("legged",)
@@ -21,34 +22,23 @@ FUTURE = {"passes": True, "keeper_speed": True, "free_side": True, "decisive": T
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team; `changes` are settings by name, ValueError for one that does not exist or cannot be."""
     settings = SacksSettings().changed({"strength": strength, **changes})
-    return CompiledTeam("sacks-2001", play, MEMORY, settings.record(), LEAGUES, settings)
+    return CompiledTeam("sacks-2001", KERNEL, MEMORY, settings.record(), LEAGUES, settings)
 
 
 def future(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team with what the paper leaves to the future: passes, better goalkeeper, sidesteps and decisions."""
     settings = SacksSettings().changed({"strength": strength, **FUTURE, **changes})
-    return CompiledTeam("sacks-2001-future", play, MEMORY, settings.record(), LEAGUES, settings)
+    return CompiledTeam("sacks-2001-future", KERNEL, MEMORY, settings.record(), LEAGUES, settings)
 
 
 def tuned(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team with other numbers than the paper's: what plays better here, see README.md beside this file."""
     settings = SacksSettings().changed({"strength": strength, **TUNED, **changes})
-    return CompiledTeam("sacks-2001-tuned", play, MEMORY, settings.record(), LEAGUES, settings)
+    return CompiledTeam("sacks-2001-tuned", KERNEL, MEMORY, settings.record(), LEAGUES, settings)
 
 
 @compiled
-def play(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
-    """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
-    sight = records(1, SIGHT)
-    k, own = constants[0], settings[0]
-    for m in range(first, last):
-        for p in range(len(players)):
-            r = players[p]
-            command_player(beliefs[m, r], tracks[m, r], memory[m, p], noise[m, r], commands[m, r], k, own, sight[0])
-
-
-@compiled
-def command_player(belief, tracks, memory, noise, command, k, play, sight):
+def act(belief, tracks, memory, noise, command, k, play, sight):
     """Decide, or repeat the last decision until it is time for the next."""
     if memory.begun == 0:
         memory.begun, memory.had_ball, memory.role_clock = 1, NEVER, -1.0
@@ -58,3 +48,6 @@ def command_player(belief, tracks, memory, noise, command, k, play, sight):
     look(sight, belief, tracks, k)
     decide(belief, tracks, memory, command, sight, k, play, sight.elapsed)
     keep_decision(memory, command)
+
+
+KERNEL = per_player(act, SIGHT)

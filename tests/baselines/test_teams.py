@@ -1,12 +1,13 @@
 """The shipped teams: still stands, random wanders, every team plays at any size, from beliefs alone, left as right."""
 
+from importlib.metadata import EntryPoint
 from typing import Any
 
 import numpy as np
 import pytest
 
-from soccer_env import Match, make_team
-from soccer_env.teams import CompiledTeam, TeamRandom, View, parse_team, team_names
+from soccer_env import Match, make_team, teams
+from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, team_names
 from soccer_env.types import COMMAND
 from tests.scenes.staging import LEAGUES, scatter, set_phase
 from tests.scenes.symmetry import mirror, turn
@@ -121,6 +122,66 @@ def test_names_are_parsed_and_checked() -> None:
         make_team("sacks-2001:recovery=3")
     changed: Any = make_team("sacks-2001:recovery=False", player_gain=0.4)
     assert changed.settings["recovery"] == 0 and changed.settings["player_gain"] == 0.4
+
+
+class Lions:
+    """A team in Python, as another package ships it."""
+
+    name, memory_dtype = "lions", np.dtype([])
+
+    def __init__(self, strength: float, brave: bool) -> None:
+        self.strength, self.brave = strength, brave
+
+    def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
+        return view.stand()
+
+
+def lions(strength: float = 1.0, brave: bool = False) -> Lions:
+    return Lions(strength, brave)
+
+
+def nobody(brave: bool = False) -> Lions:
+    return Lions(1.0, brave)
+
+
+def nothing(strength: float = 1.0) -> None:
+    return None
+
+
+@pytest.fixture
+def shipped(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a package be installed that ships teams: lions, and some that are none."""
+    names = {"lions": "lions", "nobody": "nobody", "nothing": "nothing"}
+    points = [EntryPoint(name, f"{__name__}:{place}", ENTRY_POINTS) for name, place in names.items()]
+    monkeypatch.setattr(teams, "entry_points", lambda group: points if group == ENTRY_POINTS else [])
+
+
+@pytest.mark.usefixtures("shipped")
+def test_a_package_ships_a_team_as_a_factory_of_its_strength_and_settings() -> None:
+    assert "lions" in team_names()
+    weak: Any = make_team("lions@0.5:brave=True")
+    assert (weak.strength, weak.brave) == (0.5, True)
+    with pytest.raises(ValueError, match="team 'lions' has no setting 'teeth'; it has: strength, brave"):
+        make_team("lions:teeth=3")
+    Match(controllers={"home": "lions", "away": "lions@0"}, seed=1).step()
+
+
+@pytest.mark.usefixtures("shipped")
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("nobody", "team 'nobody' must be a function that takes strength=, .*:nobody is <function nobody"),
+        ("nothing", "a team needs name, memory_dtype and act, got None"),
+    ],
+)
+def test_an_entry_point_that_is_no_factory_of_a_team_is_refused(name: str, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        make_team(name)
+
+
+def test_a_team_object_is_no_factory() -> None:
+    with pytest.raises(ValueError, match="team 'x' must be a function that takes strength=, a:b is 'text'"):
+        teams.check_factory("x", "a:b", "text")
 
 
 def test_a_team_for_other_leagues_is_refused() -> None:

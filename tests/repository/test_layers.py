@@ -31,7 +31,7 @@ LAYERS = (
         *COMPILING,
     ),
     ("leagues",),
-    ("teams",),  # the protocol, and names as strings
+    ("teams", "team_kernels"),  # the protocol, and names as strings
     ("physics", "perception", "belief", "referee"),
     ("actions", "observations", "rewards", "scenes"),
     ("settings",),
