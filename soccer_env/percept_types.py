@@ -2,7 +2,8 @@
 
 A robot names what it sees from its own side: own goal, team-mates. It knows its jersey and the half that it defends,
 so colours need no names of their own. Pixels are whole numbers, everything else is single precision: a percept is as
-fine as the sensor, and small.
+fine as the sensor, and small. What a sensor remembers and does not deliver, such as its own error, lies in a record of
+perception/ that nobody else receives.
 
     legged        LEGGED_PERCEPT: blobs in the image of a camera on a moving head, an infrared ranger on its axis
     middle size   OMNI_PERCEPT: bearings and distances from an omnidirectional camera, white lines, a light barrier
@@ -49,9 +50,6 @@ BODY_PERCEPT = np.dtype(
         ("x", "f4"),  # [m] team frame, if there is a pose
         ("y", "f4"),  # [m] team frame
         ("heading", "f4"),  # [rad] team frame
-        ("drift_x", "f4"),  # [m] the sensor's own state: error of the noisy pose, which changes slowly
-        ("drift_y", "f4"),  # [m]
-        ("drift_heading", "f4"),  # [rad]
     ]
 )
 
@@ -61,7 +59,6 @@ LEGGED_PERCEPT = np.dtype(
         ("pan", "f4"),  # [rad] joint angles at the moment of the picture, left positive
         ("tilt", "f4"),  # [rad] up positive
         ("infrared", "f4"),  # [m] range along the camera's axis; 0: no valid reading  MS05
-        ("scale", "f4"),  # [1] the camera's own state: scale of the sizes that it reports, drawn once an episode
         ("ball", BLOB, (BLOBS,)),  # orange, largest first
         ("teammates", BLOB, (BLOBS,)),  # own jersey colour
         ("opponents", BLOB, (BLOBS,)),  # their jersey colour
@@ -91,6 +88,5 @@ OMNI_PERCEPT = np.dtype(
         ("lines", "f4", (LINES,)),  # [m] distance of the first white line in direction i of s.lines, from the front
         # counter-clockwise, each in the middle of its sector; 0: none seen
         ("light", "f4"),  # [1] brightness of the picture, which the camera can measure
-        ("table", "f4"),  # [1] the camera's own state: the light that its colour table is made for
     ]
 )

@@ -105,7 +105,7 @@ RANGES = {  # of whole numbers in matches and robots, both ends allowed
     "kick_off_team": (HOME, AWAY), "last_touch_team": (NO_TEAM, AWAY), "active": (0, 1), "has_ball": (0, 1),
     "step": (0, 1 << 60), "episode": (0, 1 << 60), "gait_phase": (0, 1 << 20), "score": (0, 1 << 31),
 }  # fmt: skip
-SENSED = ("percepts", "pending", "beliefs", "tracks", "memories", "messages", "particles")
+SENSED = ("percepts", "sensor_states", "pending", "beliefs", "tracks", "memories", "messages", "particles")
 INDICES = {"count": AVERAGED_MOST, "latest": 1, "known": 1, "fresh": 1, "flying": 1, "word": 15}  # greatest of each
 ENDLESS = ("age", "ball_age", "distance", "seconds_left")  # may be infinite: never seen, nobody tells, no end
 LIMITED = {"confidence": (0.0, 100.0), "ball_confidence": (0.0, 100.0), "weight": (0.0, 1e6)}

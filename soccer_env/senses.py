@@ -46,6 +46,7 @@ class Chain:
     """The sensors and the memory of a kind of robot."""
 
     percept: np.dtype
+    sensor_state: np.dtype
     memory: np.dtype
     message: np.dtype
     particle: np.dtype
@@ -70,11 +71,12 @@ def legged_chain() -> Chain:
     from soccer_env.belief.particles import PARTICLE
     from soccer_env.percept_types import LEGGED_PERCEPT
     from soccer_env.perception.legged.calibration import calibrate
-    from soccer_env.perception.legged.sense import sense_slice
+    from soccer_env.perception.legged.sense import LEGGED_SENSOR_STATE, sense_slice
 
     return Chain(
-        LEGGED_PERCEPT, belief.LEGGED_MEMORY, SOUND_MESSAGE, PARTICLE, sense_slice, belief.believe_slice, calibrate, 0
-    )
+        LEGGED_PERCEPT, LEGGED_SENSOR_STATE, belief.LEGGED_MEMORY, SOUND_MESSAGE, PARTICLE,
+        sense_slice, belief.believe_slice, calibrate, 0,
+    )  # fmt: skip
 
 
 @lru_cache(maxsize=4)
@@ -84,11 +86,12 @@ def omni_chain(late: int) -> Chain:
     from soccer_env.belief.omni.radio import RADIO_MESSAGE
     from soccer_env.belief.particles import PARTICLE
     from soccer_env.percept_types import OMNI_PERCEPT
-    from soccer_env.perception.omni.sense import line_tables, sense_slice
+    from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
 
     return Chain(
-        OMNI_PERCEPT, belief.OMNI_MEMORY, RADIO_MESSAGE, PARTICLE, sense_slice, belief.believe_slice, line_tables, late
-    )
+        OMNI_PERCEPT, OMNI_SENSOR_STATE, belief.OMNI_MEMORY, RADIO_MESSAGE, PARTICLE,
+        sense_slice, belief.believe_slice, line_tables, late,
+    )  # fmt: skip
 
 
 class Senses:
@@ -106,6 +109,7 @@ class Senses:
         self.rows = np.array([r for side in sides for r in sensing[side]], np.int64)
         self.used = np.isin(np.arange(robots), self.rows)
         self.percepts = np.zeros((matches, robots), chain.percept)
+        self.sensor_states = np.zeros((matches, robots), chain.sensor_state)
         self.pending = np.zeros((matches, robots, chain.late), chain.percept)
         self.beliefs, self.tracks = np.zeros((matches, robots), BELIEF), np.zeros((matches, robots, slots), TRACK)
         self.memories, self.messages = (
@@ -123,7 +127,7 @@ class Senses:
     @property
     def parts(self) -> dict[str, np.ndarray]:
         """Return the arrays that the future of a match depends on, by name."""
-        names = ("percepts", "pending", "beliefs", "tracks", "memories", "messages", "particles")
+        names = ("percepts", "sensor_states", "pending", "beliefs", "tracks", "memories", "messages", "particles")
         return {name: getattr(self, name) for name in names}
 
     def start(self, m: int, robots: np.ndarray) -> None:
@@ -141,8 +145,8 @@ class Senses:
     def sense(self, batch: Any, first: int, last: int) -> None:
         """Fill the percepts from the truth."""
         self.chain.sense(
-            batch.matches, batch.balls, batch.robots, batch.robot_events, self.percepts, self.pending, self.beliefs,
-            batch.constants, self.sensors, self.pose_sensed, self.asleep, self.rows, first, last,
+            batch.matches, batch.balls, batch.robots, batch.robot_events, self.percepts, self.sensor_states, self.pending,
+            self.beliefs, batch.constants, self.sensors, self.pose_sensed, self.asleep, self.rows, first, last,
         )  # fmt: skip
 
     def believe(self, batch: Any, first: int, last: int) -> None:

@@ -12,10 +12,11 @@ BARRIER = int(RobotStream.BARRIER)
 
 
 @compiled
-def sense_body(match, robot, events, body, k, s, pose_sensed):
+def sense_body(match, robot, events, body, pose_error, k, s, pose_sensed):
     """Fill in a BODY_PERCEPT of either league, but for the light barrier.  [Sacks 2001, 1]  MS06
 
-    `pose_sensed` 1 gives the noisy pose in every frame; a robot that was carried is told where it stands, always.
+    `pose_sensed` 1 gives the noisy pose in every frame, whose error is kept in `pose_error`; a robot that was carried is
+    told where it stands, always.
     """
     first = body.handedness == 0.0  # a percept that was never filled in
     body.frame = match.step
@@ -27,7 +28,7 @@ def sense_body(match, robot, events, body, k, s, pose_sensed):
     body.held = 0
     count_steps(robot, body, k, s)
     if pose_sensed == 1:
-        follow_pose(match, robot, body, k, s, first)
+        follow_pose(match, robot, body, pose_error, k, s, first)
     else:
         no_pose(body)
     if robot.placed == 1:

@@ -18,6 +18,13 @@ from soccer_env.random_numbers import normal
 from soccer_env.types import RobotStream
 
 POSE = int(RobotStream.POSE)
+POSE_ERROR = np.dtype(
+    [  # what the noisy pose is off by: state of the sensor, which delivers the pose alone
+        ("x", "f4"),  # [m] team frame
+        ("y", "f4"),  # [m] team frame
+        ("heading", "f4"),  # [rad]
+    ]
+)
 LEAST_TIME = 1e-9  # [s] a correlation time of zero makes independent errors
 
 
@@ -29,8 +36,8 @@ def no_pose(body):
 
 
 @compiled
-def follow_pose(match, robot, body, k, s, first):
-    """Fill in the noisy pose: the truth plus an error that changes slowly.
+def follow_pose(match, robot, body, error, k, s, first):
+    """Fill in the noisy pose: the truth plus an error (POSE_ERROR) that changes slowly.
 
     Each component of the error is a first-order autoregressive process e' = a e + sqrt(1 - a^2) sd n with
     a = exp(-dt / s.pose_time) and n standard normal; drawn from its stationary distribution in the first frame.
@@ -38,13 +45,11 @@ def follow_pose(match, robot, body, k, s, first):
     keep = 0.0 if first else exp(-k.dt / max(s.pose_time, LEAST_TIME))
     fresh = sqrt(1.0 - keep * keep)
     hand = match.handedness
-    body.drift_x = keep * np.float64(body.drift_x) + fresh * s.pose_noise * normal(robot.noise, POSE)
-    body.drift_y = keep * np.float64(body.drift_y) + fresh * s.pose_noise * hand * normal(robot.noise, POSE)
-    turn = keep * np.float64(body.drift_heading) + fresh * s.pose_turn_noise * hand * normal(robot.noise, POSE)
-    body.drift_heading = turn
+    error.x = keep * np.float64(error.x) + fresh * s.pose_noise * normal(robot.noise, POSE)
+    error.y = keep * np.float64(error.y) + fresh * s.pose_noise * hand * normal(robot.noise, POSE)
+    error.heading = keep * np.float64(error.heading) + fresh * s.pose_turn_noise * hand * normal(robot.noise, POSE)
     body.pose = POSE_SENSED
-    x, y, heading = np.float64(body.drift_x), np.float64(body.drift_y), np.float64(body.drift_heading)
-    give_pose(match, robot, body, x, y, heading)
+    give_pose(match, robot, body, np.float64(error.x), np.float64(error.y), np.float64(error.heading))
 
 
 @compiled

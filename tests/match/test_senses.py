@@ -19,12 +19,14 @@ from tests.scenes.symmetry import (
     mirrored_actions,
     mirrored_beliefs,
     mirrored_percepts,
+    mirrored_states,
     mirrored_tracks,
     swapped_rows,
     turned,
 )
 
 LEAGUES = ("legged-2001", "middle-size-2006")
+HIDDEN = {"legged-2001": "scale", "middle-size-2006": "table"}  # what each camera remembers and does not deliver
 EXACT, CLOSE = 1e-12, 1e-9
 
 
@@ -68,10 +70,14 @@ def test_a_belief_never_reads_the_truth(league: str, pose: str) -> None:
         batch.observe = lambda first, last: None  # type: ignore[method-assign]
         other.step(actions[step])
         truth = [array.copy() for array in (batch.matches, batch.balls, batch.robots)]
+        hidden = senses.sensor_states, senses.pending
+        remembered = [array.copy() for array in hidden]
         poison(batch)
+        for array in hidden:
+            make_nonsense(array)
         look(batch, 0, other.count)
         noise, gaze = batch.robots["noise"].copy(), batch.robots["gaze"].copy()
-        for array, kept in zip((batch.matches, batch.balls, batch.robots), truth, strict=True):
+        for array, kept in zip((batch.matches, batch.balls, batch.robots, *hidden), truth + remembered, strict=True):
             array[:] = kept
         batch.robots["noise"], batch.robots["gaze"] = noise, gaze
         del senses.believe, batch.observe
@@ -80,14 +86,46 @@ def test_a_belief_never_reads_the_truth(league: str, pose: str) -> None:
     assert other.state_hash() == match.state_hash()
 
 
-def poison(field: Any) -> None:
+def poison(batch: Any) -> None:
     """Make nonsense of everything true, but for the robots' own noise streams."""
-    for array in (field.matches, field.balls, field.robots):
-        for name in array.dtype.names:
-            if name not in ("noise", "gaze") and array[name].dtype.kind == "f":
-                array[name] = np.nan
-            elif name not in ("noise", "gaze") and array[name].dtype.kind in "iu":
-                array[name] = 77
+    for array in (batch.matches, batch.balls, batch.robots):
+        make_nonsense(array)
+
+
+def make_nonsense(records: np.ndarray) -> None:
+    """Put NaN and 77 into all numbers of records, but for the robots' own noise streams and gazes."""
+    for name in records.dtype.names or ():
+        if name in ("noise", "gaze"):
+            continue
+        if records[name].dtype.names:
+            make_nonsense(records[name])
+        else:
+            records[name] = np.nan if records[name].dtype.kind == "f" else 77
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_what_sensors_remember_is_told_to_nobody(league: str) -> None:
+    """The error of the noisy pose, the scale of sizes, the colour table: who knew one of them could take it out."""
+    changing = {"light_drift": 0.5, "light_period": 10.0} if league == LEAGUES[1] else {}
+    match = sensing(league, sensors=changing)
+    for actions in draws(match, 40):
+        match.step(actions)
+    senses = match.batch.senses
+    hidden = leaves(senses.sensor_states)
+    assert set(hidden) == {f"pose_error.{name}" for name in ("x", "y", "heading")} | {HIDDEN[league]}
+    for array in (senses.percepts, senses.beliefs, senses.tracks, senses.memories, senses.messages):
+        told = {name: values for name, values in leaves(array).items() if values.dtype.kind == "f"}
+        for name, values in told.items():
+            for secret, remembered in hidden.items():
+                assert not np.isin(remembered, values).any(), f"{name} holds {secret}"
+
+
+def leaves(records: np.ndarray, name: str = "") -> dict[str, np.ndarray]:
+    """Return the numbers of records by the names of their fields, joined by dots."""
+    if not records.dtype.names:
+        return {name: records}
+    parts = {field: leaves(records[field], f"{name}.{field}" if name else field) for field in records.dtype.names}
+    return {path: values for found in parts.values() for path, values in found.items()}
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -160,6 +198,8 @@ def compare_mirrored(match: Match, image: Match, lines: int) -> None:
     calm = match.robot_events["collision"].any(axis=1) | match.robot_events["touch"].any(axis=1)
     rows = ~calm
     assert_same(mirrored_percepts(match.percepts[rows], lines), image.percepts[rows], 1e-5, "percepts")
+    states = [one.batch.senses.sensor_states[rows] for one in (match, image)]
+    assert_same(mirrored_states(states[0]), states[1], 1e-5, "sensor states")
     assert_same(mirrored_beliefs(match.beliefs[rows]), image.beliefs[rows], 1e-6, "beliefs")
     assert_same(mirrored_tracks(match.tracks[rows]), image.tracks[rows], 1e-6, "tracks")
 

@@ -13,6 +13,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.percept_types import BODY_PERCEPT, NO_POSE, POSE_SENSED, POSE_TOLD
 from soccer_env.perception.body import sense_body
+from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.types import MATCH, ROBOT, ROBOT_EVENTS
 from tests.scenes.staging import LEGGED, each_league, put, put_ball, stage, stand
 
@@ -41,9 +42,9 @@ def test_without_noise_both_teams_are_given_the_truth_from_their_own_goal(name: 
 
 
 @compiled
-def feel(matches, robots, events, bodies, constants, sensors):  # type: ignore[no-untyped-def]
+def feel(matches, robots, events, bodies, pose_errors, constants, sensors):  # type: ignore[no-untyped-def]
     for i in range(robots.shape[0]):
-        sense_body(matches[0], robots[i], events[0], bodies[i], constants[0], sensors[0], 1)
+        sense_body(matches[0], robots[i], events[0], bodies[i], pose_errors[i], constants[0], sensors[0], 1)
 
 
 def errors_of_many(league: str, frames: int, **sensors: float) -> np.ndarray:
@@ -53,9 +54,9 @@ def errors_of_many(league: str, frames: int, **sensors: float) -> np.ndarray:
     robots["noise"] = np.random.default_rng(2).integers(0, 1 << 63, robots["noise"].shape, np.uint64)
     matches["handedness"] = matches["home_direction"] = 1.0
     record, constants = found.sensors.changed(sensors).record(), constants_of(found)
-    errors = []
+    errors, states = [], np.zeros(4000, POSE_ERROR)
     for _ in range(frames):
-        feel(matches, robots, np.zeros(1, ROBOT_EVENTS), bodies, constants, record)
+        feel(matches, robots, np.zeros(1, ROBOT_EVENTS), bodies, states, constants, record)
         errors.append(np.stack([bodies["x"], bodies["y"], bodies["heading"]], axis=-1))
     return np.array(errors)
 

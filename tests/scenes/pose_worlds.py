@@ -26,7 +26,7 @@ from soccer_env.leagues.legged_sensors import LeggedSensors
 from soccer_env.optics import head_camera as optics
 from soccer_env.percept_types import LANDMARKS, LEGGED_PERCEPT, NO_POSE, OMNI_PERCEPT, POSE_TOLD
 from soccer_env.perception.body import count_steps
-from soccer_env.perception.omni.sense import line_tables
+from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables
 from soccer_env.perception.omni.sense import sense_slice as sense_omni
 from soccer_env.random_numbers import normal, start_streams, uniform
 from soccer_env.types import BALL, BELIEF, MATCH, NOISE_STREAMS, OWN_POSE, ROBOT, ROBOT_EVENTS, RobotStream
@@ -49,6 +49,7 @@ class World:
         self.robots["active"] = 1
         self.percepts = np.zeros((robots, 1), LEGGED_PERCEPT if self.legged else OMNI_PERCEPT)
         self.pending = np.zeros((robots, 1, 0 if self.legged else found.sensors.camera_delay), self.percepts.dtype)
+        self.states = np.zeros((robots, 1), OMNI_SENSOR_STATE)
         self.beliefs, self.memories = np.zeros((robots, 1), BELIEF), np.zeros(robots, POSE_MEMORY)
         self.own, self.particles = np.zeros(robots, OWN_POSE), np.zeros((robots, particles), PARTICLE)
         self.noise = np.zeros((robots, NOISE_STREAMS), np.uint64)
@@ -141,7 +142,8 @@ class World:
         else:
             rows = np.zeros(1, np.int64)
             sense_omni(
-                self.matches, self.balls, self.robots, self.events, self.percepts, self.pending, self.beliefs,
+                self.matches, self.balls, self.robots, self.events, self.percepts, self.states, self.pending,
+                self.beliefs,
                 self.k, self.s, 0, np.zeros(self.count, bool), rows, 0, self.count,
             )  # fmt: skip
             self.percepts["body"]["pose"] = NO_POSE

@@ -85,7 +85,7 @@ def mirrored_tracks(tracks: np.ndarray) -> np.ndarray:
 def mirrored_percepts(percepts: np.ndarray, lines: int = 0) -> np.ndarray:
     """Return percepts (M, R) as the mirrored robots get them; `lines` directions are searched for white lines."""
     percepts = percepts.copy()
-    negate(percepts["body"], "handedness", "left", "turn", "y", "heading", "drift_y", "drift_heading")
+    negate(percepts["body"], "handedness", "left", "turn", "y", "heading")
     if "pan" in (percepts.dtype.names or ()):
         negate(percepts, "pan")
         for name in ("ball", "teammates", "opponents", "own_goal", "opponent_goal", "landmarks"):
@@ -97,6 +97,13 @@ def mirrored_percepts(percepts: np.ndarray, lines: int = 0) -> np.ndarray:
         negate(percepts[name], "bearing")
     percepts["lines"][..., :lines] = percepts["lines"][..., [-i % lines for i in range(lines)]]
     return percepts
+
+
+def mirrored_states(states: np.ndarray) -> np.ndarray:
+    """Return what sensors remember (M, R) as those of the mirrored robots do."""
+    states = states.copy()
+    negate(states["pose_error"], "y", "heading")
+    return states
 
 
 def mirrored_commands(commands: np.ndarray) -> np.ndarray:

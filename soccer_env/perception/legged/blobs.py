@@ -30,20 +30,20 @@ TOUCHING = 0.5  # [px] gap below which two pieces are one blob, assumed
 
 
 @compiled
-def deliver(sketch, percept, noise, s):
-    """Fill in the blobs of a percept from a sketch.  MS04"""
-    if percept.scale == 0.0:
-        percept.scale = max(1.0 + s.scale_error * normal(noise, CAMERA_NOISE), SCALE_LEAST)
+def deliver(sketch, percept, state, noise, s):
+    """Fill in the blobs of a percept from a sketch; the scale of a robot's sizes is drawn once an episode.  MS04"""
+    if state.scale == 0.0:
+        state.scale = max(1.0 + s.scale_error * normal(noise, CAMERA_NOISE), SCALE_LEAST)
     miss(sketch, BALL, noise, s.ball_miss)
     add_spots(sketch, TEAMMATES, noise, s)
     add_spots(sketch, OPPONENTS, noise, s)
     add_patches(sketch)
-    report(sketch, BALL, percept.ball, percept.scale, noise, 0.0, s)
-    report(sketch, TEAMMATES, percept.teammates, percept.scale, noise, s.player_miss, s)
-    report(sketch, OPPONENTS, percept.opponents, percept.scale, noise, s.player_miss, s)
-    report(sketch, OWN_GOAL, percept.own_goal, percept.scale, noise, s.landmark_miss, s)
-    report(sketch, OPPONENT_GOAL, percept.opponent_goal, percept.scale, noise, s.landmark_miss, s)
-    report_landmarks(sketch, percept.landmarks, percept.scale, noise, s)
+    report(sketch, BALL, percept.ball, state.scale, noise, 0.0, s)
+    report(sketch, TEAMMATES, percept.teammates, state.scale, noise, s.player_miss, s)
+    report(sketch, OPPONENTS, percept.opponents, state.scale, noise, s.player_miss, s)
+    report(sketch, OWN_GOAL, percept.own_goal, state.scale, noise, s.landmark_miss, s)
+    report(sketch, OPPONENT_GOAL, percept.opponent_goal, state.scale, noise, s.landmark_miss, s)
+    report_landmarks(sketch, percept.landmarks, state.scale, noise, s)
 
 
 @compiled

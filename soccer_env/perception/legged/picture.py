@@ -17,7 +17,7 @@ from soccer_env.perception.legged.sketch import BALL, KINDS, OPPONENTS, TEAMMATE
 
 
 @compiled
-def take_picture(match, ball, robots, percept, k, s, r, sketches):
+def take_picture(match, ball, robots, percept, state, k, s, r, sketches):
     """Fill in the blobs that robot r sees; `sketches` (1,) is room made by `make_sketch`.  MS04
 
     A robot that lies on its side sees a field that lies on its side, and one that is sent off none: no blobs.
@@ -27,7 +27,7 @@ def take_picture(match, ball, robots, percept, k, s, r, sketches):
         clear_picture(percept)
         return
     draw_scene(match, ball, robots, k, s, r, sketches[0])
-    deliver(sketches[0], percept, robot.noise, s)
+    deliver(sketches[0], percept, state, robot.noise, s)
 
 
 @compiled

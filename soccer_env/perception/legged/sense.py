@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from soccer_env.compiled import compiled
 from soccer_env.perception.body import sense_body
 from soccer_env.perception.ideal import situation
 from soccer_env.perception.legged.infrared import measure_range
 from soccer_env.perception.legged.picture import take_picture
 from soccer_env.perception.legged.sketch import make_sketch
+from soccer_env.perception.pose import POSE_ERROR
+
+LEGGED_SENSOR_STATE = np.dtype(
+    [  # what the sensors remember and do not deliver
+        ("pose_error", POSE_ERROR),
+        ("scale", "f4"),  # [1] of the sizes that the camera reports, drawn once an episode; 0: not yet
+    ]
+)
 
 
 @compiled
 def sense_slice(
-    matches, balls, robots, robot_events, percepts, pending, beliefs,
+    matches, balls, robots, robot_events, percepts, states, pending, beliefs,
     constants, sensors, pose_sensed, asleep, rows, first, last,
 ):  # fmt: skip
     """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game.
@@ -28,9 +38,9 @@ def sense_slice(
             continue
         match, ball, team = matches[m], balls[m], robots[m]
         for r in rows:
-            percept, robot = percepts[m, r], team[r]
-            sense_body(match, robot, robot_events[m, r], percept.body, k, s, pose_sensed)
+            percept, state, robot = percepts[m, r], states[m, r], team[r]
+            sense_body(match, robot, robot_events[m, r], percept.body, state.pose_error, k, s, pose_sensed)
             situation(match, team, beliefs[m, r].situation, r)
             percept.pan, percept.tilt = robot.pan, robot.tilt
-            take_picture(match, ball, team, percept, k, s, r, sketches)
+            take_picture(match, ball, team, percept, state, k, s, r, sketches)
             percept.infrared = measure_range(match, ball, team, k, s, r)

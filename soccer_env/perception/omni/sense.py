@@ -7,6 +7,8 @@ A robot that was just put somewhere gets its first pictures at once, until those
 
 from __future__ import annotations
 
+import numpy as np
+
 from soccer_env.compiled import compiled, records
 from soccer_env.perception.body import light_barrier, sense_body
 from soccer_env.perception.ideal import situation
@@ -15,14 +17,22 @@ from soccer_env.perception.omni.lighting import adapt_table, brightness, measure
 from soccer_env.perception.omni.line_picture import LINE_MAP, draw_map, find_lines
 from soccer_env.perception.omni.lines import TABLES, line_tables
 from soccer_env.perception.omni.sightings import clear, find_ball, find_goals, find_players
+from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.types import MAX_TEAM
 
-__all__ = ["TABLES", "line_tables", "sense_slice"]
+__all__ = ["OMNI_SENSOR_STATE", "TABLES", "line_tables", "sense_slice"]
+
+OMNI_SENSOR_STATE = np.dtype(
+    [  # what the sensors remember and do not deliver
+        ("pose_error", POSE_ERROR),
+        ("table", "f4"),  # [1] the light that the camera's colour table is made for, after the latest picture
+    ]
+)
 
 
 @compiled
 def sense_slice(
-    matches, balls, robots, robot_events, percepts, pending, beliefs,
+    matches, balls, robots, robot_events, percepts, states, pending, beliefs,
     constants, sensors, pose_sensed, asleep, rows, first, last,
 ):  # fmt: skip
     """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game.
@@ -40,29 +50,29 @@ def sense_slice(
         match, ball, team = matches[m], balls[m], robots[m]
         light = brightness(match, s)
         for r in rows:
-            percept, robot = percepts[m, r], team[r]
-            sense_body(match, robot, robot_events[m, r], percept.body, k, s, pose_sensed)
+            percept, state, robot = percepts[m, r], states[m, r], team[r]
+            sense_body(match, robot, robot_events[m, r], percept.body, state.pose_error, k, s, pose_sensed)
             light_barrier(robot, percept.body, s)
             situation(match, team, beliefs[m, r].situation, r)
-            look(match, ball, team, r, percept, pending[m, r], light, around, maps[0], k, s)
+            look(match, ball, team, r, percept, state, pending[m, r], light, around, maps[0], k, s)
 
 
 @compiled
-def look(match, ball, robots, r, percept, pending, light, around, map, k, s):
+def look(match, ball, robots, r, percept, state, pending, light, around, map, k, s):
     """Take a picture, and deliver the one that is due.  MH02"""
     late, robot = pending.shape[0], robots[r]
     if late == 0:
         percept.age = 0.0
-        take_picture(match, ball, robots, r, percept, percept.table, light, around, map, k, s)
+        take_picture(match, ball, robots, r, percept, state, light, around, map, k, s)
         return
-    newest, slot = pending[(match.step - 1) % late], pending[match.step % late]
+    slot = pending[match.step % late]
     if robot.placed == 1:  # what is on its way shows another place
         for i in range(late):
             pending[i].body.active = 0
     due = slot.body.active == 1 and slot.body.frame + late == match.step
     if due:
         hand_over(slot, percept)
-    take_picture(match, ball, robots, r, slot, newest.table, light, around, map, k, s)
+    take_picture(match, ball, robots, r, slot, state, light, around, map, k, s)
     slot.body.frame, slot.body.active = match.step, robot.active
     percept.age = late * k.dt if due else 0.0
     if not due:
@@ -70,15 +80,15 @@ def look(match, ball, robots, r, percept, pending, light, around, map, k, s):
 
 
 @compiled
-def take_picture(match, ball, robots, r, picture, table, light, around, map, k, s):
-    """Fill in what the camera sees now; `table` is the light that its colour table was made for a frame ago."""
+def take_picture(match, ball, robots, r, picture, state, light, around, map, k, s):
+    """Fill in what the camera sees now; its colour table goes from picture to picture, delivered or not."""
     robot, handedness = robots[r], match.handedness
     picture.light = measure_light(light, s, robot.noise)
-    picture.table = adapt_table(table, picture.light, s, k.dt, match.step == 0)
+    state.table = adapt_table(state.table, picture.light, s, k.dt, match.step == 0)
     if robot.active == 0:
         clear_picture(picture)
         return
-    colour = recognised(light, picture.table, s)
+    colour = recognised(light, state.table, s)
     count = survey(robots, r, k, around)
     find_ball(ball, robot, picture, around, count, k, s, robot.noise, handedness, colour)
     find_players(picture, around, count, k, s, robot.noise, handedness, colour)
@@ -108,7 +118,7 @@ def hand_over(picture, percept):
             break
         copy(picture.players[i], percept.players[i])
     percept.lines[:] = picture.lines
-    percept.light, percept.table = picture.light, picture.table
+    percept.light = picture.light
 
 
 @compiled

@@ -12,7 +12,7 @@ from soccer_env.belief.omni.field_lines import LINE_VIEW
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.leagues import find_league
 from soccer_env.percept_types import OMNI_PERCEPT
-from soccer_env.perception.omni.sense import line_tables, sense_slice
+from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
 from soccer_env.random_numbers import start_streams
 from soccer_env.types import BALL, BELIEF, MATCH, NOISE_STREAMS, OWN_POSE, ROBOT, ROBOT_EVENTS
 
@@ -34,7 +34,7 @@ def seen_from(x: float, y: float, heading: float) -> np.ndarray:
         np.zeros((1, 1), BELIEF),
     )
     sense_slice(
-        matches, np.zeros(1, BALL), robots, events, percepts, pending, beliefs,
+        matches, np.zeros(1, BALL), robots, events, percepts, np.zeros((1, 1), OMNI_SENSOR_STATE), pending, beliefs,
         K, S, 0, np.zeros(1, bool), np.zeros(1, np.int64), 0, 1,
     )  # fmt: skip
     return percepts[:, 0]

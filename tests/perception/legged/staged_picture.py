@@ -20,6 +20,7 @@ from soccer_env.optics.head_camera import camera_place, focal_x, focal_y, image_
 from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.perception.legged.occlusion import PIECE, PIECES
 from soccer_env.perception.legged.picture import draw_scene, take_picture
+from soccer_env.perception.legged.sense import LEGGED_SENSOR_STATE
 from soccer_env.perception.legged.sketch import KINDS, make_sketch
 from soccer_env.types import BALL, MATCH, ROBOT
 from tests.scenes.staging import LEGGED
@@ -41,11 +42,13 @@ def draw_all(matches, balls, robots, constants, sensors, pieces, found):  # type
 
 
 @compiled
-def look_all(matches, balls, robots, constants, sensors, percepts):  # type: ignore[no-untyped-def]
+def look_all(matches, balls, robots, constants, sensors, percepts, states):  # type: ignore[no-untyped-def]
     sketches = make_sketch(constants[0], sensors[0])
     for m in range(matches.shape[0]):
         for r in range(robots.shape[1]):
-            take_picture(matches[m], balls[m], robots[m], percepts[m, r], constants[0], sensors[0], r, sketches)
+            take_picture(
+                matches[m], balls[m], robots[m], percepts[m, r], states[m, r], constants[0], sensors[0], r, sketches
+            )
 
 
 class Scene:
@@ -59,6 +62,7 @@ class Scene:
         self.matches, self.balls = np.zeros(matches, MATCH), np.zeros(matches, BALL)
         self.robots = np.zeros((matches, robots), ROBOT)
         self.percepts = np.zeros((matches, robots), LEGGED_PERCEPT)
+        self.states = np.zeros((matches, robots), LEGGED_SENSOR_STATE)
         self.matches["handedness"] = self.matches["home_direction"] = 1.0
         self.matches["seed"] = np.arange(matches)
         self.robots["team"][:, 1:2] = 1
@@ -117,7 +121,9 @@ class Scene:
     def look(self, frames: int = 1) -> np.ndarray:
         """Let all robots take some pictures; return their percepts (M, R) of the last."""
         for _ in range(frames):
-            look_all(self.matches, self.balls, self.robots, self.constants, self.sensors, self.percepts)
+            look_all(
+                self.matches, self.balls, self.robots, self.constants, self.sensors, self.percepts, self.states
+            )
         return self.percepts
 
 

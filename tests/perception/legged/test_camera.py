@@ -202,4 +202,4 @@ def test_things_beside_or_round_the_camera_break_nothing() -> None:
         assert ((blobs["left"] > blobs["right"]) == (blobs["area"] > 0)).all()
         assert (abs(blobs["left"]) <= 44).all() and (abs(blobs["high"]) <= 36).all()
         assert (blobs["area"] <= 88 * 72).all()
-    assert np.isfinite(percepts["scale"]).all()
+    assert np.isfinite(scene.states["scale"]).all()

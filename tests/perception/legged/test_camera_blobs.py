@@ -98,10 +98,11 @@ def test_the_scale_of_sizes_is_drawn_once_for_each_robot() -> None:
     scene = Scene(1500, scale_error=0.03)
     scene.put_ball(0.45, 0.0)
     scene.look_at(0, 0.45, 0.0)
-    first = scene.look()["scale"][:, 0].copy()
+    scene.look()
+    first = scene.states["scale"][:, 0].copy()
     assert (first.mean(), first.std()) == pytest.approx((1.0, 0.03), abs=0.003)
     blob = scene.look(3)["ball"][:, 0, 0]
-    assert (scene.percepts["scale"][:, 0] == first).all()
+    assert (scene.states["scale"][:, 0] == first).all()
     width = blob["left"].astype(float) - blob["right"]
     assert np.corrcoef(width, first)[0, 1] > 0.8
 

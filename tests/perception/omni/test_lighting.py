@@ -24,7 +24,8 @@ def seeing(match: Match, seconds: float) -> dict[str, np.ndarray]:
         match.matches["step"], match.matches["clock"] = step, step * 0.02
         match.batch.senses.sense(match.batch, 0, match.count)
         for name, kept in found.items():
-            kept.append(match.percepts[name][:, 0].copy())
+            records = match.batch.senses.sensor_states if name == "table" else match.percepts
+            kept.append(records[name][:, 0].copy())
     return {name: np.stack(kept) for name, kept in found.items()}
 
 
@@ -83,7 +84,7 @@ def test_in_constant_light_the_table_does_not_matter() -> None:
         for _ in range(20):
             match.step(stand(match))
         percepts.append(match.percepts.tobytes())
-        assert not match.percepts["light"].any() and not match.percepts["table"].any()
+        assert not match.percepts["light"].any() and not match.batch.senses.sensor_states["table"].any()
     assert percepts[0] == percepts[1]
 
 
@@ -93,11 +94,11 @@ def test_the_table_takes_its_time() -> None:
     seeing(match, 0.1)
     senses: Any = match.batch.senses
     light = float(senses.percepts["light"][0, 0])
-    senses.percepts["table"][0, 0] = light + 0.5
+    senses.sensor_states["table"][0, 0] = light + 0.5
     for step in range(50):
         match.matches["step"] = 5 + step
         senses.sense(match.batch, 0, 1)
-    assert senses.percepts["table"][0, 0] - light == pytest.approx(0.5 / np.e, abs=0.03)
+    assert senses.sensor_states["table"][0, 0] - light == pytest.approx(0.5 / np.e, abs=0.03)
 
 
 def test_delayed_pictures_keep_one_table() -> None:
