@@ -7,11 +7,12 @@ from typing import Any
 from soccer_env.gymnasium_envs import register as _register
 
 __version__ = "0.1.0"
-__all__ = ["Match", "League", "Rewards", "Scene", "Team", "make_team", "soccer_v0"]
+__all__ = ["Match", "League", "OwnTerm", "Rewards", "Scene", "Team", "make_team", "soccer_v0"]
 
 _WHERE = {  # resolved at first use, so that importing the package stays quick
     "Match": "soccer_env.match",
     "League": "soccer_env.leagues",
+    "OwnTerm": "soccer_env.rewards",
     "Rewards": "soccer_env.rewards",
     "Scene": "soccer_env.scenes",
     "Team": "soccer_env.teams",

@@ -20,12 +20,12 @@ from soccer_env.match_batch import MatchBatch, keep_latest
 from soccer_env.observations import names_of
 from soccer_env.physics.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
-from soccer_env.rewards import TERMS
+from soccer_env.rewards import NAMES
 from soccer_env.senses import Senses, sensing_sides
 from soccer_env.settings import check_known, make_settings, whole_number
 from soccer_env.squads import assign, choose_teams, make_squads, run_compiled, run_python_teams
 from soccer_env.types import QUIET, ROBOT_EVENTS
-from soccer_env.user_code import checked
+from soccer_env.user_code import OwnTerms, checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
@@ -63,7 +63,8 @@ class Match:
         rows = self.settings.rows
         self.agents = [f"{side}_{i}" for side, size in zip(("home", "away"), rows, strict=True) for i in range(size)]
         self.observation_names = names_of(self.league, self.settings.observe)
-        self.term_names = [*TERMS, *self.settings.rewards.extra]
+        self.term_names = [*NAMES, *self.settings.rewards.extra]
+        self._own_terms = OwnTerms(self.settings.rewards)
         self._make_arrays(backend)
         self._make_squads(assign(self.agents, self.settings.home, opponents, teammates, controllers))
         self._pool = ThreadPoolExecutor(self.threads) if self.threads > 1 else None
@@ -187,7 +188,7 @@ class Match:
 
     def _control_step(self, numbers: np.ndarray) -> None:
         """Run one control step of all matches, in slices, on one thread or several."""
-        waiting = np.flatnonzero(self.matches["over"]) if self.settings.rewards.extra else ()
+        self._own_terms.begin(self)
         run_python_teams(self.squads, self.league, self.batch)
         if self.recorder is not None:
             self._decide(numbers, 0, self.count)
@@ -199,10 +200,7 @@ class Match:
             jobs = [self._pool.submit(self._run, numbers, *edge) for edge in zip(edges, edges[1:], strict=False)]
             for job in jobs:
                 job.result()
-        for index, (name, term) in enumerate(self.settings.rewards.extra.items(), start=len(TERMS)):
-            self.terms[..., index] = checked(term(self), self.rewards.shape, f"reward term {name!r}")
-            self.terms[waiting, :, index] = 0.0
-            self.rewards += self.terms[..., index]
+        self._own_terms.pay(self, float(self.batch.weights["gamma"][0]))
         self._observe_own()
         if self.recorder is not None:
             self.recorder.note_state(self)

@@ -15,7 +15,7 @@ from soccer_env.observations.belief import observe_belief_slice
 from soccer_env.observations.truth import observe_slice
 from soccer_env.physics.space import build_space
 from soccer_env.physics.space_batch import Backend, SpaceBatch
-from soccer_env.rewards import TERMS
+from soccer_env.rewards import COUNT, POTENTIALS
 from soccer_env.senses import UNUSED, Senses
 from soccer_env.settings import Settings
 from soccer_env.squads import believe_slice, empty_beliefs
@@ -33,7 +33,7 @@ class MatchBatch:
         self.matches, self.balls = np.zeros(matches, MATCH), np.zeros(matches, BALL)
         self.robots = np.zeros((matches, robots), ROBOT)
         self.events, self.robot_events = np.zeros(matches, EVENTS), np.zeros((matches, robots), ROBOT_EVENTS)
-        terms = len(TERMS) + len(settings.rewards.extra)  # those of a user's own lie behind ours
+        terms = COUNT + len(settings.rewards.extra)  # those of a user's own lie behind ours
         self.rewards, self.terms = np.zeros((matches, robots)), np.zeros((matches, robots, terms))
         self.observations = np.zeros((matches, robots, observed), np.float32)
         sees_truth = settings.observe == "truth"  # then the step itself observes
@@ -92,7 +92,7 @@ class MatchBatch:
     def step_in_stages(self, first: int, last: int, advance: Advance) -> None:
         """Step a slice with the physics left to `advance`, between two compiled halves."""
         physics, count = self.physics, len(self.matches)
-        before, substeps, moved = np.zeros((count, 2, 2)), np.zeros(count, np.int64), np.zeros(count, bool)
+        before, substeps, moved = np.zeros((count, *POTENTIALS)), np.zeros(count, np.int64), np.zeros(count, bool)
         begin_slice(
             self.matches, self.balls, self.robots, self.events, self.robot_events, physics.velocities,
             self.constants, self.terms, self.rewards, before, substeps, first, last,

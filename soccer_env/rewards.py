@@ -1,15 +1,19 @@
-"""Named reward terms and their weights.
+"""Reward terms: one row of TERMS each, from which weights, sums, infos, lists and training settings follow.
+
+    potential   function(match, ball, robots, k, team) -> the potential of a team
+    event       function(match, ball, robots, events, robot_events, k, r, weight) -> what robot r gets in this step
+    cost        the same, and robot r pays it
 
 Shaping is potential-based [Ng, Harada, Russell 1999]: gamma * phi(s') - phi(s), with s' the state that the next
 observation shows (after a restart, if one was carried out) and phi = 0 once the episode has ended. It sums to zero
 over a loop and cannot be farmed; a goal therefore also pays back the potential that led to it. Where an action is kept
-for several control steps, s and s' are the states before and after all of them.
+for several control steps, s and s' are the states before and after all of them. `k` is the league's constants record.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, make_dataclass
 from math import inf, isfinite, sqrt
 from typing import Any
 
@@ -20,69 +24,57 @@ from soccer_env.frames import direction_of
 from soccer_env.geometry import length
 from soccer_env.types import NO_TEAM
 
-TERMS = {
-    "goal": "+1 when the own team scores, -1 when the opponents do",
-    "progress": "potential: how much nearer the ball is to the opponent's goal than to the own, over twice the length",
-    "approach": "potential: minus the distance of the team's nearest active robot from the ball, over the diagonal",
-    "effort": "minus the mean square of forward, left and turn of the robot's command, at each step",
-}
-GOAL, PROGRESS, APPROACH, EFFORT = range(4)
-WEIGHTS = np.dtype([(name, "f8") for name in TERMS] + [("gamma", "f8")])
+KINDS = ("potential", "event", "cost")
 
 
 @dataclass(frozen=True)
-class Rewards:
-    """Weights of the reward terms; the names are those of TERMS."""
+class Term:
+    """A reward term of every match."""
 
-    goal: float = 1.0
-    progress: float = 0.5
-    approach: float = 0.1
-    effort: float = 0.001
-    gamma: float = 0.99  # [1] discount of the shaping, for one action
-    extra: dict[str, Callable[[Any], np.ndarray]] = field(default_factory=dict)
-    """Terms of one's own: name -> function of the Match that returns (M, R) rewards, weight 1."""
+    name: str
+    text: str  # what it pays, for lists
+    function: Callable[..., Any]  # a kernel as its kind asks for, see above
+    kind: str  # "potential", "event" or "cost"
+    weight: float  # unless Rewards say otherwise
+
+
+@dataclass(frozen=True)
+class OwnTerm:
+    """A reward term of a user's own: a function of the Match that returns (M, R) numbers, and how they are paid."""
+
+    function: Callable[[Any], Any]
+    kind: str = "event"  # "event" and "cost" pay and charge the numbers, "potential" shapes by them
+    weight: float = 1.0
 
     def __post_init__(self) -> None:
-        for item in fields(self):
-            value = getattr(self, item.name)
-            if item.name != "extra" and not (isinstance(value, (int, float)) and isfinite(value)):
-                raise ValueError(f"Rewards.{item.name} must be a finite number, got {value!r}")
-        if not 0.0 <= self.gamma <= 1.0:
-            raise ValueError(f"Rewards.gamma must be 0 to 1, got {self.gamma}")
-        for name, term in self.extra.items():
-            if not callable(term) or name in TERMS:
-                raise ValueError(f"Rewards.extra[{name!r}] must be a function under a name of its own")
-
-    def weights(self) -> np.ndarray:
-        """Return the (1,) record of weights for compiled code."""
-        return np.array([tuple(float(getattr(self, name)) for name in WEIGHTS.names or ())], WEIGHTS)
-
-
-PRESETS = {"default": Rewards(), "sparse": Rewards(progress=0.0, approach=0.0, effort=0.0)}
-
-
-def find_rewards(rewards: str | Rewards) -> Rewards:
-    """Return the reward preset of that name, or the object itself; ValueError says which names exist."""
-    if isinstance(rewards, Rewards):
-        return rewards
-    if not isinstance(rewards, str) or rewards not in PRESETS:
-        raise ValueError(f"unknown rewards {rewards!r}; known: {', '.join(PRESETS)}, or a Rewards object")
-    return PRESETS[rewards]
+        if not callable(self.function):
+            raise ValueError(f"OwnTerm.function must be a function of the Match, got {self.function!r}")
+        if self.kind not in KINDS:
+            raise ValueError(f"OwnTerm.kind must be one of {', '.join(KINDS)}, got {self.kind!r}")
+        check_weight("OwnTerm.weight", self.weight)
 
 
 @compiled
-def measure_potentials(match, ball, robots, k, potentials):
-    """Write the potentials of both teams into potentials (2 teams, 2 terms); all 0 once the episode has ended."""
-    if match.over == 1:
-        for team in range(2):
-            potentials[team, 0] = potentials[team, 1] = 0.0
-        return
+def score(match, ball, robots, events, robot_events, k, r, weight):
+    """Return the weight for an own goal scored, minus the weight for one of the opponents."""
+    if events.goal == NO_TEAM:
+        return 0.0
+    return weight if events.goal == robots[r].team else -weight
+
+
+@compiled
+def progress(match, ball, robots, k, team):
+    """Return how much nearer the ball is to the opponents' goal than to the own, over twice the pitch's length."""
     half = 0.5 * k.pitch_length
     left, right = length(ball.x + half, ball.y), length(ball.x - half, ball.y)
+    return direction_of(match, team) * (left - right) / (2.0 * k.pitch_length)
+
+
+@compiled
+def approach(match, ball, robots, k, team):
+    """Return minus the distance of the team's nearest active robot from the ball, over the pitch's diagonal."""
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
-    for team in range(2):
-        potentials[team, 0] = direction_of(match, team) * (left - right) / (2.0 * k.pitch_length)
-        potentials[team, 1] = -nearest_distance(ball, robots, team) / diagonal
+    return -nearest_distance(ball, robots, team) / diagonal
 
 
 @compiled
@@ -97,17 +89,182 @@ def nearest_distance(ball, robots, team):
 
 
 @compiled
-def reward_robots(match, robots, events, before, after, weights, terms, rewards):
-    """Write the weighted terms (R, 4) of each robot and add them to rewards (R,)."""
+def effort(match, ball, robots, events, robot_events, k, r, weight):
+    """Return the weighted mean square of the walk that a robot asks for; the referee's steering costs it nothing."""
+    if match.placing == 1:
+        return 0.0
+    command = robots[r].command
+    square = command.forward * command.forward + command.left * command.left + command.turn * command.turn
+    return weight * square / 3.0
+
+
+TERMS = (
+    Term("goal", "+1 when the own team scores, -1 when the opponents do", score, "event", 1.0),
+    Term(
+        "progress",
+        "how much nearer the ball is to the opponent's goal than to the own, over twice the length",
+        progress, "potential", 0.5,
+    ),
+    Term(
+        "approach",
+        "minus the distance of the team's nearest active robot from the ball, over the diagonal",
+        approach, "potential", 0.1,
+    ),
+    Term(
+        "effort", "minus the mean square of forward, left and turn of the robot's command, at each step",
+        effort, "cost", 0.001,
+    ),
+)  # fmt: skip
+
+# What follows from the table
+
+NAMES = tuple(term.name for term in TERMS)
+COUNT = len(TERMS)
+POTENTIALS = (2, sum(term.kind == "potential" for term in TERMS))  # shape (teams, potentials) of what is measured
+WEIGHTS = np.dtype([("term", "f8", (COUNT,)), ("gamma", "f8")])
+Weights: Any = make_dataclass(
+    "Weights", [(term.name, float, term.weight) for term in TERMS], frozen=True, kw_only=True
+)  # the weights of the terms, by name
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the table
+    """Weights of the reward terms by name, such as Rewards(progress=0.0); `soccer list rewards` shows all."""
+
+    gamma: float = 0.99  # [1] discount of the shaping, for one action
+    extra: dict[str, OwnTerm | Callable[[Any], Any]] = field(default_factory=dict)
+    """Terms of one's own by name: an OwnTerm, or just its function, which then is an event of weight 1."""
+
+    def __new__(cls, **values: Any) -> Rewards:
+        """Raise ValueError for a term that does not exist."""
+        known = [item.name for item in fields(cls)]
+        for name in values:
+            if name not in known:
+                raise ValueError(f"unknown reward term {name!r}; known: {', '.join(known)}")
+        made: Rewards = super().__new__(cls)
+        return made
+
+    def __post_init__(self) -> None:
+        for name in (*NAMES, "gamma"):
+            check_weight(f"Rewards.{name}", getattr(self, name))
+        if not 0.0 <= self.gamma <= 1.0:
+            raise ValueError(f"Rewards.gamma must be 0 to 1, got {self.gamma}")
+        own = {}
+        for name, term in self.extra.items():
+            if not (callable(term) or isinstance(term, OwnTerm)) or name in NAMES:
+                raise ValueError(f"Rewards.extra[{name!r}] must be a function or OwnTerm under a name of its own")
+            own[name] = term if isinstance(term, OwnTerm) else OwnTerm(term)
+        object.__setattr__(self, "extra", own)
+
+    def weights(self) -> np.ndarray:
+        """Return the (1,) record of weights for compiled code."""
+        return np.array([(tuple(float(getattr(self, name)) for name in NAMES), self.gamma)], WEIGHTS)
+
+
+def check_weight(name: str, value: Any) -> None:
+    """Raise ValueError unless a weight is a finite number."""
+    if not (isinstance(value, (int, float)) and isfinite(value)):
+        raise ValueError(f"{name} must be a finite number, got {value!r}")
+
+
+PRESETS = {
+    "default": Rewards(),
+    "sparse": Rewards(**{term.name: 0.0 for term in TERMS if term.kind != "event"}),
+    "training": Rewards(progress=2.0, approach=0.2),  # of `soccer train`
+}
+
+
+def find_rewards(rewards: str | Rewards) -> Rewards:
+    """Return the reward preset of that name, or the object itself; ValueError says which names exist."""
+    if isinstance(rewards, Rewards):
+        return rewards
+    if not isinstance(rewards, str) or rewards not in PRESETS:
+        raise ValueError(f"unknown rewards {rewards!r}; known: {', '.join(PRESETS)}, or a Rewards object")
+    return PRESETS[rewards]
+
+
+def make_measure(terms: tuple[Term, ...]) -> Callable[..., None]:
+    """Return a kernel that writes the potentials of a team (terms,): each row's after those of the rows before it."""
+
+    @compiled
+    def measure(match, ball, robots, k, team, potentials):
+        pass
+
+    for index, term in enumerate(term for term in terms if term.kind == "potential"):
+        measure = add_potential(measure, index, term.function)
+    return measure
+
+
+def add_potential(measure_others, index, function):
+    """Return a kernel that writes the potentials of other terms, and that of one more."""
+
+    @compiled
+    def measure(match, ball, robots, k, team, potentials):
+        measure_others(match, ball, robots, k, team, potentials)
+        potentials[index] = function(match, ball, robots, k, team)
+
+    return measure
+
+
+def make_pay(terms: tuple[Term, ...]) -> Callable[..., None]:
+    """Return a kernel that adds what a robot gets to its terms (terms,): each row after the rows before it."""
+
+    @compiled
+    def pay(match, ball, robots, events, robot_events, k, r, before, after, weights, paid):
+        pass
+
+    potentials = 0
+    for column, term in enumerate(terms):
+        if term.kind == "potential":
+            pay = add_shaping(pay, column, potentials)
+            potentials += 1
+        else:
+            pay = add_event(pay, column, term.function, -1.0 if term.kind == "cost" else 1.0)
+    return pay
+
+
+def add_shaping(pay_others, column, index):
+    """Return a kernel that pays other terms, and the shaping of one potential."""
+
+    @compiled
+    def pay(match, ball, robots, events, robot_events, k, r, before, after, weights, paid):
+        pay_others(match, ball, robots, events, robot_events, k, r, before, after, weights, paid)
+        paid[column] += weights.term[column] * (weights.gamma * after[index] - before[index])
+
+    return pay
+
+
+def add_event(pay_others, column, function, sign):
+    """Return a kernel that pays other terms, and an event (sign 1) or a cost (sign -1)."""
+
+    @compiled
+    def pay(match, ball, robots, events, robot_events, k, r, before, after, weights, paid):
+        pay_others(match, ball, robots, events, robot_events, k, r, before, after, weights, paid)
+        paid[column] += sign * function(match, ball, robots, events, robot_events, k, r, weights.term[column])
+
+    return pay
+
+
+measure_team = make_measure(TERMS)
+pay_robot = make_pay(TERMS)
+
+
+@compiled
+def measure_potentials(match, ball, robots, k, potentials):
+    """Write the potentials of both teams into an array of the shape POTENTIALS; all 0 once the episode has ended."""
+    if match.over == 1:
+        potentials[:] = 0.0
+        return
+    for team in range(2):
+        measure_team(match, ball, robots, k, team, potentials[team])
+
+
+@compiled
+def reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards):
+    """Add the weighted terms of each robot to terms (R, COUNT or more), and write their sum into rewards (R,)."""
     for r in range(robots.shape[0]):
-        team, command = robots[r].team, robots[r].command
-        if events.goal != NO_TEAM:
-            terms[r, GOAL] += weights.goal if events.goal == team else -weights.goal
-        progress = weights.progress * (weights.gamma * after[team, 0] - before[team, 0])
-        approach = weights.approach * (weights.gamma * after[team, 1] - before[team, 1])
-        square = command.forward * command.forward + command.left * command.left + command.turn * command.turn
-        terms[r, PROGRESS] += progress
-        terms[r, APPROACH] += approach
-        if match.placing == 0:  # the referee steers robots to their places, at no cost of theirs
-            terms[r, EFFORT] -= weights.effort * square / 3.0
-        rewards[r] = terms[r, GOAL] + terms[r, PROGRESS] + terms[r, APPROACH] + terms[r, EFFORT]
+        team, total = robots[r].team, 0.0
+        pay_robot(match, ball, robots, events, robot_events, k, r, before[team], after[team], weights, terms[r])
+        for column in range(COUNT):
+            total += terms[r, column]
+        rewards[r] = total

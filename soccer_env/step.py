@@ -23,7 +23,7 @@ from soccer_env.physics.legs import disturb
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
 from soccer_env.referee.separation import pull_apart, watch_contacts
-from soccer_env.rewards import measure_potentials, reward_robots
+from soccer_env.rewards import POTENTIALS, measure_potentials, reward_robots
 from soccer_env.scenes import judge_drill
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
 
@@ -36,7 +36,7 @@ def step_slice(
     terms, rewards, observations, terminated, truncated, limit, first, last,
 ):  # fmt: skip
     """Step the matches first, ..., last - 1; return the first whose physics broke down, or -1."""
-    k, before, scratch, broken = constants[0], np.empty((2, 2)), make_scratch(robots.shape[1]), -1
+    k, before, scratch, broken = constants[0], np.empty(POTENTIALS), make_scratch(robots.shape[1]), -1
     for m in range(first, last):
         match, ball, team, happened = matches[m], balls[m], robots[m], events[m]
         if match.over == 1:
@@ -49,7 +49,10 @@ def step_slice(
             continue
         if finish_step(match, ball, team, happened, robot_events[m], bodies[m], velocities[m], k):
             write_bodies(links, m)
-        end_step(match, ball, team, happened, k, weights[0], before, terms[m], rewards[m], observations[m], scratch)
+        end_step(
+            match, ball, team, happened, robot_events[m], k, weights[0], before,
+            terms[m], rewards[m], observations[m], scratch,
+        )  # fmt: skip
         terminated[m] = match.over == 1
         truncated[m] = not terminated[m] and (match.step >= limit or out_of_time(match, k))
     return broken
@@ -59,7 +62,7 @@ def step_slice(
 def begin_slice(
     matches, balls, robots, events, robot_events, velocities, constants, terms, rewards, before, substeps, first, last
 ):
-    """Do the part of a step before the physics, for physics that Python steps: `before` (M, 2, 2), `substeps` (M,)."""
+    """Do the part of a step before the physics, which Python steps; fill `before` (M, *POTENTIALS), `substeps`."""
     for m in range(first, last):
         substeps[m] = 0
         if matches[m].over == 1:
@@ -94,7 +97,10 @@ def finish_slice(
             broken = m if broken < 0 else broken
             continue
         moved[m] = finish_step(match, ball, team, happened, robot_events[m], bodies[m], velocities[m], k)
-        end_step(match, ball, team, happened, k, weights[0], before[m], terms[m], rewards[m], observations[m], scratch)
+        end_step(
+            match, ball, team, happened, robot_events[m], k, weights[0], before[m],
+            terms[m], rewards[m], observations[m], scratch,
+        )  # fmt: skip
         terminated[m] = match.over == 1
         truncated[m] = not terminated[m] and (match.step >= limit or out_of_time(match, k))
     return broken
@@ -158,19 +164,19 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k
 
 
 @compiled
-def end_step(match, ball, robots, events, k, weight, before, terms, rewards, observations, scratch):
+def end_step(match, ball, robots, events, robot_events, k, weights, before, terms, rewards, observations, scratch):
     """Reward and observe."""
     after, axes, rows, squares = scratch
     measure_potentials(match, ball, robots, k, after)
-    reward_robots(match, robots, events, before, after, weight, terms, rewards)
+    reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards)
     if observations.shape[1] > 0:
         observe_truth(match, ball, robots, observations, k, axes, rows, squares)
 
 
 @compiled
 def make_scratch(robots):
-    """Return arrays to work in: potentials (2, 2), axes of the robots (R, 2), rows and squared distances of players."""
-    return np.empty((2, 2)), np.empty((robots, 2)), np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
+    """Return arrays to work in: potentials, axes of the robots (R, 2), rows and squared distances of players."""
+    return np.empty(POTENTIALS), np.empty((robots, 2)), np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
 
 
 @compiled

@@ -1,10 +1,14 @@
-"""Check what a user's own reward terms and observations return, where it enters."""
+"""Ask for a user's own reward terms, and check what they and observations return, where it enters."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
+
+from soccer_env.rewards import COUNT, OwnTerm, Rewards
+
+Match = Any  # soccer_env.match.Match, which stands above this file
 
 
 def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.inf) -> np.ndarray:
@@ -20,3 +24,35 @@ def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.in
         allowed = "finite numbers" if limit == np.inf else f"numbers in [{-limit:g}, {limit:g}]"
         raise ValueError(f"{what} must return {allowed}, got {numbers[at]} at {at}")
     return numbers
+
+
+class OwnTerms:
+    """The reward terms of a user's own, in the columns behind those of every match."""
+
+    def __init__(self, rewards: Rewards) -> None:
+        self._terms: dict[str, OwnTerm] = rewards.extra
+        self._waiting: np.ndarray = np.zeros(0, bool)  # (M,) matches that were over before the control step
+        self._before: dict[str, np.ndarray] = {}  # potentials (M, R) before it, by name
+
+    def begin(self, match: Match) -> None:
+        """Note the potentials before a control step: of the records as they are now, whoever wrote them."""
+        if self._terms:
+            self._waiting = match.matches["over"] == 1
+            shaping = {name: term for name, term in self._terms.items() if term.kind == "potential"}
+            self._before = {name: ask(match, name, term) for name, term in shaping.items()}
+
+    def pay(self, match: Match, gamma: float) -> None:
+        """Add what a control step pays to `terms` and `rewards`; a match that was over gets nothing."""
+        over = match.matches["over"] == 1
+        for column, (name, term) in enumerate(self._terms.items(), start=COUNT):
+            value = ask(match, name, term)
+            if term.kind == "potential":
+                value = gamma * np.where(over[:, None], 0.0, value) - self._before[name]
+            value = -term.weight * value if term.kind == "cost" else term.weight * value
+            match.terms[..., column] = np.where(self._waiting[:, None], 0.0, value)
+            match.rewards += match.terms[..., column]
+
+
+def ask(match: Match, name: str, term: OwnTerm) -> np.ndarray:
+    """Return the numbers (M, R) of a term; ValueError names the term and what it returned instead."""
+    return checked(term.function(match), match.rewards.shape, f"reward term {name!r}")

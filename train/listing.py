@@ -166,8 +166,8 @@ def rewards() -> Iterator[Table]:
     """Yield the reward terms with their weights in each preset."""
     from soccer_env.rewards import PRESETS, TERMS
 
-    rows = [(name, text, *(f"{getattr(x, name):g}" for x in PRESETS.values())) for name, text in TERMS.items()]
-    yield table("Reward terms and their weights", ("term", "meaning", *PRESETS), rows)
+    rows = [(x.name, x.kind, x.text, *(f"{getattr(y, x.name):g}" for y in PRESETS.values())) for x in TERMS]
+    yield table("Reward terms and their weights", ("term", "kind", "meaning", *PRESETS), rows)
 
 
 def claims() -> Iterator[Table]:

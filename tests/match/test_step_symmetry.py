@@ -13,7 +13,7 @@ from soccer_env.physics.drive import drive, move_head
 from soccer_env.physics.kicker import work_kicker
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
-from soccer_env.rewards import measure_potentials
+from soccer_env.rewards import POTENTIALS, measure_potentials
 from soccer_env.squads import believe_slice, empty_beliefs
 from soccer_env.step import clear_events
 from soccer_env.types import NO_TEAM, Phase
@@ -209,7 +209,7 @@ def test_potentials_are_symmetric(name):
     constants, records = match.settings.constants(), Records.of(match)
     potentials = []
     for image in (records, mirrored(records), turned(records)):
-        potentials.append(np.zeros((200, 2, 2)))
+        potentials.append(np.zeros((200, *POTENTIALS)))
         measure_all(image.matches, image.balls, image.robots, constants, potentials[-1])
     assert_close(potentials[1], potentials[0], MIRROR, "mirror")
     assert_close(potentials[2], potentials[0][:, ::-1], HALF_TURN, "half-turn")

@@ -15,7 +15,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.observations import names_of
-from soccer_env.rewards import Rewards
+from soccer_env.rewards import NAMES, Rewards
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
 from soccer_env.train.ppo.match_blocks import shared_out
@@ -101,9 +101,7 @@ def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
 
 def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEnv:
     """Return the environment of a run."""
-    weights = Rewards(
-        goal=settings.goal, progress=settings.progress, approach=settings.approach, effort=settings.effort
-    )
+    weights = Rewards(**{name: getattr(settings, name) for name in NAMES})
     return SoccerVecEnv(
         settings.league, players=settings.sizes, matches=settings.matches, ideal_share=settings.ideal_share,
         opponents=curriculum.lineup, action_repeat=settings.action_repeat, rewards=weights, gamma=settings.gamma,

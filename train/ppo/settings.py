@@ -6,21 +6,24 @@ The help of `soccer train` is the text beside each field here.
 from __future__ import annotations
 
 import shlex
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, make_dataclass
 from math import inf
 from pathlib import Path
-from typing import Any, Literal, get_args, get_type_hints
+from typing import Annotated, Any, Literal, get_args, get_type_hints
 
+import tyro
+
+from soccer_env.rewards import NAMES, PRESETS, TERMS
 from soccer_env.train.evaluate.settings import as_path, is_number, split_players, split_senses, whole, written
 
 MOST = {
     "torch_threads": 256, "rollout": 65_536, "matches": 65_536, "learning_rate": 1.0, "noise": 10.0, "ideal_share": 1.0,
-    **dict.fromkeys(("goal", "progress", "approach", "effort"), 1e9),
+    **dict.fromkeys(NAMES, 1e9),
 }  # fmt: skip
 FREE = ("out", "threads", "torch_threads", "steps", "anew", "tensorboard", "device")  # may differ when a run goes on
 SHARES = ("gae_lambda", "clip", "gamma")  # above 0, up to 1
 ABOVE_ZERO = ("minutes", "learning_rate", "noise", "evaluate_minutes", "gradient_limit")
-FROM_ZERO = ("ideal_share", "entropy", "value_weight", "goal", "progress", "approach", "effort", "target_kl")
+FROM_ZERO = ("ideal_share", "entropy", "value_weight", "target_kl", *NAMES)
 MAX_SEED = 2**32 - 1  # of numpy's global generator, with which stable-baselines3 shuffles
 MAX_MINUTES = 10_000
 COUNTS = (
@@ -30,12 +33,8 @@ COUNTS = (
 
 
 @dataclass(frozen=True)
-class TrainSettings:
-    """Train a policy by PPO; all robots of the home team share it, the away team is played by opponents.
-
-    A run that was stopped, even by kill -9, goes on where its last rollout began when the same command is given again.
-    --config FILE reads settings from a TOML file; flags overrule it. One step is one decision of one robot.
-    """
+class PlainSettings:
+    """The settings of a training run but for the weights of its rewards."""
 
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
@@ -119,14 +118,6 @@ class TrainSettings:
     """Standard deviation of the actions at the start."""
     normalise_rewards: bool = False
     """Divide rewards by the running deviation of the return."""
-    goal: float = 1.0
-    """Reward of a goal."""
-    progress: float = 2.0
-    """Weight of the potential of the ball's place (see `soccer list rewards`)."""
-    approach: float = 0.2
-    """Weight of the potential of the nearest robot's distance from the ball."""
-    effort: float = 0.001
-    """Weight of the cost of walking."""
     evaluate_every: int = 500_000
     """Steps between two evaluations of the policy, without noise; the best one is kept as best.safetensors."""
     evaluate_matches: int = 40
@@ -147,6 +138,29 @@ class TrainSettings:
     """Write a TensorBoard log as well, if the package is installed."""
     anew: bool = False
     """Remove what an earlier run left in --out instead of going on with it."""
+
+
+Weights: Any = make_dataclass(
+    "Weights",
+    [
+        (
+            x.name,
+            Annotated[float, tyro.conf.arg(help=f"Weight of a reward: {x.text}.")],
+            getattr(PRESETS["training"], x.name),
+        )
+        for x in TERMS
+    ],
+    frozen=True,
+)
+
+
+@dataclass(frozen=True)
+class TrainSettings(Weights, PlainSettings):  # type: ignore[misc]  # its weights follow from the table of rewards
+    """Train a policy by PPO; all robots of the home team share it, the away team is played by opponents.
+
+    A run that was stopped, even by kill -9, goes on where its last rollout began when the same command is given again.
+    --config FILE reads settings from a TOML file; flags overrule it. One step is one decision of one robot.
+    """
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "out", as_path(self.out))

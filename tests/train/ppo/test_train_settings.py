@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from soccer_env.rewards import NAMES, TERMS
 from soccer_env.train.command_line import main, read_settings
 from soccer_env.train.ppo.checks import check_playable
 from soccer_env.train.ppo.learner import part_size
@@ -196,6 +197,9 @@ def test_every_setting_is_explained(capsys: pytest.CaptureFixture[str]) -> None:
     source = Path(sys.modules[TrainSettings.__module__].__file__ or "").read_text()
     for field in fields(TrainSettings):
         assert f"--{field.name.replace('_', '-')}" in text
+        if field.name in NAMES:  # the weight of a reward
+            assert TERMS[NAMES.index(field.name)].text in text
+            continue
         after = source.split(f"\n    {field.name}: ", 1)[1].split("\n")[1].strip()
         assert after.startswith('"""') and len(after) > 12, f"{field.name} has no text"
         assert " ".join(after.strip('"').split()[:3]) in text, f"the text of {field.name} is not in the help"
