@@ -13,7 +13,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 INNER := baselines agents train
 
-.PHONY: match test lint types bench tables tables-check sacks-table mutants clean
+.PHONY: match test lint types bench pictures docs tables tables-check sacks-table mutants clean
 .DELETE_ON_ERROR:
 
 match: $(VENV)/.has-base
@@ -45,6 +45,11 @@ tables: $(VENV)/.has-base
 
 tables-check: $(VENV)/.has-base
 	$(BIN)/python -m soccer_env.train.tables --check
+
+# What the pages show; needs the extra `pictures`.
+pictures: $(VENV)/.has-base
+	$(BIN)/python -m pip install -e '.[pictures]'
+	$(BIN)/python -m soccer_env.train.pictures
 
 sacks-table: $(VENV)/.has-base
 	$(BIN)/python -m soccer_env.train.tables.sacks

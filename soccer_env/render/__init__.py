@@ -3,8 +3,19 @@
 from __future__ import annotations
 
 from soccer_env.render.frame import Picture
-from soccer_env.render.overlays import Arrows, Overlay, Points, Polyline
+from soccer_env.render.overlays import Area, Arrows, Label, Overlay, Points, Polyline
 from soccer_env.render.sheet import contact_sheet, save_png
 from soccer_env.render.window import Window
 
-__all__ = ["Arrows", "Overlay", "Picture", "Points", "Polyline", "Window", "contact_sheet", "save_png"]
+__all__ = [
+    "Area",
+    "Arrows",
+    "Label",
+    "Overlay",
+    "Picture",
+    "Points",
+    "Polyline",
+    "Window",
+    "contact_sheet",
+    "save_png",
+]

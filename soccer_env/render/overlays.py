@@ -107,3 +107,40 @@ class Arrows:
         canvas.polygon(
             [tip, (neck[0] + side[0], neck[1] + side[1]), (neck[0] - side[0], neck[1] - side[1])], self.colour
         )
+
+
+@dataclass(frozen=True, eq=False)
+class Area:
+    """A region that the ground shines through, as of what a camera has in view."""
+
+    xy: ArrayLike  # (N, 2) [m] field frame: its corners, of which at least three
+    colour: Colour
+    alpha: int = 60  # of 255
+    under: bool = True
+
+    def draw_on(self, canvas: Canvas, view: View) -> None:
+        """Fill it."""
+        canvas.glass([view.pixel(x, y) for x, y in pairs("Area.xy", self.xy)], self.colour, self.alpha)
+
+
+@dataclass(frozen=True, eq=False)
+class Label:
+    """Words beside a point, with a dark rim that keeps them legible on any ground."""
+
+    xy: tuple[float, float]  # [m] field frame
+    words: str
+    colour: Colour
+    size: float = 14.0  # [px]
+    away: tuple[float, float] = (0.0, 0.0)  # [px] to the right and down, from the point to the words
+    align: str = "centre"  # or "left" or "right": which part of the words stands there
+    under: bool = False
+
+    def draw_on(self, canvas: Canvas, view: View) -> None:
+        """Write the words."""
+        ((x, y),) = pairs("Label.xy", [self.xy])
+        column, row = view.pixel(x, y)
+        column, row = column + self.away[0], row + self.away[1]
+        rim = max(1.0, self.size / 14.0)
+        for right, down in ((-rim, 0.0), (rim, 0.0), (0.0, -rim), (0.0, rim)):
+            canvas.text(self.words, (column + right, row + down), self.size, INK, self.align)
+        canvas.text(self.words, (column, row), self.size, self.colour, self.align)

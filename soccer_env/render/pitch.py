@@ -36,9 +36,10 @@ class Ground:
     def draw_directions(self, home_direction: float) -> None:
         """Write above the field, over the half that each team defends, which way it attacks."""
         home = -1.0 if home_direction < 0.0 else 1.0
+        free = self.view.margin - BOARD * self.view.scale  # [px] above the board
         for team, direction in ((0, home), (1, -home)):
-            x, y = self.view.pixel(-direction * self.pitch.length / 4, 0.0)[0], self.view.margin * 0.44
-            size, colour = self.view.margin * 0.62, colours.TEAMS_LIGHT[team]
+            x, y = self.view.pixel(-direction * self.pitch.length / 4, 0.0)[0], 0.5 * free
+            size, colour = min(0.62 * self.view.margin, free), colours.TEAMS_LIGHT[team]
             wide = self.canvas.text(f"{colours.TEAM_NAMES[team]} attacks", (x, y), size, colour)
             for index in range(3):
                 start = x + direction * (wide / 2 + size * (0.5 + 0.55 * index))

@@ -5,7 +5,7 @@ import pytest
 
 pytest.importorskip("pygame")
 
-from soccer_env.render import Arrows, Picture, Points, Polyline, colours
+from soccer_env.render import Area, Arrows, Label, Picture, Points, Polyline, colours
 from tests.render.staged_frames import around, centre_of, make_records, near
 
 
@@ -41,3 +41,22 @@ def test_bad_overlays_name_the_value_and_leave_no_trace():
         with pytest.raises(ValueError, match=message):
             picture.draw(*records, overlays=[Polyline([(0, 0), (1, 1)], colours.WHITE), overlay])
         assert np.array_equal(picture.draw(*records), clean)
+
+
+def test_an_area_tints_the_ground_it_covers_and_a_label_writes_beside_its_point():
+    picture = Picture("middle-size-2006")
+    match, ball, robots = make_records(1, 0)
+    robots["x"], robots["y"], ball["x"] = 5.0, -3.0, -5.0
+    plain = picture.draw(match, ball, robots)
+    pink = (250, 20, 220)
+    square = [(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0)]
+    tinted = picture.draw(match, ball, robots, overlays=[Area(square, pink, alpha=128)])
+    column, row = (round(value) for value in picture.pixel(1.5, 1.5))
+    expected = (plain[row, column].astype(int) + pink) / 2
+    assert tinted[row, column] == pytest.approx(expected, abs=3)
+    outside = tuple(round(value) for value in picture.pixel(2.2, 1.5))
+    assert np.array_equal(tinted[outside[1], outside[0]], plain[outside[1], outside[0]])
+    frame = picture.draw(match, ball, robots, overlays=[Label((1.5, 1.5), "here", pink, 20.0, (40.0, 0.0), "left")])
+    rows, columns = np.nonzero((frame != plain).any(axis=2))
+    assert column + 35 <= columns.min() < column + 45 and abs(rows.mean() - row) < 5
+    assert near(frame, pink).any()

@@ -1,0 +1,90 @@
+"""The pictures of the pages: they show the match that they say, and beliefs where the robot believes them."""
+
+from dataclasses import replace
+from math import pi
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+pytest.importorskip("pygame")
+pytest.importorskip("PIL")
+
+from PIL import Image
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+from soccer_env.render import Area, Points
+from soccer_env.render.colours import BALL_SHINE, TEAMS_LIGHT
+from soccer_env.train.pictures.animation import AFTER_GOAL, frames_of, write_gif
+from soccer_env.train.pictures.belief import belief_overlays, belief_picture, field_of_view, to_board
+from soccer_env.train.pictures.frames import frames_picture
+from soccer_env.train.pictures.settings import FOLDER, PictureSettings
+from soccer_env.types import NO_TEAM
+
+TINY = PictureSettings(home="chaser", away="still", seed=3, longest=1.0, width=240, still_width=240, belief_time=0.5)
+
+
+def test_the_animation_shows_every_fifth_step_and_is_the_same_each_time(tmp_path: Path) -> None:
+    frames, again = frames_of(TINY), frames_of(TINY)
+    assert len(frames) == 1 + 16 // TINY.every
+    assert all(np.array_equal(one, other) for one, other in zip(frames, again, strict=True))
+    assert not np.array_equal(frames[0], frames[-1])
+    write_gif(frames, tmp_path / "match.gif", 0.08)
+    with Image.open(tmp_path / "match.gif") as gif:
+        assert (gif.n_frames, gif.info["duration"], gif.info["loop"]) == (len(frames), 80, 0)
+        assert gif.size == (240, frames[0].shape[0])
+
+
+def test_the_animation_ends_a_moment_after_the_first_goal() -> None:
+    match = Match(TINY.league, controllers={"home": "chaser", "away": "still"}, pose="particles", seed=TINY.seed)
+    while match.events["goal"][0] == NO_TEAM:
+        match.step()
+    goal_at = int(match.matches["step"][0])
+    assert goal_at < 16 * 120
+    frames = frames_of(replace(TINY, longest=120.0))
+    assert len(frames) == -(-goal_at // TINY.every) + AFTER_GOAL
+
+
+@pytest.mark.parametrize("row", [1, 4])
+def test_who_knows_the_truth_believes_every_thing_where_it_is(row: int) -> None:
+    match = Match(TINY.league, senses="ideal", controllers={"home": "chaser", "away": "chaser"}, seed=2)
+    for _ in range(80):
+        match.step()
+    overlays = [one for one in belief_overlays(match, row, 1.0) if isinstance(one, Points)]
+    rings = {colour: [one.xy[0] for one in overlays if one.colour == colour] for colour in (*TEAMS_LIGHT, BALL_SHINE)}
+    assert rings[BALL_SHINE] == [pytest.approx((match.balls["x"][0], match.balls["y"][0]), abs=1e-6)]
+    for team in (0, 1):
+        others = [r for r in range(6) if r != row and match.robots["team"][0, r] == team]
+        true = sorted((float(match.robots["x"][0, r]), float(match.robots["y"][0, r])) for r in others)
+        assert sorted(rings[TEAMS_LIGHT[team]]) == [pytest.approx(place, abs=1e-6) for place in true]
+
+
+def test_the_field_of_view_is_as_wide_as_the_cameras_and_ends_at_the_boards() -> None:
+    league = find_league("legged-2001")
+    area = next(one for one in field_of_view(league, (0.3, 0.2, pi / 2), -0.4) if isinstance(one, Area))
+    (x, y), *edge = np.asarray(area.xy)
+    neck = league.sensors.neck_ahead
+    assert (x, y) == pytest.approx((0.3, 0.2 + neck))
+    angles = [np.arctan2(b - y, a - x) for a, b in edge]
+    assert angles[-1] - angles[0] == pytest.approx(league.sensors.view_width)
+    assert (angles[0] + angles[-1]) / 2 == pytest.approx(pi / 2 - 0.4)
+    assert all(max(abs(a) - 1.5, abs(b) - 1.0) == pytest.approx(0.0, abs=1e-9) for a, b in edge)
+    assert to_board(league, 0.0, 0.0, pi / 2) == pytest.approx((0.0, 1.0), abs=1e-9)
+    assert to_board(league, 0.0, 0.0, pi) == pytest.approx((-1.5, 0.0), abs=1e-9)
+    assert field_of_view(find_league("middle-size-2006"), (0.0, 0.0, 0.0), 0.0) == []
+
+
+def test_still_pictures_have_the_width_asked_for_and_a_legend() -> None:
+    for picture in (belief_picture(TINY), frames_picture(TINY)):
+        assert picture.shape[1:] == (240, 3) and picture.dtype == np.uint8
+        assert len(np.unique(picture[-20:].reshape(-1, 3), axis=0)) > 5  # words and signs, not an empty strip
+    wide = belief_picture(replace(TINY, belief_robot=0))
+    assert not np.array_equal(wide, belief_picture(TINY))
+
+
+def test_the_pictures_of_the_pages_are_there_and_the_animation_is_small() -> None:
+    if not FOLDER.exists():
+        pytest.skip("installed without the pictures")
+    assert {"match.gif", "belief.png", "frames.png"} <= {file.name for file in FOLDER.iterdir()}
+    assert (FOLDER / "match.gif").stat().st_size < 3_000_000
