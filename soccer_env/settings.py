@@ -221,15 +221,12 @@ def make_settings(
     action_repeat: int = 1,
     max_cycles: int | None = None,
     autoreset: str = "off",
-    variation: Any = None,
 ) -> Settings:
     """Check every setting and return them; ValueError names the setting, the value and what is allowed."""
     found = with_sensors(find_rules(find_league(league), rules), sensors, memory)
     home = whole_number("home", found.team_size if home is None else home, 1, MAX_TEAM)
     away = whole_number("away", found.team_size if away is None else away, 1, MAX_TEAM)
     largest = max(home, away)
-    if variation is not None:
-        raise ValueError(f"variation must be None: domain randomisation is not built yet, got {variation!r}")
     if max_cycles is not None:
         max_cycles = whole_number("max_cycles", max_cycles, 1, 2**40)
     found_scene = find_scene(scene)

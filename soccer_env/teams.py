@@ -189,11 +189,6 @@ def registered() -> dict[str, str]:
     return {**found, **NAMES}
 
 
-def team_names() -> list[str]:
-    """Return the names of all known teams."""
-    return list(registered())
-
-
 def parse_team(text: str) -> tuple[str, float, dict[str, Any]]:
     """Split NAME, NAME@STRENGTH or NAME@STRENGTH:switch=value,... into name, strength and settings.
 

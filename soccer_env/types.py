@@ -42,10 +42,7 @@ class Phase(IntEnum):
 class MatchStream(IntEnum):
     """Named noise streams of a match record: a new one takes a free number and never shifts the others."""
 
-    PLACEMENT = 0
-    REFEREE = 1
-    SCENE = 2
-    VARIATION = 3
+    SCENE = 2  # where drills put ball and robots
 
 
 class RobotStream(IntEnum):

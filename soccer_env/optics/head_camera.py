@@ -55,16 +55,3 @@ def direction_of_pixel(u, v, pan, tilt, s):
     high = sin(tilt) + up * cos(tilt)
     x, y = ahead * cos(pan) - left * sin(pan), ahead * sin(pan) + left * cos(pan)
     return atan2(y, x), atan2(high, sqrt(x * x + y * y))
-
-
-@compiled
-def pixel_of_direction(bearing, elevation, pan, tilt, s):
-    """Return u, v [px] of a direction in the robot's frame, and 1 if it lies in the picture, else 0."""
-    level = cos(elevation)
-    x, y, z = level * cos(bearing - pan), level * sin(bearing - pan), sin(elevation)
-    depth = x * cos(tilt) + z * sin(tilt)
-    if depth <= 1e-6:
-        return 0.0, 0.0, 0
-    u, v = focal_x(s) * y / depth, focal_y(s) * (z * cos(tilt) - x * sin(tilt)) / depth
-    inside = abs(u) <= 0.5 * image_width(s) and abs(v) <= 0.5 * image_height(s)
-    return u, v, 1 if inside else 0

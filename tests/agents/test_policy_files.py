@@ -15,7 +15,6 @@ from soccer_env.agents.policy_file import MAX_FILE, MAX_HEADER, dump, load, pars
 from soccer_env.leagues import LEAGUES, find_league
 from soccer_env.observations import names_of
 
-PRINTED = st.characters(categories=["L", "P", "S"])
 MADE = {"command": "soccer train --seed 1", "note": 'two\nlines, "quoted", ß'}
 
 

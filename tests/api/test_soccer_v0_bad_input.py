@@ -126,7 +126,6 @@ def test_bad_resets_are_refused_and_the_episode_goes_on(arguments, complaint):
         ({"episode": "drill"}, "needs a scene with a success test"),
         ({"rules": "fifa"}, "unknown rules 'fifa'"),
         ({"rewards": "rich"}, "unknown rewards 'rich'; known: default, sparse"),
-        ({"variation": "wild"}, "variation must be None"),
         ({"placement": "teleport"}, "placement must be one of instant, drive"),
         ({"minutes": 0}, "minutes must be above zero, got 0"),
         ({"minutes": NAN}, "minutes must be above zero, got nan"),

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, make_team, teams
-from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, team_names
+from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, registered
 from soccer_env.types import COMMAND
 from tests.scenes.staging import LEAGUES, scatter, set_phase
 from tests.scenes.symmetry import mirror, turn
 
 TEAMS = ("still", "random", "chaser")
-EVEN, ODD = ("forward", "kick", "head", "tilt"), ("left", "turn", "pan")
+EVEN = ("forward", "kick", "head", "tilt")
 
 
 def numbers(commands: np.ndarray) -> np.ndarray:
@@ -100,7 +100,7 @@ def test_the_chaser_decides_for_an_image_as_for_the_scene(league: str, change: o
 
 
 def test_names_are_parsed_and_checked() -> None:
-    assert set(TEAMS) <= set(team_names())
+    assert set(TEAMS) <= set(registered())
     assert parse_team("chaser") == ("chaser", 1.0, {}) and parse_team("chaser@0.25") == ("chaser", 0.25, {})
     switches = {"recovery": False, "step_length": 0.04, "stuck_count": 9, "goal_force": "unit"}
     text = "sacks-2001@0.5:recovery=False,step_length=0.04,stuck_count=9,goal_force=unit"
@@ -158,7 +158,7 @@ def shipped(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("shipped")
 def test_a_package_ships_a_team_as_a_factory_of_its_strength_and_settings() -> None:
-    assert "lions" in team_names()
+    assert "lions" in registered()
     weak: Any = make_team("lions@0.5:brave=True")
     assert (weak.strength, weak.brave) == (0.5, True)
     with pytest.raises(ValueError, match="team 'lions' has no setting 'teeth'; it has: strength, brave"):

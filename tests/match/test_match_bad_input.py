@@ -47,7 +47,6 @@ BAD_SETTINGS = [
     ({"action_repeat": 0}, "action_repeat must be 1 to 1000, got 0"),
     ({"max_cycles": -1}, "max_cycles must be 1"),
     ({"autoreset": "maybe"}, "autoreset must be one of next_step, same_step, off"),
-    ({"variation": 0.1}, "variation must be None"),
     ({"keeper": -1}, "keeper must be 0 to 2, got -1"),
     ({"seed": -1}, "seed must be a whole number of 0 or more, got -1"),
     ({"seeds": [1, 2]}, "seeds must be 1 whole numbers"),

@@ -31,6 +31,7 @@ from soccer_env.perception.omni.sense import sense_slice as sense_omni
 from soccer_env.random_numbers import normal, start_streams, uniform
 from soccer_env.types import BALL, BELIEF, MATCH, NOISE_STREAMS, OWN_POSE, ROBOT, ROBOT_EVENTS, RobotStream
 
+from tests.scenes.projection import pixel_of_direction
 CAMERA = int(RobotStream.CAMERA)
 
 
@@ -254,5 +255,5 @@ def pixel_of(robot, percept, x, y, z, aside, s):
     left = cosine * (y - robot.y) - sine * (x - robot.x) - camera_y
     far = max(np.sqrt(ahead * ahead + left * left), 1e-3)
     bearing = np.arctan2(left, ahead) + np.arcsin(min(max(aside / far, -1.0), 1.0))
-    u, v, _ = optics.pixel_of_direction(bearing, np.arctan2(z - camera_z, far), pan, tilt, s)
+    u, v, _ = pixel_of_direction(bearing, np.arctan2(z - camera_z, far), pan, tilt, s)
     return u, v, np.cos(bearing - pan) > 0.2

@@ -5,8 +5,8 @@
     turned(records)     the field turned by 180 degrees, home and away swapped with their noise (equal team sizes)
 
 Both return copies. `assert_same` compares records field by field, angles as angles. For the other arrays:
-`mirrored_beliefs`, `mirrored_tracks`, `mirrored_commands`, `mirrored_actions`, `mirrored_observations`; a half-turn
-leaves all of them, and percepts (`mirrored_percepts`), as they are but for the order of the rows, `swapped_rows`.
+`mirrored_beliefs`, `mirrored_tracks`, `mirrored_actions`, `mirrored_observations`; a half-turn leaves all of them, and
+percepts (`mirrored_percepts`), as they are but for the order of the rows, `swapped_rows`.
 """
 
 from __future__ import annotations
@@ -104,13 +104,6 @@ def mirrored_states(states: np.ndarray) -> np.ndarray:
     states = states.copy()
     negate(states["pose_error"], "y", "heading")
     return states
-
-
-def mirrored_commands(commands: np.ndarray) -> np.ndarray:
-    """Return commands as the mirrored robots give them."""
-    commands = commands.copy()
-    negate(commands, *WALK_LATERAL, "pan")
-    return commands
 
 
 def mirrored_actions(actions: np.ndarray) -> np.ndarray:

@@ -24,10 +24,11 @@ from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import Slots
-from soccer_env.optics.head_camera import camera_place, focal_y, pixel_of_direction
+from soccer_env.optics.head_camera import camera_place, focal_y
 from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.perception.legged.calibration import CALIBRATION
 from soccer_env.types import OWN_POSE, TRACK
+from tests.scenes.projection import pixel_of_direction
 
 LEAGUE = find_league("legged-2001")
 STICKER_HEIGHT, STICKER_MIDDLE = 0.055, 0.13  # [m]

@@ -13,9 +13,10 @@ from soccer_env.belief.legged.head import FAR_TILT, HEAD_MEMORY, NEAR_TILT, choo
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.optics.head_camera import camera_place, pixel_of_direction
+from soccer_env.optics.head_camera import camera_place
 from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.types import BELIEF, GAZE
+from tests.scenes.projection import pixel_of_direction
 from tests.scenes.staging import LEGGED, asking, put, put_ball, stage, steady
 
 LEAGUE = find_league(LEGGED)

@@ -13,7 +13,6 @@ from soccer_env.train.reproduce.claims.stuck.runs import (
     ABREAST,
     OVERLAP,
     anchor,
-    approaches,
     behind_post,
     hold,
     recover,
@@ -30,7 +29,7 @@ def test_a_held_robot_goes_nowhere_can_turn_and_notices() -> None:
     match = walk_up(BATCH, 8, 0.6, 0.9)
     for _ in play(match, 1.0):
         pass
-    assert (ball_from(match)[0] < 0.85).all() and approaches(match).all()
+    assert (ball_from(match)[0] < 0.85).all() and (memory_of(match)["behaviour"] == APPROACH).all()
     hold(match)
     x, y = match.robots["x"][:, 0].copy(), match.robots["y"][:, 0].copy()
     noticed = np.zeros(8, bool)

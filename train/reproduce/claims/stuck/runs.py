@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE
+from soccer_env.baselines.sacks_2001.memory import BACK, ROTATE
 from soccer_env.match import Match
 from soccer_env.staging import constants_of, memory_of, set_mass, team_settings_of
 from soccer_env.teams import make_team
@@ -37,12 +37,6 @@ def recovers(match: Match) -> np.ndarray:
     """Return where (M,) the player of robot 0 is recovering from a collision."""
     behaviour = memory_of(match)["behaviour"]
     return (behaviour >= BACK) & (behaviour <= ROTATE)
-
-
-def approaches(match: Match) -> np.ndarray:
-    """Return where (M,) the player of robot 0 tries to get to the ball."""
-    found: np.ndarray = memory_of(match)["behaviour"] == APPROACH
-    return found
 
 
 def hold(match: Match) -> None:
