@@ -12,6 +12,7 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
+from soccer_env.known_names import unknown
 
 BOX = ("forward", "left", "turn", "kick")
 FULL = (*BOX, "head", "pan", "tilt")
@@ -50,7 +51,7 @@ class ActionKind:
 
     def __post_init__(self) -> None:
         if self.name not in KINDS:
-            raise ValueError(f"unknown actions {self.name!r}; known: {', '.join(KINDS)}")
+            raise ValueError(unknown("actions", self.name, KINDS))
 
     @property
     def size(self) -> int:

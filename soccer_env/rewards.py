@@ -22,6 +22,7 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
 from soccer_env.geometry import length
+from soccer_env.known_names import unknown
 from soccer_env.types import NO_TEAM
 
 KINDS = ("potential", "event", "cost")
@@ -140,7 +141,7 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
         known = [item.name for item in fields(cls)]
         for name in values:
             if name not in known:
-                raise ValueError(f"unknown reward term {name!r}; known: {', '.join(known)}")
+                raise ValueError(unknown("reward term", name, known))
         made: Rewards = super().__new__(cls)
         return made
 
@@ -179,7 +180,7 @@ def find_rewards(rewards: str | Rewards) -> Rewards:
     if isinstance(rewards, Rewards):
         return rewards
     if not isinstance(rewards, str) or rewards not in PRESETS:
-        raise ValueError(f"unknown rewards {rewards!r}; known: {', '.join(PRESETS)}, or a Rewards object")
+        raise ValueError(unknown("rewards", rewards, PRESETS, "a Rewards object"))
     return PRESETS[rewards]
 
 

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.actions import ActionKind
+from soccer_env.known_names import unknown
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import NEVER, PLACEMENTS, League, Rules
 from soccer_env.observations import OBSERVE
@@ -190,7 +191,7 @@ def check_known(settings: Mapping[str, Any]) -> None:
     known = [name for name in signature(make_settings).parameters if name != "league"]
     for name in settings:
         if name not in known:
-            raise TypeError(f"unknown setting {name!r}; known: {', '.join(known)}")
+            raise TypeError(unknown("setting", name, known))
 
 
 def check_keeper(keeper: Any, home: int, away: int) -> int:

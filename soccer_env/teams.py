@@ -26,6 +26,8 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
+from soccer_env.known_names import unknown
+from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.options import Options
 from soccer_env.random_numbers import mix
@@ -243,7 +245,7 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
             raise ValueError(f"a policy has no strength, got {from_name:g} for {name!r}")
         return team_of_file(name, FILES[ending], {**changes, **settings})
     if name not in known:
-        raise ValueError(f"unknown team {name!r}; known: {', '.join(known)}, or a policy file ({', '.join(FILES)})")
+        raise ValueError(unknown("team", name, known, f"a policy file ({', '.join(FILES)})"))
     factory = found(known[name])
     changes = {**changes, **settings}
     check_factory(name, known[name], factory)

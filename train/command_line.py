@@ -14,6 +14,8 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar, cast, get_args
 
+from soccer_env.known_names import unknown
+
 if TYPE_CHECKING:
     from rich.console import Console
 
@@ -29,11 +31,9 @@ SUMMARIES = {
     "bench": "measure the speed against the bare physics",
     "record": "play a match into a replay file",
     "replay": "play a replay file again and check every step",
-    "tournament": "play every team against every other",
     "train": "train a policy",
     "reproduce": "measure what the two papers claim and say whether it holds",
     "watch": "show a match in a window",
-    "export": "write matches for other tools",
 }
 
 
@@ -49,24 +49,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
         print(f"soccer_env {__version__}")
         return 0
-    if name not in SUMMARIES:
-        return complain(f"unknown command {name!r}; known: {', '.join(SUMMARIES)}")
     if name not in COMMANDS:
-        return complain(f"not built yet: {name} ({SUMMARIES[name]})")
+        return complain(unknown("command", name, COMMANDS))
     return guarded(COMMANDS[name], rest)
 
 
 def help_text() -> str:
     """Return the help of `soccer` itself."""
-    built = [f"  {name:12}{text}" for name, text in SUMMARIES.items() if name in COMMANDS]
-    later = ", ".join(name for name in SUMMARIES if name not in COMMANDS)
     return "\n".join(
         [
             "usage: soccer COMMAND [OPTIONS]",
             "",
-            *built,
-            "",
-            f"not built yet: {later}",
+            *(f"  {name:12}{text}" for name, text in SUMMARIES.items()),
             "",
             "`soccer COMMAND --help` explains the options of one; `soccer --version` prints the version.",
         ]
@@ -156,7 +150,7 @@ def run_list(words: list[str]) -> int:
     kinds: tuple[Any, ...] = get_args(What)
     if words and words[0] not in ("-h", "--help"):
         if words[0] not in kinds:
-            raise ValueError(f"unknown list {words[0]!r}; known: {', '.join(kinds)}")
+            raise ValueError(unknown("list", words[0], kinds))
         settings = read_settings(ListSettings, words[1:], f"list {words[0]}")
         out = console()
         for drawn in list_tables(cast(What, words[0]), settings):

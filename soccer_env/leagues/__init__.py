@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from soccer_env.known_names import unknown
 from soccer_env.leagues import legged_2001, middle_size_2006
 from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
@@ -23,7 +24,7 @@ def find_league(league: str | League) -> League:
     if isinstance(league, League):
         return league
     if not isinstance(league, str) or league not in LEAGUES:
-        raise ValueError(f"unknown league {league!r}; known: {', '.join(LEAGUES)}")
+        raise ValueError(unknown("league", league, LEAGUES))
     return LEAGUES[league]
 
 

@@ -11,6 +11,7 @@ from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 
+from soccer_env.known_names import unknown
 from soccer_env.leagues.checks import is_number
 
 GREATEST = 1e6  # no number of sensors or memory is larger
@@ -87,7 +88,7 @@ class Options:
         known = [field.name for field in fields(self)]  # type: ignore[arg-type]
         for name in changes:
             if name not in known:
-                raise ValueError(f"unknown name {name!r} in {type(self).__name__}; known: {', '.join(known)}")
+                raise ValueError(f"{type(self).__name__}: {unknown('name', name, known)}")
         return replace(self, **changes)  # type: ignore[type-var]
 
     def rows(self) -> Iterator[tuple[str, Any, str, str]]:

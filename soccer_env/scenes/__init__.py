@@ -6,6 +6,7 @@ teams that need them.
 
 from __future__ import annotations
 
+from soccer_env.known_names import unknown
 from soccer_env.scenes.drills import DRILLS
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED
 from soccer_env.scenes.judging import SUCCESS, judge_drill
@@ -19,7 +20,7 @@ def find_scene(scene: str | Scene) -> Scene:
     if isinstance(scene, Scene):
         return scene
     if not isinstance(scene, str) or scene not in SCENES:
-        raise ValueError(f"unknown scene {scene!r}; known: {', '.join(SCENES)}")
+        raise ValueError(unknown("scene", scene, SCENES))
     return SCENES[scene]
 
 

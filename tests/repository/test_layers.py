@@ -28,6 +28,7 @@ LAYERS = (
         "random_numbers",
         "whole_files",
         "lazy_names",
+        "known_names",
         *COMPILING,
     ),
     ("leagues",),

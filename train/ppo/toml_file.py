@@ -7,6 +7,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+from soccer_env.known_names import unknown
 from soccer_env.train.ppo.settings import TrainSettings
 
 if sys.version_info >= (3, 11):
@@ -45,5 +46,5 @@ def read_toml(path: Path) -> dict[str, Any]:
     known = [field.name for field in fields(TrainSettings)]
     for name in found:
         if name not in known:
-            raise ValueError(f"{path}: unknown setting {name!r}; known: {', '.join(known)}")
+            raise ValueError(f"{path}: {unknown('setting', name, known)}")
     return found
