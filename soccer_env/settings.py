@@ -15,6 +15,7 @@ import numpy as np
 from soccer_env.actions import ActionKind
 from soccer_env.known_names import unknown
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import NEVER, PLACEMENTS, League, Rules
 from soccer_env.observations import OBSERVE
 from soccer_env.rewards import Rewards, find_rewards
@@ -77,8 +78,8 @@ class Settings:
 
     def constants(self) -> np.ndarray:
         """Return the (1,) record of numbers for compiled code."""
-        record = self.league.constants()
-        record["drive_placement"] = self.placement == "drive"
+        record = constants_of(self.league)
+        record["placement_by_driving"] = self.placement == "drive"
         record["end_at_goal"] = self.episode == "goal"
         if self.episode == "drill":
             record["drill"], record["drill_time"] = SUCCESS[self.scene.success], self.scene.time_limit

@@ -153,7 +153,7 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k
         moved = True
     judge_drill(match, ball, robots, robot_events, events, k)
     if events.restart != 0 and match.over == 0:
-        carry_out_restart(match, ball, robots, k, k.drive_placement)
+        carry_out_restart(match, ball, robots, k, k.placement_by_driving)
         moved = True
     for r in range(robots.shape[0]):
         robots[r].has_ball = 1 if robots[r].active == 1 and holds_ball(robots[r], k, ball.x, ball.y) else 0

@@ -158,7 +158,7 @@ class CompiledTeam:
             noise,
             commands,
             players,
-            view.league.constants(),
+            constants_of(view.league),
             self.settings,
             0,
             len(commands),

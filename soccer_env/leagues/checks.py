@@ -11,6 +11,8 @@ import numpy as np
 
 NUMBERS = {"int": "a whole number", "float": "a number"}  # annotations of fields that hold one
 
+PYTHON_ONLY = {"kernels": False}  # metadata of a field that no compiled kernel reads: it is not among the constants
+FAMILY = re.compile(r"[a-z0-9][a-z0-9-]{0,63}")
 
 def check(record: object, **tests: Callable[[float], bool]) -> None:
     """Raise ValueError for each number of a settings record that is none, is not finite or fails its test."""

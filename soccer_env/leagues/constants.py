@@ -1,53 +1,21 @@
-"""The numbers of a league as one flat record, for compiled kernels."""
+"""The numbers of a league as one flat record, for compiled kernels, in which it is called `k`.
+
+A number of one of a league's parts is in the record as part_field: k.ball_radius is league.ball.radius. Which those
+are is said where they are declared: all that hold a float, but for those marked `field(metadata=PYTHON_ONLY)`.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import fields, is_dataclass
+from typing import get_type_hints
+
 import numpy as np
 
+from soccer_env.leagues.checks import PYTHON_ONLY
 from soccer_env.leagues.league import League
 from soccer_env.leagues.legged_sensors import LeggedSensors
-from soccer_env.leagues.robot import DRIVE_KINDS
-
-GROUPS = {  # what of each part of a league goes into the record, as part_field
-    "pitch": "length width goal_width goal_depth penalty_depth penalty_width goal_area_depth goal_area_width circle "
-    "band_side band_end post_radius",
-    "ball": "radius mass rolling sliding shell top_speed",
-    "body": "mass disc_radius disc_x tip_x tip_y tip_radius front reach height",
-    "drive": "forward backward sideways turn acceleration turn_acceleration traction turn_traction slip fall fall_time "
-    "leg_disturbance",
-    "kicker": "slowest fastest least wind_up recharge spread reach half_width",
-    "head": "pan_limit tilt_low tilt_high pan_speed tilt_speed camera_height camera_ahead",
-    "rules": "kick_off_distance restart_distance restart_time in_play_distance placing_time stuck_time stuck_radius "
-    "separation contact_time corner_offset goal_kick_x goal_kick_y drop_x drop_y",
-    "substeps": "travel",
-}
-NUMBERS = [f"{part}_{name}" for part, names in GROUPS.items() for name in names.split()]
-OUTLINE = 8  # corners of a hull that fit
-
-CONSTANTS = np.dtype(
-    [("dt", "f8")]
-    + [(name, "f8") for name in NUMBERS]
-    + [
-        ("corner_x", "f8", (OUTLINE,)),  # [m] robot frame
-        ("corner_y", "f8", (OUTLINE,)),  # [m] robot frame
-        ("corners", "i8"),  # how many
-        ("walled", "i8"),  # 1: boards on the lines
-        ("ranger", "i8"),  # 1: robots have an infrared ranger
-        ("drive_kind", "i8"),
-        ("gait_steps", "i8"),
-        ("slip_steps", "i8"),  # control steps for which a drawn slip holds
-        ("delay_steps", "i8"),
-        ("keeper_kicks", "i8"),
-        ("substeps_least", "i8"),
-        ("substeps_most", "i8"),
-        ("teammate_slots", "i8"),
-        ("opponent_slots", "i8"),
-        ("drive_placement", "i8"),  # 1: robots drive to their places; 0: they are put there
-        ("end_at_goal", "i8"),  # 1: the episode ends at the first goal
-        ("drill", "i8"),  # how the drill of the scene is judged, 0 none; see scenes/judging.py
-        ("drill_time", "f8"),  # [s] limit of the drill
-    ]
-)
+from soccer_env.leagues.robot import DRIVE_KINDS, MOST_CORNERS
 
 
 def has_ranger(league: League) -> bool:
@@ -55,22 +23,50 @@ def has_ranger(league: League) -> bool:
     return isinstance(league.sensors, LeggedSensors)
 
 
+NUMBERS = {
+    f"{part}_{field.name}": (part, field.name)
+    for part, kind in get_type_hints(League).items()
+    if is_dataclass(kind)
+    for field in fields(kind)
+    if str(field.type) == "float" and field.metadata != PYTHON_ONLY
+}
+WHOLE_NUMBERS: dict[str, Callable[[League], int]] = {
+    "corners": lambda league: len(league.body.corners),  # how many the hull has
+    "walled": lambda league: league.pitch.walled,  # 1: boards on the lines
+    "ranger": has_ranger,  # 1: robots have an infrared ranger
+    "drive_kind": lambda league: DRIVE_KINDS[league.drive.kind],
+    "gait_steps": lambda league: league.drive.gait_steps,
+    "slip_steps": lambda league: max(1, round(league.drive.slip_time * league.control_rate)),  # that a slip holds for
+    "delay_steps": lambda league: league.delay_steps,
+    "keeper_kicks": lambda league: league.kicker.keeper_kicks,
+    "substeps_least": lambda league: league.substeps.least,
+    "substeps_most": lambda league: league.substeps.most,
+    "teammate_slots": lambda league: league.slots.teammates,
+    "opponent_slots": lambda league: league.slots.opponents,
+}
+OF_THE_MATCH = [  # settings of a match, filled in by `Settings.constants`
+    ("placement_by_driving", "i8"),  # 1: robots drive to their places at a restart; 0: they are put there
+    ("end_at_goal", "i8"),  # 1: the episode ends at the first goal
+    ("drill", "i8"),  # how the drill of the scene is judged, 0 none; see scenes/judging.py
+    ("drill_time", "f8"),  # [s] limit of the drill
+]
+CONSTANTS = np.dtype(
+    [("dt", "f8")]  # [s] a control step
+    + [(name, "f8") for name in NUMBERS]
+    + [(name, "f8", (MOST_CORNERS,)) for name in ("corner_x", "corner_y")]  # [m] robot frame
+    + [(name, "i8") for name in WHOLE_NUMBERS]
+    + OF_THE_MATCH
+)
+
+
 def constants_of(league: League) -> np.ndarray:
     """Return the (1,) record of a league's numbers, with instant placement and no drill."""
     record = np.zeros(1, CONSTANTS)
     record["dt"] = league.dt
-    for part, names in GROUPS.items():
-        for name in names.split():
-            record[f"{part}_{name}"] = getattr(getattr(league, part), name)
+    for name, (part, field) in NUMBERS.items():
+        record[name] = getattr(getattr(league, part), field)
     for index, (x, y) in enumerate(league.body.corners):
         record["corner_x"][0, index], record["corner_y"][0, index] = x, y
-    record["corners"] = len(league.body.corners)
-    record["walled"], record["ranger"] = league.pitch.walled, has_ranger(league)
-    record["drive_kind"] = DRIVE_KINDS[league.drive.kind]
-    record["gait_steps"] = league.drive.gait_steps
-    record["slip_steps"] = max(1, round(league.drive.slip_time * league.control_rate))
-    record["delay_steps"] = league.delay_steps
-    record["keeper_kicks"] = league.kicker.keeper_kicks
-    record["substeps_least"], record["substeps_most"] = league.substeps.least, league.substeps.most
-    record["teammate_slots"], record["opponent_slots"] = league.slots.teammates, league.slots.opponents
+    for name, of in WHOLE_NUMBERS.items():
+        record[name] = of(league)
     return record

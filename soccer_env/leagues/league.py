@@ -25,12 +25,10 @@ A walled pitch has no band: boards stand on the touchlines and goal lines, and t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
-from soccer_env.leagues.checks import between_0_and_1, check, is_number, positive
+from soccer_env.leagues.checks import PYTHON_ONLY, between_0_and_1, check, is_number, positive
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
 
@@ -54,11 +52,11 @@ class Pitch:
     goal_area_width: float = 0.0
     band_side: float = 0.0
     band_end: float = 0.0
-    post_radius: float = 0.02
-    line: float = 0.025
-    wall_elasticity: float = 0.8  # [1] assumed; multiplied with the ball's
-    wall_friction: float = 0.3  # [1] assumed
-    net_elasticity: float = 0.05  # [1] assumed: a goal catches the ball
+    post_radius: float = field(default=0.02, metadata=PYTHON_ONLY)
+    line: float = field(default=0.025, metadata=PYTHON_ONLY)
+    wall_elasticity: float = field(default=0.8, metadata=PYTHON_ONLY)  # [1] assumed; multiplied with the ball's
+    wall_friction: float = field(default=0.3, metadata=PYTHON_ONLY)  # [1] assumed
+    net_elasticity: float = field(default=0.05, metadata=PYTHON_ONLY)  # [1] assumed: a goal catches the ball
 
     def __post_init__(self) -> None:
         check(
@@ -79,12 +77,12 @@ class BallModel:
     """The ball and how it rolls."""
 
     radius: float  # [m]
-    mass: float  # [kg]
+    mass: float = field(metadata=PYTHON_ONLY)  # [kg]
     rolling: float  # [m/s2] constant deceleration of a rolling ball
     sliding: float  # [m/s2] deceleration while it slides
     shell: float  # [1] inertia over mass times radius squared: 2/5 solid, 2/3 a hollow shell
-    elasticity: float  # [1] restitution against robots and walls, multiplied with theirs
-    friction: float  # [1]
+    elasticity: float = field(metadata=PYTHON_ONLY)  # [1] restitution against robots and walls, times theirs
+    friction: float = field(metadata=PYTHON_ONLY)  # [1]
     top_speed: float  # [m/s] nothing moves it faster
 
     def __post_init__(self) -> None:
@@ -95,7 +93,7 @@ class BallModel:
 class Rules:
     """The rule set of a league. Fouls of later versions add their fields here."""
 
-    half_minutes: float  # [min] length of a half
+    half_minutes: float = field(metadata=PYTHON_ONLY)  # [min] length of a half
     kick_off_distance: float  # [m] opponents' distance from the ball at a kick-off
     restart_distance: float  # [m] opponents' distance from the ball at the other restarts
     restart_time: float  # [s] after which the ball is in play although nobody took the restart
@@ -140,7 +138,7 @@ class Substeps:
     most: int
     travel: float  # [m] that the fastest body may move in a substep
     iterations: int  # of the contact solver
-    slop: float  # [m] overlap of bodies that is left alone
+    slop: float = field(metadata=PYTHON_ONLY)  # [m] overlap of bodies that is left alone
 
     def __post_init__(self) -> None:
         check(self, least=positive, most=positive, travel=positive, iterations=positive)
@@ -194,9 +192,3 @@ class League:
     def delay_steps(self) -> int:
         """Return the actuation delay in whole control steps, rounded."""
         return round(self.drive.delay * self.control_rate)
-
-    def constants(self) -> np.ndarray:
-        """Return the numbers that compiled kernels need, as one `CONSTANTS` record of shape (1,)."""
-        from soccer_env.leagues.constants import constants_of
-
-        return constants_of(self)

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import hypot
 
-from soccer_env.leagues.checks import any_number, between_0_and_1, check, is_convex, positive
+from soccer_env.leagues.checks import PYTHON_ONLY, any_number, between_0_and_1, check, is_convex, positive
 
 GAIT = 0
 WHEELS_OMNI = 1
 WHEELS_DIFFERENTIAL = 2
 DRIVE_KINDS = {"gait": GAIT, "omnidirectional": WHEELS_OMNI, "differential": WHEELS_DIFFERENTIAL}
+MOST_CORNERS = 8  # of a hull, that the constants have room for
 
 
 @dataclass(frozen=True)
@@ -20,7 +21,7 @@ class Body:
     A convex hull (corners) or a disc, with two round tips in front that form the pocket for the ball.
     """
 
-    mass: float  # [kg]
+    mass: float = field(metadata=PYTHON_ONLY)  # [kg]
     disc_radius: float  # [m] 0: the hull is given by its corners
     disc_x: float  # [m] centre of the disc
     corners: tuple[tuple[float, float], ...]  # [m] corners of the hull, counter-clockwise; empty for a disc
@@ -29,16 +30,16 @@ class Body:
     tip_radius: float  # [m]
     front: float  # [m] x of the surface that a ball in the pocket rests on
     reach: float  # [m] greatest distance of the outline from the origin
-    elasticity: float  # [1]
-    friction: float  # [1]
+    elasticity: float = field(metadata=PYTHON_ONLY)  # [1]
+    friction: float = field(metadata=PYTHON_ONLY)  # [1]
     height: float  # [m]
 
     def __post_init__(self) -> None:
         check(self, mass=positive, reach=positive, tip_x=any_number, disc_x=any_number, elasticity=between_0_and_1)
         if (self.disc_radius > 0.0) == bool(self.corners):
             raise ValueError("Body needs either a disc_radius above zero or corners, not both")
-        if len(self.corners) > 8:
-            raise ValueError(f"Body.corners must be at most 8, got {len(self.corners)}")
+        if len(self.corners) > MOST_CORNERS:
+            raise ValueError(f"Body.corners must be at most {MOST_CORNERS}, got {len(self.corners)}")
         if self.corners and not is_convex(self.corners):
             raise ValueError(f"Body.corners must be finite and run counter-clockwise round a hull, got {self.corners}")
         outermost = max(
@@ -63,12 +64,12 @@ class Drive:
     turn_acceleration: float  # [rad/s2]
     traction: float  # [m/s2] force that the ground bears, over mass
     turn_traction: float  # [rad/s2]
-    delay: float  # [s] from a command to the motion, 0 to 0.2
+    delay: float = field(metadata=PYTHON_ONLY)  # [s] from a command to the motion, 0 to 0.2
     gait_steps: int  # control steps of a gait step, in which the walk cannot change; 1 for wheels
     slip: float  # [1] deviation of a walk from its command
-    slip_time: float  # [s] for which a drawn slip holds
-    fall: float  # [1/(N s)] probability of a fall for each unit of pushing impulse; 0 off
-    fall_time: float  # [s] on the ground
+    slip_time: float = field(metadata=PYTHON_ONLY)  # [s] for which a drawn slip holds
+    fall: float = field(metadata=PYTHON_ONLY)  # [1/(N s)] probability of a fall for each unit of pushing impulse; 0 off
+    fall_time: float = field(metadata=PYTHON_ONLY)  # [s] on the ground
     leg_disturbance: float = 0.0  # [1] how much legs get at the ball and at other legs; 0 off, 1 see physics/legs.py
 
     def __post_init__(self) -> None:

@@ -10,6 +10,7 @@ from soccer_env.agents.learned import MEMORY, play, team_of
 from soccer_env.agents.perceptron import pack, widest
 from soccer_env.agents.policy import Policy
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.observations.reflection import action_signs, observation_signs
 from soccer_env.types import COMMAND
 from tests.agents.staged_policies import attentive, decide, lively
@@ -63,7 +64,7 @@ def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str
 def commands_of(policy: Policy, seen: np.ndarray, players: list[int], first: int, last: int) -> np.ndarray:
     """Return the commands (M, R) of players of a slice of matches that observe (M, R, n)."""
     commands, memory = np.zeros(seen.shape[:2], COMMAND), np.zeros((len(seen), len(players)), MEMORY)
-    constants = find_league("legged-2001").constants()
+    constants = constants_of(find_league("legged-2001"))
     play(seen, memory, commands, np.array(players), constants, pack(policy), first, last)
     return commands
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import LEAGUES, find_league, legged_2001, middle_size_2006
-from soccer_env.leagues.constants import CONSTANTS
+from soccer_env.leagues.constants import CONSTANTS, constants_of
 
 PARTS = ("pitch", "ball", "body", "drive", "kicker", "head", "rules", "slots", "substeps")
 
@@ -129,7 +129,7 @@ def test_leagues_are_frozen_and_become_constants(name: str) -> None:
     with pytest.raises(FrozenInstanceError):
         league.control_rate = 5  # type: ignore[misc]
     assert all(is_dataclass(getattr(league, part)) for part in PARTS)
-    record = league.constants()
+    record = constants_of(league)
     assert record.dtype is CONSTANTS and record.shape == (1,)
     assert record["pitch_length"][0] == league.pitch.length and record["dt"][0] == 1 / league.control_rate
     assert record["delay_steps"][0] == {16: 2, 50: 5}[league.control_rate]

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.physics.contacts import ball_gap
 from soccer_env.types import AWAY, HOME, NO_TEAM
 from tests.scenes.staging import (
@@ -167,7 +168,7 @@ def test_robots_that_meet_have_a_collision_and_those_apart_have_none(name):
 def test_the_gap_to_the_ball_is_its_distance_from_the_outline(name):
     """Measured against points along the outline."""
     league = find_league(name)
-    constants = league.constants()[0]
+    constants = constants_of(league)[0]
     match, points, outside = stage(league), outline(league), 0
     for x, y, heading, bx, by in np.random.default_rng(4).uniform(-1.0, 1.0, (200, 5)):
         put(match, 0, x, y, heading)

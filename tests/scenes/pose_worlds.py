@@ -22,6 +22,7 @@ from soccer_env.belief.own_pose import POSE_MEMORY
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.legged_sensors import LeggedSensors
 from soccer_env.optics import head_camera as optics
 from soccer_env.percept_types import LANDMARKS, LEGGED_PERCEPT, NO_POSE, OMNI_PERCEPT, POSE_TOLD
@@ -30,8 +31,8 @@ from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables
 from soccer_env.perception.omni.sense import sense_slice as sense_omni
 from soccer_env.random_numbers import normal, start_streams, uniform
 from soccer_env.types import BALL, BELIEF, MATCH, NOISE_STREAMS, OWN_POSE, ROBOT, ROBOT_EVENTS, RobotStream
-
 from tests.scenes.projection import pixel_of_direction
+
 CAMERA = int(RobotStream.CAMERA)
 
 
@@ -43,7 +44,7 @@ class World:
         found = replace(found, memory=found.memory.changed(memory), sensors=found.sensors.changed(sensors or {}))
         self.league, self.rng, self.count, self.frame = found, np.random.default_rng(seed), robots, 0
         self.legged = isinstance(found.sensors, LeggedSensors)
-        self.k, self.s, self.w = found.constants(), found.sensors.record(), found.memory.record()
+        self.k, self.s, self.w = constants_of(found), found.sensors.record(), found.memory.record()
         self.matches, self.balls = np.zeros(robots, MATCH), np.zeros(robots, BALL)
         self.matches["home_direction"] = self.matches["handedness"] = 1.0
         self.robots, self.events = np.zeros((robots, 1), ROBOT), np.zeros((robots, 1), ROBOT_EVENTS)

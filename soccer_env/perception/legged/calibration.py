@@ -18,6 +18,7 @@ from math import atan2, nan, pi
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.optics.head_camera import camera_place
 from soccer_env.perception.legged.picture import draw_scene
@@ -72,7 +73,7 @@ def look_at(league: League, ranges: np.ndarray, height: float, kind: int, headin
     robots["active"], robots["team"][0, 1], robots["heading"][0, 1] = 1, AWAY, heading
     ball["x"], robots["x"][0, 1] = ASIDE, ASIDE
     sizes = np.zeros(len(ranges), SIZE)
-    render(match, ball, robots, league.constants(), league.sensors.record(), ranges, height, kind, sizes)
+    render(match, ball, robots, constants_of(league), league.sensors.record(), ranges, height, kind, sizes)
     return sizes
 
 

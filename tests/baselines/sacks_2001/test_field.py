@@ -17,13 +17,14 @@ from soccer_env.baselines.sacks_2001.steering import (
     step_speed,
 )
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.train.reproduce.claims.field.point_world import PointWorld, players
 from soccer_env.types import BELIEF, TRACK
 from tests.scenes.sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
 from tests.scenes.sacks_mind import LEAGUE, Mind
 from tests.scenes.symmetry import mirrored_beliefs, mirrored_tracks
 
-K = find_league("legged-2001").constants()[0]
+K = constants_of(find_league("legged-2001"))[0]
 MIRROR = 1e-12
 THEORY = {"exponent": 3, "goal_force": "proportional", "cosine_factor": False}
 

@@ -9,6 +9,7 @@ from soccer_env.belief.legged import landmarks as kernels
 from soccer_env.belief.legged.landmarks import LANDMARK_VIEW
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.random_numbers import start_streams
 from soccer_env.types import NOISE_STREAMS, ROBOT
@@ -16,7 +17,7 @@ from tests.scenes.pose_worlds import see_from
 
 LEAGUE = find_league("legged-2001")
 SENSORS = LEAGUE.sensors.changed({"dither": 0.0, "landmark_miss": 0.0, "resolution": "176x144"})
-K, S, W = LEAGUE.constants(), SENSORS.record(), LEAGUE.memory.record()
+K, S, W = constants_of(LEAGUE), SENSORS.record(), LEAGUE.memory.record()
 STAND_STILL = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 MIDDLE = (0.0, 0.0)
 

@@ -11,6 +11,7 @@ from soccer_env.belief.omni import field_lines as kernels
 from soccer_env.belief.omni.field_lines import LINE_VIEW
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.percept_types import OMNI_PERCEPT
 from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
 from soccer_env.random_numbers import start_streams
@@ -18,7 +19,7 @@ from soccer_env.types import BALL, BELIEF, MATCH, NOISE_STREAMS, OWN_POSE, ROBOT
 
 LEAGUE = find_league("middle-size-2006")
 SENSORS = LEAGUE.sensors.changed({"line_miss": 0.0, "goal_miss": 0.0, "camera_delay": 0})
-K, S, W, TABLES = LEAGUE.constants(), SENSORS.record(), LEAGUE.memory.record(), line_tables(LEAGUE)
+K, S, W, TABLES = constants_of(LEAGUE), SENSORS.record(), LEAGUE.memory.record(), line_tables(LEAGUE)
 STAND_STILL = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 POSES = [(3.0, 2.0, 0.4), (-4.5, -1.0, 2.0), (0.5, -3.0, -2.8), (5.0, 3.3, 1.0)]
 

@@ -11,11 +11,12 @@ from soccer_env.belief.omni.kalman import COVARIANCE, fit_gains, predict_covaria
 from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, correct, predict, reading_of, reading_sd, start
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.percept_types import SIGHTING
 from tests.scenes.staging import MIDDLE
 
 LEAGUE = find_league(MIDDLE)
-S, K = LEAGUE.sensors.record(), LEAGUE.constants()
+S, K = LEAGUE.sensors.record(), constants_of(LEAGUE)
 DT = 0.02  # [s]
 
 THING = np.dtype([("x", "f8"), ("y", "f8"), ("vx", "f8"), ("vy", "f8")])

@@ -15,6 +15,7 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.optics.head_camera import camera_place, focal_x, focal_y, image_height, image_width
 from soccer_env.percept_types import LEGGED_PERCEPT
@@ -71,7 +72,7 @@ class Scene:
         self.robots["x"][:, 1:] = self.balls["x"] = FAR_AWAY
         noise = self.robots["noise"]
         noise[:] = np.random.default_rng(4).integers(0, 1 << 63, noise.shape, np.uint64)
-        self.constants = self.league.constants()
+        self.constants = constants_of(self.league)
         self.settings = self.league.sensors.changed(SURE | sensors)
         self.sensors = self.settings.record()
 

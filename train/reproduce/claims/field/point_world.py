@@ -22,6 +22,7 @@ from soccer_env.baselines.sacks_2001.steering import BEHIND_LINE, choose_way, di
 from soccer_env.compiled import compiled, records
 from soccer_env.geometry import length, wrap
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.train.reproduce.claims.field.point_runs import PointRuns
 from soccer_env.types import BELIEF, TRACK
 
@@ -59,7 +60,7 @@ class PointWorld:
         errors, blobs = self.draw_noise((decisions, m, p), np.random.default_rng(0) if rng is None else rng)
         path, off = np.full((decisions + 1, m, 2), np.nan), np.full((decisions, m), np.nan)
         places = np.full((decisions + 1, m, p, 2), np.nan)
-        constants = find_league(self.league).constants()
+        constants = constants_of(find_league(self.league))
         run_all(start, others, errors, blobs, constants, self.play.record(), self.body, path, off, places)
         goal = 0.5 * float(constants["pitch_length"][0]) + BEHIND_LINE
         return PointRuns(path, off, places, goal, self.play.replan)

@@ -12,6 +12,7 @@ import numpy as np
 from soccer_env.baselines.sacks_2001 import forces
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.train.reproduce.claim import Arrows, Curve, Figure
 from soccer_env.train.reproduce.claims.field.point_runs import PointRuns
 from soccer_env.train.reproduce.claims.field.point_world import PointWorld, players
@@ -79,7 +80,7 @@ def draw_field(title: str, crowd: np.ndarray, paths: dict[str, np.ndarray], **pl
 
 def force_arrows(crowd: np.ndarray, settings: SacksSettings) -> Arrows:
     """Return the directions of the total force, before any limit, on a grid over the field."""
-    play, k = settings.record()[0], find_league(LEGGED).constants()[0]
+    play, k = settings.record()[0], constants_of(find_league(LEGGED))[0]
     xs, ys = np.meshgrid(np.linspace(-1.2, 1.2, 25), np.linspace(-0.8, 0.8, 17))
     rows = []
     for x, y in zip(xs.ravel(), ys.ravel(), strict=True):
