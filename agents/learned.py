@@ -41,7 +41,7 @@ class LearnedTeam(ObservingTeam):
 
 def team_of(policy: Policy, at_once: bool = False) -> LearnedTeam:
     """Return the team that plays a policy; `at_once`: its decisions are counted from the first step of an episode."""
-    made = LearnedTeam(policy.name, play, MEMORY, pack(policy, at_once), (policy.league,), observe=policy.observe)
+    made = LearnedTeam(policy.name, play, MEMORY, pack(policy, at_once), (policy.family,), observe=policy.observe)
     object.__setattr__(made, "policy", policy)
     return made
 

@@ -16,12 +16,14 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from reprlib import Repr
+from typing import Any
 
 import numpy as np
 
 from soccer_env.actions import BOX, FULL
 from soccer_env.agents.attention import TENSORS, layout_of
-from soccer_env.leagues.league import League
+from soccer_env.leagues.checks import check_family
+from soccer_env.leagues.league import MAX_RATE, League
 from soccer_env.observations import OBSERVE, names_of
 
 ACTIONS = {"box": len(BOX), "full": len(FULL)}  # numbers that come out
@@ -51,6 +53,8 @@ class Policy:
 
     name: str  # what the team calls itself
     league: str  # name of the league it was trained in
+    family: str  # of that league: it plays in every league of the family that has the same layout and control rate
+    control_rate: int  # [1/s] of that league
     observe: str  # "truth", "percepts" or "belief"
     inputs: tuple[str, ...]  # names of the observation's entries, in order: the whole layout
     actions: str  # "box" (4 numbers) or "full" (7)
@@ -66,6 +70,8 @@ class Policy:
     def __post_init__(self) -> None:
         _check_text("name", self.name, NAME)
         _check_text("league", self.league, NAME)
+        check_family("family", self.family)
+        _check_whole("control_rate", self.control_rate, MAX_RATE)
         _check_choice("observe", self.observe, OBSERVE)
         _check_choice("actions", self.actions, tuple(ACTIONS))
         _check_choice("kind", self.kind, KINDS)
@@ -74,8 +80,7 @@ class Policy:
             raise ValueError(f"mirror must be True or False, got {brief(self.mirror)}")
         if self.mirror and self.observe == "percepts":
             raise ValueError("mirror must be False where percepts are observed: turning signs round mirrors no picture")
-        if type(self.action_repeat) is not int or not 1 <= self.action_repeat <= MAX_REPEAT:
-            raise ValueError(f"action_repeat must be 1 to {MAX_REPEAT}, got {brief(self.action_repeat)}")
+        _check_whole("action_repeat", self.action_repeat, MAX_REPEAT)
         _check_inputs(self.inputs)
         _check_made(self.made)
         features = _check_attention(self.kind, self.attention, self.inputs)
@@ -88,12 +93,19 @@ class Policy:
         object.__setattr__(self, "made", dict(self.made))
 
     def check_plays(self, league: League) -> None:
-        """Raise ValueError unless the policy was trained for this league, or for the one whose variant it is.
+        """Raise ValueError unless a league's family, control rate and layout are those that the policy knows.
 
-        A variant's name begins with that of its league (legged-2001-inner); its layout has to be the same.
+        What the league is called does not matter, nor do its numbers: variants are played as well as they can be.
         """
-        if league.name != self.league and not league.name.startswith(self.league + "-"):
-            raise ValueError(f"policy {self.name!r} was trained in {self.league!r}, not for {league.name!r}")
+        for what, own, other in (
+            ("family", self.family, league.family),
+            ("control rate", self.control_rate, league.control_rate),
+        ):
+            if own != other:
+                raise ValueError(
+                    f"policy {self.name!r} was trained in {self.league!r} of {what} {own}, "
+                    f"{league.name!r} is of {what} {other}"
+                )
         names = names_of(league, self.observe)
         if list(self.inputs) == names:
             return
@@ -112,11 +124,22 @@ def brief(value: object) -> str:
     return BRIEF.repr(value)
 
 
+def trained_in(league: League) -> dict[str, Any]:
+    """Return the fields of a policy that say which league it was trained in."""
+    return {"league": league.name, "family": league.family, "control_rate": league.control_rate}
+
+
 def _check_text(what: str, value: object, pattern: re.Pattern[str]) -> None:
     """Raise ValueError unless a value is a short plain text."""
     if not isinstance(value, str) or not pattern.fullmatch(value):
         kinds = "letters, digits and _" if pattern is INPUT else "letters, digits, spaces and . _ + -"
         raise ValueError(f"{what} must be 1 to 64 characters ({kinds}), got {brief(value)}")
+
+
+def _check_whole(what: str, value: object, most: int) -> None:
+    """Raise ValueError unless a value is a whole number from 1 to `most`."""
+    if type(value) is not int or not 1 <= value <= most:
+        raise ValueError(f"{what} must be 1 to {most}, got {brief(value)}")
 
 
 def _check_choice(what: str, value: object, known: tuple[str, ...]) -> None:

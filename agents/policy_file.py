@@ -4,9 +4,10 @@
     header     JSON: {"__metadata__": {"soccer_env.policy": TEXT}, "layer0.weight": {"dtype": "F32", "shape": ...}, ...}
     tensors    float32, little-endian, one after the other without gaps
 
-TEXT is JSON again: the fields of `Policy` without its arrays, and "version" (1). The schema is strict: exactly these
-keys, each once, with these types; anything else is a ValueError in one line that names the file. The kind "attention"
-has six tensors more, "teammate.weight" and so on (`attention.TENSORS`).
+TEXT is JSON again: the fields of `Policy` without its arrays, and "version" (2). The schema is strict: exactly these
+keys, each once, with these types; anything else is a ValueError in one line that names the file. Version 1 said
+nothing of the league but its name: family and control rate are those of our own league of that name. The kind
+"attention" has six tensors more, "teammate.weight" and so on (`attention.TENSORS`).
 
 The safetensors library checks that the header fits into the file and is JSON, that sizes agree with shapes, and that
 the tensors cover the file without holes and overlaps. It lets duplicate names, unknown fields of a tensor and any
@@ -28,9 +29,10 @@ from safetensors.numpy import load as tensors_of
 from safetensors.numpy import save
 
 from soccer_env.agents.attention import TENSORS
-from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, brief
+from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, brief, trained_in
+from soccer_env.leagues import LEAGUES
 
-VERSION = 1
+VERSION = 2
 KEY = "soccer_env.policy"
 MAX_FILE = 16 * 2**20  # [bytes]
 MAX_HEADER = 2**20  # [bytes] the largest policy needs about 0.8 MiB
@@ -40,6 +42,8 @@ SCHEMA: dict[str, type] = {
     "version": int,
     "name": str,
     "league": str,
+    "family": str,
+    "control_rate": int,
     "observe": str,
     "inputs": list,
     "actions": str,
@@ -49,6 +53,7 @@ SCHEMA: dict[str, type] = {
     "mirror": bool,
     "made": dict,
 }
+SINCE_2 = ("family", "control_rate")  # keys that version 1 lacks
 TENSOR = {"dtype", "shape", "data_offsets"}
 
 
@@ -178,8 +183,10 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
     if not isinstance(table, dict):
         raise ValueError(f"{KEY} must be a JSON object")
     version = table.get("version")
-    if type(version) is not int or version != VERSION:
-        raise ValueError(f"is of format version {brief(version)}; this soccer_env reads version {VERSION}")
+    if type(version) is not int or not 1 <= version <= VERSION:
+        raise ValueError(f"is of format version {brief(version)}; this soccer_env reads versions 1 to {VERSION}")
+    if version == 1:
+        table = _of_version_1(table)
     missing, unknown = [key for key in SCHEMA if key not in table], [key for key in table if key not in SCHEMA]
     if missing:
         raise ValueError(f"{KEY} lacks {', '.join(missing)}")
@@ -189,6 +196,17 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
         if type(table[key]) is not kind:
             raise ValueError(f"{key} must be of the JSON type of {kind.__name__}, got {brief(table[key])}")
     return table
+
+
+def _of_version_1(table: dict[str, Any]) -> dict[str, Any]:
+    """Return the fields of a file of version 1 with those that it lacks, by the name of its league."""
+    said = [key for key in SINCE_2 if key in table]
+    if said:
+        raise ValueError(f"{KEY} has an unknown key {said[0]!r} for version 1")
+    known = LEAGUES.get(table["league"]) if isinstance(table.get("league"), str) else None
+    if known is None:
+        raise ValueError(f"is of version 1, which says nothing of leagues of one's own: {brief(table.get('league'))}")
+    return {**table, **trained_in(known)}
 
 
 def _more(table: Mapping[str, Any]) -> tuple[str, ...]:

@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, MAX_INPUTS, Policy, brief
+from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, MAX_INPUTS, Policy, brief, trained_in
 from soccer_env.agents.policy_file import file_name, one_line, read_plain, strict_json
 from soccer_env.leagues import League, find_league
 from soccer_env.observations import OBSERVE, names_of
@@ -86,7 +86,7 @@ def load_sb3(
             raise ValueError(f"takes {weights[0].shape[1]} inputs, {observe!r} of {preset.name!r} has {len(inputs)}")
         return Policy(
             name=_stem(path) if name is None else name,
-            league=preset.name,
+            **trained_in(preset),
             observe=observe,
             inputs=tuple(inputs),
             actions=_actions(len(biases[-1])),

@@ -135,14 +135,13 @@ class CompiledTeam:
     kernel: Callable[..., None]
     memory_dtype: np.dtype
     settings: np.ndarray
-    leagues: tuple[str, ...] = ()  # names a league has to begin with; empty: all
+    families: tuple[str, ...] = ()  # of leagues that it plays (`League.family`); empty: all
     options: Options | None = None  # the team's settings by name, for lists
     blind: bool = False  # True: it reads no belief, so that nothing has to be sensed for it
 
     def check_league(self, league: League) -> None:
         """Raise ValueError if the team does not play this league."""
-        if self.leagues and not league.name.startswith(self.leagues):
-            raise ValueError(f"team {self.name!r} plays {', '.join(self.leagues)}, not {league.name}")
+        league.must_be_of(self.families, f"team {self.name!r}")
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
         """Return the commands (M, P, 7) of all players, as the match would have the kernel make them."""

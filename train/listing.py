@@ -46,6 +46,7 @@ def leagues() -> Iterator[Table]:
     from soccer_env.leagues import LEAGUES
 
     rows = [
+        ("family", *(x.family for x in LEAGUES.values())),
         ("pitch", *(f"{x.pitch.length:g} x {x.pitch.width:g} m" for x in LEAGUES.values())),
         ("round it", *("boards" if x.pitch.walled else "lines, throw-ins" for x in LEAGUES.values())),
         ("players a side", *(f"{x.team_size}" for x in LEAGUES.values())),
@@ -62,18 +63,18 @@ def leagues() -> Iterator[Table]:
 
 
 def teams() -> Iterator[Table]:
-    """Yield the teams and the leagues that each plays."""
+    """Yield the teams and the families of leagues that each plays."""
     from soccer_env.teams import make_team, registered
 
     rows = []
     for name, where in registered().items():
         try:
-            played = ", ".join(getattr(make_team(name), "leagues", ())) or "all"
+            played = ", ".join(getattr(make_team(name), "families", ())) or "all"
         except (ImportError, AttributeError) as error:
             played = f"cannot be loaded: {error}"
         rows.append((name, played, first_line(where.partition(":")[0]), where))
     title = "Teams: NAME, NAME@0.5 for half its strength, NAME:switch=value,... (see `soccer list settings`)"
-    yield table(title, ("name", "leagues", "what it is", "made by"), rows)
+    yield table(title, ("name", "family", "what it is", "made by"), rows)
 
 
 def settings_of_teams() -> Iterator[Table]:
@@ -124,10 +125,11 @@ def scenes() -> Iterator[Table]:
             x.success,
             f"{x.time_limit:g} s" if isfinite(x.time_limit) else "none",
             ", ".join(x.opponents),
+            ", ".join(x.families) or "all",
         )
         for x in SCENES.values()
     ]
-    yield table("Scenes", ("name", "what it is", "success", "time limit", "opponents meant"), rows)
+    yield table("Scenes", ("name", "what it is", "success", "time limit", "opponents meant", "family"), rows)
 
 
 def observations(league: str, observe: str) -> Iterator[Table]:

@@ -14,7 +14,7 @@ from soccer_env.compiled import compiled
 from soccer_env.team_kernels import per_player
 from soccer_env.teams import CompiledTeam
 
-LEAGUES = ("legged",)
+FAMILIES = ("legged",)
 TUNED = {"step_length": 0.06, "back_steps": 3, "side_steps": 3}
 FUTURE = {"passes": True, "keeper_speed": True, "free_side": True, "decisive": True}
 
@@ -22,19 +22,19 @@ FUTURE = {"passes": True, "keeper_speed": True, "free_side": True, "decisive": T
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team; `changes` are settings by name, ValueError for one that does not exist or cannot be."""
     settings = SacksSettings().changed({"strength": strength, **changes})
-    return CompiledTeam("sacks-2001", KERNEL, MEMORY, settings.record(), LEAGUES, settings)
+    return CompiledTeam("sacks-2001", KERNEL, MEMORY, settings.record(), FAMILIES, settings)
 
 
 def future(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team with what the paper leaves to the future: passes, better goalkeeper, sidesteps and decisions."""
     settings = SacksSettings().changed({"strength": strength, **FUTURE, **changes})
-    return CompiledTeam("sacks-2001-future", KERNEL, MEMORY, settings.record(), LEAGUES, settings)
+    return CompiledTeam("sacks-2001-future", KERNEL, MEMORY, settings.record(), FAMILIES, settings)
 
 
 def tuned(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team with other numbers than the paper's: what plays better here, see README.md beside this file."""
     settings = SacksSettings().changed({"strength": strength, **TUNED, **changes})
-    return CompiledTeam("sacks-2001-tuned", KERNEL, MEMORY, settings.record(), LEAGUES, settings)
+    return CompiledTeam("sacks-2001-tuned", KERNEL, MEMORY, settings.record(), FAMILIES, settings)
 
 
 @compiled

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import fields
 from math import isfinite
@@ -10,9 +11,9 @@ from typing import Any
 import numpy as np
 
 NUMBERS = {"int": "a whole number", "float": "a number"}  # annotations of fields that hold one
-
 PYTHON_ONLY = {"kernels": False}  # metadata of a field that no compiled kernel reads: it is not among the constants
 FAMILY = re.compile(r"[a-z0-9][a-z0-9-]{0,63}")
+
 
 def check(record: object, **tests: Callable[[float], bool]) -> None:
     """Raise ValueError for each number of a settings record that is none, is not finite or fails its test."""
@@ -36,6 +37,12 @@ def is_number(value: Any, kind: str) -> bool:
     """Tell whether a value is a number, Python's or numpy's, and a whole one if the kind is "int"."""
     whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
     return whole or (kind == "float" and isinstance(value, (float, np.floating)))
+
+
+def check_family(where: str, family: object) -> None:
+    """Raise ValueError unless the name of a family of leagues is a short plain word."""
+    if not isinstance(family, str) or not FAMILY.fullmatch(family):
+        raise ValueError(f"{where} must be 1 to 64 lower-case letters, digits and -, got {family!r}")
 
 
 def not_negative(value: float) -> bool:

@@ -28,12 +28,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from soccer_env.leagues.checks import PYTHON_ONLY, between_0_and_1, check, is_number, positive
+from soccer_env.leagues.checks import PYTHON_ONLY, between_0_and_1, check, check_family, is_number, positive
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
 
 PLACEMENTS = ("instant", "drive")
 NEVER = 1e9  # [s]
+MAX_RATE = 1000  # [1/s] control steps
 
 
 @dataclass(frozen=True)
@@ -151,6 +152,7 @@ class League:
     """A league: pitch, ball, robots, rules and time. Variants by `dataclasses.replace`."""
 
     name: str
+    family: str  # what teams, scenes and policies go by: "legged", "middle-size" or one of your own
     control_rate: int  # [1/s] control steps
     team_size: int  # players a side in the league's own matches
     pitch: Pitch
@@ -170,8 +172,9 @@ class League:
 
     def __post_init__(self) -> None:
         check(self)
-        if not 1 <= self.control_rate <= 1000:
-            raise ValueError(f"League.control_rate must be 1 to 1000 a second, got {self.control_rate}")
+        check_family("League.family", self.family)
+        if not 1 <= self.control_rate <= MAX_RATE:
+            raise ValueError(f"League.control_rate must be 1 to {MAX_RATE} a second, got {self.control_rate}")
         if not 1 <= self.team_size <= MAX_TEAM:
             raise ValueError(f"League.team_size must be 1 to {MAX_TEAM}, got {self.team_size}")
         if self.evaluation_placement not in PLACEMENTS:
@@ -182,6 +185,11 @@ class League:
             raise ValueError(f"Drive.delay spans {self.delay_steps} control steps, at most {MAX_DELAY_STEPS - 1} fit")
         if 2.0 * self.body.reach > min(self.pitch.length, self.pitch.width) / 4:
             raise ValueError("Body.reach is too large for the pitch: robots need room to be placed")
+
+    def must_be_of(self, families: tuple[str, ...], who: str) -> None:
+        """Raise ValueError, for a team or scene, unless the league is of one of these families; empty: all will do."""
+        if families and self.family not in families:
+            raise ValueError(f"{who} is for {' and '.join(families)} leagues, {self.name!r} is {self.family}")
 
     @property
     def dt(self) -> float:

@@ -119,6 +119,7 @@ RULES = Rules(
 
 LEAGUE = League(  # MS56
     name="legged-2001",
+    family="legged",
     control_rate=16,  # [1/s] camera frames used: four of them are "about 1/4 second", Sacks 2001, 3.1.1
     team_size=3,  # Sacks 2001, 1
     pitch=PITCH,

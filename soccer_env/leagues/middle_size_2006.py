@@ -129,6 +129,7 @@ RULES = Rules(
 
 LEAGUE = League(
     name="middle-size-2006",
+    family="middle-size",
     control_rate=50,  # [1/s] Heinemann et al. 2006, 2: a global cycle of 20 ms  MH03
     team_size=5,  # rules of 2006
     pitch=PITCH,

@@ -86,8 +86,8 @@ class Header:
         pad, room = 0.014 * width, (SIDE - 0.025) * width
         self.canvas.text(story.clock, (pad, 0.40 * row), 0.66 * row, colours.WHITE, "left", room)
         self.canvas.text(story.half, (pad, 0.80 * row), 0.32 * row, colours.DIM, "left", room)
-        kind = "legged league" if self.league.head.pan_limit > 0.0 else "middle-size league"
-        self.canvas.text(kind, (width - pad, 0.36 * row), 0.34 * row, colours.DIM, "right", room)
+        family = f"{self.league.family} league"
+        self.canvas.text(family, (width - pad, 0.36 * row), 0.34 * row, colours.DIM, "right", room)
         self.canvas.text(self.league.name, (width - pad, 0.72 * row), 0.30 * row, colours.DIM, "right", room)
 
     def _draw_score(self, story: Story) -> None:

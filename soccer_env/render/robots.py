@@ -89,7 +89,7 @@ class Players:
     def __init__(self, league: League, view: View, canvas: Canvas) -> None:
         self.league, self.view, self.canvas = league, view, canvas
         body = league.body
-        self.walks = league.head.pan_limit > 0.0
+        self.walks = league.drive.kind == "gait"
         self.rim = max(1.2, 0.006 * view.scale)  # [px]
         self.parts = parts_of(body, self.rim / view.scale, self.walks)
         self.keeper_rim = 2.4 * self.rim  # [px]

@@ -176,7 +176,7 @@ def drill(name: str, description: str, place: Callable[..., None], success: str,
     """Return a drill of a minute at most."""
     limit = 10.0 if success == "away saves" else 60.0  # [s] assumed; to the goal at 7 cm/s it is half a minute
     return Scene(
-        name, description, place, success, limit, True, opponents, most=3, leagues=("legged",), patient=True,
+        name, description, place, success, limit, True, opponents, most=3, families=("legged",), patient=True,
     )  # fmt: skip
 
 

@@ -50,7 +50,7 @@ class Scene:
     in_play: bool = False  # True: play is on; False: a kick-off
     opponents: tuple[str, ...] = ()  # names of teams, with strengths
     most: int = MAX_TEAM  # players a side
-    leagues: tuple[str, ...] = ()  # names a league has to begin with; empty: all
+    families: tuple[str, ...] = ()  # of leagues that it is for (`League.family`); empty: all
     patient: bool = False  # True: in this drill the referee calls no stuck ball and pulls nobody apart
 
     def __post_init__(self) -> None:
@@ -61,8 +61,7 @@ class Scene:
 
     def check(self, league: League, home: int, away: int) -> None:
         """Raise ValueError if the scene is not for this league, or not for so many players a side."""
-        if self.leagues and not league.name.startswith(self.leagues):
-            raise ValueError(f"scene {self.name!r} is for {', '.join(self.leagues)}, not {league.name}")
+        league.must_be_of(self.families, f"scene {self.name!r}")
         least = max(len(self.opponents), 1)
         for side, size, low in (("home", home, 1), ("away", away, least)):
             if not low <= size <= self.most:

@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.agents.policy import Policy
+from soccer_env.agents.policy import Policy, trained_in
 from soccer_env.agents.policy_file import KEY, dump, parse
+from soccer_env.leagues import find_league
 
 GOOD = dump(
     Policy(
         name="tiny",
-        league="legged-2001",
+        **trained_in(find_league("legged-2001")),
         observe="truth",
         inputs=("ball_x", "ball_y"),
         actions="box",

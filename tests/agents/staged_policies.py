@@ -9,7 +9,7 @@ import numpy as np
 from soccer_env.agents.attention import layout_of
 from soccer_env.agents.learned import LearnedTeam, from_file
 from soccer_env.agents.perceptron import act, pack, widest
-from soccer_env.agents.policy import ACTIONS, Policy
+from soccer_env.agents.policy import ACTIONS, Policy, trained_in
 from soccer_env.agents.policy_file import dump
 from soccer_env.leagues import find_league
 from soccer_env.observations import names_of
@@ -17,12 +17,13 @@ from soccer_env.observations import names_of
 
 def lively(*hidden: int, observe: str = "belief", league: str = "legged-2001", seed: int = 1, **changes: Any) -> Policy:
     """Return a policy with these hidden layers, whose actions fill [-1, 1] and depend on the whole observation."""
-    names = tuple(names_of(find_league(league), observe))
+    trained = find_league(league)
+    names = tuple(names_of(trained, observe))
     outputs = ACTIONS[changes.get("actions", "box")]
     sizes, rng = [len(names), *(hidden or (16,)), outputs], np.random.default_rng(seed)
     fields: dict[str, Any] = {
-        "name": "lively", "league": league, "observe": observe, "inputs": names, "actions": "box", "action_repeat": 1,
-        "kind": "slots", "activation": "tanh", "mirror": False, "made": {},
+        "name": "lively", **trained_in(trained), "observe": observe, "inputs": names, "actions": "box",
+        "action_repeat": 1, "kind": "slots", "activation": "tanh", "mirror": False, "made": {},
         "weights": tuple(rng.normal(0.0, 1.5 / a**0.5, (b, a)).astype(np.float32) for a, b in zip(sizes, sizes[1:])),
         "biases": tuple(rng.normal(0.0, 0.3, b).astype(np.float32) for b in sizes[1:]),
     }  # fmt: skip

@@ -127,7 +127,7 @@ CORPUS = {
     "infinite number": (with_table(json.dumps(TABLE).replace('"action_repeat": 1', '"action_repeat": 1e999')), "inf"),
     "huge number": (with_table(json.dumps(TABLE).replace("false", "9" * 100_000)), "number of 100000 digits"),
     "huge size": (packed(json.dumps(HEADER).replace("[3, 2]", f"[{'9' * 5000}]").encode()), "5000 digits"),
-    "other version": (with_fields(version=2), "is of format version 2; this soccer_env reads version 1"),
+    "other version": (with_fields(version=3), "is of format version 3; this soccer_env reads versions 1 to 2"),
     "version in words": (with_fields(version="1"), "is of format version '1'"),
     "version is true": (with_fields(version=True), "is of format version True"),
     "no version": (with_table(without(TABLE, "version")), "is of format version None"),

@@ -57,7 +57,7 @@ def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str
     with torch.no_grad():
         for parameter in network.actor_parameters():
             parameter.normal_(0.0, 1.3 / parameter.shape[-1] ** 0.5)
-    made = policy_from(network, name="t", league="legged-2001", observe="belief", action_repeat=1, made={})
+    made = policy_from(network, name="t", league=find_league("legged-2001"), observe="belief", action_repeat=1, made={})
     return network, made
 
 

@@ -10,10 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from soccer_env.agents import policy as limits
-from soccer_env.agents.policy import Policy
+from soccer_env.agents.policy import Policy, trained_in
 from soccer_env.agents.policy_file import MAX_FILE, MAX_HEADER, dump, load, parse
-from soccer_env.leagues import LEAGUES, find_league
+from soccer_env.leagues import LEAGUES, Slots, find_league
 from soccer_env.observations import names_of
+from tests.agents.staged_files import TABLE, WHERE, refused, with_fields, with_table, without
 
 MADE = {"command": "soccer train --seed 1", "note": 'two\nlines, "quoted", ß'}
 
@@ -25,7 +26,7 @@ def policy(*widths: int, inputs: tuple[str, ...] = ("ball_x", "ball_y"), **chang
     rng = np.random.default_rng(1)
     fields = {
         "name": "tiny",
-        "league": "legged-2001",
+        **trained_in(find_league("legged-2001")),
         "observe": "truth",
         "inputs": inputs,
         "actions": "box",
@@ -48,7 +49,19 @@ def test_a_file_gives_back_the_policy(tmp_path: Path) -> None:
     whole = policy(5, 3, actions="full", mirror=True)
     (tmp_path / "a.safetensors").write_bytes(dump(whole))
     read = load(tmp_path / "a.safetensors")
-    for field in ("name", "league", "observe", "inputs", "actions", "action_repeat", "kind", "activation", "mirror"):
+    for field in (
+        "name",
+        "league",
+        "family",
+        "control_rate",
+        "observe",
+        "inputs",
+        "actions",
+        "action_repeat",
+        "kind",
+        "activation",
+        "mirror",
+    ):
         assert getattr(read, field) == getattr(whole, field)
     assert read.made == MADE
     for own, other in zip(whole.weights + whole.biases, read.weights + read.biases):
@@ -110,6 +123,10 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
         ({"name": "x" * 65}, "name must be 1 to 64 characters"),
         ({"name": 3}, "name must be 1 to 64 characters .* got 3"),
         ({"league": ""}, "league must be"),
+        ({"family": "Middle size"}, "family must be 1 to 64 lower-case letters, digits and -, got 'Middle size'"),
+        ({"family": 3}, "family must be .* got 3"),
+        ({"control_rate": 0}, "control_rate must be 1 to 1000, got 0"),
+        ({"control_rate": 16.0}, "control_rate must be 1 to 1000, got 16.0"),
         ({"observe": "all"}, "observe must be one of truth, percepts, belief, got 'all'"),
         ({"observe": ["truth"]}, "observe must be one of"),
         ({"actions": "discrete"}, "actions must be one of box, full"),
@@ -178,13 +195,42 @@ def test_tanh_bounds_what_follows_it() -> None:
 @pytest.mark.parametrize("observe", ["truth", "percepts", "belief"])
 @pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
 def test_a_policy_plays_its_league_and_its_variants(league: str, observe: str) -> None:
-    trained = policy(inputs=tuple(names_of(find_league(league), observe)), league=league, observe=observe)
+    own = find_league(league)
+    trained = policy(inputs=tuple(names_of(own, observe)), observe=observe, **trained_in(own))
     for name, preset in LEAGUES.items():
-        if name.startswith(league):
+        if preset.family == own.family:
             trained.check_plays(preset)
         else:
-            with pytest.raises(ValueError, match=f"was trained in '{league}', not for '{name}'"):
+            with pytest.raises(
+                ValueError, match=f"trained in '{league}' of family {own.family}, '{name}' is of family"
+            ):
                 trained.check_plays(preset)
+
+
+def test_a_league_is_known_by_what_it_is_and_not_by_its_name() -> None:
+    league = find_league("legged-2001")
+    trained = policy(inputs=tuple(names_of(league, "truth")), **trained_in(league))
+    trained.check_plays(replace(league, name="icy"))
+    trained.check_plays(replace(league, name="of-my-own", ball=replace(league.ball, rolling=0.05)))
+    with pytest.raises(ValueError, match="'legged-2001' of control rate 16, 'legged-2001' is of control rate 20"):
+        trained.check_plays(replace(league, control_rate=20))
+    with pytest.raises(ValueError, match="input 66: 'opponent_2_present' in the policy, none in the league"):
+        trained.check_plays(replace(league, slots=Slots(teammates=2, opponents=2)))
+    with pytest.raises(ValueError, match="of family legged, 'legged-2001' is of family cats"):
+        trained.check_plays(replace(league, family="cats"))
+
+
+def test_a_file_of_version_1_takes_family_and_rate_from_our_league_of_that_name() -> None:
+    old = with_table({**without(without(TABLE, "family"), "control_rate"), "version": 1})
+    read = parse(old, WHERE)
+    assert (read.league, read.family, read.control_rate) == ("legged-2001", "legged", 16)
+    middle = {**TABLE, "version": 1, "league": "middle-size-2006-differential"}
+    read = parse(with_table(without(without(middle, "family"), "control_rate")), WHERE)
+    assert (read.family, read.control_rate) == ("middle-size", 50)
+    refused(with_fields(version=1), "unknown key 'family' for version 1")
+    for league in ("icy", ["legged-2001"], None):
+        table = {**without(without(TABLE, "family"), "control_rate"), "version": 1, "league": league}
+        refused(with_table(table), "is of version 1, which says nothing of leagues of one's own")
 
 
 def test_another_layout_is_refused_with_the_entry_that_differs() -> None:

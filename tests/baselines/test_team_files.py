@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from soccer_env.agents.policy import Policy
+from soccer_env.agents.policy import Policy, trained_in
 from soccer_env.agents.policy_file import dump
 from soccer_env.leagues import find_league
 from soccer_env.observations import names_of
@@ -20,10 +20,11 @@ LEAGUE = "legged-2001"
 
 def policy(seed: int = 0, league: str = LEAGUE, **changes: str) -> Policy:
     """Return a policy of random weights."""
-    rng, inputs = np.random.default_rng(seed), tuple(names_of(find_league(league), "belief"))
+    rng, trained = np.random.default_rng(seed), find_league(league)
+    inputs = tuple(names_of(trained, "belief"))
     made = Policy(
-        name="tiny", league=league, observe="belief", inputs=inputs, actions="box", action_repeat=8, kind="slots",
-        activation="tanh", mirror=False, weights=(rng.normal(size=(4, len(inputs))).astype(np.float32),),
+        name="tiny", **trained_in(trained), observe="belief", inputs=inputs, actions="box", action_repeat=8,
+        kind="slots", activation="tanh", mirror=False, weights=(rng.normal(size=(4, len(inputs))).astype(np.float32),),
         biases=(np.zeros(4, np.float32),), made={},
     )  # fmt: skip
     return replace(made, **changes)
@@ -83,7 +84,10 @@ def test_a_file_that_is_no_policy_is_said(tmp_path: Path, capsys: pytest.Capture
 def test_a_policy_of_another_league_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path / "tiny.safetensors", policy())
     assert evaluate(file, tmp_path / "out", "--league", "middle-size-2006") == 2
-    assert "policy 'tiny' was trained in 'legged-2001', not for 'middle-size-2006'" in capsys.readouterr().err
+    assert (
+        "policy 'tiny' was trained in 'legged-2001' of family legged, 'middle-size-2006' is of family middle-size"
+        in capsys.readouterr().err
+    )
     assert not (tmp_path / "out").exists()
 
 

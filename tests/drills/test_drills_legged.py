@@ -215,7 +215,10 @@ def test_in_a_drill_nobody_is_pulled_apart_and_no_ball_dropped() -> None:
     [
         ({"scene": "gap-500", "away": 1}, "away must be 2 to 3 in scene 'gap-500', got 1"),
         ({"scene": "gap-500", "home": 4}, "home must be 1 to 3"),
-        ({"scene": "gap-500", "league": "middle-size-2006"}, "is for legged, not middle-size-2006"),
+        (
+            {"scene": "gap-500", "league": "middle-size-2006"},
+            "is for legged leagues, 'middle-size-2006' is",
+        ),
         ({"scene": "gap-600"}, "unknown scene 'gap-600'"),
     ],
 )

@@ -113,6 +113,9 @@ def test_a_number_out_of_range_is_named(part: str, changes: dict[str, Any], mess
     ("changes", "message"),
     [
         ({"control_rate": 0}, "control_rate must be 1 to 1000"),
+        ({"family": ""}, "League.family must be 1 to 64 lower-case letters, digits and -, got ''"),
+        ({"family": "Legged"}, "League.family must be .* got 'Legged'"),
+        ({"family": None}, "League.family must be .* got None"),
         ({"team_size": 12}, "team_size must be 1 to 11"),
         ({"control_rate": 200}, r"Drive\.delay spans 20 control steps"),
         ({"evaluation_placement": "walk"}, "evaluation_placement must be one of"),

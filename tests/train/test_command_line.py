@@ -90,9 +90,9 @@ def test_lists_name_what_there_is(what: str, capsys: pytest.CaptureFixture[str])
     assert main(["list", what]) == 0
     text = capsys.readouterr().out
     expected = {
-        "leagues": ("legged-2001", "middle-size-2006", "3 x 2 m"),
-        "teams": ("random", "still", "NAME@0.5"),
-        "scenes": ("kick-off",),
+        "leagues": ("legged-2001", "middle-size-2006", "3 x 2 m", "family"),
+        "teams": ("random", "still", "NAME@0.5", "family"),
+        "scenes": ("kick-off", "family"),
         "observations": ("own_x", "ball_x", "73 numbers"),
         "actions": ("forward", "discrete"),
         "rewards": ("progress", "sparse"),

@@ -14,7 +14,6 @@ from typing import Any
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
-from soccer_env.observations import names_of
 from soccer_env.rewards import NAMES, Rewards
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
@@ -32,7 +31,7 @@ def check_playable(settings: TrainSettings) -> None:
     """Raise ValueError, with the setting's name, for teams, sizes and times that cannot be played or written down."""
     check_device(settings.device)
     league = find_league(settings.league)
-    policy = replace(blank_policy(settings, names_of(league, settings.observe)), made=made_by(settings, 0))
+    policy = replace(blank_policy(settings, league), made=made_by(settings, 0))
     with said_by("opponents"):
         curriculum = Curriculum(settings.opponent_names, settings.past, policy, even=True)
     with said_by("opponents"):

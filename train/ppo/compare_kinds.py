@@ -58,7 +58,7 @@ def held_out_error(network: SoccerPolicy, seen: np.ndarray, asked: np.ndarray) -
 
 def kernel_time(network: SoccerPolicy, seen: np.ndarray) -> float:
     """Return the least time of a decision [us] among 384 in one call."""
-    made: dict[str, Any] = {"name": "timed", "league": LEAGUE.name, "observe": "belief", "action_repeat": REPEAT}
+    made: dict[str, Any] = {"name": "timed", "league": LEAGUE, "observe": "belief", "action_repeat": REPEAT}
     numbers = pack(policy_from(network, made={}, **made))
     some = np.ascontiguousarray(seen[: ROBOTS[0] * ROBOTS[1]].reshape(*ROBOTS, -1))
     least = np.inf

@@ -17,7 +17,9 @@ from stable_baselines3.common.policies import ActorCriticPolicy
 from torch import nn
 
 from soccer_env.agents.attention import Layout, layout_of, width_beside
-from soccer_env.agents.policy import Policy
+from soccer_env.agents.policy import Policy, trained_in
+from soccer_env.leagues.league import League
+from soccer_env.observations import names_of
 from soccer_env.observations.reflection import action_signs, observation_signs
 from soccer_env.train.ppo.settings import TrainSettings
 
@@ -163,7 +165,7 @@ class SoccerPolicy(ActorCriticPolicy):
 
 
 def policy_from(
-    network: SoccerPolicy, *, name: str, league: str, observe: str, action_repeat: int, made: Mapping[str, str]
+    network: SoccerPolicy, *, name: str, league: League, observe: str, action_repeat: int, made: Mapping[str, str]
 ) -> Policy:
     """Return what a policy file holds of a trained network: its actor."""
     head = network.action_net.linear if isinstance(network.action_net, MirrorHead) else network.action_net
@@ -180,14 +182,15 @@ def policy_from(
     )
     actions = {4: "box", 7: "full"}[len(biases[-1])]
     return Policy(
-        name=name, league=league, observe=observe, inputs=tuple(network.names), actions=actions,
+        name=name, **trained_in(league), observe=observe, inputs=tuple(network.names), actions=actions,
         action_repeat=action_repeat, kind=network.kind, activation=network.activation, mirror=network.mirror,
         weights=weights, biases=biases, made=made, attention=pooling,
     )  # fmt: skip
 
 
-def blank_policy(settings: TrainSettings, names: Sequence[str]) -> Policy:
+def blank_policy(settings: TrainSettings, league: League) -> Policy:
     """Return a policy of the shape that a run trains, all zeros: it stands still."""
+    names = names_of(league, settings.observe)
     actions, features = 4, len(names)
     pooling: tuple[tuple[int, ...], ...] = ()
     if settings.kind == "attention":
@@ -196,7 +199,7 @@ def blank_policy(settings: TrainSettings, names: Sequence[str]) -> Policy:
     sizes = (features, *settings.hidden_sizes, actions)
     shapes = list(zip(sizes[1:], sizes, strict=False))
     return Policy(
-        name=settings.name, league=settings.league, observe=settings.observe, inputs=tuple(names), actions="box",
+        name=settings.name, **trained_in(league), observe=settings.observe, inputs=tuple(names), actions="box",
         action_repeat=settings.action_repeat, activation=settings.activation, mirror=settings.mirror,
         kind=settings.kind,
         weights=tuple(np.zeros(shape, np.float32) for shape in shapes),

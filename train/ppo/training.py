@@ -62,7 +62,7 @@ class Training:
         torch.set_num_threads(settings.torch_threads)
         self.league = find_league(settings.league)
         self.names = names_of(self.league, settings.observe)
-        blank = blank_policy(settings, self.names)
+        blank = blank_policy(settings, self.league)
         self.curriculum = Curriculum(settings.opponent_names, settings.past, blank, settings.curriculum)
         self.matches = make_matches(settings, self.curriculum)
         self.rewards = make_rewards(settings, self.matches)
@@ -106,7 +106,7 @@ class Training:
         """Return the policy as it is now."""
         settings = self.settings
         return policy_from(
-            self.network, name=settings.name, league=self.league.name, observe=settings.observe,
+            self.network, name=settings.name, league=self.league, observe=settings.observe,
             action_repeat=settings.action_repeat, made=made_by(settings, self.model.num_timesteps),
         )  # fmt: skip
 

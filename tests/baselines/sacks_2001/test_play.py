@@ -44,7 +44,7 @@ def test_it_plays_at_every_size(team: str, senses: str, home: int, away: int) ->
 
 
 def test_other_leagues_are_refused() -> None:
-    with pytest.raises(ValueError, match="'sacks-2001' plays legged, not middle-size-2006"):
+    with pytest.raises(ValueError, match="'sacks-2001' is for legged leagues, 'middle-size-2006' is middle-size"):
         Match("middle-size-2006", controllers={"home": "sacks-2001"}, seed=1)
     Match("legged-2001-inner", controllers={"home": "sacks-2001", "away": "still"}, seed=1).step()
 

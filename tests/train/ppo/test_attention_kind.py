@@ -21,7 +21,8 @@ from soccer_env.train.ppo.networks import SoccerPolicy, blank_policy, policy_fro
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from tests.agents.staged_policies import attentive, decide
 
-NAMES = names_of(find_league("legged-2001"), "belief")
+LEAGUE = find_league("legged-2001")
+NAMES = names_of(LEAGUE, "belief")
 
 
 def network(seed: int = 1, **settings: Any) -> SoccerPolicy:
@@ -36,10 +37,10 @@ def network(seed: int = 1, **settings: Any) -> SoccerPolicy:
 @pytest.mark.parametrize("mirror", [False, True])
 def test_the_policy_before_training_has_the_shape_of_the_one_after(mirror: bool, hidden: str) -> None:
     settings = TrainSettings(kind="attention", mirror=mirror, hidden=hidden)
-    blank = blank_policy(settings, NAMES)
+    blank = blank_policy(settings, LEAGUE)
     sizes = settings.hidden_sizes
     made = policy_from(
-        network(hidden=sizes, mirror=mirror), name="t", league="legged-2001", observe="belief", action_repeat=8, made={}
+        network(hidden=sizes, mirror=mirror), name="t", league=LEAGUE, observe="belief", action_repeat=8, made={}
     )
     assert made.kind == blank.kind == "attention"
     assert len(made.attention[1]) == max(8, sizes[0] // 4)
@@ -50,7 +51,7 @@ def test_the_policy_before_training_has_the_shape_of_the_one_after(mirror: bool,
 
 def test_a_past_self_takes_the_blank_ones_place() -> None:
     settings = TrainSettings(kind="attention", hidden="32")
-    curriculum = Curriculum(("still",), 1, blank_policy(settings, NAMES), True)
+    curriculum = Curriculum(("still",), 1, blank_policy(settings, LEAGUE), True)
     later = attentive(32, width=8, mirror=True, action_repeat=8)
     curriculum.add_past(later, 100)
     assert (curriculum._past[0].settings == team_of(later).settings).all()

@@ -7,14 +7,13 @@ import pytest
 
 from soccer_env.agents.perceptron import pack
 from soccer_env.leagues import find_league
-from soccer_env.observations import names_of
 from soccer_env.train.ppo.curriculum import FLOOR, LEARNER, Curriculum, compiled_team
 from soccer_env.train.ppo.networks import blank_policy
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.vec_env import Result
 
 SETTINGS = TrainSettings(hidden="8")
-BLANK = blank_policy(SETTINGS, names_of(find_league("legged-2001"), "belief"))
+BLANK = blank_policy(SETTINGS, find_league("legged-2001"))
 NAMES = ("still", "random", "chaser")
 
 

@@ -104,7 +104,10 @@ def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], messa
         ({"opponents": "still,winners"}, "opponents: unknown team 'winners'"),
         ({"opponents": "chaser@2"}, "opponents: strength of team 'chaser@2' must be a number from 0 to 1"),
         ({"opponents": "none.safetensors"}, "opponents: policy file 'none.safetensors'"),
-        ({"opponents": "sacks-2001", "league": "middle-size-2006"}, "plays legged, not middle-size-2006"),
+        (
+            {"opponents": "sacks-2001", "league": "middle-size-2006"},
+            "is for legged leagues, 'middle-size-2006' is",
+        ),
         ({"evaluate_against": "nobody"}, "evaluate_against: unknown team 'nobody'"),
         ({"teacher": "professor"}, "teacher: unknown team 'professor'"),
         ({"matches": 1}, "matches must be at least one for each of 2 team sizes, got 1"),

@@ -1,0 +1,76 @@
+"""Teams, drills and policies go by what a league is, its family; what it is called does not matter."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from soccer_env import Match
+from soccer_env.leagues import LEAGUES, League, find_league
+from soccer_env.scenes import SCENES
+from soccer_env.teams import make_team, registered
+from tests.agents.staged_policies import from_disk, lively
+
+LEGGED, MIDDLE = find_league("legged-2001"), find_league("middle-size-2006")
+ICY = replace(  # as in the README
+    LEGGED, name="legged-icy", ball=replace(LEGGED.ball, rolling=0.05), drive=replace(LEGGED.drive, slip=0.25)
+)
+VARIANTS = [ICY, replace(LEGGED, name="icy"), replace(LEGGED, name="middle-size-2006")]
+
+
+def walks(league: League, team: Any) -> bool:
+    """Tell whether a team's robot gets away from its place within a second and a half of play."""
+    match = Match(league, home=1, away=1, seed=3, controllers={"home": team, "away": "still"})
+    before = match.robots["x"][0, 0]
+    for _ in range(3 * league.control_rate // 2):
+        match.step()
+    return bool(abs(match.robots["x"][0, 0] - before) > 0.01)
+
+
+@pytest.mark.parametrize("league", VARIANTS, ids=lambda league: league.name)
+@pytest.mark.parametrize("team", ["sacks-2001", "chaser", "learned"])
+def test_a_team_of_the_family_plays_whatever_the_league_is_called(league: League, team: str) -> None:
+    assert walks(league, team)
+
+
+def test_a_policy_file_plays_in_a_league_of_ones_own(tmp_path: Path) -> None:
+    team = from_disk(lively(), tmp_path)
+    assert walks(replace(LEGGED, name="of-my-own", slots=replace(LEGGED.slots)), team)
+    mine = from_disk(lively(league="middle-size-2006"), tmp_path)
+    assert walks(replace(MIDDLE, name="of-my-own", ball=replace(MIDDLE.ball, rolling=0.2)), mine)
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_every_scene_begins_in_a_league_of_its_family(scene: str) -> None:
+    family = (SCENES[scene].families or ("legged",))[0]
+    own = replace(next(league for league in LEAGUES.values() if league.family == family), name="of-my-own")
+    match = Match(own, home=2, away=max(2, len(SCENES[scene].opponents)), scene=scene, seed=1)
+    match.step()
+    assert match.matches["over"].tolist() == [0]
+
+
+@pytest.mark.parametrize("name", ["sacks-2001", "sacks-2001-tuned", "sacks-2001-future", "learned"])
+def test_a_league_of_another_family_is_refused_although_it_has_the_name(name: str) -> None:
+    cats = replace(LEGGED, family="cats")
+    with pytest.raises(ValueError, match=f"{name}.* legged.*, 'legged-2001' is .*cats"):
+        Match(cats, controllers={"home": name}, seed=1)
+    with pytest.raises(ValueError, match="scene 'gap-500' is for legged leagues, 'legged-2001' is cats"):
+        Match(cats, scene="gap-500", home=1, away=2, seed=1)
+    Match(cats, home=1, away=1, controllers={"home": "chaser", "away": "walker"}, seed=1).step()
+
+
+def test_a_policy_is_refused_at_another_control_rate_where_scripted_teams_play() -> None:
+    faster = replace(LEGGED, control_rate=20)
+    with pytest.raises(ValueError, match="policy 'learned' .* of control rate 16, .* control rate 20"):
+        Match(faster, controllers={"home": "learned"}, seed=1)
+    assert walks(faster, "sacks-2001")
+
+
+def test_families_of_teams_and_scenes_are_those_that_leagues_have() -> None:
+    known = {league.family for league in LEAGUES.values()}
+    assert known == {"legged", "middle-size"}
+    asked = [getattr(make_team(name), "families", ()) for name in registered()]
+    asked += [scene.families for scene in SCENES.values()]
+    assert {family for families in asked for family in families} <= known
+    assert any(asked), "or else the line above says nothing"
