@@ -157,6 +157,11 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
             own[name] = term if isinstance(term, OwnTerm) else OwnTerm(term)
         object.__setattr__(self, "extra", own)
 
+    @staticmethod
+    def only(**values: Any) -> Rewards:
+        """Return rewards in which the terms that are not named weigh nothing."""
+        return Rewards(**{**dict.fromkeys(NAMES, 0.0), **values})
+
     def weights(self) -> np.ndarray:
         """Return the (1,) record of weights for compiled code."""
         return np.array([(tuple(float(getattr(self, name)) for name in NAMES), self.gamma)], WEIGHTS)
@@ -170,7 +175,7 @@ def check_weight(name: str, value: Any) -> None:
 
 PRESETS = {
     "default": Rewards(),
-    "sparse": Rewards(**{term.name: 0.0 for term in TERMS if term.kind != "event"}),
+    "sparse": Rewards.only(**{term.name: term.weight for term in TERMS if term.kind == "event"}),
     "training": Rewards(progress=2.0, approach=0.2),  # of `soccer train`
 }
 

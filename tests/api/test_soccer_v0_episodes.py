@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Rewards, Scene, soccer_v0
+from soccer_env.rewards import NAMES
 from tests.scenes.staged_envs import about_to_score, play, put_ball, standing
 from tests.scenes.staging import LEAGUES
 
@@ -26,7 +27,7 @@ def test_infos_tell_of_a_goal_in_words(league):
     assert env.reset()[1]["home_0"] == {
         "active": True,
         "events": {},
-        "rewards": {"goal": 0.0, "progress": 0.0, "approach": 0.0, "effort": 0.0},
+        "rewards": dict.fromkeys(NAMES, 0.0),
         "score": (0, 0),
         "phase": "kick-off",
     }
@@ -59,7 +60,7 @@ def test_reward_terms_of_ones_own_are_named_in_infos():
     env.reset(seed=3)
     for _, (_, rewards, *_, infos) in play(env, 20):
         for agent in env.agents:
-            assert list(infos[agent]["rewards"]) == ["goal", "progress", "approach", "effort", "haste"]
+            assert list(infos[agent]["rewards"]) == [*NAMES, "haste"]
             assert rewards[agent] == pytest.approx(sum(infos[agent]["rewards"].values()), abs=1e-12)
     assert infos["home_1"]["rewards"]["haste"] > 0.0
 

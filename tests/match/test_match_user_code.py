@@ -98,7 +98,7 @@ def test_a_compiled_team_is_clipped_and_checked() -> None:
 
 
 def test_one_terms_of_ones_own_is_added() -> None:
-    rewards = Rewards(goal=0.0, progress=0.0, approach=0.0, effort=0.0, extra={"x": lambda match: match.robots["x"]})
+    rewards = Rewards.only(extra={"x": lambda match: match.robots["x"]})
     match = Match(home=2, away=2, rewards=rewards, seed=1)
     _, paid, _, _ = match.step(np.zeros((1, 4, 4)))
     np.testing.assert_array_equal(paid, match.robots["x"])

@@ -225,7 +225,7 @@ def test_the_final_whistle_is_no_time_limit() -> None:
 
 @pytest.mark.parametrize("repeat", [1, 8])
 def test_a_goal_that_ends_the_episode_is_no_time_limit_and_ends_its_match_alone(repeat: int) -> None:
-    env = rows(episode="goal", action_repeat=repeat, rewards=Rewards(progress=0.0, approach=0.0, effort=0.0))
+    env = rows(episode="goal", action_repeat=repeat, rewards=Rewards.only(goal=1.0))
     env.reset()
     shoot(env.matches[0], 2)
     for _ in range(20):
