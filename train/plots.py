@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import io
 import itertools
-import re
 from collections.abc import Sequence
 from typing import Any
 
-from soccer_env.train.reproduce.folder import PLOTS, ClaimFolder, ClaimResult
+from soccer_env.train.reproduce.results import ClaimResult, plot_name
+from soccer_env.train.results_folder import ResultsFolder
 
 SIZE = (6.4, 4.0)  # [inch] without the legend, which stands beside it, where it hides no curve
 DOTS = 110  # [1/inch]
 STYLES = ("o-", "s--", "^-.", "v:", "D-")  # marker and line of the curves in turn: one on top of another shows
 
 
-def draw_all(results: Sequence[ClaimResult], folder: ClaimFolder) -> tuple[dict[str, list[str]], str]:
+def draw_all(results: Sequence[ClaimResult], folder: ResultsFolder) -> tuple[dict[str, list[str]], str]:
     """Draw every figure into the folder; return the files of each claim, and why nothing was drawn ("" if it was)."""
     if folder.path is None or not any(result.figures for result in results):
         return {}, ""
@@ -27,7 +27,7 @@ def draw_all(results: Sequence[ClaimResult], folder: ClaimFolder) -> tuple[dict[
     files: dict[str, list[str]] = {}
     for result in results:
         for number, figure in enumerate(result.figures, 1):
-            name = f"{PLOTS}/{re.sub(r'[^A-Za-z0-9]', '-', result.id)}-{number}.png"
+            name = plot_name(result.id, number)
             folder.write(name, draw(figure))
             files.setdefault(result.id, []).append(name)
     return files, ""

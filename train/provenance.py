@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime
 import hashlib
 import importlib.metadata
 import json
@@ -9,13 +10,16 @@ import subprocess
 import sys
 from typing import Any
 
+import numpy as np
+
 from soccer_env.compiled_sources import ROOT, file_of, sources
 from soccer_env.leagues import LEAGUES
 from soccer_env.leagues.league import League
-from soccer_env.teams import ObservingTeam, Team, make_team, parse_team, registered
+from soccer_env.teams import CompiledTeam, Team, make_team
 
 LIBRARIES = ("soccer_env", "pymunk", "numba", "numpy")
 DIGITS = 12  # of a hash, in hexadecimal
+UNKNOWN = "unknown"  # in place of the hash of a team whose state cannot be hashed
 
 
 def made_with(league: League, home: str | Team, away: str | Team) -> dict[str, str]:
@@ -41,14 +45,57 @@ def module_hash(module: str) -> str:
 
 
 def team_hash(team: str | Team) -> str:
-    """Return a hash of what a team is: its module and what that imports, and the numbers of a learned one."""
+    """Return a hash of what a team is: its code, and what it was made with; UNKNOWN if that cannot be told.
+
+    A team object may have a text `fingerprint`, which then stands for everything that it keeps.
+    """
     found = make_team(team)
-    if isinstance(found, ObservingTeam):
-        return digest(module_hash(type(found).__module__) + hashlib.sha256(found.settings.tobytes()).hexdigest())
-    if not isinstance(team, str):
-        return module_hash(type(team).__module__)
-    name, _, _ = parse_team(team)
-    return module_hash(registered().get(name, name).partition(":")[0])
+    if isinstance(found, CompiledTeam):
+        code = "".join(module_hash(module) for module in sorted(modules_of(found.kernel) | {type(found).__module__}))
+        kept = [found.name, str(found.memory_dtype), hashlib.sha256(found.settings.tobytes()).hexdigest()]
+        return digest(code + json.dumps(kept))
+    state = getattr(found, "fingerprint", None) or state_of(found)
+    if state is None and isinstance(team, str):
+        state = team  # a name has the strength and the settings in it
+    return UNKNOWN if state is None else digest(module_hash(type(found).__module__) + f"{type(found).__name__} {state}")
+
+
+def modules_of(function: Any) -> set[str]:
+    """Return the modules in which a function, and the functions that it was made from, are written."""
+    plain = getattr(function, "py_func", function)
+    inner = [cell.cell_contents for cell in getattr(plain, "__closure__", None) or ()]
+    return {plain.__module__}.union(*(modules_of(one) for one in inner if hasattr(one, "__module__") and callable(one)))
+
+
+def state_of(team: Any) -> str | None:
+    """Return a text of what an object keeps, None unless that is plain values and arrays alone."""
+    try:
+        return json.dumps(vars(team), sort_keys=True, default=as_text)
+    except (TypeError, ValueError):  # an object of another kind, no attributes to look at, a circle
+        return None
+
+
+def as_text(value: Any) -> list[str]:
+    """Return what tells an array or a dtype from another; TypeError for anything else that is no plain value."""
+    if isinstance(value, np.dtype):
+        return [str(value)]
+    if not isinstance(value, (np.ndarray, np.generic)) or value.dtype.hasobject:
+        raise TypeError(f"not a plain value: {value!r}")
+    return [str(value.dtype), str(value.shape), hashlib.sha256(value.tobytes()).hexdigest()]
+
+
+def check_told_apart(made: dict[str, str]) -> None:
+    """Raise ValueError if a folder of results could not tell a team from another, and take its results for its own."""
+    if UNKNOWN in made.values():
+        raise ValueError(
+            "a team keeps what cannot be compared with another run's: give the object an attribute `fingerprint`, a "
+            "text that changes with how it plays, or evaluate without out"
+        )
+
+
+def made_now() -> dict[str, str]:
+    """Return the date and the commit of a result that is made now."""
+    return {"date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(), "commit": commit()}
 
 
 def digest(text: str) -> str:

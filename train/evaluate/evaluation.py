@@ -8,20 +8,21 @@ by side, or on where a stopped run went on.
 
 from __future__ import annotations
 
-import datetime
 import json
 import sys
 from collections.abc import Mapping
+from dataclasses import asdict
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.teams import Team
 from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
 from soccer_env.train.evaluate.report import markdown
-from soccer_env.train.evaluate.results import EvaluationResult, Folder, MatchLine, remove_files, summarise
+from soccer_env.train.evaluate.results import EVALUATION, MATCHES, EvaluationResult, MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
 from soccer_env.train.progress import Progress
-from soccer_env.train.provenance import commit, made_with
+from soccer_env.train.provenance import check_told_apart, made_now, made_with
+from soccer_env.train.results_folder import ResultsFolder
 
 
 def evaluate(
@@ -36,14 +37,13 @@ def evaluate(
     league = league or find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, teams or {})
     made = made_with(league, contest.first, contest.second)
-    today = datetime.datetime.now(datetime.timezone.utc).date().isoformat()
     contest.start("home", [0])  # whatever cannot be played is found before a folder is made
-    if settings.anew:
-        remove_files(settings.out)
-    about = {"command": command_of(settings), "date": today, "commit": commit()}
-    folder = Folder(settings.out, contest.conditions, made, about)
-    play_missing(contest, folder, settings.threads)
-    result = summarise(contest.conditions, made, folder.lines)
+    if settings.out is not None:
+        check_told_apart(made)
+    about = {"command": command_of(settings), **made_now()}
+    folder = ResultsFolder(settings.out, EVALUATION, asdict(contest.conditions), made, about, settings.anew)
+    lines = play_missing(contest, folder, settings.threads)
+    result = summarise(contest.conditions, made, lines)
     folder.write("result.json", json.dumps(result.as_dict(), indent=2) + "\n")
     folder.write("report.md", markdown(result, folder.about))
     if settings.picture:
@@ -51,21 +51,24 @@ def evaluate(
     return result
 
 
-def play_missing(contest: Contest, folder: Folder, threads: int) -> None:
-    """Play every match that the folder lacks."""
+def play_missing(contest: Contest, folder: ResultsFolder, threads: int) -> list[MatchLine]:
+    """Play every match that the folder lacks; return the lines of all."""
     conditions = contest.conditions
-    done = {line.match for line in folder.lines}
+    found = list(folder.results(MATCHES, MatchLine, "match").values())
+    done = {line.match for line in found}
     steps = conditions.minutes * 60.0 * contest.league.control_rate  # of a match
     with Progress(f"{conditions.home} against {conditions.away}", steps * (conditions.matches - len(done))) as progress:
 
         def take(lines: list[MatchLine]) -> None:
-            folder.add(lines)
-            progress.note(f"{len(folder.lines)} of {conditions.matches} matches")
+            folder.add(MATCHES, lines)
+            found.extend(lines)
+            progress.note(f"{len(found)} of {conditions.matches} matches")
 
         play_matches(contest, done, folder.settings, threads, take, progress.advance)
+    return found
 
 
-def draw_first_match(contest: Contest, folder: Folder, result: EvaluationResult) -> None:
+def draw_first_match(contest: Contest, folder: ResultsFolder, result: EvaluationResult) -> None:
     """Play the first match again, by itself, and write its pictures; RuntimeError if it ends in another state."""
     from soccer_env.render import save_png
     from soccer_env.train.evaluate.pictures import draw_match, require_pictures

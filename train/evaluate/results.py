@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, fields
-from pathlib import Path
+from dataclasses import asdict, dataclass
 from typing import Any
 
 from soccer_env.train.evaluate.settings import Conditions
-from soccer_env.train.files import append_lines, read_lines
-from soccer_env.train.provenance import settings_hash
+from soccer_env.train.results_folder import Kind
 from soccer_env.train.statistics import paired_bootstrap, required_matches
-from soccer_env.whole_files import write_whole
 
-CLEAR_POINTS = 0.95  # [1] share of the points that "beats clearly" asks for [DESIGN.md]
+CLEAR_POINTS = 0.95  # [1] share of the points that "beats clearly" asks for
 LEAST_PAIRS = 5  # fewer say nothing about how results scatter: no verdict
 MIRRORED = "no verdict: a team against itself plays each match of a pair twice, which says nothing"
+MATCHES = "matches.jsonl"  # of a folder: a line for each finished match
+EVALUATION = Kind("an evaluation", ("home", "away", "scene"), (MATCHES, "result.json", "report.md", "match.png"))
 HALF_WIDTH = 0.25  # [goals a match] for which the number of matches is worked out
 
 
@@ -123,95 +121,3 @@ def judge(difference: Estimate, points: Estimate, pairs: int) -> str:
     if difference.high < 0.0:
         return "loses clearly" if points.mean <= 1.0 - CLEAR_POINTS else "loses"
     return "no difference shown"
-
-
-PARTS = ("conditions", "made_with", "about")  # of settings.json
-FILES = ("settings.json", "matches.jsonl", "result.json", "report.md", "match.png")
-
-
-def remove_files(path: Path | None) -> None:
-    """Remove the files of an evaluation from a folder; the settings last, since matches without them are refused."""
-    if path is None:
-        return
-    for name in reversed(FILES):
-        (path / name).unlink(missing_ok=True)
-
-
-class Folder:
-    """The files of one evaluation: FILES; or, without a path, none.
-
-    `lines` are the matches already there. Raises ValueError if the folder holds an evaluation with other settings.
-    """
-
-    def __init__(self, path: Path | None, conditions: Conditions, made_with: dict[str, str], about: dict[str, str]):
-        mine = {"conditions": asdict(conditions), "made_with": made_with, "about": about}
-        mine = json.loads(json.dumps(mine))  # tuples become lists, as in the file
-        self.path, self.about = path, about
-        self.settings = settings_hash(mine["conditions"], made_with)
-        self.lines: list[MatchLine] = []
-        if path is None:
-            return
-        path.mkdir(parents=True, exist_ok=True)
-        if (path / "settings.json").exists():
-            self.about = check_same(path / "settings.json", mine)
-            self.lines = self._read()
-        elif (path / "matches.jsonl").exists():
-            raise ValueError(f"{path} holds matches but no settings.json; give another folder")
-        else:
-            write_whole(path / "settings.json", json.dumps(mine, indent=2) + "\n")
-
-    def add(self, lines: Sequence[MatchLine]) -> None:
-        """Keep finished matches, on disk before this returns."""
-        if self.path is not None:
-            append_lines(self.path / "matches.jsonl", (asdict(line) for line in lines))
-        self.lines += lines
-
-    def write(self, name: str, content: str | bytes) -> None:
-        """Write a file of the folder whole; without a folder nothing."""
-        if self.path is not None:
-            write_whole(self.path / name, content)
-
-    def _read(self) -> list[MatchLine]:
-        """Return the finished matches, each once."""
-        path = Path(self.path or "") / "matches.jsonl"
-        found: dict[int, MatchLine] = {}
-        for record in read_lines(path):
-            line = line_of(record, path)
-            if line.settings != self.settings or found.setdefault(line.match, line) != line:
-                raise ValueError(f"{path}: match {line.match} belongs to other settings; give another folder")
-        return list(found.values())
-
-
-def line_of(record: dict[str, Any], path: Path) -> MatchLine:
-    """Return the match that a record of the file at `path` describes."""
-    names = {field.name for field in fields(MatchLine)}
-    if set(record) != names:
-        raise ValueError(f"{path}: a match has the fields {', '.join(sorted(names))}, got {', '.join(sorted(record))}")
-    return MatchLine(**record)
-
-
-def read_conditions(path: Path) -> dict[str, Any]:
-    """Return what a settings file says: conditions, made_with, about; ValueError if it does not."""
-    try:
-        found = json.loads(path.read_text(encoding="utf-8"))
-    except (ValueError, RecursionError) as error:
-        raise ValueError(f"{path} cannot be read as JSON ({error}); give another folder or anew") from error
-    lacking = [part for part in PARTS if not (isinstance(found, dict) and isinstance(found.get(part), dict))]
-    if lacking:
-        raise ValueError(f"{path} holds no {', '.join(lacking)}: it is damaged; give another folder or anew")
-    return dict(found)
-
-
-def check_same(path: Path, mine: dict[str, Any], what: str = "an evaluation") -> dict[str, str]:
-    """Return what else the settings file says; raise ValueError naming each condition that differs from mine."""
-    theirs = read_conditions(path)
-    differences = [
-        f"{name} {theirs[part].get(name)!r} there, {mine[part].get(name)!r} now"
-        for part in ("conditions", "made_with")
-        for name in dict.fromkeys([*theirs[part], *mine[part]])
-        if theirs[part].get(name) != mine[part].get(name)
-    ]
-    if differences:
-        which = "; ".join(differences)
-        raise ValueError(f"{path.parent} holds {what} with other settings ({which}); give another folder or anew")
-    return dict(theirs["about"])

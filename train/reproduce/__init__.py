@@ -4,7 +4,8 @@ settings.py       what the command line asks for
 reproduction.py   `reproduce`: batch by batch, until the interval decides or the cap is reached
 claim.py          what a claim is, and what its measurement hands over
 verdicts.py       what a criterion asks for, and what an interval says about it
-folder.py         one line for each claim, and the files of a run        report.py   in Markdown and on the screen
+results.py        what was found of a claim, and what a run leaves in its folder
+report.py         that in Markdown and on the screen
 staging.py        stage many matches at once, robots and ball put somewhere
 true_sight.py     where legged robots truly look, all robots of many matches at once
 dribble_runs.py   robots that dribble, and what became of the ball       drill_runs.py   runs of the dribbling drills

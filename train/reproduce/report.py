@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from soccer_env.train.evaluate.report import plain, table
 from soccer_env.train.evaluate.settings import POSES
-from soccer_env.train.reproduce.folder import ClaimFolder, ClaimResult
+from soccer_env.train.reproduce.results import ClaimResult
 from soccer_env.train.reproduce.verdicts import CONTEXT, UNDECIDED, VERDICTS
+from soccer_env.train.results_folder import ResultsFolder
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -24,7 +25,7 @@ never counted as reproduced. `context`: nothing to decide.
 independent units (runs, matches)."""
 
 
-def markdown(results: Sequence[ClaimResult], folder: ClaimFolder, plots: dict[str, list[str]], trouble: str) -> str:
+def markdown(results: Sequence[ClaimResult], folder: ResultsFolder, plots: dict[str, list[str]], trouble: str) -> str:
     """Return the report; `plots` are the files of each claim's figures, `trouble` says why there are none."""
     about = folder.about
     facts = [

@@ -10,17 +10,16 @@ does not make verdicts bolder.
 
 from __future__ import annotations
 
-import datetime
 import json
 from collections.abc import Mapping
 
 from soccer_env.train.plots import draw_all
 from soccer_env.train.progress import Progress
-from soccer_env.train.provenance import LIBRARIES, commit, digest, module_hash, version_of
+from soccer_env.train.provenance import LIBRARIES, digest, made_now, module_hash, version_of
 from soccer_env.train.reproduce.claim import Batch, Claim, as_plain, joined, none_or_float
 from soccer_env.train.reproduce.claims import all_claims, find_claims
-from soccer_env.train.reproduce.folder import ClaimFolder, ClaimResult, as_record, remove_files
 from soccer_env.train.reproduce.report import markdown
+from soccer_env.train.reproduce.results import CLAIMS, REPRODUCTION, ClaimResult, as_record
 from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
 from soccer_env.train.reproduce.verdicts import (
     BY_CONSTRUCTION,
@@ -33,6 +32,7 @@ from soccer_env.train.reproduce.verdicts import (
     deciding,
     find,
 )
+from soccer_env.train.results_folder import ResultsFolder
 from soccer_env.train.statistics import CONFIDENCE
 
 
@@ -45,17 +45,14 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
     known = all_claims() if known is None else known
     asked = settings.claims or [claim.id for claim in known.values() if not claim.study]
     claims = find_claims(asked, known)
-    if settings.anew:
-        remove_files(settings.out)
     conditions = {
         "claims": [claim.id for claim in claims], "budget": settings.budget, "pose": settings.pose,
         "seed": settings.seed,
     }  # fmt: skip
-    today = datetime.datetime.now(datetime.timezone.utc).date().isoformat()
-    about = {"command": command_of(settings), "date": today, "commit": commit()}
-    folder = ClaimFolder(settings.out, conditions, made_with(claims), about)
-    measure_missing(claims, settings, folder)
-    results = [folder.results[claim.id] for claim in claims]
+    about = {"command": command_of(settings), **made_now()}
+    folder = ResultsFolder(settings.out, REPRODUCTION, conditions, made_with(claims), about, settings.anew)
+    done = measure_missing(claims, settings, folder)
+    results = [done[claim.id] for claim in claims]
     folder.write("results.json", json.dumps([result.as_dict() for result in results], indent=2) + "\n")
     plots, trouble = draw_all(results, folder)
     folder.write("report.md", markdown(results, folder, plots, trouble))
@@ -71,21 +68,26 @@ def made_with(claims: list[Claim]) -> dict[str, str]:
     return {name: version_of(name) for name in LIBRARIES} | code
 
 
-def measure_missing(claims: list[Claim], settings: ReproduceSettings, folder: ClaimFolder) -> None:
-    """Measure every claim that the folder lacks."""
-    missing = [claim for claim in claims if claim.id not in folder.results]
+def measure_missing(claims: list[Claim], settings: ReproduceSettings, folder: ResultsFolder) -> dict[str, ClaimResult]:
+    """Measure every claim that the folder lacks; return the results of all by their ids."""
+    done = folder.results(CLAIMS, ClaimResult, "id")
+    missing = [claim for claim in claims if claim.id not in done]
     caps = {claim.id: settings.cap(claim.batches, claim.quick, claim.seconds, len(claims)) for claim in missing}
     work = sum(caps[claim.id] * claim.seconds for claim in missing)
     with Progress("reproduce", work) as progress:
         for claim in missing:
-            progress.note(f"{claim.id}, {len(folder.results)} of {len(claims)} done")
+            progress.note(f"{claim.id}, {len(done)} of {len(claims)} done")
             cap = caps[claim.id]
-            taken = examine(claim, settings, cap, folder, progress)
+            taken, done[claim.id] = examine(claim, settings, cap, folder.settings, progress)
+            folder.add(CLAIMS, [done[claim.id]])
             progress.advance((cap - taken) * claim.seconds)
+    return done
 
 
-def examine(claim: Claim, settings: ReproduceSettings, cap: int, folder: ClaimFolder, progress: Progress) -> int:
-    """Take batches of a claim until it is decided, keep the result, and return how many were taken."""
+def examine(
+    claim: Claim, settings: ReproduceSettings, cap: int, settings_hash: str, progress: Progress
+) -> tuple[int, ClaimResult]:
+    """Take batches of a claim until it is decided; return how many were taken, and the result."""
     looks = looks_at(cap, claim.least)
     confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
     pose = claim.pose or settings.pose
@@ -103,8 +105,8 @@ def examine(claim: Claim, settings: ReproduceSettings, cap: int, folder: ClaimFo
         indices = range(len(batches))
         off = [claim.without.measure(Batch(claim.id, settings.seed, i, settings.threads, pose)) for i in indices]
         without = [find(criterion, joined(off), confidence) for criterion in claim.criteria]
-    folder.add(result_of(claim, settings, joined(batches), findings, without, cap / len(batches), folder.settings))
-    return len(batches)
+    share = cap / len(batches)
+    return len(batches), result_of(claim, settings, joined(batches), findings, without, share, settings_hash)
 
 
 def looks_at(cap: int, least: int = 1) -> list[int]:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from soccer_env.train.reproduce.folder import ClaimResult
 from soccer_env.train.reproduce.report import with_interval
 from soccer_env.train.reproduce.reproduction import reproduce
+from soccer_env.train.reproduce.results import ClaimResult
 from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
 
 SEED = 1

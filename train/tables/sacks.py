@@ -23,14 +23,14 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.team import FUTURE, TUNED
 from soccer_env.leagues.options import GREATEST
 from soccer_env.train.evaluate.report import plain
-from soccer_env.train.evaluate.results import read_conditions
 from soccer_env.train.files import read_lines
 from soccer_env.train.reproduce.claims import all_claims
-from soccer_env.train.reproduce.folder import ClaimResult
 from soccer_env.train.reproduce.report import with_interval
 from soccer_env.train.reproduce.reproduction import reproduce
+from soccer_env.train.reproduce.results import ClaimResult
 from soccer_env.train.reproduce.settings import ReproduceSettings
 from soccer_env.train.reproduce.verdicts import CONTEXT, NOT, VERDICTS
+from soccer_env.train.results_folder import SETTINGS, read_settings
 from soccer_env.train.tables.pages import between_markers
 from soccer_env.whole_files import write_whole
 
@@ -57,7 +57,7 @@ def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
 
 def take_folder(path: Path) -> dict[str, dict[str, Any]]:
     """Return the claims of Sacks (2001) that a run of `soccer reproduce` left in a folder; ValueError without any."""
-    about = read_conditions(path / "settings.json")["about"]
+    about = read_settings(path / SETTINGS).get("about", {})
     results = [ClaimResult(**record) for record in read_lines(path / "claims.jsonl")]
     found = {result.id: taken(result, about) for result in results if result.id in CLAIMS}
     if not found:

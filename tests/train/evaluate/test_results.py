@@ -1,14 +1,12 @@
 """A result follows from its lines; a folder goes on where it was and refuses other settings."""
 
 import json
-from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.train.evaluate.report import markdown, plain, sentence
-from soccer_env.train.evaluate.results import EvaluationResult, Folder, MatchLine, remove_files, summarise
+from soccer_env.train.evaluate.results import EvaluationResult, MatchLine, summarise
 from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings, conditions_of
 
 MADE = {"soccer_env": "1.0", "code": "abc"}
@@ -117,70 +115,6 @@ def test_the_report_says_who_won_and_how_to_make_it_again() -> None:
 def test_a_long_report_leaves_pairs_out() -> None:
     text = markdown(result_of([(1, 0), (0, 1)] * 150), ABOUT)
     assert "50 more pairs" in text
-
-
-def test_a_folder_remembers(tmp_path: Path) -> None:
-    first = Folder(tmp_path / "a" / "b", conditions(), MADE, ABOUT)
-    first.add(lines([(1, 0), (2, 0)], first.settings))
-    again = Folder(tmp_path / "a" / "b", conditions(), MADE, {"command": "another", "date": "later", "commit": ""})
-    assert again.lines == first.lines
-    assert again.about == ABOUT, "the report must not change because it is written on another day"
-
-
-def test_a_folder_drops_a_torn_line(tmp_path: Path) -> None:
-    first = Folder(tmp_path, conditions(), MADE, ABOUT)
-    first.add(lines([(1, 0), (2, 0)], first.settings))
-    path = tmp_path / "matches.jsonl"
-    path.write_bytes(path.read_bytes()[:-9])
-    assert Folder(tmp_path, conditions(), MADE, ABOUT).lines == first.lines[:1]
-
-
-def test_a_match_written_twice_counts_once(tmp_path: Path) -> None:
-    first = Folder(tmp_path, conditions(), MADE, ABOUT)
-    first.add(lines([(1, 0)], first.settings))
-    first.add(lines([(1, 0)], first.settings))
-    assert len(Folder(tmp_path, conditions(), MADE, ABOUT).lines) == 1
-
-
-@pytest.mark.parametrize(
-    ("change", "made", "complaint"),
-    [
-        ({"seed": 4}, MADE, "seed 3 there, 4 now"),
-        ({"minutes": 2.0}, MADE, "minutes 10.0 there, 2.0 now"),
-        ({"home": "chaser@0.5"}, MADE, "home 'chaser' there, 'chaser@0.5' now"),
-        ({"matches": 40}, MADE, "matches 20 there, 40 now"),
-        ({"players": (3, 5)}, MADE, "players"),
-        ({}, {**MADE, "code": "def"}, "code 'abc' there, 'def' now"),
-        ({}, {**MADE, "league": "1"}, "league None there, '1' now"),
-    ],
-)
-def test_a_folder_refuses_other_settings(tmp_path: Path, change: dict, made: dict, complaint: str) -> None:
-    Folder(tmp_path, conditions(), MADE, ABOUT)
-    with pytest.raises(ValueError, match=complaint):
-        Folder(tmp_path, replace(conditions(), **change), made, ABOUT)
-
-
-def test_lines_of_another_evaluation_are_refused(tmp_path: Path) -> None:
-    folder = Folder(tmp_path, conditions(), MADE, ABOUT)
-    folder.add(lines([(1, 0)], "other"))
-    with pytest.raises(ValueError, match="match 0 belongs to other settings"):
-        Folder(tmp_path, conditions(), MADE, ABOUT)
-
-
-def test_lines_without_settings_are_refused(tmp_path: Path) -> None:
-    (tmp_path / "matches.jsonl").write_text("{}\n")
-    with pytest.raises(ValueError, match="no settings.json"):
-        Folder(tmp_path, conditions(), MADE, ABOUT)
-
-
-def test_files_are_removed_and_others_stay(tmp_path: Path) -> None:
-    folder = Folder(tmp_path, conditions(), MADE, ABOUT)
-    folder.add(lines([(1, 0)], folder.settings))
-    folder.write("report.md", "x")
-    (tmp_path / "notes.txt").write_text("mine")
-    remove_files(tmp_path)
-    remove_files(None)
-    assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]
 
 
 @pytest.mark.parametrize(

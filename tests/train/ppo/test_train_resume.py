@@ -235,7 +235,7 @@ def test_a_checkpoint_that_lacks_something_is_refused(run: Path, lacking: str) -
 
 def test_a_checkpoint_of_another_network_is_refused(run: Path, tmp_path: Path) -> None:
     found = json.loads((run / "settings.json").read_text())
-    (run / "settings.json").write_text(json.dumps({**found, "hidden": "9"}))
+    (run / "settings.json").write_text(json.dumps(found | {"conditions": found["conditions"] | {"hidden": "9"}}))
     with pytest.raises(ValueError, match="is not of this run as it is now"):
         plainly(tiny(run, hidden="9"))
 

@@ -225,7 +225,7 @@ def test_the_command_is_refused_beside_another_stops_and_goes_on(tmp_path: Path)
     process.send_signal(signal.SIGSTOP)  # so that it is not done before the second one has looked
     second = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
     assert second.returncode == 2
-    assert f"soccer: another training uses {out}; give another --out" in second.stderr
+    assert f"soccer: another run uses {out}; give another folder" in second.stderr
     process.send_signal(signal.SIGINT)
     process.send_signal(signal.SIGCONT)
     said = process.communicate()[1]

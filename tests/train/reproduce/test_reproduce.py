@@ -11,9 +11,9 @@ import pytest
 from rich.console import Console
 
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.reproduce.folder import ClaimResult
 from soccer_env.train.reproduce.report import screen_table
 from soccer_env.train.reproduce.reproduction import looks_at, reproduce
+from soccer_env.train.reproduce.results import ClaimResult
 from soccer_env.train.reproduce.settings import ReproduceSettings
 from soccer_env.train.reproduce.verdicts import Criterion, Samples, counted, measured, reported
 
@@ -151,9 +151,9 @@ def test_every_result_names_the_own_pose_that_it_was_measured_with(tmp_path: Pat
 @pytest.mark.parametrize(
     ("text", "complaint"),
     [
-        ("{}", "holds no conditions, made_with, about: it is damaged; give another folder or anew"),
-        ("[1]", "holds no conditions, made_with, about"),
-        ('{"conditions": {}, "made_with": {}, "about": 3}', "holds no about"),
+        ("{}", "is of something else than a reproduction run; give another folder"),
+        ("[1]", "is of something else"),
+        ('{"conditions": {"claims": [], "budget": ""}, "made_with": {}, "about": 3}', "is of something else"),
         ('{"conditions": ', "cannot be read as JSON"),
         ("", "cannot be read as JSON"),
     ],
@@ -163,7 +163,12 @@ def test_a_damaged_settings_file_is_a_plain_complaint(tmp_path: Path, text: str,
     (tmp_path / "settings.json").write_text(text)
     with pytest.raises(ValueError, match=f"settings.json {complaint}"):
         run("A1", out=tmp_path)
-    assert run("A1", out=tmp_path, anew=True)[0].verdict == "reproduced"
+    if "something else" in complaint:
+        with pytest.raises(ValueError, match=complaint):
+            run("A1", out=tmp_path, anew=True)
+        assert (tmp_path / "settings.json").read_text() == text
+    else:
+        assert run("A1", out=tmp_path, anew=True)[0].verdict == "reproduced"
 
 
 def test_minutes_choose_numbers_of_batches_not_times() -> None:

@@ -1,0 +1,74 @@
+"""What a reproduction run found: the result of each claim, and what a run leaves in its folder."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from soccer_env.train.reproduce.claim import none_or_float
+from soccer_env.train.reproduce.verdicts import Finding
+from soccer_env.train.results_folder import Kind
+
+
+@dataclass(frozen=True)
+class ClaimResult:
+    """A claim that has been measured. Numbers that are not finite are None: an open side of an interval."""
+
+    id: str
+    paper: str
+    section: str
+    statement: str
+    method: str
+    verdict: str
+    quick: bool  # few samples were taken
+    pose: str  # how robots knew where they are: "particles" or "percept"
+    estimate: float | None  # of the criterion that decides
+    low: float | None
+    high: float | None
+    criterion: str
+    n: int  # independent units (runs, matches) that were reached
+    cap: int  # units at which it would have been undecided
+    seed: int
+    command: str
+    ingredients: list[str]
+    note: str
+    findings: list[dict[str, Any]]  # of every criterion
+    without: str  # the ingredient that a by-construction claim rests on
+    without_findings: list[dict[str, Any]]  # the same criteria with it off
+    figures: list[dict[str, Any]]
+    settings: str  # hash of the conditions and of what the run was made with
+
+    @property
+    def marked(self) -> str:
+        """Return the verdict, marked if it comes from few samples."""
+        return f"{self.verdict} (quick)" if self.quick else self.verdict
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return what results.json holds of it; beside the verdict stands how it is shown, marked if it is quick."""
+        record: dict[str, Any] = {}
+        for name, value in asdict(self).items():
+            if name not in ("figures", "settings"):
+                record[name] = value
+            if name == "verdict":
+                record["shown"] = self.marked
+        return record
+
+
+def as_record(finding: Finding) -> dict[str, Any]:
+    """Return a finding as JSON can hold it."""
+    return asdict(finding) | {name: none_or_float(getattr(finding, name)) for name in ("estimate", "low", "high")}
+
+
+def plot_name(claim: str, number: object) -> str:
+    """Return the name of a picture of a claim in the folder of a run: plots/ID-1.png, ID-2.png, ..."""
+    return f"plots/{re.sub(r'[^A-Za-z0-9]', '-', claim)}-{number}.png"
+
+
+def plots_of(conditions: dict[str, Any]) -> list[str]:
+    """Return the patterns of the pictures of a run with these conditions."""
+    return [plot_name(str(claim), "[0-9]*") for claim in conditions.get("claims", ())]
+
+
+CLAIMS = "claims.jsonl"  # of a folder: a line for each claim that has been measured
+REPRODUCTION = Kind("a reproduction run", ("claims", "budget"), (CLAIMS, "results.json", "report.md"), plots_of)

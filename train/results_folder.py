@@ -1,0 +1,190 @@
+"""The folder of a run's results: whose it is, with which settings, what is finished, and files written whole.
+
+    settings.json    conditions: what decides the results; made_with: versions and hashes; about: all the rest
+    NAME.jsonl       a line for each finished part, on disk before the next one begins (`files.py`)
+    other files      written whole or not at all
+
+A run that was stopped goes on in its folder. Other settings are refused, each difference named, and so is a folder that
+holds something else: only what a run of the same kind left is ever removed (`anew`) or written over.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict, dataclass, fields
+from pathlib import Path
+from typing import Any, TypeVar
+
+from soccer_env.train.files import append_lines, read_lines
+from soccer_env.train.provenance import settings_hash
+from soccer_env.whole_files import write_whole
+
+T = TypeVar("T")
+SETTINGS, LOCK = "settings.json", ".lock"
+PARTS = ("conditions", "made_with", "about")  # of settings.json
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What one kind of run leaves in its folder."""
+
+    what: str  # in messages: "an evaluation"
+    marks: tuple[str, ...]  # conditions that all runs of this kind have, and no other kind
+    files: tuple[str, ...]  # beside settings.json, the lines of finished parts first
+    more: Callable[[dict[str, Any]], list[str]] = lambda conditions: []  # patterns of further ones, by its conditions
+    alone: bool = False  # one process at a time; else two may share the work, as each part follows from its seed alone
+
+
+class ResultsFolder:
+    """The folder at `path`, or, without a path, nowhere: then nothing is read or written.
+
+    ValueError if it holds something else, a run with other settings, or is in use. `anew` removes an earlier run first.
+    `defaults` are conditions that came after a run may have begun, as they were until then. `about` is what the run
+    said of itself when it began.
+    """
+
+    def __init__(
+        self, path: Path | None, kind: Kind, conditions: Mapping[str, Any], made_with: dict[str, str],
+        about: dict[str, Any], anew: bool = False, defaults: Mapping[str, Any] | None = None,
+    ) -> None:  # fmt: skip
+        mine = json.loads(json.dumps({"conditions": dict(conditions), "made_with": made_with, "about": about}))
+        self.path, self.kind = path, kind
+        self.made_with, self.about = made_with, about
+        self.settings = settings_hash(mine["conditions"], made_with)  # every line of a result carries it
+        self._lock: Any = None
+        if path is None:
+            return
+        make_folder(path)
+        try:
+            if kind.alone:
+                self._lock = lock(path / LOCK)
+            self._open(path, mine, anew, defaults or {})
+        except BaseException:
+            self.close()
+            raise
+
+    def close(self) -> None:
+        """Let others use the folder."""
+        if self._lock is not None:
+            self._lock.release()
+
+    def _open(self, path: Path, mine: dict[str, Any], anew: bool, defaults: Mapping[str, Any]) -> None:
+        """Find out what the folder holds; begin a run in it or go on."""
+        before = settings_before(path, self.kind, anew)
+        if self.kind.alone:  # others might be writing just now
+            for name in (SETTINGS, *self.kind.files):
+                for torn in path.glob(f".{name}.*.tmp"):  # half written when a run was killed
+                    torn.unlink(missing_ok=True)
+        if anew:
+            remove_run(path, self.kind, before)
+        elif before is not None:
+            check_same(path, self.kind.what, {**before, "conditions": {**defaults, **before["conditions"]}}, mine)
+            self.about = before["about"]
+            return
+        write_whole(path / SETTINGS, json.dumps(mine, indent=2) + "\n")
+
+    def results(self, name: str, kind: type[T], key: str) -> dict[Any, T]:
+        """Return the finished parts in a file of lines, each once, by the field `key` of the dataclass `kind`.
+
+        Its field `settings` has to be the hash of this run's settings: ValueError for a line of another run.
+        """
+        if self.path is None:
+            return {}
+        found: dict[Any, T] = {}
+        path, names = self.path / name, sorted(field.name for field in fields(kind))  # type: ignore[arg-type]
+        for record in read_lines(path):
+            if sorted(record) != names:
+                raise ValueError(f"{path}: a line has the fields {', '.join(names)}, got {', '.join(sorted(record))}")
+            part = kind(**record)
+            if record["settings"] != self.settings or found.setdefault(record[key], part) != part:
+                raise ValueError(f"{path}: {key} {record[key]} belongs to other settings; give another folder")
+        return found
+
+    def add(self, name: str, parts: Iterable[Any]) -> None:
+        """Add finished parts, dataclasses or dicts, to a file of lines; they are on the disk before this returns."""
+        if self.path is not None:
+            append_lines(self.path / name, (part if isinstance(part, dict) else asdict(part) for part in parts))
+
+    def write(self, name: str, content: str | bytes) -> None:
+        """Write a file of the folder, or of a folder in it, whole."""
+        if self.path is not None:
+            (self.path / name).parent.mkdir(exist_ok=True)
+            write_whole(self.path / name, content)
+
+
+def make_folder(path: Path) -> None:
+    """Make a folder; ValueError for a file, and for the current folder, which an empty text means as well."""
+    if path == Path():
+        raise ValueError("out must be a folder of the run's own, not the current one")
+    if path.exists() and not path.is_dir():
+        raise ValueError(f"out: {path} is a file; give a folder")
+    path.mkdir(parents=True, exist_ok=True)
+
+
+def settings_before(path: Path, kind: Kind, anew: bool = False) -> dict[str, Any] | None:
+    """Return the settings.json of a run that a folder holds, None without a run.
+
+    ValueError if the folder holds something else, and for a file that cannot be read unless that is to begin `anew`.
+    """
+    if not (path / SETTINGS).exists():
+        there = [name for name in kind.files if (path / name).exists()]
+        if there:
+            raise ValueError(f"{path} holds {there[0]}, but no {SETTINGS} of {kind.what}; give another folder")
+        return None
+    try:
+        found = read_settings(path / SETTINGS)
+    except ValueError:
+        if anew and (path / kind.files[0]).exists():
+            return None
+        raise
+    if not all(isinstance(found.get(part), dict) for part in PARTS) or not found["conditions"].keys() >= {*kind.marks}:
+        raise ValueError(f"{path / SETTINGS} is of something else than {kind.what}; give another folder")
+    return found
+
+
+def read_settings(path: Path) -> dict[str, Any]:
+    """Return what a settings file says; ValueError if it is damaged."""
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{path} cannot be read as JSON ({error}); give another folder or anew") from error
+    return found if isinstance(found, dict) else {}
+
+
+def check_same(path: Path, what: str, theirs: dict[str, Any], mine: dict[str, Any]) -> None:
+    """Raise ValueError naming each condition, and each thing that a run was made with, that differs from mine."""
+    differences = [
+        f"{name} {theirs[part].get(name)!r} there, {mine[part].get(name)!r} now"
+        for part in ("conditions", "made_with")
+        for name in dict.fromkeys([*theirs[part], *mine[part]])
+        if theirs[part].get(name) != mine[part].get(name)
+    ]
+    if differences:
+        which = "; ".join(differences)
+        raise ValueError(f"{path} holds {what} with other settings ({which}); give another folder or anew")
+
+
+def remove_run(path: Path, kind: Kind, before: dict[str, Any] | None) -> None:
+    """Remove the files of a run; the settings last, as files without them are refused."""
+    patterns = kind.more(before["conditions"] if before else {})
+    for found in (one for pattern in patterns for one in sorted(path.glob(pattern))):
+        if found.is_dir():
+            shutil.rmtree(found, ignore_errors=True)
+        else:
+            found.unlink(missing_ok=True)
+    for name in (*kind.files, SETTINGS):
+        (path / name).unlink(missing_ok=True)
+
+
+def lock(path: Path) -> Any:
+    """Return the lock of a folder, held; ValueError if another process holds it. It ends with the process."""
+    from filelock import FileLock, Timeout
+
+    held = FileLock(path)
+    try:
+        held.acquire(timeout=0)
+    except Timeout as error:
+        raise ValueError(f"another run uses {path.parent}; give another folder") from error
+    return held
