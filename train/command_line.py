@@ -219,9 +219,11 @@ def run_train(words: list[str]) -> int:
 
     config, rest = taken_out(words, "--config")
     settings = read_settings(TrainSettings, rest, "train", settings_of(Path(config) if config else None))
+    from soccer_env.train.ppo import train
+
     try:
+        import soccer_env.train.ppo.training  # noqa: F401  # torch and all that a training needs comes with it
         from soccer_env.train.ppo.reports import screen_table
-        from soccer_env.train.ppo.training import train
     except ImportError as error:
         if (error.name or "").startswith("soccer_env"):
             raise

@@ -22,6 +22,7 @@ from soccer_env.train.provenance import settings_hash
 from soccer_env.whole_files import write_whole
 
 T = TypeVar("T")
+Self = TypeVar("Self", bound="ResultsFolder")
 SETTINGS, LOCK = "settings.json", ".lock"
 PARTS = ("conditions", "made_with", "about")  # of settings.json
 
@@ -64,6 +65,12 @@ class ResultsFolder:
         except BaseException:
             self.close()
             raise
+
+    def __enter__(self: Self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
 
     def close(self) -> None:
         """Let others use the folder."""

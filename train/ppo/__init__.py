@@ -1,7 +1,7 @@
-"""Train a policy: `soccer train`. PPO of stable-baselines3 over the batched core.
+"""Train a policy: `soccer train`. PPO of stable-baselines3 over the batched core; `train` below tells it from above.
 
     settings.py        what the command line asks for              toml_file.py      or a file
-    checks.py          found playable before a run begins          training.py       the run
+    checks.py          found playable before a run begins          training.py       a run: what it keeps and writes
     vec_env.py         many matches as one VecEnv                  match_blocks.py   shared out among sizes and senses
     curriculum.py      who the learners meet                       imitation.py      a scripted teacher, before rewards
     networks.py        actor and critic                            critic_state.py   what the critic sees besides
@@ -9,8 +9,10 @@
     run_folder.py      what a run leaves behind                    reports.py        its log, evaluations and curve
     compare_kinds.py   the two kinds of networks on the same task
 
-Importing this package is quick: torch comes with the first name that needs it.
+Importing this package is quick: torch comes with the first training.
 """
+
+from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
@@ -18,15 +20,51 @@ from soccer_env.lazy_names import lazy_names
 
 if TYPE_CHECKING:
     from soccer_env.train.ppo.settings import TrainSettings
-    from soccer_env.train.ppo.training import train
+    from soccer_env.train.ppo.training import TrainResult
     from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
 __all__ = ["SoccerVecEnv", "TrainSettings", "train"]
 __getattr__, __dir__ = lazy_names(
     __name__,
-    {
-        "SoccerVecEnv": "soccer_env.train.ppo.vec_env",
-        "TrainSettings": "soccer_env.train.ppo.settings",
-        "train": "soccer_env.train.ppo.training",
-    },
+    {"SoccerVecEnv": "soccer_env.train.ppo.vec_env", "TrainSettings": "soccer_env.train.ppo.settings"},
 )
+
+
+def train(settings: TrainSettings) -> TrainResult:
+    """Train, or go on with the run in `settings.out`; ValueError for settings that do not fit it or each other.
+
+    A run that is cut at any moment goes on from its last checkpoint as if it had not been.
+    """
+    from soccer_env.train.ppo.checks import check_playable, make_curriculum, make_matches
+    from soccer_env.train.ppo.imitation import teach
+    from soccer_env.train.ppo.learner import Learner
+    from soccer_env.train.ppo.run_folder import RunFolder
+    from soccer_env.train.ppo.training import Training
+
+    check_playable(settings)  # every team, size and time, before a folder is made
+    with RunFolder(settings) as folder:
+        curriculum = make_curriculum(settings)  # the opponents, and how often each is met
+        matches = make_matches(settings, curriculum)  # side by side, a row for each learning robot
+        learner = Learner(settings, matches)  # actor and critic
+        with Training(settings, folder, curriculum, matches, learner) as run:
+            if not run.restore_checkpoint():
+                if settings.teacher:
+                    teach(learner.network, settings)  # the actor begins with what a scripted team does
+                run.evaluate()
+                learner.reset_matches()
+                run.save_checkpoint()
+            while learner.steps < settings.steps:
+                with run.timed("rollout"):
+                    learner.collect_rollout(run.show_step)
+                with run.timed("update"):
+                    learner.update(actor=run.rollouts >= settings.critic_first)  # the critic alone learns first
+                results = matches.take_results()
+                curriculum.take(results)  # the evenly matched opponents are met the most often
+                run.count_rollout()
+                if run.rollouts % settings.past_every == 0:
+                    curriculum.add_past(run.policy(), learner.steps, matches.playing())
+                run.log(results)
+                if run.evaluation_is_due():
+                    run.evaluate()  # and keep the best policy
+                run.save_checkpoint()
+            return run.result()

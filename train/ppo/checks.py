@@ -33,8 +33,7 @@ def check_playable(settings: TrainSettings) -> None:
     league = find_league(settings.league)
     policy = replace(blank_policy(settings, league), made=made_by(settings, 0))
     with said_by("opponents"):
-        curriculum = Curriculum(settings.opponent_names, settings.past, policy, even=True)
-    with said_by("opponents"):
+        curriculum = make_curriculum(settings)
         for share in (0.0, 1.0) if settings.ideal_share else (0.0,):
             make_matches(replace(settings, matches=len(settings.sizes), ideal_share=share), curriculum).close()
     check_minutes(settings, league)
@@ -96,6 +95,12 @@ def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
         "step": str(step),
         **{name: version_of(name) for name in ("soccer_env", "torch", "stable_baselines3", "pymunk", "numba")},
     }
+
+
+def make_curriculum(settings: TrainSettings) -> Curriculum:
+    """Return the opponents of a run, its past selves among them, which stand still until there are any."""
+    blank = blank_policy(settings, find_league(settings.league))
+    return Curriculum(settings.opponent_names, settings.past, blank, settings.curriculum)
 
 
 def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEnv:

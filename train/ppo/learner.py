@@ -1,22 +1,132 @@
-"""The learner of a training run: PPO of stable-baselines3, and what of it has to be kept so that a run can go on."""
+"""The learner of a training run: PPO of stable-baselines3, step by step, and what has to be kept of it."""
 
 from __future__ import annotations
 
 import warnings
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 import torch
 from stable_baselines3 import PPO
+from stable_baselines3.common.callbacks import ConvertCallback
 from stable_baselines3.common.logger import Logger
 from stable_baselines3.common.vec_env import VecNormalize
 
+from soccer_env.leagues import find_league
+from soccer_env.observations import names_of
 from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
 LEAST_RATE = 0.05  # [1] of the learning rate that is left at the end
 SPREAD = 10.0  # [1] rewards over the deviation of the return are cut off there
+RECENT = 100  # episodes whose results stable-baselines3 keeps, of which nothing here makes use
+
+
+class Learner:
+    """Actor and critic, PPO that trains them over matches, and the running deviation by which rewards are divided.
+
+    It drives the two halves of stable-baselines3's `learn` by itself, so that what belongs between them can be said
+    where it happens. The names beginning with _ are private to that library, which is pinned below its next version:
+    where a rollout begins (`_last_obs`, `_last_episode_starts`), how many updates were made (`_n_updates`) and how much
+    of the run is left, on which the learning rate depends, have no public ones.
+    """
+
+    def __init__(self, settings: TrainSettings, matches: SoccerVecEnv) -> None:
+        torch.set_num_threads(settings.torch_threads)
+        self.settings, self.league = settings, find_league(settings.league)
+        self.rewards = make_rewards(settings, matches)
+        self.model = make_model(settings, self.rewards, names_of(self.league, settings.observe))
+        self.model.ep_info_buffer = deque(maxlen=RECENT)
+        self.model.ep_success_buffer = deque(maxlen=RECENT)
+
+    @property
+    def steps(self) -> int:
+        """Return how many decisions have been made so far, by all robots together."""
+        return self.model.num_timesteps
+
+    @property
+    def network(self) -> SoccerPolicy:
+        """Return the networks that are trained."""
+        assert isinstance(self.model.policy, SoccerPolicy)
+        return self.model.policy
+
+    def reset_matches(self) -> None:
+        """Begin episodes in all matches, where the first rollout begins."""
+        self._begin_at(self.rewards.reset(), np.ones(self.model.n_envs, bool))
+
+    def collect_rollout(self, each_step: Callable[[], None]) -> None:
+        """Let the policy, with its noise, play a rollout; `each_step` is called after each step of all matches."""
+        model = self.model
+
+        def stepped(*_: Any) -> bool:
+            each_step()
+            return True
+
+        callback = ConvertCallback(stepped)
+        callback.init_callback(model)
+        with self._weights_checked():
+            model.collect_rollouts(self.rewards, callback, model.rollout_buffer, n_rollout_steps=model.n_steps)
+
+    def update(self, actor: bool = True) -> None:
+        """Learn from the rollout by PPO; the critic alone unless the `actor` is to learn as well."""
+        for parameter in self.network.actor_parameters():
+            parameter.requires_grad_(actor)
+        self.model._update_current_progress_remaining(self.steps, self.settings.steps)
+        with self._weights_checked():
+            self.model.train()
+        check_weights(self.model)
+
+    def noted(self) -> dict[str, Any]:
+        """Return what stable-baselines3 notes of the last update, by its names."""
+        return dict(self.model.logger.name_to_value)
+
+    def close(self) -> None:
+        """End the matches and their threads."""
+        self.rewards.close()
+
+    def state(self) -> dict[str, Any]:
+        """Return what a checkpoint keeps of the learner, as plain values and arrays."""
+        running = {} if not self.rewards.norm_reward else {
+            "mean": float(self.rewards.ret_rms.mean), "var": float(self.rewards.ret_rms.var),
+            "count": float(self.rewards.ret_rms.count), "returns": self.rewards.returns,
+        }  # fmt: skip
+        return {
+            "network": self.network.state_dict(),
+            "optimizer": self.network.optimizer.state_dict(),
+            "step": self.steps,
+            "updates": self.model._n_updates,
+            "starts": np.asarray(self.model._last_episode_starts),
+            "rewards": running,
+        }
+
+    def restore(self, saved: dict[str, Any], observations: np.ndarray) -> None:
+        """Go on from what `state` returned, with these observations."""
+        self.network.load_state_dict(saved["network"])
+        self.network.optimizer.load_state_dict(saved["optimizer"])
+        self.model.num_timesteps, self.model._n_updates = saved["step"], saved["updates"]
+        self._begin_at(observations, saved["starts"])
+        running = saved["rewards"]
+        if running:
+            for name in ("mean", "var", "count"):
+                setattr(self.rewards.ret_rms, name, np.float64(running[name]))
+            self.rewards.returns = running["returns"]
+
+    def _begin_at(self, observations: np.ndarray, starts: np.ndarray) -> None:
+        """Let the next rollout begin with these observations (rows, n); `starts` (rows,): of new episodes."""
+        self.model._last_obs, self.model._last_episode_starts = observations, starts
+
+    @contextmanager
+    def _weights_checked(self) -> Iterator[None]:
+        """Say it in one line if torch complains, at length, of NaN in the middle of a rollout or an update."""
+        try:
+            yield
+        except ValueError:
+            check_weights(self.model)
+            raise
 
 
 def make_rewards(settings: TrainSettings, matches: SoccerVecEnv) -> VecNormalize:
@@ -68,42 +178,3 @@ def part_size(decisions: int, batch: int) -> int:
     """Return the size of the nearly equal parts, of about `batch`, into which a rollout's decisions are cut."""
     parts = max(1, round(decisions / batch))
     return -(-decisions // parts)
-
-
-# What stable-baselines3 keeps under names that are private to it: these functions alone use them
-
-
-def begin(model: PPO, observations: np.ndarray) -> None:
-    """Let the first rollout begin with these observations; without them `learn` would reset the matches."""
-    model._last_obs = observations
-    model._last_episode_starts = np.ones(model.n_envs, bool)
-
-
-def learner_state(model: PPO, rewards: VecNormalize) -> dict[str, Any]:
-    """Return what a checkpoint keeps of the learner, as plain values and arrays."""
-    running = {} if not rewards.norm_reward else {
-        "mean": float(rewards.ret_rms.mean), "var": float(rewards.ret_rms.var),
-        "count": float(rewards.ret_rms.count), "returns": rewards.returns,
-    }  # fmt: skip
-    return {
-        "network": model.policy.state_dict(),
-        "optimizer": model.policy.optimizer.state_dict(),
-        "step": model.num_timesteps,
-        "updates": model._n_updates,
-        "starts": np.asarray(model._last_episode_starts),
-        "rewards": running,
-    }
-
-
-def restore_learner(model: PPO, rewards: VecNormalize, saved: dict[str, Any], observations: np.ndarray) -> None:
-    """Go on from what `learner_state` returned, with these observations."""
-    model.policy.load_state_dict(saved["network"])
-    model.policy.optimizer.load_state_dict(saved["optimizer"])
-    model.num_timesteps, model._n_updates = saved["step"], saved["updates"]
-    model._last_obs = observations
-    model._last_episode_starts = saved["starts"]
-    running = saved["rewards"]
-    if running:
-        for name in ("mean", "var", "count"):
-            setattr(rewards.ret_rms, name, np.float64(running[name]))
-        rewards.returns = running["returns"]

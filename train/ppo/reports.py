@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -29,48 +30,46 @@ NOTED = {  # what stable-baselines3 records of an update, and its name in our lo
     "train/std": "noise",
     "train/learning_rate": "learning_rate",
 }
+STAGES = ("rollout", "update", "checkpoint", "evaluation")  # of which the log has the times
 UNITS = ((1e6, " [million]"), (1e3, " [thousand]"))
 EVALUATION_SEED = 1_000_003  # added to the run's seed: evaluations play other matches than training
 
 
 class Board:
-    """Times the stages of a rollout and writes its line."""
+    """Shows how far a run is, times the stages of a rollout and writes its line."""
 
     def __init__(self, settings: TrainSettings, folder: RunFolder) -> None:
-        self.folder, self.collected = folder, False
-        self.progress: Progress | None = None
-        self.saving = self.evaluating = 0.0
-        self._started = self._ended = time.perf_counter()
-        self._words = ""
+        self.folder = folder
+        self._spent = dict.fromkeys(STAGES, 0.0)  # [s] since the last line
+        self._words, self._shown = "", 0  # of the last evaluation; steps shown by the bar
         self._tensorboard = tensorboard(settings, folder)
+        self._steps = settings.steps
+        self._progress: Progress | None = None  # until the first step: a teacher shows a bar of its own
 
-    def rollout_starts(self) -> None:
-        """Note the time."""
-        self._started = time.perf_counter()
+    @contextmanager
+    def timed(self, stage: str) -> Iterator[None]:
+        """Add the time of what happens inside to one of STAGES."""
+        started = time.perf_counter()
+        try:
+            yield
+        finally:
+            self._spent[stage] += time.perf_counter() - started
 
-    def rollout_ends(self) -> None:
-        """Note the time; the update follows."""
-        self._ended, self.collected = time.perf_counter(), True
-
-    def step_done(self, rows: int) -> None:
-        """Move the bar on by the decisions of one step."""
-        if self.progress is not None:
-            self.progress.advance(rows)
+    def show(self, step: int) -> None:
+        """Move the bar on to a step."""
+        if self._progress is None:
+            self._progress = Progress("training", self._steps)
+            self._progress.__enter__()
+        self._progress.advance(step - self._shown)
+        self._shown = step
 
     def log(
-        self, step: int, rollout: int, results: Sequence[Any], curriculum: Curriculum, logger: Any, matches: Any
-    ) -> None:
-        """Write the line of a rollout and its update."""
-        now = time.perf_counter()
-        playing, matches.seconds = matches.seconds, 0.0
-        seconds = {
-            "matches": playing,
-            "networks": self._ended - self._started - playing,
-            "update": now - self._ended,
-            "checkpoint": self.saving,
-            "evaluation": self.evaluating,
-        }
-        told = logger.name_to_value
+        self, step: int, rollout: int, results: Sequence[Any], curriculum: Curriculum, noted: dict[str, Any],
+        playing: float,
+    ) -> None:  # fmt: skip
+        """Write the line of a rollout and its update, `noted` by stable-baselines3; matches took `playing` [s]."""
+        spent, self._spent = self._spent, dict.fromkeys(STAGES, 0.0)
+        seconds = {"matches": playing, "networks": spent.pop("rollout") - playing, **spent}
         points = {name: curriculum.standings[name].points for name in curriculum.names}
         ratings = {name: round(standing.mu, 3) for name, standing in curriculum.standings.items()}
         record = {
@@ -81,23 +80,23 @@ class Board:
             "goals_against": sum(result.goals_against for result in results),
             "points": {name: round(share, 4) for name, share in points.items()},
             "rating": ratings,
-            **{name: rounded(told.get(key)) for key, name in NOTED.items()},
+            **{name: rounded(noted.get(key)) for key, name in NOTED.items()},
             "seconds": {name: round(value, 3) for name, value in seconds.items()},
         }
         self.folder.log(record)
         self._to_tensorboard(record)
-        self.collected, self.evaluating = False, 0.0
-        if self.progress is not None:
+        if self._progress is not None:
             shares = ", ".join(f"{100 * share:.0f} % v {name}" for name, share in points.items() if name != LEARNER)
-            self.progress.note(f"points {shares}{self._words}")
+            self._progress.note(f"points {shares}{self._words}")
 
-    def told_evaluation(self, rows: Sequence[dict[str, Any]], seconds: float) -> None:
-        """Note an evaluation for the bar and the next line."""
-        self.evaluating = seconds
+    def note_evaluation(self, rows: Sequence[dict[str, Any]]) -> None:
+        """Let the bar show an evaluation."""
         self._words = "; evaluated " + ", ".join(f"{row['goal_difference']:+.2f} v {row['opponent']}" for row in rows)
 
     def close(self) -> None:
-        """End the TensorBoard log."""
+        """End the bar and the TensorBoard log."""
+        if self._progress is not None:
+            self._progress.__exit__()
         if self._tensorboard is not None:
             self._tensorboard.close()
 

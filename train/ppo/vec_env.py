@@ -217,6 +217,20 @@ class SoccerVecEnv(VecEnv):
             parts.append(seen.reshape(match.count * home, -1))
         return np.concatenate(parts)
 
+    def take_results(self) -> list[Result]:
+        """Return how episodes ended since this was asked last."""
+        taken, self.results = self.results, []
+        return taken
+
+    def take_seconds(self) -> float:
+        """Return the time [s] that steps took since this was asked last."""
+        taken, self.seconds = self.seconds, 0.0
+        return taken
+
+    def playing(self) -> list[str]:
+        """Return the name of the opponent of every match."""
+        return [name for names in self.opponents for name in names]
+
     # What VecEnv asks of environments that are objects of their own; these are rows
 
     def close(self) -> None:

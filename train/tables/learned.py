@@ -71,8 +71,8 @@ def reference_settings(out: Path, rollouts: int = ROLLOUTS) -> Any:
 def measure_training(rollouts: int = ROLLOUTS) -> dict[str, Any]:
     """Run the reference run; return its decisions a second and the time of each stage [us a decision]."""
     from soccer_env.train.bench.benchmark import machine
+    from soccer_env.train.ppo import train
     from soccer_env.train.ppo.settings import command_of
-    from soccer_env.train.ppo.training import train
 
     host = machine()
     with tempfile.TemporaryDirectory() as folder:

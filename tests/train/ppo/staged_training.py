@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from safetensors.numpy import load_file
 
-from soccer_env.train.ppo import training
+from soccer_env.train.ppo import train, training
 from soccer_env.train.ppo.checkpoints import read_checkpoint
 from soccer_env.train.ppo.settings import TrainSettings
 
@@ -35,7 +35,7 @@ def plainly(settings: TrainSettings) -> training.TrainResult:
     """Train without drawing learning curves."""
     draw, training.learning_curve = training.learning_curve, lambda *_: b""
     try:
-        return training.train(settings)
+        return train(settings)
     finally:
         training.learning_curve = draw
 

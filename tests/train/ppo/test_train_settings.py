@@ -122,7 +122,7 @@ def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], messa
 def test_what_cannot_be_played_is_found_before_a_folder_is_made(
     tmp_path: Path, changes: dict[str, Any], message: str
 ) -> None:
-    from soccer_env.train.ppo.training import train
+    from soccer_env.train.ppo import train
 
     with pytest.raises(ValueError, match=message):
         train(tiny(**{"out": tmp_path / "run", **changes}))

@@ -17,8 +17,8 @@ import numpy as np
 import pytest
 
 from soccer_env.agents.policy_file import load
-from soccer_env.train.ppo import training
-from soccer_env.train.ppo.reports import learning_curve, rounded, scale
+from soccer_env.train.ppo import train, training
+from soccer_env.train.ppo.reports import Board, learning_curve, rounded, scale
 from soccer_env.train.ppo.settings import MOST, TrainSettings, command_of
 from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
 
@@ -54,17 +54,17 @@ def test_another_seed_gives_other_weights(tmp_path: Path, whole: Path) -> None:
 def test_other_kinds_of_runs_go_on_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, change: dict[str, Any]) -> None:
     """Cut by an error in the middle of the third rollout, a run ends as one that was not."""
     plainly(tiny(tmp_path / "whole", steps=4 * ROLLOUT, **change))
-    steps = training.Steps._on_step
+    show = Board.show
     left = [20]
 
-    def cut(self: training.Steps) -> bool:
+    def cut(self: Board, step: int) -> None:
         left[0] -= 1
         if not left[0]:
             raise KeyboardInterrupt
-        return steps(self)
+        show(self, step)
 
     with monkeypatch.context() as patched:
-        patched.setattr(training.Steps, "_on_step", cut)
+        patched.setattr(Board, "show", cut)
         with pytest.raises(KeyboardInterrupt):
             plainly(tiny(tmp_path / "cut", steps=4 * ROLLOUT, **change))
     assert len(records(tmp_path / "cut" / "log.jsonl")) == 2
@@ -175,7 +175,7 @@ def test_a_learning_curve_is_a_picture() -> None:
 def test_without_matplotlib_there_is_no_picture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     assert learning_curve([evaluation(0, 0.0)], tiny(Path("x"))) == b""
-    training.train(tiny(tmp_path / "run", steps=ROLLOUT, teacher=""))
+    train(tiny(tmp_path / "run", steps=ROLLOUT, teacher=""))
     assert not (tmp_path / "run" / "learning_curve.png").exists()
     assert (tmp_path / "run" / "last.safetensors").exists()
 
