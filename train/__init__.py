@@ -1,1 +1,12 @@
-"""Train, evaluate and compare teams, from Python or with the command `soccer`."""
+"""Play, train and measure: everything behind the command `soccer`.
+
+command_line.py      the command: which settings it reads and what it prints         listing.py   `soccer list`
+evaluate/            one team against another; record, replay and watch a match      bench/       `soccer bench`
+ppo/                 train a policy
+reproduce/           what the papers claim, measured                                 tables/      tables of the pages
+written_settings.py  how settings are written: out of a user's words, and back into a command
+results_folder.py    the folder of a run's results, that goes on and touches nothing of others
+files.py             files of lines that survive a crash
+provenance.py        what a result was made with: versions, hashes of code and teams, date, commit
+statistics.py        intervals      plots.py   figures of results      progress.py   how far a long piece of work is
+"""

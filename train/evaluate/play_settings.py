@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from soccer_env.train.evaluate.settings import split_players, whole
+from soccer_env.train.evaluate.settings import whole
+from soccer_env.train.written_settings import split_players
 
 
 @dataclass(frozen=True)

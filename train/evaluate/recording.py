@@ -11,8 +11,8 @@ from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.replay import Recorder, Replay
 from soccer_env.train.evaluate.play_settings import PlaySettings, RecordSettings, WatchSettings
-from soccer_env.train.evaluate.settings import split_players
 from soccer_env.train.progress import Progress
+from soccer_env.train.written_settings import split_players
 
 NOTE_EVERY = 50  # control steps between two movements of the progress bar
 

@@ -5,18 +5,14 @@ The help of `soccer evaluate` is the text beside each field here.
 
 from __future__ import annotations
 
-import shlex
 import sys
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
 from soccer_env.leagues.league import PLACEMENTS, League
-from soccer_env.types import MAX_TEAM
+from soccer_env.train.written_settings import POSES, as_path, command_with, split_players, split_senses
 
-SENSES = ("ideal", "sensors")
-SENSING = "sensors"  # a team that is not named
-POSES = ("particles", "percept")
 FULL = "full"  # minutes: the league's own length of a match
 
 
@@ -115,6 +111,11 @@ class Conditions:
         return first if first == second else f"home={first},away={second}"
 
 
+def command_of(settings: EvaluateSettings) -> str:
+    """Return the command that asks for these settings."""
+    return command_with("evaluate", settings, always=("league", "home", "away", "matches", "seed"))
+
+
 def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
     """Fill in what the settings leave to the league."""
     minutes = settings.minutes
@@ -137,61 +138,10 @@ def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
     )
 
 
-def command_of(settings: EvaluateSettings) -> str:
-    """Return the command that asks for these settings; fields at their default are left out, but not the first ones."""
-    always = {"league", "home", "away", "matches", "seed"}
-    words = ["soccer", "evaluate"]
-    for field in fields(settings):
-        if field.name == "anew":  # would throw away the matches that the command is to go on with
-            continue
-        value, flag = getattr(settings, field.name), "--" + field.name.replace("_", "-")
-        if value == field.default and field.name not in always:
-            continue
-        if isinstance(value, bool):
-            words += [flag]  # a flag at its default, off, is left out above
-        else:
-            words += [flag, written(value)]
-    return shlex.join(words)
-
-
-def written(value: object) -> str:
-    """Return a value as a command has it: a float as short as it can be without becoming another one."""
-    short = f"{value:g}" if isinstance(value, float) else str(value)
-    return short if not isinstance(value, float) or float(short) == value else repr(value)
-
-
-def split_players(players: int | str | None, default: int) -> tuple[int, int]:
-    """Return the team sizes of "3v5", of 3 or of None (the default)."""
-    parts = [default] if players is None else str(players).lower().split("v")
-    try:
-        sizes = [int(part) for part in parts]
-    except ValueError:
-        sizes = []
-    if len(sizes) not in (1, 2) or not all(1 <= size <= MAX_TEAM for size in sizes) or isinstance(players, bool):
-        raise ValueError(f"players must be 1 to {MAX_TEAM}, or two such numbers as in 3v5, got {players!r}")
-    return sizes[0], sizes[-1]
-
-
-def split_senses(senses: str) -> tuple[str, str]:
-    """Return the senses of the first and the second team of "ideal" or "home=ideal,away=sensors"."""
-    named = dict(part.strip().partition("=")[::2] for part in senses.split(","))
-    both = (
-        (named.get("home", SENSING), named.get("away", SENSING)) if set(named) <= {"home", "away"} else (senses, senses)
-    )
-    if not set(both) <= set(SENSES):
-        raise ValueError(f"senses must be one of {', '.join(SENSES)}, or home=ideal,away=sensors, got {senses!r}")
-    return both
-
-
 def whole(name: str, value: object, least: int) -> None:
     """Raise ValueError unless the value is an int of at least that."""
     if not isinstance(value, int) or isinstance(value, bool) or value < least:
         raise ValueError(f"{name} must be a whole number of at least {least}, got {value!r}")
-
-
-def as_path(given: object) -> object:
-    """Return a text as a path, for settings made in Python, and anything else as it is."""
-    return Path(given) if isinstance(given, str) else given
 
 
 def is_number(value: object) -> bool:

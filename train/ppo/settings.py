@@ -5,7 +5,6 @@ The help of `soccer train` is the text beside each field here.
 
 from __future__ import annotations
 
-import shlex
 from dataclasses import asdict, dataclass, fields, make_dataclass
 from math import inf
 from pathlib import Path
@@ -14,7 +13,8 @@ from typing import Annotated, Any, Literal, get_args, get_type_hints
 import tyro
 
 from soccer_env.rewards import NAMES, PRESETS, TERMS
-from soccer_env.train.evaluate.settings import as_path, is_number, split_players, split_senses, whole, written
+from soccer_env.train.evaluate.settings import is_number, whole
+from soccer_env.train.written_settings import as_path, command_with, split_players, split_senses
 
 MOST = {
     "torch_threads": 256, "rollout": 65_536, "matches": 65_536, "learning_rate": 1.0, "noise": 10.0, "ideal_share": 1.0,
@@ -243,17 +243,8 @@ class TrainSettings(Weights, PlainSettings):  # type: ignore[misc]  # its weight
 
 
 def command_of(settings: TrainSettings) -> str:
-    """Return the command that asks for these settings; fields at their default are left out."""
-    words = ["soccer", "train"]
-    for field in fields(settings):
-        value, flag = getattr(settings, field.name), "--" + field.name.replace("_", "-")
-        if value == field.default or field.name == "anew":
-            continue
-        if isinstance(value, bool):
-            words += [flag if value else f"--no-{flag[2:]}"]
-        else:
-            words += [flag, written(value)]
-    return shlex.join(words)
+    """Return the command that asks for these settings."""
+    return command_with("train", settings)
 
 
 def check_kinds(settings: TrainSettings) -> None:

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from soccer_env.train.evaluate.report import plain, table
-from soccer_env.train.evaluate.settings import POSES
 from soccer_env.train.reproduce.results import ClaimResult
 from soccer_env.train.reproduce.verdicts import CONTEXT, UNDECIDED, VERDICTS
 from soccer_env.train.results_folder import ResultsFolder
+from soccer_env.train.written_settings import POSES
 
 if TYPE_CHECKING:
     from rich.table import Table

@@ -13,7 +13,8 @@ from typing import Literal
 
 import tyro
 
-from soccer_env.train.evaluate.settings import POSES, as_path, is_number, whole
+from soccer_env.train.evaluate.settings import is_number, whole
+from soccer_env.train.written_settings import POSES, as_path
 
 
 @dataclass(frozen=True)

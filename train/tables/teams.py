@@ -28,6 +28,8 @@ SACKS = (  # home, against the chaser
     "sacks-2001-tuned", "sacks-2001-tuned:recovery=False", "sacks-2001-tuned:avoidance=False", "sacks-2001-future",
 )  # fmt: skip
 
+MEASURED = ("points", "goal difference a match", "goals a minute", "settings")  # columns of `measured`
+
 
 def scripted_rows() -> Iterator[EvaluateSettings]:
     """Yield the evaluations of the chaser."""
@@ -108,24 +110,22 @@ def replay_row(row: dict[str, Any]) -> list[str]:
 
 def scripted_table(table: dict[str, Any]) -> str:
     """Return the table of the scripted teams in Markdown."""
-    lines = [
-        "| league | senses | chaser against | matches | points | goal difference a match | goals a minute | settings |",
-        "|---|---|---|---|---|---|---|---|",
-    ]
-    for row in table["rows"]:
-        lines.append(f"| {row['league']} | {row['senses']} | {row['away']} | {row['matches']} | {measured(row)} |")
-    return "\n".join([*lines, "", f"Command of a row: `{table['rows'][0]['command']}`"])
+    names = {"league": "league", "senses": "senses", "chaser against": "away", "matches": "matches"}
+    return with_command(names, table["rows"])
 
 
 def sacks_table(table: dict[str, Any]) -> str:
     """Return the table of sacks-2001 in Markdown."""
-    lines = [
-        "| team | against | matches | points | goal difference a match | goals a minute | settings |",
-        "|---|---|---|---|---|---|---|",
-    ]
-    for row in table["rows"]:
-        lines.append(f"| `{row['home']}` | {row['away']} | {row['matches']} | {measured(row)} |")
-    return "\n".join([*lines, "", f"Command of a row: `{table['rows'][0]['command']}`"])
+    rows = [row | {"team": f"`{row['home']}`"} for row in table["rows"]]
+    return with_command({"team": "team", "against": "away", "matches": "matches"}, rows)
+
+
+def with_command(names: dict[str, str], rows: list[dict[str, Any]]) -> str:
+    """Return rows of evaluations in Markdown: columns of values by `names`, what was measured, and a row's command."""
+    head = [*names, *MEASURED]
+    lines = [f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
+    lines += [f"| {' | '.join(str(row[name]) for name in names.values())} | {measured(row)} |" for row in rows]
+    return "\n".join([*lines, "", f"Command of a row: `{rows[0]['command']}`"])
 
 
 def measured(row: dict[str, Any]) -> str:

@@ -1,0 +1,69 @@
+"""How settings are written: team sizes, senses and folders out of a user's words, and settings back into a command.
+
+What `soccer evaluate`, `record`, `watch`, `reproduce` and `train` have in common.
+"""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Collection
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+from soccer_env.types import MAX_TEAM
+
+SENSES = ("ideal", "sensors")
+SENSING = "sensors"  # a team that is not named
+POSES = ("particles", "percept")
+
+
+def split_players(players: int | str | None, default: int) -> tuple[int, int]:
+    """Return the team sizes of "3v5", of 3 or of None (the default)."""
+    parts = [default] if players is None else str(players).lower().split("v")
+    try:
+        sizes = [int(part) for part in parts]
+    except ValueError:
+        sizes = []
+    if len(sizes) not in (1, 2) or not all(1 <= size <= MAX_TEAM for size in sizes) or isinstance(players, bool):
+        raise ValueError(f"players must be 1 to {MAX_TEAM}, or two such numbers as in 3v5, got {players!r}")
+    return sizes[0], sizes[-1]
+
+
+def split_senses(senses: str) -> tuple[str, str]:
+    """Return the senses of the first and the second team of "ideal" or "home=ideal,away=sensors"."""
+    named = dict(part.strip().partition("=")[::2] for part in senses.split(","))
+    both = (
+        (named.get("home", SENSING), named.get("away", SENSING)) if set(named) <= {"home", "away"} else (senses, senses)
+    )
+    if not set(both) <= set(SENSES):
+        raise ValueError(f"senses must be one of {', '.join(SENSES)}, or home=ideal,away=sensors, got {senses!r}")
+    return both
+
+
+def as_path(given: object) -> object:
+    """Return a text as a path, for settings made in Python, and anything else as it is."""
+    return Path(given) if isinstance(given, str) else given
+
+
+def command_with(command: str, settings: Any, always: Collection[str] = ()) -> str:
+    """Return the command that asks for settings, a dataclass; those at their default are left out, but `always` some.
+
+    `anew` is left out, too: it would throw away what the command is to go on with.
+    """
+    words = ["soccer", command]
+    for field in fields(settings):
+        value, flag = getattr(settings, field.name), "--" + field.name.replace("_", "-")
+        if field.name == "anew" or (value == field.default and field.name not in always):
+            continue
+        if isinstance(value, bool):
+            words += [flag if value else f"--no-{flag[2:]}"]
+        else:
+            words += [flag, written(value)]
+    return shlex.join(words)
+
+
+def written(value: object) -> str:
+    """Return a value as a command has it: a float as short as it can be without becoming another one."""
+    short = f"{value:g}" if isinstance(value, float) else str(value)
+    return short if not isinstance(value, float) or float(short) == value else repr(value)
