@@ -86,8 +86,9 @@ def test_it_beats_random_players(league: str, minutes: float) -> None:
 def test_every_step_of_strength_wins_points(league: str, minutes: float) -> None:
     """100 matches each against strength 1, which against itself has half of the points by symmetry.
 
-    The README's table has all steps with 200 matches each, and tests/train/tables/test_tables.py asks it for a ladder.
+    The table of baselines/README.md has all steps with 200 matches each; tests/train/tables/test_tables.py asks it for
+    a ladder.
     """
-    placement = find_league(league).evaluation_placement  # as `soccer evaluate` and the README's table play
+    placement = find_league(league).evaluation_placement  # as `soccer evaluate` and the table play
     ladder = [points(score(league, f"chaser@{s}", "chaser", 100, minutes, 1, placement)) for s in (0, 0.5)]
     assert all(lower < higher for lower, higher in zip(ladder, [*ladder[1:], 0.5], strict=True)), ladder

@@ -1,16 +1,34 @@
-"""Every Python example of the README runs, and every command in it can be typed."""
+"""The pages: every Python example runs, every command can be typed, every link leads somewhere."""
 
 import re
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
 
+from soccer_env.train.command_line import COMMANDS
+
 ROOT = Path(__file__).parents[2]
-README = (ROOT / "README.md").read_text(encoding="utf-8")
-EXECUTABLES = {"make", "soccer", "pip", "python"}
+PAGES = (
+    "README.md",
+    "CONTRIBUTING.md",
+    "SECURITY.md",
+    "soccer_env/README.md",
+    "soccer_env/perception/README.md",
+    "baselines/README.md",
+    "baselines/sacks_2001/README.md",
+    "agents/policies/README.md",
+    "train/README.md",
+)
+OTHERS = ("CHANGELOG.md", "soccer_env/REFERENCES.md")  # linked, not made of examples
+TEXTS = {page: (ROOT / page).read_text(encoding="utf-8") for page in (*PAGES, *OTHERS)}
+EXECUTABLES = {"make", "soccer", "pip", "python", "pytest", "git", "ruff", "mypy"}
+README_LINES = 200
+LINE = 160  # characters of a line that no command and no table needs
+SLOW = ("TrainSettings(", "stable_baselines3")  # examples that take more than five seconds
 
 
 class Block(NamedTuple):
@@ -56,23 +74,78 @@ def run_block(block: Block, name: str, folder: Path, monkeypatch: pytest.MonkeyP
     exec(compile(source, str(file), "exec"), module.__dict__)
 
 
-@pytest.mark.parametrize("block", [pytest.param(block, id=f"line {block.line}") for block in blocks(README, "python")])
-def test_python_example_runs(block: Block, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    run_block(block, f"readme_line_{block.line}", tmp_path, monkeypatch)
+def examples() -> Iterator[Any]:
+    """Yield the Python examples of all pages, each with the page it stands in."""
+    for page in PAGES:
+        for block in blocks(TEXTS[page], "python"):
+            slow = [pytest.mark.slow] if any(word in block.text for word in SLOW) else []
+            yield pytest.param(page, block, id=f"{page} line {block.line}", marks=slow)
 
 
-def test_commands_can_be_typed() -> None:
-    typed = [words for block in blocks(README, "bash") for words in commands(block.text)]
-    assert [words for words in typed if words[0] not in EXECUTABLES] == []
+@pytest.mark.parametrize(("page", "block"), list(examples()))
+def test_python_example_runs(page: str, block: Block, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    name = re.sub(r"\W", "_", page.removesuffix(".md"))
+    run_block(block, f"{name}_line_{block.line}", tmp_path, monkeypatch)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_commands_can_be_typed(page: str) -> None:
+    typed = [words for block in blocks(TEXTS[page], "bash") for words in commands(block.text)]
+    assert [words for words in typed if words[0].removeprefix(".venv/bin/") not in EXECUTABLES] == []
     targets = set(re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
     assert [words for words in typed if words[0] == "make" and not set(words[1:]) <= targets] == []
+    assert [words for words in typed if words[0] == "soccer" and words[1] not in {"--help", *COMMANDS}] == []
 
 
-def test_the_two_first_commands_are_there_and_ci_runs_the_test_command() -> None:
-    typed = [words for block in blocks(README, "bash") for words in commands(block.text)]
-    assert ["make", "match"] in typed
-    assert ["make", "test"] in typed
+def test_the_two_first_commands_come_first_and_ci_runs_the_test_command() -> None:
+    typed = [words for block in blocks(TEXTS["README.md"], "bash") for words in commands(block.text)]
+    assert typed[:2] == [["make", "match"], ["make", "test"]]
     assert "part make test\n" in (ROOT / ".ci/run").read_text(encoding="utf-8")
+
+
+def test_the_readme_is_short_and_its_lines_too() -> None:
+    assert len(TEXTS["README.md"].splitlines()) <= README_LINES
+    for page in PAGES:
+        shown = re.sub(r"<!-- table: (\w+) -->.*?<!-- end of table: \1 -->", "", TEXTS[page], flags=re.DOTALL)
+        if page != "baselines/sacks_2001/README.md":
+            assert [line for line in shown.splitlines() if len(line) > LINE and "](" not in line] == [], page
+
+
+def links(markdown: str) -> list[str]:
+    """Return the targets of the links and pictures of a page, without those in code."""
+    prose = re.sub(r"^( *)(`{3,}).*?^\1\2 *$|`[^`\n]*`", "", markdown, flags=re.DOTALL | re.MULTILINE)
+    return re.findall(r"\]\(([^)\s]+)\)", prose)
+
+
+def anchors(markdown: str) -> set[str]:
+    """Return the names of a page's headings, as GitHub and the site make them."""
+    titles = re.findall(r"^#+ (.+)$", markdown, re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).strip().replace(" ", "-") for title in titles}
+
+
+@pytest.mark.parametrize("page", TEXTS)
+def test_links_lead_to_a_page_a_heading_or_a_picture(page: str) -> None:
+    for link in links(TEXTS[page]):
+        if link.startswith("https://"):
+            continue
+        path, _, heading = link.partition("#")
+        target = ((ROOT / page).parent / path).resolve() if path else ROOT / page
+        assert target.is_file(), f"{page} links to {link}"
+        if heading:
+            assert heading in anchors(target.read_text(encoding="utf-8")), f"{page} links to {link}"
+
+
+def test_every_page_is_reached_from_the_readme() -> None:
+    reached, queue = {"README.md"}, ["README.md"]
+    while queue:
+        page = queue.pop()
+        for link in links(TEXTS[page]):
+            target = ((ROOT / page).parent / link.partition("#")[0]).resolve()
+            name = target.relative_to(ROOT).as_posix() if target.is_relative_to(ROOT) else ""
+            if name in TEXTS and name not in reached:
+                reached.add(name)
+                queue.append(name)
+    assert reached == set(TEXTS)
 
 
 EXAMPLE = """
@@ -113,3 +186,9 @@ def test_a_failing_example_fails_at_its_line(tmp_path: Path, monkeypatch: pytest
     with pytest.raises(AssertionError, match="wrong") as failure:
         run_block(example, "readme_example", tmp_path, monkeypatch)
     assert failure.traceback[-1].lineno == 16  # counted from 0: line 17 of the text above
+
+
+def test_links_and_headings_are_found() -> None:
+    page = "# A `b` c!\n[one](two.md#a-b-c) ![three](four.png)\n`[five](six)`\n```\n[seven](eight)\n```\n"
+    assert links(page) == ["two.md#a-b-c", "four.png"]
+    assert anchors(page) == {"a-b-c"}

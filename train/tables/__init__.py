@@ -1,11 +1,14 @@
-"""The tables of the READMEs: measured by commands, kept as JSON, written between markers.
+"""The tables of the pages: measured by commands, kept as JSON, written between markers.
 
 python -m soccer_env.train.tables           measure all, or some by name       (make tables)
+python -m soccer_env.train.tables write     write the pages again from tables.json
 python -m soccer_env.train.tables --check   replay a small part of each        (make tables-check)
 python -m soccer_env.train.tables.sacks     every claim of Sacks 2001          (make sacks-table)
 
 pages.py     which tables there are, and their way into the pages
+markers.py   where in a page a table stands
 teams.py     teams against teams      learned.py   the learned team, and how long its training takes
+headlines.py the few figures of the main README, picked out of the others
 claims.py    what `soccer reproduce` measures        sacks.py   the page of the team sacks-2001
 tables.json  what was measured
 """

@@ -1,4 +1,4 @@
-"""The README's tables of what `soccer reproduce` measures: errors of the sensors over the range, and the claims."""
+"""The tables of what `soccer reproduce` measures: errors of the sensors over the range, and the claims."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The README's tables of the learned team: which evaluations they are made of, and the time that training takes."""
+"""The tables of the learned team: which evaluations they are made of, and the time that training takes."""
 
 from __future__ import annotations
 

@@ -1,6 +1,9 @@
-"""The README's tables: measured by commands, kept as JSON beside this file, written between markers in README.md.
+"""The tables of the pages: measured by commands, kept as JSON beside this file, written between markers.
 
-    python -m soccer_env.train.tables [NAME]     measure all tables, or one, anew and write both
+PAGES says which page each belongs to; the headlines of the main README are picked out of the others.
+
+    python -m soccer_env.train.tables [NAME]     measure all tables, or one, anew and write file and pages
+    python -m soccer_env.train.tables write      write the pages again from the file, without measuring
     python -m soccer_env.train.tables --check    replay a small part of each and fail where it no longer agrees
 
 The check plays the first pair of matches of every row again and compares score and final state; where versions or the
@@ -21,7 +24,9 @@ from soccer_env.train.bench.benchmark import run as run_bench
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.tables.claims import claims_table, measure_claims, measure_sensors, sensors_table
+from soccer_env.train.tables.headlines import headlines_table
 from soccer_env.train.tables.learned import learned_rows, learned_table, measure_training, training_table
+from soccer_env.train.tables.markers import between_markers
 from soccer_env.train.tables.teams import (
     measure_rows,
     replay_row,
@@ -33,7 +38,17 @@ from soccer_env.train.tables.teams import (
 from soccer_env.whole_files import write_whole
 
 DATA = Path(__file__).with_name("tables.json")
-README = Path(__file__).resolve().parents[2] / "README.md"
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = {  # the page that shows a table, seen from the checkout's root
+    "headlines": "README.md",
+    "sensors": "soccer_env/perception/README.md",
+    "scripted": "baselines/README.md",
+    "sacks": "baselines/README.md",
+    "learned": "agents/policies/README.md",
+    "claims": "train/README.md",
+    "training": "train/README.md",
+    "speed": "train/README.md",
+}
 LIBRARIES = ("pymunk", "numba", "numpy")
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
@@ -54,7 +69,7 @@ MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
     "training": lambda: {"about": about(), **measure_training()},
     "speed": measure_speed,
 }
-SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a table in Markdown
+SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a measured table in Markdown
     "sensors": lambda table: with_footer(sensors_table(table), table),
     "claims": lambda table: with_footer(claims_table(table), table),
     "scripted": lambda table: with_footer(scripted_table(table), table),
@@ -100,30 +115,29 @@ def footer(facts: dict[str, str]) -> str:
     return "Made by `make tables`: " + ", ".join(f"{name} {value}" for name, value in facts.items()) + "."
 
 
-def with_tables(readme: str, data: dict[str, Any]) -> str:
-    """Return the README with the tables between their markers; ValueError for a marker that is missing."""
-    for name, show in SHOW.items():
-        if name not in data:
+def with_tables(text: str, page: str, data: dict[str, Any]) -> str:
+    """Return a page with its tables between their markers; ValueError for a marker that is missing."""
+    for name, where in PAGES.items():
+        if where != page:
             continue
-        readme = between_markers(readme, name, show(data[name]))
-    return readme
+        if name == "headlines":
+            text = between_markers(text, name, headlines_table(data))
+        elif name in data:
+            text = between_markers(text, name, SHOW[name](data[name]))
+    return text
 
 
-def between_markers(readme: str, name: str, text: str) -> str:
-    """Return a README with a table between its markers; ValueError for a marker that is missing."""
-    begin, end = f"<!-- table: {name} -->", f"<!-- end of table: {name} -->"
-    before, found, rest = readme.partition(begin)
-    _, closed, after = rest.partition(end)
-    if not found or not closed:
-        raise ValueError(f"README.md lacks the markers of table {name}")
-    return f"{before}{begin}\n{text}\n{end}{after}"
+def page_text(page: str) -> str:
+    """Return what a page says now."""
+    return (ROOT / page).read_text(encoding="utf-8")
 
 
 def check(data: dict[str, Any], quick: bool = False) -> list[str]:
     """Return one sentence for each table, or part of it, that no longer agrees; `quick` leaves out the speed."""
     problems = []
-    if with_tables(README.read_text(encoding="utf-8"), data) != README.read_text(encoding="utf-8"):
-        problems.append("README.md does not show what tables.json holds: run make tables")
+    for page in dict.fromkeys(PAGES.values()):
+        if with_tables(page_text(page), page, data) != page_text(page):
+            problems.append(f"{page} does not show what tables.json holds: run python -m soccer_env.train.tables write")
     now = about()
     for name in ("scripted", "sacks", "learned"):
         if name not in data:
@@ -149,19 +163,35 @@ def slower_rows(table: dict[str, Any]) -> list[str]:
     ]
 
 
+def stored() -> dict[str, Any]:
+    """Return what was measured last."""
+    found: dict[str, Any] = json.loads(DATA.read_text(encoding="utf-8"))
+    return found
+
+
+def write_pages(data: dict[str, Any]) -> None:
+    """Write every table into its page."""
+    for page in dict.fromkeys(PAGES.values()):
+        write_whole(ROOT / page, with_tables(page_text(page), page, data))
+
+
 def main(arguments: list[str]) -> int:
     """Measure and write the tables, or check them; return the exit code."""
     names = [name for name in arguments if name in MEASURE]
-    if arguments not in (names, ["--check"], ["--check", "--quick"]):
-        print(f"usage: python -m soccer_env.train.tables [{'|'.join(MEASURE)}] [--check [--quick]]", file=sys.stderr)
+    if arguments not in (names, ["write"], ["--check"], ["--check", "--quick"]):
+        choices = f"[{'|'.join(MEASURE)}|write] [--check [--quick]]"
+        print(f"usage: python -m soccer_env.train.tables {choices}", file=sys.stderr)
         return 2
+    if arguments == ["write"]:
+        write_pages(stored())
+        return 0
     if arguments == names:
-        data = json.loads(DATA.read_text(encoding="utf-8")) if names else {}
+        data = stored() if names else {}
         data |= {name: MEASURE[name]() for name in names or MEASURE}
         write_whole(DATA, json.dumps(data, indent=1) + "\n")
-        write_whole(README, with_tables(README.read_text(encoding="utf-8"), data))
+        write_pages(data)
         return 0
-    problems = check(json.loads(DATA.read_text(encoding="utf-8")), quick="--quick" in arguments)
+    problems = check(stored(), quick="--quick" in arguments)
     for problem in problems:
         print(problem, file=sys.stderr)
     print("tables: " + ("all agree" if not problems else f"{len(problems)} no longer agree"))

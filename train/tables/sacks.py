@@ -31,7 +31,7 @@ from soccer_env.train.reproduce.results import ClaimResult
 from soccer_env.train.reproduce.settings import ReproduceSettings
 from soccer_env.train.reproduce.verdicts import CONTEXT, NOT, VERDICTS
 from soccer_env.train.results_folder import SETTINGS, read_settings
-from soccer_env.train.tables.pages import between_markers
+from soccer_env.train.tables.markers import between_markers
 from soccer_env.whole_files import write_whole
 
 FOLDER = Path(sacks_settings.__file__).resolve().parent

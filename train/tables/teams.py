@@ -1,4 +1,4 @@
-"""The README's tables of teams against teams: which evaluations they are made of, and how a row is played again."""
+"""The tables of teams against teams: which evaluations they are made of, and how a row is played again."""
 
 from __future__ import annotations
 

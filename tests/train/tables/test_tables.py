@@ -1,4 +1,4 @@
-"""The README's tables are those of tables.json, and the matches behind them play again."""
+"""The tables of the pages are those of tables.json, and the matches behind them play again."""
 
 import copy
 import json
@@ -7,17 +7,55 @@ import pytest
 
 from soccer_env.train.tables import pages as tables
 from soccer_env.train.tables import teams as tables_teams
+from soccer_env.train.tables.headlines import headlines
 
 DATA = json.loads(tables.DATA.read_text(encoding="utf-8"))
 SAME = all(DATA["scripted"]["about"][name] == tables.about()[name] for name in (*tables.LIBRARIES, "machine"))
 
 
-def test_the_readme_shows_what_was_measured() -> None:
-    readme = tables.README.read_text(encoding="utf-8")
-    assert tables.with_tables(readme, DATA) == readme
+@pytest.mark.parametrize("page", sorted(set(tables.PAGES.values())))
+def test_every_page_shows_what_was_measured(page: str) -> None:
+    assert tables.with_tables(tables.page_text(page), page, DATA) == tables.page_text(page)
+
+
+def test_every_table_stands_in_its_page_and_in_no_other() -> None:
+    assert set(tables.PAGES) == {"headlines", *tables.MEASURE} == {"headlines", *tables.SHOW}
+    for name, page in tables.PAGES.items():
+        holders = [
+            other for other in set(tables.PAGES.values()) if f"<!-- table: {name} -->" in tables.page_text(other)
+        ]
+        assert holders == [page]
+
+
+def test_another_result_changes_its_page_and_the_headlines() -> None:
+    changed = copy.deepcopy(DATA)
+    (row,) = (
+        row
+        for row in changed["learned"]["rows"]
+        if (row["away"], row["minutes"], row["senses"], row["players"]) == ("chaser", 10.0, "sensors", 3)
+    )
+    row["goal_difference"]["mean"] = -1.23
+    differ = [
+        page
+        for page in dict.fromkeys(tables.PAGES.values())
+        if tables.with_tables(tables.page_text(page), page, changed) != tables.page_text(page)
+    ]
+    assert differ == ["README.md", "agents/policies/README.md"]
+    assert "-1.23 goals a match" in tables.with_tables(tables.page_text("README.md"), "README.md", changed)
+
+
+def test_the_check_names_a_page_that_shows_something_else(monkeypatch: pytest.MonkeyPatch) -> None:
     changed = copy.deepcopy(DATA)
     changed["scripted"]["rows"][0]["points"]["mean"] = 0.123
-    assert tables.with_tables(readme, changed) != readme
+    monkeypatch.setattr(tables, "replay_row", lambda row: [])
+    (problem,) = tables.check(changed, quick=True)
+    assert problem.startswith("baselines/README.md does not show")
+
+
+def test_the_headlines_have_a_command_each() -> None:
+    rows = list(headlines(DATA))
+    assert len(rows) == 6
+    assert {row.command.split()[0] for row in rows} == {"soccer", "make"}
 
 
 @pytest.mark.skipif(not SAME, reason="other versions or another kind of machine than the table's")
@@ -42,4 +80,4 @@ def test_every_step_of_strength_wins_points_in_the_table() -> None:
 
 def test_a_missing_marker_is_named() -> None:
     with pytest.raises(ValueError, match="markers of table sensors"):
-        tables.with_tables("no markers here", DATA)
+        tables.with_tables("no markers here", "soccer_env/perception/README.md", DATA)
