@@ -1,7 +1,8 @@
 # make match    the learned team plays a scripted one (installs what it needs into .venv, without torch)
 # make test     run the tests            make lint          ruff and mypy
-# make bench    measure the speed        make tables        regenerate the README's tables
+# make bench    measure the speed        make tables        measure the tables of the pages
 # make clean    remove what make built   make tables-check  replay a small part of each table
+# make pictures  draw the pictures of the pages       make docs  build the site into site/, strictly
 # make sacks-table  measure every claim of Sacks 2001 and write baselines/sacks_2001/README.md
 # make mutants  switch every mechanism of the papers off in turn: the test that names it has to fail
 #
@@ -46,10 +47,11 @@ tables: $(VENV)/.has-base
 tables-check: $(VENV)/.has-base
 	$(BIN)/python -m soccer_env.train.tables --check
 
-# What the pages show; needs the extra `pictures`.
-pictures: $(VENV)/.has-base
-	$(BIN)/python -m pip install -e '.[pictures]'
+pictures: $(VENV)/.has-pictures
 	$(BIN)/python -m soccer_env.train.pictures
+
+docs: $(VENV)/.has-docs types
+	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict
 
 sacks-table: $(VENV)/.has-base
 	$(BIN)/python -m soccer_env.train.tables.sacks
@@ -59,7 +61,7 @@ mutants: $(VENV)/.has-train
 
 # Everything here can be made again, .venv included. runs/ holds results and stays.
 clean:
-	rm -rf $(VENV) build dist *.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) build dist site *.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis
 	find soccer_env baselines agents train tests -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Each stamp says that an installation into .venv was finished; a newer pyproject.toml or Makefile repeats it.
@@ -69,6 +71,14 @@ $(VENV)/.created:
 
 $(VENV)/.has-base: $(VENV)/.created pyproject.toml Makefile
 	$(BIN)/python -m pip install -e '.[render]'
+	touch $@
+
+$(VENV)/.has-pictures: $(VENV)/.has-base
+	$(BIN)/python -m pip install -e '.[pictures]'
+	touch $@
+
+$(VENV)/.has-docs: $(VENV)/.has-base
+	$(BIN)/python -m pip install -e '.[docs]'
 	touch $@
 
 # torch first and pinned: its version decides whether gigabytes of GPU libraries come along.

@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tarfile
 import zipfile
 from pathlib import Path
 
@@ -93,6 +94,32 @@ def test_wheel_holds_the_package_and_nothing_else(wheel: Path) -> None:
     assert {name.split("/")[0].split("-")[0] for name in names} == {"soccer_env"}
     (entry_points,) = (name for name in names if name.endswith(".dist-info/entry_points.txt"))
     assert "soccer = soccer_env.train.command_line:main" in zipfile.ZipFile(wheel).read(entry_points).decode()
+
+
+def test_wheel_holds_the_pages_but_no_pictures(wheel: Path) -> None:
+    names = set(zipfile.ZipFile(wheel).namelist())
+    folders = ("", "perception/", "baselines/", "baselines/sacks_2001/", "agents/policies/", "train/")
+    assert {f"soccer_env/{folder}README.md" for folder in folders} <= names
+    assert [name for name in names if "/pictures/" in name and not name.startswith("soccer_env/train/")] == []
+    assert wheel.stat().st_size < 2_000_000
+
+
+def test_the_source_archive_holds_every_tracked_file(tmp_path: Path) -> None:
+    if not (ROOT / ".git").exists():
+        pytest.skip("no checkout")
+    asked = ("git", "ls-files", "-z", "--cached", "--others", "--exclude-standard")
+    files = {path for path in run(*asked, cwd=ROOT).split("\0") if path and (ROOT / path).is_file()}
+    for path in files:
+        (tmp_path / "source" / path).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / path, tmp_path / "source" / path)
+    build = f"from setuptools import build_meta; build_meta.build_sdist({str(tmp_path)!r})"
+    run(sys.executable, "-c", build, cwd=tmp_path / "source")
+    (archive,) = tmp_path.glob("soccer_env-*.tar.gz")
+    with tarfile.open(archive) as tar:
+        held = {member.name.partition("/")[2] for member in tar.getmembers() if member.isfile()}
+    assert files - held == set()
+    made = {"PKG-INFO", "setup.cfg"}
+    assert {name for name in held - files - made if not name.startswith("soccer_env.egg-info/")} == set()
 
 
 def test_wheel_works_beside_files_of_the_same_names(wheel: Path, tmp_path: Path) -> None:

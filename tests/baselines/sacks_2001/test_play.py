@@ -129,7 +129,7 @@ def test_no_busy_robot_stands_for_half_a_minute() -> None:
 
 @pytest.mark.slow
 def test_two_steps_of_strength_win_goals() -> None:
-    """The table of baselines/README.md has every step of 200 matches; here the ends of the ladder, on the same seeds."""
+    """The table of baselines/README.md has every step of 200 matches; here the ends of the ladder, same seeds."""
     gaps = []
     for strength in (0.0, 1.0):
         teams = {"home": f"sacks-2001@{strength}", "away": "chaser"}
