@@ -32,7 +32,7 @@ def per_player(act: Callable[..., None], scratch: np.dtype = NO_SCRATCH) -> Call
     """
 
     @compiled
-    def kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):  # type: ignore[no-untyped-def]
+    def kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
         work, k = records(1, scratch), constants[0]
         own = settings[k.drive_kind if len(settings) > 1 else 0]
         for m in range(first, last):
@@ -50,7 +50,7 @@ def per_blind_player(act: Callable[..., None]) -> Callable[..., None]:
     """
 
     @compiled
-    def kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):  # type: ignore[no-untyped-def]
+    def kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
         k, own = constants[0], settings[0]
         for m in range(first, last):
             for p in range(len(players)):

@@ -56,7 +56,8 @@ class Learner:
 
     def reset_matches(self) -> None:
         """Begin episodes in all matches, where the first rollout begins."""
-        self._begin_at(self.rewards.reset(), np.ones(self.model.n_envs, bool))
+        first: Any = self.rewards.reset()
+        self._begin_at(first, np.ones(self.model.n_envs, bool))
 
     def collect_rollout(self, each_step: Callable[[], None]) -> None:
         """Let the policy, with its noise, play a rollout; `each_step` is called after each step of all matches."""

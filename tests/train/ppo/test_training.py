@@ -17,9 +17,10 @@ import numpy as np
 import pytest
 
 from soccer_env.agents.policy_file import load
-from soccer_env.train.ppo import train, training
+from soccer_env.train.ppo import imitation, reports, train, training
 from soccer_env.train.ppo.reports import Board, learning_curve, rounded, scale
 from soccer_env.train.ppo.settings import MOST, TrainSettings, command_of
+from soccer_env.train.progress import Progress
 from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
 
 ROOT = Path(__file__).parents[3]
@@ -152,6 +153,34 @@ def test_weights_that_became_nan_are_said(tmp_path: Path, monkeypatch: pytest.Mo
     ):
         plainly(wild)
     assert np.isfinite(load(tmp_path / "run" / "best.safetensors").weights[0]).all()
+
+
+def test_the_door_is_light() -> None:
+    """Reading the package, and finding `train` in it, imports nothing heavy: torch comes with the first training."""
+    code = (
+        "import sys; from soccer_env.train.ppo import train; print([x for x in ('torch', 'numba') if x in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout == "[]\n"
+
+
+def test_one_bar_is_shown_at_a_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The teacher's ends before the run's begins: a terminal has room for one."""
+    open_bars, most = [], []
+
+    class Bar(Progress):
+        def __enter__(self) -> Progress:
+            open_bars.append(self._title)
+            most.append(tuple(open_bars))
+            return super().__enter__()
+
+        def __exit__(self, *error: object) -> None:
+            open_bars.remove(self._title)
+
+    monkeypatch.setattr(reports, "Progress", Bar)
+    monkeypatch.setattr(imitation, "Progress", Bar)
+    plainly(tiny(tmp_path / "run", steps=ROLLOUT))
+    assert most == [("learning from chaser",), ("training",)] and not open_bars
 
 
 # What is drawn and noted
