@@ -1,5 +1,6 @@
 # make match    the learned team plays a scripted one (installs what it needs into .venv, without torch)
 # make test     run the tests            make lint          ruff and mypy
+# make test-quick  run those that notice most of what an edit breaks (tests/quick.txt), in a minute or so
 # make bench    measure the speed        make tables        measure the tables of the pages
 # make clean    remove what make built   make tables-check  replay a small part of each table
 # make pictures  draw the pictures of the pages       make docs  build the site into site/, strictly
@@ -13,8 +14,9 @@ TORCH := torch==2.13.0
 VENV := .venv
 BIN := $(VENV)/bin
 INNER := baselines agents train
+PARALLEL := -n auto --dist worksteal  # a process for each core; one that is done takes tests from the others
 
-.PHONY: match test lint types bench pictures docs tables tables-check sacks-table mutants clean
+.PHONY: match test test-quick lint types bench pictures docs tables tables-check sacks-table mutants clean
 .DELETE_ON_ERROR:
 
 match: $(VENV)/.has-base
@@ -22,7 +24,10 @@ match: $(VENV)/.has-base
 		--seed 1 --threads 2 --out runs/match --anew --picture
 
 test: $(VENV)/.has-train
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest $(PARALLEL)
+
+test-quick: $(VENV)/.has-train
+	$(BIN)/python -m pytest $(PARALLEL) @tests/quick.txt
 
 # With torch, as its types decide what is right in train/.
 lint: $(VENV)/.has-train types

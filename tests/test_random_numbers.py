@@ -63,6 +63,36 @@ def test_all_streams_of_all_owners_differ() -> None:
     assert len(states) == 4 * 4 * 23 * NOISE_STREAMS
 
 
+def test_no_two_robots_share_noise_nor_do_matches_or_episodes() -> None:
+    """Robots of one number in both teams, matches of a batch, episodes of a match, the match itself: all draw apart."""
+    match, states = Match(home=3, away=3, matches=3, seed=9), []
+    for _ in range(2):
+        states += [match.robots["noise"].ravel().copy(), match.matches["noise"].ravel().copy()]
+        match.reset()
+    everyone = np.concatenate(states)
+    assert len(everyone) == 2 * 3 * (6 + 1) * NOISE_STREAMS == len(set(everyone.tolist()))
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [((0, 0), (0, 3)), ((0, 0), (0, 1)), ((0, 1), (0, 3)), ((0, 0), (1, 0))],
+    ids=["home_0 and away_0", "home_0 and home_1", "home_1 and away_0", "home_0 of two matches"],
+)
+def test_streams_of_two_robots_are_unrelated(one: tuple[int, int], other: tuple[int, int]) -> None:
+    """Neither the same draws, nor the same a few draws later, nor correlated ones."""
+    noise = Match(home=3, away=3, matches=2, seed=9).robots["noise"]
+    first, second = (np.array([uniform(noise[m, r], 0) for _ in range(4000)]) for m, r in (one, other))
+    assert not set(first) & set(second)
+    assert abs(np.corrcoef(first, second)[0, 1]) < 4.0 / np.sqrt(4000)
+
+
+def test_robots_of_one_number_slip_each_in_its_own_way() -> None:
+    match = Match(home=3, away=3, seed=1)
+    match.step(np.ones((1, 6, 4)))
+    slip = match.robots["slip"]["forward"][0]
+    assert len(set(slip.tolist())) == 6
+
+
 def test_a_robot_draws_the_same_in_teams_of_any_size() -> None:
     small, large = Match(home=1, away=1, seed=9), Match(home=1, away=11, seed=9)
     np.testing.assert_array_equal(small.robots["noise"][0, 1], large.robots["noise"][0, 1])

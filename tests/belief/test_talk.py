@@ -6,6 +6,7 @@ from math import inf
 
 import numpy as np
 import pytest
+from scipy.stats import binomtest
 
 from soccer_env import Match
 from soccer_env.ball_words import FARTHEST, GROWTH, NEAREST, SILENT, distance_of, word_for
@@ -106,6 +107,24 @@ def test_a_lost_word_is_lost_for_all_and_a_share_of_them_is_lost() -> None:
         assert len(set(found[:1] + found[2:])) == 1
         heard.append(found[0] > 0)
     assert np.mean(heard) == pytest.approx(0.8, abs=0.06)
+
+
+@pytest.mark.parametrize("loss", [0.0, 0.05, 0.5, 1.0])
+@each_league
+def test_the_share_of_messages_that_is_lost_is_the_one_that_is_set(name: str, loss: float) -> None:
+    """MS06 by loudspeaker, MH05 by radio: nobody's message comes through by chance, and none is lost at 0."""
+    talkers = Talkers(name, **{"radio_loss" if name == MIDDLE else "audio_loss": loss})
+    period = 5 if name == MIDDLE else RATE  # frames between two messages
+    sent, arrived = 300, np.zeros(6, int)
+    for _ in range(sent):
+        talkers.messages["known"] = 0
+        talkers.step(period)
+        arrived += talkers.messages["known"]
+    if loss in (0.0, 1.0):
+        assert (arrived == (1.0 - loss) * sent).all()
+    else:
+        assert min(binomtest(int(sent - one), sent, loss).pvalue for one in arrived) > 1e-4
+        assert binomtest(int(6 * sent - arrived.sum()), 6 * sent, loss).pvalue > 1e-3
 
 
 def test_deaf_settings_tell_nothing() -> None:

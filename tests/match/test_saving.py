@@ -103,6 +103,27 @@ def test_a_replay_names_the_first_step_that_differs() -> None:
         replay.check()
 
 
+@pytest.mark.parametrize(("field", "change"), [("x", 1e-6), ("angle", 1e-6), ("vy", 0.2)])
+def test_a_replay_notices_that_the_ball_alone_is_another(field: str, change: float) -> None:
+    """In the second of two matches, from the tenth step on, a ball lies or rolls otherwise, which no robot feels."""
+    match = Match(home=2, away=2, matches=2, seed=5)
+    recorder = Recorder(match)
+    for step in range(20):
+        if step == 10:
+            match.rebuild()
+        match.step(np.zeros((2, 4, 4)))
+    replay = recorder.stop()
+    assert replay.check() == 20
+    ((when, rows, records),) = replay.log
+    forged = replay.make_match()
+    saving.restore(forged, records, memory=False)
+    forged.balls[field][1] += change
+    replay.log = [(when, rows, saving.dump(forged, memory=False))]
+    with pytest.raises(ValueError, match=f"differs from the recorded match at control step {when}"):
+        replay.check()
+    assert when == 10
+
+
 @pytest.mark.parametrize("damage", [b"", b"x", b"truncated", b"flipped", b"not bytes", b"other"])
 def test_a_damaged_save_is_refused_and_changes_nothing(damage: bytes) -> None:
     match = Match(home=1, away=1, seed=1)

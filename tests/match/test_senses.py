@@ -168,6 +168,15 @@ def test_a_save_goes_on_with_the_same_senses(league: str) -> None:
     assert futures[0] == futures[1]
 
 
+@pytest.mark.parametrize("league", LEAGUES)
+def test_an_episode_begins_with_nothing_remembered(league: str) -> None:
+    used, fresh = sensing(league, pose="particles"), sensing(league, pose="particles", seed=42)
+    for actions in draws(used, 40):
+        used.step(actions)
+    used.reset(seed=42)
+    assert used.state_hash() == fresh.state_hash(), "beliefs, memories, particles and messages are part of the state"
+
+
 def scattered_pair(league: str, pose: str, changed: Callable[[Records], Records], seed: int) -> tuple[Match, Match]:
     """Return matches whose robots have just been told where they stand, at random, and their image."""
     match = sensing(league, matches=6, pose=pose)

@@ -3,6 +3,7 @@
     python tests/mutation/mutate.py              all mutants
     python tests/mutation/mutate.py MS12 MH06    those of some mechanisms
     python tests/mutation/mutate.py --sample 6   every so many-th, for continuous integration
+    python tests/mutation/mutate.py --quick      the slips that `make test-quick` has to notice
 
 A mutant is one replaced piece of source (tests/mutation/mutants.py). It runs in a copy of the checkout; the checkout
 itself is never touched. The tests have to pass before anything is replaced. A mutant whose test passes all the same has
@@ -24,6 +25,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
 from tests.mutation.mutants import MUTANTS, Mutant  # noqa: E402  # the folder above has to be known first
+from tests.mutation.quick import QUICK  # noqa: E402  # the same
 
 COPIED = ("soccer_env", "baselines", "agents", "train", "tests", "pyproject.toml", "README.md")
 INNER = ("baselines", "agents", "train")  # stand at the top, are imported from inside the package
@@ -77,12 +79,15 @@ def verdict_on(where: Path, mutant: Mutant) -> str:
 
 def chosen(words: list[str]) -> list[Mutant]:
     """Return the mutants that the command line asks for; ValueError for an unknown id."""
+    if words == ["--quick"]:
+        return QUICK
+    known = MUTANTS + QUICK
     if words[:1] == ["--sample"]:
-        return MUTANTS[:: max(len(MUTANTS) // int(words[1]), 1)]
-    unknown = set(words) - {mutant.id for mutant in MUTANTS}
+        return known[:: max(len(known) // int(words[1]), 1)]
+    unknown = set(words) - {mutant.id for mutant in known}
     if unknown:
         raise ValueError(f"unknown mechanisms {sorted(unknown)}")
-    return [mutant for mutant in MUTANTS if not words or mutant.id in words]
+    return [mutant for mutant in known if not words or mutant.id in words]
 
 
 def main(words: list[str]) -> int:

@@ -11,6 +11,7 @@ from types import ModuleType
 import pytest
 
 from tests.mutation.mutants import MUTANTS, Mutant
+from tests.mutation.quick import QUICK
 
 ROOT = Path(__file__).parents[2]
 SAMPLE = "MS32"  # one that is quick
@@ -47,8 +48,24 @@ def test_a_mutant_can_be_made_and_its_test_exists(mutant: Mutant) -> None:
     assert found is not None and mutant.id in found.upper().replace("_", " ")
 
 
+@pytest.mark.parametrize("mutant", QUICK, ids=lambda mutant: mutant.id)
+def test_a_slip_can_be_made_and_is_the_business_of_the_quick_tests(mutant: Mutant) -> None:
+    text = (ROOT / mutant.file).read_text(encoding="utf-8")
+    assert mutant.changed(text) != text
+    assert load("repository/test_references").find_test(mutant.test, ROOT) is not None
+    lines = (ROOT / "tests/quick.txt").read_text(encoding="utf-8").splitlines()
+    assert any(mutant.test.startswith(line) for line in lines if line.startswith("tests/")), "not in tests/quick.txt"
+
+
+def test_the_quick_tests_that_are_listed_exist() -> None:
+    lines = (ROOT / "tests/quick.txt").read_text(encoding="utf-8").splitlines()
+    assert lines[:2] == ["-m", "not slow"]
+    assert [line for line in lines[2:] if not (ROOT / line).exists()] == []
+
+
 def test_no_mutant_is_listed_twice() -> None:
     assert len({mutant for mutant in MUTANTS}) == len(MUTANTS)
+    assert len({mutant.id for mutant in QUICK}) == len(QUICK) >= 12
 
 
 def test_a_survivor_is_found_and_the_copy_is_put_right(tmp_path: Path) -> None:
