@@ -165,9 +165,10 @@ def run_bench(words: list[str]) -> int:
     from soccer_env.train.bench.settings import BenchSettings
 
     settings = read_settings(BenchSettings, words, "bench")
-    from soccer_env.train.bench.benchmark import run, screen_table
+    from soccer_env.train.bench import against, benchmark
 
-    console().print(screen_table(run(settings)))
+    chosen = benchmark if settings.against is None else against
+    console().print(chosen.screen_table(chosen.run(settings)))
     return 0
 
 

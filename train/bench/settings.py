@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from soccer_env.train.evaluate.settings import whole
+from soccer_env.train.evaluate.settings import as_path, whole
 
 
 @dataclass(frozen=True)
@@ -18,9 +18,21 @@ class BenchSettings:
     """File for the numbers (JSON)."""
     seed: int = 0
     """Seed of the play that is timed."""
+    against: Path | None = None
+    """Folder of another checkout of this repository, as `git worktree add` makes one: instead of all this, the rows of
+    both are timed in turn, and each row's ratio is printed with its 95 % interval: above 1 is slower here. What is
+    timed is processor time of one thread. The other checkout may be older than this option."""
+    python: Path | None = None
+    """Interpreter for the other checkout, if that has no .venv of its own."""
 
     def __post_init__(self) -> None:
         whole("seed", self.seed, 0)
+        for name in ("out", "against", "python"):
+            object.__setattr__(self, name, as_path(getattr(self, name)))
+        if self.against is not None and not self.against.is_dir():
+            raise ValueError(f"against must be the folder of a checkout, got {self.against}")
+        if self.python is not None and self.against is None:
+            raise ValueError("python is the interpreter of another checkout: give against as well")
 
     @property
     def matches(self) -> int:
@@ -31,6 +43,11 @@ class BenchSettings:
     def repetitions(self) -> int:
         """Return how often each load is timed."""
         return 3 if self.quick else 11
+
+    @property
+    def rounds(self) -> int:
+        """Return how often the processes of two checkouts are started anew."""
+        return 2 if self.quick else 5
 
     @property
     def steps(self) -> int:

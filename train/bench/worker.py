@@ -1,0 +1,167 @@
+"""Time rows of one checkout when asked to: `soccer bench --against` runs this file once in each checkout's interpreter.
+
+It asks for nothing but the public API (Match, soccer_v0), as the other checkout may be older than this file: settings
+that were ever renamed stay out of it. A request is one line of JSON on stdin, {"row": name}; the answer is one on
+stdout, {"seconds": of one step} or {"error": why this checkout has no such row}.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Mapping
+from functools import partial
+from time import perf_counter, process_time
+from typing import Any
+
+import numpy as np
+
+if __name__ == "__main__":
+    sys.path.pop(0)  # the folder of this file, whose modules are not those of the checkout
+
+LEAGUES = {"legged-2001": 16, "middle-size-2006": 50}  # control steps a second
+PLAYERS = 3  # a side
+HOLD = 0.5  # [s] for which a random action is kept: shorter ones cancel out and nobody moves
+WARM_UP = 5.0  # [s] of play before the first timing
+DRAWS = 32  # sets of random actions, used in turn
+IDEAL, SENSING = {"senses": "ideal"}, {"senses": "sensors", "observe": "belief"}
+
+Sampler = Callable[[], float]  # returns the seconds of one step
+Makers = Mapping[str, Callable[[int, int], Sampler]]  # from how many matches and steps
+
+
+def of_core(league: str, team: str | None, settings: Mapping[str, Any], matches: int, steps: int) -> Sampler:
+    """Return what times the batched core [s per match step]: random actions, or one team against itself."""
+    from soccer_env import Match
+
+    rng, hold = np.random.default_rng(0), round(HOLD * LEAGUES[league])
+    both = None if team is None else {"home": team, "away": team}
+    match = Match(
+        league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, autoreset="same_step", controllers=both, **settings
+    )
+    draws = rng.uniform(-1.0, 1.0, (DRAWS, matches, 2 * PLAYERS, 4))
+    done = 0
+
+    def play(count: int) -> None:
+        nonlocal done
+        for _ in range(count):
+            match.step(None if team else draws[done // hold % DRAWS])
+            done += 1
+
+    def sample() -> float:
+        start = process_time()
+        play(steps)
+        return (process_time() - start) / (steps * matches)
+
+    play(round(WARM_UP * LEAGUES[league]))
+    return sample
+
+
+def of_saves(league: str, matches: int, steps: int) -> Sampler:
+    """Return what times a save and a load of a running match with all its senses [s for both, per match]."""
+    from soccer_env import Match
+
+    match = Match(league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, **SENSING)
+    match.step(np.zeros((matches, 2 * PLAYERS, 4)))
+
+    def sample() -> float:
+        start = process_time()
+        match.load(match.save())
+        return (process_time() - start) / matches
+
+    return sample
+
+
+def of_api(league: str, resets: bool, matches: int, steps: int) -> Sampler:
+    """Return what times `parallel_env.step`, or its reset after a step of play [s of one]."""
+    from soccer_env import soccer_v0
+
+    rng = np.random.default_rng(0)
+    env: Any = soccer_v0.parallel_env(league=league, home=PLAYERS, away=PLAYERS)
+    agents = env.possible_agents
+    actions = [dict(zip(agents, rng.uniform(-1.0, 1.0, (len(agents), 4)).astype("f4"))) for _ in range(DRAWS)]
+    env.reset(seed=0)
+    done = 0
+
+    def step() -> None:
+        nonlocal done
+        if not env.agents:
+            env.reset()
+        env.step(actions[done // 8 % DRAWS])
+        done += 1
+
+    def sample_steps() -> float:
+        start = process_time()
+        for _ in range(8 * steps):
+            step()
+        return (process_time() - start) / (8 * steps)
+
+    def sample_resets() -> float:
+        spent = 0.0
+        for seed in range(steps):
+            step()
+            start = process_time()
+            env.reset(seed=seed)
+            spent += process_time() - start
+        return spent / steps
+
+    return sample_resets if resets else sample_steps
+
+
+def of_import(matches: int, steps: int) -> Sampler:
+    """Return what times `import soccer_env` in a process of its own [s]."""
+
+    def sample() -> float:
+        start, before = perf_counter(), children_time()
+        subprocess.run([sys.executable, "-c", "import soccer_env"], check=True)
+        spent = children_time() - before
+        return spent if spent > 0.0 else perf_counter() - start
+
+    return sample
+
+
+def children_time() -> float:
+    """Return the processor time of ended child processes [s]; 0 where the system does not tell."""
+    times = os.times()
+    return times.children_user + times.children_system
+
+
+ROWS: Makers = {
+    "import soccer_env": of_import,
+    **{
+        f"{league}: {name}": maker
+        for league in LEAGUES
+        for name, maker in {
+            "random, ideal": partial(of_core, league, None, IDEAL),
+            "random, observe belief": partial(of_core, league, None, SENSING),
+            "chaser v chaser, ideal": partial(of_core, league, "chaser", IDEAL),
+            "chaser v chaser, sensors": partial(of_core, league, "chaser", {"senses": "sensors"}),
+            "save and load": partial(of_saves, league),
+            "parallel_env.step": partial(of_api, league, False),
+            "parallel_env.reset": partial(of_api, league, True),
+        }.items()
+    },
+}
+
+
+def serve(rows: Makers, matches: int, steps: int) -> None:
+    """Answer requests until stdin ends; whatever the checkout prints goes to stderr."""
+    answers = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)
+    samplers: dict[str, Sampler] = {}
+    print(json.dumps({"rows": [*rows]}), file=answers, flush=True)
+    for line in sys.stdin:
+        name = json.loads(line)["row"]
+        try:
+            if name not in samplers:
+                samplers[name] = rows[name](matches, steps)
+            answer = {"seconds": samplers[name]()}
+        except Exception as error:  # an older checkout may lack anything
+            answer = {"error": f"{type(error).__name__}: {error}"}
+        print(json.dumps(answer), file=answers, flush=True)
+
+
+if __name__ == "__main__":
+    serve(ROWS, *map(int, sys.argv[1:]))
