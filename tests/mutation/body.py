@@ -73,6 +73,13 @@ MUTANTS = [
     ),
     Mutant(
         "MS06",
+        TALK,
+        "uniform(noise[r], RADIO) < s.audio_loss",
+        "False",
+        TEST_TALK + "test_the_share_of_messages_that_is_lost_is_the_one_that_is_set",
+    ),
+    Mutant(
+        "MS06",
         "soccer_env/belief/talk.py",
         "frame + wait",
         "frame",

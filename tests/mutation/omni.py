@@ -88,6 +88,13 @@ MUTANTS = [
     Mutant(
         "MH05",
         TALK,
+        "uniform(noise[r], RADIO) < s.radio_loss",
+        "False",
+        TEST_TALK + "test_the_share_of_messages_that_is_lost_is_the_one_that_is_set",
+    ),
+    Mutant(
+        "MH05",
+        TALK,
         "w.shared == 0",
         "w.shared != 2",
         TEST_TALK + "test_mh05_a_radio_message_is_heard_a_few_frames_later_with_its_distance",
