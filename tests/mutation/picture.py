@@ -29,8 +29,8 @@ MUTANTS = [
     Mutant(
         "MS04",
         BLOBS,
-        "report(sketch, BALL, percept.ball, percept.scale, noise, 0.0, s)",
-        "report(sketch, BALL, percept.teammates, percept.scale, noise, 0.0, s)",
+        "report(sketch, BALL, percept.ball, state.scale, noise, 0.0, s)",
+        "report(sketch, BALL, percept.teammates, state.scale, noise, 0.0, s)",
         TEST_BLOBS + "test_ms04_fewer_blobs_leave_the_rest_empty",
     ),
     Mutant(

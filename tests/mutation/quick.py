@@ -76,8 +76,8 @@ QUICK = [
     Mutant(
         "wrong sign of a reward",
         "soccer_env/rewards.py",
-        "weights.goal if events.goal == team else -weights.goal",
-        "-weights.goal if events.goal == team else weights.goal",
+        "weight if events.goal == robots[r].team else -weight",
+        "-weight if events.goal == robots[r].team else weight",
         MATCH + "test_rewards.py::test_a_goal_pays_one_to_every_robot_of_the_team_and_costs_the_others_one_once",
     ),
     Mutant(
