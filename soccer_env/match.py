@@ -1,6 +1,7 @@
 """Match: M matches side by side, reset and step, without dicts.
 
-    commands -> drive -> physics -> referee -> restart -> rewards -> sense -> observe
+    decide -> act -> sense -> tell -> believe -> observe
+              drive, physics, referee, restart, rewards
 
 The records are public arrays (see `types`): `match.balls["x"]` is (M,), `match.robots["heading"]` (M, R). One match
 is M = 1; match m of many is bit for bit the match that runs alone with its seed.
@@ -10,21 +11,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env import saving, truth_state
 from soccer_env.actions import numbers_for, take_actions
-from soccer_env.match_batch import MatchBatch, keep_latest
+from soccer_env.match_batch import MatchBatch, Sums
 from soccer_env.observations import names_of
 from soccer_env.physics.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import NAMES
-from soccer_env.senses import Senses, sensing_sides
+from soccer_env.senses import sensing_sides
 from soccer_env.settings import check_known, make_settings, whole_number
-from soccer_env.squads import assign, choose_teams, make_squads, run_compiled, run_python_teams
-from soccer_env.types import QUIET, ROBOT_EVENTS
+from soccer_env.squads import TeamArrays, assign, choose_teams, make_squads, run_compiled, run_python
 from soccer_env.user_code import OwnTerms, checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
@@ -67,7 +68,8 @@ class Match:
         self._own_terms = OwnTerms(self.settings.rewards)
         self._make_arrays(backend)
         self._make_squads(assign(self.agents, self.settings.home, opponents, teammates, controllers))
-        self._pool = ThreadPoolExecutor(self.threads) if self.threads > 1 else None
+        shared = self.threads > 1 and self.count >= 2 * self.threads
+        self._pool = ThreadPoolExecutor(self.threads) if shared else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)
         self.ended, self.final = np.zeros(0, np.int64), dict[str, np.ndarray]()  # see _restart_same_step
@@ -86,13 +88,15 @@ class Match:
         self.observations = np.zeros((count, robots, observed), np.float32) if own else batch.observations
 
     def _make_squads(self, who: dict[str, Any]) -> None:
-        """Make the teams that play inside, their memories, and room for what robots believe."""
+        """Make the teams that play inside, with their memories, and the senses that somebody uses."""
         self.squads = make_squads(self.agents, who, self.settings, self.count)
         self.learns = np.array([agent not in who for agent in self.agents], np.int64)
-        self._readers = np.array([r for squad in self.squads for r in squad.players], np.int64)
+        self._readers = np.array([r for squad in self.squads if squad.reads_beliefs for r in squad.players], np.int64)
         sides = sensing_sides(self.settings, [(squad.team, squad.players) for squad in self.squads], self.learns)
         if sides:
-            self.batch.senses = Senses(self.settings, self.count, sides)
+            self.batch.use_sensors(sides)
+        batch, robots = self.batch, self.robots
+        self._team_arrays = TeamArrays(batch.beliefs, batch.tracks, robots["noise"], robots["command"], batch.constants)
         unplayed = self.count if not self.learns.any() else 0  # with learners there are always actions
         self._no_actions = np.zeros((unplayed, len(self.agents), self.settings.actions.size))
 
@@ -149,9 +153,16 @@ class Match:
         last=False: the caller keeps the action for more steps; shaping discounts once in all of them.
         """
         numbers = self._check_actions(actions)
-        mode = self.settings.autoreset
+        mode, repeat = self.settings.autoreset, self.settings.action_repeat
         ended = np.flatnonzero(self.terminated | self.truncated) if mode == "next_step" else ()
-        self._advance(numbers, last)
+        sums = Sums(self.batch) if repeat > 1 else None
+        for left in reversed(range(repeat)):  # a match that is over waits
+            self.batch.discount(last and left == 0)
+            self._control_step(numbers)
+            if sums is not None:
+                sums.add()
+        if sums is not None:
+            sums.hand_over()
         if mode == "same_step":
             return self._restart_same_step()
         if len(ended):
@@ -167,60 +178,56 @@ class Match:
             raise ValueError(f"actions are missing for {agent}: no team plays it")
         return self._no_actions
 
-    def _advance(self, numbers: np.ndarray, last: bool) -> None:
-        """Run `action_repeat` control steps; rewards and events add up, a match that is over waits."""
-        repeat = self.settings.action_repeat
-        self.batch.discount(last and repeat == 1)
-        self._control_step(numbers)
-        if repeat == 1:
-            return
-        rewards, terms = self.rewards.copy(), self.terms.copy()
-        events, robot_events = self.events.copy(), self.robot_events.copy()
-        for step in range(1, repeat):
-            self.batch.discount(last and step == repeat - 1)
-            self._control_step(numbers)
-            rewards += self.rewards
-            terms += self.terms
-            keep_latest(events, self.events, QUIET)
-            keep_latest(robot_events, self.robot_events, np.zeros((), ROBOT_EVENTS))
-        self.rewards[:], self.terms[:] = rewards, terms
-        self.events[:], self.robot_events[:] = events, robot_events
-
     def _control_step(self, numbers: np.ndarray) -> None:
-        """Run one control step of all matches, in slices, on one thread or several."""
+        """Run one control step: compiled in slices of matches, users' own Python for all of them before and after."""
         self._own_terms.begin(self)
-        run_python_teams(self.squads, self.league, self.batch)
-        if self.recorder is not None:
+        self._decide_in_python()
+        if self.recorder is not None:  # it notes all commands before anybody moves
             self._decide(numbers, 0, self.count)
             self.recorder.note_commands(self.robots["command"])
-        if self._pool is None or self.count < 2 * self.threads:
-            self._run(numbers, 0, self.count)
+        if self._pool is None:
+            self._step_slice(numbers, 0, self.count)
         else:
             edges = [self.count * i // self.threads for i in range(self.threads + 1)]
-            jobs = [self._pool.submit(self._run, numbers, *edge) for edge in zip(edges, edges[1:], strict=False)]
-            for job in jobs:
-                job.result()
+            list(self._pool.map(partial(self._step_slice, numbers), edges[:-1], edges[1:]))
         self._own_terms.pay(self, float(self.batch.weights["gamma"][0]))
         self._observe_own()
         if self.recorder is not None:
             self.recorder.note_state(self)
 
-    def _run(self, numbers: np.ndarray, first: int, last: int) -> None:
-        """Decide and step a slice of matches, block by block."""
+    def _step_slice(self, numbers: np.ndarray, first: int, last: int) -> None:
+        """Run one control step of a slice of matches, block by block."""
+        batch = self.batch
         for start in range(first, last, BLOCK):
             stop = min(start + BLOCK, last)
             if self.recorder is None:
-                self._decide(numbers, start, stop)
-            self.batch.step(start, stop)
+                self._decide(numbers, start, stop)  # commands of learners and teams
+            batch.act(start, stop)  # drive, physics, referee, restart, rewards
+            batch.sense(start, stop)  # percepts
+            batch.tell(start, stop)  # how the match stands
+            batch.believe(start, stop)  # beliefs and tracks
+            batch.observe(start, stop)  # what learners get
 
     def _decide(self, numbers: np.ndarray, first: int, last: int) -> None:
         """Fill the commands of a slice: learners' actions, and compiled teams."""
         take_actions(self.robots, numbers, first, last, self.learns)
         if len(self._readers):
-            self.batch.believe_truth(self._readers, first, last)
+            self.batch.read(self._readers, first, last)
         for squad in self.squads:
             if squad.compiled:
-                run_compiled(squad, self.batch, first, last)
+                run_compiled(squad, self._team_arrays, self.batch.write_observations, first, last)
+
+    def _decide_in_python(self) -> None:
+        """Let teams without a kernel decide, in all matches at once."""
+        for squad in self.squads:
+            if not squad.compiled:
+                self.batch.read(squad.players, 0, self.count)
+                run_python(squad, self.league, self.batch.beliefs, self.batch.tracks, self.robots)
+
+    def _observe_own(self) -> None:
+        """Fill observations of a user's own making."""
+        if not isinstance(self.settings.observe, str):
+            self.observations[:] = checked(self.settings.observe(self), self.observations.shape, "observe", limit=1.0)
 
     # Starting again
 
@@ -241,23 +248,18 @@ class Match:
 
     # Looking
 
-    def _observe_own(self) -> None:
-        """Fill observations of a user's own making."""
-        if not isinstance(self.settings.observe, str):
-            self.observations[:] = checked(self.settings.observe(self), self.observations.shape, "observe", limit=1.0)
-
     @property
     def beliefs(self) -> np.ndarray:
         """Return what every robot believes (M, R); nothing (confidence 0) of robots whose sensors nobody uses.
 
         ValueError if nobody uses any.
         """
-        return self.batch.all_minds()[0]
+        return self.batch.read_all()[0]
 
     @property
     def tracks(self) -> np.ndarray:
         """Return what every robot believes about other players (M, R, slots); ValueError as for `beliefs`."""
-        return self.batch.all_minds()[1]
+        return self.batch.read_all()[1]
 
     @property
     def percepts(self) -> np.ndarray:
@@ -284,7 +286,7 @@ class Match:
         self.rebuild()
         self.rewards[:] = 0.0
         self.terms[:] = 0.0
-        self.batch.observe(0, self.count)
+        self.batch.observe_anew(0, self.count)
         self._observe_own()
 
     def state_hash(self, m: int | None = None) -> str:

@@ -1,8 +1,10 @@
-"""Senses: what the robots of M matches perceive and believe, and the chain of sensors and memory that fills it.
+"""Senses: what the robots of M matches perceive and believe by the chain of sensors and memory of their kind.
 
-    match, ball, robots -> sense -> percepts -> believe -> beliefs, tracks, gazes
+    world -> sense -> percepts -> believe -> beliefs, tracks, gazes
+    world -> tell  -> the situation in beliefs: how the match stands
 
-The belief half gets percepts and its own memory alone; a test that poisons the truth between the two holds it to that.
+The belief half gets percepts and its own memory alone, nothing true and nothing that the sensors remember; a test that
+poisons both between the halves holds it to that.
 """
 
 from __future__ import annotations
@@ -14,11 +16,15 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.belief.believing import MemoryNumbers, Minds
 from soccer_env.leagues.league import League
 from soccer_env.leagues.legged_sensors import LeggedSensors
 from soccer_env.observations.percepts import observe_kernel
+from soccer_env.perception.ideal import tell_slice
+from soccer_env.perception.sensing import Sensing, SensorNumbers
 from soccer_env.settings import Settings
-from soccer_env.types import AWAY, BELIEF, HOME, TRACK
+from soccer_env.types import AWAY, HOME
+from soccer_env.world import World
 
 UNUSED = (
     "nobody in this match uses its sensors: robots are played from outside and observe the truth; "
@@ -95,71 +101,102 @@ def omni_chain(late: int) -> Chain:
 
 
 class Senses:
-    """Percepts (M, R), beliefs (M, R), tracks (M, R, slots) and the memory behind them, of the robots in `rows`.
+    """The provider of beliefs by sensors: percepts (M, R), what lies behind them, and the memory that makes beliefs.
 
-    `sides` are the teams (HOME, AWAY) whose robots use their sensors; nothing is computed for the others.
+    `sides` are the teams (HOME, AWAY) whose sensors somebody uses. Their robots sense; those whose senses are not ideal
+    also believe what they sense, in their rows of beliefs (M, R) and tracks (M, R, slots). Nothing is computed for the
+    others.
     """
 
-    def __init__(self, settings: Settings, matches: int, sides: tuple[int, ...]) -> None:
-        league, (home, away) = settings.league, settings.rows
-        self.settings, self.sides, self.home = settings, sides, home
+    def __init__(
+        self,
+        settings: Settings,
+        world: World,
+        constants: np.ndarray,
+        beliefs: np.ndarray,
+        tracks: np.ndarray,
+        sides: tuple[int, ...],
+    ) -> None:
+        league, (matches, robots) = settings.league, beliefs.shape
+        self.settings, self.world, self.constants, self.sides = settings, world, constants, sides
         self.chain = chain = chain_of(league)
-        robots, slots = home + away, league.slots.teammates + league.slots.opponents
-        sensing = {HOME: range(home), AWAY: range(home, robots)}
-        self.rows = np.array([r for side in sides for r in sensing[side]], np.int64)
-        self.used = np.isin(np.arange(robots), self.rows)
-        self.percepts = np.zeros((matches, robots), chain.percept)
-        self.sensor_states = np.zeros((matches, robots), chain.sensor_state)
-        self.pending = np.zeros((matches, robots, chain.late), chain.percept)
-        self.beliefs, self.tracks = np.zeros((matches, robots), BELIEF), np.zeros((matches, robots, slots), TRACK)
-        self.memories, self.messages = (
-            np.zeros((matches, robots), chain.memory),
-            np.zeros((matches, robots), chain.message),
-        )
-        count = league.memory.particles if settings.pose == "particles" else 0
-        self.particles = np.zeros((matches, robots, count), chain.particle)
+        self._sensing = rows_of(sides, settings.rows)
+        believing = tuple(side for side in sides if settings.senses[side] == "sensors")
+        self._believing = rows_of(believing, settings.rows)
+        everyone = np.arange(robots)
+        self.sensing, self.rows = everyone[self._sensing], everyone[self._believing]
+        self.senses, self.believes = (np.isin(everyone, rows) for rows in (self.sensing, self.rows))
+        self.asleep = np.zeros(matches, bool)  # over before this step: a match that stands still draws no noise
+        self._make_arrays(beliefs, tracks)
         self.sensors, self.memory_settings = league.sensors.record(), league.memory.record()
         self.tables = chain.tables(league)
+        pose_sensed = int(settings.pose == "percept")
+        home = settings.rows[HOME]
+        self._sensor_numbers = tuple(SensorNumbers(constants, self.sensors, pose_sensed))
+        self._memory_numbers = tuple(MemoryNumbers(constants, self.sensors, self.memory_settings, self.tables, home))
         self.observer = observe_kernel(chain.percept)
-        self.asleep = np.zeros(matches, bool)  # over before this step: a match that stands still draws no noise
-        self.pose_sensed = int(settings.pose == "percept")
+
+    def _make_arrays(self, beliefs: np.ndarray, tracks: np.ndarray) -> None:
+        """Make the records of sensors and memory, zeroed."""
+        shape, chain, settings = beliefs.shape, self.chain, self.settings
+        self.percepts = np.zeros(shape, chain.percept)
+        self.sensor_states = np.zeros(shape, chain.sensor_state)
+        self.pending = np.zeros((*shape, chain.late), chain.percept)
+        self.beliefs, self.tracks = beliefs, tracks
+        self.memories, self.messages = np.zeros(shape, chain.memory), np.zeros(shape, chain.message)
+        count = settings.league.memory.particles if settings.pose == "particles" else 0
+        self.particles = np.zeros((*shape, count), chain.particle)
+        noise, gazes = self.world.robots["noise"], self.world.robots["gaze"]
+        self._truth = tuple(self.world)
+        self._perception = tuple(Sensing(self.percepts, self.sensor_states, self.pending))
+        self._minds = tuple(Minds(beliefs, tracks, self.memories, self.particles, self.messages, noise, gazes))
 
     @property
     def parts(self) -> dict[str, np.ndarray]:
-        """Return the arrays that the future of a match depends on, by name."""
-        names = ("percepts", "sensor_states", "pending", "beliefs", "tracks", "memories", "messages", "particles")
-        return {name: getattr(self, name) for name in names}
+        """Return the arrays that the future of a match depends on, by name: views of the rows that are filled."""
+        sensed = {name: getattr(self, name)[:, self._sensing] for name in ("percepts", "sensor_states", "pending")}
+        names = ("beliefs", "tracks", "memories", "messages", "particles")
+        return {**sensed, **{name: getattr(self, name)[:, self._believing] for name in names}}
 
-    def start(self, m: int, robots: np.ndarray) -> None:
+    def start(self, m: int) -> None:
         """Forget everything about match m; its robots look for themselves from now on."""
         for array in self.parts.values():
             array[m] = np.zeros((), array.dtype)
-        robots["senses"][m, self.rows] = 1
+        self.world.robots["senses"][m, self.rows] = 1
         self.asleep[m] = False
 
-    def step(self, batch: Any, first: int, last: int) -> None:
-        """Sense and believe in a slice of matches of a MatchBatch."""
-        self.sense(batch, first, last)
-        self.believe(batch, first, last)
+    def step(self, first: int, last: int) -> None:
+        """Sense and believe in a slice of matches."""
+        self.sense(first, last)
+        self.tell(first, last)
+        self.believe(first, last)
 
-    def sense(self, batch: Any, first: int, last: int) -> None:
+    def sense(self, first: int, last: int) -> None:
         """Fill the percepts from the truth."""
-        self.chain.sense(
-            batch.matches, batch.balls, batch.robots, batch.robot_events, self.percepts, self.sensor_states, self.pending,
-            self.beliefs, batch.constants, self.sensors, self.pose_sensed, self.asleep, self.rows, first, last,
-        )  # fmt: skip
+        numbers = self._sensor_numbers
+        self.chain.sense(self._truth, self._perception, numbers, self.asleep, self.sensing, first, last)
 
-    def believe(self, batch: Any, first: int, last: int) -> None:
-        """Bring the beliefs up to the percepts; of the batch it gets the robots' noise and gazes alone."""
-        self.chain.believe(
-            self.percepts, self.beliefs, self.tracks, self.memories, self.particles, self.messages,
-            batch.robots["noise"], batch.robots["gaze"], batch.constants, self.sensors, self.memory_settings,
-            self.tables, self.home, self.asleep, self.rows, first, last,
-        )  # fmt: skip
+    def tell(self, first: int, last: int) -> None:
+        """Tell robots how the match stands."""
+        if len(self.rows):
+            tell_slice(self._truth, self.beliefs, self.asleep, self.rows, first, last)
 
-    def observe_percepts(self, batch: Any, out: np.ndarray, rows: np.ndarray, first: int, last: int) -> None:
+    def believe(self, first: int, last: int) -> None:
+        """Bring the beliefs up to the percepts; of the world belief gets the robots' noise and gazes alone."""
+        if len(self.rows):
+            numbers = self._memory_numbers
+            self.chain.believe(self.percepts, self._minds, numbers, self.asleep, self.rows, first, last)
+
+    def observe_percepts(self, out: np.ndarray, rows: np.ndarray, first: int, last: int) -> None:
         """Write what those of `rows` that use their sensors observe of their percepts into out (M, R, n)."""
         self.observer(
-            self.percepts, self.beliefs, batch.robots, out, batch.constants, self.sensors,
-            self.settings.half_length, rows[self.used[rows]], first, last,
+            self.percepts, self.beliefs, self.world.robots, out, self.constants, self.sensors,
+            self.settings.half_length, rows[self.senses[rows]], first, last,
         )  # fmt: skip
+
+
+def rows_of(sides: tuple[int, ...], sizes: tuple[int, int]) -> slice:
+    """Return the rows of some teams, which stand one after the other."""
+    if not sides:
+        return slice(0, 0)
+    return slice(0 if HOME in sides else sizes[HOME], sum(sizes) if AWAY in sides else sizes[HOME])

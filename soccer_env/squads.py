@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -14,15 +14,15 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
 from soccer_env.observations import names_of
-from soccer_env.perception.ideal import believe_truth
 from soccer_env.random_numbers import start_streams, uniform
 from soccer_env.settings import Settings
 from soccer_env.teams import CompiledTeam, ObservingTeam, Team, TeamRandom, View, make_team
-from soccer_env.types import AWAY, BELIEF, COMMAND, HOME, MAX_TEAM, NOISE_STREAMS, TRACK
+from soccer_env.types import AWAY, COMMAND, HOME, NOISE_STREAMS
 
 LONG = 4096  # characters of a team's settings in a save; longer ones are hashed
 # Owner of the stream that home's lineup draws from; away's is the next; robots are 1 + 2 number + team.
 CHOOSER = 1 << 20
+WriteObservations = Callable[[np.ndarray, str, np.ndarray, int, int], None]  # into (M, R, n), of what, rows, slice
 NEEDED_SENSES = {"truth": "ideal", "percepts": "sensors"}  # by what a team observes
 
 
@@ -58,6 +58,16 @@ class Lineup:
         return int(min(np.searchsorted(edges, drawn * edges[-1], side="right"), np.flatnonzero(self.weights)[-1]))
 
 
+class TeamArrays(NamedTuple):
+    """The arrays of whole matches that compiled teams read, and the commands that they write."""
+
+    beliefs: np.ndarray  # (M, R) BELIEF
+    tracks: np.ndarray  # (M, R, slots) TRACK
+    noise: np.ndarray  # (M, R, streams) the robots' own noise
+    commands: np.ndarray  # (M, R) COMMAND
+    constants: np.ndarray  # (1,) CONSTANTS
+
+
 @dataclass
 class Squad:
     """A team and the robots of one side that it plays, with its memory (M, P)."""
@@ -84,6 +94,12 @@ class Squad:
     def compiled(self) -> bool:
         """Tell whether the team runs without Python."""
         return isinstance(self.team, CompiledTeam)
+
+    @property
+    def reads_beliefs(self) -> bool:
+        """Tell whether its kernel reads beliefs: others are blind, or decide from observations."""
+        team = self.team
+        return isinstance(team, CompiledTeam) and not (team.blind or isinstance(team, ObservingTeam))
 
     def runs(self, first: int, last: int) -> list[tuple[int, int]]:
         """Return the slices of a slice of matches in which the team plays."""
@@ -176,15 +192,6 @@ def check_memory(team: Team) -> np.dtype:
 
 
 @compiled
-def believe_slice(matches, balls, robots, beliefs, tracks, constants, players, first, last):
-    """Fill the beliefs of some robots with the truth, in a slice of matches."""
-    rows, squares = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
-    for m in range(first, last):
-        for r in players:
-            believe_truth(matches[m], balls[m], robots[m], beliefs[m], tracks[m, r], constants[0], r, rows, squares)
-
-
-@compiled
 def clip_commands(commands, players, first, last):
     """Clip the commands of some robots into [-1, 1]; return the first (m, r) that is not finite, or (-1, -1)."""
     for m in range(first, last):
@@ -201,22 +208,21 @@ def clip_commands(commands, players, first, last):
     return -1, -1
 
 
-def run_compiled(squad: Squad, batch: Any, first: int, last: int) -> None:
-    """Let a compiled team decide in a slice of matches of a Field; ValueError if a command is not finite."""
+def run_compiled(squad: Squad, arrays: TeamArrays, write: WriteObservations, first: int, last: int) -> None:
+    """Let a compiled team decide in a slice of matches; ValueError if a command is not finite."""
     team: Any = squad.team
     runs = squad.runs(first, last)
     if not runs:
         return
-    commands, rows, k = batch.robots["command"], squad.players, batch.constants
-    if isinstance(team, ObservingTeam):
-        for run in runs:
-            if not squad.memory["wait"][slice(*run)].all():
-                batch.write_observations(squad.observations, team.observe, rows, *run)
-            team.kernel(squad.observations, squad.memory, commands, rows, k, team.settings, *run)
-    else:
-        minds, noise = batch.minds(rows), batch.robots["noise"]
-        for run in runs:
-            team.kernel(*minds, squad.memory, noise, commands, rows, k, team.settings, *run)
+    beliefs, tracks, noise, commands, k = arrays
+    rows = squad.players
+    for run in runs:
+        if not isinstance(team, ObservingTeam):
+            team.kernel(beliefs, tracks, squad.memory, noise, commands, rows, k, team.settings, *run)
+            continue
+        if not squad.memory["wait"][slice(*run)].all():
+            write(squad.observations, team.observe, rows, *run)
+        team.kernel(squad.observations, squad.memory, commands, rows, k, team.settings, *run)
     m, r = clip_commands(commands, rows, first, last)
     if m >= 0:
         command = commands[m, r].item()
@@ -242,18 +248,3 @@ def run_python(squad: Squad, league: League, beliefs: np.ndarray, tracks: np.nda
     for index, name in enumerate(COMMAND.names or ()):
         column = commands[..., index] if index < commands.shape[-1] else (-1.0 if name == "head" else 0.0)
         robots["command"][name][:, squad.players] = column
-
-
-def run_python_teams(squads: list[Squad], league: League, batch: Any) -> None:
-    """Let teams without a kernel decide, in all matches of a Field at once."""
-    for squad in squads:
-        if not squad.compiled:
-            batch.believe_truth(squad.players, 0, len(batch.matches))
-            beliefs, tracks = batch.minds(squad.players)
-            run_python(squad, league, beliefs, tracks, batch.robots)
-
-
-def empty_beliefs(matches: int, robots: int, league: League) -> tuple[np.ndarray, np.ndarray]:
-    """Return beliefs (M, R) and tracks (M, R, slots)."""
-    slots = league.slots.teammates + league.slots.opponents
-    return np.zeros((matches, robots), BELIEF), np.zeros((matches, robots, slots), TRACK)

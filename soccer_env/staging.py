@@ -71,7 +71,7 @@ def begin(match: Match, placed: bool = False) -> None:
     match.rebuild()
     if match.batch.senses is not None:
         for m in range(match.count):
-            match.batch.senses.start(m, match.robots)
+            match.batch.senses.start(m)
     if placed:
         match.robots["placed"] = match.robots["active"]
         for m in range(match.count):

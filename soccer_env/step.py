@@ -1,12 +1,16 @@
 """One control step of a slice of matches, from commands to observations, in compiled code.
 
     commands -> drive -> physics -> referee -> restart -> rewards -> observe
+                begin_match         finish_match
 
-The whole step of one match runs before the next match begins, so that its records stay in the cache. Rewards come
-after the restart: goals are read from the events, and shaping looks at the state that the next observation shows.
+Between the two `physics.chipmunk` moves the Spaces on, in the same compiled loop, or Python does it for a whole slice.
+Rewards come after the restart: goals are read from the events, and shaping looks at the state that the next
+observation shows.
 """
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numpy as np
 
@@ -26,92 +30,119 @@ from soccer_env.referee.separation import pull_apart, watch_contacts
 from soccer_env.rewards import POTENTIALS, measure_potentials, reward_robots
 from soccer_env.scenes import judge_drill
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
+from soccer_env.world import World
 
 PLAY = int(Phase.PLAY)
+GOES_ON, PUT_ELSEWHERE, BROKEN = 0, -1, -2  # how a match stands after a step; above 0: substeps that it waits for
+
+
+class Physics(NamedTuple):
+    """Rows of numbers that the physics gives back and is given, see `physics.chipmunk`; of M matches."""
+
+    bodies: np.ndarray  # (M, rows, 6)
+    velocities: np.ndarray  # (M, rows, 3)
+
+
+class Outcome(NamedTuple):
+    """What a step means to those who learn from it, for M matches of R robots."""
+
+    rewards: np.ndarray  # (M, R)
+    terms: np.ndarray  # (M, R, terms)
+    observations: np.ndarray  # (M, R, n) of the truth; n is 0 if somebody else writes them
+    terminated: np.ndarray  # (M,)
+    truncated: np.ndarray  # (M,)
+
+
+class Numbers(NamedTuple):
+    """What the settings say to a step."""
+
+    constants: np.ndarray  # (1,) CONSTANTS
+    weights: np.ndarray  # (1,) WEIGHTS
+    limit: int  # control steps after which an episode is truncated
 
 
 @compiled
-def step_slice(
-    matches, balls, robots, events, robot_events, links, bodies, velocities, constants, weights,
-    terms, rewards, observations, terminated, truncated, limit, first, last,
-):  # fmt: skip
-    """Step the matches first, ..., last - 1; return the first whose physics broke down, or -1."""
-    k, before, scratch, broken = constants[0], np.empty(POTENTIALS), make_scratch(robots.shape[1]), -1
+def step_slice(links, world, physics, outcome, numbers, first, last):
+    """Step the matches first, ..., last - 1; return the first whose physics broke down, or -1.
+
+    The whole step of a match runs before the next match begins, so that its records stay in the cache.
+    """
+    world, physics, outcome, numbers = named(world, physics, outcome, numbers)
+    before, scratch, broken = np.empty(POTENTIALS), make_scratch(world.robots.shape[1]), -1
     for m in range(first, last):
-        match, ball, team, happened = matches[m], balls[m], robots[m], events[m]
-        if match.over == 1:
-            stand_still(happened, robot_events[m], terms[m], rewards[m])
-            continue
-        substeps = begin_step(match, ball, team, happened, robot_events[m], velocities[m], k, terms[m], before)
-        step_match(links, m, substeps, k.dt)
-        if not is_finite(bodies[m], robots.shape[1] + 1):
-            broken = m if broken < 0 else broken
-            continue
-        if finish_step(match, ball, team, happened, robot_events[m], bodies[m], velocities[m], k):
-            write_bodies(links, m)
-        end_step(
-            match, ball, team, happened, robot_events[m], k, weights[0], before,
-            terms[m], rewards[m], observations[m], scratch,
-        )  # fmt: skip
-        terminated[m] = match.over == 1
-        truncated[m] = not terminated[m] and (match.step >= limit or out_of_time(match, k))
+        substeps = begin_match(world, physics, outcome, numbers, before, m)
+        if substeps > 0:
+            step_match(links, m, substeps, numbers.constants[0].dt)
+            result = finish_match(world, physics, outcome, numbers, before, scratch, m)
+            if result == PUT_ELSEWHERE:
+                write_bodies(links, m)
+            elif result == BROKEN and broken < 0:
+                broken = m
     return broken
 
 
 @compiled
-def begin_slice(
-    matches, balls, robots, events, robot_events, velocities, constants, terms, rewards, before, substeps, first, last
-):
-    """Do the part of a step before the physics, which Python steps; fill `before` (M, *POTENTIALS), `substeps`."""
+def begin_slice(world, physics, outcome, numbers, before, substeps, first, last):
+    """Do the part of a step before the physics, for physics that Python steps: `before` (M, *POTENTIALS)."""
+    world, physics, outcome, numbers = named(world, physics, outcome, numbers)
     for m in range(first, last):
-        substeps[m] = 0
-        if matches[m].over == 1:
-            stand_still(events[m], robot_events[m], terms[m], rewards[m])
-            continue
-        substeps[m] = begin_step(
-            matches[m],
-            balls[m],
-            robots[m],
-            events[m],
-            robot_events[m],
-            velocities[m],
-            constants[0],
-            terms[m],
-            before[m],
-        )
+        substeps[m] = begin_match(world, physics, outcome, numbers, before[m], m)
 
 
 @compiled
-def finish_slice(
-    matches, balls, robots, events, robot_events, bodies, velocities, constants, weights,
-    terms, rewards, observations, terminated, truncated, limit, before, substeps, moved, first, last,
-):  # fmt: skip
-    """Do the part after the physics; `moved` (M,) marks the matches whose bodies have to be written back."""
-    k, scratch, broken = constants[0], make_scratch(robots.shape[1]), -1
+def finish_slice(world, physics, outcome, numbers, before, results, first, last):
+    """Do the part after the physics; `results` (M,) are substeps before and what `finish_match` says afterwards."""
+    world, physics, outcome, numbers = named(world, physics, outcome, numbers)
+    scratch = make_scratch(world.robots.shape[1])
     for m in range(first, last):
-        match, ball, team, happened = matches[m], balls[m], robots[m], events[m]
-        moved[m] = False
-        if substeps[m] == 0:
-            continue
-        if not is_finite(bodies[m], robots.shape[1] + 1):
-            broken = m if broken < 0 else broken
-            continue
-        moved[m] = finish_step(match, ball, team, happened, robot_events[m], bodies[m], velocities[m], k)
-        end_step(
-            match, ball, team, happened, robot_events[m], k, weights[0], before[m],
-            terms[m], rewards[m], observations[m], scratch,
-        )  # fmt: skip
-        terminated[m] = match.over == 1
-        truncated[m] = not terminated[m] and (match.step >= limit or out_of_time(match, k))
-    return broken
+        if results[m] > 0:
+            results[m] = finish_match(world, physics, outcome, numbers, before[m], scratch, m)
 
 
 @compiled
-def begin_step(match, ball, robots, events, robot_events, velocities, k, terms, before):
-    """Do what comes before the physics: drive, kicks, friction; return the number of substeps."""
-    clear_events(events, robot_events)
-    terms[:] = 0.0
+def named(world, physics, outcome, numbers):
+    """Return the bundles with names, given as plain tuples."""
+    return World(*world), Physics(*physics), Outcome(*outcome), Numbers(*numbers)
+
+
+@compiled
+def begin_match(world, physics, outcome, numbers, before, m):
+    """Do what comes before the physics in match m; return its substeps, 0 if it is over and stands still."""
+    match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
+    clear_events(world.events[m], world.robot_events[m])
+    outcome.terms[m][:] = 0.0
+    if match.over == 1:
+        outcome.rewards[m][:] = 0.0
+        return 0
+    k = numbers.constants[0]
     measure_potentials(match, ball, robots, k, before)
+    return begin_step(match, ball, robots, world.robot_events[m], physics.velocities[m], k)
+
+
+@compiled
+def finish_match(world, physics, outcome, numbers, before, scratch, m):
+    """Do what comes after the physics in match m; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
+    match, ball, robots, events = world.matches[m], world.balls[m], world.robots[m], world.events[m]
+    if not is_finite(physics.bodies[m], robots.shape[0] + 1):
+        return BROKEN
+    k = numbers.constants[0]
+    moved = finish_step(match, ball, robots, events, world.robot_events[m], physics.bodies[m], physics.velocities[m], k)
+    after, axes, rows, squares = scratch
+    measure_potentials(match, ball, robots, k, after)
+    reward_robots(
+        match, ball, robots, events, world.robot_events[m], k, before, after, numbers.weights[0],
+        outcome.terms[m], outcome.rewards[m],
+    )  # fmt: skip
+    if outcome.observations.shape[2] > 0:
+        observe_truth(match, ball, robots, outcome.observations[m], k, axes, rows, squares)
+    outcome.terminated[m] = match.over == 1
+    outcome.truncated[m] = match.over == 0 and (match.step >= numbers.limit or out_of_time(match, k))
+    return PUT_ELSEWHERE if moved else GOES_ON
+
+
+@compiled
+def begin_step(match, ball, robots, robot_events, velocities, k):
+    """Let robots drive, kick and turn their heads, and the ball roll; return the number of substeps."""
     for r in range(robots.shape[0]):
         robot = robots[r]
         if match.placing == 1:
@@ -134,7 +165,7 @@ def begin_step(match, ball, robots, events, robot_events, velocities, k, terms, 
 
 @compiled
 def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k):
-    """Do what comes after the physics: read back, referee, restarts; tell whether bodies were put elsewhere."""
+    """Read back what the physics did, and let the referee judge it; tell whether bodies were put elsewhere."""
     read_records(ball, robots, bodies)
     knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
     slow_down(ball, k, 0.5 * k.dt)
@@ -164,27 +195,9 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k
 
 
 @compiled
-def end_step(match, ball, robots, events, robot_events, k, weights, before, terms, rewards, observations, scratch):
-    """Reward and observe."""
-    after, axes, rows, squares = scratch
-    measure_potentials(match, ball, robots, k, after)
-    reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards)
-    if observations.shape[1] > 0:
-        observe_truth(match, ball, robots, observations, k, axes, rows, squares)
-
-
-@compiled
 def make_scratch(robots):
     """Return arrays to work in: potentials, axes of the robots (R, 2), rows and squared distances of players."""
     return np.empty(POTENTIALS), np.empty((robots, 2)), np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
-
-
-@compiled
-def stand_still(events, robot_events, terms, rewards):
-    """Let nothing happen to a match that is over."""
-    clear_events(events, robot_events)
-    terms[:] = 0.0
-    rewards[:] = 0.0
 
 
 @compiled

@@ -1,5 +1,6 @@
 """What robots believe: percepts and memory in, beliefs and tracks out; the truth is out of reach here.
 
+    believing.py   The loop in which robots bring their beliefs up to their percepts, then talk: the same for every ...
     legged/        What legged robots believe: ball, other players, obstacle and own pose, and where the head looks.
     odometry.py    Where a remembered thing lies after the robot itself has moved.
     omni/          What middle-size robots believe: ball and players by filters, own pose by lines, reports by radio.

@@ -15,8 +15,8 @@ BARRIER = int(RobotStream.BARRIER)
 def sense_body(match, robot, events, body, pose_error, k, s, pose_sensed):
     """Fill in a BODY_PERCEPT of either league, but for the light barrier.  [Sacks 2001, 1]  MS06
 
-    `pose_sensed` 1 gives the noisy pose in every frame, whose error is kept in `pose_error`; a robot that was carried is
-    told where it stands, always.
+    `pose_sensed` 1 gives the noisy pose in every frame, and `pose_error` keeps what it is off by; a robot that was
+    carried is told where it stands, always.
     """
     first = body.handedness == 0.0  # a percept that was never filled in
     body.frame = match.step

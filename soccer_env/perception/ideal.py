@@ -1,21 +1,45 @@
 """senses="ideal": copy the truth into the fields of beliefs and tracks, as a sensor without error or memory would.
 
 Everything is relative to the robot, and its own pose is in its team's frame (own goal behind), so that a team never
-learns which side it plays on.
+learns which side it plays on. How the match stands is told to every robot, whatever else it has to perceive.
 """
 
 from __future__ import annotations
 
 from math import atan2, cos, inf, pi, sin
 
+import numpy as np
+
 from soccer_env.ball_words import word_for
 from soccer_env.compiled import compiled
 from soccer_env.frames import direction_of
 from soccer_env.geometry import length, wrap
 from soccer_env.tracks import clear_slots
-from soccer_env.types import NO_TEAM
+from soccer_env.types import MAX_TEAM, NO_TEAM
+from soccer_env.world import World
 
 SURE = 100.0  # confidence of what is seen  MS03
+
+
+@compiled
+def believe_truth_slice(world, beliefs, tracks, constants, rows, first, last):
+    """Fill the beliefs (M, R) and tracks (M, R, slots) of some robots with the truth, in a slice of matches."""
+    world = World(*world)
+    players, squares = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
+    for m in range(first, last):
+        match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
+        for r in rows:
+            believe_truth(match, ball, robots, beliefs[m], tracks[m, r], constants[0], r, players, squares)
+
+
+@compiled
+def tell_slice(world, beliefs, asleep, rows, first, last):
+    """Tell some robots of a slice of matches how the match stands; nothing new in those that are `asleep` (M,)."""
+    world = World(*world)
+    for m in range(first, last):
+        if not asleep[m]:
+            for r in rows:
+                situation(world.matches[m], world.robots[m], beliefs[m, r].situation, r)
 
 
 @compiled

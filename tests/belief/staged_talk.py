@@ -18,8 +18,8 @@ from tests.scenes.staging import LEGGED, MIDDLE
 
 
 @compiled
-def talk(percepts, beliefs, tracks, messages, noise, constants, sensors, home, rows):  # type: ignore[no-untyped-def]
-    exchange(percepts, beliefs, tracks, messages, noise, constants[0], sensors[0], home, rows)
+def talk(percepts, beliefs, tracks, messages, noise, constants, sensors, settings, home, rows):  # type: ignore[no-untyped-def]
+    exchange(percepts, beliefs, tracks, messages, noise, constants[0], sensors[0], settings[0], home, rows)
 
 
 @compiled
@@ -64,10 +64,7 @@ class Talkers:
         for _ in range(frames):
             self.percepts["body"]["frame"] += 1
             common = self.percepts, self.beliefs, self.tracks, self.messages, self.noise, self.constants, self.sensors
-            if self.radio:
-                talk_by_radio(*common, self.settings, self.home, self.rows)
-            else:
-                talk(*common, self.home, self.rows)
+            (talk_by_radio if self.radio else talk)(*common, self.settings, self.home, self.rows)
 
     def heard(self, name: str = "word") -> list[Any]:
         """Return what all robots have heard."""

@@ -17,8 +17,8 @@ def looking() -> Match:
     put(match, 2, 0.3, -0.2, 3.0)
     put_ball(match, 0.0, 0.1)
     match.rebuild()
-    match.batch.senses.start(0, match.robots)
-    match.batch.senses.sense(match.batch, 0, 1)
+    match.batch.senses.start(0)
+    match.batch.senses.sense(0, 1)
     return match
 
 
@@ -33,7 +33,7 @@ def test_ms01_memory_gets_percepts_alone_and_fills_the_shared_records() -> None:
     for name in ("x", "y", "heading", "pan", "tilt"):
         match.robots[name] = np.nan
     match.balls["x"] = match.balls["y"] = np.nan
-    match.batch.senses.believe(match.batch, 0, 1)
+    match.batch.senses.believe(0, 1)
     assert belief["own"]["forward"] == pytest.approx(0.004 * match.league.control_rate)  # self
     assert belief["ball"]["confidence"] == 100.0 and belief["ball"]["distance"] == pytest.approx(0.91, abs=0.15)
     assert tracks["present"][tracks["teammate"] == 1].sum() == 1  # pal
@@ -44,7 +44,7 @@ def test_ms01_memory_gets_percepts_alone_and_fills_the_shared_records() -> None:
 def test_ms01_actuation_reads_what_memory_wrote() -> None:
     """MS01: the head goes where the shared record says, whatever the ball does."""
     match = looking()
-    match.batch.senses.believe = lambda batch, first, last: None  # type: ignore[method-assign]
+    match.batch.senses.believe = lambda first, last: None  # type: ignore[method-assign]
     match.robots["gaze"]["pan"][0, 0] = -0.6
     for _ in range(16):
         match.step(np.zeros((1, 3, 4)))

@@ -45,8 +45,8 @@ def draws(match: Match, steps: int, seed: int = 0) -> np.ndarray:
 def look_again(match: Match) -> None:
     """Let all robots forget, and take a first look at the field as it is."""
     for m in range(match.count):
-        match.batch.senses.start(m, match.robots)
-    match.batch.senses.step(match.batch, 0, match.count)
+        match.batch.senses.start(m)
+    match.batch.senses.step(0, match.count)
 
 
 def finite(records: np.ndarray) -> bool:
@@ -66,7 +66,7 @@ def test_a_belief_never_reads_the_truth(league: str, pose: str) -> None:
     for step in range(60):
         match.step(actions[step])
         batch, senses = other.batch, other.batch.senses
-        look, senses.believe = senses.believe, lambda batch, first, last: None  # type: ignore[method-assign]
+        look, senses.believe = senses.believe, lambda first, last: None  # type: ignore[method-assign]
         batch.observe = lambda first, last: None  # type: ignore[method-assign]
         other.step(actions[step])
         truth = [array.copy() for array in (batch.matches, batch.balls, batch.robots)]
@@ -75,7 +75,7 @@ def test_a_belief_never_reads_the_truth(league: str, pose: str) -> None:
         poison(batch)
         for array in hidden:
             make_nonsense(array)
-        look(batch, 0, other.count)
+        look(0, other.count)
         noise, gaze = batch.robots["noise"].copy(), batch.robots["gaze"].copy()
         for array, kept in zip((batch.matches, batch.balls, batch.robots, *hidden), truth + remembered, strict=True):
             array[:] = kept
@@ -232,12 +232,12 @@ def test_a_crowd_in_one_place_breaks_nothing(league: str) -> None:
     match.robots["x"], match.robots["y"] = 0.3, 0.0
     match.balls["x"], match.balls["y"] = 0.3, 0.0  # inside all of them
     for _ in range(30):
-        match.batch.senses.step(match.batch, 0, match.count)
+        match.batch.senses.step(0, match.count)
         assert finite(match.beliefs) and finite(match.tracks) and finite(match.percepts)
     match.robots["x"] = np.linspace(-1.0, 1.0, 22)  # all in one bearing
     match.robots["heading"] = 0.0
     for _ in range(30):
-        match.batch.senses.step(match.batch, 0, match.count)
+        match.batch.senses.step(0, match.count)
         assert finite(match.beliefs) and finite(match.tracks) and finite(match.percepts)
 
 
@@ -280,6 +280,49 @@ def test_each_team_has_its_own_senses() -> None:
     true = np.hypot(match.balls["x"] - match.robots["x"][0], match.balls["y"] - match.robots["y"][0])
     assert match.beliefs["ball"]["distance"][0, :3] == pytest.approx(true[:3], abs=1e-9)
     assert (abs(match.beliefs["ball"]["distance"][0, 3:] - true[3:]) > 1e-6).all()
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_percepts_of_robots_with_ideal_senses_leave_their_beliefs_true(league: str) -> None:
+    """One provider fills a robot's beliefs: learners may observe percepts beside a team that knows the truth."""
+    match = Match(league, home=2, away=2, matches=2, seed=3, senses="ideal", observe="percepts", teammates="chaser")
+    for actions in draws(match, 30):
+        match.step(actions)
+    assert match.percepts["body"]["frame"].min() > 0 and np.abs(match.observations).max() > 0.0
+    true = np.hypot(match.balls["x"][:, None] - match.robots["x"], match.balls["y"][:, None] - match.robots["y"])
+    assert match.beliefs["ball"]["distance"] == pytest.approx(true, abs=1e-9)
+    assert (match.robots["senses"] == 0).all()  # their heads follow the true ball
+
+
+def test_looking_at_beliefs_is_no_part_of_the_state() -> None:
+    """Rows with ideal senses are filled when somebody reads them, whoever that is."""
+    teams = {"home": "chaser", "away": "chaser"}
+    looked, left = (
+        Match("legged-2001", seed=1, controllers=teams, senses={"home": "ideal", "away": "sensors"}) for _ in range(2)
+    )
+    for _ in range(20):
+        looked.step()
+        left.step()
+        assert looked.beliefs["ball"]["confidence"][0, 0] == 100.0
+        assert looked.state_hash() == left.state_hash()
+    assert looked.save() == left.save()
+
+
+def test_a_team_that_uses_its_sensors_alone_is_saved_alone() -> None:
+    teams = {"home": "chaser", "away": "chaser"}
+    match = Match("legged-2001", home=3, away=2, seed=1, controllers=teams, senses={"home": "ideal", "away": "sensors"})
+    assert match.batch.senses is not None
+    assert {array.shape[1] for array in match.batch.senses.parts.values()} == {2}
+    for _ in range(20):
+        match.step()
+    saved = match.save()
+    futures = []
+    for _ in range(2):
+        for _ in range(20):
+            match.step()
+        futures.append((match.state_hash(), match.beliefs.tobytes(), match.tracks.tobytes()))
+        match.load(saved)
+    assert futures[0] == futures[1]
 
 
 def test_a_save_with_nonsense_in_the_memory_is_refused() -> None:

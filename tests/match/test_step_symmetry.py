@@ -9,12 +9,12 @@ import pytest
 from soccer_env import Match
 from soccer_env.compiled import compiled
 from soccer_env.observations.truth import observe_slice
+from soccer_env.perception.ideal import believe_truth_slice
 from soccer_env.physics.drive import drive, move_head
 from soccer_env.physics.kicker import work_kicker
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
 from soccer_env.rewards import POTENTIALS, measure_potentials
-from soccer_env.squads import believe_slice, empty_beliefs
 from soccer_env.step import clear_events
 from soccer_env.types import NO_TEAM, Phase
 from tests.scenes.staging import LEGGED, MIDDLE, each_league, put_ball, scatter, speed
@@ -223,8 +223,9 @@ def test_ideal_beliefs_are_symmetric(name):
     everyone = np.arange(2 * SIZE)
     believed = []
     for image in (records, mirrored(records), turned(records)):
-        beliefs, tracks = empty_beliefs(100, 2 * SIZE, match.league)
-        believe_slice(image.matches, image.balls, image.robots, beliefs, tracks, constants, everyone, 0, 100)
+        world = (image.matches, image.balls, image.robots, match.events, match.robot_events)
+        beliefs, tracks = np.zeros_like(match.batch.beliefs), np.zeros_like(match.batch.tracks)
+        believe_truth_slice(world, beliefs, tracks, constants, everyone, 0, 100)
         believed.append((beliefs, tracks))
     (beliefs, tracks), (mirror, mirror_tracks), (turn, turn_tracks) = believed
     assert_same(mirror, mirrored_beliefs(beliefs), MIRROR)

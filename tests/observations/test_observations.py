@@ -52,7 +52,7 @@ def test_wild_states_stay_in_the_box(league: str) -> None:
     for field in ("x", "y", "vx", "vy"):
         match.balls[field] = rng.normal(0.0, 100.0, 64)
     match.matches["score"] = rng.integers(0, 1000, (64, 2))
-    match.batch.observe(0, 64)
+    match.batch.observe_anew(0, 64)
     assert np.abs(match.observations).max() <= 1.0
 
 
@@ -63,7 +63,7 @@ def test_entries_mean_what_the_layout_says() -> None:
     put(match, 2, 0.0, 3.0, -np.pi / 2)
     put_ball(match, -2.0, 0.0, 0.0, 2.2)
     match.rebuild()
-    match.batch.observe(0, 1)
+    match.batch.observe_anew(0, 1)
     diagonal = np.hypot(12.0, 8.0)
     facts = {
         "own_x": 0.0, "own_cos": 0.0, "own_sin": 1.0, "own_forward": 0.5, "own_left": 0.0, "ball_x": 0.0,
@@ -85,7 +85,7 @@ def test_the_own_goal_lies_behind_for_both_teams_in_both_halves() -> None:
         put(match, 0, -direction, 0.0, 0.0 if direction > 0 else np.pi)  # near its own goal, facing the opponents'
         put(match, 1, direction, 0.0, np.pi if direction > 0 else 0.0)
         match.rebuild()
-        match.batch.observe(0, 1)
+        match.batch.observe_anew(0, 1)
         for r in (0, 1):
             assert entry(match, r, "own_x") < 0.0 < entry(match, r, "goal_x")
             assert entry(match, r, "own_cos") == pytest.approx(1.0) and entry(match, r, "own_goal_x") < 0.0
@@ -96,7 +96,7 @@ def test_slots_hold_the_nearest_first_and_drop_the_farthest(league: str) -> None
     match = Match(league, home=11, away=11, seed=0)
     scatter(match, np.random.default_rng(4), share=0.95)
     match.rebuild()
-    match.batch.observe(0, 1)
+    match.batch.observe_anew(0, 1)
     robots, slots = match.robots[0], match.league.slots
     for r in range(22):
         gaps = np.hypot(robots["x"] - robots["x"][r], robots["y"] - robots["y"][r])
@@ -118,7 +118,7 @@ def test_a_robot_that_was_sent_off_is_absent() -> None:
     put(match, 0, -0.5, 0.0)
     put(match, 2, 0.5, 0.0)
     match.rebuild()
-    match.batch.observe(0, 1)
+    match.batch.observe_anew(0, 1)
     assert entry(match, 0, "teammate_0_present") == 0.0 and entry(match, 0, "opponent_0_present") == 1.0
     assert entry(match, 1, "active") == -1.0
 

@@ -181,9 +181,9 @@ def walking(league: str) -> Match:
 def felt_by(match: Match, frames: int = 3) -> np.ndarray:
     """Return what robots feel when they begin to, and a few frames later; nothing moves in between."""
     for m in range(match.count):
-        match.batch.senses.start(m, match.robots)
+        match.batch.senses.start(m)
     for _ in range(frames):
-        match.batch.senses.sense(match.batch, 0, match.count)
+        match.batch.senses.sense(0, match.count)
     return match.percepts.copy()
 
 

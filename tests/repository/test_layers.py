@@ -21,6 +21,7 @@ LAYERS = (
         "types",
         "percept_types",
         "tracks",
+        "world",
         "geometry",
         "frames",
         "optics",
@@ -55,6 +56,7 @@ BESIDE = {
 
 PLAYERS = {"baselines", "agents"}
 HIDDEN_FROM_PLAYERS = {
+    "world",
     "physics",
     "referee",
     "perception",
@@ -67,7 +69,7 @@ HIDDEN_FROM_PLAYERS = {
     "match",
 } | {"replay", "soccer_v0", "gymnasium_envs", "api", "staging"}
 # Belief works on percepts. The records of types.py that hold the truth, by name:
-BELIEF_MAY_SEE = {*LAYERS[0], "leagues", "belief"}
+BELIEF_MAY_SEE = {*LAYERS[0], "leagues", "belief"} - {"world"}
 TRUTH_RECORDS = {"MATCH", "BALL", "ROBOT", "EVENTS", "ROBOT_EVENTS"}
 # `from soccer_env import Match` reaches upward, except for what is no part of any layer.
 PUBLIC_TO_ALL = {"__version__"}

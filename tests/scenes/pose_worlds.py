@@ -29,8 +29,10 @@ from soccer_env.percept_types import LANDMARKS, LEGGED_PERCEPT, NO_POSE, OMNI_PE
 from soccer_env.perception.body import count_steps
 from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables
 from soccer_env.perception.omni.sense import sense_slice as sense_omni
+from soccer_env.perception.sensing import Sensing, SensorNumbers
 from soccer_env.random_numbers import normal, start_streams, uniform
-from soccer_env.types import BALL, BELIEF, MATCH, NOISE_STREAMS, OWN_POSE, ROBOT, ROBOT_EVENTS, RobotStream
+from soccer_env.types import BALL, EVENTS, MATCH, NOISE_STREAMS, OWN_POSE, ROBOT, ROBOT_EVENTS, RobotStream
+from soccer_env.world import World as TrueWorld
 from tests.scenes.projection import pixel_of_direction
 
 CAMERA = int(RobotStream.CAMERA)
@@ -52,7 +54,7 @@ class World:
         self.percepts = np.zeros((robots, 1), LEGGED_PERCEPT if self.legged else OMNI_PERCEPT)
         self.pending = np.zeros((robots, 1, 0 if self.legged else found.sensors.camera_delay), self.percepts.dtype)
         self.states = np.zeros((robots, 1), OMNI_SENSOR_STATE)
-        self.beliefs, self.memories = np.zeros((robots, 1), BELIEF), np.zeros(robots, POSE_MEMORY)
+        self.memories = np.zeros(robots, POSE_MEMORY)
         self.own, self.particles = np.zeros(robots, OWN_POSE), np.zeros((robots, particles), PARTICLE)
         self.noise = np.zeros((robots, NOISE_STREAMS), np.uint64)
         for i in range(robots):
@@ -143,11 +145,9 @@ class World:
             see_from(self.truth, self.percepts[:, 0], self.k, self.s)
         else:
             rows = np.zeros(1, np.int64)
-            sense_omni(
-                self.matches, self.balls, self.robots, self.events, self.percepts, self.states, self.pending,
-                self.beliefs,
-                self.k, self.s, 0, np.zeros(self.count, bool), rows, 0, self.count,
-            )  # fmt: skip
+            world = TrueWorld(self.matches, self.balls, self.robots, np.zeros(self.count, EVENTS), self.events)
+            sensing, numbers = Sensing(self.percepts, self.states, self.pending), SensorNumbers(self.k, self.s, 0)
+            sense_omni(world, sensing, numbers, np.zeros(self.count, bool), rows, 0, self.count)
             self.percepts["body"]["pose"] = NO_POSE
             self.truth["placed"] = 0
         if self.blind:

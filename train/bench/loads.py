@@ -94,10 +94,10 @@ class BareMatch(Match):
     def __init__(self, *given: Any, **settings: Any) -> None:
         self.bare = 0.0  # [s] in cpSpaceStep since the start
         super().__init__(*given, **settings)
-        self.batch.step = self._step_bare  # type: ignore[method-assign]  # the same stages, one of them timed
+        self.batch.act = self._act_bare  # type: ignore[method-assign]  # the same stages, one of them timed
 
-    def _step_bare(self, first: int, last: int) -> None:
-        self.batch.step_in_stages(first, last, self._advance_bare)
+    def _act_bare(self, first: int, last: int) -> None:
+        self.batch.act_in_stages(first, last, self._advance_bare)
 
     def _advance_bare(self, dt: float, substeps: np.ndarray, first: int, last: int) -> None:
         """Move the Spaces on and time cpSpaceStep alone."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from soccer_env.belief.believing import believe_kernel
 from soccer_env.belief.legged.ball import BALL_MEMORY, believe_ball
 from soccer_env.belief.legged.head import HEAD_MEMORY, choose_gaze
 from soccer_env.belief.legged.obstacle import believe_obstacle
@@ -19,24 +20,20 @@ LEGGED_MEMORY = np.dtype(
 
 
 @compiled
-def believe_slice(
-    percepts, beliefs, tracks, memories, particles, messages, noise, gazes,
-    constants, sensors, settings, tables, home, asleep, rows, first, last,
-):  # fmt: skip
-    """Bring beliefs (M, R) and tracks (M, R, slots) of some robots up to their percepts, in a slice of matches.
+def make_scratch():
+    """Return nothing: no arrays to work in are needed."""
+    return 0
 
-    memories (M, R), particles (M, R, N) and messages (M, R) are theirs; noise (M, R, streams) and gazes (M, R) are
-    the robots' own; rows below `home` are team-mates of each other, as are those from it on.
-    """
-    k, s, w, table = constants[0], sensors[0], settings[0], tables[0]
-    for m in range(first, last):
-        if asleep[m]:
-            continue
-        for r in rows:
-            percept, belief, memory = percepts[m, r], beliefs[m, r], memories[m, r]
-            believe_pose_legged(percept, belief.own, memory.pose, particles[m, r], noise[m, r], k, s, w)
-            believe_ball(percept, belief.own, belief.ball, memory.ball, k, s, w, table)
-            believe_players(percept, belief.own, tracks[m, r], memory.players, k, s, w, table)
-            believe_obstacle(percept, belief, tracks[m, r], k, s, w)
-            choose_gaze(percept, belief, memory.head, gazes[m, r], k, s, w)
-        exchange(percepts[m], beliefs[m], tracks[m], messages[m], noise[m], k, s, home, rows)
+
+@compiled
+def believe_robot(percept, mind, scratch, k, s, w, table):
+    """Bring the Mind of one robot up to its percept, and choose where its head looks next."""
+    belief, tracks, memory = mind.belief, mind.tracks, mind.memory
+    believe_pose_legged(percept, belief.own, memory.pose, mind.particles, mind.noise, k, s, w)
+    believe_ball(percept, belief.own, belief.ball, memory.ball, k, s, w, table)
+    believe_players(percept, belief.own, tracks, memory.players, k, s, w, table)
+    believe_obstacle(percept, belief, tracks, k, s, w)
+    choose_gaze(percept, belief, memory.head, mind.gaze, k, s, w)
+
+
+believe_slice = believe_kernel(make_scratch, believe_robot, exchange)

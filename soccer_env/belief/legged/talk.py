@@ -20,7 +20,7 @@ SOUND_MESSAGE = message_of(WORD)
 
 
 @compiled
-def exchange(percepts, beliefs, tracks, messages, noise, k, s, home, rows):
+def exchange(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows):
     """Let the robots of one match say a word of four bits each second, and hear their team-mates.  MS06
 
     Four bits a second: s.audio_period between two words, heard after s.audio_delay, lost with probability s.audio_loss.

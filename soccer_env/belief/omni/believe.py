@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from soccer_env.belief.believing import believe_kernel
 from soccer_env.belief.omni.ball import BALL_MEMORY, believe_ball
 from soccer_env.belief.omni.own_pose import believe_pose_omni
 from soccer_env.belief.omni.players import READING, SLOTS, believe_players
@@ -26,26 +27,18 @@ OMNI_MEMORY = np.dtype(
 
 
 @compiled
-def believe_slice(
-    percepts, beliefs, tracks, memories, particles, messages, noise, gazes,
-    constants, sensors, settings, tables, home, asleep, rows, first, last,
-):  # fmt: skip
-    """Bring beliefs (M, R) and tracks (M, R, slots) of some robots up to their percepts, in a slice of matches.
+def make_scratch():
+    """Return arrays to work in: readings of other players, a track and its filter."""
+    return records(OTHERS, READING), records(1, TRACK), records(1, FILTER)
 
-    memories (M, R), particles (M, R, N) and messages (M, R) are theirs; noise (M, R, streams) are the robots' own;
-    rows below `home` are team-mates of each other, as are those from it on. There is no head to turn.
-    """
-    k, s, w, table = constants[0], sensors[0], settings[0], tables[0]
-    scratch = records(OTHERS, READING), records(1, TRACK), records(1, FILTER)
-    for m in range(first, last):
-        if asleep[m]:
-            continue
-        for r in rows:
-            percept, belief, memory = percepts[m, r], beliefs[m, r], memories[m, r]
-            believe_pose_omni(percept, belief.own, memory.pose, particles[m, r], noise[m, r], k, s, w, table)
-            track_things(percept, belief, tracks[m, r], memory, scratch, k, s, w)
-            belief.obstacle.distance = belief.obstacle.bearing = 0.0  # there is no ranger
-        exchange_radio(percepts[m], beliefs[m], tracks[m], messages[m], noise[m], k, s, w, home, rows)
+
+@compiled
+def believe_robot(percept, mind, scratch, k, s, w, table):
+    """Bring the Mind of one robot up to its percept; there is no head to turn."""
+    belief, memory = mind.belief, mind.memory
+    believe_pose_omni(percept, belief.own, memory.pose, mind.particles, mind.noise, k, s, w, table)
+    track_things(percept, belief, mind.tracks, memory, scratch, k, s, w)
+    belief.obstacle.distance = belief.obstacle.bearing = 0.0  # there is no ranger
 
 
 @compiled
@@ -78,3 +71,6 @@ def forget_things(memory, tracks):
     for slot in range(tracks.shape[0]):
         forget(tracks[slot])
         memory.players[slot].readings = memory.players[slot].surprises = 0
+
+
+believe_slice = believe_kernel(make_scratch, believe_robot, exchange_radio)

@@ -10,14 +10,14 @@ from __future__ import annotations
 import numpy as np
 
 from soccer_env.compiled import compiled, records
-from soccer_env.perception.body import light_barrier, sense_body
-from soccer_env.perception.ideal import situation
+from soccer_env.perception.body import light_barrier
 from soccer_env.perception.omni.around import AROUND, survey
 from soccer_env.perception.omni.lighting import adapt_table, brightness, measure_light, recognised
 from soccer_env.perception.omni.line_picture import LINE_MAP, draw_map, find_lines
 from soccer_env.perception.omni.lines import TABLES, line_tables
 from soccer_env.perception.omni.sightings import clear, find_ball, find_goals, find_players
 from soccer_env.perception.pose import POSE_ERROR
+from soccer_env.perception.sensing import sense_kernel
 from soccer_env.types import MAX_TEAM
 
 __all__ = ["OMNI_SENSOR_STATE", "TABLES", "line_tables", "sense_slice"]
@@ -31,30 +31,19 @@ OMNI_SENSOR_STATE = np.dtype(
 
 
 @compiled
-def sense_slice(
-    matches, balls, robots, robot_events, percepts, states, pending, beliefs,
-    constants, sensors, pose_sensed, asleep, rows, first, last,
-):  # fmt: skip
-    """Fill the percepts (M, R) of some robots of a slice of matches, and what they are told of the game.
-
-    Those of matches that are `asleep` (M,), over before this step, perceive nothing new.
-
-    pending (M, R, camera_delay) holds the pictures on their way.
-    """
-    k, s = constants[0], sensors[0]
+def make_scratch(k, s):
+    """Return arrays to work in: bodies round the robot, and the map of the lines as the camera sees them."""
     around, maps = records(2 * MAX_TEAM, AROUND), records(1, LINE_MAP)
     draw_map(maps[0], k, s)
-    for m in range(first, last):
-        if asleep[m]:
-            continue
-        match, ball, team = matches[m], balls[m], robots[m]
-        light = brightness(match, s)
-        for r in rows:
-            percept, state, robot = percepts[m, r], states[m, r], team[r]
-            sense_body(match, robot, robot_events[m, r], percept.body, state.pose_error, k, s, pose_sensed)
-            light_barrier(robot, percept.body, s)
-            situation(match, team, beliefs[m, r].situation, r)
-            look(match, ball, team, r, percept, state, pending[m, r], light, around, maps[0], k, s)
+    return around, maps
+
+
+@compiled
+def sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s):
+    """Fill in the percept of robot r; pending (camera_delay,) holds the pictures on their way."""
+    light_barrier(robots[r], percept.body, s)
+    around, maps = scratch
+    look(match, ball, robots, r, percept, state, pending, brightness(match, s), around, maps[0], k, s)
 
 
 @compiled
@@ -126,3 +115,6 @@ def copy(one, other):
     """Copy a sighting."""
     other.distance, other.bearing = one.distance, one.bearing
     other.seen, other.teammate = one.seen, one.teammate
+
+
+sense_slice = sense_kernel(make_scratch, sense_robot)

@@ -184,7 +184,7 @@ def test_the_settings_say_when_and_how_fast_it_searches() -> None:
 def watch(match: Match, actions: Any, seconds: float) -> np.ndarray:
     """Return how far from the picture's centre [rad] the ball is in each frame; robot 0 believes in the true ball."""
     head, robot, ball = Head(), match.robots[0, 0:1], match.balls[0]
-    match.batch.senses.believe = lambda field, first, last: None
+    match.batch.senses.believe = lambda first, last: None
     found = []
     for _ in range(round(seconds * match.league.control_rate)):
         x, y = ball["x"] - robot["x"][0], ball["y"] - robot["y"][0]

@@ -250,7 +250,7 @@ def test_a_lone_robot_takes_neither_ball_nor_boards_nor_carpet_for_somebody() ->
             rng.uniform(-1.5, 1.5, count),
             rng.uniform(-1, 0.7, count),
         )
-        match.batch.senses.step(match.batch, 0, count)
+        match.batch.senses.step(0, count)
         read += int(((match.percepts["infrared"] > 0.0) & (match.percepts["infrared"] < 0.4)).sum())
         assert not match.beliefs["obstacle"]["distance"].any()
     assert read > 1000

@@ -31,7 +31,7 @@ def begin(match: Match) -> None:
     """Build the physics of what was put somewhere, and let robots forget all that they believed."""
     match.rebuild()
     for m in range(match.count):
-        match.batch.senses.start(m, match.robots)
+        match.batch.senses.start(m)
 
 
 def run(match: Match, seconds: float, actions: np.ndarray | None = None) -> None:

@@ -203,7 +203,7 @@ def test_a_robot_that_is_put_somewhere_and_told_forgets_the_ball() -> None:
     match.batch.senses.sensors["ball_miss"] = match.batch.senses.sensors["player_miss"] = 1.0
     run(match, 0.1)
     match.robots["placed"][0, 0] = 1
-    match.batch.senses.step(match.batch, 0, 1)
+    match.batch.senses.step(0, 1)
     assert match.beliefs["ball"]["confidence"][0, 0] == 0.0 and match.beliefs["ball"]["age"][0, 0] == inf
     assert match.tracks["present"][0, 0].sum() == 0
 

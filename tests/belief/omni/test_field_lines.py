@@ -14,8 +14,10 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.percept_types import OMNI_PERCEPT
 from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
+from soccer_env.perception.sensing import Sensing, SensorNumbers
 from soccer_env.random_numbers import start_streams
-from soccer_env.types import BALL, BELIEF, MATCH, NOISE_STREAMS, OWN_POSE, ROBOT, ROBOT_EVENTS
+from soccer_env.types import NOISE_STREAMS, OWN_POSE
+from soccer_env.world import World
 
 LEAGUE = find_league("middle-size-2006")
 SENSORS = LEAGUE.sensors.changed({"line_miss": 0.0, "goal_miss": 0.0, "camera_delay": 0})
@@ -26,18 +28,12 @@ POSES = [(3.0, 2.0, 0.4), (-4.5, -1.0, 2.0), (0.5, -3.0, -2.8), (5.0, 3.3, 1.0)]
 
 def seen_from(x: float, y: float, heading: float) -> np.ndarray:
     """Return the percept of a robot in the team frame that misses nothing."""
-    matches, robots, percepts = np.zeros(1, MATCH), np.zeros((1, 1), ROBOT), np.zeros((1, 1), OMNI_PERCEPT)
-    matches["home_direction"] = matches["handedness"] = 1.0
+    world, percepts = World.empty(1, 1), np.zeros((1, 1), OMNI_PERCEPT)
+    world.matches["home_direction"] = world.matches["handedness"] = 1.0
+    robots = world.robots
     robots["x"], robots["y"], robots["heading"], robots["active"] = x, y, heading, 1
-    pending, events, beliefs = (
-        np.zeros((1, 1, 0), OMNI_PERCEPT),
-        np.zeros((1, 1), ROBOT_EVENTS),
-        np.zeros((1, 1), BELIEF),
-    )
-    sense_slice(
-        matches, np.zeros(1, BALL), robots, events, percepts, np.zeros((1, 1), OMNI_SENSOR_STATE), pending, beliefs,
-        K, S, 0, np.zeros(1, bool), np.zeros(1, np.int64), 0, 1,
-    )  # fmt: skip
+    sensing = Sensing(percepts, np.zeros((1, 1), OMNI_SENSOR_STATE), np.zeros((1, 1, 0), OMNI_PERCEPT))
+    sense_slice(world, sensing, SensorNumbers(K, S, 0), np.zeros(1, bool), np.zeros(1, np.int64), 0, 1)
     return percepts[:, 0]
 
 

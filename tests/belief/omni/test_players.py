@@ -189,8 +189,8 @@ def test_standing_in_a_crowd_breaks_nothing() -> None:
     for r in range(22):
         put(match, r, 0.0, 0.0)
     for m in range(2):
-        match.batch.senses.start(m, match.robots)
+        match.batch.senses.start(m)
     for _ in range(60):
-        match.batch.senses.step(match.batch, 0, 2)
+        match.batch.senses.step(0, 2)
         match.matches["step"] += 1
     assert all(np.isfinite(match.tracks[name]).all() for name in TRACK.names)

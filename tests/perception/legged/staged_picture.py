@@ -122,9 +122,7 @@ class Scene:
     def look(self, frames: int = 1) -> np.ndarray:
         """Let all robots take some pictures; return their percepts (M, R) of the last."""
         for _ in range(frames):
-            look_all(
-                self.matches, self.balls, self.robots, self.constants, self.sensors, self.percepts, self.states
-            )
+            look_all(self.matches, self.balls, self.robots, self.constants, self.sensors, self.percepts, self.states)
         return self.percepts
 
 

@@ -30,10 +30,10 @@ def watching(matches: int = 1, home: int = 1, away: int = 1, sensors: Any = None
 def look(match: Match, frames: int = 1) -> np.ndarray:
     """Let robots forget and look for some frames at the field as it is; return robot 0's percepts (M,)."""
     for m in range(match.count):
-        match.batch.senses.start(m, match.robots)
+        match.batch.senses.start(m)
     for frame in range(frames):
         match.matches["step"] = frame
-        match.batch.senses.sense(match.batch, 0, match.count)
+        match.batch.senses.sense(0, match.count)
     percepts: np.ndarray = match.percepts[:, 0]
     return percepts
 
@@ -42,7 +42,7 @@ def gather(match: Match, frames: int) -> np.ndarray:
     """Look for some frames; return robot 0's percepts (frames, M)."""
     found = []
     for _ in range(frames):
-        match.batch.senses.sense(match.batch, 0, match.count)
+        match.batch.senses.sense(0, match.count)
         found.append(match.percepts[:, 0].copy())
     return np.stack(found)
 

@@ -22,7 +22,7 @@ def seeing(match: Match, seconds: float) -> dict[str, np.ndarray]:
     found: dict[str, list[np.ndarray]] = {name: [] for name in ("light", "table", "ball", "players", "lines")}
     for step in range(round(seconds * 50)):
         match.matches["step"], match.matches["clock"] = step, step * 0.02
-        match.batch.senses.sense(match.batch, 0, match.count)
+        match.batch.senses.sense(0, match.count)
         for name, kept in found.items():
             records = match.batch.senses.sensor_states if name == "table" else match.percepts
             kept.append(records[name][:, 0].copy())
@@ -97,7 +97,7 @@ def test_the_table_takes_its_time() -> None:
     senses.sensor_states["table"][0, 0] = light + 0.5
     for step in range(50):
         match.matches["step"] = 5 + step
-        senses.sense(match.batch, 0, 1)
+        senses.sense(0, 1)
     assert senses.sensor_states["table"][0, 0] - light == pytest.approx(0.5 / np.e, abs=0.03)
 
 

@@ -206,12 +206,12 @@ def test_mh02_a_picture_arrives_some_frames_after_its_exposure() -> None:
         match = watching(sensors={**SURE, **SHARP, "camera_delay": late})
         match.rebuild()
         for m in range(1):
-            match.batch.senses.start(m, match.robots)
+            match.batch.senses.start(m)
         shown = []
         for step in range(8):
             match.matches["step"] = step
             put_ball(match, 1.0 + 0.2 * step, 0.0)
-            match.batch.senses.sense(match.batch, 0, 1)
+            match.batch.senses.sense(0, 1)
             percept = match.percepts[0, 0]
             shown.append(round((percept["ball"]["distance"] - 1.0) / 0.2))
             assert percept["age"] == pytest.approx(0.0 if step < late else late * 0.02)
@@ -229,6 +229,6 @@ def test_a_robot_that_was_moved_sees_its_new_place_at_once() -> None:
     put_ball(match, 4.0, 0.0)
     match.robots["placed"][0, 0] = 1
     match.matches["step"] += 1
-    match.batch.senses.sense(match.batch, 0, 1)
+    match.batch.senses.sense(0, 1)
     assert match.percepts["age"][0, 0] == 0.0
     assert match.percepts["ball"]["distance"][0, 0] == pytest.approx(1.0, abs=0.02)

@@ -1,0 +1,56 @@
+"""The loop in which robots sense: what is common to all kinds of robots, round what each kind does itself.
+
+k is the league's constants record, s the sensors' settings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.perception.body import sense_body
+from soccer_env.world import World
+
+
+class Sensing(NamedTuple):
+    """What perception fills, of M matches of R robots; the records are the kind's own."""
+
+    percepts: np.ndarray  # (M, R) what the sensors deliver, with a BODY_PERCEPT "body"
+    states: np.ndarray  # (M, R) what they remember and do not deliver, with a POSE_ERROR "pose_error"
+    pending: np.ndarray  # (M, R, frames) pictures on their way, as percepts
+
+
+class SensorNumbers(NamedTuple):
+    """What league and settings say to perception."""
+
+    constants: np.ndarray  # (1,) CONSTANTS
+    sensors: np.ndarray  # (1,) record of the league's sensors
+    pose_sensed: int  # 1: robots get the noisy pose as a percept
+
+
+def sense_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[..., None]) -> Callable[..., None]:
+    """Return the compiled loop over matches and robots of a kind.
+
+    make_scratch(k, s) makes what sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s) works in,
+    which fills in all of robot r's percept but for what its body feels.
+    """
+
+    @compiled
+    def sense_slice(world, sensing, numbers, asleep, rows, first, last):
+        """Fill the percepts of some robots of a slice of matches; those of matches that are `asleep` (M,) stay."""
+        world, sensing, numbers = World(*world), Sensing(*sensing), SensorNumbers(*numbers)
+        k, s = numbers.constants[0], numbers.sensors[0]
+        scratch = make_scratch(k, s)
+        for m in range(first, last):
+            if asleep[m]:
+                continue
+            match, robots = world.matches[m], world.robots[m]
+            for r in rows:
+                percept, state, events = sensing.percepts[m, r], sensing.states[m, r], world.robot_events[m, r]
+                sense_body(match, robots[r], events, percept.body, state.pose_error, k, s, numbers.pose_sensed)
+                sense_robot(match, world.balls[m], robots, r, percept, state, sensing.pending[m, r], scratch, k, s)
+
+    return sense_slice
