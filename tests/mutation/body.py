@@ -18,14 +18,14 @@ MUTANTS = [
     Mutant(
         "MS01",
         MEMORY,
-        "believe_players(percept, belief.own, tracks[m, r], memory.players, k, s, w, table)",
+        "believe_players(percept, belief.own, tracks, memory.players, k, s, w, table)",
         "pass",
         TEST_FILLED,
     ),
     Mutant(
         "MS01",
         MEMORY,
-        "choose_gaze(percept, belief, memory.head, gazes[m, r], k, s, w)",
+        "choose_gaze(percept, belief, memory.head, mind.gaze, k, s, w)",
         "pass",
         TEST_FILLED,
     ),
