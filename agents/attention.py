@@ -12,19 +12,17 @@ and no division by sqrt(width): Q learns its own scale.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import exp, tanh
 
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.observations.entry import OPPONENT, TEAMMATE, Entry
 
-PLAYERS = ("teammate", "opponent")
+PLAYERS = (TEAMMATE, OPPONENT)  # groups of entries
 TENSORS = tuple(f"{kind}.{part}" for kind in PLAYERS for part in ("weight", "bias", "query"))  # W, b, Q
-SLOT = re.compile(r"(teammate|opponent)_([0-9]{1,4})_(.+)")
-PRESENT = "present"  # above 0 where a slot is in use; the first entry of each
 NARROWEST = 8  # width beside few hidden units
 SHARE = 4  # units of the first hidden layer for one of the width
 FIXED, WIDTH, SLOTS, ENTRIES = 0, 1, 2, 4  # where numbers of the shape lie; SLOTS and ENTRIES of both kinds
@@ -48,25 +46,32 @@ class Layout:
         return self.fixed + len(PLAYERS) * width
 
 
-def layout_of(inputs: Sequence[str]) -> Layout:
-    """Return the layout of an observation from its names; ValueError unless it ends in slots for other players."""
-    found = [SLOT.fullmatch(name) for name in inputs]
-    fixed = next((index for index, match in enumerate(found) if match), len(found))
-    rest: list[str] = []
-    slots, entries = [], []
+def layout_of(inputs: Sequence[Entry]) -> Layout:
+    """Return the layout of an observation; ValueError unless it ends in slots for team-mates, then for opponents.
+
+    The slots of a kind are alike, and each begins with the entry that says whether it is in use.
+    """
+    fixed = sum(entry.group not in PLAYERS for entry in inputs)
+    slots, sizes = [], []
+    rest: list[tuple[str, int, Entry]] = []
     for kind in PLAYERS:
-        own = [match for match in found if match and match[1] == kind]
-        parts = [match[3] for match in own if match[2] == "0"]
-        slots.append(len({match[2] for match in own}))
-        entries.append(len(parts))
-        if parts[:1] == [PRESENT] and slots[-1] * len(parts) == len(own):
-            rest += [f"{kind}_{slot}_{part}" for slot in range(slots[-1]) for part in parts]
-    if not fixed or not all(slots) or list(inputs[fixed:]) != rest:
+        own = [entry for entry in inputs if entry.group == kind]
+        first = [_alike(entry) for entry in own if entry.slot == 0]
+        slots.append(len({entry.slot for entry in own}))
+        sizes.append(len(first))
+        if first and first[0].present and len(own) == slots[-1] * len(first):
+            rest += [(kind, slot, entry) for slot in range(slots[-1]) for entry in first]
+    if not fixed or not all(slots) or [(entry.group, entry.slot, _alike(entry)) for entry in inputs[fixed:]] != rest:
         raise ValueError(
-            "kind 'attention' needs inputs that end in slots, teammate_0_present and so on, then opponent_0_present "
-            "and so on, as observations of truth and belief do"
+            "kind 'attention' needs inputs that end in slots for other players, of group 'teammate', then 'opponent', "
+            "each beginning with its `present` entry, as observations of truth and belief do"
         )
-    return Layout(fixed, (slots[0], slots[1]), (entries[0], entries[1]))
+    return Layout(fixed, (slots[0], slots[1]), (sizes[0], sizes[1]))
+
+
+def _alike(entry: Entry) -> Entry:
+    """Return what the entries of the same kind in all slots have in common."""
+    return replace(entry, name="", slot=None)
 
 
 def width_beside(hidden: Sequence[int]) -> int:

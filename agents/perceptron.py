@@ -34,8 +34,9 @@ def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
     network = NETWORKS.index((policy.kind, policy.activation))
     head = [len(policy.weights), network, policy.mirror, policy.action_repeat, at_once, *sizes]
     if policy.attention:
-        head += shape_of(layout_of(policy.inputs), len(policy.attention[1]))
-    parts = [np.array(head, np.float64), observation_signs(policy.inputs), action_signs(sizes[-1])]
+        head += shape_of(layout_of(policy.entries), len(policy.attention[1]))
+    signs = observation_signs(policy.entries) if policy.mirror else np.ones(len(policy.inputs))
+    parts = [np.array(head, np.float64), signs, action_signs(sizes[-1])]
     parts += flat(policy.attention)
     for weight, bias in zip(policy.weights, policy.biases, strict=True):
         parts += [weight.T.astype(np.float64).ravel(), bias.astype(np.float64)]

@@ -13,7 +13,7 @@ A policy is checked as it is made, wherever it comes from: what passes here can 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from reprlib import Repr
 from typing import Any
@@ -24,7 +24,8 @@ from soccer_env.actions import BOX, FULL
 from soccer_env.agents.attention import TENSORS, layout_of
 from soccer_env.leagues.checks import check_family
 from soccer_env.leagues.league import MAX_RATE, League
-from soccer_env.observations import OBSERVE, names_of
+from soccer_env.observations import OBSERVE, Entry, entries_named, names_of
+from soccer_env.observations.reflection import observation_signs
 
 ACTIONS = {"box": len(BOX), "full": len(FULL)}  # numbers that come out
 KINDS = ("slots", "attention")
@@ -83,7 +84,9 @@ class Policy:
         _check_whole("action_repeat", self.action_repeat, MAX_REPEAT)
         _check_inputs(self.inputs)
         _check_made(self.made)
-        features = _check_attention(self.kind, self.attention, self.inputs)
+        if self.mirror:
+            observation_signs(self.entries)
+        features = _check_attention(self.kind, self.attention, self.entries)
         numbers = sum(array.size for array in self.attention)
         _check_layers(self.weights, self.biases, features, ACTIONS[self.actions], numbers)
         largest = _check_pooled(self.attention, self.activation)
@@ -91,6 +94,11 @@ class Policy:
         for name in ("weights", "biases", "attention"):
             object.__setattr__(self, name, tuple(_frozen(array) for array in getattr(self, name)))
         object.__setattr__(self, "made", dict(self.made))
+
+    @property
+    def entries(self) -> list[Entry]:
+        """Return what each of the inputs means, as far as its name says."""
+        return entries_named(self.observe, self.inputs)
 
     def check_plays(self, league: League) -> None:
         """Raise ValueError unless a league's family, control rate and layout are those that the policy knows.
@@ -182,7 +190,7 @@ def _check_array(what: str, array: object) -> None:
         raise ValueError(f"{what} must be an array of float32, got {kind}")
 
 
-def _check_attention(kind: str, attention: object, inputs: tuple[str, ...]) -> int:
+def _check_attention(kind: str, attention: object, inputs: Sequence[Entry]) -> int:
     """Return how many numbers the first layer takes in; ValueError unless attention is as its kind and inputs ask."""
     if not isinstance(attention, tuple) or len(attention) != (len(TENSORS) if kind == "attention" else 0):
         size = f"{len(attention)} arrays" if isinstance(attention, tuple) else type(attention).__name__

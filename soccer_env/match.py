@@ -19,7 +19,7 @@ import numpy as np
 from soccer_env import saving, truth_state
 from soccer_env.actions import numbers_for, take_actions
 from soccer_env.match_batch import MatchBatch, Sums
-from soccer_env.observations import names_of
+from soccer_env.observations import layout
 from soccer_env.physics.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import NAMES
@@ -63,7 +63,9 @@ class Match:
         self.league = self.settings.league
         rows = self.settings.rows
         self.agents = [f"{side}_{i}" for side, size in zip(("home", "away"), rows, strict=True) for i in range(size)]
-        self.observation_names = names_of(self.league, self.settings.observe)
+        self.observation_entries = layout(self.league, self.settings.observe)
+        self.observation_names = [entry.name for entry in self.observation_entries]
+        self.state_names = [entry.name for entry in truth_state.entries(self.settings.max_players)]
         self.term_names = [*NAMES, *self.settings.rewards.extra]
         self._own_terms = OwnTerms(self.settings.rewards)
         self._make_arrays(backend)

@@ -19,7 +19,7 @@ import numpy as np
 from soccer_env.belief.believing import MemoryNumbers, Minds
 from soccer_env.leagues.league import League
 from soccer_env.leagues.legged_sensors import LeggedSensors
-from soccer_env.observations.percepts import observe_kernel
+from soccer_env.observations import legged, omni
 from soccer_env.perception.ideal import tell_slice
 from soccer_env.perception.sensing import Sensing, SensorNumbers
 from soccer_env.settings import Settings
@@ -59,6 +59,7 @@ class Chain:
     sense: Callable[..., None]
     believe: Callable[..., None]
     tables: Callable[[League], np.ndarray]
+    observe: Callable[..., None]  # writes what learners see of the percepts
     late: int  # frames by which the camera delivers late
 
 
@@ -81,7 +82,7 @@ def legged_chain() -> Chain:
 
     return Chain(
         LEGGED_PERCEPT, LEGGED_SENSOR_STATE, belief.LEGGED_MEMORY, SOUND_MESSAGE, PARTICLE,
-        sense_slice, belief.believe_slice, calibrate, 0,
+        sense_slice, belief.believe_slice, calibrate, legged.observe_slice, 0,
     )  # fmt: skip
 
 
@@ -96,7 +97,7 @@ def omni_chain(late: int) -> Chain:
 
     return Chain(
         OMNI_PERCEPT, OMNI_SENSOR_STATE, belief.OMNI_MEMORY, RADIO_MESSAGE, PARTICLE,
-        sense_slice, belief.believe_slice, line_tables, late,
+        sense_slice, belief.believe_slice, line_tables, omni.observe_slice, late,
     )  # fmt: skip
 
 
@@ -134,7 +135,7 @@ class Senses:
         home = settings.rows[HOME]
         self._sensor_numbers = tuple(SensorNumbers(constants, self.sensors, pose_sensed))
         self._memory_numbers = tuple(MemoryNumbers(constants, self.sensors, self.memory_settings, self.tables, home))
-        self.observer = observe_kernel(chain.percept)
+        self.observer = chain.observe
 
     def _make_arrays(self, beliefs: np.ndarray, tracks: np.ndarray) -> None:
         """Make the records of sensors and memory, zeroed."""

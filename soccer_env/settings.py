@@ -170,11 +170,13 @@ def find_rules(league: League, rules: Any) -> League:
 
 
 def check_observe(observe: Any) -> Any:
-    """Return what observations are built from: a name, or an object with `names` that can be called with a match."""
-    if callable(observe) and hasattr(observe, "names"):
+    """Return what observations are built from: a name, or an object with `names` or `entries` to call with a match."""
+    if callable(observe) and (hasattr(observe, "names") or hasattr(observe, "entries")):
         return observe
     if not isinstance(observe, str):
-        raise ValueError(f"observe must be a name or an object with `names` to call with a match, got {observe!r}")
+        raise ValueError(
+            f"observe must be a name or an object with `names` or `entries` to call with a match, got {observe!r}"
+        )
     return one_of("observe", observe, OBSERVE)
 
 

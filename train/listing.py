@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from soccer_env.leagues.options import Options
+    from soccer_env.observations import Entry
 
 What = Literal["leagues", "teams", "settings", "scenes", "observations", "sensors", "actions", "rewards", "claims"]
 
@@ -139,8 +140,20 @@ def observations(league: str, observe: str) -> Iterator[Table]:
 
     entries = layout(find_league(league), observe)
     title = f"Observation of a robot in {league}, observe={observe}: {len(entries)} numbers (float32) in [-1, 1]"
-    rows = [(f"{index}", entry.name, entry.meaning, entry.scale) for index, entry in enumerate(entries)]
-    yield table(title, ("", "name", "meaning", "of"), rows)
+    rows = [
+        (f"{index}", x.name, x.meaning, x.scale, frame_of(x), changed_by_mirror(x)) for index, x in enumerate(entries)
+    ]
+    yield table(title, ("", "name", "meaning", "of", "frame", "mirror changes"), rows)
+
+
+def frame_of(entry: Entry) -> str:
+    """Return the frame of an entry with its axis in it, for a table."""
+    return "" if entry.frame in (None, "none") else f"{entry.frame} {entry.axis}".strip()
+
+
+def changed_by_mirror(entry: Entry) -> str:
+    """Return what a left-right mirror changes of an entry, for a table: its sign, its place or nothing."""
+    return {1: "", -1: "sign", None: "place"}[entry.mirror]
 
 
 def sensors(league: str) -> Iterator[Table]:

@@ -1,4 +1,4 @@
-"""What a left-right mirror does to observations of the truth or of beliefs, and to actions: it turns signs round."""
+"""What a left-right mirror does to observations and actions: it turns signs round."""
 
 from __future__ import annotations
 
@@ -6,14 +6,22 @@ from collections.abc import Sequence
 
 import numpy as np
 
-LATERAL = ("_y", "_vy", "_sin", "_left", "_turn", "pan", "_angular")  # endings of what a mirror turns round
-UPRIGHT = ("gait_sin", "time_left")  # these end so and stay
+from soccer_env.observations.entry import Entry
+
 ACTIONS = (1.0, -1.0, -1.0, 1.0, 1.0, -1.0, 1.0)  # forward, left, turn, kick, head, pan, tilt
 
 
-def observation_signs(names: Sequence[str]) -> np.ndarray:
-    """Return 1 or -1 (n,) for each entry of an observation of the truth or of beliefs."""
-    return np.array([-1.0 if name.endswith(LATERAL) and name not in UPRIGHT else 1.0 for name in names])
+def observation_signs(entries: Sequence[Entry]) -> np.ndarray:
+    """Return 1 or -1 (n,) for each entry; ValueError names one that does not say, or that changes places."""
+    for entry in entries:
+        if entry.frame is None:
+            raise ValueError(
+                f"a mirror needs to know the frame of every entry, and {entry.name!r} says none: "
+                "give Entry(name, meaning, scale, frame, axis)"
+            )
+        if entry.mirror is None:
+            raise ValueError(f"a mirror turns signs round alone, and {entry.name!r} would change places with another")
+    return np.array([float(entry.mirror or 0) for entry in entries])
 
 
 def action_signs(size: int) -> np.ndarray:

@@ -1,7 +1,7 @@
 """observe="truth": everything a robot could wish to know, without error.
 
 Other players fill the league's slots, nearest first; players beyond the slots are dropped, farthest first. `entries`
-names every number; the compiled writer below follows it line by line.
+names every number, and the compiled writers below write each by its name.
 """
 
 from __future__ import annotations
@@ -15,7 +15,20 @@ from soccer_env.frames import direction_of
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
 from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_duty, write_joints
-from soccer_env.observations.entry import Entry, slot_entries
+from soccer_env.observations.entry import (
+    NONE,
+    ROBOT,
+    TEAM,
+    TURN,
+    Entry,
+    X,
+    Y,
+    of_group,
+    record_of,
+    slot_entries,
+    slots_of,
+)
+from soccer_env.observations.row import part
 from soccer_env.perception.ideal import nearest_players, seconds_left
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
 
@@ -23,60 +36,75 @@ PLAY = int(Phase.PLAY)
 NEAR = 0.1  # [1] of the pitch's diagonal: half-way point of the soft scale for positions, assumed
 SLOW = 0.1  # [1] of the ball's top speed: half-way point of the soft scale for ball speeds, assumed
 
+DIAGONAL = "diagonal of the pitch"
 
 OWN = (
-    ("own_x", "own position, towards the opponent's goal", "half length plus goal depth"),
-    ("own_y", "own position, to the left", "half width plus band"),
-    ("own_cos", "cosine of the own heading", "1"),
-    ("own_sin", "sine of the own heading", "1"),
-    ("own_forward", "own speed ahead", "top speed ahead"),
-    ("own_left", "own speed to the left", "top speed ahead"),
-    ("own_turn", "own turn rate", "top turn rate"),
+    *of_group(
+        "own pose",
+        Entry("own_x", "own position, towards the opponent's goal", "half length plus goal depth", TEAM, X),
+        Entry("own_y", "own position, to the left", "half width plus band", TEAM, Y),
+        Entry("own_cos", "cosine of the own heading", "1", TEAM, X),
+        Entry("own_sin", "sine of the own heading", "1", TEAM, Y),
+        Entry("own_forward", "own speed ahead", "top speed ahead", ROBOT, X),
+        Entry("own_left", "own speed to the left", "top speed ahead", ROBOT, Y),
+        Entry("own_turn", "own turn rate", "top turn rate", ROBOT, TURN),
+    ),
     *JOINTS,
-    ("has_ball", "1: the ball lies in the pocket or at the kicker", "1"),
+    *of_group("ball", Entry("has_ball", "1: the ball lies in the pocket or at the kicker", "1", NONE)),
     *DUTY,
     *COMMAND,
 )
-BALL = (
-    ("ball_x", "ball ahead", "diagonal of the pitch"),
-    ("ball_y", "ball to the left", "diagonal of the pitch"),
-    ("ball_near_x", "ball ahead, finer when near", "soft: x / (|x| + a tenth of the diagonal)"),
-    ("ball_near_y", "ball to the left, finer when near", "soft"),
-    ("ball_cos", "cosine of the ball's bearing", "1"),
-    ("ball_sin", "sine of the ball's bearing", "1"),
-    ("ball_near", "nearness of the ball", "soft: a / (distance + a)"),
-    ("ball_vx", "ball speed over the ground, along the robot", "soft: v / (|v| + a tenth of its top speed)"),
-    ("ball_vy", "ball speed over the ground, to the left", "soft"),
+BALL = of_group(
+    "ball",
+    Entry("ball_x", "ball ahead", DIAGONAL, ROBOT, X),
+    Entry("ball_y", "ball to the left", DIAGONAL, ROBOT, Y),
+    Entry("ball_near_x", "ball ahead, finer when near", "soft: x / (|x| + a tenth of the diagonal)", ROBOT, X),
+    Entry("ball_near_y", "ball to the left, finer when near", "soft", ROBOT, Y),
+    Entry("ball_cos", "cosine of the ball's bearing", "1", ROBOT, X),
+    Entry("ball_sin", "sine of the ball's bearing", "1", ROBOT, Y),
+    Entry("ball_near", "nearness of the ball", "soft: a / (distance + a)", NONE),
+    Entry(
+        "ball_vx", "ball speed over the ground, along the robot", "soft: v / (|v| + a tenth of its top speed)", ROBOT, X
+    ),
+    Entry("ball_vy", "ball speed over the ground, to the left", "soft", ROBOT, Y),
 )
-GOALS = (
-    ("goal_x", "centre of the opponent's goal, ahead", "diagonal of the pitch"),
-    ("goal_y", "centre of the opponent's goal, to the left", "diagonal of the pitch"),
-    ("own_goal_x", "centre of the own goal, ahead", "diagonal of the pitch"),
-    ("own_goal_y", "centre of the own goal, to the left", "diagonal of the pitch"),
+GOALS = of_group(
+    "goals",
+    Entry("goal_x", "centre of the opponent's goal, ahead", DIAGONAL, ROBOT, X),
+    Entry("goal_y", "centre of the opponent's goal, to the left", DIAGONAL, ROBOT, Y),
+    Entry("own_goal_x", "centre of the own goal, ahead", DIAGONAL, ROBOT, X),
+    Entry("own_goal_y", "centre of the own goal, to the left", DIAGONAL, ROBOT, Y),
 )
-GAME = (
-    ("in_play", "1 in play, -1 a restart", "1"),
-    ("restart", "1 our restart, -1 theirs, 0 neither", "1"),
-    ("placing", "1 while robots are driven to their places", "1"),
-    ("time_left", "play left, 1 at the first kick-off; 1 always without an end", "the match"),
-    ("score", "goals for less goals against", "soft: d / (|d| + 2)"),
+GAME = of_group(
+    "game",
+    Entry("in_play", "1 in play, -1 a restart", "1", NONE),
+    Entry("restart", "1 our restart, -1 theirs, 0 neither", "1", NONE),
+    Entry("placing", "1 while robots are driven to their places", "1", NONE),
+    Entry("time_left", "play left, 1 at the first kick-off; 1 always without an end", "the match", NONE),
+    Entry("score", "goals for less goals against", "soft: d / (|d| + 2)", NONE),
 )
 PLAYER = (
-    ("present", "1: the slot is in use; else all its entries are 0", "1"),
-    ("x", "ahead", "diagonal of the pitch"),
-    ("y", "to the left", "diagonal of the pitch"),
-    ("vx", "speed over the ground, along the robot", "top speed ahead"),
-    ("vy", "speed over the ground, to the left", "top speed ahead"),
-    ("cos", "cosine of its heading, seen from the robot", "1"),
-    ("sin", "sine of its heading, seen from the robot", "1"),
+    Entry("present", "1: the slot is in use; else all its entries are 0", "1", NONE, present=True),
+    Entry("x", "ahead", DIAGONAL, ROBOT, X),
+    Entry("y", "to the left", DIAGONAL, ROBOT, Y),
+    Entry("vx", "speed over the ground, along the robot", "top speed ahead", ROBOT, X),
+    Entry("vy", "speed over the ground, to the left", "top speed ahead", ROBOT, Y),
+    Entry("cos", "cosine of its heading, seen from the robot", "1", ROBOT, X),
+    Entry("sin", "sine of its heading, seen from the robot", "1", ROBOT, Y),
 )
 FIXED = OWN + BALL + GOALS + GAME
-PLAYER_SIZE = len(PLAYER)
+FIXED_ROW, GAME_ROW, PLAYER_ROW = record_of(FIXED), record_of(GAME), record_of(PLAYER)  # what writers fill
+FIXED_SIZE, PLAYER_SIZE = len(FIXED), len(PLAYER)
 
 
 def entries(league: League) -> list[Entry]:
     """Return the entries of a robot's observation in a league, in order."""
-    return [Entry(*row) for row in FIXED] + slot_entries(league, PLAYER)
+    return [*FIXED, *slot_entries(*slots_of(league), PLAYER)]
+
+
+def every_entry() -> list[Entry]:
+    """Return the entries that observations of the truth can have, in whatever league."""
+    return [*FIXED, *slot_entries(MAX_TEAM, MAX_TEAM, PLAYER)]
 
 
 @compiled
@@ -89,15 +117,16 @@ def observe_truth(match, ball, robots, observations, k, axes, rows, squares):
         axes[r, 0], axes[r, 1] = cos(robots[r].heading), sin(robots[r].heading)
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
     for r in range(robots.shape[0]):
-        row = observations[r]
-        at = write_own(match, robots[r], row, k, axes[r, 0], axes[r, 1])
-        at = write_ball(robots[r], ball, row, k, axes[r, 0], axes[r, 1], diagonal, at)
-        at = write_goals(match, robots[r], row, k, axes[r, 0], axes[r, 1], 1.0 / diagonal, at)
-        at = write_game(match, robots[r], row, at)
+        observation, at = observations[r], FIXED_SIZE
+        row = part(observation, 0, FIXED_ROW)
+        write_own(match, robots[r], row, k, axes[r, 0], axes[r, 1])
+        write_ball(robots[r], ball, row, k, axes[r, 0], axes[r, 1], diagonal)
+        write_goals(match, robots[r], row, k, axes[r, 0], axes[r, 1], 1.0 / diagonal)
+        write_game(match, robots[r], row)
         found = nearest_players(robots, r, 1, k.teammate_slots, rows, squares)
-        at = write_players(robots, r, row, k, axes, 1.0 / diagonal, at, rows, found, k.teammate_slots)
+        at = write_players(robots, r, observation, k, axes, 1.0 / diagonal, at, rows, found, k.teammate_slots)
         found = nearest_players(robots, r, 0, k.opponent_slots, rows, squares)
-        at = write_players(robots, r, row, k, axes, 1.0 / diagonal, at, rows, found, k.opponent_slots)
+        write_players(robots, r, observation, k, axes, 1.0 / diagonal, at, rows, found, k.opponent_slots)
 
 
 @compiled
@@ -110,82 +139,81 @@ def observe_slice(matches, balls, robots, observations, constants, first, last):
 
 @compiled
 def write_own(match, robot, row, k, cosine, sine):
-    """Write what the robot knows of itself; return where the next entry goes."""
+    """Write what the robot knows of itself."""
     side = direction_of(match, robot.team)
-    row[0] = clip(side * robot.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)
-    row[1] = clip(side * robot.y / (0.5 * k.pitch_width + k.pitch_band_side), -1.0, 1.0)
-    row[2], row[3] = side * cosine, side * sine
-    row[4] = clip((cosine * robot.vx + sine * robot.vy) / k.drive_forward, -1.0, 1.0)
-    row[5] = clip((cosine * robot.vy - sine * robot.vx) / k.drive_forward, -1.0, 1.0)
-    row[6] = clip(robot.omega / k.drive_turn, -1.0, 1.0)
-    at = write_joints(robot, row, k, 7)
-    row[at] = robot.has_ball
-    at = write_duty(1 if robot.fallen <= 0.0 else 0, robot.active, robot.keeper, row, at + 1)
-    return write_command(robot, row, at)
+    row.own_x = clip(side * robot.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)
+    row.own_y = clip(side * robot.y / (0.5 * k.pitch_width + k.pitch_band_side), -1.0, 1.0)
+    row.own_cos, row.own_sin = side * cosine, side * sine
+    row.own_forward = clip((cosine * robot.vx + sine * robot.vy) / k.drive_forward, -1.0, 1.0)
+    row.own_left = clip((cosine * robot.vy - sine * robot.vx) / k.drive_forward, -1.0, 1.0)
+    row.own_turn = clip(robot.omega / k.drive_turn, -1.0, 1.0)
+    write_joints(robot, row, k)
+    row.has_ball = robot.has_ball
+    write_duty(1 if robot.fallen <= 0.0 else 0, robot.active, robot.keeper, row)
+    write_command(robot, row)
 
 
 @compiled
-def write_ball(robot, ball, row, k, cosine, sine, diagonal, at):
+def write_ball(robot, ball, row, k, cosine, sine, diagonal):
     """Write where the ball lies and how it moves."""
     x, y = ball.x - robot.x, ball.y - robot.y
     ahead, left = cosine * x + sine * y, cosine * y - sine * x
     near = NEAR * diagonal
     distance = sqrt(x * x + y * y)
     away = max(distance, 1e-9)
-    row[at], row[at + 1] = clip(ahead / diagonal, -1.0, 1.0), clip(left / diagonal, -1.0, 1.0)
-    row[at + 2], row[at + 3] = ahead / (abs(ahead) + near), left / (abs(left) + near)
-    row[at + 4], row[at + 5] = clip(ahead / away, -1.0, 1.0), clip(left / away, -1.0, 1.0)
-    row[at + 6] = near / (distance + near)
+    row.ball_x, row.ball_y = clip(ahead / diagonal, -1.0, 1.0), clip(left / diagonal, -1.0, 1.0)
+    row.ball_near_x, row.ball_near_y = ahead / (abs(ahead) + near), left / (abs(left) + near)
+    row.ball_cos, row.ball_sin = clip(ahead / away, -1.0, 1.0), clip(left / away, -1.0, 1.0)
+    row.ball_near = near / (distance + near)
     forward, aside = cosine * ball.vx + sine * ball.vy, cosine * ball.vy - sine * ball.vx
     slow = SLOW * k.ball_top_speed
-    row[at + 7], row[at + 8] = forward / (abs(forward) + slow), aside / (abs(aside) + slow)
-    return at + 9
+    row.ball_vx, row.ball_vy = forward / (abs(forward) + slow), aside / (abs(aside) + slow)
 
 
 @compiled
-def write_goals(match, robot, row, k, cosine, sine, scale, at):
+def write_goals(match, robot, row, k, cosine, sine, scale):
     """Write where the two goals lie."""
     goal = 0.5 * k.pitch_length * direction_of(match, robot.team)
     x, y = goal - robot.x, -robot.y
-    row[at] = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
-    row[at + 1] = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
+    row.goal_x = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
+    row.goal_y = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
     x = -goal - robot.x
-    row[at + 2] = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
-    row[at + 3] = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
-    return at + 4
+    row.own_goal_x = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
+    row.own_goal_y = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
 
 
 @compiled
-def write_game(match, robot, row, at):
+def write_game(match, robot, row):
     """Write the state of the game as the robot's team sees it."""
     ours = 1.0 if match.restart_team == robot.team else -1.0
     difference = np.float64(match.score[robot.team] - match.score[1 - robot.team])
-    row[at] = 1.0 if match.phase == PLAY else -1.0
-    row[at + 1] = 0.0 if match.restart_team == NO_TEAM else ours
-    row[at + 2] = match.placing
-    row[at + 3] = 1.0 if match.half_length == inf else seconds_left(match) / (2.0 * match.half_length)
-    row[at + 4] = difference / (abs(difference) + 2.0)
-    return at + 5
+    row.in_play = 1.0 if match.phase == PLAY else -1.0
+    row.restart = 0.0 if match.restart_team == NO_TEAM else ours
+    row.placing = match.placing
+    row.time_left = 1.0 if match.half_length == inf else seconds_left(match) / (2.0 * match.half_length)
+    row.score = difference / (abs(difference) + 2.0)
 
 
 @compiled
-def write_players(robots, r, row, k, axes, scale, at, rows, found, slots):
-    """Write the `found` players of a kind, nearest first, into their slots; the rest of the slots are zeros."""
+def write_players(robots, r, observation, k, axes, scale, at, rows, found, slots):
+    """Write the `found` players of a kind, nearest first, into their slots from `at` on; the rest of them are zeros.
+
+    Return where the slots end.
+    """
     cosine, sine = axes[r, 0], axes[r, 1]
     speed = 1.0 / k.drive_forward
     for slot in range(found):
-        other = rows[slot]
+        other, row = rows[slot], part(observation, at + slot * PLAYER_SIZE, PLAYER_ROW)
         x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
         vx, vy = robots[other].vx, robots[other].vy
-        row[at] = 1.0
-        row[at + 1] = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
-        row[at + 2] = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
-        row[at + 3] = clip((cosine * vx + sine * vy) * speed, -1.0, 1.0)
-        row[at + 4] = clip((cosine * vy - sine * vx) * speed, -1.0, 1.0)
-        row[at + 5] = clip(cosine * axes[other, 0] + sine * axes[other, 1], -1.0, 1.0)
-        row[at + 6] = clip(cosine * axes[other, 1] - sine * axes[other, 0], -1.0, 1.0)
-        at += PLAYER_SIZE
-    rest = PLAYER_SIZE * (slots - found)
-    for column in range(at, at + rest):
-        row[column] = 0.0
-    return at + rest
+        row.present = 1.0
+        row.x = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
+        row.y = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
+        row.vx = clip((cosine * vx + sine * vy) * speed, -1.0, 1.0)
+        row.vy = clip((cosine * vy - sine * vx) * speed, -1.0, 1.0)
+        row.cos = clip(cosine * axes[other, 0] + sine * axes[other, 1], -1.0, 1.0)
+        row.sin = clip(cosine * axes[other, 1] - sine * axes[other, 0], -1.0, 1.0)
+    end = at + slots * PLAYER_SIZE
+    for column in range(at + found * PLAYER_SIZE, end):
+        observation[column] = 0.0
+    return end

@@ -33,7 +33,7 @@ def lively(*hidden: int, observe: str = "belief", league: str = "legged-2001", s
 def attentive(*hidden: int, width: int = 8, observe: str = "belief", seed: int = 1, **changes: Any) -> Policy:
     """Return the like with attention of some width over the other players."""
     plain = lively(*hidden, observe=observe, seed=seed, **changes)
-    layout, rng = layout_of(plain.inputs), np.random.default_rng(seed)
+    layout, rng = layout_of(plain.entries), np.random.default_rng(seed)
     attention = tuple(
         rng.normal(0.0, 2.0 / shape[-1] ** 0.5, shape).astype(np.float32) for shape in layout.shapes(width)
     )

@@ -10,10 +10,11 @@ import pytest
 from soccer_env.agents.attention import Layout, layout_of, width_beside
 from soccer_env.agents.policy import Policy
 from soccer_env.leagues import LEAGUES, find_league
-from soccer_env.observations import names_of
+from soccer_env.observations import Entry, entries_named, names_of
+from soccer_env.observations import layout as entries_of
 from tests.agents.staged_policies import attentive, decide, lively
 
-FIXED = ("ball_x", "ball_y")
+FIXED, KINDS = ("ball_x", "ball_y"), ("teammate", "opponent")
 SLOTS = tuple(f"teammate_{slot}_{part}" for slot in (0, 1) for part in ("present", "x")) + tuple(
     f"opponent_{slot}_{part}" for slot in (0, 1, 2) for part in ("present", "x", "y")
 )
@@ -30,7 +31,7 @@ def observations(policy: Policy, count: int = 64, present: float | None = 0.5) -
 
 def places_of(policy: Policy, kind: str) -> np.ndarray:
     """Return where the entries of a kind's slots lie (slots, entries)."""
-    layout, index = layout_of(policy.inputs), ("teammate", "opponent").index(kind)
+    layout, index = layout_of(policy.entries), ("teammate", "opponent").index(kind)
     own = [place for place, name in enumerate(policy.inputs) if name.startswith(kind)]
     return np.array(own).reshape(layout.slots[index], -1)
 
@@ -38,7 +39,7 @@ def places_of(policy: Policy, kind: str) -> np.ndarray:
 def by_hand(policy: Policy, row: np.ndarray) -> np.ndarray:
     """Return the action for one observation, as the equations of the module say it."""
     bend = {"tanh": np.tanh, "relu": lambda x: np.maximum(x, 0.0)}[policy.activation]
-    layout = layout_of(policy.inputs)
+    layout = layout_of(policy.entries)
     x = [row[: layout.fixed].astype(float)]
     for kind, first in (("teammate", 0), ("opponent", 3)):
         weight, bias, query = policy.attention[first : first + 3]
@@ -136,7 +137,7 @@ def test_torch_learns_from_observations_in_which_nobody_is_seen() -> None:
     from soccer_env.train.ppo.networks import Attention
 
     policy = attentive()
-    layer = Attention(layout_of(policy.inputs), 8, "tanh")
+    layer = Attention(layout_of(policy.entries), 8, "tanh")
     rows = torch.as_tensor(observations(policy, present=None))
     pooled = layer(rows)
     assert (pooled[:, -16:] == 0.0).all()
@@ -151,15 +152,14 @@ def test_torch_learns_from_observations_in_which_nobody_is_seen() -> None:
 @pytest.mark.parametrize("observe", ["truth", "belief"])
 def test_every_league_has_its_slots_behind_the_rest(league: str, observe: str) -> None:
     preset = find_league(league)
-    names = names_of(preset, observe)
-    layout = layout_of(names)
+    names, layout = names_of(preset, observe), layout_of(entries_of(preset, observe))
     assert layout.slots == (preset.slots.teammates, preset.slots.opponents)
     assert names[layout.fixed] == "teammate_0_present" and not names[layout.fixed - 1].startswith("teammate")
     assert layout.fixed + sum(a * b for a, b in zip(layout.slots, layout.entries)) == len(names)
 
 
 def test_slots_of_both_kinds_may_differ() -> None:
-    assert layout_of(FIXED + SLOTS) == Layout(2, (2, 3), (2, 3))
+    assert layout_of(entries_named("truth", FIXED + SLOTS)) == Layout(2, (2, 3), (2, 3))
     assert Layout(2, (2, 3), (2, 3)).shapes(8) == ((8, 2), (8,), (8, 2), (8, 3), (8,), (8, 2))
     assert Layout(2, (2, 3), (2, 3)).features(8) == 18
 
@@ -185,14 +185,31 @@ def test_slots_of_both_kinds_may_differ() -> None:
     ],
 )
 def test_other_layouts_are_refused(names: tuple[str, ...]) -> None:
-    with pytest.raises(ValueError, match="needs inputs that end in slots, teammate_0_present and so on"):
-        layout_of(names)
+    with pytest.raises(ValueError, match="needs inputs that end in slots for other players"):
+        layout_of(entries_named("truth", names))
 
 
 def test_a_hostile_layout_is_refused_at_once() -> None:
-    slots = [f"opponent_{number}_present" for number in range(2048)]
+    mate, opponents = Entry("mate", group="teammate", slot=0, present=True), {"group": "opponent", "present": True}
+    slots = [Entry(f"slot_{number}", slot=number, **opponents) for number in range(2048)]
+    more = [Entry(f"more_{number}", slot=0, **opponents) for number in range(2046)]
     with pytest.raises(ValueError, match="needs inputs that end in slots"):
-        layout_of(["a", "teammate_0_present", *slots, *(f"opponent_0_{number}" for number in range(2046))])
+        layout_of([Entry("a"), mate, *slots, *more])
+
+
+def test_an_observation_of_ones_own_has_slots_by_its_entries_whatever_their_names() -> None:
+    here, far = Entry("here", present=True), Entry("how_far")
+    own = [Entry("a"), Entry("b")]
+    own += [
+        replace(part, name=f"{part.name}{i}", group=kind, slot=i)
+        for kind in KINDS
+        for i in (0, 1)
+        for part in (here, far)
+    ]
+    assert layout_of(own) == Layout(2, (2, 2), (2, 2))
+    for wrong in (own[::-1], [replace(entry, present=False) for entry in own], [Entry(entry.name) for entry in own]):
+        with pytest.raises(ValueError, match="each beginning with its `present` entry"):
+            layout_of(wrong)
 
 
 def test_the_width_goes_with_the_first_hidden_layer() -> None:
@@ -251,7 +268,7 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
 
 def test_attention_counts_among_the_numbers_of_a_policy() -> None:
     names = tuple(f"i{number}" for number in range(2000)) + SLOTS
-    layout = layout_of(names)
+    layout = layout_of(entries_named("truth", names))
     attention = tuple(np.zeros(shape, np.float32) for shape in layout.shapes(970))
     weights = (np.zeros((4, layout.features(970)), np.float32),)
     with pytest.raises(ValueError, match="at most 3900000 weights and biases"):

@@ -49,11 +49,11 @@ def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str
 
     from soccer_env.train.ppo.networks import SoccerPolicy, policy_from
 
-    names = lively().inputs
-    seen, done = (spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(names), 7 if actions == "full" else 4))
+    entries = lively().entries
+    seen, done = (spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(entries), 7 if actions == "full" else 4))
     torch.manual_seed(1)
     settings: dict[str, Any] = {"hidden": hidden, "activation": activation, "mirror": mirror, "kind": kind}
-    network = SoccerPolicy(seen, done, lambda _: 1e-3, names=names, **settings)
+    network = SoccerPolicy(seen, done, lambda _: 1e-3, entries=entries, **settings)
     with torch.no_grad():
         for parameter in network.actor_parameters():
             parameter.normal_(0.0, 1.3 / parameter.shape[-1] ** 0.5)
@@ -101,7 +101,7 @@ def test_a_mirror_policy_does_the_mirrored_for_the_mirrored_exactly(
     observe: str, actions: str, make: Callable[..., Policy]
 ) -> None:
     policy = make(64, 64, observe=observe, actions=actions, mirror=True)
-    rows, signs = observations(policy), observation_signs(policy.inputs).astype(np.float32)
+    rows, signs = observations(policy), observation_signs(policy.entries).astype(np.float32)
     decided, mirrored = decide(policy, rows), decide(policy, rows * signs)
     assert (mirrored == decided * action_signs(decided.shape[1])).all()
     assert np.abs(decided[:, 1]).max() > 0.1, "something is mirrored"
@@ -109,7 +109,7 @@ def test_a_mirror_policy_does_the_mirrored_for_the_mirrored_exactly(
 
 def test_a_policy_without_a_mirror_does_not_promise_that() -> None:
     policy = lively(64, 64)
-    rows, signs = observations(policy), observation_signs(policy.inputs).astype(np.float32)
+    rows, signs = observations(policy), observation_signs(policy.entries).astype(np.float32)
     decided, mirrored = decide(policy, rows), decide(policy, rows * signs)
     assert np.abs(mirrored - decided * action_signs(4)).max() > 0.1
 

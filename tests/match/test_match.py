@@ -117,10 +117,8 @@ def test_an_episode_of_one_goal_ends_at_the_goal() -> None:
 
 
 def test_state_has_room_for_max_players_and_says_who_is_there() -> None:
-    from soccer_env import truth_state
-
     match = Match("middle-size-2006", home=1, away=2, max_players=3, seed=1, matches=2)
-    state, names = match.state(), truth_state.names(match)
+    state, names = match.state(), match.state_names
     assert state.shape == (2, len(names)) and state.dtype == np.float32
     present = [bool(state[0, names.index(f"{side}_{i}_present")]) for side in ("home", "away") for i in range(3)]
     assert present == [True, False, False, True, True, False]

@@ -243,5 +243,5 @@ def test_observations_are_symmetric(name):
         seen.append(np.zeros_like(match.observations))
         observe_slice(image.matches, image.balls, image.robots, seen[-1], constants, 0, 100)
     single = np.finfo(np.float32).eps  # the last bit of a float32
-    assert_close(seen[1], mirrored_observations(seen[0], match.observation_names), MIRROR + single, "mirror")
+    assert_close(seen[1], mirrored_observations(seen[0], match.observation_entries), MIRROR + single, "mirror")
     assert_close(seen[2], swapped_rows(seen[0]), HALF_TURN + 2.0 * single, "half-turn")

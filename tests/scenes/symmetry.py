@@ -16,6 +16,8 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.observations import Entry
+from soccer_env.observations.reflection import observation_signs
 from soccer_env.types import NO_TEAM
 
 MIRROR, HALF_TURN = 1e-12, 1e-9  # what TRUST.md 4 promises
@@ -112,11 +114,9 @@ def mirrored_actions(actions: np.ndarray) -> np.ndarray:
     return actions * signs[: actions.shape[-1]]
 
 
-def mirrored_observations(observations: np.ndarray, names: list[str]) -> np.ndarray:
-    """Return observations (..., n) of the truth as the mirrored robots make them."""
-    lateral, upright = ("_y", "_vy", "_sin", "_left", "_turn", "pan"), ("gait_sin", "time_left")
-    signs = [-1.0 if name.endswith(lateral) and name not in upright else 1.0 for name in names]
-    return observations * np.array(signs, observations.dtype)
+def mirrored_observations(observations: np.ndarray, entries: list[Entry]) -> np.ndarray:
+    """Return observations (..., n) of the truth or of beliefs as the mirrored robots make them."""
+    return observations * observation_signs(entries).astype(observations.dtype)
 
 
 # Half-turn with the teams swapped

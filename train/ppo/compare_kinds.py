@@ -19,7 +19,7 @@ from soccer_env.agents.learned import MEMORY, play
 from soccer_env.agents.perceptron import pack
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.observations import names_of
+from soccer_env.observations import layout
 from soccer_env.train.ppo.imitation import fit, forget_own_commands, record
 from soccer_env.train.ppo.networks import SoccerPolicy, policy_from
 from soccer_env.types import COMMAND
@@ -29,22 +29,22 @@ TAUGHT, HELD_OUT = 521, 104  # decisions of 192 robots: 100,032 and 19,968 rows
 ROBOTS = (64, 6)
 TIMES = 500  # that a kernel is timed; the least counts
 LEAGUE = find_league("legged-2001")
-NAMES = names_of(LEAGUE, "belief")
+ENTRIES = layout(LEAGUE, "belief")
 
 
 def rows(decisions: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
     """Return observations and actions of chasers in 64 matches, 3 v 3."""
     settings: dict[str, Any] = {"observe": "belief", "senses": "sensors", "matches": ROBOTS[0], "minutes": 4.0}
     seen, asked = record("chaser", "chaser", (3, 3), decisions, REPEAT, seed=seed, **settings)
-    forget_own_commands(seen, NAMES, seed)
+    forget_own_commands(seen, ENTRIES, seed)
     return seen, asked
 
 
 def fitted(kind: str, seed: int, taught: tuple[np.ndarray, np.ndarray]) -> tuple[SoccerPolicy, float]:
     """Return a network fitted to the rows, and the processor time of that [s]."""
     torch.manual_seed(seed)
-    seen, asked = (spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(NAMES), 4))
-    network = SoccerPolicy(seen, asked, lambda _: 1e-3, names=NAMES, hidden=(64, 64), kind=kind, mirror=True)
+    seen, asked = (spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(ENTRIES), 4))
+    network = SoccerPolicy(seen, asked, lambda _: 1e-3, entries=ENTRIES, hidden=(64, 64), kind=kind, mirror=True)
     start = time.process_time()
     fit(network, *taught, EPOCHS, seed)
     return network, time.process_time() - start

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 
@@ -34,11 +33,10 @@ def turned_state(match: Match, players: int, records: dict[str, np.ndarray]) -> 
         count=len(records["matches"]), matches=records["matches"], balls=records["balls"], robots=records["robots"],
     )  # fmt: skip
     turns = records["matches"]["home_direction"][:, None] < 0.0
-    state: np.ndarray = np.where(turns, turn_signs(told), np.float32(1.0)) * truth_state.write(told)
+    state: np.ndarray = np.where(turns, turn_signs(players), np.float32(1.0)) * truth_state.write(told)
     return state
 
 
-def turn_signs(match: Any) -> np.ndarray:
+def turn_signs(players: int) -> np.ndarray:
     """Return -1 for the entries of a state that a half-turn of the field turns round, else 1."""
-    turned = ("_x", "_y", "_vx", "_vy", "_cos", "_sin", "home_direction")
-    return np.array([-1.0 if name.endswith(turned) else 1.0 for name in truth_state.names(match)], np.float32)
+    return np.array([entry.half_turn for entry in truth_state.entries(players)], np.float32)

@@ -17,6 +17,7 @@ import torch
 from soccer_env.agents.learned import first_decision
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
+from soccer_env.observations.entry import OWN_COMMAND, Entry
 from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.progress import Progress
@@ -99,7 +100,7 @@ def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
             progress.advance(1.0)
         observations = np.concatenate([part[0] for part in parts])
         if not settings.teacher_commands:
-            forget_own_commands(observations, network.names, settings.seed)
+            forget_own_commands(observations, network.entries, settings.seed)
         actions = np.concatenate([part[1] for part in parts])
         return fit(
             network, observations, actions, settings.teacher_epochs, settings.seed,
@@ -107,12 +108,12 @@ def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
         )  # fmt: skip
 
 
-def forget_own_commands(observations: np.ndarray, names: Sequence[str], seed: int) -> None:
+def forget_own_commands(observations: np.ndarray, entries: Sequence[Entry], seed: int) -> None:
     """Shuffle the entries that hold the robot's last command over all rows.
 
     A teacher decides at every control step, so that its last command nearly tells the next one, and a pupil that sees
     it learns to go on as before [the copycat problem: de Haan, Jayaraman, Levine 2019].
     """
-    columns = [index for index, name in enumerate(names) if name.startswith("last_")]
+    columns = [index for index, entry in enumerate(entries) if entry.group == OWN_COMMAND]
     order = np.random.default_rng(seed).permutation(len(observations))
     observations[:, columns] = observations[order][:, columns]

@@ -16,7 +16,7 @@ from stable_baselines3.common.logger import Logger
 from stable_baselines3.common.vec_env import VecNormalize
 
 from soccer_env.leagues import find_league
-from soccer_env.observations import names_of
+from soccer_env.observations import Entry, layout
 from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
@@ -39,7 +39,7 @@ class Learner:
         torch.set_num_threads(settings.torch_threads)
         self.settings, self.league = settings, find_league(settings.league)
         self.rewards = make_rewards(settings, matches)
-        self.model = make_model(settings, self.rewards, names_of(self.league, settings.observe))
+        self.model = make_model(settings, self.rewards, layout(self.league, settings.observe))
         self.model.ep_info_buffer = deque(maxlen=RECENT)
         self.model.ep_success_buffer = deque(maxlen=RECENT)
 
@@ -137,10 +137,10 @@ def make_rewards(settings: TrainSettings, matches: SoccerVecEnv) -> VecNormalize
     )
 
 
-def make_model(settings: TrainSettings, matches: VecNormalize, names: list[str]) -> PPO:
+def make_model(settings: TrainSettings, matches: VecNormalize, entries: list[Entry]) -> PPO:
     """Return the learner."""
     shape = {
-        "names": names, "kind": settings.kind, "hidden": settings.hidden_sizes, "critic": settings.critic_sizes,
+        "entries": entries, "kind": settings.kind, "hidden": settings.hidden_sizes, "critic": settings.critic_sizes,
         "activation": settings.activation, "mirror": settings.mirror, "log_std_init": float(np.log(settings.noise)),
     }  # fmt: skip
 

@@ -19,7 +19,8 @@ from torch import nn
 from soccer_env.agents.attention import Layout, layout_of, width_beside
 from soccer_env.agents.policy import Policy, trained_in
 from soccer_env.leagues.league import League
-from soccer_env.observations import names_of
+from soccer_env.observations import Entry
+from soccer_env.observations import layout as entries_of
 from soccer_env.observations.reflection import action_signs, observation_signs
 from soccer_env.train.ppo.settings import TrainSettings
 
@@ -115,7 +116,7 @@ class MirrorHead(nn.Module):
 
 
 class SoccerPolicy(ActorCriticPolicy):
-    """The policy class that PPO gets; `names` are the entries of a robot's own observation."""
+    """The policy class that PPO gets; `entries` say what a robot's own observation means."""
 
     def __init__(
         self,
@@ -123,7 +124,7 @@ class SoccerPolicy(ActorCriticPolicy):
         action_space: Any,
         lr_schedule: Any,
         *,
-        names: Sequence[str],
+        entries: Sequence[Entry],
         hidden: Sequence[int] = (64, 64),
         critic: Sequence[int] = (64, 64),
         activation: str = "tanh",
@@ -131,18 +132,18 @@ class SoccerPolicy(ActorCriticPolicy):
         kind: str = "slots",
         **settings: Any,
     ) -> None:
-        self.names, self.hidden, self.critic, self.activation, self.mirror = names, hidden, critic, activation, mirror
-        self.kind = kind
+        self.entries, self.hidden, self.critic = entries, hidden, critic
+        self.kind, self.activation, self.mirror = kind, activation, mirror
         super().__init__(
             observation_space, action_space, lr_schedule, activation_fn=ACTIVATIONS[activation], **settings
         )
 
     def _build_mlp_extractor(self) -> None:
-        signs = torch.tensor(observation_signs(self.names), dtype=torch.float32) if self.mirror else None
-        sizes = (len(self.names), self.features_dim, self.hidden, self.critic)
+        signs = torch.tensor(observation_signs(self.entries), dtype=torch.float32) if self.mirror else None
+        sizes = (len(self.entries), self.features_dim, self.hidden, self.critic)
         attention = None
         if self.kind == "attention":
-            attention = Attention(layout_of(self.names), width_beside(self.hidden), self.activation)
+            attention = Attention(layout_of(self.entries), width_beside(self.hidden), self.activation)
         self.mlp_extractor: Any = ActorAndCritic(*sizes, self.activation, signs, attention)
 
     def _build(self, lr_schedule: Any) -> None:
@@ -180,9 +181,9 @@ def policy_from(
             attention.tensors() if attention else [],
         )
     )
-    actions = {4: "box", 7: "full"}[len(biases[-1])]
+    inputs, actions = tuple(entry.name for entry in network.entries), {4: "box", 7: "full"}[len(biases[-1])]
     return Policy(
-        name=name, **trained_in(league), observe=observe, inputs=tuple(network.names), actions=actions,
+        name=name, **trained_in(league), observe=observe, inputs=inputs, actions=actions,
         action_repeat=action_repeat, kind=network.kind, activation=network.activation, mirror=network.mirror,
         weights=weights, biases=biases, made=made, attention=pooling,
     )  # fmt: skip
@@ -190,16 +191,16 @@ def policy_from(
 
 def blank_policy(settings: TrainSettings, league: League) -> Policy:
     """Return a policy of the shape that a run trains, all zeros: it stands still."""
-    names = names_of(league, settings.observe)
-    actions, features = 4, len(names)
+    entries = entries_of(league, settings.observe)
+    names, actions, features = tuple(entry.name for entry in entries), 4, len(entries)
     pooling: tuple[tuple[int, ...], ...] = ()
     if settings.kind == "attention":
-        layout, width = layout_of(names), width_beside(settings.hidden_sizes)
+        layout, width = layout_of(entries), width_beside(settings.hidden_sizes)
         features, pooling = layout.features(width), layout.shapes(width)
     sizes = (features, *settings.hidden_sizes, actions)
     shapes = list(zip(sizes[1:], sizes, strict=False))
     return Policy(
-        name=settings.name, **trained_in(league), observe=settings.observe, inputs=tuple(names), actions="box",
+        name=settings.name, **trained_in(league), observe=settings.observe, inputs=names, actions="box",
         action_repeat=settings.action_repeat, activation=settings.activation, mirror=settings.mirror,
         kind=settings.kind,
         weights=tuple(np.zeros(shape, np.float32) for shape in shapes),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.observations import names_of
+from soccer_env.observations import layout
 
 pytest.importorskip("stable_baselines3")
 
@@ -22,7 +22,8 @@ from soccer_env.train.ppo.settings import TrainSettings, command_of
 from tests.agents.staged_policies import attentive, decide
 
 LEAGUE = find_league("legged-2001")
-NAMES = names_of(LEAGUE, "belief")
+ENTRIES = layout(LEAGUE, "belief")
+NAMES = [entry.name for entry in ENTRIES]
 
 
 def network(seed: int = 1, **settings: Any) -> SoccerPolicy:
@@ -30,7 +31,7 @@ def network(seed: int = 1, **settings: Any) -> SoccerPolicy:
     torch.manual_seed(seed)
     seen, done = spaces.Box(-1.0, 1.0, (len(NAMES),), np.float32), spaces.Box(-1.0, 1.0, (4,), np.float32)
     shape: dict[str, Any] = {"hidden": (16,), "critic": (16,), **settings}
-    return SoccerPolicy(seen, done, lambda _: 1e-3, names=NAMES, kind="attention", **shape)
+    return SoccerPolicy(seen, done, lambda _: 1e-3, entries=ENTRIES, kind="attention", **shape)
 
 
 @pytest.mark.parametrize("hidden", ["64,64", "12"])

@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.agents.learned import first_decision
 from soccer_env.leagues import find_league
-from soccer_env.observations import names_of
+from soccer_env.observations import layout
 
 pytest.importorskip("stable_baselines3")
 
@@ -19,7 +19,8 @@ from soccer_env.train.ppo.imitation import fit, forget_own_commands, record
 from soccer_env.train.ppo.networks import SoccerPolicy
 
 SETTINGS: dict[str, Any] = {"observe": "belief", "senses": "sensors", "matches": 4, "seed": 2}
-NAMES = names_of(find_league("legged-2001"), "belief")
+ENTRIES = layout(find_league("legged-2001"), "belief")
+NAMES = [entry.name for entry in ENTRIES]
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +46,7 @@ def network(mirror: bool = False, seed: int = 1) -> SoccerPolicy:
     """Return an actor of 16 units for what was recorded."""
     torch.manual_seed(seed)
     seen, done = spaces.Box(-1.0, 1.0, (len(NAMES),), np.float32), spaces.Box(-1.0, 1.0, (4,), np.float32)
-    return SoccerPolicy(seen, done, lambda _: 1e-3, names=NAMES, hidden=(16,), critic=(16,), mirror=mirror)
+    return SoccerPolicy(seen, done, lambda _: 1e-3, entries=ENTRIES, hidden=(16,), critic=(16,), mirror=mirror)
 
 
 # Recording
@@ -94,7 +95,7 @@ def test_recording_twice_gives_the_same(recorded: tuple[np.ndarray, np.ndarray])
 def test_what_tells_the_next_command_is_shuffled_over_the_rows(recorded: tuple[np.ndarray, np.ndarray]) -> None:
     before = recorded[0]
     after = before.copy()
-    forget_own_commands(after, NAMES, 1)
+    forget_own_commands(after, ENTRIES, 1)
     own = np.array([name.startswith("last_") for name in NAMES])
     assert np.array_equal(after[:, ~own], before[:, ~own])
     assert not np.array_equal(after[:, own], before[:, own])

@@ -5,7 +5,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import truth_state
 from soccer_env.squads import Lineup
 from soccer_env.teams import make_team
 from tests.train.evaluate.staged_rows import MIXED, play, rows, same
@@ -18,7 +17,7 @@ pytest.importorskip("stable_baselines3")
 
 def named_state(env: Any, row: np.ndarray) -> dict[str, float]:
     """Return the state behind an observation by name."""
-    names = truth_state.names(env.matches[0])
+    names = env.matches[0].state_names
     assert len(names) == len(row) - env.observed
     return dict(zip(names, row[env.observed :].tolist(), strict=True))
 
@@ -68,7 +67,7 @@ def test_states_of_small_teams_have_room_for_the_largest() -> None:
     env = rows(players=MIXED, state=True, max_cycles=5)
     env.reset()
     seen, _, _, infos = play(env, 5)[-1]
-    names = truth_state.names(env.matches[1])
+    names = env.matches[1].state_names
     for row in (seen[0], infos[0]["terminal_observation"]):
         told = dict(zip(names, row[env.observed :], strict=True))
         assert [told[f"home_{i}_present"] for i in range(3)] == [1.0, 0.0, 0.0]

@@ -1,0 +1,77 @@
+"""observe="percepts" of the legged robots: blobs in the picture of a camera on a moving head, an infrared ranger."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip
+from soccer_env.leagues.league import League
+from soccer_env.observations.belief import write_game
+from soccer_env.observations.entry import CAMERA, NONE, SIDE, Entry, Y, of_group, record_of, things
+from soccer_env.observations.percepts import BODY, BODY_ROW, BODY_SIZE, write_body
+from soccer_env.observations.row import part
+from soccer_env.observations.truth import GAME, GAME_ROW
+from soccer_env.percept_types import BLOBS, LANDMARKS
+
+RANGER = of_group(
+    "infrared ranger",
+    Entry("infrared_valid", "1: the infrared ranger gave a reading", "1", NONE),
+    Entry("infrared", "its range", "its greatest valid range", NONE),
+)
+BLOB = (
+    Entry("seen", "1: there is such a blob; else its entries are 0", "1", NONE),
+    Entry("x", "middle of the blob, to the left", "half the picture's width", CAMERA, Y),
+    Entry("y", "middle of the blob, up", "half the picture's height", CAMERA),
+    Entry("width", "width", "the picture's width", NONE),
+    Entry("height", "height", "the picture's height", NONE),
+)
+LANDMARK = tuple(replace(entry, frame=CAMERA, axis=SIDE) for entry in BLOB)  # some stand left, some right of the field
+COLOURS = ("ball", "teammates", "opponents", "own_goal", "opponent_goal")
+RANGER_ROW, BLOB_ROW = record_of(RANGER), record_of(BLOB)  # what the writers below fill
+RANGER_SIZE, BLOB_SIZE = len(RANGER), len(BLOB)
+
+
+def entries(league: League) -> list[Entry]:
+    """Return the entries of a legged robot's observation, in order; the same in every league."""
+    blobs = [entry for colour in COLOURS for entry in things(colour, BLOBS, BLOB)]
+    return [*BODY, *RANGER, *blobs, *things("landmarks", LANDMARKS, LANDMARK), *GAME]
+
+
+@compiled
+def observe_slice(percepts, beliefs, robots, observations, constants, sensors, half_length, rows, first, last):
+    """Write the observations (M, R, n) of some legged robots; of `beliefs` only what they are told of the game."""
+    k, s = constants[0], sensors[0]
+    for m in range(first, last):
+        for r in rows:
+            percept, observation = percepts[m, r], observations[m, r]
+            write_body(percept.body, robots[m, r], part(observation, 0, BODY_ROW), k)
+            write_ranger(percept, part(observation, BODY_SIZE, RANGER_ROW), s)
+            at = write_blobs(percept.ball, observation, s, BODY_SIZE + RANGER_SIZE)
+            at = write_blobs(percept.teammates, observation, s, at)
+            at = write_blobs(percept.opponents, observation, s, at)
+            at = write_blobs(percept.own_goal, observation, s, at)
+            at = write_blobs(percept.opponent_goal, observation, s, at)
+            at = write_blobs(percept.landmarks, observation, s, at)
+            write_game(beliefs[m, r].situation, part(observation, at, GAME_ROW), half_length)
+
+
+@compiled
+def write_ranger(percept, row, s):
+    """Write what the infrared ranger says."""
+    row.infrared_valid = 1.0 if percept.infrared > 0.0 else 0.0
+    row.infrared = clip(percept.infrared / s.infrared_far, 0.0, 1.0)
+
+
+@compiled
+def write_blobs(blobs, observation, s, at):
+    """Write the blobs of a colour from `at` on; return where they end."""
+    width, height = 44.0 * 2.0**s.resolution, 36.0 * 2.0**s.resolution
+    for i in range(blobs.shape[0]):
+        blob, row = blobs[i], part(observation, at, BLOB_ROW)
+        seen = 1.0 if blob.area > 0 else 0.0
+        row.seen = seen
+        row.x, row.y = seen * (blob.left + blob.right) / width, seen * (blob.high + blob.low) / height
+        row.width, row.height = seen * (blob.left - blob.right) / width, seen * (blob.high - blob.low) / height
+        at += BLOB_SIZE
+    return at
