@@ -78,6 +78,19 @@ def test_entries_mean_what_the_layout_says() -> None:
     assert entry(match, 0, "keeper") == 1.0 and entry(match, 2, "keeper") == -1.0
 
 
+@pytest.mark.parametrize(("observe", "senses"), [("truth", "sensors"), ("belief", "ideal")])
+def test_the_heading_of_another_player_is_seen_from_the_robots_own(observe: str, senses: str) -> None:
+    match = stage("middle-size-2006", home=2, away=1, observe=observe, senses=senses)
+    put(match, 0, 0.0, 0.0, 0.4)
+    put(match, 1, 1.0, 1.0, 1.5)
+    put(match, 2, -1.0, 2.0, -2.0)
+    match.rebuild()
+    match.batch.observe(0, 1)
+    for r, name, angle in ((0, "teammate_0", 1.1), (0, "opponent_0", -2.4), (1, "teammate_0", -1.1)):
+        assert entry(match, r, f"{name}_cos") == pytest.approx(np.cos(angle), abs=1e-6)
+        assert entry(match, r, f"{name}_sin") == pytest.approx(np.sin(angle), abs=1e-6), "left of its own is positive"
+
+
 def test_the_own_goal_lies_behind_for_both_teams_in_both_halves() -> None:
     match = stage("legged-2001")
     for direction in (1.0, -1.0):

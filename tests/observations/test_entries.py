@@ -1,0 +1,148 @@
+"""What an entry says of itself: its sign in a mirror and under a half-turn, its slot, its place in a record."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.agents.attention import Layout, layout_of
+from soccer_env.leagues import find_league
+from soccer_env.observations import Entry, entries_named, layout
+from soccer_env.observations.entry import CAMERA, FIELD, NONE, ROBOT, SIDE, TEAM, TURN, X, Y, record_of
+from soccer_env.observations.reflection import observation_signs
+from tests.scenes.staging import LEAGUES
+from tests.scenes.symmetry import (
+    MIRROR,
+    Records,
+    assert_close,
+    mirrored,
+    mirrored_beliefs,
+    mirrored_observations,
+    mirrored_percepts,
+    mirrored_tracks,
+)
+
+
+@pytest.mark.parametrize(
+    ("frame", "axis", "mirror", "half_turn"),
+    [
+        (NONE, "", 1, 1), (ROBOT, X, 1, 1), (ROBOT, Y, -1, 1), (ROBOT, TURN, -1, 1), (TEAM, X, 1, 1), (TEAM, Y, -1, 1),
+        (FIELD, X, 1, -1), (FIELD, Y, -1, -1), (FIELD, TURN, -1, 1), (CAMERA, "", 1, 1), (CAMERA, SIDE, None, 1),
+        (None, "", None, None),
+    ],
+)  # fmt: skip
+def test_signs_follow_from_frame_and_axis(frame: Any, axis: Any, mirror: int | None, half_turn: int | None) -> None:
+    entry = Entry("a", frame=frame, axis=axis)
+    assert (entry.mirror, entry.half_turn) == (mirror, half_turn)
+
+
+def test_an_axis_without_a_frame_is_refused() -> None:
+    with pytest.raises(ValueError, match="entry 'a' has the axis 'y' of no frame"):
+        Entry("a", axis=Y)
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+@pytest.mark.parametrize("observe", ["truth", "belief", "percepts"])
+def test_every_entry_of_ours_says_what_it_means(league: str, observe: str) -> None:
+    for entry in layout(find_league(league), observe):
+        assert entry.meaning and entry.scale and entry.frame and entry.group
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+@pytest.mark.parametrize("observe", ["truth", "belief"])
+def test_names_of_a_policys_inputs_give_back_the_entries(league: str, observe: str) -> None:
+    entries = layout(find_league(league), observe)
+    assert entries_named(observe, [entry.name for entry in entries]) == entries
+    assert entries_named(observe, ["something"]) == [Entry("something")]
+
+
+def test_a_record_holds_the_entries_in_order() -> None:
+    record = record_of([Entry("a"), Entry("b")])
+    assert record.names == ("a", "b") and record.itemsize == 8
+
+
+# A mirror
+
+
+def played(league: str, observe: str) -> Match:
+    """Return matches some time after the kick-off, everybody moving."""
+    match = Match(league, home=3, away=3, matches=8, seed=4, observe=observe, minutes=2.0)
+    rng = np.random.default_rng(2)
+    for _ in range(40):
+        match.step(rng.uniform(-1.0, 1.0, (8, 6, 4)))
+    return match
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_mirrored_beliefs_are_observed_with_the_signs_that_the_entries_say(league: str) -> None:
+    match = played(league, "belief")
+    before, entries = match.observations.copy(), match.observation_entries
+    match.robots[:] = mirrored(Records.of(match)).robots
+    match.beliefs[:], match.tracks[:] = mirrored_beliefs(match.beliefs), mirrored_tracks(match.tracks)
+    match.batch.observe(0, 8)
+    assert_close(match.observations, mirrored_observations(before, entries), MIRROR + np.finfo("f4").eps, "mirror")
+    unsigned = before * (observation_signs(entries) < 0.0)
+    assert np.count_nonzero(unsigned.any(axis=(0, 1))) >= 15, "much of it has a sign to turn round"
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_mirrored_percepts_are_observed_with_signs_or_in_other_places(league: str) -> None:
+    match = played(league, "percepts")
+    before, entries = match.observations.copy(), match.observation_entries
+    match.robots[:] = mirrored(Records.of(match)).robots
+    match.percepts[:] = mirrored_percepts(match.percepts, getattr(match.league.sensors, "lines", 0))
+    match.batch.observe(0, 8)
+    signed = [index for index, entry in enumerate(entries) if entry.mirror is not None]
+    turned = mirrored_observations(before[..., signed], [entries[index] for index in signed])
+    assert_close(match.observations[..., signed], turned, MIRROR + np.finfo("f4").eps, "mirror")
+    moved = [index for index in range(len(entries)) if index not in signed]
+    assert moved and (match.observations[..., moved] != before[..., moved]).any(), "left has become right"
+
+
+# Observations of one's own
+
+
+class Own:
+    """An observation of one's own, that says what it means or gives names alone."""
+
+    def __init__(self, **said: Any) -> None:
+        vars(self).update(said)
+
+    def __call__(self, match: Match) -> np.ndarray:
+        return np.zeros((match.count, len(match.agents), len(match.observation_names)))
+
+
+def test_entries_of_ones_own_are_mirrored_and_attended_to() -> None:
+    slots = [
+        Entry(f"{name}_of_{kind}", frame=ROBOT, axis=axis, group=kind, slot=0, present=name == "there")
+        for kind in ("teammate", "opponent")
+        for name, axis in (("there", ""), ("left", Y))
+    ]
+    match = Match(home=1, away=1, seed=1, observe=Own(entries=[Entry("ball", "", "", ROBOT, X), *slots]))  # type: ignore[arg-type]
+    entries = match.observation_entries
+    assert match.observation_names == [
+        "ball",
+        "there_of_teammate",
+        "left_of_teammate",
+        "there_of_opponent",
+        "left_of_opponent",
+    ]
+    assert observation_signs(entries).tolist() == [1.0, 1.0, -1.0, 1.0, -1.0]
+    assert layout_of(entries) == Layout(1, (1, 1), (2, 2))
+
+
+def test_names_alone_play_but_say_what_a_mirror_and_attention_miss() -> None:
+    match = Match(home=1, away=1, seed=1, observe=Own(names=("clock", "left")))
+    match.step(np.zeros((1, 2, 4)))
+    with pytest.raises(ValueError, match="a mirror needs to know the frame of every entry, and 'clock' says none"):
+        observation_signs(match.observation_entries)
+    with pytest.raises(ValueError, match="kind 'attention' needs inputs that end in slots for other players"):
+        layout_of(match.observation_entries)
+    with pytest.raises(ValueError, match="'line_0' would change places with another"):
+        observation_signs(layout(find_league("middle-size-2006"), "percepts"))
+
+
+def test_what_is_no_entry_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"entries of observe must be of soccer_env.observations.Entry, got 'clock'"):
+        Match(home=1, away=1, seed=1, observe=Own(entries=["clock"]))
