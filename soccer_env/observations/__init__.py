@@ -16,7 +16,7 @@ its name, its meaning, its scale, its frame and axis (so that mirrors know its s
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 
 from soccer_env.leagues.league import League
@@ -46,10 +46,15 @@ def names_of(league: League, observe: str | Observation) -> list[str]:
 
 def percept_entries(league: League) -> list[Entry]:
     """Return the entries of what a robot of a league senses, in order."""
-    return (legged if isinstance(league.sensors, LeggedSensors) else omni).entries(league)
+    entries = legged.entries if isinstance(league.sensors, LeggedSensors) else omni.entries
+    return entries(league)
 
 
-LAYOUTS = {"truth": truth.entries, "percepts": percept_entries, "belief": belief.entries}
+LAYOUTS: dict[str, Callable[[League], list[Entry]]] = {
+    "truth": truth.entries,
+    "percepts": percept_entries,
+    "belief": belief.entries,
+}
 
 
 @cache

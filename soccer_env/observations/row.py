@@ -20,10 +20,10 @@ def part(row: Any, at: int, record: Any) -> Any:
 
 
 @intrinsic
-def _part(context, row, at, record):  # type: ignore[no-untyped-def]  # typed by numba
+def _part(context, row, at, record):
     """Return the address of a number as that of a record."""
 
-    def generate(target, builder, signature, arguments):  # type: ignore[no-untyped-def]
+    def generate(target, builder, signature, arguments):
         array = target.make_array(signature.args[0])(target, builder, arguments[0])
         return builder.bitcast(builder.gep(array.data, [arguments[1]]), target.get_value_type(signature.return_type))
 
@@ -31,7 +31,7 @@ def _part(context, row, at, record):  # type: ignore[no-untyped-def]  # typed by
 
 
 @overload(part)
-def _compiled_part(row, at, record):  # type: ignore[no-untyped-def]  # numba compares the signatures
+def _compiled_part(row, at, record):  # numba compares the signatures
     if row.ndim == 1 and row.layout == "C" and row.dtype.bitwidth == 8 * NUMBER:
-        return lambda row, at, record: _part(row, at, record)
+        return lambda row, at, record: _part(row, at, record)  # type: ignore[call-arg]  # numba gives the context
     return None
