@@ -61,8 +61,7 @@ class Match:
         check_known(settings)
         self.settings = make_settings(league, home=home, away=away, **settings)
         self.league = self.settings.league
-        rows = self.settings.rows
-        self.agents = [f"{side}_{i}" for side, size in zip(("home", "away"), rows, strict=True) for i in range(size)]
+        self.agents = self.settings.agents
         self.observation_entries = layout(self.league, self.settings.observe)
         self.observation_names = [entry.name for entry in self.observation_entries]
         self.state_names = [entry.name for entry in truth_state.entries(self.settings.max_players)]
@@ -70,8 +69,7 @@ class Match:
         self._own_terms = OwnTerms(self.settings.rewards)
         self._make_arrays(backend)
         self._make_squads(assign(self.agents, self.settings.home, opponents, teammates, controllers))
-        shared = self.threads > 1 and self.count >= 2 * self.threads
-        self._pool = ThreadPoolExecutor(self.threads) if shared else None
+        self._pool = ThreadPoolExecutor(self.threads) if self.count >= 2 * self.threads > 2 else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)
         self.ended, self.final = np.zeros(0, np.int64), dict[str, np.ndarray]()  # see _restart_same_step

@@ -65,6 +65,11 @@ class Settings:
         return (self.max_players, self.max_players) if self.padded else (self.home, self.away)
 
     @property
+    def agents(self) -> list[str]:
+        """Return the names of the robots, a row each, home first."""
+        return [f"{side}_{i}" for side, size in zip(("home", "away"), self.rows, strict=True) for i in range(size)]
+
+    @property
     def half_length(self) -> float:
         """Return the length of a half [s]; inf where no clock ends the episode."""
         if self.minutes is not None:

@@ -69,9 +69,16 @@ QUICK = [
     Mutant(
         "entries in another order",
         "soccer_env/observations/truth.py",
-        "row[at + 7], row[at + 8] = forward / (abs(forward) + slow), aside / (abs(aside) + slow)",
-        "row[at + 8], row[at + 7] = forward / (abs(forward) + slow), aside / (abs(aside) + slow)",
+        "row.ball_vx, row.ball_vy = forward / (abs(forward) + slow), aside / (abs(aside) + slow)",
+        "row.ball_vy, row.ball_vx = forward / (abs(forward) + slow), aside / (abs(aside) + slow)",
         "tests/observations/test_observations.py::test_entries_mean_what_the_layout_says",
+    ),
+    Mutant(
+        "wrong sign of another player's heading",
+        "soccer_env/observations/truth.py",
+        "cosine * axes[other, 1] - sine * axes[other, 0]",
+        "sine * axes[other, 0] - cosine * axes[other, 1]",
+        "tests/observations/test_observations.py::test_the_heading_of_another_player_is_seen_from_the_robots_own",
     ),
     Mutant(
         "wrong sign of a reward",

@@ -80,7 +80,7 @@ def test_mirrored_beliefs_are_observed_with_the_signs_that_the_entries_say(leagu
     before, entries = match.observations.copy(), match.observation_entries
     match.robots[:] = mirrored(Records.of(match)).robots
     match.beliefs[:], match.tracks[:] = mirrored_beliefs(match.beliefs), mirrored_tracks(match.tracks)
-    match.batch.observe(0, 8)
+    match.batch.observe_anew(0, 8)
     assert_close(match.observations, mirrored_observations(before, entries), MIRROR + np.finfo("f4").eps, "mirror")
     unsigned = before * (observation_signs(entries) < 0.0)
     assert np.count_nonzero(unsigned.any(axis=(0, 1))) >= 15, "much of it has a sign to turn round"
@@ -92,7 +92,7 @@ def test_mirrored_percepts_are_observed_with_signs_or_in_other_places(league: st
     before, entries = match.observations.copy(), match.observation_entries
     match.robots[:] = mirrored(Records.of(match)).robots
     match.percepts[:] = mirrored_percepts(match.percepts, getattr(match.league.sensors, "lines", 0))
-    match.batch.observe(0, 8)
+    match.batch.observe_anew(0, 8)
     signed = [index for index, entry in enumerate(entries) if entry.mirror is not None]
     turned = mirrored_observations(before[..., signed], [entries[index] for index in signed])
     assert_close(match.observations[..., signed], turned, MIRROR + np.finfo("f4").eps, "mirror")

@@ -85,7 +85,7 @@ def test_the_heading_of_another_player_is_seen_from_the_robots_own(observe: str,
     put(match, 1, 1.0, 1.0, 1.5)
     put(match, 2, -1.0, 2.0, -2.0)
     match.rebuild()
-    match.batch.observe(0, 1)
+    match.batch.observe_anew(0, 1)
     for r, name, angle in ((0, "teammate_0", 1.1), (0, "opponent_0", -2.4), (1, "teammate_0", -1.1)):
         assert entry(match, r, f"{name}_cos") == pytest.approx(np.cos(angle), abs=1e-6)
         assert entry(match, r, f"{name}_sin") == pytest.approx(np.sin(angle), abs=1e-6), "left of its own is positive"

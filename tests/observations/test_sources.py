@@ -100,10 +100,10 @@ def changed_value(path: str, value: float) -> float:
 
 def changes(match: Match, array: np.ndarray, at: tuple[int, ...], value: float) -> dict[int, set[str]]:
     """Return the names of the entries that differ in each robot's row of match 0 while a field holds a value."""
-    match.batch.observe(0, 1)
+    match.batch.observe_anew(0, 1)
     before, kept = match.observations[0].copy(), array[at]
     array[at] = value
-    match.batch.observe(0, 1)
+    match.batch.observe_anew(0, 1)
     array[at] = kept
     names = np.array(match.observation_names)
     return {r: set(names[row]) for r, row in enumerate(match.observations[0] != before) if row.any()}
@@ -260,5 +260,5 @@ def test_each_number_of_a_percept_has_its_source(league: str, home: int, away: i
 def test_every_number_is_written_at_every_team_size(league: str, home: int, away: int, observe: str) -> None:
     match = Match(league, home=home, away=away, matches=2, seed=0, observe=observe)
     match.observations[:] = np.nan
-    match.batch.observe(0, 2)
+    match.batch.observe_anew(0, 2)
     assert np.isfinite(match.observations).all()
