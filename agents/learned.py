@@ -53,7 +53,7 @@ def from_file(path: str | Path) -> LearnedTeam:
 
 def from_zip(
     path: str | Path,
-    league: str = "legged-2001",
+    league: str | League = "legged-2001",
     observe: str = "truth",
     action_repeat: int = 1,
     activation: str | None = None,

@@ -185,7 +185,7 @@ def find_rewards(rewards: str | Rewards) -> Rewards:
     if isinstance(rewards, Rewards):
         return rewards
     if not isinstance(rewards, str) or rewards not in PRESETS:
-        raise ValueError(unknown("rewards", rewards, PRESETS, "a Rewards object"))
+        raise ValueError(unknown("rewards", rewards, PRESETS, more="a Rewards object"))
     return PRESETS[rewards]
 
 

@@ -244,7 +244,7 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
             raise ValueError(f"a policy has no strength, got {from_name:g} for {name!r}")
         return team_of_file(name, FILES[ending], {**changes, **settings})
     if name not in known:
-        raise ValueError(unknown("team", name, known, f"a policy file ({', '.join(FILES)})"))
+        raise ValueError(unknown("team", name, known, more=f"a policy file ({', '.join(FILES)})"))
     factory = found(known[name])
     changes = {**changes, **settings}
     check_factory(name, known[name], factory)

@@ -88,7 +88,7 @@ class Options:
         known = [field.name for field in fields(self)]  # type: ignore[arg-type]
         for name in changes:
             if name not in known:
-                raise ValueError(f"{type(self).__name__}: {unknown('name', name, known)}")
+                raise ValueError(unknown("name", name, known, where=type(self).__name__))
         return replace(self, **changes)  # type: ignore[type-var]
 
     def rows(self) -> Iterator[tuple[str, Any, str, str]]:

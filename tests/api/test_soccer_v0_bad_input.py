@@ -105,7 +105,7 @@ def test_bad_resets_are_refused_and_the_episode_goes_on(arguments, complaint):
 @pytest.mark.parametrize(
     ("settings", "complaint"),
     [
-        ({"league": "legged-2002"}, "unknown league 'legged-2002'; known: legged-2001"),
+        ({"league": "legged-2002"}, "unknown league 'legged-2002', did you mean 'legged-2001'\\? known: legged-2001"),
         ({"league": ["legged-2001"]}, "unknown league"),
         ({"scene": {}}, "unknown scene"),
         ({"rewards": {"goal": 1.0}}, "unknown rewards.*or a Rewards object"),
@@ -121,7 +121,7 @@ def test_bad_resets_are_refused_and_the_episode_goes_on(arguments, complaint):
         ({"memory": {"memory": True}}, "unknown name 'memory' in LeggedMemory"),
         ({"senses": {"north": "ideal"}}, "home and away"),
         ({"actions": "buttons"}, "unknown actions 'buttons'; known: box, full, discrete"),
-        ({"scene": "kickoff"}, "unknown scene 'kickoff'; known: kick-off"),
+        ({"scene": "kickoff"}, "unknown scene 'kickoff', did you mean 'kick-off'\\? known: kick-off"),
         ({"episode": "forever"}, "episode must be one of match, goal, drill"),
         ({"episode": "drill"}, "needs a scene with a success test"),
         ({"rules": "fifa"}, "unknown rules 'fifa'"),
