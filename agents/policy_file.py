@@ -185,17 +185,16 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
     version = table.get("version")
     if type(version) is not int or not 1 <= version <= VERSION:
         raise ValueError(f"is of format version {brief(version)}; this soccer_env reads versions 1 to {VERSION}")
-    if version == 1:
-        table = _of_version_1(table)
-    missing, unknown = [key for key in SCHEMA if key not in table], [key for key in table if key not in SCHEMA]
+    fields: dict[str, Any] = _of_version_1(table) if version == 1 else table
+    missing, unknown = [key for key in SCHEMA if key not in fields], [key for key in fields if key not in SCHEMA]
     if missing:
         raise ValueError(f"{KEY} lacks {', '.join(missing)}")
     if unknown:
         raise ValueError(f"{KEY} has an unknown key {brief(unknown[0])}; known: {', '.join(SCHEMA)}")
     for key, kind in SCHEMA.items():
-        if type(table[key]) is not kind:
-            raise ValueError(f"{key} must be of the JSON type of {kind.__name__}, got {brief(table[key])}")
-    return table
+        if type(fields[key]) is not kind:
+            raise ValueError(f"{key} must be of the JSON type of {kind.__name__}, got {brief(fields[key])}")
+    return fields
 
 
 def _of_version_1(table: dict[str, Any]) -> dict[str, Any]:
