@@ -157,7 +157,7 @@ def serve(rows: Makers, matches: int, steps: int) -> None:
         try:
             if name not in samplers:
                 samplers[name] = rows[name](matches, steps)
-            answer = {"seconds": samplers[name]()}
+            answer: dict[str, Any] = {"seconds": samplers[name]()}
         except Exception as error:  # an older checkout may lack anything
             answer = {"error": f"{type(error).__name__}: {error}"}
         print(json.dumps(answer), file=answers, flush=True)
