@@ -12,7 +12,7 @@ from math import atan2, cos, sin
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame, wrap
 from soccer_env.types import MAX_TEAM
 
 OTHERS = 2 * MAX_TEAM  # room for every other player
@@ -62,16 +62,16 @@ def look(sight, belief, tracks, k):
     cosine, sine = cos(own.heading), sin(own.heading)
     sight.now_cosine, sight.now_sine = cosine, sine
     sight.now_ahead, sight.now_left, sight.held = ball.x, ball.y, ball.held
-    sight.vx, sight.vy = cosine * own.forward - sine * own.left, sine * own.forward + cosine * own.left
-    sight.ball_vx, sight.ball_vy = cosine * ball.vx - sine * ball.vy, sine * ball.vx + cosine * ball.vy
+    sight.vx, sight.vy = out_of_frame(own.forward, own.left, cosine, sine)
+    sight.ball_vx, sight.ball_vy = out_of_frame(ball.vx, ball.vy, cosine, sine)
     look_at_others(sight, own, tracks, delay)
-    sight.ball_x, sight.ball_y = own.x + cosine * ball.x - sine * ball.y, own.y + sine * ball.x + cosine * ball.y
+    sight.ball_x, sight.ball_y = point_of_frame(own.x, own.y, ball.x, ball.y, cosine, sine)
     sight.ball_x, sight.ball_y = rolls_to(sight, k, delay)
     sight.x, sight.y = own.x + delay * sight.vx, own.y + delay * sight.vy
     sight.heading = wrap(own.heading + delay * own.turn)
     sight.cosine, sight.sine = cos(sight.heading), sin(sight.heading)
     x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
-    sight.ahead, sight.left = sight.cosine * x + sight.sine * y, sight.cosine * y - sight.sine * x
+    sight.ahead, sight.left = into_frame(x, y, sight.cosine, sight.sine)
     sight.distance, sight.bearing = length(x, y), atan2(sight.left, sight.ahead)
     sight.touch = k.body_front + k.ball_radius
 
@@ -86,9 +86,8 @@ def look_at_others(sight, own, tracks, delay):
         if track.present == 0:
             continue
         x, y = track.x + delay * track.vx, track.y + delay * track.vy
-        sight.other_x[count], sight.other_y[count] = own.x + cosine * x - sine * y, own.y + sine * x + cosine * y
-        sight.other_vx[count] = cosine * track.vx - sine * track.vy
-        sight.other_vy[count] = sine * track.vx + cosine * track.vy
+        sight.other_x[count], sight.other_y[count] = point_of_frame(own.x, own.y, x, y, cosine, sine)
+        sight.other_vx[count], sight.other_vy[count] = out_of_frame(track.vx, track.vy, cosine, sine)
         sight.mate[count], sight.field[count] = track.teammate, 1 - track.keeper
         sight.number[count] = track.number
         count += 1

@@ -10,7 +10,7 @@ from math import atan2, cos, sin, sqrt
 
 from soccer_env.baselines.sight import side_of
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import clip, into_frame, length, out_of_frame, wrap
 from soccer_env.leagues.robot import GAIT, WHEELS_DIFFERENTIAL
 
 SIDESTEP_CONE = 1.2  # [rad] a base that cannot step aside drives only towards what lies within it ahead, assumed
@@ -68,7 +68,7 @@ def go(command, sight, k, play, x, y, facing, final):
         turn_by(command, sight, k, play, wrap(facing - sight.heading))
         return
     dx, dy = avoid_others(sight, k, dx / distance, dy / distance, distance)
-    ahead, left = sight.cosine * dx + sight.sine * dy, sight.cosine * dy - sight.sine * dx
+    ahead, left = into_frame(dx, dy, sight.cosine, sight.sine)
     speed = max(final, braking_speed(k, play, distance))
     if k.drive_kind == WHEELS_DIFFERENTIAL:
         drive_differential(command, sight, k, play, ahead, left, distance, facing, speed)
@@ -185,7 +185,7 @@ def choose_way(sight, k, play):
         worth -= play.wing_cost * abs(sight.ball_y + play.way_on * uy) / (0.5 * k.pitch_width)
         if worth > best:
             best, best_x, best_y = worth, ux, uy
-        ux, uy = FAN_COSINE * ux - side * FAN_SINE * uy, side * FAN_SINE * ux + FAN_COSINE * uy
+        ux, uy = out_of_frame(ux, uy, FAN_COSINE, side * FAN_SINE)
     return best_x, best_y
 
 
@@ -200,5 +200,4 @@ def free_way(sight, k, ux, uy):
 @compiled
 def turned(ux, uy, angle):
     """Return a vector turned by an angle [rad]."""
-    cosine, sine = cos(angle), sin(angle)
-    return cosine * ux - sine * uy, sine * ux + cosine * uy
+    return out_of_frame(ux, uy, cos(angle), sin(angle))

@@ -1,10 +1,14 @@
-"""Angles, frames and discs."""
+"""Angles, vectors and frames.
+
+A frame is given by the cosine and sine of its heading, so that one call of each serves all that is turned by it.
+"""
 
 from __future__ import annotations
 
 from math import floor, pi, sqrt
 
 from soccer_env.compiled import compiled
+from soccer_env.types import HOME
 
 TURN = 2.0 * pi
 
@@ -35,3 +39,30 @@ def toward(value, goal, step):
     if goal > value:
         return goal if goal - value <= step else value + step
     return goal if value - goal <= step else value - step
+
+
+@compiled
+def into_frame(x, y, cosine, sine):
+    """Return a vector's parts ahead and left of a frame whose heading has this cosine and sine."""
+    return cosine * x + sine * y, cosine * y - sine * x
+
+
+@compiled
+def out_of_frame(ahead, left, cosine, sine):
+    """Return x and y of a vector that lies ahead and left in a frame whose heading has this cosine and sine."""
+    return cosine * ahead - sine * left, sine * ahead + cosine * left
+
+
+@compiled
+def point_of_frame(x, y, ahead, left, cosine, sine):
+    """Return the point ahead and left of x, y in a frame whose heading has this cosine and sine.
+
+    Unlike `out_of_frame` added to x, y, which differs in the last bit: it begins the sum with x, y.
+    """
+    return x + cosine * ahead - sine * left, y + sine * ahead + cosine * left
+
+
+@compiled
+def direction_of(match, team):
+    """Return +1 if the team attacks +x now, -1 if it attacks -x: the team frame has its own goal behind."""
+    return match.home_direction if team == HOME else -match.home_direction

@@ -20,8 +20,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.frames import direction_of
-from soccer_env.geometry import length
+from soccer_env.geometry import direction_of, length
 from soccer_env.known_names import unknown
 from soccer_env.types import NO_TEAM
 

@@ -8,7 +8,7 @@ from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE, SIDES
 from soccer_env.baselines.sacks_2001.stuck import forget_approach
 from soccer_env.baselines.sight import side_of
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import into_frame, length
 
 FACING = 0.15  # [rad] a robot that is turned to the ball this far faces it, assumed
 ASIDE = 0.6  # [m] within which players count when a side is chosen, assumed
@@ -58,7 +58,8 @@ def side_to_step(belief, tracks, k, play):
             return -1.0 if crowd > 0 else 1.0
     cosine, sine = cos(own.heading), sin(own.heading)
     to_x, to_y = 0.5 * k.pitch_length - own.x, -own.y
-    ahead, left = cosine * to_x + sine * to_y - ball.x, cosine * to_y - sine * to_x - ball.y  # from ball to goal
+    ahead, left = into_frame(to_x, to_y, cosine, sine)
+    ahead, left = ahead - ball.x, left - ball.y  # from ball to goal
     away = max(length(ahead, left), 1e-6)
     return side_of(ball.y - ball.distance * left / away)
 

@@ -6,6 +6,7 @@ from math import cos, sin
 
 from soccer_env.baselines.sacks_2001.memory import PASS, SHOOT
 from soccer_env.compiled import compiled
+from soccer_env.geometry import point_of_frame
 
 NEVER = 1e9  # [s]
 JUST_NOW, JUST_SEEN = 0.01, 0.15  # [s]
@@ -37,7 +38,7 @@ def lies_outside(belief, k, play):
     if own.confidence < play.unsure:
         return False
     cosine, sine = cos(own.heading), sin(own.heading)
-    x, y = own.x + cosine * ball.x - sine * ball.y, own.y + sine * ball.x + cosine * ball.y
+    x, y = point_of_frame(own.x, own.y, ball.x, ball.y, cosine, sine)
     room = OUTSIDE + OUTSIDE_SHARE * ball.distance
     return abs(x) > 0.5 * k.pitch_length + room or abs(y) > 0.5 * k.pitch_width + room
 

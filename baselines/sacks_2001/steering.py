@@ -11,7 +11,7 @@ from math import atan2, cos, sin
 from soccer_env.baselines.sacks_2001.forces import goal_force, player_force, repulsion, wall_force
 from soccer_env.baselines.sight import side_of
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, wrap
+from soccer_env.geometry import clip, out_of_frame, wrap
 
 SAME = 0.6  # [rad] within which the ranger's obstacle is taken to be one of the players, assumed  MS49
 BEHIND_LINE = 0.10  # [m] the goal that a dribbler makes for lies so far behind the line, assumed
@@ -48,7 +48,7 @@ def force_of_players(belief, tracks, goal_x, goal_y, play):
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
         if track.present == 1 and track.age <= play.player_age and slot != replaced:
-            dx, dy = cosine * track.x - sine * track.y, sine * track.x + cosine * track.y
+            dx, dy = out_of_frame(track.x, track.y, cosine, sine)
             x, y = player_force(dx, dy, goal_x, goal_y, play)
             push_x, push_y = push_x + x, push_y + y
     if play.infrared_obstacle == 1 and belief.obstacle.distance > 0.0:

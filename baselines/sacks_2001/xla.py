@@ -10,7 +10,8 @@ from math import atan2, cos, pi, sin
 from soccer_env.baselines.sight import rolls_to, side_of
 from soccer_env.baselines.skills import avoid_others, push, turn_by
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length
+from soccer_env.geometry import clip, into_frame, length
+from soccer_env.optics.head_camera import share_of_tilt
 
 GLANCE_TILT = -12.0 * pi / 180.0  # [rad] at which a dribbler sees players near and far, assumed
 GLANCE_PAN = 40.0 * pi / 180.0  # [rad] to both sides, in turn, assumed
@@ -33,7 +34,7 @@ def walk_to_ball(command, sight, k, play, speed):
     dx, dy = dx / away, dy / away
     if play.avoid_chasing == 1:
         dx, dy = avoid_others(sight, k, dx, dy, away)
-    ahead, left = sight.cosine * dx + sight.sine * dy, sight.cosine * dy - sight.sine * dx
+    ahead, left = into_frame(dx, dy, sight.cosine, sight.sine)
     turn_by(command, sight, k, play, atan2(left, ahead))
     if ahead > 0.0:
         push(command, sight, k, ahead * ahead, left * ahead, speed)
@@ -88,8 +89,8 @@ def point_head(command, k, pan, tilt):
     """Send the head to a pan and tilt [rad] instead of where it looks by itself."""
     if k.head_pan_limit <= 0.0:
         return
-    middle, span = 0.5 * (k.head_tilt_high + k.head_tilt_low), 0.5 * (k.head_tilt_high - k.head_tilt_low)
-    command.head, command.pan, command.tilt = 1.0, pan / k.head_pan_limit, (tilt - middle) / span
+    command.head, command.pan = 1.0, pan / k.head_pan_limit
+    command.tilt = share_of_tilt(tilt, k.head_tilt_low, k.head_tilt_high)
 
 
 @compiled

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import cos, sin
 
 from soccer_env.compiled import compiled
+from soccer_env.geometry import into_frame
 
 
 @compiled
@@ -14,10 +15,4 @@ def move_point(x, y, forward, left, turn):
     x, y: the point before [m]; forward, left: the displacement [m] in the axes of before; turn [rad], left positive.
     Exact for any motion: of a rigid body only where it was and where it is counts, not the way between.
     """
-    return turn_axes(x - forward, y - left, cos(turn), sin(turn))
-
-
-@compiled
-def turn_axes(x, y, cosine, sine):
-    """Return a vector, such as a velocity, in axes that have turned by the angle of this cosine and sine."""
-    return cosine * x + sine * y, cosine * y - sine * x
+    return into_frame(x - forward, y - left, cos(turn), sin(turn))

@@ -25,7 +25,7 @@ from soccer_env.belief.particles import (
     weights_from_costs,
 )
 from soccer_env.compiled import compiled
-from soccer_env.geometry import wrap
+from soccer_env.geometry import into_frame, out_of_frame, wrap
 from soccer_env.percept_types import POSE_SENSED, POSE_TOLD
 
 SURE = 100.0  # confidence of a pose that was told or is given
@@ -62,8 +62,9 @@ def particles_are_due(body, own, memory, particles, noise, k, s, w):
             memory.begun, memory.fast, memory.slow = 1, 1.0, w.pose_fit
         return False
     cosine, sine = cos(own.heading), sin(own.heading)
-    own.x += cosine * forward - sine * left
-    own.y += sine * forward + cosine * left
+    x, y = out_of_frame(forward, left, cosine, sine)
+    own.x += x
+    own.y += y
     own.heading = wrap(own.heading + turn)
     if particles.shape[0] == 0:
         own.confidence = max(own.confidence - w.pose_fading * k.dt, 0.0)
@@ -80,8 +81,9 @@ def particles_are_due(body, own, memory, particles, noise, k, s, w):
 def add_motion(memory, forward, left, turn, touched):
     """Add a frame's odometry [m, m, rad], and how long something was touched [s], since the particles were moved."""
     cosine, sine = cos(memory.turn), sin(memory.turn)
-    memory.ahead += cosine * forward - sine * left
-    memory.left += sine * forward + cosine * left
+    ahead, aside = out_of_frame(forward, left, cosine, sine)
+    memory.ahead += ahead
+    memory.left += aside
     memory.turn += turn
     memory.path += sqrt(forward * forward + left * left)
     memory.turned += abs(turn)
@@ -104,8 +106,7 @@ def motion_since(memory, k, w):
     legs and wheels do not feel that the body is pushed, turned or held.
     """
     cosine, sine = cos(memory.turn), sin(memory.turn)
-    ahead = cosine * memory.ahead + sine * memory.left
-    left = cosine * memory.left - sine * memory.ahead
+    ahead, left = into_frame(memory.ahead, memory.left, cosine, sine)
     turn, passed = memory.turn, sqrt(memory.frames * k.dt)
     spread = w.pose_slip * memory.path + w.pose_drift * passed + w.pose_push * memory.touched
     turn_spread = w.pose_slip * memory.turned + w.pose_turn_drift * passed + w.pose_push_turn * memory.touched

@@ -16,7 +16,7 @@ from math import atan2, cos, exp, pi, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import clip, length, point_of_frame, wrap
 from soccer_env.random_numbers import uniform
 from soccer_env.types import RobotStream
 
@@ -93,8 +93,8 @@ def move_particle(particle, motion, half_length, half_width, noise, hand):
     left += hand * spread * draw(noise)
     heading = wrap(np.float64(particle.heading) + turn + hand * turn_spread * draw(noise))
     cosine, sine = cos(heading), sin(heading)
-    x = clip(np.float64(particle.x) + cosine * ahead - sine * left, -half_length, half_length)
-    y = clip(np.float64(particle.y) + sine * ahead + cosine * left, -half_width, half_width)
+    x, y = point_of_frame(np.float64(particle.x), np.float64(particle.y), ahead, left, cosine, sine)
+    x, y = clip(x, -half_length, half_length), clip(y, -half_width, half_width)
     particle.x, particle.y, particle.heading = x, y, heading
     return x, y, cosine, sine
 
@@ -204,8 +204,8 @@ def resample(particles, total, kept, noise):
         for _ in range(int(particles[i].weight) - 1):
             while particles[free].weight > 0.0:
                 free += 1
-            copy, particle = particles[free], particles[i]
-            copy.x, copy.y, copy.heading, copy.weight = particle.x, particle.y, particle.heading, 1.0
+            particles[free] = particles[i]
+            particles[free].weight = 1.0
         particles[i].weight = min(particles[i].weight, np.float32(1.0))
 
 
@@ -226,7 +226,7 @@ def draw_seeing(particle, sight, half_length, half_width, noise, hand):
         at_x, at_y = x + scale * away_x, y + scale * away_y
     heading = wrap(atan2(-away_y, -away_x) - atan2(left, ahead))
     cosine, sine = cos(heading), sin(heading)
-    particle.x = clip(at_x - cosine * camera_x + sine * camera_y, -half_length, half_length)
-    particle.y = clip(at_y - sine * camera_x - cosine * camera_y, -half_width, half_width)
+    x, y = point_of_frame(at_x, at_y, -camera_x, -camera_y, cosine, sine)
+    particle.x, particle.y = clip(x, -half_length, half_length), clip(y, -half_width, half_width)
     particle.heading = heading
     particle.weight = 1.0

@@ -95,7 +95,7 @@ HEAD = Head(
     tilt_high=43.0 * pi / 180.0,  # [rad] ERS-210 joint table
     pan_speed=3.011,  # [rad/s] maker's recommendation
     tilt_speed=2.105,  # [rad/s] maker's recommendation
-    camera_height=0.203,  # [m] head level, from the kinematics
+    camera_height=LeggedSensors.neck_height + LeggedSensors.camera_up,  # [m] head level
     camera_ahead=0.142,  # [m] ahead of the body's centre, from the kinematics
 )
 

@@ -11,8 +11,7 @@ from math import cos, inf, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.frames import direction_of
-from soccer_env.geometry import clip
+from soccer_env.geometry import clip, direction_of
 from soccer_env.leagues.league import League
 from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_duty, write_joints
 from soccer_env.observations.entry import (

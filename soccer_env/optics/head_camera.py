@@ -11,6 +11,7 @@ from __future__ import annotations
 from math import atan2, cos, sin, sqrt, tan
 
 from soccer_env.compiled import compiled
+from soccer_env.geometry import out_of_frame
 
 SMALLEST_WIDTH, SMALLEST_HEIGHT = 44.0, 36.0  # [px] of the smallest layer; each step of resolution doubles them
 
@@ -40,10 +41,31 @@ def focal_y(s):
 
 
 @compiled
+def tilt_at(share, low, high):
+    """Return the tilt [rad] at a share of its range: -1 the lowest, 1 the highest."""
+    return 0.5 * (high + low) + 0.5 * (high - low) * share
+
+
+@compiled
+def share_of_tilt(tilt, low, high):
+    """Return at which share of its range a tilt [rad] is: -1 the lowest, 1 the highest, beyond them more."""
+    return (tilt - 0.5 * (high + low)) / (0.5 * (high - low))
+
+
+@compiled
+def tilted(ahead, up, level, steep, pivot):
+    """Return how far ahead of the neck a point of a tilted head is, and how high [m].
+
+    ahead, up: where the point is from the neck's pivot while the head is level [m]; level, steep: cosine and sine of
+    the tilt; pivot: height of the neck's pivot [m], 0 for heights above it.
+    """
+    return ahead * level - up * steep, pivot + up * level + ahead * steep
+
+
+@compiled
 def camera_place(pan, tilt, s):
     """Return where the camera is: ahead, left, height [m], robot frame."""
-    forward = s.camera_ahead * cos(tilt) - s.camera_up * sin(tilt)
-    height = s.neck_height + s.camera_up * cos(tilt) + s.camera_ahead * sin(tilt)
+    forward, height = tilted(s.camera_ahead, s.camera_up, cos(tilt), sin(tilt), s.neck_height)
     return s.neck_ahead + forward * cos(pan), forward * sin(pan), height
 
 
@@ -53,5 +75,5 @@ def direction_of_pixel(u, v, pan, tilt, s):
     left, up = u / focal_x(s), v / focal_y(s)
     ahead = cos(tilt) - up * sin(tilt)
     high = sin(tilt) + up * cos(tilt)
-    x, y = ahead * cos(pan) - left * sin(pan), ahead * sin(pan) + left * cos(pan)
+    x, y = out_of_frame(ahead, left, cos(pan), sin(pan))
     return atan2(y, x), atan2(high, sqrt(x * x + y * y))

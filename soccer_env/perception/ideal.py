@@ -12,8 +12,7 @@ import numpy as np
 
 from soccer_env.ball_words import word_for
 from soccer_env.compiled import compiled
-from soccer_env.frames import direction_of
-from soccer_env.geometry import length, wrap
+from soccer_env.geometry import direction_of, into_frame, length, wrap
 from soccer_env.tracks import clear_slots
 from soccer_env.types import MAX_TEAM, NO_TEAM
 from soccer_env.world import World
@@ -62,8 +61,7 @@ def own_pose(match, robot, own, cosine, sine):
     side = direction_of(match, robot.team)
     own.x, own.y = side * robot.x, side * robot.y
     own.heading = robot.heading if side > 0.0 else wrap(robot.heading + pi)
-    own.forward = cosine * robot.vx + sine * robot.vy
-    own.left = cosine * robot.vy - sine * robot.vx
+    own.forward, own.left = into_frame(robot.vx, robot.vy, cosine, sine)
     own.turn = robot.omega
     own.confidence = SURE
 
@@ -72,10 +70,9 @@ def own_pose(match, robot, own, cosine, sine):
 def ball_truth(robot, ball, believed, cosine, sine):
     """Fill in where the ball lies and how it moves."""
     x, y = ball.x - robot.x, ball.y - robot.y
-    ahead, left = cosine * x + sine * y, cosine * y - sine * x
+    ahead, left = into_frame(x, y, cosine, sine)
     believed.x, believed.y = ahead, left
-    believed.vx = cosine * ball.vx + sine * ball.vy
-    believed.vy = cosine * ball.vy - sine * ball.vx
+    believed.vx, believed.vy = into_frame(ball.vx, ball.vy, cosine, sine)
     distance, bearing = length(ahead, left), atan2(left, ahead)
     believed.distance = believed.filtered_distance = distance
     believed.bearing = believed.filtered_bearing = bearing
@@ -164,10 +161,9 @@ def fill_slots(robots, tracks, k, r, cosine, sine, same_team, first, slots, rows
 def see_player(robot, other, track, cosine, sine):
     """Fill a track with the truth about another player."""
     x, y = other.x - robot.x, other.y - robot.y
-    track.x, track.y = cosine * x + sine * y, cosine * y - sine * x
+    track.x, track.y = into_frame(x, y, cosine, sine)
     track.distance, track.bearing = length(track.x, track.y), atan2(track.y, track.x)
-    track.vx = cosine * other.vx + sine * other.vy
-    track.vy = cosine * other.vy - sine * other.vx
+    track.vx, track.vy = into_frame(other.vx, other.vy, cosine, sine)
     track.heading = wrap(other.heading - robot.heading)
     track.present, track.keeper, track.number = 1, other.keeper, other.number
     track.confidence, track.age = SURE, 0.0

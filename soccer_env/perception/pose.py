@@ -11,8 +11,7 @@ from math import exp, pi, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.frames import direction_of
-from soccer_env.geometry import wrap
+from soccer_env.geometry import direction_of, wrap
 from soccer_env.percept_types import NO_POSE, POSE_SENSED, POSE_TOLD
 from soccer_env.random_numbers import normal
 from soccer_env.types import RobotStream

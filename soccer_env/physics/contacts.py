@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import cos, sin
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import into_frame, length, point_of_frame
 
 TOUCH_GAP = 0.004  # [m] assumed: a ball this near touches
 KNOCK = 0.02  # [m/s] assumed: a change of velocity that friction does not explain
@@ -19,7 +19,7 @@ def ball_gap(robot, k, ball_x, ball_y):
     """Return the distance [m] between the ball and a robot's outline; below 0 they overlap."""
     x, y = ball_x - robot.x, ball_y - robot.y
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    ahead, left = cosine * x + sine * y, cosine * y - sine * x
+    ahead, left = into_frame(x, y, cosine, sine)
     gap = length(ahead - k.body_tip_x, abs(left) - k.body_tip_y) - k.body_tip_radius
     body = disc_gap(k, ahead, left) if k.corners == 0 else hull_gap(k, ahead, left)
     return min(gap, body) - k.ball_radius
@@ -104,16 +104,14 @@ def points_touch(robot, other, k):
     cosine, sine = cos(robot.heading), sin(robot.heading)
     slack = k.ball_radius - TOUCH_GAP  # ball_gap takes off the ball's radius, which is not wanted here
     for side in (-1.0, 1.0):
-        x = robot.x + cosine * k.body_tip_x - sine * side * k.body_tip_y
-        y = robot.y + sine * k.body_tip_x + cosine * side * k.body_tip_y
+        x, y = point_of_frame(robot.x, robot.y, k.body_tip_x, side * k.body_tip_y, cosine, sine)
         if ball_gap(other, k, x, y) + slack < k.body_tip_radius:
             return True
     if k.corners == 0:
         x, y = robot.x + cosine * k.body_disc_x, robot.y + sine * k.body_disc_x
         return ball_gap(other, k, x, y) + slack < k.body_disc_radius
     for i in range(k.corners):
-        x = robot.x + cosine * k.corner_x[i] - sine * k.corner_y[i]
-        y = robot.y + sine * k.corner_x[i] + cosine * k.corner_y[i]
+        x, y = point_of_frame(robot.x, robot.y, k.corner_x[i], k.corner_y[i], cosine, sine)
         if ball_gap(other, k, x, y) + slack < 0.0:
             return True
     return False

@@ -9,8 +9,9 @@ from __future__ import annotations
 from math import atan2, cos, sin, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, toward
+from soccer_env.geometry import clip, into_frame, length, out_of_frame, toward
 from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
+from soccer_env.optics.head_camera import tilt_at
 from soccer_env.random_numbers import normal
 from soccer_env.types import RobotStream
 
@@ -86,8 +87,8 @@ def push_ground(robot, k):
     """Change the body's velocity towards the walk, within the traction of the ground."""
     forward, left = robot.walk.forward * robot.slip.forward, robot.walk.left * robot.slip.left
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    ahead = cosine * forward - sine * left - robot.vx
-    aside = sine * forward + cosine * left - robot.vy
+    vx, vy = out_of_frame(forward, left, cosine, sine)
+    ahead, aside = vx - robot.vx, vy - robot.vy
     change = length(ahead, aside)
     most = k.drive_traction * k.dt
     share = 1.0 if change <= most else most / change
@@ -107,8 +108,7 @@ def move_head(robot, k, ball):
         return
     if robot.command.head >= 0.0:
         pan = robot.command.pan * k.head_pan_limit
-        middle, span = 0.5 * (k.head_tilt_high + k.head_tilt_low), 0.5 * (k.head_tilt_high - k.head_tilt_low)
-        tilt = middle + span * robot.command.tilt
+        tilt = tilt_at(robot.command.tilt, k.head_tilt_low, k.head_tilt_high)
     elif robot.senses == 1:
         pan, tilt = robot.gaze.pan, robot.gaze.tilt
     else:
@@ -122,6 +122,6 @@ def gaze_at(robot, k, ball):
     """Return the pan and tilt [rad] at which the camera looks at the ball."""
     cosine, sine = cos(robot.heading), sin(robot.heading)
     x, y = ball.x - robot.x, ball.y - robot.y
-    ahead, left = cosine * x + sine * y, cosine * y - sine * x
+    ahead, left = into_frame(x, y, cosine, sine)
     down = k.head_camera_height - k.ball_radius
     return atan2(left, ahead), -atan2(down, max(length(ahead, left) - k.head_camera_ahead, 0.0))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import cos, sin
 
 from soccer_env.compiled import compiled
+from soccer_env.geometry import into_frame
 from soccer_env.random_numbers import normal
 from soccer_env.types import RobotStream
 
@@ -68,6 +69,6 @@ def holds_ball(robot, k, ball_x, ball_y):
     if x * x + y * y > far * far:  # most robots are nowhere near
         return False
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    ahead, left = cosine * x + sine * y, cosine * y - sine * x
+    ahead, left = into_frame(x, y, cosine, sine)
     gap = ahead - k.body_front - k.ball_radius
     return -0.5 * k.ball_radius < gap < k.kicker_reach and -k.kicker_half_width < left < k.kicker_half_width

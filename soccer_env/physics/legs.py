@@ -16,7 +16,7 @@ from __future__ import annotations
 from math import atan2, cos, pi, sin
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import into_frame, length, out_of_frame
 from soccer_env.physics.contacts import robots_touch
 from soccer_env.physics.kicker import holds_ball
 from soccer_env.random_numbers import normal, uniform
@@ -68,8 +68,9 @@ def push_ball(robot, ball, size, handedness):
     ahead = size * abs(normal(robot.noise, LEGS))
     left = handedness * SIDE_SHARE * size * normal(robot.noise, LEGS)
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    ball.vx += cosine * ahead - sine * left
-    ball.vy += sine * ahead + cosine * left
+    vx, vy = out_of_frame(ahead, left, cosine, sine)
+    ball.vx += vx
+    ball.vy += vy
 
 
 @compiled
@@ -90,4 +91,5 @@ def stands_ahead(robot, other):
     """Tell whether another robot stands right ahead."""
     x, y = other.x - robot.x, other.y - robot.y
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    return abs(atan2(cosine * y - sine * x, cosine * x + sine * y)) < RIGHT_AHEAD
+    ahead, left = into_frame(x, y, cosine, sine)
+    return abs(atan2(left, ahead)) < RIGHT_AHEAD

@@ -5,8 +5,7 @@ from __future__ import annotations
 from math import atan2, pi
 
 from soccer_env.compiled import compiled
-from soccer_env.frames import direction_of
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import clip, direction_of, length, wrap
 from soccer_env.random_numbers import uniform
 from soccer_env.types import NO_TEAM, Phase, RobotStream
 

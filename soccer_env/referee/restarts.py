@@ -12,8 +12,7 @@ from math import atan2, cos, sin
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.frames import direction_of
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import clip, direction_of, into_frame, length, wrap
 from soccer_env.physics.ball import hold
 from soccer_env.referee.formation import choose_places, is_taker
 from soccer_env.types import Phase
@@ -183,7 +182,7 @@ def steer_to_place(robot, k):
     """Command a robot towards its place, whatever its team asked for."""
     x, y = robot.place_x - robot.x, robot.place_y - robot.y
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    ahead, left = cosine * x + sine * y, cosine * y - sine * x
+    ahead, left = into_frame(x, y, cosine, sine)
     turn = wrap(robot.place_heading - robot.heading)
     if k.drive_sideways <= 0.0:  # a differential base cannot step aside: it turns towards the place first
         ahead, left, turn = aim_ahead(ahead, left, turn)

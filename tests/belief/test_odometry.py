@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from soccer_env.belief.odometry import move_point, turn_axes
+from soccer_env.belief.odometry import move_point
 
 
 def test_a_step_ahead_brings_a_thing_nearer() -> None:
@@ -38,7 +38,3 @@ def test_two_motions_are_the_same_as_one() -> None:
 def test_a_mirrored_motion_moves_a_mirrored_point_to_the_mirrored_place() -> None:
     x, y = move_point(0.9, 0.4, 0.1, -0.05, 0.3)
     assert move_point(0.9, -0.4, 0.1, 0.05, -0.3) == (x, -y)
-
-
-def test_a_velocity_turns_with_the_axes_alone() -> None:
-    assert turn_axes(1.0, 0.0, math.cos(math.pi / 2), math.sin(math.pi / 2)) == pytest.approx((0.0, -1.0), abs=1e-15)

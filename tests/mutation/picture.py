@@ -15,7 +15,7 @@ MUTANTS = [
     Mutant(
         "MS04",
         BLOBS,
-        "put_largest_first(pieces, count)",
+        "put_largest_first(pieces, count, sketch.spare_piece)",
         "pass",
         TEST_BLOBS + "test_ms04_four_largest_blobs_of_each_colour_largest_first",
     ),

@@ -23,7 +23,6 @@ LAYERS = (
         "tracks",
         "world",
         "geometry",
-        "frames",
         "optics",
         "ball_words",
         "random_numbers",

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.optics.head_camera import share_of_tilt
 from soccer_env.staging import sensors_of
 from soccer_env.train.reproduce.staging import from_robot, play, standing
 
@@ -42,18 +45,27 @@ def ball_angle(match: Match, distance: np.ndarray) -> np.ndarray:
 
 def stare(match: Match, actions: np.ndarray, r: int = 0) -> None:
     """Turn the head of robot r to the true ball, whatever it believes: fills in columns 4 to 6 of actions (M, R, 7)."""
-    head, s = match.league.head, match.league.sensors
-    distance, bearing = from_robot(match, r, match.balls["x"], match.balls["y"])
+    look_at_point(match, actions, r, match.balls["x"], match.balls["y"], match.league.ball.radius)
+
+
+def look_at_point(match: Match, actions: np.ndarray, r: int, x: np.ndarray, y: np.ndarray, height: float) -> None:
+    """Turn the head of robot r to a point (M,) [m, field frame]: fills in columns 4 to 6 of actions (M, R, 7)."""
+    s = match.league.sensors
+    distance, bearing = from_robot(match, r, x, y)
     # from the neck, about which the head turns
-    x, y = distance * np.cos(bearing) - s.neck_ahead, distance * np.sin(bearing)
-    pan, away = np.arctan2(y, x), np.hypot(x, y)
-    down = s.neck_height - match.league.ball.radius
+    ahead, left = distance * np.cos(bearing) - s.neck_ahead, distance * np.sin(bearing)
+    away, down = np.hypot(ahead, left), s.neck_height - height
     # the camera stands camera_up above the line through the neck along which it looks
     tilt = -np.arctan2(down, away) - np.arcsin(np.minimum(s.camera_up / np.hypot(away, down), 1.0))
-    middle, span = 0.5 * (head.tilt_high + head.tilt_low), 0.5 * (head.tilt_high - head.tilt_low)
+    turn_head(match, actions, r, np.arctan2(left, ahead), tilt)
+
+
+def turn_head(match: Match, actions: np.ndarray, r: int, pan: Any, tilt: Any) -> None:
+    """Ask robot r to turn its head to pan and tilt [rad]: fills in columns 4 to 6 of actions (M, R, 7)."""
+    head = match.league.head
     actions[:, r, 4] = 1.0
     actions[:, r, 5] = np.clip(pan / head.pan_limit, -1.0, 1.0)
-    actions[:, r, 6] = np.clip((tilt - middle) / span, -1.0, 1.0)
+    actions[:, r, 6] = np.clip(share_of_tilt(tilt, head.tilt_low, head.tilt_high), -1.0, 1.0)
 
 
 def look_first(match: Match, seconds: float, r: int = 0) -> None:

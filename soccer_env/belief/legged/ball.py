@@ -20,9 +20,8 @@ import numpy as np
 
 from soccer_env.belief.legged.ball_blob import choose_blob, place_of_ball
 from soccer_env.belief.legged.velocity import ROUNDING, turn_velocity, update_velocity
-from soccer_env.belief.odometry import turn_axes
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import into_frame, length
 from soccer_env.leagues.legged_sensors import AVERAGED_MOST, ODOMETRY
 from soccer_env.percept_types import POSE_TOLD
 
@@ -105,12 +104,12 @@ def move_memory(ball, memory, body, frame, k, w):
         return
     if w.odometry_while_dribbling == 0 and dribbles(body, memory, frame, k, w):
         return
-    memory.x, memory.y = turn_axes(memory.x - forward, memory.y - left, cosine, sine)
+    memory.x, memory.y = into_frame(memory.x - forward, memory.y - left, cosine, sine)
     x, y = memory.filtered_x - forward, memory.filtered_y - left
-    memory.filtered_x, memory.filtered_y = turn_axes(x, y, cosine, sine)
+    memory.filtered_x, memory.filtered_y = into_frame(x, y, cosine, sine)
     for i in range(memory.count):
         sighting = memory.recent[i]
-        sighting.x, sighting.y = turn_axes(sighting.x - forward, sighting.y - left, cosine, sine)
+        sighting.x, sighting.y = into_frame(sighting.x - forward, sighting.y - left, cosine, sine)
 
 
 @compiled

@@ -21,6 +21,7 @@ import numpy as np
 
 from soccer_env.belief.particles import OUTLIER, bounded, draw_seeing, move_particle
 from soccer_env.compiled import compiled
+from soccer_env.geometry import into_frame, point_of_frame
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, image_height, image_width
 from soccer_env.percept_types import BLOBS, LANDMARKS
 from soccer_env.random_numbers import uniform
@@ -148,7 +149,7 @@ def weigh_by_landmarks(particles, view, motion, noise, hand, k, w):
     for i in range(particles.shape[0]):
         particle = particles[i]
         x, y, cosine, sine = move_particle(particle, motion, half_length, half_width, noise, hand)
-        x, y = x + cosine * view.camera_x - sine * view.camera_y, y + sine * view.camera_x + cosine * view.camera_y
+        x, y = point_of_frame(x, y, view.camera_x, view.camera_y, cosine, sine)
         cost = 0.0
         for j in range(view.count):
             cost += landmark_cost(view.sights[j], x, y, cosine, sine, w)
@@ -161,7 +162,7 @@ def weigh_by_landmarks(particles, view, motion, noise, hand, k, w):
 @compiled
 def landmark_cost(sight, x, y, cosine, sine, w):
     """Return what bearing and range of a landmark cost a camera at x, y in a body with this heading."""
-    ahead, left, far = in_robot_frame(sight.x - x, sight.y - y, cosine, sine)
+    ahead, left, far = direction_in_frame(sight.x - x, sight.y - y, cosine, sine)
     miss = 2.0 - 2.0 * (ahead * sight.ahead + left * sight.left)  # square of the chord [rad2]
     cost = bounded(max(miss, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise), OUTLIER)
     if sight.far > 0.0:
@@ -175,9 +176,9 @@ def goal_cost(goal, x, y, cosine, sine, hand, k, w):
     """Return what the ends of a goal cost a camera at x, y in a body with this heading."""
     across = goal.side * 0.5 * k.pitch_goal_width  # the left post as seen from the field
     along = goal.side * 0.5 * k.pitch_length - x
-    ahead, left, _ = in_robot_frame(along, across - y, cosine, sine)
+    ahead, left, _ = direction_in_frame(along, across - y, cosine, sine)
     at_left = end_cost(ahead, left, goal.left_ahead, goal.left_left, goal.left_cut, 1.0, w)
-    ahead, left, _ = in_robot_frame(along, -across - y, cosine, sine)
+    ahead, left, _ = direction_in_frame(along, -across - y, cosine, sine)
     at_right = end_cost(ahead, left, goal.right_ahead, goal.right_left, goal.right_cut, -1.0, w)
     return at_left + at_right
 
@@ -198,10 +199,11 @@ def end_cost(post_ahead, post_left, ahead, left, cut, outward, w):
 
 
 @compiled
-def in_robot_frame(x, y, cosine, sine):
+def direction_in_frame(x, y, cosine, sine):
     """Return the unit vector towards (x, y) [m] in the frame with this heading, and the distance [m]."""
     far = max(sqrt(x * x + y * y), 1e-3)
-    return (cosine * x + sine * y) / far, (cosine * y - sine * x) / far, far
+    ahead, left = into_frame(x, y, cosine, sine)
+    return ahead / far, left / far, far
 
 
 @compiled

@@ -16,9 +16,8 @@ import numpy as np
 
 from soccer_env.belief.legged.grouping import COMBINED, box_of_player, largest_left, player_of
 from soccer_env.belief.legged.matching import likeliest_slot
-from soccer_env.belief.odometry import turn_axes
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import into_frame, length
 from soccer_env.leagues.legged_sensors import PLAYER_VIEWS, SLOTS
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_x, focal_y
 from soccer_env.percept_types import BLOBS, POSE_TOLD
@@ -65,7 +64,7 @@ def move_tracks(tracks, body, last):
     cosine, sine = cos(turn), sin(turn)
     for slot in range(last):
         if tracks[slot].present == 1:
-            x, y = turn_axes(tracks[slot].x - forward, tracks[slot].y - left, cosine, sine)
+            x, y = into_frame(tracks[slot].x - forward, tracks[slot].y - left, cosine, sine)
             put_at(tracks[slot], x, y)
 
 

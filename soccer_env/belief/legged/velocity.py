@@ -12,9 +12,8 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from soccer_env.belief.odometry import turn_axes
 from soccer_env.compiled import compiled
-from soccer_env.geometry import wrap
+from soccer_env.geometry import into_frame, wrap
 from soccer_env.leagues.legged_sensors import POSITIONS
 
 RAW = POSITIONS["raw"]
@@ -63,5 +62,5 @@ def take_reading(ball, memory, frame, since, w):
 @compiled
 def turn_velocity(ball, memory, forward, left, cosine, sine):
     """Carry velocity and last reading along with the robot's own motion since the last frame."""
-    ball.vx, ball.vy = turn_axes(ball.vx, ball.vy, cosine, sine)
-    memory.sample_x, memory.sample_y = turn_axes(memory.sample_x - forward, memory.sample_y - left, cosine, sine)
+    ball.vx, ball.vy = into_frame(ball.vx, ball.vy, cosine, sine)
+    memory.sample_x, memory.sample_y = into_frame(memory.sample_x - forward, memory.sample_y - left, cosine, sine)

@@ -13,7 +13,7 @@ import numpy as np
 from soccer_env.belief.odometry import move_point
 from soccer_env.belief.particles import OUTLIER, bounded, draw_seeing, move_particle, scatter
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import into_frame, length, point_of_frame
 from soccer_env.percept_types import LINES
 from soccer_env.random_numbers import uniform
 from soccer_env.types import RobotStream
@@ -85,10 +85,10 @@ def weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand
         cost = 0.0
         for j in range(view.count):
             point = view.points[j]
-            at_x = abs(x + cosine * point.ahead - sine * point.left) * per_metre
-            at_y = abs(y + sine * point.ahead + cosine * point.left) * per_metre
+            at_x, at_y = point_of_frame(x, y, point.ahead, point.left, cosine, sine)
             # lines are symmetric about both axes: a quarter of the grid is read, alike in a mirror
-            off = np.float64(grid[columns + min(int(at_x), columns - 1), rows + min(int(at_y), rows - 1)])
+            column, row = min(int(abs(at_x) * per_metre), columns - 1), min(int(abs(at_y) * per_metre), rows - 1)
+            off = np.float64(grid[columns + column, rows + row])
             cost += bounded(off * off * sharp, OUTLIER)
         for j in range(2):
             if view.goals[j].seen == 1:
@@ -101,7 +101,8 @@ def goal_cost(goal, x, y, cosine, sine, k, w):
     """Return what bearing and range of a goal cost a robot at x, y with this heading."""
     along, far = goal.x - x, sqrt((goal.x - x) * (goal.x - x) + y * y)
     far = max(far, 1e-3)
-    straight = ((cosine * along - sine * y) * goal.ahead - (cosine * y + sine * along) * goal.left) / far
+    ahead, left = into_frame(along, -y, cosine, sine)
+    straight = (ahead * goal.ahead + left * goal.left) / far
     hidden = HIDDEN_SHARE * 0.5 * k.pitch_goal_width / far
     square = max(2.0 - 2.0 * straight, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise + hidden * hidden)
     miss = (goal.far / far - 1.0) / w.pose_range_noise

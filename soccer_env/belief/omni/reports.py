@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from math import atan2, cos, inf, sin
 
-from soccer_env.belief.odometry import turn_axes
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length, wrap
+from soccer_env.geometry import into_frame, length, out_of_frame, wrap
 from soccer_env.tracks import UNKNOWN
 
 SURE = 100.0  # confidence of what is seen
@@ -26,10 +25,10 @@ def write_report(report, belief):
     cosine, sine = cos(own.heading), sin(own.heading)
     report.number, report.keeper = belief.situation.number, belief.situation.keeper
     report.x, report.y, report.heading, report.confidence = own.x, own.y, own.heading, own.confidence
-    report.vx, report.vy = turn_axes(own.forward, own.left, cosine, -sine)
-    x, y = turn_axes(ball.x, ball.y, cosine, -sine)
+    report.vx, report.vy = out_of_frame(own.forward, own.left, cosine, sine)
+    x, y = out_of_frame(ball.x, ball.y, cosine, sine)
     report.ball_x, report.ball_y = own.x + x, own.y + y
-    report.ball_vx, report.ball_vy = turn_axes(ball.vx, ball.vy, cosine, -sine)
+    report.ball_vx, report.ball_vy = out_of_frame(ball.vx, ball.vy, cosine, sine)
     report.ball_age = ball.age
     report.ball_confidence = ball.confidence * own.confidence / SURE
 
@@ -80,7 +79,7 @@ def locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows):
             continue
         late = (frame - report.frame) * k.dt if w.delay_compensation == 1 else 0.0
         x, y = report.x + late * report.vx - own.x, report.y + late * report.vy - own.y
-        scratch[other, 0], scratch[other, 1] = turn_axes(x, y, axes[0], axes[1])
+        scratch[other, 0], scratch[other, 1] = into_frame(x, y, axes[0], axes[1])
         scratch[other, 2] = 1.0
 
 
@@ -139,7 +138,7 @@ def take_report(own, axes, tracks, slot, message, place, taken, frame, k, w):
     confidence = told_confidence(report, frame, k, w)
     if confidence >= track.confidence:
         track.x, track.y = place[0], place[1]
-        track.vx, track.vy = turn_axes(report.vx, report.vy, axes[0], axes[1])
+        track.vx, track.vy = into_frame(report.vx, report.vy, axes[0], axes[1])
         track.distance, track.bearing = length(track.x, track.y), atan2(track.y, track.x)
         track.confidence, track.age = confidence, (frame - report.frame) * k.dt
 
@@ -191,9 +190,9 @@ def believe_report(belief, report, elapsed, late, confidence, k):
     rolls = min(late, speed / k.ball_rolling) if k.ball_rolling > 0.0 else late  # [s] until it lies still
     travel = 0.5 * (1.0 + share) * rolls
     x, y = report.ball_x + travel * report.ball_vx - own.x, report.ball_y + travel * report.ball_vy - own.y
-    x, y = turn_axes(x, y, cosine, sine)
+    x, y = into_frame(x, y, cosine, sine)
     ball.x, ball.y = x, y
-    ball.vx, ball.vy = turn_axes(share * report.ball_vx, share * report.ball_vy, cosine, sine)
+    ball.vx, ball.vy = into_frame(share * report.ball_vx, share * report.ball_vy, cosine, sine)
     ball.distance, ball.bearing = length(x, y), atan2(y, x)
     ball.filtered_distance, ball.filtered_bearing = ball.distance, ball.bearing
     vx, vy, away = ball.vx - own.forward, ball.vy - own.left, max(ball.distance, NEAREST)

@@ -10,7 +10,7 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
-from soccer_env.belief.odometry import move_point, turn_axes
+from soccer_env.belief.odometry import move_point
 from soccer_env.belief.omni.kalman import (
     COVARIANCE,
     fit_gains,
@@ -19,7 +19,7 @@ from soccer_env.belief.omni.kalman import (
     update_covariance,
 )
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import into_frame, length
 from soccer_env.leagues.omni_sensors import FILTERS
 from soccer_env.optics.mirror_camera import metres_across, metres_along
 
@@ -72,7 +72,7 @@ def carry(thing, motion):
     """Bring a thing into the robot frame of now; where it goes by itself is not in this."""
     forward, left, turn = np.float64(motion.forward), np.float64(motion.left), np.float64(motion.turn)
     thing.x, thing.y = move_point(thing.x, thing.y, forward, left, turn)
-    thing.vx, thing.vy = turn_axes(thing.vx, thing.vy, cos(turn), sin(turn))
+    thing.vx, thing.vy = into_frame(thing.vx, thing.vy, cos(turn), sin(turn))
 
 
 @compiled

@@ -53,16 +53,9 @@ def miss(sketch, kind, noise, probability):
     for i in range(count):
         if uniform(noise, CAMERA_NOISE) >= probability:
             if kept < i:
-                copy(sketch.pieces[kind, i], sketch.pieces[kind, kept])
+                sketch.pieces[kind, kept] = sketch.pieces[kind, i]
             kept += 1
     sketch.found[kind] = kept
-
-
-@compiled
-def copy(piece, other):
-    """Copy a piece over another."""
-    other.left, other.right, other.high, other.low = piece.left, piece.right, piece.high, piece.low
-    other.area = piece.area
 
 
 @compiled
@@ -89,7 +82,7 @@ def add_patches(sketch):
     """Add the patches to what has the colour of the ball."""
     for i in range(sketch.found[PATCHES]):
         if sketch.found[BALL] < PIECES:
-            copy(sketch.pieces[PATCHES, i], sketch.pieces[BALL, sketch.found[BALL]])
+            sketch.pieces[BALL, sketch.found[BALL]] = sketch.pieces[PATCHES, i]
             sketch.found[BALL] += 1
 
 
@@ -103,13 +96,13 @@ def report(sketch, kind, blobs, scale, noise, missed, s):
     pieces, count = sketch.pieces[kind], sketch.found[kind]
     if count > 1:
         count = merge(pieces, count)
-        put_largest_first(pieces, count)
+        put_largest_first(pieces, count, sketch.spare_piece)
     count = min(count, BLOBS)
     for i in range(count):
         measure(sketch.camera, pieces[i], blobs[i], scale, noise, s)
         place = i
         while place > 0 and blobs[place].area > blobs[place - 1].area:
-            swap(blobs[place], blobs[place - 1])
+            swap(blobs, place, place - 1, sketch.spare_blob)
             place -= 1
     for i in range(count, BLOBS):
         if blobs[i].area > 0:
@@ -142,7 +135,7 @@ def merge(pieces, count):
         one.left, one.right = max(one.left, other.left), min(one.right, other.right)
         one.high, one.low = max(one.high, other.high), min(one.low, other.low)
         one.area += other.area
-        copy(pieces[count - 1], other)
+        pieces[j] = pieces[count - 1]
         count -= 1
         i = 0  # the larger one may touch what the smaller ones did not
     return count
@@ -160,7 +153,7 @@ def touch(one, other):
 
 
 @compiled
-def put_largest_first(pieces, count):
+def put_largest_first(pieces, count, spare):
     """Move the four largest pieces to the front, in order; of equal ones the first comes first."""
     for place in range(min(count, BLOBS)):
         largest = place
@@ -168,15 +161,15 @@ def put_largest_first(pieces, count):
             if pieces[i].area > pieces[largest].area:
                 largest = i
         if largest > place:
-            swap_pieces(pieces[place], pieces[largest])
+            swap(pieces, place, largest, spare)
 
 
 @compiled
-def swap_pieces(one, other):
-    """Exchange two pieces."""
-    left, right, high, low, area = one.left, one.right, one.high, one.low, one.area
-    copy(other, one)
-    other.left, other.right, other.high, other.low, other.area = left, right, high, low, area
+def swap(things, one, other, spare):
+    """Exchange two records of an array, by number; spare (1,): room for one of them."""
+    spare[0] = things[one]
+    things[one] = things[other]
+    things[other] = spare[0]
 
 
 @compiled
@@ -226,14 +219,6 @@ def bell(noise):
     bits = mix(noise[CAMERA_NOISE])
     pairs = (bits & BYTES) + ((bits >> np.uint64(8)) & BYTES)  # four sums of two, each in 16 bits
     return (np.float64((pairs * ONES) >> np.uint64(48)) - MIDDLE) * UNIT
-
-
-@compiled
-def swap(one, other):
-    """Exchange two blobs."""
-    left, right, high, low, area = one.left, one.right, one.high, one.low, one.area
-    one.left, one.right, one.high, one.low, one.area = other.left, other.right, other.high, other.low, other.area
-    other.left, other.right, other.high, other.low, other.area = left, right, high, low, area
 
 
 @compiled

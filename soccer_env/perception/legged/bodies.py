@@ -11,8 +11,9 @@ from math import inf
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
-from soccer_env.perception.legged.camera import bring_up_to_date, from_camera, in_view, swing
+from soccer_env.geometry import into_frame, length, point_of_frame
+from soccer_env.optics.head_camera import tilted
+from soccer_env.perception.legged.camera import bring_up_to_date, from_camera, in_view
 from soccer_env.perception.legged.infrared import hull_edges
 from soccer_env.perception.legged.outlines import (
     CORNERS,
@@ -110,8 +111,7 @@ def find_bodies(camera, robots, r, poses, rectangle, s, bodies):
 @compiled
 def put_trunk(camera, ahead, left, pose, rectangle, s, trunk):
     """Fill in the trunk of a robot whose origin is at ahead, left [m]."""
-    trunk.cosine = pose.cosine * camera.cosine + pose.sine * camera.sine
-    trunk.sine = pose.sine * camera.cosine - pose.cosine * camera.sine
+    trunk.cosine, trunk.sine = into_frame(pose.cosine, pose.sine, camera.cosine, camera.sine)
     middle = 0.5 * (rectangle.back + rectangle.front)
     trunk.ahead, trunk.left = ahead + middle * trunk.cosine, left + middle * trunk.sine
     trunk.half_length, trunk.half_width = 0.5 * (rectangle.front - rectangle.back), rectangle.half_width
@@ -126,15 +126,16 @@ def put_head(camera, ahead, left, pose, rectangle, s, body):
     The camera is in the middle of its face. Head and stickers move with the tilt, but stay upright.
     """
     head, trunk, half = body.boxes[HEAD], body.boxes[TRUNK], 0.5 * s.head_size
-    head.cosine = pose.gaze_cosine * camera.cosine + pose.gaze_sine * camera.sine
-    head.sine = pose.gaze_sine * camera.cosine - pose.gaze_cosine * camera.sine
-    forward, rise = swing(pose, s.camera_ahead - half, s.camera_up)
+    head.cosine, head.sine = into_frame(pose.gaze_cosine, pose.gaze_sine, camera.cosine, camera.sine)
+    forward, rise = tilted(s.camera_ahead - half, s.camera_up, pose.level, pose.steep, 0.0)
     head.ahead = ahead + s.neck_ahead * trunk.cosine + forward * head.cosine
     head.left = left + s.neck_ahead * trunk.sine + forward * head.sine
     head.half_length = head.half_width = half
     head.low, head.high = s.neck_height + rise - half, s.neck_height + rise + half
-    crown_forward, crown_rise = swing(pose, s.sticker_head_x, s.head_sticker_middle - s.neck_height)
-    body.crown, body.crown_ahead, body.tilt = s.neck_height + crown_rise, crown_forward - forward, pose.tilt
+    above = s.head_sticker_middle - s.neck_height
+    crown_forward, crown_rise = tilted(s.sticker_head_x, above, pose.level, pose.steep, 0.0)
+    body.crown, body.crown_ahead = s.neck_height + crown_rise, crown_forward - forward
+    body.tilt = pose.tilt
     place_box(camera, head, rectangle.head_radius, rectangle.head_extent)
 
 
@@ -149,7 +150,7 @@ def place_box(camera, box, radius, extent):
 def in_box_axes(box, ahead, left):
     """Return a point's place along the length and the width of a box [m], from its middle."""
     ahead, left = ahead - box.ahead, left - box.left
-    return box.cosine * ahead + box.sine * left, box.cosine * left - box.sine * ahead
+    return into_frame(ahead, left, box.cosine, box.sine)
 
 
 @compiled
@@ -159,7 +160,7 @@ def trace_box(camera, box, tracing, outline):
     for i in range(CORNERS):
         x = -box.half_length if i & 1 else box.half_length
         y = -box.half_width if i & 2 else box.half_width
-        ahead, left = box.ahead + box.cosine * x - box.sine * y, box.left + box.sine * x + box.cosine * y
+        ahead, left = point_of_frame(box.ahead, box.left, x, y, box.cosine, box.sine)
         depth = put_corner(camera, tracing.corners[i], ahead, left, box.low if i & 4 else box.high)
         nearest = min(nearest, depth)
     box.traced = 1

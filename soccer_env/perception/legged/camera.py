@@ -2,7 +2,7 @@
 
 Everything is seen in the camera's level axes: `ahead` and `left` over the ground from the point below the camera, along
 and across the direction in which it looks; heights from the ground. The picture has u [px] to the left and v [px] up
-from its centre, as in optics.py.
+from its centre, as in optics/head_camera.py.
 
 In a match with handedness -1 these axes are mirrored, so that left is right, and so is all that is drawn from there on:
 a mirrored match makes the same picture bit for bit, and only the blobs that leave it are turned round again.
@@ -15,7 +15,8 @@ from math import cos, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.optics.head_camera import focal_x, focal_y, image_height, image_width
+from soccer_env.geometry import into_frame, out_of_frame
+from soccer_env.optics.head_camera import focal_x, focal_y, image_height, image_width, tilted
 
 POSE = np.dtype(
     [  # the directions of a robot and of its head, kept for all who see it in a step; mirrored with the handedness
@@ -78,21 +79,14 @@ def bring_up_to_date(pose, robot, handedness):
     pose.heading, pose.pan, pose.tilt = heading, pan, robot.tilt
     pose.cosine, pose.sine = cos(heading), sin(heading)
     across, along = sin(pan), cos(pan)
-    pose.gaze_cosine = pose.cosine * along - pose.sine * across
-    pose.gaze_sine = pose.sine * along + pose.cosine * across
+    pose.gaze_cosine, pose.gaze_sine = out_of_frame(along, across, pose.cosine, pose.sine)
     pose.level, pose.steep = cos(pose.tilt), sin(pose.tilt)
 
 
 @compiled
-def swing(pose, ahead, up):
-    """Return where the tilt takes a point of the head that is ahead of the neck and above it [m], head level."""
-    return ahead * pose.level - up * pose.steep, up * pose.level + ahead * pose.steep
-
-
-@compiled
 def point_camera(camera, robot, pose, handedness, s):
-    """Bring the camera to where a robot's head holds it: the `camera_place` of optics.py, in the field.  MS08"""
-    forward, rise = swing(pose, s.camera_ahead, s.camera_up)
+    """Bring the camera to where a robot's head holds it: the `camera_place` in the field frame.  MS08"""
+    forward, rise = tilted(s.camera_ahead, s.camera_up, pose.level, pose.steep, 0.0)
     camera.handedness, camera.height = handedness, s.neck_height + rise
     camera.x = robot.x + s.neck_ahead * pose.cosine + forward * pose.gaze_cosine
     camera.y = handedness * robot.y + s.neck_ahead * pose.sine + forward * pose.gaze_sine
@@ -104,7 +98,7 @@ def point_camera(camera, robot, pose, handedness, s):
 def from_camera(camera, x, y):
     """Return how far ahead and to the left of the camera a point of the field lies [m]."""
     x, y = x - camera.x, camera.handedness * y - camera.y
-    return camera.cosine * x + camera.sine * y, camera.cosine * y - camera.sine * x
+    return into_frame(x, y, camera.cosine, camera.sine)
 
 
 @compiled

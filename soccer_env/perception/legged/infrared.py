@@ -9,7 +9,8 @@ from __future__ import annotations
 from math import cos, inf, sin, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.optics.head_camera import camera_place
+from soccer_env.geometry import into_frame, out_of_frame, point_of_frame
+from soccer_env.optics.head_camera import camera_place, tilted
 from soccer_env.perception.legged.solids import reach_boards, reach_box, reach_carpet, reach_post, reach_sphere
 from soccer_env.random_numbers import normal
 from soccer_env.types import RobotStream
@@ -54,8 +55,8 @@ def trace_beam(ball, robots, k, s, r, lateral, vertical):
     x, y, z = camera_place(robot.pan, robot.tilt, s)
     dx, dy, dz = beam_direction(robot.pan, robot.tilt, lateral, vertical)
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    x, y = robot.x + cosine * x - sine * y, robot.y + sine * x + cosine * y
-    dx, dy = cosine * dx - sine * dy, sine * dx + cosine * dy
+    x, y = point_of_frame(robot.x, robot.y, x, y, cosine, sine)
+    dx, dy = out_of_frame(dx, dy, cosine, sine)
     nearest = min(reach_carpet(z, dz), reach_boards(x, y, z, dx, dy, dz, k, s))
     nearest = min(nearest, reach_sphere(x - ball.x, y - ball.y, z - k.ball_radius, dx, dy, dz, k.ball_radius))
     level = max(sqrt(dx * dx + dy * dy), 1e-9)
@@ -76,8 +77,8 @@ def beam_direction(pan, tilt, lateral, vertical):
     """Return the unit vector of the beam, robot frame: the optical axis turned aside and up by small angles [rad]."""
     ahead, up = cos(tilt) - vertical * sin(tilt), sin(tilt) + vertical * cos(tilt)
     scale = 1.0 / sqrt(1.0 + lateral * lateral + vertical * vertical)
-    cosine, sine = cos(pan), sin(pan)
-    return scale * (ahead * cosine - lateral * sine), scale * (ahead * sine + lateral * cosine), scale * up
+    x, y = out_of_frame(ahead, lateral, cos(pan), sin(pan))
+    return scale * x, scale * y, scale * up
 
 
 @compiled
@@ -90,8 +91,8 @@ def robot_extent(k, s):
 def reach_robot(x, y, z, dx, dy, dz, other, k, s):
     """Return the distance to a robot [m]; the ray starts at x, y beside it, in the axes of the field."""
     cosine, sine = cos(other.heading), sin(other.heading)
-    x, y = cosine * x + sine * y, cosine * y - sine * x
-    dx, dy = cosine * dx + sine * dy, cosine * dy - sine * dx
+    x, y = into_frame(x, y, cosine, sine)
+    dx, dy = into_frame(dx, dy, cosine, sine)
     back, front, half_width = hull_edges(k)
     middle, half_length = 0.5 * (front + back), 0.5 * (front - back)
     half_height = 0.5 * (s.trunk_height - s.trunk_low)
@@ -107,11 +108,10 @@ def reach_head(x, y, z, dx, dy, dz, other, s):
     tilt and has the camera in the middle of its face.
     """
     half = 0.5 * s.head_size
-    ahead = (s.camera_ahead - half) * cos(other.tilt) - s.camera_up * sin(other.tilt)
-    height = s.neck_height + s.camera_up * cos(other.tilt) + (s.camera_ahead - half) * sin(other.tilt)
+    ahead, height = tilted(s.camera_ahead - half, s.camera_up, cos(other.tilt), sin(other.tilt), s.neck_height)
     cosine, sine = cos(other.pan), sin(other.pan)
-    x, y = cosine * (x - s.neck_ahead) + sine * y, cosine * y - sine * (x - s.neck_ahead)
-    dx, dy = cosine * dx + sine * dy, cosine * dy - sine * dx
+    x, y = into_frame(x - s.neck_ahead, y, cosine, sine)
+    dx, dy = into_frame(dx, dy, cosine, sine)
     return reach_box(x - ahead, y, z - height, dx, dy, dz, half, half, half)
 
 

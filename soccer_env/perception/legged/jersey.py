@@ -12,6 +12,7 @@ lies behind it: a near robot that looks at the ball seems far away.  [Sacks 2001
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
+from soccer_env.geometry import point_of_frame
 from soccer_env.perception.legged.bodies import HEAD, TRUNK, in_box_axes
 
 
@@ -68,8 +69,7 @@ def put_across(box, x, middle, half_width, half_height, stickers, count):
 def put_along(box, x, y, middle, half_width, half_height, stickers, count):
     """Put a sticker on a side of a box; return how many there are."""
     sticker = stickers[count]
-    sticker.ahead = box.ahead + box.cosine * x - box.sine * y
-    sticker.left = box.left + box.sine * x + box.cosine * y
+    sticker.ahead, sticker.left = point_of_frame(box.ahead, box.left, x, y, box.cosine, box.sine)
     sticker.across, sticker.aside = box.cosine * half_width, box.sine * half_width
     sticker.low, sticker.high = middle - half_height, middle + half_height
     return count + 1

@@ -11,7 +11,7 @@ from math import ceil, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import into_frame, length
 from soccer_env.perception.legged.bodies import HEAD, TRUNK, in_box_axes, trace_box
 from soccer_env.perception.legged.outlines import OUTLINE, chain_at, piece_at
 
@@ -50,7 +50,7 @@ TARGET = np.dtype(
         ("low", "f8"),  # [m] over the ground
         ("high", "f8"),  # [m]
         ("is_round", "i8"),  # 1 a sphere, 0 a polygon
-        ("outline", OUTLINE),  # its box; of a polygon its chains, too
+        ("outline", OUTLINE),  # of a sphere only the box round it is filled in, of a panel its chains as well
         # Of a sphere: column u goes from m - r to m + r, m = middle + lean u, r^2 = square + along u + bend u^2  [px]
         ("middle", "f8"),
         ("lean", "f8"),
@@ -115,8 +115,8 @@ def stands_before(camera, box, target):
     eye_x, eye_y = in_box_axes(box, 0.0, 0.0)
     x, y = in_box_axes(box, target.ahead, target.left)
     deep = target.reach - SINKS
-    along = deep + abs(box.cosine * target.across + box.sine * target.aside)
-    beside = deep + abs(box.cosine * target.aside - box.sine * target.across)
+    along, beside = into_frame(target.across, target.aside, box.cosine, box.sine)
+    along, beside = deep + abs(along), deep + abs(beside)
     return not (
         min(eye_x, x - along) >= box.half_length
         or max(eye_x, x + along) <= -box.half_length

@@ -194,7 +194,7 @@ def sort_points(points, count):
     for i in range(1, count):
         u, v, place = points[i].u, points[i].v, i
         while place > 0 and (points[place - 1].u > u or (points[place - 1].u == u and points[place - 1].v > v)):
-            points[place].u, points[place].v = points[place - 1].u, points[place - 1].v
+            points[place] = points[place - 1]
             place -= 1
         points[place].u, points[place].v = u, v
 

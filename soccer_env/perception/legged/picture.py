@@ -7,7 +7,7 @@ From the truth: where the camera looks (camera.py), who stands before it (bodies
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.frames import direction_of
+from soccer_env.geometry import direction_of
 from soccer_env.perception.legged.blobs import clear, deliver
 from soccer_env.perception.legged.bodies import HEAD, TRUNK, find_bodies
 from soccer_env.perception.legged.camera import bring_up_to_date, from_camera, point_camera

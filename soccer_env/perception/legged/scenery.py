@@ -57,7 +57,7 @@ def draw_landmarks(sketch, side, k, s):
         face_camera(sketch.panel, ahead, aside, s.landmark_radius)
         sketch.panel.low, sketch.panel.high = s.landmark_low, s.landmark_high
         draw_panel(sketch, sketch.panel, LANDMARK, NOBODY, False, True)
-        keep_largest(sketch, sketch.landmarks[index])
+        keep_largest(sketch, index)
 
 
 @compiled
@@ -69,13 +69,11 @@ def face_camera(panel, ahead, left, half_width):
 
 
 @compiled
-def keep_largest(sketch, kept):
-    """Keep the largest piece of a landmark."""
+def keep_largest(sketch, index):
+    """Keep the largest piece of a landmark, by its number."""
     for i in range(sketch.found[LANDMARK]):
-        piece = sketch.pieces[LANDMARK, i]
-        if piece.area > kept.area:
-            kept.left, kept.right, kept.high, kept.low = piece.left, piece.right, piece.high, piece.low
-            kept.area = piece.area
+        if sketch.pieces[LANDMARK, i].area > sketch.landmarks[index].area:
+            sketch.landmarks[index] = sketch.pieces[LANDMARK, i]
 
 
 @compiled

@@ -12,7 +12,7 @@ from math import inf, pi, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled, records
-from soccer_env.percept_types import LANDMARKS, OTHERS
+from soccer_env.percept_types import BLOB, LANDMARKS, OTHERS
 from soccer_env.perception.legged.bodies import BODY, RECTANGLE, measure_hull
 from soccer_env.perception.legged.camera import CAMERA, POSE, axes_of, face_ahead, in_view, open_camera, sphere_box
 from soccer_env.perception.legged.occlusion import (
@@ -72,6 +72,8 @@ SKETCH = np.dtype(
         ("found", "i8", (KINDS,)),  # pieces of each kind
         ("pieces", PIECE, (KINDS, PIECES)),
         ("landmarks", PIECE, (LANDMARKS,)),  # the largest piece of each; area 0: none
+        ("spare_piece", PIECE, (1,)),  # for the exchange of two
+        ("spare_blob", BLOB, (1,)),
     ]
 )
 

@@ -11,7 +11,7 @@ from math import asin, atan2, cos, sin
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length, wrap
+from soccer_env.geometry import into_frame, length, wrap
 
 AROUND = np.dtype(
     [  # another robot, in the axes of the one that looks
@@ -41,7 +41,8 @@ def survey(robots, r, k, around):
             x, y = robot.x - me.x, robot.y - me.y
             one = around[found]
             one.distance = length(x, y)
-            one.bearing = atan2(cosine * y - sine * x, cosine * x + sine * y)
+            ahead, left = into_frame(x, y, cosine, sine)
+            one.bearing = atan2(left, ahead)
             one.half = half_angle(radius, one.distance)
             one.teammate = teammate
             found += 1

@@ -10,6 +10,7 @@ from math import ceil, cos, floor, pi, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.geometry import out_of_frame
 from soccer_env.optics.mirror_camera import ground_distance, image_radius
 from soccer_env.percept_types import LINES
 from soccer_env.perception.omni.around import body_radius
@@ -58,8 +59,7 @@ def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour
     found = (1.0 - s.line_miss) * colour
     for step in range(s.lines):  # to the left or, in a mirrored match, to the right, for the same draws
         i = step if handedness > 0.0 else (s.lines - step) % s.lines
-        dx = cosine * map.cosine[i] - sine * map.sine[i]
-        dy = sine * map.cosine[i] + cosine * map.sine[i]
+        dx, dy = out_of_frame(map.cosine[i], map.sine[i], cosine, sine)
         distance = first_line(robot.x, robot.y, dx, dy, map, k.pitch_circle, s.hidden_radius, map.free[i])
         lines[i] = 0.0
         if distance < map.free[i]:

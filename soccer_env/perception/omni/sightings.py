@@ -9,8 +9,7 @@ from __future__ import annotations
 from math import atan2, cos, exp, floor, inf, log, pi, sin, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.frames import direction_of
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import clip, direction_of, into_frame, length, wrap
 from soccer_env.optics.mirror_camera import ground_distance, image_radius
 from soccer_env.perception.omni.around import body_radius, half_angle, visible_part
 from soccer_env.random_numbers import uniform
@@ -72,7 +71,8 @@ def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colo
     clear(sighting)
     cosine, sine = cos(robot.heading), sin(robot.heading)
     x, y = ball.x - robot.x, ball.y - robot.y
-    distance, bearing = length(x, y), atan2(cosine * y - sine * x, cosine * x + sine * y)
+    ahead, left = into_frame(x, y, cosine, sine)
+    distance, bearing = length(x, y), atan2(left, ahead)
     kept = colour if s.ball_coloured == 1 else 1.0
     if distance >= s.hidden_radius:
         half = half_angle(k.ball_radius, distance)
@@ -126,9 +126,7 @@ def sink(players, last):
     one = players[last]
     distance, bearing, teammate = one.distance, one.bearing, one.teammate
     while last > 0 and players[last - 1].distance > distance:
-        before, after = players[last - 1], players[last]
-        after.distance, after.bearing, after.teammate = before.distance, before.bearing, before.teammate
-        after.seen = 1
+        players[last] = players[last - 1]
         last -= 1
     one = players[last]
     one.distance, one.bearing, one.teammate = distance, bearing, teammate

@@ -25,12 +25,11 @@ from soccer_env.train.reproduce.claims.players.seen import (
     put_facing,
     slot_bearings,
     slots_of,
-    turn_head,
     view_of,
     watchers,
 )
 from soccer_env.train.reproduce.staging import begin, from_robot, play, put, standing, wrapped
-from soccer_env.train.reproduce.true_sight import camera_of
+from soccer_env.train.reproduce.true_sight import camera_of, turn_head
 
 BATCH = Batch("test", 0, 0)
 

@@ -24,10 +24,10 @@ from soccer_env.train.reproduce.claims.players.seen import (
     matched,
     put_facing,
     slots_of,
-    turn_head,
     watchers,
 )
 from soccer_env.train.reproduce.staging import begin, play, standing
+from soccer_env.train.reproduce.true_sight import turn_head
 from soccer_env.train.reproduce.values import mean
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 

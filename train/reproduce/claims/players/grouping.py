@@ -16,10 +16,10 @@ from soccer_env.train.reproduce.claims.players.seen import (
     put_facing,
     slot_bearings,
     slots_of,
-    turn_head,
     watchers,
 )
 from soccer_env.train.reproduce.staging import begin, from_robot, play, standing, wrapped
+from soccer_env.train.reproduce.true_sight import turn_head
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
 
 MATCHES = 192

@@ -9,9 +9,9 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.reproduce.claims.players.seen import look_at, nearest_seen, put_facing, turn_head, watchers
+from soccer_env.train.reproduce.claims.players.seen import look_at, nearest_seen, put_facing, watchers
 from soccer_env.train.reproduce.staging import begin, from_robot, play, standing
-from soccer_env.train.reproduce.true_sight import camera_of
+from soccer_env.train.reproduce.true_sight import camera_of, turn_head
 from soccer_env.train.reproduce.values import in_bins, mean, middles_of
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 

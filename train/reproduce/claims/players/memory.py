@@ -9,8 +9,9 @@ import numpy as np
 
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.grouping import TILT
-from soccer_env.train.reproduce.claims.players.seen import is_fresh, put_facing, slots_of, turn_head, watchers
+from soccer_env.train.reproduce.claims.players.seen import is_fresh, put_facing, slots_of, watchers
 from soccer_env.train.reproduce.staging import begin, play, standing
+from soccer_env.train.reproduce.true_sight import turn_head
 from soccer_env.train.reproduce.values import about_own_mean, mean, median, rms
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 

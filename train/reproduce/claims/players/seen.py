@@ -15,7 +15,7 @@ from soccer_env.match import Match
 from soccer_env.optics.head_camera import SMALLEST_HEIGHT, SMALLEST_WIDTH
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.staging import LEGGED, ahead_of, from_robot, hide_ball, put, stage, wrapped
-from soccer_env.train.reproduce.true_sight import camera_of
+from soccer_env.train.reproduce.true_sight import camera_of, look_at_point
 
 NONE = np.inf  # [m] gap to a player that nobody remembers
 STICKER = find_league(LEGGED).sensors.trunk_sticker_middle  # [m] height at which a player is looked at
@@ -47,23 +47,7 @@ def view_of(match: Match, r: int, seen_by: int = 0) -> np.ndarray:
 
 def look_at(match: Match, actions: np.ndarray, r: int = 1, height: float = STICKER) -> None:
     """Turn the head of robot 0 to robot r: fills in columns 4 to 6 of actions (M, R, 7)."""
-    distance, bearing = from_robot(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])
-    s = match.league.sensors
-    # from the neck, about which the head turns
-    x, y = distance * np.cos(bearing) - s.neck_ahead, distance * np.sin(bearing)
-    away, down = np.hypot(x, y), s.neck_height - height
-    # the camera stands camera_up above the line through the neck along which it looks
-    tilt = -np.arctan2(down, away) - np.arcsin(np.minimum(s.camera_up / np.hypot(away, down), 1.0))
-    turn_head(match, actions, 0, np.arctan2(y, x), tilt)
-
-
-def turn_head(match: Match, actions: np.ndarray, r: int, pan: Any, tilt: Any) -> None:
-    """Ask robot r to turn its head to pan and tilt [rad]: fills in columns 4 to 6 of actions (M, R, 7)."""
-    head = match.league.head
-    middle, span = 0.5 * (head.tilt_high + head.tilt_low), 0.5 * (head.tilt_high - head.tilt_low)
-    actions[:, r, 4] = 1.0
-    actions[:, r, 5] = np.clip(pan / head.pan_limit, -1.0, 1.0)
-    actions[:, r, 6] = np.clip((tilt - middle) / span, -1.0, 1.0)
+    look_at_point(match, actions, 0, match.robots["x"][:, r], match.robots["y"][:, r], height)
 
 
 def slots_of(match: Match, teammates: bool = False) -> np.ndarray:
@@ -94,9 +78,13 @@ def nearest_seen(match: Match) -> tuple[np.ndarray, np.ndarray]:
 
 def places_of(match: Match, robots: Any) -> tuple[np.ndarray, np.ndarray]:
     """Return where some robots are, x and y (M, n) [m] in robot 0's frame."""
-    eye = match.robots[:, :1]
-    dx, dy = match.robots["x"][:, robots] - eye["x"], match.robots["y"][:, robots] - eye["y"]
+    return ahead_and_left(match.robots[:, :1], match.robots["x"][:, robots], match.robots["y"][:, robots])
+
+
+def ahead_and_left(eye: np.ndarray, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return how far ahead and to the left of robots some points of the field frame lie [m]."""
     cosine, sine = np.cos(eye["heading"]), np.sin(eye["heading"])
+    dx, dy = x - eye["x"], y - eye["y"]
     return cosine * dx + sine * dy, cosine * dy - sine * dx
 
 
@@ -168,9 +156,6 @@ def owners(match: Match, robots: Any) -> np.ndarray:
 def slot_bearings(match: Match, slots: np.ndarray) -> np.ndarray:
     """Return the bearings (M, slots) [rad] of what slots hold from robot 0's camera, not from its body's centre."""
     camera, _ = camera_of(match)
-    eye = match.robots[:, 0]
-    dx, dy = camera[:, 0] - eye["x"], camera[:, 1] - eye["y"]
-    cosine, sine = np.cos(eye["heading"]), np.sin(eye["heading"])
-    ahead, left = cosine * dx + sine * dy, cosine * dy - sine * dx
+    ahead, left = ahead_and_left(match.robots[:, 0], camera[:, 0], camera[:, 1])
     bearing: np.ndarray = np.arctan2(slots["y"] - left[:, None], slots["x"] - ahead[:, None])
     return bearing

@@ -17,10 +17,10 @@ from soccer_env.train.reproduce.claims.players.seen import (
     matched,
     slot_bearings,
     slots_of,
-    turn_head,
     watchers,
 )
 from soccer_env.train.reproduce.staging import begin, from_robot, play, put, standing, wrapped
+from soccer_env.train.reproduce.true_sight import turn_head
 from soccer_env.train.reproduce.values import mean, rms
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 
