@@ -1,1 +1,13 @@
-"""Play scripted teams: simple ones, and those of the two papers."""
+"""Play scripted teams: simple ones, and those of the two papers.
+
+    still.py         stands still                random.py        wanders about at random
+    walker.py        walks straight ahead        chaser.py        plays, simply, in both leagues
+    attacking.py     the chaser's attacker       goalkeeping.py   the chaser's goalkeeper
+    sacks_2001/      the legged team of Sacks (2001)
+
+What they share:
+
+    sight.py         a belief, turned into the team frame once a decision
+    skills.py        ways to move, to aim and to play the ball
+    deciding.py      when a player decides, and how well by its strength
+"""

@@ -1,4 +1,57 @@
-"""Multi-agent robot soccer after two published teams: physics by pymunk, play by policies and scripted teams."""
+"""Multi-agent robot soccer after two published teams: physics by pymunk, play by policies and scripted teams.
+
+How to use it:
+
+    soccer_v0.py         the PettingZoo API
+    gymnasium_envs.py    the Gymnasium API, and its ids
+    api/                 what both share
+    match.py             `Match`: many matches at once, without dictionaries
+    replay/              matches on disk that play again exactly
+    render/              pictures, windows and overlays
+    staging.py           robots and ball put somewhere, for experiments
+
+What a match is made of:
+
+    types.py             every record of a match, with units and frames
+    percept_types.py     the records of percepts
+    settings.py          the settings of a match, checked
+    leagues/             the leagues, every number with unit and source
+    teams.py             what a team is, and the teams by name
+    actions.py           what learners may do
+    observations/        what learners see
+    rewards.py           what learners are paid for
+    scenes/              how an episode begins: kick-off and drills
+    physics/             bodies, wheels, legs and ball; the only user of pymunk
+    referee/             goals, restarts and the other rules
+    optics/              what a camera shows where
+    perception/          percepts from the truth
+    belief/              beliefs from percepts
+
+How it is played:
+
+    match_batch.py       the records of M matches, and how a slice of them is stepped
+    step.py              one control step, from commands to observations
+    episodes.py          how an episode begins
+    squads.py            who plays which robot
+    senses.py            what robots perceive and believe
+    saving.py            save, restore, hash
+    truth_state.py       the whole truth as one vector, for centralised critics
+    user_code.py         checks of what a user's own functions return
+
+What all of it stands on:
+
+    geometry.py          angles, vectors and frames
+    random_numbers.py    the generator that lives in the records
+    tracks.py            slots for other players
+    ball_words.py        words of four bits for a distance to the ball
+    compiled.py          the decorator that compiles a function
+    compiled_cache.py    machine code on disk
+    compiled_sources.py  which source files that code depends on
+    lazy_names.py        names that are imported when they are used
+    whole_files.py       files that are written whole or not at all
+
+The folders baselines/, agents/ and train/ of the repository are imported as `soccer_env.baselines` and so on.
+"""
 
 from __future__ import annotations
 

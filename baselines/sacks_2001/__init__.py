@@ -2,11 +2,21 @@
 
 Each player decides for itself, from its own belief and tracks, in the three parts of the paper's software:
 
-    XLSs       what it knows: self, ball, foes, pals          belief, tracks; sight (baselines/sight.py)
-    planner    what it does                                   planner.py, with one module for each mechanism
-    XLAs       how it walks and looks                         xla.py
+    XLSs       what it knows: self, ball, foes, pals: belief, tracks, and ../sight.py
+    planner    what it does: the planner, with one module for each mechanism
+    XLAs       how it walks and looks
 
-`settings.py` has every number and switch. `sacks-2001-future` is the team with the paper's future work,
+Files:
+
+    team.py        the teams, and the kernel that decides for all players
+    settings.py    every number and switch             memory.py      what a player remembers
+    planner.py     chooses a behaviour and does it     xla.py         what legs and head can do
+    sightings.py   what it notes of the ball           positions.py   who goes to the ball, where others stand
+    stuck.py       how it notices that it is stuck     recovery.py    how it gets free
+    forces.py      the potential field                 steering.py    where a dribbler goes
+    shooting.py    shots and passes                    goalkeeper.py  the goalkeeper
+
+`sacks-2001-future` is the team with the paper's future work,
 `sacks-2001-tuned` the team with numbers that do better here than the paper's.
 """
 

@@ -4,7 +4,7 @@
     legged/        What legged robots believe: ball, other players, obstacle and own pose, and where the head looks.
     odometry.py    Where a remembered thing lies after the robot itself has moved.
     omni/          What middle-size robots believe: ball and players by filters, own pose by lines, reports by radio.
-    own_pose.py    Where a robot believes itself to be: told, given by a noisy sensor, by particles, or by its ...
+    own_pose.py    Where a robot believes itself to be: by a pose that it is given, by particles, or by odometry.
     particles.py   Particles: many poses at which a robot may be, moved with it and kept where they fit what it sees.
     talk.py        What team-mates tell each other, by loudspeaker or by radio: messages that take time and get lost.
 

@@ -1,4 +1,16 @@
-"""League presets and how to find them by name."""
+"""The leagues: every number of pitch, robots, rules and sensors, with unit and source.
+
+legged_2001.py        the Sony legged league of 2001
+legged_sensors.py     its sensors, and the memory of its robots
+middle_size_2006.py   the middle-size league of 2006
+omni_sensors.py       its sensors, and the memory of its robots
+league.py             what a league is, and a map of the pitch
+robot.py              what its robots are: body, drive, kicker, head
+constants.py          the numbers of a league as one record for kernels
+options.py            settings that are checked, changed by name and turned into a record
+pose_memory.py        the settings of a robot's own pose, alike in all leagues
+checks.py             checks of the numbers of a league
+"""
 
 from __future__ import annotations
 

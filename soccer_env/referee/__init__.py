@@ -1,1 +1,7 @@
-"""The referee: goals, out of play, restarts, stuck ball, halves. One rule set per league, built from shared rules."""
+"""The referee: goals, out of play, restarts, stuck ball, halves. One rule set per league, built from shared rules.
+
+calls.py        what the referee sees and calls: goals, out of play, stuck ball, the end of a half
+restarts.py     how a restart is carried out: the ball, places, distances
+formation.py    where robots stand at a restart
+separation.py   opponents that hold each other are pulled apart
+"""

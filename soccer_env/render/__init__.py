@@ -1,4 +1,13 @@
-"""Pictures of a match, drawn from its records alone; pygame is imported when the first one is made."""
+"""Pictures of a match, drawn from its records alone; pygame is imported when the first one is made.
+
+frame.py        `Picture`: one frame, from the records of a match
+pitch.py        its background                     robots.py       robots and ball
+header.py       the bar above the pitch            captions.py     what it says
+substitutes.py  robots that do not play            overlays.py     points, paths and arrows on top
+view.py         where things lie in a picture      canvas.py       smooth drawing
+colours.py      the colours                        sheet.py        frames on disk and side by side
+window.py       a window, in real time
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,12 @@
 """Scenes: how an episode begins, and for drills what counts as success.
 
-`kick-off` is a match. The drills are named starts with a success test (judging.py) and a time limit; more come with the
-teams that need them.
+`kick-off` is a match. The drills are named starts with a success test and a time limit; more come with the teams
+that need them.
+
+    scene.py          what a scene is
+    drills.py         drills of every league
+    drills_legged.py  drills of the legged league
+    judging.py        what counts as success
 """
 
 from __future__ import annotations

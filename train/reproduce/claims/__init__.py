@@ -15,6 +15,12 @@ To add a claim:
 6. `soccer reproduce ID --quick`; a test in tests/train/reproduce holds every module to these rules.
 
 Measure what the paper's words say over the range they speak of; a claim that does not hold is a finding.
+
+    ball/            finding and following the ball       players/         recognising and remembering other players
+    stuck/           noticing that one is stuck           dribble/         keeping the ball, past others
+    field/           the potential field                  goalkeeper.py    what a goalkeeper makes of velocities
+    own_pose.py      a middle-size robot's own pose       middle_size.py   its sight in changing light
+    resolution.py    what a finer camera would bring      sensors.py       errors of all sensors over the range
 """
 
 from __future__ import annotations

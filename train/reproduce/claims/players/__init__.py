@@ -1,4 +1,4 @@
-"""How legged robots tell other players, and remember them.
+"""How legged robots recognise other players, and remember them.
 
 blobs.py         A player's range from all its blobs or the largest one, while its head stickers come and go.
 ghosts.py        What a ghost costs the memory of other players, and what a player that is missed costs it.
