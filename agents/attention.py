@@ -1,4 +1,4 @@
-"""Attention over other players, for policies of kind "attention": what stands before their layers.
+"""Attention over other players, for policies of kind "attention": what comes before their layers.
 
     q      = Q fixed                                 (width,)  fixed: what belongs to no slot
     e_s    = activation(W slot_s + b)                (width,)  of each slot s in use; all slots share W and b
@@ -23,17 +23,17 @@ from soccer_env.observations.entry import OPPONENT, TEAMMATE, Entry
 
 PLAYERS = (TEAMMATE, OPPONENT)  # groups of entries
 TENSORS = tuple(f"{kind}.{part}" for kind in PLAYERS for part in ("weight", "bias", "query"))  # W, b, Q
-NARROWEST = 8  # width beside few hidden units
-SHARE = 4  # units of the first hidden layer for one of the width
-FIXED, WIDTH, SLOTS, ENTRIES = 0, 1, 2, 4  # where numbers of the shape lie; SLOTS and ENTRIES of both kinds
-SHAPE = 6  # how many there are
+NARROWEST = 8  # least width, beside a small hidden layer
+SHARE = 4  # [1] how many times as wide the first hidden layer is
+FIXED, WIDTH, SLOTS, ENTRIES = 0, 1, 2, 4  # places in the shape; SLOTS and ENTRIES have two numbers, one for each kind
+SHAPE = 6  # numbers of the shape
 
 
 @dataclass(frozen=True)
 class Layout:
     """How many numbers of an observation belong to what; slots come last, team-mates first."""
 
-    fixed: int  # entries of no slot
+    fixed: int  # entries that belong to no slot
     slots: tuple[int, int]  # of team-mates and opponents
     entries: tuple[int, int]  # of a slot of each
 
@@ -95,7 +95,7 @@ def flat(tensors: Sequence[np.ndarray]) -> list[np.ndarray]:
 
 @compiled
 def observed(numbers, shape):
-    """Return how many entries an observation has, by the shape at `shape`."""
+    """Return how many entries an observation has; its shape begins at index `shape`."""
     found = numbers[shape + FIXED]
     for kind in range(2):
         found += numbers[shape + SLOTS + kind] * numbers[shape + ENTRIES + kind]
@@ -104,9 +104,9 @@ def observed(numbers, shape):
 
 @compiled
 def attend(numbers, shape, start, smooth, scratch):
-    """Put what is pooled of both kinds behind the fixed entries in scratch[2]; return where the numbers go on.
+    """Put what is pooled of both kinds behind the fixed entries in scratch[2]; return the index of the next number.
 
-    Scratch[0] and scratch[1] are to work in; `smooth` is True for tanh.
+    Scratch[0] and scratch[1] are working space; `smooth` is True for tanh.
     """
     fixed, width = int(numbers[shape + FIXED]), int(numbers[shape + WIDTH])
     at, first = start, fixed

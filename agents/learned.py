@@ -26,11 +26,11 @@ MEMORY = np.dtype(
         ("action", "f8", (7,)),  # forward, left, turn, kick, head, pan, tilt
     ]
 )
-HEAD = 4  # where the head's number lies in an action
+HEAD = 4  # index of the head's number in an action
 
 
 class LearnedTeam(ObservingTeam):
-    """A policy as a team; `policy` tells where it comes from."""
+    """A policy as a team; `policy` says where it comes from."""
 
     policy: Policy
 
@@ -59,9 +59,9 @@ def from_zip(
     activation: str | None = None,
     at_once: bool = True,
 ) -> LearnedTeam:
-    """Return the team of a zip that stable-baselines3 saved after training on a face of ours with these settings.
+    """Return the team of a zip that stable-baselines3 saved after training through one of our APIs with these settings.
 
-    at_once: episodes began with a decision, as on the faces; False for `train.vec_env.SoccerVecEnv`.
+    at_once: episodes began with a decision, as the APIs do it; False for `train.vec_env.SoccerVecEnv`.
     """
     from soccer_env.agents.sb3_zip import load_sb3
 

@@ -23,9 +23,9 @@ from soccer_env.observations.reflection import action_signs, observation_signs
 if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy
 
-LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, SIZES = range(6)  # where the head's numbers lie; SIZES: the first size
+LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, SIZES = range(6)  # places in the head of the array; SIZES: the first size
 NETWORKS = (("slots", "tanh"), ("slots", "relu"), ("attention", "tanh"), ("attention", "relu"))
-ATTENTION = 2  # the first of NETWORKS with attention; tanh is the even ones
+ATTENTION = 2  # from this index of NETWORKS on there is attention; even indices have tanh
 
 
 def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
@@ -45,9 +45,9 @@ def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
 
 @compiled
 def act(numbers, row, action, scratch):
-    """Write the action (a,) for one observation (n,); scratch (3, widest) is to work in.
+    """Write the action (a,) for one observation (n,); scratch (3, widest) is working space.
 
-    The mean of the network and of its mirror image where the head says so, clipped to [-1, 1].
+    If the head of the array says so, the mean of the network and of its mirror image; clipped to [-1, 1].
     """
     layers = int(numbers[LAYERS])
     inputs, outputs = entries(numbers), int(numbers[SIZES + layers])

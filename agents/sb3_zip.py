@@ -48,7 +48,7 @@ ACTIVATION_TEXTS = {
 }
 DEFAULT_ACTIVATION = "tanh"  # of MlpPolicy
 FLATTEN = "<class 'stable_baselines3.common.torch_layers.FlattenExtractor'>"
-HARMLESS = {  # policy_kwargs that change the mean action not at all, or as the parameters and checks below tell
+HARMLESS = {  # policy_kwargs without effect on the mean action, or with one that the parameters show
     *("net_arch", "activation_fn", "ortho_init", "log_std_init", "full_std", "use_expln", "squash_output"),
     *("features_extractor_class", "features_extractor_kwargs", "share_features_extractor", "normalize_images"),
     *("optimizer_class", "optimizer_kwargs"),
@@ -68,8 +68,8 @@ def load_sb3(
 ) -> Policy:
     """Return the policy of a stable-baselines3 zip (PPO or A2C, MlpPolicy) trained in a league on `observe`.
 
-    `name` is the file's own unless given. `activation` is for zips of policy classes of one's own that do not say
-    theirs; None means what the zip says, else tanh. ValueError names the file and the reason; without torch it is an
+    `name` is the file's own unless given. `activation` is for zips of a user's own policy classes that do not name
+    theirs; None: what the zip says, else tanh. ValueError names the file and the reason; without torch it is an
     ImportError.
     """
     preset = find_league(league)
@@ -124,12 +124,12 @@ def _members(content: bytes, wanted: Any, limit: int, what: str) -> dict[str, by
             return {entry.filename: archive.read(entry) for entry in found}
     except ValueError:
         raise
-    except Exception as error:  # zipfile meets broken files with a dozen types of error
+    except Exception as error:  # zipfile raises a dozen types of error for broken files
         raise ValueError(f"is no sound zip: {one_line(error) or type(error).__name__}") from None
 
 
 def _plain_data(content: bytes) -> dict[str, Any]:
-    """Return the settings of the run, after what they say of the policy was found to be supported."""
+    """Return the settings of the run; ValueError if they describe a policy that is not supported."""
     said = strict_json(_member(content, "data", MAX_DATA), "data", finite=False)
     if not isinstance(said, dict):
         raise ValueError("data must be a JSON object")
@@ -183,7 +183,7 @@ def _parameters(pth: bytes) -> dict[str, np.ndarray]:
             if not isinstance(key, str) or not isinstance(tensor, torch.Tensor):
                 raise TypeError(f"it must hold tensors with names, got {brief(key)}")
         return {key: tensor.detach().numpy() for key, tensor in parameters.items()}
-    except Exception as error:  # torch meets broken archives with many types of error
+    except Exception as error:  # torch raises many types of error for broken archives
         raise ValueError(f"policy.pth cannot be read: {one_line(error)[:150]}") from None
 
 

@@ -1,4 +1,7 @@
-"""The attacker of the chaser: meet the ball, get behind it, turn it to the goal, shoot; work it loose when stuck."""
+"""The attacker of the chaser: meet the ball, get behind it, turn it to the goal, shoot; work it loose when stuck.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
 
 from __future__ import annotations
 

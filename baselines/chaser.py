@@ -9,6 +9,8 @@ Each player decides from its own belief and tracks. One ladder for each role:
 Who attacks: the field player that believes itself nearest to the ball, counting the way round it. `strength` from 0 to
 1 scales the pace, how often a player decides, how straight it aims and how hard it kicks; at 1 nothing is drawn at
 random but the patience with a stuck ball, so that mirrored beliefs give mirrored commands.
+
+`k`: the league's constants; `play`: the team's settings.
 """
 
 from __future__ import annotations
@@ -53,18 +55,18 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "walk_ahead": (0.25, 0.0, 0.0),  # [m] a walk this long is done facing ahead
     "run_in_cosine": (0.3, 0.94, 0.9),  # cosine of the angle off the line behind the ball for a run straight in
     "square_up": (0.0, 0.1, 0.0),  # [m] into the ball that a base which steps aside aims; 0: it faces the ball instead
-    "near": (1.6, 1.8, 1.3),  # [touch distances] within which the next one counts instead
-    "near_cosine": (-0.5, 0.85, 0.3),  # cosine
+    "near": (1.6, 1.8, 1.3),  # [touch distances] within which `near_cosine` counts instead
+    "near_cosine": (-0.5, 0.85, 0.3),  # the same cosine near the ball
     "clearance": (0.05, 0.15, 0.25),  # [m] between front and ball on the way round
     "orbit_step": (0.6, 0.7, 0.6),  # [rad] of the way round that is looked ahead
     "orbit_speed": (0.12, 1.0, 0.6),  # [m/s] least on the way round
     "bump": (0.12, 2.2, 1.0),  # [m/s] at which the ball is met
     "delay": (0.1, 0.12, 0.12),  # [s] least time by which the ball is led
-    "lead": (3.0, 1.5, 2.0),  # [s] greatest
+    "lead": (3.0, 1.5, 2.0),  # [s] greatest time by which the ball is led
     "turn_share": (1.0, 0.7, 0.5),  # [1] of the top turn rate with the ball
     "carry_share": (1.0, 0.15, 0.2),  # [1] of the top speed while turning with the ball
     "push_share": (1.0, 1.0, 0.9),  # [1] of the top speed while pushing it straight
-    "aligned": (0.15, 0.3, 0.2),  # [rad] straight
+    "aligned": (0.15, 0.3, 0.2),  # [rad] off the aim within which the ball counts as straight ahead
     "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front
     "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
     "room": (0.03, 0.02, 0.02),  # [rad] beside a shot

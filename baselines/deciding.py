@@ -1,6 +1,8 @@
 """When a scripted player decides, how well by its strength, and how far it keeps off the opponents' restart.
 
 A team's memory has `wait` and `aim_error`, and `forward`, `aside`, `turn` and `kick` for the command that is repeated.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations

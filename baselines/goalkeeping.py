@@ -1,4 +1,7 @@
-"""The goalkeeper of the chaser: stand between ball and goal, meet shots on the line, clear what lies near."""
+"""The goalkeeper of the chaser: stand between ball and goal, meet shots on the line, clear what lies near.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The team that wanders about at random: each player keeps a random command for a while, then draws another."""
+"""The team that wanders about at random: each player keeps a random command for a while, then draws another.
+
+`k`: the league's constants.
+"""
 
 from __future__ import annotations
 

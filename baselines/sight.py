@@ -1,8 +1,10 @@
-"""What a scripted player sees of the game, in its team's frame: own goal at -x, the opponents' at +x.
+"""What a scripted player sees of the match, in its team's frame: own goal at -x, the opponents' at +x.
 
 Beliefs and tracks are relative to the robot; `look` turns them once a decision into one flat record, so that skills
 can be written for a team that attacks +x. Everything here is exact under a left-right mirror: cosine terms are even,
 sine terms odd.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations
@@ -61,7 +63,9 @@ def look(sight, belief, tracks, k):
     delay = k.dt * (k.delay_steps + 0.5 * (k.gait_steps - 1.0))
     cosine, sine = cos(own.heading), sin(own.heading)
     sight.now_cosine, sight.now_sine = cosine, sine
-    sight.now_ahead, sight.now_left, sight.held = ball.x, ball.y, ball.held
+    sight.now_ahead = ball.x
+    sight.now_left = ball.y
+    sight.held = ball.held
     sight.vx, sight.vy = out_of_frame(own.forward, own.left, cosine, sine)
     sight.ball_vx, sight.ball_vy = out_of_frame(ball.vx, ball.vy, cosine, sine)
     look_at_others(sight, own, tracks, delay)

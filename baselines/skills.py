@@ -2,6 +2,8 @@
 
 Skills hold no state and write a command. `go` is the only place that knows how a base moves: gait, omnidirectional or
 differential. Lengths are in metres of the team frame unless a name says otherwise.
+
+`k`: the league's constants; `play`: the team's settings.
 """
 
 from __future__ import annotations

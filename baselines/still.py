@@ -1,4 +1,7 @@
-"""The team that stands still."""
+"""The team that stands still.
+
+`k`: the league's constants.
+"""
 
 from __future__ import annotations
 

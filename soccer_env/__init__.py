@@ -17,6 +17,7 @@ What a match is made of:
     settings.py          the settings of a match, checked
     leagues/             the leagues, every number with unit and source
     teams.py             what a team is, and the teams by name
+    team_kernels.py      the kernel of a team, made from what one player does
     actions.py           what learners may do
     observations/        what learners see
     rewards.py           what learners are paid for

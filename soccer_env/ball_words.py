@@ -5,7 +5,7 @@ Word 1 is below NEAREST, each further one covers a range GROWTH times as long; t
     word       1      2      3      4      5      6      7     8     9    10    11    12    13    14    15
     up to   0.12   0.15   0.20   0.25   0.32   0.41   0.53  0.68  0.86  1.11  1.42  1.81  2.32  2.97   inf  [m]
 
-so that near robots, which may want the same ball, are told apart and far ones are not. Word 0 says that the robot does
+Near robots, which may want the same ball, are thus told apart, and far ones are not. Word 0 says that the robot does
 not see the ball.
 """
 

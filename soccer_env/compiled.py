@@ -42,7 +42,7 @@ def compiled(function: F) -> F:
 
 
 def records(count: int, dtype: Any) -> Any:
-    """Return `count` zeroed records to work in, inside a compiled function: with attributes in plain Python as well."""
+    """Return `count` zeroed scratch records, inside a compiled function: with attributes in plain Python as well."""
     return np.zeros(count, dtype).view(np.recarray)
 
 

@@ -179,7 +179,7 @@ def _temporary_folder() -> Iterator[Path]:
 def _load(path: Path, key: Any) -> Any:
     try:
         found, payload = pickle.loads(path.read_bytes())
-    except Exception:  # not there, unreadable or damaged: it is compiled again and written over
+    except Exception:  # missing, unreadable or damaged: it is compiled again and overwritten
         return None
     return payload if found == key else None
 

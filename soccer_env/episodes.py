@@ -1,4 +1,7 @@
-"""How an episode of one match begins: empty records, streams, formation, and the scene on top."""
+"""How an episode of one match begins: empty records, noise streams, the kick-off formation, then the scene.
+
+`k`: the league's constants.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +29,9 @@ def begin_episode(match, ball, robots, k, seed, episode, half_length):
     start_streams(match.noise, seed, episode, 0)
     match.handedness = match.home_direction = 1.0
     match.half_length = half_length
-    match.phase, match.restart_team, match.kick_off_team = KICK_OFF, HOME, HOME
+    match.phase = KICK_OFF
+    match.restart_team = HOME
+    match.kick_off_team = HOME
     match.last_touch_team, match.last_touch_robot = NO_TEAM, -1
     for r in range(robots.shape[0]):
         start_streams(robots[r].noise, seed, episode, 1 + 2 * robots[r].number + robots[r].team)

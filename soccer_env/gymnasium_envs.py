@@ -1,4 +1,4 @@
-"""The Gymnasium face for one learner in one match, `SoloSoccer`, and the ids of it and of `gymnasium_vector`.
+"""The Gymnasium API for one learner in one match, `SoloSoccer`, and the ids of it and of `gymnasium_vector`.
 
 Ids: `soccer_env/Legged2001-1v1-v0` to `-6v6-v0` and `soccer_env/MiddleSize2006-1v1-v0` to `-6v6-v0`, for
 `gymnasium.make` and `gymnasium.make_vec`; `home=` and `away=` give any other sizes. Everybody but the learner is played

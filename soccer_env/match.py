@@ -30,7 +30,7 @@ from soccer_env.user_code import OwnTerms, checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
-FINAL = ("observations", "matches", "balls", "robots", "events", "robot_events", "terms")  # kept of what was ended
+FINAL = ("observations", "matches", "balls", "robots", "events", "robot_events", "terms")  # kept of ended episodes
 
 
 class Match:
@@ -77,7 +77,7 @@ class Match:
         self.reset(seed=seed, seeds=seeds)
 
     def _make_arrays(self, backend: Backend | None) -> None:
-        """Make the arrays and show them as attributes; observations of a user's own lie beside the field."""
+        """Make the arrays and show them as attributes; those for a user's own observations are separate."""
         own = not isinstance(self.settings.observe, str)
         count, robots, observed = self.count, len(self.agents), len(self.observation_names)
         self.batch = batch = MatchBatch(self.settings, count, robots, 0 if own else observed, backend)
@@ -135,7 +135,7 @@ class Match:
             self.recorder.note_rebuild(rows)
 
     def rebuild(self, rows: Iterable[int] | None = None) -> None:
-        """Rebuild Spaces from the records: the running match then shares its future with every copy of them."""
+        """Rebuild the physics from the records, as a load does: matches with equal records then go on alike."""
         rows = range(self.count) if rows is None else list(rows)
         self.batch.build_spaces(rows)
         if self.recorder is not None:
@@ -150,7 +150,7 @@ class Match:
         or None if teams play them all. Returns observations (M, R, n) float32, rewards (M, R), terminated (M,) and
         truncated (M,): the match's own arrays, valid until the next step. ValueError for actions of a wrong shape or
         that are not finite. With autoreset "off" a match that ended stands still, and one that was truncated goes on.
-        last=False: the caller keeps the action for more steps; shaping discounts once in all of them.
+        last=False: the action goes on in the next call; the shaping discounts once, in the call that ends the action.
         """
         numbers = self._check_actions(actions)
         mode, repeat = self.settings.autoreset, self.settings.action_repeat
@@ -225,14 +225,14 @@ class Match:
                 run_python(squad, self.league, self.batch.beliefs, self.batch.tracks, self.robots)
 
     def _observe_own(self) -> None:
-        """Fill observations of a user's own making."""
+        """Fill the observations that a user's own code makes."""
         if not isinstance(self.settings.observe, str):
             self.observations[:] = checked(self.settings.observe(self), self.observations.shape, "observe", limit=1.0)
 
     # Starting again
 
     def _restart_next_step(self, ended: np.ndarray) -> None:
-        """Begin new episodes in the matches that had ended before this step, which pays them nothing."""
+        """Begin new episodes in the matches that had ended before this step, which earns them no reward."""
         self._begin(ended, self.matches["episode"] + 1)
         self.rewards[ended] = 0.0
         self.terms[ended] = 0.0

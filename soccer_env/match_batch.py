@@ -52,7 +52,7 @@ class MatchBatch:
     def _make_outcome(self, observed: int) -> None:
         """Make the arrays that learners get, and bundle what a step works on."""
         count, robots = self.robots.shape
-        terms = COUNT + len(self.settings.rewards.extra)  # those of a user's own lie behind ours
+        terms = COUNT + len(self.settings.rewards.extra)  # a user's own terms come after ours
         self.rewards, self.terms = np.zeros((count, robots)), np.zeros((count, robots, terms))
         self.observations = np.zeros((count, robots, observed), np.float32)
         self.terminated, self.truncated = np.zeros(count, bool), np.zeros(count, bool)
@@ -121,7 +121,7 @@ class MatchBatch:
         self._check(int(np.argmax(results == BROKEN)) if (results == BROKEN).any() else -1)
 
     def _check(self, broken: int) -> None:
-        """Raise RuntimeError if the physics of a match gave numbers that are not finite: a bug of ours."""
+        """Raise RuntimeError if the physics of a match gave numbers that are not finite: a bug in this package."""
         if broken >= 0:
             step = self.matches["step"][broken]
             raise RuntimeError(f"the physics of match {broken} broke down at step {step}; please report this")
@@ -167,7 +167,7 @@ class MatchBatch:
             self.write_observations(self.observations, self.settings.observe, self.everyone, first, last)
 
     def write_observations(self, out: np.ndarray, observe: str, rows: np.ndarray, first: int, last: int) -> None:
-        """Write what some robots of a slice observe into out (M, R, n): of the truth everybody's, else of `rows`."""
+        """Write observations of a slice into out (M, R, n): of the truth for all robots, else for `rows` alone."""
         if observe == "truth":
             observe_slice(self.matches, self.balls, self.robots, out, self.constants, first, last)
             return

@@ -7,7 +7,9 @@
 Shaping is potential-based [Ng, Harada, Russell 1999]: gamma * phi(s') - phi(s), with s' the state that the next
 observation shows (after a restart, if one was carried out) and phi = 0 once the episode has ended. It sums to zero
 over a loop and cannot be farmed; a goal therefore also pays back the potential that led to it. Where an action is kept
-for several control steps, s and s' are the states before and after all of them. `k` is the league's constants record.
+for several control steps, s and s' are the states before and after all of them.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations
@@ -40,7 +42,7 @@ class Term:
 
 @dataclass(frozen=True)
 class OwnTerm:
-    """A reward term of a user's own: a function of the Match that returns (M, R) numbers, and how they are paid."""
+    """A user's own reward term: a function of the Match that returns (M, R) numbers, and how they are paid."""
 
     function: Callable[[Any], Any]
     kind: str = "event"  # "event" and "cost" pay and charge the numbers, "potential" shapes by them

@@ -106,7 +106,14 @@ RANGES = {  # of whole numbers in matches and robots, both ends allowed
     "step": (0, 1 << 60), "episode": (0, 1 << 60), "gait_phase": (0, 1 << 20), "score": (0, 1 << 31),
 }  # fmt: skip
 SENSED = ("percepts", "sensor_states", "pending", "beliefs", "tracks", "memories", "messages", "particles")
-INDICES = {"count": AVERAGED_MOST, "latest": 1, "known": 1, "fresh": 1, "flying": 1, "word": 15}  # greatest of each
+INDICES = {
+    "count": AVERAGED_MOST,
+    "latest": 1,
+    "known": 1,
+    "fresh": 1,
+    "flying": 1,
+    "word": 15,
+}  # greatest value of each index
 ENDLESS = ("age", "ball_age", "distance", "seconds_left")  # may be infinite: never seen, nobody tells, no end
 LIMITED = {"confidence": (0.0, 100.0), "ball_confidence": (0.0, 100.0), "weight": (0.0, 1e6)}
 FIXED = ("team", "number", "keeper")  # of a robot: as the match lined up
@@ -133,7 +140,7 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
 
 
 def check_sensed(name: str, array: np.ndarray) -> None:
-    """Raise ValueError if a record of the senses holds something that is no number, or an index out of range."""
+    """Raise ValueError if a record of the senses holds NaN, an infinite number or an index out of range."""
     for field in array.dtype.names or ():
         values = array[field]
         if values.dtype.names:
@@ -145,7 +152,7 @@ def check_sensed(name: str, array: np.ndarray) -> None:
 
 
 def sane(field: str, values: np.ndarray) -> bool:
-    """Tell whether the numbers of a field of the senses can be: finite unless it may be endless, and in their range."""
+    """Return whether numbers of a field of the senses are possible: in range, and finite unless it may be endless."""
     if field in ENDLESS:
         return not np.isnan(values).any() and within(values, 0.0, np.inf)
     return within(values, *LIMITED.get(field, (-FAR, FAR)))
@@ -164,7 +171,7 @@ def check_floats(name: str, array: np.ndarray) -> None:
 
 
 def within(values: np.ndarray, low: float, high: float) -> bool:
-    """Tell whether all values lie in a range; not a number does not."""
+    """Tell whether all values lie in a range; NaN does not."""
     return bool(((values >= low) & (values <= high)).all())
 
 

@@ -160,7 +160,7 @@ class Senses:
         return {**sensed, **{name: getattr(self, name)[:, self._believing] for name in names}}
 
     def start(self, m: int) -> None:
-        """Forget everything about match m; its robots look for themselves from now on."""
+        """Forget everything about match m; from now on its robots go by their sensors."""
         for array in self.parts.values():
             array[m] = np.zeros((), array.dtype)
         self.world.robots["senses"][m, self.rows] = 1

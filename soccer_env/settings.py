@@ -31,7 +31,7 @@ FREE = (
     "rewards",
     "action_repeat",
     "max_cycles",
-)  # what a match's future does not depend on
+)  # settings on which the future of a match does not depend
 SENSES = ("ideal", "sensors")
 POSES = ("percept", "particles")
 
@@ -47,7 +47,7 @@ class Settings:
     padded: bool  # True: both teams have max_players rows, those too many inactive
     observe: Any
     senses: tuple[str, str]  # of home, of away
-    pose: str  # how a robot that lives by its sensors knows where it is
+    pose: str  # how a robot that uses its sensors knows where it is
     actions: ActionKind
     scene: Scene
     episode: str
@@ -130,7 +130,7 @@ def one_of(name: str, value: Any, choices: tuple[str, ...]) -> str:
 
 
 def check_senses(senses: Any) -> tuple[str, str]:
-    """Return how the beliefs of home and of away are filled; a mapping by team leaves out what stays at "sensors"."""
+    """Return how the beliefs of home and of away are filled; in a mapping by team, what is left out is "sensors"."""
     if isinstance(senses, Mapping):
         if not set(senses) <= {"home", "away"}:
             raise ValueError(f"senses by team must have the keys home and away, got {sorted(map(str, senses))}")

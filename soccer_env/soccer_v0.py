@@ -1,4 +1,4 @@
-"""The PettingZoo face of a match: `parallel_env`, and `env` and `raw_env` for one agent at a time (AEC).
+"""The PettingZoo API of a match: `parallel_env`, and `env` and `raw_env` for one agent at a time (AEC).
 
 | | |
 |---|---|
@@ -105,7 +105,7 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
         """Play one step; return observations, rewards, terminations, truncations and infos by agent.
 
         All agents end together, and `agents` is then empty. ValueError names the agent whose action is missing,
-        unknown, mis-shaped or not finite, RuntimeError tells that reset is due; in both cases nothing has changed.
+        unknown, mis-shaped or not finite, RuntimeError says that a reset is due; in both cases nothing has changed.
         """
         if not self.agents:
             raise RuntimeError(f"step {'after the end of the episode' if self._begun else 'before reset'}: call reset")
@@ -199,7 +199,7 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
     env: ParallelSoccer
 
     def step(self, action: Any) -> None:
-        """Take the action of `agent_selection`; ValueError, and nothing has changed, if it is no good."""
+        """Take the action of `agent_selection`; ValueError, and nothing has changed, if it is wrong."""
         agent = self.agent_selection
         if not (self.terminations[agent] or self.truncations[agent]):
             self.env.check_action(agent, action)
@@ -248,8 +248,8 @@ def parallel_env(
     rules: "league" or Rules. rewards: a name or Rewards. placement: "instant" or "drive", at restarts.
     keeper: number of the goalkeeper. max_players: room for robots a side, those too many are inactive.
     minutes: of play; None is the league's own. action_repeat: control steps a step. max_cycles: steps until truncation.
-    render_mode: None, "rgb_array" or "human". infos: False leaves them empty, which is faster, and what libraries need
-    that make tensors of them (TorchRL).
+    render_mode: None, "rgb_array" or "human". infos: False leaves them empty: faster, and needed by libraries that turn
+    infos into tensors (TorchRL).
     """
     match = Match(
         league,

@@ -83,7 +83,7 @@ class Squad:
     _runs: dict[tuple[int, int], tuple[bytes, list[tuple[int, int]]]] = dataclasses.field(default_factory=dict)
 
     def describe(self) -> list[Any]:
-        """Return who plays whom: what a save has to agree with."""
+        """Return who plays which robots: what a save has to agree with."""
         settings = getattr(self.team, "settings", None)
         given = settings.tobytes().hex() if isinstance(settings, np.ndarray) else ""
         if len(given) > LONG:
@@ -157,7 +157,7 @@ def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matc
 
 
 def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int, robots: int) -> Squad:
-    """Return a team on its rows (P,); ValueError if it does not play the league, or not by what it would see."""
+    """Return a team on its rows (P,); ValueError if it does not play the league, or cannot play with these senses."""
     check = getattr(team, "check_league", None)
     if check is not None:
         check(settings.league)

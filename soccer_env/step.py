@@ -6,6 +6,8 @@
 Between the two `physics.chipmunk` moves the Spaces on, in the same compiled loop, or Python does it for a whole slice.
 Rewards come after the restart: goals are read from the events, and shaping looks at the state that the next
 observation shows.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations
@@ -165,7 +167,7 @@ def begin_step(match, ball, robots, robot_events, velocities, k):
 
 @compiled
 def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k):
-    """Read back what the physics did, and let the referee judge it; tell whether bodies were put elsewhere."""
+    """Read back what the physics did, and let the referee judge it; return whether bodies were put elsewhere."""
     read_records(ball, robots, bodies)
     knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
     slow_down(ball, k, 0.5 * k.dt)

@@ -7,6 +7,8 @@
     team = CompiledTeam("runner", per_player(act), NO_MEMORY, np.array([(1.0,)], STRENGTH))
 
 Make a kernel once, where the module is read: another call makes another kernel, which is compiled anew.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations

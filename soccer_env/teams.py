@@ -71,7 +71,7 @@ class View:
 
     @property
     def situation(self) -> np.ndarray:
-        """Return what each player may know of the game (M, P)."""
+        """Return what each player may know of the match (M, P): phase, score, time, numbers."""
         return self.beliefs["situation"]
 
     def stand(self) -> np.ndarray:
@@ -178,7 +178,7 @@ class ObservingTeam(CompiledTeam):
     observe: str = "belief"  # built from "truth" (with ideal senses only), "percepts" (with sensors only) or "belief"
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
-        """Raise ValueError: what a body feels is in no view, so that this team plays inside a match alone."""
+        """Raise ValueError: this team needs what a body feels, which no view holds: it plays only inside a match."""
         raise ValueError(
             f"team {self.name!r} plays inside a match only: give it as controllers, opponents or teammates"
         )

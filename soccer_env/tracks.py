@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 
-UNKNOWN = -1  # number of a player that nobody has told yet
+UNKNOWN = -1  # number of a player who has not been identified
 
 
 @compiled

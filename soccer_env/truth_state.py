@@ -68,7 +68,7 @@ def entries(players: int) -> list[Entry]:
 
 
 def write(match: Match) -> np.ndarray:
-    """Return (M, n) float32 in [-1, 1]: game, ball, then max_players rows for home and for away.
+    """Return (M, n) float32 in [-1, 1]: match, ball, then max_players rows for home and for away.
 
     Absent players are zeros.
     """

@@ -56,7 +56,7 @@ class RobotStream(IntEnum):
     FALSE_BLOBS = 5
     INFRARED = 6
     ODOMETRY = 7
-    POSE = 8  # the noisy pose, and the pose told at a placement
+    POSE = 8  # the noisy pose, and the pose that a robot is told when it is placed
     PARTICLES = 9
     RADIO = 10  # loss of messages
     LIGHT = 11
@@ -93,7 +93,7 @@ GAZE = np.dtype(
 
 MATCH = np.dtype(
     [
-        ("seed", "u8"),  # what the whole match follows from
+        ("seed", "u8"),  # from which the whole match follows
         ("episode", "i8"),  # episodes begun with this seed, the first is 0
         ("step", "i8"),  # control steps since the reset
         ("clock", "f8"),  # [s] of play in this half
@@ -153,7 +153,7 @@ ROBOT = np.dtype(
         ("gait_phase", "i8"),  # control steps since the gait step began
         ("pan", "f8"),  # [rad] head, left positive
         ("tilt", "f8"),  # [rad] head, up positive
-        ("senses", "i8"),  # 1: it lives by its sensors, `gaze` comes from its belief; 0: the head follows the true ball
+        ("senses", "i8"),  # 1: it uses its sensors, `gaze` comes from its belief; 0: the head follows the true ball
         ("gaze", GAZE),  # [rad] where the head looks unless the command says otherwise
         ("kick_clock", "f8"),  # [s] left of a wind-up (negative: left of the recharge, as -s); 0 ready
         ("kick_strength", "f8"),  # (0, 1] of the kick being wound up
@@ -170,7 +170,7 @@ ROBOT = np.dtype(
 )
 
 SITUATION = np.dtype(
-    [  # what a player may know of the game
+    [  # what a player may know of the match
         ("phase", "i2"),  # a Phase
         ("placing", "i2"),  # 1 while robots are driven to their places
         ("number", "i2"),  # own number
@@ -237,14 +237,14 @@ TRACK = np.dtype(
 
 HEARD = np.dtype(
     [  # what team-mates say of the ball; the one that is nearest to it counts
-        ("word", "i8"),  # 1 ... 15: range of its distance to the ball, see `words`; 0: nobody tells
-        ("distance", "f8"),  # [m] its distance to the ball; inf if nobody tells
-        ("age", "f8"),  # [s] since it said so; inf if nobody tells
+        ("word", "i8"),  # 1 ... 15: range of its distance to the ball, see ball_words.py; 0: nobody says
+        ("distance", "f8"),  # [m] its distance to the ball; inf if nobody says
+        ("age", "f8"),  # [s] since it said so; inf if nobody says
     ]
 )
 
 OBSTACLE = np.dtype(
-    [  # somebody whom the infrared ranger meets and the picture does not tell of; legged robots with sensors alone
+    [  # a robot that the infrared ranger meets and the picture does not show; only legged robots with sensors
         ("distance", "f4"),  # [m] to the middle of its body; 0: there is none
         ("bearing", "f4"),  # [rad] robot frame
     ]

@@ -12,7 +12,7 @@ Match = Any  # soccer_env.match.Match, which stands above this file
 
 
 def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.inf) -> np.ndarray:
-    """Return what user code returned as numbers of a shape; ValueError says what came from whom instead."""
+    """Return what user code returned as numbers of a shape; ValueError says which code returned what instead."""
     try:
         numbers = np.broadcast_to(np.asarray(values, np.float64), shape)
     except (TypeError, ValueError) as error:

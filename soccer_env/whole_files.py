@@ -23,7 +23,7 @@ def write_whole(path: Path, content: str | bytes) -> None:
 
 
 def _sync_folder(folder: Path) -> None:
-    """Make a rename in a folder last; where folders cannot be opened (Windows) there is nothing to do."""
+    """Write a rename in a folder to the disk; where folders cannot be opened (Windows) there is nothing to do."""
     if os.name != "posix":
         return
     handle = os.open(folder, os.O_RDONLY)

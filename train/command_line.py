@@ -1,4 +1,4 @@
-"""The command `soccer`. Nothing heavy is imported before it is known what is asked for.
+"""The command `soccer`. Heavy packages are imported only once the command is known.
 
 Every flag is a field of a dataclass that Python code can use as well. What a user can get wrong ends with one line on
 stderr and exit code 2; SOCCER_ENV_TRACEBACK=1 shows where it came from.

@@ -14,7 +14,10 @@ class Progress:
     """A bar over an amount of work, or plain lines; use it as a context manager. Any thread may move it on."""
 
     def __init__(self, title: str, total: float) -> None:
-        self._title, self._total, self._done, self._words = title, total, 0.0, ""
+        self._title = title
+        self._total = total
+        self._done = 0.0
+        self._words = ""
         self._said = time.monotonic()
         self._lock = threading.Lock()
         self._bar: Any = None

@@ -1,6 +1,8 @@
 """Artificial potential fields: the forces of Khatib and Sacks's changes to them.  [Sacks 2001, 4.2, 4.3]  MS38 to MS44
 
 Robot and players are points (MS44). Vectors are in metres of the team frame, the goal ahead; all forces have no unit.
+
+`play`: the team's settings.
 """
 
 from __future__ import annotations

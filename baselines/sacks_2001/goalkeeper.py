@@ -1,4 +1,7 @@
-"""The goalkeeper: meet a shot by the ball's angular velocity, clear what lies near, guard the line.  MS53"""
+"""The goalkeeper: meet a shot by the ball's angular velocity, clear what lies near, guard the line.  MS53
+
+`k`: the league's constants; `play`: the team's settings.
+"""
 
 from __future__ import annotations
 

@@ -8,6 +8,8 @@ and head.
     opponents' restart, or not nearest    yield, support                                      positions.py
     attacker without the ball             approach  >  stuck?  >  back, aside or round        stuck.py, recovery.py
     attacker with the ball                shoot  >  pass  >  orbit  >  dribble                steering.py
+
+`k`: the league's constants; `play`: the team's settings.
 """
 
 from __future__ import annotations
@@ -54,7 +56,9 @@ from soccer_env.baselines.sight import side_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import wrap
 
-REALLY_HAS = 1.0  # [s] of doing one thing with the ball that end an approach; until then its counters go on, assumed
+REALLY_HAS = (
+    1.0  # [s] of doing one thing with the ball after which an approach is over; until then its counters go on, assumed
+)
 FULL_TURN = 6.3  # [rad]
 STAY_HOME = 6.0  # [s] at the own place before the search on the spot begins anew, assumed
 PASS_STRENGTH = 0.3  # [1] of a kick to a team-mate: the softest, assumed
@@ -232,7 +236,7 @@ def dribble(belief, tracks, memory, command, sight, k, play, elapsed):
 
 @compiled
 def pass_ball(command, memory, sight, k, play):
-    """Turn with the ball to a team-mate and kick softly.  5"""
+    """Turn with the ball to a team-mate and kick softly.  [Sacks 2001, 5]"""
     if is_kicking(memory):
         command.kick = PASS_STRENGTH
         return

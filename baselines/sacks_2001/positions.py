@@ -1,7 +1,9 @@
 """Who goes to the ball, and where the others stand.  [Sacks 2001, 1]
 
-Team-mates tell each other by loudspeaker how far they are from the ball, in words of four bits (MS06). Who believes
-itself nearer than the nearest of them says attacks; the others support.
+Team-mates tell each other by loudspeaker how far they are from the ball, in words of four bits (MS06). Whoever
+believes itself nearer than any of them says attacks; the others support.
+
+`k`: the league's constants; `play`: the team's settings.
 """
 
 from __future__ import annotations
@@ -21,7 +23,7 @@ ROW = 0.6  # [m] between one pair of supporters and the next behind it, assumed
 
 @compiled
 def choose_role(belief, memory, play, elapsed):
-    """Attack if nobody says that he is nearer to the ball; another role must have been right for play.role_time."""
+    """Attack if no team-mate says that it is nearer to the ball; a new role must be right for play.role_time."""
     ball, heard = belief.ball, belief.heard
     other = heard.distance if heard.age <= OLD_WORD else inf
     attacks = 1 if ball.filtered_distance <= other else 0

@@ -1,4 +1,7 @@
-"""How a stuck robot gets free: back, then aside or round, then to the ball again.  [Sacks 2001, 3.4]  MS23 to MS25"""
+"""How a stuck robot gets free: back, then aside or round, then to the ball again.  [Sacks 2001, 3.4]  MS23 to MS25
+
+`k`: the league's constants; `play`: the team's settings.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +40,9 @@ def go_on_recovering(belief, tracks, memory, k, play, elapsed):
         memory.behaviour = APPROACH
         forget_approach(memory)
     elif abs(bearing) > play.rotate_beyond:  # MS25
-        memory.behaviour, memory.left, memory.side = ROTATE, play.rotate_steps * step, side_of(bearing)
+        memory.behaviour = ROTATE
+        memory.left = play.rotate_steps * step
+        memory.side = side_of(bearing)
     else:
         memory.behaviour, memory.left = SIDESTEP, play.side_steps * step
         memory.side = side_to_step(belief, tracks, k, play)

@@ -13,7 +13,10 @@ from soccer_env.leagues.options import Options
 
 DEGREE = pi / 180.0
 GOAL_FORCES = {"unit": 0, "proportional": 1}
-SHARE, TIME, RANGE, ANGLE = (0.0, 1.0), (0.01, 10.0), (0.01, 100.0), (0.0, pi)
+SHARE = (0.0, 1.0)
+TIME = (0.01, 10.0)
+RANGE = (0.01, 100.0)
+ANGLE = (0.0, pi)
 
 
 @dataclass(frozen=True)

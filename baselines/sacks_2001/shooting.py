@@ -1,4 +1,7 @@
-"""Where to shoot, whether a shot is open, and whom to pass to.  [Sacks 2001, 4, 5]  MS26, MS53"""
+"""Where to shoot, whether a shot is open, and whom to pass to.  [Sacks 2001, 4, 5]  MS26, MS53
+
+`k`: the league's constants; `play`: the team's settings.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""What a player notes of the ball before it decides: when it was seen for certain, and when between the paws.  MS27"""
+"""What a player notes of the ball before it decides: when it was seen for certain, and when between the paws.  MS27
+
+`k`: the league's constants; `play`: the team's settings.
+"""
 
 from __future__ import annotations
 
@@ -60,4 +63,6 @@ def note_possession(ball, memory, k, play, elapsed):
     elif memory.down > LOOK_DOWN and memory.had_ball > LOOK_DOWN:
         memory.had_ball = NEVER
     if (memory.behaviour == SHOOT or memory.behaviour == PASS) and memory.winding > k.kicker_wind_up + 2.0 * k.dt:
-        memory.had_ball, memory.kicked, memory.winding = NEVER, AFTER_KICK, 0.0
+        memory.had_ball = NEVER
+        memory.kicked = AFTER_KICK
+        memory.winding = 0.0

@@ -2,6 +2,8 @@
 
 forces on the robot  ->  direction  ->  at most 70 degrees off the goal (MS46, MS47)  ->  at most 45 or 55 degrees
 off straight ahead (MS48)  ->  a step of 3.5 cm (MS45)
+
+`k`: the league's constants; `play`: the team's settings.
 """
 
 from __future__ import annotations
@@ -95,7 +97,7 @@ def angle_between(ax, ay, bx, by):
 
 @compiled
 def kept_longer(memory, off, play):
-    """Return the angle off the goal; a change of side must last for play.patience decisions to be made.  4.3.3"""
+    """Return the angle off the goal; a change of side must be asked for play.patience times in a row.  4.3.3"""
     if off == 0.0:
         return off
     side = side_of(off)

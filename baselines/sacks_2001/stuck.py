@@ -1,6 +1,8 @@
 """How a robot notices that it is stuck: the ball does not come nearer.  [Sacks 2001, 3.3]  MS19, MS20, MS22
 
 Tested only while it tries to get to the ball (MS22): whoever calls decides that.
+
+`play`: the team's settings.
 """
 
 from __future__ import annotations
@@ -45,4 +47,6 @@ def is_stuck(ball, memory, play):
 @compiled
 def forget_approach(memory):
     """Begin to count anew."""
-    memory.stuck, memory.near, memory.reading = 0, 0.0, 0.0
+    memory.stuck = 0
+    memory.near = 0.0
+    memory.reading = 0.0

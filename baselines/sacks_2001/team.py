@@ -1,4 +1,7 @@
-"""The teams sacks-2001, sacks-2001-future and sacks-2001-tuned: one kernel, three sets of settings."""
+"""The teams sacks-2001, sacks-2001-future and sacks-2001-tuned: one kernel, three sets of settings.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,8 @@
 """XLAs, what the robot can do with legs and head; each writes a command.  [Sacks 2001, 2]  MS01, MS21
 
 Walks are asked for by step: the gait takes them up when a step ends.
+
+`k`: the league's constants; `play`: the team's settings.
 """
 
 from __future__ import annotations

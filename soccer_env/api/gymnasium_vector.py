@@ -1,4 +1,4 @@
-"""The Gymnasium face for one learner in each of many matches, straight over the batched core."""
+"""The Gymnasium API for one learner in each of many matches, straight over the batched core."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
     def step(self, actions: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
         """Play one step of all matches; return observations (num_envs, n), rewards, terminated, truncated, infos.
 
-        ValueError names the match whose action is no good, RuntimeError tells that reset is due; nothing has changed.
+        ValueError names the match whose action is wrong, RuntimeError says that a reset is due; nothing has changed.
         """
         if not self._begun:
             raise RuntimeError("step before reset: call reset")

@@ -1,4 +1,4 @@
-"""What the faces of a match share: infos in words, frames and windows, and checks of what callers pass."""
+"""What the APIs of a match share: infos in words, frames and windows, and checks of what callers pass."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Infos = dict[str, dict[str, Any]]
 
 
 class Report:
-    """Says in words what a step of a match was, for the infos of some robots (rows)."""
+    """Describe in words what happened in a step of a match, for the infos of some robots (rows)."""
 
     def __init__(self, match: Match, rows: np.ndarray) -> None:
         self._match = match
@@ -49,7 +49,7 @@ class Report:
         return self.of(match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
 
     def of(self, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray) -> Infos:
-        """Return the infos that the records of one match stand for, by agent."""
+        """Return the infos that follow from the records of one match, by agent."""
         happened = dict(self._say(events.item()))
         home, away = match["score"].tolist()
         scores, phase = ((home, away), (away, home)), PHASES[match["phase"]]

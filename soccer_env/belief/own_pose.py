@@ -1,11 +1,13 @@
-"""Where a robot believes itself to be: told, given by a noisy sensor, by particles, or by its steps alone.  MH08
+"""Where a robot believes itself to be: by a pose that it is given, by particles, or by odometry.  MH08
 
-* told where it was put: the pose as told, all particles round it;
-* given a noisy pose as a percept: that, the cheap path;
-* particles: the odometry in every frame, landmarks or lines every few frames;
-* no particles: the odometry alone. The error grows, the confidence falls.
+* it has just been placed, and was told where: that pose, with all particles put round it;
+* it senses a noisy pose (`pose="percept"`): that pose, which costs next to nothing;
+* it has particles: odometry in every frame, landmarks or lines every few frames;
+* it has none: odometry alone. The error grows and the confidence falls.
 
 This is what all robots share; `legged/own_pose.py` goes by landmarks, `omni/own_pose.py` by white lines.
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
 from __future__ import annotations
@@ -28,8 +30,8 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, out_of_frame, wrap
 from soccer_env.percept_types import POSE_SENSED, POSE_TOLD
 
-SURE = 100.0  # confidence of a pose that was told or is given
-HELD = 0.3  # [1] share of the particles that stay behind while something is touched, assumed
+SURE = 100.0  # confidence of a pose that is given
+HELD = 0.3  # [1] share of the particles that do not move with the odometry while something is touched, assumed
 PATIENCE = 4  # [1] times `pose_every` without anything to see after which the particles move all the same, assumed
 
 POSE_MEMORY = np.dtype(
@@ -50,16 +52,21 @@ POSE_MEMORY = np.dtype(
 
 @compiled
 def particles_are_due(body, own, memory, particles, noise, k, s, w):
-    """Bring the own pose up to what the robot feels or is told; tell whether its particles are due."""
+    """Bring the own pose up to what the robot feels or is told; return whether its particles are due."""
     forward, left, turn = np.float64(body.forward), np.float64(body.left), np.float64(body.turn)
     own.forward, own.left, own.turn = forward / k.dt, left / k.dt, turn / k.dt
     if body.pose == POSE_SENSED or body.pose == POSE_TOLD:
-        own.x, own.y, own.heading, own.confidence = body.x, body.y, body.heading, SURE
+        own.x = body.x
+        own.y = body.y
+        own.heading = body.heading
+        own.confidence = SURE
         if body.pose == POSE_TOLD and particles.shape[0] > 0:
             hand = np.float64(body.handedness)
             place_particles(particles, own, s.place_noise, s.place_turn_noise, noise, hand)
             forget_motion(memory)
-            memory.begun, memory.fast, memory.slow = 1, 1.0, w.pose_fit
+            memory.begun = 1
+            memory.fast = 1.0
+            memory.slow = w.pose_fit
         return False
     cosine, sine = cos(own.heading), sin(own.heading)
     x, y = out_of_frame(forward, left, cosine, sine)
@@ -137,7 +144,7 @@ def go_on_blind(own, memory, particles, noise, hand, k, w):
 
 @compiled
 def conclude(own, memory, particles, seen, noise, w):
-    """Draw the own pose from particles that bear the costs of `seen` numbers, and resample; tell whether some are free.
+    """Estimate the own pose from particles weighed by `seen` numbers, and resample; return whether some are free.
 
     The confidence is the share of weight in the cluster, less the wider it is and the worse it fits.
     """

@@ -7,6 +7,8 @@ Monte-Carlo localisation [Fox, Burgard, Dellaert, Thrun 1999; Heinemann et al. 2
 Two rules bring a robot back that was carried away: the share of fresh particles grows when what is seen fits worse than
 it used to [Gutmann, Fox 2002, augmented MCL], and fresh ones are drawn from what is seen [Lenser, Veloso 2000, sensor
 resetting]. Everything is in the team frame. A lateral draw is multiplied by `hand`, the handedness of the noise.
+
+`w`: settings of the memory.
 """
 
 from __future__ import annotations
@@ -159,7 +161,9 @@ def cluster_near(particles, x, y, heading, w):
                 turned += one * turn
                 squares += one * square
     share = 1.0 / max(weight, 1e-30)
-    along, across, turned = share * along, share * across, share * turned
+    along = share * along
+    across = share * across
+    turned = share * turned
     spread = max(share * squares - along * along - across * across, 0.0)
     return weight, x + along, y + across, wrap(heading + turned), spread
 

@@ -6,6 +6,8 @@ message of a robot is on its way at a time: it does not speak before the last on
     legged/talk.py   words of four bits by loudspeaker        omni/radio.py   reports of pose, ball and number
 
 Rows below `home` are team-mates of each other, as are those from it on; only `rows` take part.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations
@@ -66,7 +68,9 @@ def hear(heard, messages, r, frame, frames, k, home, rows):
 
     Team-mates that are equally near and equally recent say the same, so that it does not matter whose word is taken.
     """
-    heard.word, heard.distance, heard.age = SILENT, inf, inf
+    heard.word = SILENT
+    heard.distance = inf
+    heard.age = inf
     for other in rows:
         message = messages[other]
         if other == r or (other < home) != (r < home) or message.known == 0:
@@ -76,4 +80,6 @@ def hear(heard, messages, r, frame, frames, k, home, rows):
         if report.word == SILENT or frame - report.frame > frames:
             continue
         if report.distance < heard.distance or (report.distance == heard.distance and age < heard.age):
-            heard.word, heard.distance, heard.age = report.word, report.distance, age
+            heard.word = report.word
+            heard.distance = report.distance
+            heard.age = age

@@ -17,7 +17,10 @@ from soccer_env.leagues.checks import is_number
 GREATEST = 1e6  # no number of sensors or memory is larger
 NUMBER = (0.0, GREATEST)  # least and greatest value of a field whose class says nothing else
 SIGNED = (-GREATEST, GREATEST)
-BELOW = {"at most": (operator.le, "at least"), "less than": (operator.lt, "more than")}  # and what the larger one is
+BELOW = {
+    "at most": (operator.le, "at least"),
+    "less than": (operator.lt, "more than"),
+}  # test of a pair, and its converse
 
 T = TypeVar("T", bound="Options")
 

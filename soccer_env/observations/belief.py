@@ -2,6 +2,8 @@
 
 Where the truth says where things are, a belief says where the robot thinks they are. What a robot feels of its own
 body (gait phase, head, kicker, its last command) is exact.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations
@@ -130,7 +132,7 @@ def write_goals(own, row, k, diagonal):
 
 @compiled
 def write_game(situation, row, half_length):
-    """Write the state of the game."""
+    """Write the state of the match."""
     difference = 1.0 * (situation.goals_for - situation.goals_against)
     row.in_play = 1.0 if situation.phase == PLAY else -1.0
     row.restart = situation.ours
@@ -141,7 +143,7 @@ def write_game(situation, row, half_length):
 
 @compiled
 def write_obstacle(obstacle, row, diagonal):
-    """Write the obstacle that the ranger tells of; without one it is zeros.  MS49"""
+    """Write the obstacle that the ranger has found; zeros without one.  MS49"""
     near, bearing = NEAR * diagonal, np.float64(obstacle.bearing)
     there = 1.0 if obstacle.distance > 0.0 else 0.0
     row.obstacle_near = there * near / (obstacle.distance + near)

@@ -1,4 +1,7 @@
-"""The part of every observation that a body feels exactly: gait, head, kicker and its own last command."""
+"""The part of every observation that a body feels exactly: gait, head, kicker and its own last command.
+
+`k`: the league's constants.
+"""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ class Entry:
 
 
 class Observation(Protocol):
-    """An observation of one's own: `soccer_v0.parallel_env(observe=MyObservation())`.
+    """A user's own observation: `soccer_v0.parallel_env(observe=MyObservation())`.
 
     What mirrors observations or attends to players asks for `entries` that say their frame or their slot.
     """

@@ -1,4 +1,7 @@
-"""observe="percepts" of the legged robots: blobs in the picture of a camera on a moving head, an infrared ranger."""
+"""observe="percepts" of the legged robots: blobs in the picture of a camera on a moving head, an infrared ranger.
+
+`k`: the league's constants; `s`: settings of the sensors.
+"""
 
 from __future__ import annotations
 

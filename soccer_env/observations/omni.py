@@ -1,4 +1,7 @@
-"""observe="percepts" of the middle-size robots: bearings and distances in the mirror's picture, white lines."""
+"""observe="percepts" of the middle-size robots: bearings and distances in the mirror's picture, white lines.
+
+`k`: the league's constants; `s`: settings of the sensors.
+"""
 
 from __future__ import annotations
 

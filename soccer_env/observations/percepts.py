@@ -2,6 +2,8 @@
 
 What a robot feels of its body comes first, then what its kind of robot sees (legged.py, omni.py), at the end what it
 is told of the game. Where it stands is among it only while the noisy pose is a percept (`pose="percept"`).
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations

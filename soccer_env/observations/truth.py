@@ -2,6 +2,8 @@
 
 Other players fill the league's slots, nearest first; players beyond the slots are dropped, farthest first. `entries`
 names every number, and the compiled writers below write each by its name.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations
@@ -108,9 +110,9 @@ def every_entry() -> list[Entry]:
 
 @compiled
 def observe_truth(match, ball, robots, observations, k, axes, rows, squares):
-    """Write the truth as each robot of a match would like to see it into observations (R, n).
+    """Write the truth, relative to each robot of a match, into observations (R, n).
 
-    Room to work in: `axes` (R, 2) for cosine and sine of the headings, `rows` and `squares` to sort players.
+    Scratch arrays: `axes` (R, 2) for cosine and sine of the headings, `rows` and `squares` to sort players.
     """
     for r in range(robots.shape[0]):
         axes[r, 0], axes[r, 1] = cos(robots[r].heading), sin(robots[r].heading)
@@ -183,7 +185,7 @@ def write_goals(match, robot, row, k, cosine, sine, scale):
 
 @compiled
 def write_game(match, robot, row):
-    """Write the state of the game as the robot's team sees it."""
+    """Write the state of the match as the robot's team sees it."""
     ours = 1.0 if match.restart_team == robot.team else -1.0
     difference = np.float64(match.score[robot.team] - match.score[1 - robot.team])
     row.in_play = 1.0 if match.phase == PLAY else -1.0

@@ -4,6 +4,8 @@ Picture coordinates are pixels from the image's centre, u to the left, v up. Dir
 of the robot, left positive) and an elevation above the horizontal, both in the robot's frame. The head turns by pan
 (left positive) about the vertical through the neck, then by tilt (up positive); it does not roll. `s` is the record of
 a LeggedSensors.
+
+`s`: settings of the sensors.
 """
 
 from __future__ import annotations

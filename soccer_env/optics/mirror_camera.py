@@ -4,6 +4,8 @@ Robot and camera share it: the sensor draws its pictures by it, and the robot, w
 them by it. Seen from above, directions are kept and distances shrink:
 
     radius in the image [px] = image / 2 * (d / (d + curve)) / (edge / (edge + curve))
+
+`s`: settings of the sensors.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""What a robot feels of itself: odometry, touch, the accelerometer, and the pose that it is told or given.  MS06"""
+"""What a robot feels of itself: odometry, touch, the accelerometer, and a pose that it is given.  MS06
+
+`k`: the league's constants; `s`: settings of the sensors.
+"""
 
 from __future__ import annotations
 
@@ -50,7 +53,7 @@ def count_steps(robot, body, k, s):
 
 @compiled
 def measured(step, noise, s):
-    """Return a step as the encoders of legs or wheels measure it; what stands still is known to stand still."""
+    """Return a step as the encoders of legs or wheels measure it; standing still is measured without error."""
     return 0.0 if step == 0.0 else step * (1.0 + s.odometry_noise * normal(noise, ODOMETRY))
 
 

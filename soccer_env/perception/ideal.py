@@ -2,6 +2,8 @@
 
 Everything is relative to the robot, and its own pose is in its team's frame (own goal behind), so that a team never
 learns which side it plays on. How the match stands is told to every robot, whatever else it has to perceive.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations
@@ -43,7 +45,7 @@ def tell_slice(world, beliefs, asleep, rows, first, last):
 
 @compiled
 def believe_truth(match, ball, robots, beliefs, tracks, k, r, rows, squares):
-    """Fill robot r's belief and its (slots,) tracks with the truth; `rows` and `squares` are room to sort players."""
+    """Fill robot r's belief and its (slots,) tracks with the truth; `rows` and `squares` are scratch for sorting."""
     robot, belief = robots[r], beliefs[r]
     cosine, sine = cos(robot.heading), sin(robot.heading)
     own_pose(match, robot, belief.own, cosine, sine)
@@ -86,7 +88,7 @@ def ball_truth(robot, ball, believed, cosine, sine):
 
 @compiled
 def situation(match, robots, known, r):
-    """Fill in what robot r may know of the game."""
+    """Fill in what robot r may know of the match: phase, score, time, numbers."""
     team = robots[r].team
     known.phase, known.placing, known.phase_clock = match.phase, match.placing, match.phase_clock
     known.ours = 0.0 if match.restart_team == NO_TEAM else (1.0 if match.restart_team == team else -1.0)
@@ -126,8 +128,8 @@ def seconds_left(match):
 def nearest_players(robots, r, same_team, slots, rows, squares):
     """Fill `rows` with the `slots` nearest active players of a kind, nearest first; return how many there are.
 
-    `same_team` 1 asks for team-mates of robot r, 0 for opponents; equal distances go by row. `squares` is room for
-    their squared distances.
+    `same_team` 1 asks for team-mates of robot r, 0 for opponents; equal distances go by row. `squares` is a scratch
+    array for their squared distances.
     """
     found = 0
     for other in range(robots.shape[0]):

@@ -2,6 +2,8 @@
 
 Both are in the team frame, own goal behind. The noisy pose stands for a localisation that works: its error changes
 slowly, as that of a filter does, and never runs away.
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -29,7 +31,7 @@ LEAST_TIME = 1e-9  # [s] a correlation time of zero makes independent errors
 
 @compiled
 def no_pose(body):
-    """Tell the robot nothing of where it is."""
+    """Mark the percept as one without a pose."""
     body.pose = NO_POSE
     body.x = body.y = body.heading = 0.0
 
@@ -53,7 +55,7 @@ def follow_pose(match, robot, body, error, k, s, first):
 
 @compiled
 def tell_pose(match, robot, body, s):
-    """Fill in where the robot was put: the place it is told, beside which it stands by a hand's breadth."""
+    """Fill in where the robot was put, as it is told: it stands a hand's breadth beside that place."""
     hand = match.handedness
     x = s.place_noise * normal(robot.noise, POSE)
     y = s.place_noise * hand * normal(robot.noise, POSE)

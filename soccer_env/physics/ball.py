@@ -2,6 +2,8 @@
 
 Friction acts for half a control step before the contacts are solved and for half a step after: speed is then exact at
 the ends of a step, and the distance is v^2 / 2a to the last digit of the integration.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations

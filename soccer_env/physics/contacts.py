@@ -1,6 +1,8 @@
 """Who touched what, from positions and velocities.
 
 Chipmunk's own contacts come in an order that differs between processes.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations

@@ -1,7 +1,9 @@
 """From commands to velocities: delay, gait or wheels, acceleration and traction.
 
 A legged robot latches its walk when a gait step ends; wheels follow at every control step. What the legs or wheels
-want is held against what the body really does (it may be pushing something), and the ground bears only so much force.
+want is compared with what the body does (it may be pushing something), and the ground bears only so much force.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Between the records of a match and the rows of numbers that Chipmunk is given and gives back; the ball is row 0."""
+"""Between the records of a match and the rows of numbers that Chipmunk is given and gives back; the ball is row 0.
+
+`k`: the league's constants.
+"""
 
 from __future__ import annotations
 
@@ -41,7 +44,7 @@ def read_records(ball, robots, bodies):
 
 @compiled
 def write_rows(ball, robots, bodies):
-    """Copy poses and velocities into the rows from which the physics is put elsewhere."""
+    """Copy poses and velocities into the rows from which the physics is set."""
     bodies[0, 0], bodies[0, 1], bodies[0, 2] = ball.x, ball.y, ball.angle
     bodies[0, 3], bodies[0, 4], bodies[0, 5] = ball.vx, ball.vy, ball.spin
     for r in range(robots.shape[0]):

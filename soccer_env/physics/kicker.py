@@ -1,4 +1,7 @@
-"""Kicks: an electromagnet that fires at once, or a leg that winds up while the robot stands.  MH04"""
+"""Kicks: an electromagnet that fires at once, or a leg that winds up while the robot stands.  MH04
+
+`k`: the league's constants.
+"""
 
 from __future__ import annotations
 

@@ -2,13 +2,15 @@
 
 A body of one piece never loses a ball that lies between its paws (claims S51, S59). The paper's robots kicked it away
 with steps of 4 cm, kept it with 3.5 cm, lost it when they moved more than 45 degrees aside, and interlocked legs with
-a robot right ahead unless they moved 55 degrees aside. There are no curves in the paper: those here are assumed, zero
-where the paper says that all went well. `Drive.leg_disturbance` scales them; at 0 nothing is drawn.
+a robot right ahead unless they moved 55 degrees aside. The paper has no curves: those here are assumed, and zero
+where it reports no trouble. `Drive.leg_disturbance` scales them; at 0 nothing is drawn.
 
                       ball between the paws                        another robot touches
     size of a push    40 (step - 3.5 cm) + 0.8 (angle - 45 deg)    + 0.1 m/s
     probability that the legs interlock for this step              1 straight ahead, down to 0 at 60 degrees, only if
                                                                    that robot stands ahead
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations

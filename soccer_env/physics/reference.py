@@ -20,7 +20,9 @@ def reference_space(rng: np.random.Generator) -> Any:
     """Return the reference scene: a walled field of 9 x 6 m with three corners cut, six discs of 0.25 m and a ball."""
     space = pymunk.Space()
     space.iterations, space.collision_slop = REFERENCE_ITERATIONS, 0.002
-    x, y, cut = 4.5, 3.0, 0.5
+    x = 4.5
+    y = 3.0
+    cut = 0.5
     corners = [(-x, -y), (x - cut, -y), (x, cut - y), (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut)]
     ends = zip(corners, corners[1:] + corners[:1], strict=True)
     walls = [pymunk.Segment(space.static_body, *both, 0.05) for both in ends]

@@ -1,10 +1,10 @@
 """Hold M pymunk Spaces, and the arrays through which kernels write velocities and read bodies.
 
-Two ways lead from the arrays to the Spaces and back, with bit-identical results: `"c"` calls Chipmunk from compiled
+Two backends copy between the arrays and the Spaces, with bit-identical results: `"c"` calls Chipmunk from compiled
 code (`chipmunk.py`), `"batch"` is the public `pymunk.batch`, one match after the other from Python.
 
 At each reset `batch.set_space(m, space)`. At each step a kernel fills `batch.velocities`, `batch.step_all(dt,
-substeps)` goes either way, and the next kernel reads `batch.bodies`; with the C backend one kernel can do all three.
+substeps)` uses either, and the next kernel reads `batch.bodies`; with the C backend one kernel can do all three.
 """
 
 import functools

@@ -2,6 +2,8 @@
 
 Each rule reads the truth of one match and either does nothing or notes an event and calls a restart; the restart is
 carried out by `referee.restarts`. Written for both teams at once through the direction in which home attacks.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations
@@ -103,7 +105,9 @@ def ball_stuck(match, ball, k):
     x, y = ball.x - match.still_x, ball.y - match.still_y
     near = k.rules_stuck_radius
     if match.phase != PLAY or x * x + y * y > near * near:
-        match.still_x, match.still_y, match.still_clock = ball.x, ball.y, 0.0
+        match.still_x = ball.x
+        match.still_y = ball.y
+        match.still_clock = 0.0
         return False
     match.still_clock += k.dt
     return match.still_clock >= k.rules_stuck_time - 0.5 * k.dt
@@ -156,7 +160,9 @@ def call_restart(match, events, phase, team, x, y):
     match.phase_clock = 0.0
     match.restart_team = team
     match.restart_x, match.restart_y = x, y
-    match.still_x, match.still_y, match.still_clock = x, y, 0.0
+    match.still_x = x
+    match.still_y = y
+    match.still_clock = 0.0
     match.last_touch_team = NO_TEAM
     match.last_touch_robot = -1
     events.restart = phase

@@ -1,4 +1,7 @@
-"""Where robots stand at a restart, for any number of players, written for the team that attacks +x."""
+"""Where robots stand at a restart, for any number of players, written for the team that attacks +x.
+
+`k`: the league's constants.
+"""
 
 from __future__ import annotations
 

@@ -3,6 +3,8 @@
 Under instant placement the robots stand at their places at once. Under drive placement the referee steers them for up
 to the league's placing time while the ball lies still and the clock runs. Then the taker is put at its place, and
 whoever stands too near the ball, in the wrong half or in another robot is moved as far as it must be.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations
@@ -20,8 +22,8 @@ from soccer_env.types import Phase
 KICK_OFF = int(Phase.KICK_OFF)
 DROP_BALL = int(Phase.DROP_BALL)
 PASSES = 200  # over the robots, to pull overlapping places apart
-STIR = 20  # passes after which places in the ring round the ball also go along it, out of dead ends, for as many
-SWIRL = 3.0  # [1] how far along it, as a multiple of the way out
+STIR = 20  # passes between two changes: straight out of the ring round the ball, or also along it, out of dead ends
+SWIRL = 3.0  # [1] length of the move along the ring over that of the move out of it
 MARGIN = 0.02  # [m] between robots, assumed
 CARRIED = 0.03  # [m] a robot that is moved farther was carried, assumed
 ARRIVED = 0.10  # [m] from its place, assumed
@@ -67,9 +69,9 @@ def place_robots(robots):
 
 @compiled
 def put_robot(robot):
-    """Put a robot at its place, at rest; one that was not there already is told where it is, its head put straight.
+    """Put a robot at its place, at rest; one that had to be carried is told where it is, and its head is put straight.
 
-    So that every kick-off begins like the first one, whatever the heads were looking at before.
+    Every kick-off then begins like the first one, whatever the heads were looking at.
     """
     if length(robot.place_x - robot.x, robot.place_y - robot.y) > CARRIED:
         robot.placed = 1
@@ -129,7 +131,9 @@ def push_of_others(robots, r, k):
         if gap >= apart:
             continue
         if gap < 1e-6:
-            x, y, gap = 0.0, 1.0 if r > other else -1.0, 1.0
+            x = 0.0
+            y = 1.0 if r > other else -1.0
+            gap = 1.0
             push_y += 0.5 * apart * y
         else:
             push_x += 0.55 * (apart - gap) * x / gap
@@ -149,7 +153,10 @@ def distance_from_ball(match, robot, k):
 
 @compiled
 def leave_ball(match, robot, k, swirl):
-    """Move a place out of the forbidden ring round the ball, `swirl` times as far along it; tell whether it had to."""
+    """Move a place out of the ring round the ball that is forbidden; return whether it had to.
+
+    It also moves along the ring, `swirl` times as far as out of it, so that two robots that block each other get free.
+    """
     far = distance_from_ball(match, robot, k) + k.body_reach
     x, y = robot.place_x - match.restart_x, robot.place_y - match.restart_y
     gap = length(x, y)
@@ -158,7 +165,9 @@ def leave_ball(match, robot, k, swirl):
     if robot.keeper == 1 and match.phase != DROP_BALL and gap >= k.body_reach + k.ball_radius:
         return False  # the goalkeeper may stand on its goal line
     if gap < 1e-6:
-        x, y, gap = -direction_of(match, robot.team), 0.0, 1.0
+        x = -direction_of(match, robot.team)
+        y = 0.0
+        gap = 1.0
     along = swirl * (far - gap)
     robot.place_x = match.restart_x + (x * far - y * along) / gap
     robot.place_y = match.restart_y + (y * far + x * along) / gap
@@ -216,7 +225,7 @@ def is_ready(match, robots, r, k):
 
 @compiled
 def end_placing(match, ball, robots, k):
-    """End the placement when all are ready or the time is up: put right what is not legal, all at rest."""
+    """End the placement when all are ready or the time is up: correct illegal places, and stop all robots."""
     put_ball(ball, match.restart_x, match.restart_y)
     ready = True
     for r in range(robots.shape[0]):

@@ -2,6 +2,8 @@
 
 "The referee can, in many circumstances, separate robots that have collided after a set time". The ball stays where it
 is and play goes on.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations
@@ -13,14 +15,14 @@ from soccer_env.geometry import length
 from soccer_env.physics.contacts import robots_touch
 from soccer_env.referee.restarts import MARGIN, PASSES, STIR, SWIRL, push_of_others, put_robot, stay, stay_on_pitch
 
-MOVED = 1e-6  # [m] less is none
+MOVED = 1e-6  # [m] a shorter move does not count
 
 
 @compiled
 def watch_contacts(robots, robot_events, k):
     """Count for how long each robot has been in contact with an opponent; time out of contact is taken off.
 
-    Robots that push against each other rattle: a moment without contact does not free them.
+    Robots that push against each other lose contact for moments, which does not free them.
     """
     for r in range(robots.shape[0]):
         robot = robots[r]
@@ -124,7 +126,7 @@ def push_from(robot, other, k):
 
 @compiled
 def leave_alone(ball, robot, k, swirl):
-    """Move a place out of the ball, away from it and `swirl` times as far round it."""
+    """Move a place that overlaps the ball away from it, and `swirl` times as far round it."""
     x, y = robot.place_x - ball.x, robot.place_y - ball.y
     gap, far = max(length(x, y), 1e-6), k.body_reach + k.ball_radius + MARGIN
     if gap < far:

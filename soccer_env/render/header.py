@@ -64,7 +64,7 @@ def phase_colour(match: np.void) -> Colour:
 
 
 class Header:
-    """Draws a story onto its canvas, once."""
+    """Draw a story onto a canvas, only when it has changed."""
 
     def __init__(self, canvas: Canvas, league: League) -> None:
         self.canvas, self.league = canvas, league

@@ -1,4 +1,4 @@
-"""Things drawn over a picture in the field frame: what a robot believes, where it plans to go, what pulls at it."""
+"""Things drawn over a picture in the field frame: what a robot believes, where it plans to go, what forces act."""
 
 from __future__ import annotations
 

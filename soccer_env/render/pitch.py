@@ -20,7 +20,9 @@ class Ground:
     """Draws everything that lies still, and the two lines of text above the field."""
 
     def __init__(self, pitch: Pitch, view: View, canvas: Canvas) -> None:
-        self.pitch, self.view, self.canvas = pitch, view, canvas
+        self.pitch = pitch
+        self.view = view
+        self.canvas = canvas
         self.line = max(pitch.line * view.scale, LEAST_LINE)
 
     def draw(self) -> None:
@@ -121,7 +123,9 @@ class Ground:
     def _draw_goal(self, side: float) -> None:
         """Draw the goal at -x or +x in its own colour, which stays with the field."""
         pitch, end = self.pitch, side > 0.0
-        near, far, half = side * pitch.length / 2, side * (pitch.length / 2 + pitch.goal_depth), pitch.goal_width / 2
+        near = side * pitch.length / 2
+        far = side * (pitch.length / 2 + pitch.goal_depth)
+        half = pitch.goal_width / 2
         wall, line = max(NET, 3.0 / self.view.scale), 0.0 if pitch.walled else self.line / 2 / self.view.scale
         back = far + side * wall
         mouth = near + side * line

@@ -87,7 +87,9 @@ class Players:
     """Draws robots and ball through a view onto a canvas."""
 
     def __init__(self, league: League, view: View, canvas: Canvas) -> None:
-        self.league, self.view, self.canvas = league, view, canvas
+        self.league = league
+        self.view = view
+        self.canvas = canvas
         body = league.body
         self.walks = league.drive.kind == "gait"
         self.rim = max(1.2, 0.006 * view.scale)  # [px]
@@ -139,7 +141,9 @@ class Players:
         for piece in range(TRAIL_PIECES):
             corners = []
             for edge, sides in ((piece / TRAIL_PIECES, (1.0, -1.0)), ((piece + 1) / TRAIL_PIECES, (-1.0, 1.0))):
-                back_x, back_y, thin = x - edge * TRAIL_TIME * vx, y - edge * TRAIL_TIME * vy, 0.9 * (1.0 - edge)
+                back_x = x - edge * TRAIL_TIME * vx
+                back_y = y - edge * TRAIL_TIME * vy
+                thin = 0.9 * (1.0 - edge)
                 corners += [self.view.pixel(back_x + side * thin * across, back_y + side * thin * up) for side in sides]
             self.canvas.glass(corners, colours.BALL, round(TRAIL_ALPHA * (1.0 - piece / TRAIL_PIECES)))
 

@@ -1,7 +1,7 @@
 """Drills of the legged league, for up to three players a side: get to the ball, dribble past others, save a far shot.
 
 Home's last robot is the one that has to do it; the opponents with a part in a drill are the last of away's. Everybody
-else stands at home's end. Every distance and angle is drawn from a range; all are assumed, for Sacks (2001) tells of
+else stands at home's end. Every distance and angle is drawn from a range; all are assumed, for Sacks (2001) says of
 his tests only that there were still and moving players [4.3.4].
 
     dribble-past-three          mover-and-still          gap-500
@@ -100,7 +100,7 @@ def put_at(league: League, robot: Any, other: Any, distance: float, angle: float
 
 
 def place_still(count: int) -> Place:
-    """Return what puts so many still players on the way to the goal, one behind another."""
+    """Return a function that puts `count` still players on the way to the goal, one behind another."""
 
     def place(league: League, ball: Any, robots: Any, draw: Draw) -> None:
         robot, players, way = start_dribble(league, ball, robots, draw, count)
@@ -114,7 +114,7 @@ def place_still(count: int) -> Place:
 
 
 def place_mover(near: float, far: float, aside: float, meets: tuple[float, float]) -> Place:
-    """Return what puts a mover `near` to `far` [m] away, up to `aside` [rad] off the way to the goal on either side.
+    """Return a function that puts a mover `near` to `far` [m] off, within `aside` [rad] of the way to the goal.
 
     It heads for a point on the way, `meets` [m] from the dribbler.
     """

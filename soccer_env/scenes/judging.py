@@ -3,10 +3,12 @@
     home scores          home scores a goal
     away saves           a shot does not go in: it stops, or leaves the field
     home gets the ball   it lies between the paws (in the pocket, at the kicker) of one of home's robots
-    home gets free       that, while nobody of away's is near the ball; or carried CARRIED away from where it lay
-    home gets past       carried past the last player of away's, or into the goal, in touch with nobody
+    home gets free       the same, while none of away's robots is near the ball; or it was carried CARRIED away
+    home gets past       it is carried past away's last player, or into the goal, without touching anybody
 
 Any goal ends a drill. Written for the direction in which home attacks; the dribbler is the last active robot of home's.
+
+`k`: the league's constants.
 """
 
 from __future__ import annotations
@@ -83,7 +85,7 @@ def is_near(ball, robots, team, k):
 def who_is_free(match, ball, robots, k):
     """Return +1 if home has got the ball free, -1 if away has, else 0; `restart` is where the ball lay.
 
-    If both have a ball that was carried far, the side wins towards whose attack it went.
+    If both have a ball that was carried far, the team wins in whose direction of attack it went.
     """
     home, away = has_ball(robots, HOME), has_ball(robots, AWAY)
     if home and not is_near(ball, robots, AWAY, k):

@@ -39,7 +39,7 @@ class Scene:
     """A start: `place(league, ball, robots, draw)` moves what the kick-off formation put down.
 
     Field frame, home attacks +x. `opponents` names the teams that a drill is meant for, one for each opponent that has
-    a part in it (the last rows of away): a suggestion, lists show it; who plays is for the caller to say.
+    a part in it (the last rows of away): a suggestion that lists show; the caller decides who plays.
     """
 
     name: str

@@ -76,7 +76,7 @@ def test_other_actions_are_refused(space: gymnasium.Space, reason: str, tmp_path
 
 
 class Wide(torch.nn.Flatten):
-    """Features of one's own, without parameters."""
+    """A user's own features, without parameters."""
 
     def __init__(self, observation_space: gymnasium.Space) -> None:
         super().__init__()

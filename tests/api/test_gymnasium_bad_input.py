@@ -1,4 +1,4 @@
-"""The Gymnasium faces refuse bad settings, actions, resets and calls, and nothing has changed."""
+"""The Gymnasium APIs refuse bad settings, actions, resets and calls, and nothing has changed."""
 
 import numpy as np
 import pytest

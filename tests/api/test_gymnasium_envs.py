@@ -1,4 +1,4 @@
-"""The single-agent Gymnasium face: its contract, and that it is the parallel env seen by one agent."""
+"""The single-agent Gymnasium API: its contract, and that it is the parallel env seen by one agent."""
 
 import gymnasium
 import numpy as np

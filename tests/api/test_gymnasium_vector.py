@@ -1,4 +1,4 @@
-"""The vector Gymnasium face: it is Gymnasium's own vector of single envs, whatever its threads and resets."""
+"""The vector Gymnasium API: it is Gymnasium's own vector of single envs, whatever its threads and resets."""
 
 import gymnasium
 import numpy as np

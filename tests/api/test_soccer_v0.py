@@ -1,4 +1,4 @@
-"""The PettingZoo face: what an env is and what step returns, which is the match and nothing else."""
+"""The PettingZoo API: what an env is and what step returns, which is the match and nothing else."""
 
 import copy
 

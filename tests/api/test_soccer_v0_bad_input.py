@@ -1,4 +1,4 @@
-"""The PettingZoo face refuses bad input: an error that names agent and value, and nothing has changed."""
+"""The PettingZoo API refuses bad input: an error that names agent and value, and nothing has changed."""
 
 import os
 import subprocess

@@ -1,4 +1,4 @@
-"""What the PettingZoo face tells of an episode: events, scores and rewards in infos, and how it ends."""
+"""What the PettingZoo API says of an episode: events, scores and rewards in infos, and how it ends."""
 
 import numpy as np
 import pytest

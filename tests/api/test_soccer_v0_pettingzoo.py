@@ -1,4 +1,4 @@
-"""The PettingZoo face passes PettingZoo's own tests and works in other people's wrappers."""
+"""The PettingZoo API passes PettingZoo's own tests and works in other people's wrappers."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The pictures of the PettingZoo face: frames and windows show the match and leave it alone."""
+"""The pictures of the PettingZoo API: frames and windows show the match and leave it alone."""
 
 import numpy as np
 import pytest

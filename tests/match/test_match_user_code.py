@@ -1,4 +1,4 @@
-"""Match with teams, rewards, observations, scenes and leagues of one's own, and the nonsense that they may return."""
+"""Match with a user's own teams, rewards, observations, scenes and leagues, and the nonsense that they may return."""
 
 from dataclasses import replace
 from typing import Any

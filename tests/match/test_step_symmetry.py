@@ -40,7 +40,7 @@ DIFFERENTIAL = "middle-size-2006-differential"
 
 
 def mid_game(name, matches=60, seed=1, **settings) -> Match:
-    """Return matches with records as they are in mid-game: random play, both halves, ball anywhere and moving."""
+    """Return matches with records as they are in mid-match: random play, both halves, ball anywhere and moving."""
     match = Match(name, home=SIZE, away=SIZE, matches=matches, seed=seed, actions="full", **settings)
     rng = np.random.default_rng(seed)
     for step in range(40):

@@ -46,7 +46,7 @@ LAYERS = (
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
 PEERS = (
     set(LAYERS[0]),  # one floor
-    set(LAYERS[-3]),  # the single-agent faces stand on the parallel one, all draw
+    set(LAYERS[-3]),  # the single-agent APIs stand on the parallel one, all draw
 )
 # Who may import what stands beside it in the same layer: one entry each, with its reason.
 BESIDE = {

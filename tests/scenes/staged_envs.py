@@ -1,4 +1,4 @@
-"""Envs for tests of the PettingZoo and Gymnasium faces, random play on them, and a goal about to be scored."""
+"""Envs for tests of the PettingZoo and Gymnasium APIs, random play on them, and a goal about to be scored."""
 
 from collections.abc import Iterator
 from typing import Any

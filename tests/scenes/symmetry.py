@@ -1,4 +1,4 @@
-"""The two symmetries of the game: a left-right mirror, and a half-turn with the teams swapped.
+"""The two symmetries of a match: a left-right mirror, and a half-turn with the teams swapped.
 
     records = Records.of(match)
     mirrored(records)   y -> -y: what was left is right; each lateral noise draw is mirrored too (handedness)
@@ -20,7 +20,7 @@ from soccer_env.observations import Entry
 from soccer_env.observations.reflection import observation_signs
 from soccer_env.types import NO_TEAM
 
-MIRROR, HALF_TURN = 1e-12, 1e-9  # what TRUST.md 4 promises
+MIRROR, HALF_TURN = 1e-12, 1e-9  # largest differences of mirrored and of turned matches
 
 ANGLES = {"heading", "place_heading", "bearing", "filtered_bearing", "angle"}  # [rad], equal modulo a whole turn
 WALK_LATERAL = ("left", "turn")  # what a mirror turns round in a walk or command

@@ -1,4 +1,4 @@
-"""What else the benchmark measures: the PettingZoo face, the memory of a match, and how long things take to start."""
+"""What else the benchmark measures: the PettingZoo API, the memory of a match, and how long things take to start."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ START_TIMES = {  # Python programs by what they start
 }
 
 
-class FaceLoad:
+class ApiLoad:
     """`parallel_env.step` with random actions: dictionaries in and out, one match."""
 
     def __init__(self, league: str, seed: int, observe: str = "truth") -> None:
@@ -54,7 +54,7 @@ class FaceLoad:
         return (perf_counter() - start) / steps
 
 
-class ResetLoad(FaceLoad):
+class ResetLoad(ApiLoad):
     """`parallel_env.reset` in the course of play."""
 
     def sample(self, steps: int) -> float:

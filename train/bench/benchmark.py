@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from soccer_env.leagues import find_league
 from soccer_env.train.bench.apis import (
     START_TIMES,
-    FaceLoad,
+    ApiLoad,
     ResetLoad,
     interleaved,
     record_bytes,
@@ -33,15 +33,15 @@ if TYPE_CHECKING:
     from rich.table import Table
 
 LEAGUES = ("legged-2001", "middle-size-2006")
-OWN_RATIO = 1.8  # core over its own scene, random load; this and all below: issue 2
+OWN_RATIO = 1.8  # core over its own scene, random load; this and all below are what the package promises
 REFERENCE_RATIO = {"legged-2001": 5.0, "middle-size-2006": 2.5}
 CHASER_SPEED = {"legged-2001": 8_000.0, "middle-size-2006": 20_000.0}  # [match steps/s]
-SENSES_RATIO = 3.0  # sensors and beliefs of all robots over the core that sees the truth; this and below: issue 3
+SENSES_RATIO = 3.0  # sensors and beliefs of all robots over the core that sees the truth
 PARTICLES_RATIO = 2.0  # own poses by particle filters over a given noisy pose
 SENSES_BYTES = {"percept": 16 * 1024, "particles": 64 * 1024}  # of a match outside Chipmunk
-BELIEF_FACE_SPEED = 6_000.0  # [steps/s] with observe="belief"
+BELIEF_API_SPEED = 6_000.0  # [steps/s] with observe="belief"
 THREADS_RATIO = 1.7  # two threads over one
-FACE_SPEED = 10_000.0  # [steps/s]
+API_SPEED = 10_000.0  # [steps/s]
 RESET_TIME = 1e-3  # [s]
 RECORD_BYTES = 16 * 1024  # of a match outside Chipmunk
 START_LIMITS = {"import soccer_env": 1.5, "soccer --help": 0.6, "start of an evaluation": 3.0}  # [s]
@@ -83,8 +83,8 @@ def run(settings: BenchSettings) -> dict[str, Any]:
             progress.note(league)
             samples[league] = measure_core(league, settings)
             rows += core_rows(league, samples[league])
-            samples[f"{league} faces"] = measure_faces(league, settings)
-            rows += face_rows(league, samples[f"{league} faces"])
+            samples[f"{league} APIs"] = measure_apis(league, settings)
+            rows += api_rows(league, samples[f"{league} APIs"])
             progress.advance(1)
         progress.note("starting")
         rows += start_rows(settings)
@@ -112,10 +112,10 @@ def measure_core(league: str, settings: BenchSettings) -> Samples:
     return interleaved({name: partial(load.sample, steps) for name, load in loads.items()}, settings.repetitions)
 
 
-def measure_faces(league: str, settings: BenchSettings) -> Samples:
-    """Return the samples [s] of a step and of a reset of the PettingZoo face."""
-    step, reset = FaceLoad(league, settings.seed), ResetLoad(league, settings.seed)
-    belief = FaceLoad(league, settings.seed, observe="belief")
+def measure_apis(league: str, settings: BenchSettings) -> Samples:
+    """Return the samples [s] of a step and of a reset of the PettingZoo API."""
+    step, reset = ApiLoad(league, settings.seed), ResetLoad(league, settings.seed)
+    belief = ApiLoad(league, settings.seed, observe="belief")
     return interleaved(
         {
             "step": partial(step.sample, 1000),
@@ -159,11 +159,11 @@ def core_rows(league: str, samples: Samples) -> Iterator[Row]:
         yield at_least(f"{league}: {load}, two threads over one", gain, unit, THREADS_RATIO)
 
 
-def face_rows(league: str, samples: Samples) -> Iterator[Row]:
-    """Yield the PettingZoo face's speed and the memory of a match in one league."""
-    yield at_least(f"{league}: parallel_env.step", 1 / median(samples["step"]), "steps/s", FACE_SPEED)
+def api_rows(league: str, samples: Samples) -> Iterator[Row]:
+    """Yield the PettingZoo API's speed and the memory of a match in one league."""
+    yield at_least(f"{league}: parallel_env.step", 1 / median(samples["step"]), "steps/s", API_SPEED)
     belief = 1 / median(samples["belief"])
-    yield at_least(f"{league}: parallel_env.step, observe belief", belief, "steps/s", BELIEF_FACE_SPEED)
+    yield at_least(f"{league}: parallel_env.step, observe belief", belief, "steps/s", BELIEF_API_SPEED)
     yield at_most(f"{league}: parallel_env.reset", median(samples["reset"]), "ms", RESET_TIME, 1e3)
     name = f"{league}: memory of a match outside Chipmunk"
     yield at_most(name, record_bytes(league), "KiB", RECORD_BYTES, 1 / 1024)

@@ -122,7 +122,7 @@ def play(
     advance: Callable[[float], None],
     stopped: Event,
 ) -> list[MatchLine]:
-    """Play a batch to the end, unless that is `stopped`; `advance` is told the control steps of all its matches."""
+    """Play a batch to the end, unless that is `stopped`; `advance` gets the control steps of all its matches."""
     side = side_of(batch[0])
     match = contest.start(side, [seeds[number // 2] for number in batch], threads)
     lines: dict[int, MatchLine] = {}

@@ -30,7 +30,7 @@ def evaluate(
 ) -> EvaluationResult:
     """Play the matches that settings.out does not hold yet and return the result of all.
 
-    `league` is a league of one's own instead of a named one; `teams` gives names to team objects, which settings.home
+    `league` is a user's own league instead of a named one; `teams` gives names to team objects, which settings.home
     and settings.away may then use. Raises ValueError for settings that cannot be played and for a folder that holds
     another evaluation.
     """

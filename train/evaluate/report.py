@@ -33,12 +33,12 @@ def sentence(result: EvaluationResult) -> str:
 def rows(result: EvaluationResult) -> list[tuple[str, str, str]]:
     """Return the numbers of a result as rows of name, value and 95 % interval."""
     conditions = result.conditions
-    games, minutes = conditions.matches, conditions.matches * conditions.minutes
+    matches, minutes = conditions.matches, conditions.matches * conditions.minutes
     difference, points, rate = result.goal_difference, result.points, result.win_rate
-    _, low, high = wilson_interval(result.wins, games)
+    _, low, high = wilson_interval(result.wins, matches)
     middle = interquartile_mean([line.goals_for - line.goals_against for line in result.lines])
     return [
-        ("matches", f"{games}", f"{games // 2} pairs, sides swapped"),
+        ("matches", f"{matches}", f"{matches // 2} pairs, sides swapped"),
         ("won, drawn, lost", f"{result.wins}, {result.draws}, {result.losses}", ""),
         (
             "goals",

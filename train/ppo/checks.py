@@ -76,7 +76,7 @@ def check_contest(policy: Any, opponent: str, settings: TrainSettings) -> None:
 
 
 def lesson(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, str]) -> Match:
-    """Return a match that the teacher plays as the recorded ones are."""
+    """Return a match that the teacher plays, with the settings of those that are recorded."""
     players = {"home": settings.teacher, "away": settings.opponent_names[0]}
     return Match(
         settings.league, home=sizes[0], away=sizes[1], controllers=players,
@@ -87,7 +87,9 @@ def lesson(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, st
 def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
     """Return what a policy file says of where it comes from."""
     return {
-        "command": command_of(replace(settings, out=TrainSettings.out)),  # where its folder lay is nobody's business
+        "command": command_of(
+            replace(settings, out=TrainSettings.out)
+        ),  # without the folder, which is the user's own path
         "settings": json.dumps({**settings.decisive(), "steps": settings.steps}, sort_keys=True),  # defaults may change
         "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
         "commit": commit(),

@@ -1,4 +1,4 @@
-"""Who a learner meets: scripted teams, policy files and its own past, the evenly matched ones the most often.
+"""Who a learner meets: scripted teams, policy files and its own past, those it is evenly matched with most often.
 
 Each opponent has the share of points that the learner won against it of late, and a rating (OpenSkill's
 Plackett-Luce model); both follow from the episodes' results and are kept with the run's checkpoints.

@@ -161,7 +161,7 @@ def make_model(settings: TrainSettings, matches: VecNormalize, entries: list[Ent
 
 
 def check_device(device: str) -> None:
-    """Raise ValueError if there is no GPU and one is asked for; stable-baselines3 would take the CPU without a word."""
+    """Raise ValueError if there is no GPU and one is asked for; stable-baselines3 would silently take the CPU."""
     if device == "cuda" and not torch.cuda.is_available():
         raise ValueError("device='cuda' needs a GPU that torch can use; device='auto' takes one if there is one")
 

@@ -1,4 +1,4 @@
-"""What a training run tells: its log line by line, evaluations with intervals, the learning curve."""
+"""What a training run reports: its log line by line, evaluations with intervals, the learning curve."""
 
 from __future__ import annotations
 

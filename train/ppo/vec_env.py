@@ -4,8 +4,9 @@
 
 No dicts, no processes: matches are stepped by compiled loops on one thread or more. All robots of a match begin and
 end together. An action is kept for `action_repeat` control steps; a match that ends within them begins anew at once,
-and its robots stand until the next decision. The first decision comes so early before a repeat ends as the
-perception-to-motion delay asks, as `agents.learned` plays it; of later episodes too if episodes last whole repeats.
+and its robots stand until the next decision. The first decision comes early: so long before the
+first repeat ends as a command takes to reach the legs (the perception-to-motion delay). `agents.learned` plays in the
+same rhythm, and so do later episodes if each lasts a whole number of repeats.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ class SoccerVecEnv(VecEnv):
 
     players: team sizes (home, away), the matches being shared evenly among them; ideal_share: share of each size's
     matches in which all robots have ideal senses, whatever `senses` says; opponents: a team, its name, or a
-    `players.Lineup` whose weights choose anew for each episode; gamma: discount of one step, which the shaping of
+    `squads.Lineup` whose weights choose anew for each episode; gamma: discount of one step, which the shaping of
     `rewards` takes over; state: append `Match.state()` to every observation, for a centralised critic; stagger: begin
     the first episodes at different times of play. max_cycles counts steps of `action_repeat` control steps. Other
     settings are those of `Match` (observe="truth" unless told otherwise, box or full actions). `results` collects how
@@ -131,7 +132,7 @@ class SoccerVecEnv(VecEnv):
                 stagger_clocks(match, self.repeat)
             until = self.first_decision
             if self.stagger and until == 0:
-                until = self.repeat  # so that observations tell the new clock
+                until = self.repeat  # so that observations show the new clock
             still = np.tile(self._stand(), (match.count, len(match.agents), 1))
             for _ in range(until):
                 match.step(still)
@@ -277,7 +278,7 @@ class SoccerVecEnv(VecEnv):
 def check_request(
     players: Sequence[tuple[int, int]], opponents: Any, repeat: int, threads: int, settings: dict[str, Any]
 ) -> None:
-    """Raise ValueError for what would leave robots without a mind, or rows without a robot."""
+    """Raise ValueError for settings that leave robots without a player, or rows without a robot."""
     for name in ("teammates", "controllers", "autoreset"):
         if name in settings:
             raise ValueError(f"SoccerVecEnv takes no {name}: all home robots learn, and matches begin anew at once")

@@ -108,7 +108,9 @@ def losses(way: Way) -> Samples:
     robot has it again.
     """
     matches = way.x.shape[1]
-    metres, lost, kept_until = np.zeros(matches), np.zeros(matches), np.full(matches, np.inf)
+    metres = np.zeros(matches)
+    lost = np.zeros(matches)
+    kept_until = np.full(matches, np.inf)
     holding = np.zeros(matches, bool)
     for has, dribbles, gap, step in zip(way.has_ball, way.dribbles, way.gap, way.step, strict=True):
         holding |= has & dribbles

@@ -37,6 +37,13 @@ def start_drill(
     return match
 
 
+def gap_to_others(match: Match) -> np.ndarray:
+    """Return the distance (M,) [m] from robot 0 to the nearest other robot, between the middles of their bodies."""
+    robot, others = match.robots[:, :1], match.robots[:, 1:]
+    gap: np.ndarray = np.hypot(others["x"] - robot["x"], others["y"] - robot["y"]).min(axis=1)
+    return gap
+
+
 def play_drill(
     batch: Batch,
     scene: str | Scene,
@@ -53,7 +60,9 @@ def play_drill(
     """
     match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
     past, touched, lost = np.zeros((3, matches), bool)
-    away, seconds, nearest = np.zeros(matches), np.zeros(matches), np.full(matches, np.inf)
+    away = np.zeros(matches)
+    seconds = np.zeros(matches)
+    nearest = np.full(matches, np.inf)
     for _ in range(round(LONGEST * match.league.control_rate)):
         running = ~(past | lost)
         if not running.any():
@@ -67,9 +76,7 @@ def play_drill(
         away = np.where(near, 0.0, away + match.league.dt)
         lost |= running & ~past & (away > LOST_TIME)
         seconds += running * match.league.dt
-        others = match.robots[:, 1:]
-        apart = np.hypot(others["x"] - robot["x"][:, None], others["y"] - robot["y"][:, None]).min(axis=1)
-        nearest = np.where(running, np.minimum(nearest, apart), nearest)
+        nearest = np.where(running, np.minimum(nearest, gap_to_others(match)), nearest)
     match.close()
     found = {
         "past": past,

@@ -39,7 +39,7 @@ from soccer_env.train.statistics import CONFIDENCE
 def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None = None) -> list[ClaimResult]:
     """Measure the claims that settings.out does not hold yet and return the results of all.
 
-    `known` are claims of one's own instead of the built ones. Raises ValueError for an unknown id and for a folder
+    `known` are a user's own claims instead of ours. Raises ValueError for an unknown id and for a folder
     that holds another run.
     """
     known = all_claims() if known is None else known

@@ -21,7 +21,9 @@ import numpy as np
 
 from soccer_env.train.statistics import CONFIDENCE, Interval, clustered_share, unit_bootstrap
 
-REPRODUCED, NOT, UNDECIDED = "reproduced", "not", "undecided"
+REPRODUCED = "reproduced"
+NOT = "not"
+UNDECIDED = "undecided"
 BY_CONSTRUCTION, CONTEXT = "by construction", "context"
 VERDICTS = (REPRODUCED, NOT, UNDECIDED, BY_CONSTRUCTION, CONTEXT)
 

@@ -7,9 +7,11 @@ does not look, and one that was carried somewhere forgets the ball.
     BALL_BELIEF          distance and bearing of the latest sighting and of the filtered one (MS02); x, y: see below
     BALL_MEMORY          the same in Cartesian coordinates, the sightings of the last second, the last reading
 
-`x`, `y` are the filtered place, while it is seen and after: of a still ball, and that is what a robot can know of a
-hidden one, the mean is the better estimate; of a rolling ball it lags by about a tenth of a second. `averaged` 1 makes
-it the latest sighting.
+`x`, `y` are the filtered place, whether the ball is seen or not. For a still ball the mean is the better estimate (and
+nobody knows whether a hidden ball moves); for a rolling one it lags by about a tenth of a second. With `averaged` 1 it
+is the latest sighting.
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
 from __future__ import annotations
@@ -145,15 +147,21 @@ def remember_sighting(memory, x, y, frame, w):
     count = min(memory.count + 1, w.averaged)
     for i in range(count - 1, 0, -1):
         older, newer = memory.recent[i], memory.recent[i - 1]
-        older.x, older.y, older.frame = newer.x, newer.y, newer.frame
+        older.x = newer.x
+        older.y = newer.y
+        older.frame = newer.frame
     newest = memory.recent[0]
-    newest.x, newest.y, newest.frame = x, y, frame
+    newest.x = x
+    newest.y = y
+    newest.frame = frame
     ahead = left = 0.0
     for i in range(count):
         ahead += np.float64(memory.recent[i].x)
         left += np.float64(memory.recent[i].y)
     memory.filtered_x, memory.filtered_y = ahead / count, left / count
-    memory.x, memory.y, memory.count = x, y, count
+    memory.x = x
+    memory.y = y
+    memory.count = count
     memory.known, memory.seen = 1, frame
 
 

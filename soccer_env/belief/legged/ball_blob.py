@@ -7,6 +7,8 @@
 
 A range counts along the ground, from the camera to the ball's centre. Blobs are boxes between edges of whole pixels:
 their width is left less right.
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
 from __future__ import annotations

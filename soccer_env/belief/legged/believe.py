@@ -1,4 +1,7 @@
-"""The memory of a legged robot: ball, players, obstacle, own pose, gaze, what it hears.  [Sacks 2001, 2 to 4]  MS01"""
+"""The memory of a legged robot: ball, players, obstacle, own pose, gaze, what it hears.  [Sacks 2001, 2 to 4]  MS01
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
+"""
 
 from __future__ import annotations
 

@@ -12,6 +12,8 @@ see a ghost, which may take the memory slot of a player that is really there.
 
 The gap counts from middle to middle: vision delivers each blob's "size and position" (section 2), and the distance
 between two positions is the literal reading. Counted from edge to edge, more blobs would join at the same factor.
+
+`w`: settings of the memory.
 """
 
 from __future__ import annotations

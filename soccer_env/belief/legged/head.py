@@ -1,4 +1,7 @@
-"""Where the head looks by itself: at the ball while it is seen, else in search of it.  [Sacks 2001, 3]  MS07"""
+"""Where the head looks by itself: at the ball while it is seen, else in search of it.  [Sacks 2001, 3]  MS07
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
+"""
 
 from __future__ import annotations
 

@@ -8,9 +8,11 @@ posts.
     4 ------+=====+------ 5      landmarks in the order of `percept.landmarks`, +x up and +y to the left:
     |                     |      own left, own right, halfway left, right, opponents' left, right corner
     2                     3
-    |                     |      a mirror swaps each pair, so they are gone through in the order of the handedness:
-    0 ------+=====+------ 1      the same sums, to the last bit
+    |                     |      a mirror swaps each pair, so the handedness says in which order they are added up:
+    0 ------+=====+------ 1      mirrored matches get the same sums, to the last bit
             own goal
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
 from __future__ import annotations
@@ -109,7 +111,9 @@ def read_landmark(blob, sight, whole, pan, tilt, s):
     middle = 0.5 * (blob.left + blob.right)
     bearing, high = direction_of_pixel(middle, np.float64(blob.high), pan, tilt, s)
     _, low = direction_of_pixel(middle, np.float64(blob.low), pan, tilt, s)
-    sight.ahead, sight.left, sight.far = cos(bearing), sin(bearing), 0.0
+    sight.ahead = cos(bearing)
+    sight.left = sin(bearing)
+    sight.far = 0.0
     rise = tan(high) - tan(low)
     if not whole or rise < 1e-6:
         return 1
@@ -120,7 +124,9 @@ def read_landmark(blob, sight, whole, pan, tilt, s):
 @compiled
 def read_goal(blobs, goal, side, edge, pan, tilt, s):
     """Fill in the directions of the ends of what is seen of a goal, in one piece or more; return how many are whole."""
-    left, right, height = -10_000, 10_000, 0.0
+    left = -10_000
+    right = 10_000
+    height = 0.0
     for i in range(BLOBS):
         blob = blobs[i]
         if blob.area > 0:

@@ -11,6 +11,8 @@ Unlike the paper's slots, which always hold something, one here may be empty: it
 players, `empty_distance` and `empty_angle` away from A. So A goes to an empty slot unless it is near a player in
 memory: one seen in the last frame within about 0.3 m (0.9 m in nearly the same direction), one seen 5 s ago within
 about 0.65 m, as far as it can have walked.
+
+`w`: settings of the memory.
 """
 
 from __future__ import annotations

@@ -8,6 +8,8 @@ all. A reading significantly closer than every player in memory tells of somebod
 It holds for the frame of the reading. Unlike the paper, which takes any reading, this one takes what lies higher than
 ball and boards can, for else these and the carpet were obstacles too, and what is within the ranger's reliable range,
 for beyond it a reading may be half a metre too short. The walls of a goal are higher and count as somebody.
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""The own pose of a legged robot: its particles go by landmarks and goals.  MH08"""
+"""The own pose of a legged robot: its particles go by landmarks and goals.  MH08
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
+"""
 
 from __future__ import annotations
 

@@ -2,10 +2,12 @@
 
 Every frame: the players in memory are moved by the robot's own steps and grow older, the blobs of each jersey colour
 are sorted into players (`grouping.py`), each gets a place, and replaces the likeliest player in memory (`matching.py`).
-Places are polar, relative to the robot (MS02). Vision tells no numbers, no goalkeepers, no headings, and nobody
-estimates velocities: these fields stay unknown or 0.
+Places are polar, relative to the robot (MS02). Vision shows neither numbers nor goalkeepers nor headings, and
+nobody estimates velocities: these fields stay unknown or 0.
 
 The old memory, `slots` "nearest", knows a single player of each team: whichever is nearest at the moment.
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
 from __future__ import annotations
@@ -111,7 +113,9 @@ def look(percept, blobs, tracks, first, last, teammate, k, s, w, table):
         if w.slots != NEAREST:
             remember(tracks, likeliest_slot(tracks, first, last, x, y, w), x, y, teammate)
         elif seen == 1 or length(x, y) < nearest:
-            nearest_x, nearest_y, nearest = x, y, length(x, y)
+            nearest_x = x
+            nearest_y = y
+            nearest = length(x, y)
     if w.slots == NEAREST and seen > 0 and first < last:
         remember(tracks, first, nearest_x, nearest_y, teammate)
     return seen
@@ -123,7 +127,10 @@ def remember(tracks, slot, x, y, teammate):
     if slot < 0:
         return
     track = tracks[slot]
-    track.present, track.teammate, track.keeper, track.number = 1, teammate, 0, -1
+    track.present = 1
+    track.teammate = teammate
+    track.keeper = 0
+    track.number = -1
     put_at(track, x, y)
     track.vx = track.vy = track.heading = 0.0
     track.confidence, track.age = SURE, 0.0

@@ -1,4 +1,7 @@
-"""Words of four bits by loudspeaker: how far the ball is, 1 to 15, or 0 "I do not see it".  MS06"""
+"""Words of four bits by loudspeaker: how far the ball is, 1 to 15, or 0 "I do not see it".  MS06
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
+"""
 
 from __future__ import annotations
 

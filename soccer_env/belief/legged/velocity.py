@@ -6,6 +6,8 @@ Two velocities come out of each pair of readings:
     vx, vy             over the ground: the first reading is moved along by odometry before the difference is taken.
                        That is the relative velocity plus own velocity plus turn rate x place, and exact however the
                        robot walked in between
+
+`w`: settings of the memory.
 """
 
 from __future__ import annotations

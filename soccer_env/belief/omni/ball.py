@@ -3,6 +3,8 @@
 frame    carried by the odometry, rolls on
 reading  by the camera, or by the light barrier while the own body hides the ball
          near the prediction: filtered     far off: ignored, until some in a row agree with each other
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
 from __future__ import annotations
@@ -66,7 +68,7 @@ def believe_ball(percept, own, believed, memory, motions, frames, k, s, w):
         memory.confidence = max(memory.confidence - w.fading * k.dt, 0.0)
         if memory.confidence <= 0.0:  # where it went is forgotten as well
             memory.vx = memory.vy = 0.0
-    tell_ball(believed, memory, own)
+    fill_belief(believed, memory, own)
     believed.held = body.held
 
 
@@ -110,18 +112,22 @@ def take(memory, x, y, late, age, alone, k, s, w):
             return
     if not near:
         start(memory, filter, x, y, BALL_SPEED, s)
-    filter.seen, memory.age, memory.confidence = 1, age, SURE
+    filter.seen = 1
+    memory.age = age
+    memory.confidence = SURE
 
 
 @compiled
-def tell_ball(believed, memory, own):
+def fill_belief(believed, memory, own):
     """Fill in the belief from what is tracked; rates are what the moving, turning robot sees."""
     believed.distance, believed.bearing = length(memory.raw_x, memory.raw_y), atan2(memory.raw_y, memory.raw_x)
     x, y = memory.x, memory.y
     distance = length(x, y)
     believed.filtered_distance, believed.filtered_bearing = distance, atan2(y, x)
     believed.x, believed.y, believed.vx, believed.vy = x, y, memory.vx, memory.vy
-    vx, vy, away = memory.vx - own.forward, memory.vy - own.left, max(distance, NEAREST)
+    vx = memory.vx - own.forward
+    vy = memory.vy - own.left
+    away = max(distance, NEAREST)
     believed.radial = (x * vx + y * vy) / away
     believed.angular = (x * vy - y * vx) / (away * away) - own.turn
     believed.confidence = memory.confidence

@@ -1,4 +1,7 @@
-"""The world model of a middle-size robot: ball, players, own pose, radio.  [Heinemann et al. 2006, 1]  MH06"""
+"""The world model of a middle-size robot: ball, players, own pose, radio.  [Heinemann et al. 2006, 1]  MH06
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
+"""
 
 from __future__ import annotations
 

@@ -2,6 +2,8 @@
 
 Each direction in which a line was seen gives a point on the ground; a pose fits if its points lie near white lines
 [Lauer, Lange, Riedmiller 2006]. Lines look the same after a half-turn: the goals say which half is the own one.
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
 from __future__ import annotations
@@ -47,7 +49,7 @@ def look_at_lines(percept, own, view, k, s, w):
     sector = 2.0 * pi / s.lines
     view.count = 0
     for i in range(s.lines):
-        # a mirror takes direction i to -i; the same sums, to the last bit
+        # added up in mirrored pairs, i and -i, so that a mirrored match gets the same sums, to the last bit
         direction = i if percept.body.handedness >= 0.0 else -i
         distance = np.float64(percept.lines[direction % s.lines])
         if distance > 0.0:

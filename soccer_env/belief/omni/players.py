@@ -5,6 +5,8 @@
     left over readings start tracks, the nearest players keep the slots; unseen ones coast, fade and are forgotten
 
 The filter of slot i lies in place i of the memory and moves with it when tracks are sorted, nearest first.
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
 from __future__ import annotations
@@ -99,7 +101,9 @@ def follow_team(percept, tracks, filters, readings, count, teammate, first, last
         best, slot = nearest_pair(percept, tracks, filters, readings, count, teammate, first, last, w.gate)
         if best < 0:
             break
-        reading, track, filter = readings[best], tracks[slot], filters[slot]
+        reading = readings[best]
+        track = tracks[slot]
+        filter = filters[slot]
         reading.taken, filter.seen = 1, 1
         take(track, filter, reading.x, reading.y, reading.off[slot], late, age, k, s, w)
     for best in range(count):
@@ -161,8 +165,13 @@ def add_player(tracks, filters, x, y, teammate, first, last, age, s):
     track, filter = tracks[place], filters[place]
     start(track, filter, x, y, PLAYER_SPEED, s)
     filter.seen = 1
-    track.present, track.teammate, track.keeper, track.number = 1, teammate, 0, UNKNOWN
-    track.heading, track.age, track.confidence = 0.0, age, SURE
+    track.present = 1
+    track.teammate = teammate
+    track.keeper = 0
+    track.number = UNKNOWN
+    track.heading = 0.0
+    track.age = age
+    track.confidence = SURE
 
 
 @compiled

@@ -1,4 +1,7 @@
-"""Reports by radio: own pose, ball and number; `reports.py` makes and uses them.  MH05"""
+"""Reports by radio: own pose, ball and number; `reports.py` makes and uses them.  MH05
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
+"""
 
 from __future__ import annotations
 

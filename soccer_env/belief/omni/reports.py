@@ -2,6 +2,8 @@
 
 A report is in the team frame; it comes into the robot frame through the own believed pose, so that the errors of both
 poses are in it. What the own camera sees is trusted more.
+
+`k`: the league's constants; `w`: settings of the memory.
 """
 
 from __future__ import annotations
@@ -24,7 +26,10 @@ def write_report(report, belief):
     own, ball = belief.own, belief.ball
     cosine, sine = cos(own.heading), sin(own.heading)
     report.number, report.keeper = belief.situation.number, belief.situation.keeper
-    report.x, report.y, report.heading, report.confidence = own.x, own.y, own.heading, own.confidence
+    report.x = own.x
+    report.y = own.y
+    report.heading = own.heading
+    report.confidence = own.confidence
     report.vx, report.vy = out_of_frame(own.forward, own.left, cosine, sine)
     x, y = out_of_frame(ball.x, ball.y, cosine, sine)
     report.ball_x, report.ball_y = own.x + x, own.y + y
@@ -111,7 +116,9 @@ def free_slot(tracks, message, scratch, other, frame, k, w):
     """
     report = message.reports[message.latest]
     confidence = told_confidence(report, frame, k, w)
-    empty, last, farthest = -1, -1, length(scratch[other, 0], scratch[other, 1])
+    empty = -1
+    last = -1
+    farthest = length(scratch[other, 0], scratch[other, 1])
     for slot in range(k.teammate_slots):
         track = tracks[slot]
         if track.present == 0:
@@ -133,7 +140,9 @@ def take_report(own, axes, tracks, slot, message, place, taken, frame, k, w):
     for i in range(k.teammate_slots):
         if tracks[i].number == report.number:
             tracks[i].number, tracks[i].keeper = UNKNOWN, 0
-    track.number, track.keeper, track.teammate = report.number, report.keeper, 1
+    track.number = report.number
+    track.keeper = report.keeper
+    track.teammate = 1
     track.heading = wrap(report.heading - own.heading)
     confidence = told_confidence(report, frame, k, w)
     if confidence >= track.confidence:
@@ -160,7 +169,9 @@ def adopt_ball(belief, messages, r, frame, k, w, home, rows):
 
     Of equally confident ones the nearest to the ball counts, then the lowest number.
     """
-    best, most, nearest = -1, 0.0, 0.0
+    best = -1
+    most = 0.0
+    nearest = 0.0
     for other in rows:
         message = messages[other]
         if other == r or (other < home) != (r < home) or message.known == 0:
@@ -171,7 +182,9 @@ def adopt_ball(belief, messages, r, frame, k, w, home, rows):
         if confidence <= 0.0 or report.ball_age + elapsed >= belief.ball.age:
             continue
         if confidence > most or (confidence == most and report.distance < nearest):
-            best, most, nearest = other, confidence, report.distance
+            best = other
+            most = confidence
+            nearest = report.distance
     if best >= 0:
         message = messages[best]
         report = message.reports[message.latest]
@@ -195,7 +208,9 @@ def believe_report(belief, report, elapsed, late, confidence, k):
     ball.vx, ball.vy = into_frame(share * report.ball_vx, share * report.ball_vy, cosine, sine)
     ball.distance, ball.bearing = length(x, y), atan2(y, x)
     ball.filtered_distance, ball.filtered_bearing = ball.distance, ball.bearing
-    vx, vy, away = ball.vx - own.forward, ball.vy - own.left, max(ball.distance, NEAREST)
+    vx = ball.vx - own.forward
+    vy = ball.vy - own.left
+    away = max(ball.distance, NEAREST)
     ball.radial = (x * vx + y * vy) / away
     ball.angular = (x * vy - y * vx) / (away * away) - own.turn
     ball.confidence, ball.age = confidence, report.ball_age + elapsed

@@ -2,6 +2,8 @@
 
 A thing is any record with x, y [m] in the robot frame and vx, vy [m/s], its velocity over the ground in the robot
 frame's axes: the ball's memory, or a track. A filter goes with it.
+
+`k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
 from __future__ import annotations

@@ -1,7 +1,9 @@
 """From the pieces of a sketch to the blobs that the vision delivers: misses, merging, noise, whole pixels.  MS04
 
-Draws are made piece by piece in the order in which they were drawn, which is the same in a mirrored match and for both
-teams, and for whatever is in the picture alone.
+Random numbers are drawn piece by piece, in the order in which the pieces were sketched: the same order in a mirrored
+match and for both teams. Only what is in the picture costs a draw.
+
+`s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -22,9 +24,9 @@ FALSE_BLOBS = int(RobotStream.FALSE_BLOBS)
 BYTES = np.uint64(0x00FF00FF00FF00FF)  # every other byte
 ONES = np.uint64(0x0001000100010001)  # times this, the top 16 bits are the sum of all four
 MIDDLE = 8.0 * 127.5  # mean of the sum of eight bytes
-UNIT = (12.0 / (8.0 * 65535.0)) ** 0.5  # 1 over its deviation
-SCALE_LEAST = 0.1  # [1] scale of sizes that an error does not go below
-SPOT = 0.5  # [1] width and height of an orange spot on a sticker, in the sticker's, assumed
+UNIT = (12.0 / (8.0 * 65535.0)) ** 0.5  # one over the deviation of that sum
+SCALE_LEAST = 0.1  # [1] least scale of sizes, however large its error
+SPOT = 0.5  # [1] width and height of an orange spot, as shares of its sticker's, assumed
 EDGE = 1e-6  # [px] from the border at which a piece counts as cut off by it
 TOUCHING = 0.5  # [px] gap below which two pieces are one blob, assumed
 
@@ -88,9 +90,9 @@ def add_patches(sketch):
 
 @compiled
 def report(sketch, kind, blobs, scale, noise, missed, s):
-    """Fill in the four largest blobs of a kind, largest first; it misses a share of them.  [Sacks 2001, 2]  MS04"""
+    """Fill in the four largest blobs of a kind, largest first; a share `missed` is left out.  [Sacks 2001, 2]  MS04"""
     if sketch.found[kind] == 0 and blobs[0].area == 0:
-        return  # as in the frame before
+        return  # there are none, and none are left from the frame before
     if missed > 0.0:
         miss(sketch, kind, noise, missed)
     pieces, count = sketch.pieces[kind], sketch.found[kind]
@@ -213,7 +215,7 @@ def place_edge(middle, count, high, low, border):
 def bell(noise):
     """Draw from a bell curve of mean 0 and deviation 1: the sum of the eight bytes of one draw.
 
-    Unlike `normal`, for a tenth of its price: the normal distribution but for its last tails, none beyond 4.9.
+    Ten times cheaper than `normal`, and close to the normal distribution; nothing lies beyond 4.9.
     """
     noise[CAMERA_NOISE] = noise[CAMERA_NOISE] + GOLDEN
     bits = mix(noise[CAMERA_NOISE])
@@ -223,5 +225,5 @@ def bell(noise):
 
 @compiled
 def clear(blob):
-    """Mark a blob as none."""
+    """Mark a blob as absent."""
     blob.left = blob.right = blob.high = blob.low = blob.area = 0

@@ -2,6 +2,8 @@
 
 A body is two upright boxes: the trunk over the rectangle round its hull, from the belly to the back, and a cube for the
 head, which turns and moves with pan and tilt. Legs are left out: one sees through under the belly.
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -28,7 +30,7 @@ from soccer_env.perception.legged.outlines import (
 )
 
 TRUNK, HEAD = 0, 1  # boxes of a body
-LOW = 4  # from an upper corner to the one below
+LOW = 4  # added to the number of an upper corner: that of the corner below it
 
 BOX = np.dtype(
     [  # an upright box, in the level axes of the camera
@@ -51,7 +53,7 @@ BODY = np.dtype(
         ("teammate", "i8"),
         ("tilt", "f8"),  # [rad] of its head, up positive
         ("crown", "f8"),  # [m] height of the head stickers' middle
-        ("crown_ahead", "f8"),  # [m] of them ahead of the middle of the head
+        ("crown_ahead", "f8"),  # [m] how far these stickers are ahead of the head's middle
         ("boxes", BOX, (2,)),
     ]
 )
@@ -61,9 +63,9 @@ RECTANGLE = np.dtype(
         ("front", "f8"),  # [m]
         ("half_width", "f8"),  # [m]
         ("trunk_radius", "f8"),  # [m] of the circle round the trunk, seen from above
-        ("trunk_extent", "f8"),  # [m] radius of the sphere that holds it
-        ("head_radius", "f8"),  # [m] the same of the head
-        ("head_extent", "f8"),  # [m]
+        ("trunk_extent", "f8"),  # [m] radius of the sphere round the trunk
+        ("head_radius", "f8"),  # [m] of the circle round the head, seen from above
+        ("head_extent", "f8"),  # [m] radius of the sphere round the head
         ("extent", "f8"),  # [m] radius of a sphere that holds trunk and head, at any pan and tilt
         ("middle", "f8"),  # [m] height of its middle
     ]
@@ -125,7 +127,9 @@ def put_head(camera, ahead, left, pose, rectangle, s, body):
 
     The camera is in the middle of its face. Head and stickers move with the tilt, but stay upright.
     """
-    head, trunk, half = body.boxes[HEAD], body.boxes[TRUNK], 0.5 * s.head_size
+    head = body.boxes[HEAD]
+    trunk = body.boxes[TRUNK]
+    half = 0.5 * s.head_size
     head.cosine, head.sine = into_frame(pose.gaze_cosine, pose.gaze_sine, camera.cosine, camera.sine)
     forward, rise = tilted(s.camera_ahead - half, s.camera_up, pose.level, pose.steep, 0.0)
     head.ahead = ahead + s.neck_ahead * trunk.cosine + forward * head.cosine
@@ -142,7 +146,9 @@ def put_head(camera, ahead, left, pose, rectangle, s, body):
 @compiled
 def place_box(camera, box, radius, extent):
     """Fill in how far away a box is, and whether it may be in the picture; a sphere of a radius `extent` holds it."""
-    box.radius, box.distance, box.traced = radius, length(box.ahead, box.left), 0
+    box.radius = radius
+    box.distance = length(box.ahead, box.left)
+    box.traced = 0
     box.shown = 1 if in_view(camera, box.ahead, box.left, 0.5 * (box.low + box.high), extent) else 0
 
 
@@ -173,7 +179,7 @@ def trace_box(camera, box, tracing, outline):
 
 @compiled
 def faces_seen(box):
-    """Return the leftmost upright face of a box that the camera sees, and how many: 1, 2, or 0 from within.
+    """Return the leftmost upright face of a box that the camera sees, and how many: 1, 2, or 0 from inside the box.
 
     Faces go round counter-clockwise, face i from corner i to corner i + 1 of the ring: left, behind, right, ahead.
     """

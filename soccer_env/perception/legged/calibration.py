@@ -7,7 +7,9 @@ that entry i is the range at which a thing is i pixels large on average.
 A range is the horizontal distance from the camera (not from the robot's origin, nor along the line of sight) to the
 middle of the ball, or to the origin of the other robot. Whoever wants it from the own origin adds the camera's place:
 with bearing b = direction_of_pixel(u, v, pan, tilt, s)[0] and (ahead, left, height) = camera_place(pan, tilt, s), both
-of optics.py, the thing is at (ahead + range cos b, left + range sin b) in the robot's frame.
+of optics/head_camera.py, the thing is at (ahead + range cos b, left + range sin b) in the robot's frame.
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -29,9 +31,9 @@ from soccer_env.types import BALL as BALL_RECORD
 SIZES = 256  # [px] sizes that a table has room for; larger ones read as the last
 NEAREST, FARTHEST, STEP = 0.15, 3.0, 0.05  # [m] ranges at which things are put, assumed
 LEAST = 0.01  # [m] least range that a table holds
-ASIDE = 50.0  # [m] where what is not looked at is put
+ASIDE = 50.0  # [m] where everything is put that is not looked at
 HEAD_ON, FROM_THE_SIDE = pi, 0.5 * pi  # [rad] heading of the robot that is looked at
-ROUNDS = 30  # in which the tilt settles: it moves the camera
+ROUNDS = 30  # repetitions in which the tilt settles, since the tilt moves the camera
 CALIBRATION = np.dtype(
     [
         ("ball_width", "f8", (SIZES,)),  # [m] range of a ball that is i pixels wide
@@ -80,7 +82,9 @@ def look_at(league: League, ranges: np.ndarray, height: float, kind: int, headin
 @compiled
 def render(matches, balls, robots, constants, sensors, ranges, height, kind, sizes):
     """Fill in the sizes of the ball, or of robot 1, before robot 0 at each range."""
-    k, s, sketches = constants[0], sensors[0], make_sketch(constants[0], sensors[0])
+    k = constants[0]
+    s = sensors[0]
+    sketches = make_sketch(constants[0], sensors[0])
     for i in range(ranges.shape[0]):
         tilt = 0.0
         for _ in range(ROUNDS):

@@ -5,7 +5,9 @@ and across the direction in which it looks; heights from the ground. The picture
 from its centre, as in optics/head_camera.py.
 
 In a match with handedness -1 these axes are mirrored, so that left is right, and so is all that is drawn from there on:
-a mirrored match makes the same picture bit for bit, and only the blobs that leave it are turned round again.
+a mirrored match makes the same picture bit for bit, and only the blobs made from it are mirrored back.
+
+`s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -19,10 +21,10 @@ from soccer_env.geometry import into_frame, out_of_frame
 from soccer_env.optics.head_camera import focal_x, focal_y, image_height, image_width, tilted
 
 POSE = np.dtype(
-    [  # the directions of a robot and of its head, kept for all who see it in a step; mirrored with the handedness
-        ("heading", "f8"),  # [rad] what they were made from
-        ("pan", "f8"),  # [rad]
-        ("tilt", "f8"),  # [rad]
+    [  # directions of a robot and its head, computed once a step for all who see it; mirrored with the handedness
+        ("heading", "f8"),  # [rad] the pose for which the cosines and sines below were computed
+        ("pan", "f8"),  # [rad] the same
+        ("tilt", "f8"),  # [rad] the same
         ("cosine", "f8"),  # of the heading
         ("sine", "f8"),
         ("gaze_cosine", "f8"),  # of the direction of the head over the ground
@@ -72,7 +74,7 @@ def face_ahead(pose):
 
 @compiled
 def bring_up_to_date(pose, robot, handedness):
-    """Fill in the directions of a robot, unless they are those that are there already."""
+    """Fill in the directions of a robot, unless they are up to date."""
     heading, pan = handedness * robot.heading, handedness * robot.pan
     if pose.heading == heading and pose.pan == pan and pose.tilt == robot.tilt:
         return

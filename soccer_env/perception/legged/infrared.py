@@ -2,6 +2,8 @@
 
 The beam is a ray. A robot is a trunk, a head and four legs: its trunk spans the hull, its legs are posts as thick as
 the paws, at the shoulders' width, between which a beam passes. The own body is never in the way.
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -67,7 +69,7 @@ def trace_beam(ball, robots, k, s, r, lateral, vertical):
         to_x, to_y = robots[other].x - x, robots[other].y - y
         ahead, aside = to_x * dx + to_y * dy, to_x * dy - to_y * dx
         if abs(aside) > extent * level or ahead < -extent * level or ahead > (nearest * level + extent) * level:
-            continue  # passes by on one side, lies behind, or farther than what is met already
+            continue  # the beam passes it by, or it lies behind, or farther than what the beam has met already
         nearest = min(nearest, reach_robot(-to_x, -to_y, z, dx, dy, dz, robots[other], k, s))
     return nearest
 
@@ -83,7 +85,7 @@ def beam_direction(pan, tilt, lateral, vertical):
 
 @compiled
 def robot_extent(k, s):
-    """Return a distance from a robot's middle beyond which there is nothing of it [m]."""
+    """Return the radius [m] of a circle round a robot's origin that holds all of it."""
     return max(k.body_reach, s.neck_ahead + s.camera_ahead + s.camera_up + s.head_size)
 
 
@@ -118,7 +120,9 @@ def reach_head(x, y, z, dx, dy, dz, other, s):
 @compiled
 def reach_legs(x, y, z, dx, dy, dz, back, k, s):
     """Return the distance to the nearest of a robot's four legs below the trunk [m], robot frame."""
-    hind, left, radius = back + k.body_tip_radius, k.body_tip_y, k.body_tip_radius
+    hind = back + k.body_tip_radius
+    left = k.body_tip_y
+    radius = k.body_tip_radius
     fore = min(
         reach_post(x - k.body_tip_x, y - left, z, dx, dy, dz, radius, s.trunk_low),
         reach_post(x - k.body_tip_x, y + left, z, dx, dy, dz, radius, s.trunk_low),

@@ -7,6 +7,8 @@ flanks, which is why the robots "when viewed head-on appeared slightly smaller".
 
 A head that is lower than s.head_down hides its own stickers, and, being black, the part of the trunk's stickers that
 lies behind it: a near robot that looks at the ball seems far away.  [Sacks 2001, 4.3.3]
+
+`s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -25,7 +27,9 @@ def is_lowered(body, s):
 @compiled
 def put_trunk_stickers(body, s, stickers):
     """Fill in the stickers of the trunk that face the camera, chest or rump first; return how many.  MS37"""
-    trunk, middle, count = body.boxes[TRUNK], s.trunk_sticker_middle, 0
+    trunk = body.boxes[TRUNK]
+    middle = s.trunk_sticker_middle
+    count = 0
     x, y = in_box_axes(trunk, 0.0, 0.0)
     if x > trunk.half_length:
         width, height = 0.5 * s.jersey * s.sticker_chest_width, 0.5 * s.jersey * s.sticker_chest_height

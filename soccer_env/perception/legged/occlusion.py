@@ -1,7 +1,7 @@
 """Occlusion: what bodies leave of a thing that stands behind them, column by column of the picture.
 
-The thing is cut into columns of two pixels at most. In each the outlines of the bodies before it take away an interval;
-neighbouring columns of which something is left make a piece, which ends where the outline ends that hides the rest.
+The thing is cut into columns of two pixels at most. In each column the outlines of bodies before it hide an
+interval; neighbouring columns of which something is left make a piece. A piece ends where the hiding outline begins.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ COLUMNS = 176  # into which a thing is cut, at most
 COLUMNS_LEAST = 8  # at least
 COLUMN_MOST = 2.0  # [px] width of a column, at most
 SINKS = 0.008  # [m] by which bodies may overlap where they touch, far more than the physics lets them
-HIDDEN = -1  # in place of a number of hiders
-LEAST_AREA = 0.5  # [px] truly visible below which nothing is seen, assumed
+HIDDEN = -1  # returned in place of a number of hiders: all is hidden
+LEAST_AREA = 0.5  # [px] visible area below which a piece is not seen, assumed
 
 PIECE = np.dtype(
     [
@@ -35,9 +35,9 @@ PIECE = np.dtype(
 COLUMN = np.dtype(
     [  # what is left of a column of the target, one part or two; [px]
         ("low", "f8"),
-        ("high", "f8"),  # above low, or there is nothing left
+        ("high", "f8"),  # not above low: nothing is left
         ("second_low", "f8"),
-        ("second_high", "f8"),  # above its low, or there is no second part
+        ("second_high", "f8"),  # not above second_low: there is no second part
     ]
 )
 TARGET = np.dtype(
@@ -76,17 +76,20 @@ def add_piece(sketch, kind, left, right, high, low, area):
 def find_hiders(sketch, owner, own_head, apart):
     """List the outlines that may hide a part of the target; return how many, or HIDDEN if one hides all of it.
 
-    See `draw_panel` for the rest.
+    `owner`, `own_head` and `apart` are those of `draw_panel`.
     """
-    camera, target, count = sketch.camera, sketch.target, 0
-    ahead, left, low, high, eye = target.ahead, target.left, target.low, target.high, camera.height
+    camera, target = sketch.camera, sketch.target
+    ahead = target.ahead
+    left = target.left
+    eye = camera.height
+    count = 0
     distance, radius = length(ahead, left), target.reach + length(target.across, target.aside)
     for i in range(sketch.body_count):
         for part in (TRUNK, HEAD):
             box, outline = sketch.bodies[i].boxes[part], sketch.outlines[2 * i + part]
             if box.shown == 0 or box.distance - box.radius > distance + radius:
                 continue  # it stands behind, or out of the picture
-            if (box.high <= eye and low >= eye) or (box.low >= eye and high <= eye):
+            if box.high <= eye <= target.low or target.high <= eye <= box.low:
                 continue  # it stands below the height of the eye and the target above, or the other way round
             if abs(box.ahead * left - box.left * ahead) > box.radius * distance + radius * box.distance:
                 continue  # it stands aside: the sine of the angle between is more than what both fill
@@ -150,7 +153,9 @@ def covers(outline, other):
 @compiled
 def cut_into_pieces(sketch, kind, hiders):
     """Add the pieces of the target that are in the picture and that the first `hiders` outlines listed do not hide."""
-    camera, outline, columns = sketch.camera, sketch.target.outline, sketch.columns
+    camera = sketch.camera
+    outline = sketch.target.outline
+    columns = sketch.columns
     right, left = max(outline.right, -camera.half_width), min(outline.left, camera.half_width)
     if right >= left:
         return
@@ -176,14 +181,18 @@ def cut_into_pieces(sketch, kind, hiders):
 @compiled
 def join_columns(sketch, kind, columns, begin, end, first, last, width):
     """Add the piece that columns begin, ..., end - 1 make; it reaches from u = first to last [px]."""
-    bottom, top, total = columns[begin].low, columns[begin].high, 0.0
+    bottom = columns[begin].low
+    top = columns[begin].high
+    total = 0.0
     for i in range(begin, end):
         column = columns[i]
-        bottom, top, total = min(bottom, column.low), max(top, column.high), total + column.high - column.low
+        bottom = min(bottom, column.low)
+        top = max(top, column.high)
+        total = total + column.high - column.low
         if column.second_low < column.second_high:
             bottom, top = min(bottom, column.second_low), max(top, column.second_high)
             total += column.second_high - column.second_low
-    share = (last - first) / ((end - begin) * width)  # of the columns, whose ends may stand out or fall short
+    share = (last - first) / ((end - begin) * width)  # of the columns' area: the piece may end within a column
     add_piece(sketch, kind, last, first, top, bottom, total * width * share)
 
 
@@ -244,7 +253,7 @@ def hide_columns(outline, columns, count, right, width):
 
 @compiled
 def hide(column, low, high):
-    """Take the interval low ... high [px] from a column, which may be left in two parts; of three, one is forgotten."""
+    """Take the interval low ... high [px] from a column, which may fall into two parts; a third part is dropped."""
     if column.second_low < column.second_high:
         if low <= column.second_low:
             column.second_low = max(column.second_low, high)

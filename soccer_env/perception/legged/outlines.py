@@ -3,7 +3,7 @@
 A chain runs from right to left, that is with growing u, so that a walk along the columns needs to look at each corner
 once only. An outline is traced in one of two ways:
 
-* begin_outline, add_corner ..., end_outline: its corners are known in order, and all lie before the lens;
+* begin_outline, add_upper and add_lower, end_outline: its corners are known in order, and all lie before the lens;
 * project_..., enclose: what reaches behind the lens is cut off there, and the outline is the hull of what is left.
 """
 
@@ -16,9 +16,9 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.perception.legged.camera import axes_of
 
-LENS = 0.01  # [m] depth at which things are cut off that reach behind the lens, assumed
+LENS = 0.01  # [m] depth at which things that reach behind the lens are cut off, assumed
 CORNERS = 8  # of a box
-POINTS = 16  # corners of an outline that fit: those of a box, and the cuts
+POINTS = 16  # most corners of an outline: those of a box, and where it is cut off
 
 CORNER = np.dtype(
     [
@@ -33,7 +33,7 @@ POINT = np.dtype(
     [
         ("u", "f8"),  # [px]
         ("v", "f8"),  # [px]
-        ("slope", "f8"),  # [1] of a chain to its next point
+        ("slope", "f8"),  # [1] of a chain from here to its next point
     ]
 )
 CHAIN = np.dtype(
@@ -53,7 +53,7 @@ OUTLINE = np.dtype(
     ]
 )
 TRACING = np.dtype(
-    [  # room to work in
+    [  # scratch
         ("corners", CORNER, (CORNERS,)),
         ("points", POINT, (POINTS,)),
     ]
@@ -135,7 +135,9 @@ def project_box(camera, tracing):
 
     Corners whose numbers differ in one bit share an edge.
     """
-    corners, points, count = tracing.corners, tracing.points, 0
+    corners = tracing.corners
+    points = tracing.points
+    count = 0
     for i in range(CORNERS):
         if corners[i].depth >= LENS:
             count = add_point(points, count, corners[i].u, corners[i].v)
@@ -148,7 +150,9 @@ def project_box(camera, tracing):
 @compiled
 def project_rectangle(camera, tracing):
     """Project the first 4 corners, those of a rectangle, cut off at the lens; return how many points there are."""
-    corners, points, count = tracing.corners, tracing.points, 0
+    corners = tracing.corners
+    points = tracing.points
+    count = 0
     for i in range(4):
         if corners[i].depth >= LENS:
             count = add_point(points, count, corners[i].u, corners[i].v)
@@ -192,7 +196,9 @@ def enclose(outline, points, count):
 def sort_points(points, count):
     """Sort points by u, then v."""
     for i in range(1, count):
-        u, v, place = points[i].u, points[i].v, i
+        u = points[i].u
+        v = points[i].v
+        place = i
         while place > 0 and (points[place - 1].u > u or (points[place - 1].u == u and points[place - 1].v > v)):
             points[place] = points[place - 1]
             place -= 1

@@ -2,6 +2,8 @@
 
 From the truth: where the camera looks (camera.py), who stands before it (bodies.py), what would be where in the picture
 (jersey.py, scenery.py, sketch.py), less what is hidden (occlusion.py); then what the vision makes of it (blobs.py).
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -18,9 +20,9 @@ from soccer_env.perception.legged.sketch import BALL, KINDS, OPPONENTS, TEAMMATE
 
 @compiled
 def take_picture(match, ball, robots, percept, state, k, s, r, sketches):
-    """Fill in the blobs that robot r sees; `sketches` (1,) is room made by `make_sketch`.  MS04
+    """Fill in the blobs that robot r sees; `sketches` (1,) is scratch made by `make_sketch`.  MS04
 
-    A robot that lies on its side sees a field that lies on its side, and one that is sent off none: no blobs.
+    A robot that lies on its side or is sent off gets no blobs.
     """
     robot = robots[r]
     if robot.active == 0 or robot.fallen > 0.0:

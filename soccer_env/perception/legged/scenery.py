@@ -1,7 +1,9 @@
 """What stands round the field of a legged robot: goals, landmarks, and patches that have the colour of the ball.
 
-All of it is laid out from the side of the team that looks, and of each pair in an order that a mirror keeps, so that
-both teams, and a match and its mirror image, draw the same noise for the same thing.
+All of it is placed as seen by the team that looks, and each pair in an order that does not change in a mirror: so both
+teams, and a match and its mirror image, draw the same noise for the same thing.
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -16,14 +18,16 @@ from soccer_env.perception.legged.sketch import LANDMARK, NOBODY, OPPONENT_GOAL,
 from soccer_env.random_numbers import GOLDEN, MIX_1, MIX_2, mix
 
 TO_UNIT = 1.0 / 9007199254740992.0  # 2**-53
-PATCH_KEY = np.uint64(0xC2B2AE3D27D4EB4F)  # sets the places of patches apart from the noise streams of the same seed
+PATCH_KEY = np.uint64(
+    0xC2B2AE3D27D4EB4F
+)  # makes the places of patches independent of the noise streams of the same seed
 
 
 @compiled
 def draw_goals(sketch, side, k, s):
     """Draw the mouths of the own and the opponent's goal, as flat as a wall.
 
-    A robot inside a goal hides it as well: it stands before the coloured walls that the mouth stands for.
+    The mouth stands for the coloured walls behind it, so that a robot inside a goal hides it as well.
     """
     for far, kind in ((-1.0, OWN_GOAL), (1.0, OPPONENT_GOAL)):
         camera, panel = sketch.camera, sketch.panel
@@ -110,7 +114,9 @@ def unit(bits):
 @compiled
 def draw_patch(sketch, x, y, height, k, s):
     """Draw a patch; boards hide what of it lies below the line of sight over them."""
-    camera, panel, half = sketch.camera, sketch.panel, 0.5 * s.patch_size
+    camera = sketch.camera
+    panel = sketch.panel
+    half = 0.5 * s.patch_size
     ahead, left = from_camera(camera, x, y)
     if not in_view(camera, ahead, left, height, length(half, half)):
         return
@@ -126,7 +132,9 @@ def draw_patch(sketch, x, y, height, k, s):
 @compiled
 def share_to_boards(x, y, to_x, to_y, k):
     """Return which share [1] of the way from a place on the field to one outside lies before the boards."""
-    share, half_length, half_width = 1.0, 0.5 * k.pitch_length, 0.5 * k.pitch_width
+    share = 1.0
+    half_length = 0.5 * k.pitch_length
+    half_width = 0.5 * k.pitch_width
     if abs(to_x) > half_length:
         share = min(share, share_to_line(x, to_x, half_length))
     if abs(to_y) > half_width:

@@ -1,4 +1,7 @@
-"""What the sensors of a legged robot deliver: camera, infrared ranger, own body.  [Sacks 2001, 1, 2]  MS06"""
+"""What the sensors of a legged robot deliver: camera, infrared ranger, own body.  [Sacks 2001, 1, 2]  MS06
+
+`k`: the league's constants; `s`: settings of the sensors.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ LEGGED_SENSOR_STATE = np.dtype(
 
 @compiled
 def sense_robot(match, ball, robots, r, percept, state, pending, sketches, k, s):
-    """Fill in the percept of robot r; `pending` is for cameras that deliver late, unused here."""
+    """Fill in the percept of robot r; `pending`, for cameras that deliver late, is not used."""
     percept.pan, percept.tilt = robots[r].pan, robots[r].tilt
     take_picture(match, ball, robots, percept, state, k, s, r, sketches)
     percept.infrared = measure_range(match, ball, robots, k, s, r)

@@ -1,8 +1,10 @@
 """The sketch of a picture: where each coloured thing would be in it, in exact fractions of pixels and without noise.
 
 A thing is a sphere (the ball) or an upright panel (stickers, goals, landmarks, patches). It becomes one piece or, where
-bodies stand before it, several: a box and its coloured area. Pieces are listed by kind; `sketch` is room that a slice
-of matches makes once.
+bodies stand before it, several: a box and its coloured area. Pieces are listed by kind; `sketch` is scratch that a
+slice of matches makes once.
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -80,7 +82,7 @@ SKETCH = np.dtype(
 
 @compiled
 def make_sketch(k, s):
-    """Return room for a sketch, (1,), made ready for a league's robots and their camera."""
+    """Return an empty sketch (1,), with what is fixed by a league's robots and their camera filled in."""
     sketches = records(1, SKETCH)
     open_camera(sketches[0].camera, s)
     measure_hull(sketches[0].hull, k, s)
@@ -101,7 +103,9 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
     if not trace_panel(camera, panel, sketch.tracing, outline) or is_outside(camera, outline):
         return
     target.ahead, target.left, target.low, target.high = panel.ahead, panel.left, panel.low, panel.high
-    target.across, target.aside, target.reach = panel.across, panel.aside, 0.0
+    target.across = panel.across
+    target.aside = panel.aside
+    target.reach = 0.0
     hiders = find_hiders(sketch, owner, own_head, apart)
     if hiders == HIDDEN:
         return
@@ -115,7 +119,9 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
 @compiled
 def trace_panel(camera, panel, tracing, outline):
     """Trace the outline of a panel; return whether any of it lies before the lens."""
-    corners, nearest, farthest = tracing.corners, inf, -inf
+    corners = tracing.corners
+    nearest = inf
+    farthest = -inf
     for i in range(4):  # round it
         side = 1.0 if i < 2 else -1.0
         height = panel.high if i == 1 or i == 2 else panel.low
@@ -179,7 +185,9 @@ def draw_sphere(sketch, ahead, left, radius, kind):
     if is_outside(camera, outline):
         return
     target.ahead, target.left, target.low, target.high = ahead, left, 0.0, 2.0 * radius
-    target.across, target.aside, target.reach = 0.0, 0.0, radius
+    target.across = 0.0
+    target.aside = 0.0
+    target.reach = radius
     hiders = find_hiders(sketch, NOBODY, False, False)
     if hiders == HIDDEN:
         return

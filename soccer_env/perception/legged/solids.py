@@ -1,6 +1,8 @@
 """How far a ray travels before it meets something: a ball, a box, a post, the boards, the carpet.
 
 A ray starts at x, y, z [m] and goes along the unit vector dx, dy, dz; a distance is inf for a miss and 0 from within.
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -14,7 +16,7 @@ LEAST = 1e-12  # [1] smallest component of a direction that is divided by
 
 @compiled
 def steep(component):
-    """Return a component of a direction that can be divided by, of the same sign."""
+    """Return a component of a direction, moved away from zero so that it can be divided by."""
     if -LEAST < component < LEAST:
         return -LEAST if component < 0.0 else LEAST
     return component

@@ -2,6 +2,8 @@
 
 The camera stands 0.75 m high and robots are 0.8 m tall: a robot hides everything on the ground that lies behind it,
 within the angle that its round body fills.
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -57,13 +59,13 @@ def body_radius(k):
 
 @compiled
 def half_angle(radius, distance):
-    """Return half of the angle [rad] that a disc fills; from within it a half turn's half."""
+    """Return half of the angle [rad] that a disc fills: a quarter turn from inside it."""
     return asin(min(radius / max(distance, NEAREST), 1.0))
 
 
 @compiled
 def visible_part(around, count, bearing, half, distance, height, k, s, handedness):
-    """Return how far the middle of a thing's visible part lies aside of the thing's own [rad], and its share [1].  MH02
+    """Return how far the middle of a thing's visible part is off the thing's own middle [rad], and its share [1].  MH02
 
     The thing fills `half` to both sides of `bearing`; nearer robots hide it where the line of sight over their heads
     passes it above `height` [m]. Share 0: all of it is hidden. Of two parts the larger one is seen.

@@ -1,8 +1,10 @@
 """Changing light, and the colour table that must follow it.  [Heinemann et al. 2006, 1]  MH07
 
-Brightness is told as the difference from the light for which the fixed table was made. Light between the table's and
+Brightness is given as the difference from the light for which the fixed table was made. Light between the table's and
 the field's makes pixels drop out of their colour class: blobs are missed, and those that are found have lost their
 rim. Both laws are assumed.
+
+`s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ DARKEST = 40.0  # [1] exponent beyond which nothing is recognised at all
 
 @compiled
 def brightness(match, s):
-    """Return the light of a match now [1]: a slow sine, where it starts in it follows from the seed.  MH07"""
+    """Return the light of a match now [1]: a slow sine whose phase follows from the seed.  MH07"""
     if s.light_drift <= 0.0:
         return 0.0
     bits = mix(np.uint64(match.seed) + GOLDEN * np.uint64(match.episode + 1))
@@ -44,7 +46,7 @@ def adapt_table(table, measured, s, dt, first):
     """Return the light that the colour table is made for after a frame [1].  MH07
 
     The adaptive table follows the light with a time constant and has done so before the first frame; the fixed one
-    stays what it was made for.
+    stays as it was made.
     """
     if s.colour_table != ADAPTIVE:
         return 0.0

@@ -1,6 +1,8 @@
 """White lines in the picture of the omnidirectional camera: the first one in each of many directions.  MH02, MH08
 
 Direction i of s.lines lies 2 pi i / s.lines to the left of straight ahead; i and s.lines - i are mirror images.
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ from soccer_env.perception.omni.sightings import CAMERA, to_pixel
 from soccer_env.random_numbers import uniform
 
 LINE_MAP = np.dtype(
-    [  # the straight lines of a pitch, both halves at once: of each its mirror image at -x or -y is one as well
+    [  # the straight lines of a quarter of a pitch; the mirror images of each at -x and -y are lines as well
         ("end", "f8"),  # [m] half the pitch's length
         ("across", "f8", (4,)),  # [m] |x| of lines across the pitch: halfway, goal line, penalty area, goal area
         ("across_to", "f8", (4,)),  # [m] |y| up to which they run
@@ -26,7 +28,7 @@ LINE_MAP = np.dtype(
         ("along_from", "f8", (3,)),  # [m] |x| from which they run to the goal line
         ("cosine", "f8", (LINES,)),  # [1] of the directions
         ("sine", "f8", (LINES,)),
-        ("free", "f8", (LINES,)),  # [m] room: how far the view goes in each direction
+        ("free", "f8", (LINES,)),  # [m] scratch: how far the view goes in each direction
     ]
 )
 SPAN = sqrt(12.0)  # [1] width of an even distribution of sd 1
@@ -63,7 +65,9 @@ def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour
         distance = first_line(robot.x, robot.y, dx, dy, map, k.pitch_circle, s.hidden_radius, map.free[i])
         lines[i] = 0.0
         if distance < map.free[i]:
-            draw = uniform(noise, CAMERA)  # below `found`: where it lies there serves as the noise, of the same sd
+            draw = uniform(
+                noise, CAMERA
+            )  # found if below `found`; its place below that, an even distribution, serves as the noise
             if draw < found:
                 radius = image_radius(s, distance) + s.pixel_noise * SPAN * (draw / found - 0.5)
                 lines[i] = ground_distance(s, max(to_pixel(radius), 0.0))

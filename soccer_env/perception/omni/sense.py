@@ -2,7 +2,9 @@
 
     exposure -> pending, for `camera_delay` frames -> percept, with its age; what is felt is current
 
-A robot that was just put somewhere gets its first pictures at once, until those on the way are of its new place.
+A robot that was just placed gets its first pictures without delay: those on their way show its old place.
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -55,7 +57,7 @@ def look(match, ball, robots, r, percept, state, pending, light, around, map, k,
         take_picture(match, ball, robots, r, percept, state, light, around, map, k, s)
         return
     slot = pending[match.step % late]
-    if robot.placed == 1:  # what is on its way shows another place
+    if robot.placed == 1:  # pictures on their way show the old place
         for i in range(late):
             pending[i].body.active = 0
     due = slot.body.active == 1 and slot.body.frame + late == match.step

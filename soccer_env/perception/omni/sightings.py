@@ -1,7 +1,9 @@
 """What the omnidirectional camera finds in its picture: ball, players, goals.  [Heinemann et al. 2006, 2]  MH02
 
 A thing is read where it touches the ground, so that the mirror's curve tells its distance. Its place in the picture
-is a whole pixel: bearings are good everywhere, distances fail with the square of the distance.
+is a whole pixel: bearings are good everywhere, errors of distances grow with the distance's square.
+
+`k`: the league's constants; `s`: settings of the sensors.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ from soccer_env.types import RobotStream
 CAMERA = int(RobotStream.CAMERA)
 FALSE_BLOBS = int(RobotStream.FALSE_BLOBS)
 GOAL_HEIGHT = 1.0  # [m] Tribots 2005
-UNCOLOURED = 0.5  # [1] share of the frames in which a ball without colour is found that an orange one would be, assumed
+UNCOLOURED = 0.5  # [1] of the frames that would show an orange ball, those that show one without colour, assumed
 UNCOLOURED_FALSE = 0.04  # [1/frame] further wrong balls when the ball has no colour, assumed
 STEEPEST = 40.0  # [1] exponent beyond which a logistic is flat
 FOOT = 0.0  # [m] height of what is read where it touches the ground
@@ -56,7 +58,7 @@ def find(sighting, distance, bearing, farthest, s, noise, handedness):
 
 @compiled
 def chance(distance, reach, miss, s):
-    """Return the probability that a frame shows a thing [1]: half of what it is nearby at `reach` [m]."""
+    """Return the probability that a frame shows a thing [1]; at `reach` [m] it is half of what it is nearby."""
     return (1.0 - miss) / (1.0 + exp(clip((distance - reach) / s.detection_width, -STEEPEST, STEEPEST)))
 
 
@@ -95,7 +97,9 @@ def mistake_for_ball(sighting, s, noise, handedness):
     bearing = handedness * pi * (1.0 - 2.0 * uniform(noise, FALSE_BLOBS))
     distance = ground_distance(s, radius)
     if sighting.seen == 0 or distance < sighting.distance:
-        sighting.distance, sighting.bearing, sighting.seen = distance, bearing, 1
+        sighting.distance = distance
+        sighting.bearing = bearing
+        sighting.seen = 1
 
 
 @compiled
@@ -122,14 +126,18 @@ def find_players(percept, around, count, k, s, noise, handedness, colour):
 
 @compiled
 def sink(players, last):
-    """Bring the last of some players to its place among them; of equally near ones it stays behind."""
+    """Move the last of some players forward to its place by distance, behind those that are equally near."""
     one = players[last]
-    distance, bearing, teammate = one.distance, one.bearing, one.teammate
+    distance = one.distance
+    bearing = one.bearing
+    teammate = one.teammate
     while last > 0 and players[last - 1].distance > distance:
         players[last] = players[last - 1]
         last -= 1
     one = players[last]
-    one.distance, one.bearing, one.teammate = distance, bearing, teammate
+    one.distance = distance
+    one.bearing = bearing
+    one.teammate = teammate
 
 
 @compiled

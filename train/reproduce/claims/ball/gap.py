@@ -36,7 +36,9 @@ def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
     put(match, 0, START, 0.0)
     put_ball(match, START + MIDDLE, 0.0)
     begin(match)
-    actions, rng, ball = standing(match), batch.rng(2), match.balls
+    actions = standing(match)
+    rng = batch.rng(2)
+    ball = match.balls
 
     def steer() -> None:
         hit = rng.random(MATCHES) < KICKS * match.league.dt
@@ -53,7 +55,7 @@ def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
 
 
 def in_play(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
-    """Return matches in which a robot follows a ball that three opponents play who see all, with the rest as above."""
+    """Return the same for a robot that follows a ball with which three opponents play, who have ideal senses."""
     match = stage(
         batch, matches=MATCHES, away=3, opponents="chaser", senses={"home": "sensors", "away": "ideal"},
         sensors=CLEAN, memory={"velocity_gate": gate},
@@ -69,7 +71,9 @@ def in_play(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
 
 def schedule(batch: Batch, steps: int, dt: float) -> np.ndarray:
     """Return in which steps (T,) nobody sees the ball, the same for all matches and variants."""
-    rng, dark, at = batch.rng(1), np.zeros(steps + 1, bool), 0
+    rng = batch.rng(1)
+    dark = np.zeros(steps + 1, bool)
+    at = 0
     while at < steps:
         at += round(SIGHT / dt)
         gap = round(rng.uniform(0.3, LONGEST) / dt)

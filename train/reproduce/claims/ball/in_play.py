@@ -48,7 +48,9 @@ class Counter:
 
     def note(self, match: Match) -> None:
         """Count what the last frame brought."""
-        now, place, true = self._believed(match), self._place(match), ball_from(match)[0]
+        now = self._believed(match)
+        place = self._place(match)
+        true = ball_from(match)[0]
         put_elsewhere = np.hypot(*(place - self.place)) > MOVED
         known = np.isfinite(match.beliefs["ball"][:, 0]["age"])
         seen = match.beliefs["ball"][:, 0]["age"] < 0.5 * match.league.dt
@@ -66,7 +68,7 @@ class Counter:
 
 
 def watch_three(batch: Batch, **memory: Any) -> Counter:
-    """Let a robot follow the true ball, which three opponents play who see all; the play is always the same."""
+    """Let a robot follow the true ball, with which three opponents with ideal senses play, always in the same way."""
     senses = {"home": "sensors", "away": "ideal"}
     match = stage(batch, matches=WATCHED, home=1, away=3, opponents="chaser", senses=senses, memory=memory)
     match.reset(seeds=batch.seeds(WATCHED))

@@ -1,8 +1,8 @@
 """A ball that other robots hide in part, and what the rules make of it.  [Sacks 2001, 3.1.1]
 
 Scenes: a robot looks at a ball 30 to 60 cm ahead of its camera; one or two others stand at random before a part of
-it, on the ground plan. What they hide is told by two pictures without noise at the finest resolution, one with them and
-one without.
+it, on the ground plan. What they hide is measured in two pictures without noise at the finest resolution, one with
+them and one without.
 """
 
 from __future__ import annotations

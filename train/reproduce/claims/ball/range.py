@@ -45,7 +45,9 @@ def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **sett
     place (M,) [m] from the camera, roughly; pose, heading and bearing are random, nothing else is orange. "true" is the
     distance from the body's centre, "range" that from the camera, "distance" and "bearing" are errors.
     """
-    rng, count, distance = batch.rng(), len(place), CAMERA_AHEAD + place
+    rng = batch.rng()
+    count = len(place)
+    distance = CAMERA_AHEAD + place
     sensors = {"patches": 0.0, **settings.pop("sensors", {})}
     match = stage(batch, matches=count, actions="full", sensors=sensors, **settings)
     put(match, 0, rng.uniform(-0.5, 0.5, count), rng.uniform(-0.2, 0.2, count), rng.uniform(-np.pi, np.pi, count))

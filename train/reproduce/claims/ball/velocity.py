@@ -45,7 +45,9 @@ def walk_to_ball(batch: Batch, start: np.ndarray, seconds: float, stuck: bool, *
 
     Stuck robots stand on ice: their legs walk, their odometry counts it, and they stay, whatever is in sight.
     """
-    count, rng, league = len(start), batch.rng(), find_league(LEGGED)
+    count = len(start)
+    rng = batch.rng()
+    league = find_league(LEGGED)
     if stuck:
         league = replace(league, drive=replace(league.drive, traction=1e-9))
     sensors = {"patches": 0.0, **settings.pop("sensors", {})}

@@ -206,7 +206,9 @@ def push_on(batch: Batch, legs: float) -> Samples:
 
     "caught": share of time (M, 2) caught in it; "past": distance [m] made.
     """
-    rng, shares, made = batch.rng(), [], []
+    rng = batch.rng()
+    shares = []
+    made = []
     side, distance = rng.choice([-1.0, 1.0], MATCHES), rng.uniform(NEAREST, FARTHEST, MATCHES)
     aside = rng.uniform(-0.03, 0.03, MATCHES)
     for angle in LIMITS:

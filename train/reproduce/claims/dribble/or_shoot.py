@@ -29,7 +29,9 @@ def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: bool) -> tupl
         send_off(match, range(1, match.robots.shape[1]))
         match.rebuild()
     start, best = match.balls["x"].copy(), match.balls["x"].copy()
-    goals, running, ended = np.zeros(MATCHES), np.ones(MATCHES, bool), np.full(MATCHES, SECONDS)
+    goals = np.zeros(MATCHES)
+    running = np.ones(MATCHES, bool)
+    ended = np.full(MATCHES, SECONDS)
     for step in range(round(SECONDS * match.league.control_rate)):
         if not running.any():
             break

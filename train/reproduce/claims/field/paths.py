@@ -112,7 +112,9 @@ S55 = Claim(
 def through_gaps(batch: Batch) -> Samples:
     """Count flips (M,) before a gap of about 50 cm: with the limit alone and the rule that keeps the side."""
     rng, samples = batch.rng(), {}
-    start, crowd, askew = starts(rng), gap_ahead(rng, *GAP, askew=0.0), gap_ahead(rng, *GAP)
+    start = starts(rng)
+    crowd = gap_ahead(rng, *GAP, askew=0.0)
+    askew = gap_ahead(rng, *GAP)
     hard_start, hard_crowd = starts(rng, SCENES, 0.2), hard_set(rng)
     for name, keep in (("limit", False), ("rule", True)):
         for seen, world in (("", {}), (" noisy", {"range_noise": NOISE})):

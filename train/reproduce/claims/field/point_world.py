@@ -6,6 +6,8 @@ nothing to bump into: "this model would not carry over well to the actual robots
 
     runs = PointWorld(SacksSettings(keep_side=False)).run([[-1.0, 0.0]], players([[0.0, 0.3]]))
     runs.path[:, 0], runs.clearance[0], runs.flips[0]
+
+`k`: the league's constants; `play`: the team's settings.
 """
 
 from __future__ import annotations

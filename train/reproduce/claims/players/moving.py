@@ -79,7 +79,9 @@ def gain(samples: Samples, name: str) -> float:
 
 def walk(match: Match, actions: np.ndarray, seconds: float, rng: np.random.Generator) -> np.ndarray:
     """Let the mover walk, its turn changing every KEPT, robot 0's eye on it; return its way (2, T, M) [m]."""
-    robot, way, every = match.robots[:, 1], [], round(KEPT * match.league.control_rate)
+    robot = match.robots[:, 1]
+    way = []
+    every = round(KEPT * match.league.control_rate)
     for step in play(match, seconds, actions):
         way.append((robot["x"].copy(), robot["y"].copy()))
         look_at(match, actions)

@@ -120,7 +120,9 @@ def blob_directions(match: Match, colour: str = "opponents") -> tuple[np.ndarray
     The same geometry as soccer_env.optics.head_camera, which works on one robot at a time; a test holds them together.
     """
     percept, s = match.percepts[:, 0], match.league.sensors
-    blobs, pan, tilt = percept[colour], percept["pan"][:, None].astype(float), percept["tilt"][:, None].astype(float)
+    blobs = percept[colour]
+    pan = percept["pan"][:, None].astype(float)
+    tilt = percept["tilt"][:, None].astype(float)
     finer = 1 << RESOLUTIONS[s.resolution]
     left = (blobs["left"].astype(float) + blobs["right"]) / (SMALLEST_WIDTH * finer) * np.tan(0.5 * s.view_width)
     up = (blobs["high"].astype(float) + blobs["low"]) / (SMALLEST_HEIGHT * finer) * np.tan(0.5 * s.view_height)

@@ -36,8 +36,8 @@ def views_in_play(match: Match) -> tuple[np.ndarray, np.ndarray]:
     return view, seen & both & (distance < FAR) & ~np.eye(robots.shape[1], dtype=bool)
 
 
-def play_games(batch: Batch, senses: str) -> np.ndarray:
-    """Return how often others are in view in games of the chaser, by the angle, in SECTORS: counts (M, SECTORS)."""
+def play_matches(batch: Batch, senses: str) -> np.ndarray:
+    """Return how often others are in view in matches of the chaser, by the angle, in SECTORS: counts (M, SECTORS)."""
     match = kick_off(batch, matches=MATCHES, senses=senses)
     counts = np.zeros((MATCHES, SECTORS))
     for step in range(round(SECONDS * match.league.control_rate)):
@@ -52,8 +52,8 @@ def play_games(batch: Batch, senses: str) -> np.ndarray:
 
 
 def meet_in_play(batch: Batch) -> Samples:
-    """Return the counts of games by sensors, and of games by the truth."""
-    return {senses: play_games(batch, senses) for senses in ("sensors", "ideal")}
+    """Return the counts in matches in which robots use their sensors, and in matches with ideal senses."""
+    return {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")}
 
 
 def thirds(counts: np.ndarray) -> np.ndarray:

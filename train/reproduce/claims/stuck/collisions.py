@@ -18,15 +18,15 @@ from soccer_env.train.reproduce.staging import LEGGED, ahead_of, begin, kick_off
 from soccer_env.train.reproduce.values import mean
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
 
-OFF = "sacks-2001:recovery=False,avoidance=False"  # "everything off", CLAIMS, S01
+OFF = "sacks-2001:recovery=False,avoidance=False"  # "everything off": S01
 MATCHES, SECONDS = 12, 120.0  # of 3 v 3, [s] of each: S01
-CROWD, NEAR = 3, 0.5  # [1] robots within [m] of the ball, CLAIMS, S01
+CROWD, NEAR = 3, 0.5  # [1] robots within [m] of the ball, assumed: S01
 PART = 1.0  # [s] without contact that ends an episode
 TASKS = {"blocker": "ball-behind-robot", "wall": "facing-wall", "post": ""}  # S02; post: staged, see below
 UNITS, DRILLS = 12, 4  # units of a batch, drills of each task in a unit
 LONGEST = 60.0  # [s] of a drill
-GAMES = 90.0  # [s] of 3 v 3, S02
-PUSHES, DEADLOCK = 64, 20.0  # drills head-on-push a batch, [s] CLAIMS, S03
+PLAY = 90.0  # [s] of 3 v 3, S02
+PUSHES, DEADLOCK = 64, 20.0  # drills head-on-push a batch, [s] assumed: S03
 STEALS, STEAL_TIME = 64, 30.0  # S30
 
 
@@ -108,7 +108,7 @@ def calls(batch: Batch, recovery: bool) -> tuple[np.ndarray, np.ndarray]:
     """Return stuck balls that the referee calls in 3 v 3 play (M,), and robots that he pulls apart (M,)."""
     match = kick_off(batch, matches=UNITS, team=f"sacks-2001:recovery={recovery}")
     stuck, apart = np.zeros(UNITS), np.zeros(UNITS)
-    for _ in play(match, GAMES):
+    for _ in play(match, PLAY):
         stuck += match.events["stuck"]
         apart += match.events["separated"]
     match.close()
@@ -158,7 +158,7 @@ S02 = Claim(
     method=f"Drills ball-behind-robot and facing-wall, and a ball that is seen past a robot which nobody pushes aside, "
     f"{UNITS * DRILLS} of each a batch, sacks-2001 with the stuck counters and recovery and without, the same seeds: "
     f"ball got within {LONGEST:g} s. Referee's calls of a stuck ball in "
-    f"{UNITS} matches of 3 v 3, {GAMES:g} s each, both sides with or without.",
+    f"{UNITS} matches of 3 v 3, {PLAY:g} s each, both sides with or without.",
     criteria=(
         measured(
             "success with recovery less without",
@@ -174,7 +174,7 @@ S02 = Claim(
         ),
         measured(
             "stuck balls a minute of play, with less without",
-            lambda s: (mean(s["calls on"]) - mean(s["calls off"])) * 60.0 / GAMES,
+            lambda s: (mean(s["calls on"]) - mean(s["calls off"])) * 60.0 / PLAY,
             below=0.0,
         ),
         *(
@@ -182,9 +182,9 @@ S02 = Claim(
             for name in TASKS
             for word in ("on", "off")
         ),
-        reported("stuck balls a minute without recovery", lambda s: mean(s["calls off"]) * 60.0 / GAMES),
-        reported("robots pulled apart a minute, with recovery", lambda s: mean(s["apart on"]) * 60.0 / GAMES),
-        reported("robots pulled apart a minute, without", lambda s: mean(s["apart off"]) * 60.0 / GAMES),
+        reported("stuck balls a minute without recovery", lambda s: mean(s["calls off"]) * 60.0 / PLAY),
+        reported("robots pulled apart a minute, with recovery", lambda s: mean(s["apart on"]) * 60.0 / PLAY),
+        reported("robots pulled apart a minute, without", lambda s: mean(s["apart off"]) * 60.0 / PLAY),
     ),
     measure=on_and_off,
     figures=time_figure,

@@ -15,12 +15,12 @@ from soccer_env.train.reproduce.verdicts import Samples, counted, measured, repo
 
 HELD = 64  # robots a batch that are held
 WALK = 1.5  # [s] of free walk before
-LIMIT, LATE = 5.0, 8.0  # [s] CLAIMS, S22
+LIMIT, LATE = 5.0, 8.0  # [s] assumed: S22
 SLOW, STOPPED = 0.02, 5.0  # [m/s], [s] of contact: a robot that somebody stopped
 WAIT = 12.0  # [s] for which a held robot may think
-NEAREST, NEAR, MIDDLE, FARTHEST = 0.2, 0.35, 0.6, 0.8  # [m] of the ball, 3.3 and CLAIMS
+NEAREST, NEAR, MIDDLE, FARTHEST = 0.2, 0.35, 0.6, 0.8  # [m] of the ball, 3.3 and assumed
 BINS = (0.2, 0.35, 0.5, 0.6, 0.7, 0.8)  # [m] edges of distances
-WINDOW, EARLY = 2.5, 0.7  # [s] over which the velocity is averaged, and before that; 2 to 3 s in CLAIMS
+WINDOW, EARLY = 2.5, 0.7  # [s] over which the velocity is averaged, and before that; assumed
 
 
 def latencies(batch: Batch, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -47,7 +47,9 @@ def noticed_behind_post(batch: Batch) -> tuple[np.ndarray, np.ndarray]:
     They have 20 s.
     """
     match = behind_post(batch, HELD)
-    stopped, known, pushing = np.zeros(HELD, bool), np.zeros(HELD, bool), np.zeros(HELD)
+    stopped = np.zeros(HELD, bool)
+    known = np.zeros(HELD, bool)
+    pushing = np.zeros(HELD)
     for _ in play(match, WAIT + LATE):
         stands = np.hypot(match.robots["vx"][:, 0], match.robots["vy"][:, 0]) < SLOW
         pushing = np.where(stands & (match.robot_events["collision"][:, 0] == 1), pushing + match.league.dt, 0.0)

@@ -22,7 +22,7 @@ from soccer_env.train.reproduce.verdicts import Samples, counted, measured, repo
 RUNS = 64  # a batch and variant
 SIGHT = 1.0  # [s] in which robots see the ball before they recover
 BACK_STEPS = (2, 5, 10, 15)  # S26
-AGAIN = 5.0  # [s] "instantly", CLAIMS, S26
+AGAIN = 5.0  # [s] "instantly", assumed: S26
 PUSHED, SLOW = 1.0, 0.02  # [s] of contact, [m/s]: that long, that slow, and a robot is stuck again
 CLEAR = 15.0  # [s] after the recovery in which a robot may clear the one in its way
 LONGEST = 60.0  # [s] of a run, S28, S29
