@@ -41,7 +41,9 @@ class LearnedTeam(ObservingTeam):
 
 def team_of(policy: Policy, at_once: bool = False) -> LearnedTeam:
     """Return the team that plays a policy; `at_once`: its decisions are counted from the first step of an episode."""
-    made = LearnedTeam(policy.name, play, MEMORY, pack(policy, at_once), (policy.family,), observe=policy.observe)
+    made = LearnedTeam(
+        policy.name, decide_slice, MEMORY, pack(policy, at_once), (policy.family,), observe=policy.observe
+    )
     object.__setattr__(made, "policy", policy)
     return made
 
@@ -82,21 +84,21 @@ def first_decision(delay_steps: int, repeat: int) -> int:
 
 
 @compiled
-def play(observations, memory, commands, players, constants, numbers, first, last):
+def decide_slice(observations, memory, commands, players, constants, numbers, first, last):
     """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
     repeat, size = int(numbers[REPEAT]), int(numbers[SIZES + int(numbers[LAYERS])])
     delay = 0 if numbers[AT_ONCE] != 0.0 else constants[0].delay_steps
     scratch = np.empty((3, widest(numbers)))
     for m in range(first, last):
         for p in range(len(players)):
-            mind = memory[m, p]
-            if mind.begun == 0:
-                mind.begun, mind.wait, mind.action[HEAD] = 1, -delay % repeat, -1.0
-            if mind.wait == 0:
-                act(numbers, observations[m, players[p]], mind.action[:size], scratch)
-                mind.wait = repeat
-            mind.wait -= 1
-            obey(commands[m, players[p]], mind.action)
+            kept = memory[m, p]
+            if kept.begun == 0:
+                kept.begun, kept.wait, kept.action[HEAD] = 1, -delay % repeat, -1.0
+            if kept.wait == 0:
+                act(numbers, observations[m, players[p]], kept.action[:size], scratch)
+                kept.wait = repeat
+            kept.wait -= 1
+            obey(commands[m, players[p]], kept.action)
 
 
 @compiled

@@ -32,6 +32,7 @@ How it is played:
 
     match_batch.py       the records of M matches, and how a slice of them is stepped
     step.py              one control step, from commands to observations
+    world.py             the arrays that the step passes about, by name
     episodes.py          how an episode begins
     squads.py            who plays which robot
     senses.py            what robots perceive and believe
@@ -49,6 +50,7 @@ What all of it stands on:
     compiled_cache.py    machine code on disk
     compiled_sources.py  which source files that code depends on
     lazy_names.py        names that are imported when they are used
+    known_names.py       what to say of a name that does not exist
     whole_files.py       files that are written whole or not at all
 
 The folders baselines/, agents/ and train/ of the repository are imported as `soccer_env.baselines` and so on.

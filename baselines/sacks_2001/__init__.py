@@ -11,7 +11,7 @@ Files:
     team.py        the teams, and the kernel that decides for all players
     settings.py    every number and switch             memory.py      what a player remembers
     planner.py     chooses a behaviour and does it     xla.py         what legs and head can do
-    sightings.py   what it notes of the ball           positions.py   who goes to the ball, where others stand
+    ball_notes.py  what it notes of the ball           positions.py   who goes to the ball, where others stand
     stuck.py       how it notices that it is stuck     recovery.py    how it gets free
     forces.py      the potential field                 steering.py    where a dribbler goes
     shooting.py    shots and passes                    goalkeeper.py  the goalkeeper

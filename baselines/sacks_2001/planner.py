@@ -17,6 +17,7 @@ from __future__ import annotations
 from math import atan2
 
 from soccer_env.baselines.deciding import free_ring
+from soccer_env.baselines.sacks_2001.ball_notes import JUST_SEEN, note_possession, note_sighting
 from soccer_env.baselines.sacks_2001.goalkeeper import guard, is_shot, may_clear, meet_shot
 from soccer_env.baselines.sacks_2001.memory import (
     APPROACH,
@@ -35,7 +36,6 @@ from soccer_env.baselines.sacks_2001.memory import (
 from soccer_env.baselines.sacks_2001.positions import choose_role, go_home, support
 from soccer_env.baselines.sacks_2001.recovery import begin_recovery, go_on_recovering
 from soccer_env.baselines.sacks_2001.shooting import choose_target, find_pass, is_open
-from soccer_env.baselines.sacks_2001.sightings import JUST_SEEN, note_possession, note_sighting
 from soccer_env.baselines.sacks_2001.steering import choose_way, off_ahead, step_speed
 from soccer_env.baselines.sacks_2001.stuck import forget_approach, is_stuck, watch_approach
 from soccer_env.baselines.sacks_2001.xla import (

@@ -98,13 +98,13 @@ class Replay:
 
     def make_match(self) -> Match:
         """Return the match as it was when the recording began, all robots played from outside."""
-        told = self.settings
+        given = self.settings
         try:
-            scene = told["scene"]
-            wanted = {name: told[name] for name in KEPT}
-            wanted["league"] = rebuild(League, told["league"])
+            scene = given["scene"]
+            wanted = {name: given[name] for name in KEPT}
+            wanted["league"] = rebuild(League, given["league"])
             wanted["scene"] = Scene(scene["name"], "replayed", None, scene["success"], float(scene["time_limit"]))
-            if wanted["matches"] * (told["home"] + told["away"]) > len(self.start):
+            if wanted["matches"] * (given["home"] + given["away"]) > len(self.start):
                 raise ValueError(f"it has no room for {wanted['matches']} matches")
             match = Match(actions="full", seed=0, **wanted)
         except (KeyError, TypeError, AttributeError, OverflowError) as error:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.agents.learned import MEMORY, play, team_of
+from soccer_env.agents.learned import MEMORY, decide_slice, team_of
 from soccer_env.agents.perceptron import pack, widest
 from soccer_env.agents.policy import Policy
 from soccer_env.leagues import find_league
@@ -65,7 +65,7 @@ def commands_of(policy: Policy, seen: np.ndarray, players: list[int], first: int
     """Return the commands (M, R) of players of a slice of matches that observe (M, R, n)."""
     commands, memory = np.zeros(seen.shape[:2], COMMAND), np.zeros((len(seen), len(players)), MEMORY)
     constants = constants_of(find_league("legged-2001"))
-    play(seen, memory, commands, np.array(players), constants, pack(policy), first, last)
+    decide_slice(seen, memory, commands, np.array(players), constants, pack(policy), first, last)
     return commands
 
 

@@ -15,7 +15,7 @@ import numpy as np
 import torch
 from gymnasium import spaces
 
-from soccer_env.agents.learned import MEMORY, play
+from soccer_env.agents.learned import MEMORY, decide_slice
 from soccer_env.agents.perceptron import pack
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -66,7 +66,7 @@ def kernel_time(network: SoccerPolicy, seen: np.ndarray) -> float:
         memory = np.zeros(ROBOTS, MEMORY)
         memory["begun"] = 1  # and wait 0: every robot decides
         start = time.perf_counter()
-        play(some, memory, np.zeros(ROBOTS, COMMAND), np.arange(6), constants_of(LEAGUE), numbers, 0, ROBOTS[0])
+        decide_slice(some, memory, np.zeros(ROBOTS, COMMAND), np.arange(6), constants_of(LEAGUE), numbers, 0, ROBOTS[0])
         least = min(least, time.perf_counter() - start)
     return 1e6 * least / (ROBOTS[0] * ROBOTS[1])
 
