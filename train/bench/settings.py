@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from soccer_env.train.evaluate.settings import as_path, whole
+from soccer_env.train.evaluate.settings import whole
+from soccer_env.train.written_settings import as_path
 
 
 @dataclass(frozen=True)
