@@ -124,8 +124,12 @@ def of_import(matches: int, steps: int) -> Sampler:
 
 def children_time() -> float:
     """Return the processor time of ended child processes [s]; 0 where the system does not tell."""
-    times = os.times()
-    return times.children_user + times.children_system
+    try:
+        import resource
+    except ImportError:  # Windows
+        return 0.0
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 ROWS: Makers = {
