@@ -4,6 +4,8 @@ PAGES says which page each belongs to; the headlines of the main README are pick
 
     python -m soccer_env.train.tables [NAME]     measure all tables, or one, anew and write file and pages
     python -m soccer_env.train.tables write      write the pages again from the file, without measuring
+    python -m soccer_env.train.tables states     take the final states of first pairs anew where scores agree, after a
+                                                 change of what records hold (never of play)
     python -m soccer_env.train.tables --check    replay a small part of each and fail where it no longer agrees
 
 The check plays the first pair of matches of every row again and compares score and final state; where versions or the
@@ -28,6 +30,7 @@ from soccer_env.train.tables.headlines import headlines_table
 from soccer_env.train.tables.learned import learned_rows, learned_table, measure_training, training_table
 from soccer_env.train.tables.markers import between_markers
 from soccer_env.train.tables.teams import (
+    first_pair,
     measure_rows,
     replay_row,
     sacks_rows,
@@ -49,6 +52,7 @@ PAGES = {  # the page that shows a table, seen from the checkout's root
     "training": "train/README.md",
     "speed": "train/README.md",
 }
+PLAYED = ("scripted", "sacks", "learned")  # tables whose rows are matches
 LIBRARIES = ("pymunk", "numba", "numpy")
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
@@ -139,7 +143,7 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
         if with_tables(page_text(page), page, data) != page_text(page):
             problems.append(f"{page} does not show what tables.json holds: run python -m soccer_env.train.tables write")
     now = about()
-    for name in ("scripted", "sacks", "learned"):
+    for name in PLAYED:
         if name not in data:
             continue
         made = data[name]["about"]
@@ -148,6 +152,18 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
         else:
             print(f"tables: versions or machine differ from those of {name}; matches are not compared", file=sys.stderr)
     return problems if quick else problems + slower_rows(data["speed"])
+
+
+def take_states(data: dict[str, Any]) -> list[str]:
+    """Put the final states of first pairs as they are now into the data; return the rows whose scores differ."""
+    problems = []
+    for row in (row for name in PLAYED for row in data.get(name, {"rows": []})["rows"]):
+        found = first_pair(row)
+        if [pair[:2] for pair in found] == [pair[:2] for pair in row["first_pair"]]:
+            row["first_pair"] = found
+        else:
+            problems.append(f"{row['command']}: the first pair now ends {found}, the table has {row['first_pair']}")
+    return problems
 
 
 def slower_rows(table: dict[str, Any]) -> list[str]:
@@ -178,8 +194,8 @@ def write_pages(data: dict[str, Any]) -> None:
 def main(arguments: list[str]) -> int:
     """Measure and write the tables, or check them; return the exit code."""
     names = [name for name in arguments if name in MEASURE]
-    if arguments not in (names, ["write"], ["--check"], ["--check", "--quick"]):
-        choices = f"[{'|'.join(MEASURE)}|write] [--check [--quick]]"
+    if arguments not in (names, ["write"], ["states"], ["--check"], ["--check", "--quick"]):
+        choices = f"[{'|'.join(MEASURE)}|write|states] [--check [--quick]]"
         print(f"usage: python -m soccer_env.train.tables {choices}", file=sys.stderr)
         return 2
     if arguments == ["write"]:
@@ -191,7 +207,12 @@ def main(arguments: list[str]) -> int:
         write_whole(DATA, json.dumps(data, indent=1) + "\n")
         write_pages(data)
         return 0
-    problems = check(stored(), quick="--quick" in arguments)
+    if arguments == ["states"]:
+        data = stored()
+        problems = take_states(data)
+        write_whole(DATA, json.dumps(data, indent=1) + "\n")
+    else:
+        problems = check(stored(), quick="--quick" in arguments)
     for problem in problems:
         print(problem, file=sys.stderr)
     print("tables: " + ("all agree" if not problems else f"{len(problems)} no longer agree"))

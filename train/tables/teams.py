@@ -92,6 +92,14 @@ def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, An
 
 def replay_row(row: dict[str, Any]) -> list[str]:
     """Play the first pair of a row again; return what differs."""
+    found = first_pair(row)
+    if found == row["first_pair"]:
+        return []
+    return [f"{row['command']}: the first pair now ends {found}, the table has {row['first_pair']}"]
+
+
+def first_pair(row: dict[str, Any]) -> list[list[Any]]:
+    """Play the first pair of a row again; return goals for, goals against and the final state of both matches."""
     home, minutes = row.get("home", "chaser"), row.get("asked_minutes")
     players = row.get("players", PLAYERS)
     seed = row.get("seed", SEED)
@@ -103,9 +111,7 @@ def replay_row(row: dict[str, Any]) -> list[str]:
     for number in (0, 1):
         (line,) = play(contest, [number], seeds, "", 1, lambda steps: None, Event())
         found.append([line.goals_for, line.goals_against, line.state])
-    if found == row["first_pair"]:
-        return []
-    return [f"{row['command']}: the first pair now ends {found}, the table has {row['first_pair']}"]
+    return found
 
 
 def scripted_table(table: dict[str, Any]) -> str:

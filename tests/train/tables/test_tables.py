@@ -52,6 +52,15 @@ def test_the_check_names_a_page_that_shows_something_else(monkeypatch: pytest.Mo
     assert problem.startswith("baselines/README.md does not show")
 
 
+def test_states_are_taken_anew_where_the_scores_agree_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    rows = [{"command": name, "first_pair": [[1, 0, "old"], [2, 2, "old"]]} for name in ("same", "other")]
+    ends = {"same": [[1, 0, "new"], [2, 2, "newer"]], "other": [[1, 0, "new"], [2, 3, "new"]]}
+    monkeypatch.setattr(tables, "first_pair", lambda row: ends[row["command"]])
+    (problem,) = tables.take_states({"sacks": {"rows": rows}})
+    assert problem.startswith("other: ")
+    assert rows[0]["first_pair"] == ends["same"] and rows[1]["first_pair"] == [[1, 0, "old"], [2, 2, "old"]]
+
+
 def test_the_headlines_have_a_command_each() -> None:
     rows = list(headlines(DATA))
     assert len(rows) == 6
