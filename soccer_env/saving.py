@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.leagues.legged_sensors import AVERAGED_MOST
+from soccer_env.leagues.robot_kind import Limits
 from soccer_env.types import AWAY, GAZE, HOME, NO_TEAM, Phase, RobotStream
 
 Match = Any  # soccer_env.match.Match, which stands above this file
@@ -106,16 +106,11 @@ RANGES = {  # of whole numbers in matches and robots, both ends allowed
     "step": (0, 1 << 60), "episode": (0, 1 << 60), "gait_phase": (0, 1 << 20), "score": (0, 1 << 31),
 }  # fmt: skip
 SENSED = ("percepts", "sensor_states", "pending", "beliefs", "tracks", "memories", "messages", "particles")
-INDICES = {
-    "count": AVERAGED_MOST,
-    "latest": 1,
-    "known": 1,
-    "fresh": 1,
-    "flying": 1,
-    "word": 15,
-}  # greatest value of each index
-ENDLESS = ("age", "ball_age", "distance", "seconds_left")  # may be infinite: never seen, nobody tells, no end
-LIMITED = {"confidence": (0.0, 100.0), "ball_confidence": (0.0, 100.0), "weight": (0.0, 1e6)}
+COMMON = Limits(  # of what all kinds of robots sense, believe and say
+    greatest={"latest": 1, "known": 1, "fresh": 1, "flying": 1, "word": 15},
+    endless=("age", "distance", "seconds_left"),  # never seen, nobody tells, no end
+    ranges={"confidence": (0.0, 100.0), "weight": (0.0, 1e6)},
+)
 FIXED = ("team", "number", "keeper")  # of a robot: as the match lined up
 FAR = 1e6  # no number of a match is larger; the length of a half may be infinite
 
@@ -129,7 +124,7 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
                 raise ValueError(f"this save is damaged: {field} of {name} is out of range")
     for name in SENSED:
         if name in arrays:
-            check_sensed(name, arrays[name])
+            check_sensed(name, arrays[name], COMMON | match.batch.senses.kind.limits)
     for field in FIXED:
         if not np.array_equal(arrays["robots"][field], match.robots[field]):
             raise ValueError(f"this save is damaged: {field} of robots is not that of the match")
@@ -139,23 +134,23 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
         raise ValueError("this save is damaged: home_direction of matches is neither 1 nor -1")
 
 
-def check_sensed(name: str, array: np.ndarray) -> None:
+def check_sensed(name: str, array: np.ndarray, limits: Limits) -> None:
     """Raise ValueError if a record of the senses holds NaN, an infinite number or an index out of range."""
     for field in array.dtype.names or ():
         values = array[field]
         if values.dtype.names:
-            check_sensed(f"{field} of {name}", values)
-        elif values.dtype.kind == "f" and not sane(field, values):
+            check_sensed(f"{field} of {name}", values, limits)
+        elif values.dtype.kind == "f" and not sane(field, values, limits):
             raise ValueError(f"this save is damaged: {field} of {name} is not a number that can be")
-        elif field in INDICES and not within(values, 0, INDICES[field]):
+        elif field in limits.greatest and not within(values, 0, limits.greatest[field]):
             raise ValueError(f"this save is damaged: {field} of {name} is out of range")
 
 
-def sane(field: str, values: np.ndarray) -> bool:
+def sane(field: str, values: np.ndarray, limits: Limits) -> bool:
     """Return whether numbers of a field of the senses are possible: in range, and finite unless it may be endless."""
-    if field in ENDLESS:
+    if field in limits.endless:
         return not np.isnan(values).any() and within(values, 0.0, np.inf)
-    return within(values, *LIMITED.get(field, (-FAR, FAR)))
+    return within(values, *limits.ranges.get(field, (-FAR, FAR)))
 
 
 def check_floats(name: str, array: np.ndarray) -> None:

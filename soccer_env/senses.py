@@ -9,17 +9,12 @@ poisons both between the halves holds it to that.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from soccer_env.belief.believing import MemoryNumbers, Minds
-from soccer_env.leagues.league import League
-from soccer_env.leagues.legged_sensors import LeggedSensors
-from soccer_env.observations import legged, omni
+from soccer_env.leagues.robot_kind import kind_of
 from soccer_env.perception.ideal import tell_slice
 from soccer_env.perception.sensing import Sensing, SensorNumbers
 from soccer_env.settings import Settings
@@ -47,60 +42,6 @@ def sensing_sides(settings: Settings, squads: list[tuple[Any, np.ndarray]], lear
     return tuple(found)
 
 
-@dataclass(frozen=True)
-class Chain:
-    """The sensors and the memory of a kind of robot."""
-
-    percept: np.dtype
-    sensor_state: np.dtype
-    memory: np.dtype
-    message: np.dtype
-    particle: np.dtype
-    sense: Callable[..., None]
-    believe: Callable[..., None]
-    tables: Callable[[League], np.ndarray]
-    observe: Callable[..., None]  # writes what learners see of the percepts
-    late: int  # frames by which the camera delivers late
-
-
-def chain_of(league: League) -> Chain:
-    """Return the chain of a league's sensors."""
-    if isinstance(league.sensors, LeggedSensors):
-        return legged_chain()
-    return omni_chain(league.sensors.camera_delay)
-
-
-@lru_cache(maxsize=1)
-def legged_chain() -> Chain:
-    """Return the chain of the legged robots."""
-    from soccer_env.belief.legged import believe as belief
-    from soccer_env.belief.legged.talk import SOUND_MESSAGE
-    from soccer_env.belief.particles import PARTICLE
-    from soccer_env.percept_types import LEGGED_PERCEPT
-    from soccer_env.perception.legged.calibration import calibrate
-    from soccer_env.perception.legged.sense import LEGGED_SENSOR_STATE, sense_slice
-
-    return Chain(
-        LEGGED_PERCEPT, LEGGED_SENSOR_STATE, belief.LEGGED_MEMORY, SOUND_MESSAGE, PARTICLE,
-        sense_slice, belief.believe_slice, calibrate, legged.observe_slice, 0,
-    )  # fmt: skip
-
-
-@lru_cache(maxsize=4)
-def omni_chain(late: int) -> Chain:
-    """Return the chain of the middle-size robots."""
-    from soccer_env.belief.omni import believe as belief
-    from soccer_env.belief.omni.radio import RADIO_MESSAGE
-    from soccer_env.belief.particles import PARTICLE
-    from soccer_env.percept_types import OMNI_PERCEPT
-    from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
-
-    return Chain(
-        OMNI_PERCEPT, OMNI_SENSOR_STATE, belief.OMNI_MEMORY, RADIO_MESSAGE, PARTICLE,
-        sense_slice, belief.believe_slice, line_tables, omni.observe_slice, late,
-    )  # fmt: skip
-
-
 class Senses:
     """The provider of beliefs by sensors: percepts (M, R), what lies behind them, and the memory that makes beliefs.
 
@@ -120,7 +61,7 @@ class Senses:
     ) -> None:
         league, (matches, robots) = settings.league, beliefs.shape
         self.settings, self.world, self.constants, self.sides = settings, world, constants, sides
-        self.chain = chain = chain_of(league)
+        self.kind = kind_of(league.sensors)
         self._sensing = rows_of(sides, settings.rows)
         believing = tuple(side for side in sides if settings.senses[side] == "sensors")
         self._believing = rows_of(believing, settings.rows)
@@ -130,23 +71,22 @@ class Senses:
         self.asleep = np.zeros(matches, bool)  # over before this step: a match that stands still draws no noise
         self._make_arrays(beliefs, tracks)
         self.sensors, self.memory_settings = league.sensors.record(), league.memory.record()
-        self.tables = chain.tables(league)
+        self.tables = self.kind.tables(league)
         pose_sensed = int(settings.pose == "percept")
         home = settings.rows[HOME]
         self._sensor_numbers = tuple(SensorNumbers(constants, self.sensors, pose_sensed))
         self._memory_numbers = tuple(MemoryNumbers(constants, self.sensors, self.memory_settings, self.tables, home))
-        self.observer = chain.observe
 
     def _make_arrays(self, beliefs: np.ndarray, tracks: np.ndarray) -> None:
         """Make the records of sensors and memory, zeroed."""
-        shape, chain, settings = beliefs.shape, self.chain, self.settings
-        self.percepts = np.zeros(shape, chain.percept)
-        self.sensor_states = np.zeros(shape, chain.sensor_state)
-        self.pending = np.zeros((*shape, chain.late), chain.percept)
+        shape, kind, settings = beliefs.shape, self.kind, self.settings
+        self.percepts = np.zeros(shape, kind.percept)
+        self.sensor_states = np.zeros(shape, kind.sensor_state)
+        self.pending = np.zeros((*shape, kind.late(settings.league.sensors)), kind.percept)
         self.beliefs, self.tracks = beliefs, tracks
-        self.memories, self.messages = np.zeros(shape, chain.memory), np.zeros(shape, chain.message)
+        self.memories, self.messages = np.zeros(shape, kind.memory), np.zeros(shape, kind.message)
         count = settings.league.memory.particles if settings.pose == "particles" else 0
-        self.particles = np.zeros((*shape, count), chain.particle)
+        self.particles = np.zeros((*shape, count), kind.particle)
         noise, gazes = self.world.robots["noise"], self.world.robots["gaze"]
         self._truth = tuple(self.world)
         self._perception = tuple(Sensing(self.percepts, self.sensor_states, self.pending))
@@ -175,7 +115,7 @@ class Senses:
     def sense(self, first: int, last: int) -> None:
         """Fill the percepts from the truth."""
         numbers = self._sensor_numbers
-        self.chain.sense(self._truth, self._perception, numbers, self.asleep, self.sensing, first, last)
+        self.kind.sense(self._truth, self._perception, numbers, self.asleep, self.sensing, first, last)
 
     def tell(self, first: int, last: int) -> None:
         """Tell robots how the match stands."""
@@ -186,11 +126,11 @@ class Senses:
         """Bring the beliefs up to the percepts; of the world belief gets the robots' noise and gazes alone."""
         if len(self.rows):
             numbers = self._memory_numbers
-            self.chain.believe(self.percepts, self._minds, numbers, self.asleep, self.rows, first, last)
+            self.kind.believe(self.percepts, self._minds, numbers, self.asleep, self.rows, first, last)
 
     def observe_percepts(self, out: np.ndarray, rows: np.ndarray, first: int, last: int) -> None:
         """Write what those of `rows` that use their sensors observe of their percepts into out (M, R, n)."""
-        self.observer(
+        self.kind.observe(
             self.percepts, self.beliefs, self.world.robots, out, self.constants, self.sensors,
             self.settings.half_length, rows[self.senses[rows]], first, last,
         )  # fmt: skip

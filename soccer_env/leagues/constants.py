@@ -14,13 +14,12 @@ import numpy as np
 
 from soccer_env.leagues.checks import PYTHON_ONLY
 from soccer_env.leagues.league import League
-from soccer_env.leagues.legged_sensors import LeggedSensors
 from soccer_env.leagues.robot import DRIVE_KINDS, MOST_CORNERS
 
 
 def has_ranger(league: League) -> bool:
     """Tell whether the robots of a league have an infrared ranger."""
-    return isinstance(league.sensors, LeggedSensors)
+    return bool(getattr(league.sensors, "HAS_RANGER", False))
 
 
 NUMBERS = {

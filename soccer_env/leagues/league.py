@@ -30,6 +30,7 @@ from typing import Any
 
 from soccer_env.leagues.checks import PYTHON_ONLY, between_0_and_1, check, check_family, is_number, positive
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
+from soccer_env.leagues.robot_kind import check_kind
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
 
 PLACEMENTS = ("instant", "drive")
@@ -167,12 +168,14 @@ class League:
     evaluation_minutes: float  # [min] of play in an evaluation
     evaluation_placement: str = "instant"
     source: str = ""
-    sensors: Any = None  # a LeggedSensors or OmniSensors
-    memory: Any = None  # a LeggedMemory or OmniMemory, what goes with the sensors
+    sensors: Any = None  # Options whose KIND says whose they are: a LeggedSensors, an OmniSensors, see robot_kind.py
+    memory: Any = None  # Options, what goes with the sensors: a LeggedMemory, an OmniMemory
 
     def __post_init__(self) -> None:
         check(self)
         check_family("League.family", self.family)
+        if self.sensors is not None:
+            check_kind(self.sensors)
         if not 1 <= self.control_rate <= MAX_RATE:
             raise ValueError(f"League.control_rate must be 1 to {MAX_RATE} a second, got {self.control_rate}")
         if not 1 <= self.team_size <= MAX_TEAM:

@@ -30,6 +30,8 @@ AVERAGED_MOST = 6  # estimates of the ball's position that a robot's memory has 
 class LeggedSensors(Options):
     """Camera, infrared ranger, odometry, touch, tilt and loudspeaker of an ERS-210.  MS04, MS05, MS06, MS37"""
 
+    KIND = "legged"
+    HAS_RANGER = True  # an infrared ranger, whose obstacle stands in beliefs and observations of them
     NAMES = {"resolution": RESOLUTIONS}
     BOUNDS = {
         **dict.fromkeys(PROBABILITIES, (0.0, 1.0)), **dict.fromkeys(LENGTHS, (0.001, GREATEST)),

@@ -27,6 +27,7 @@ FILTERS = {"kalman": 0, "least-squares": 1, "none": 2}
 class OmniSensors(Options):
     """Omnidirectional camera, wheel encoders, light barrier, radio.  [Heinemann et al. 2006, 1, 2]  MH02, MH05, MH07"""
 
+    KIND = "omni"
     NAMES = {"colour_table": COLOUR_TABLES}
     BOUNDS = {
         "image": (16, 4096), "lines": (1, LINES), "camera_delay": (0, MOST_DELAY), "hidden_radius": (0.0, 1e3),

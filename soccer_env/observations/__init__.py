@@ -20,8 +20,8 @@ from collections.abc import Callable, Sequence
 from functools import cache
 
 from soccer_env.leagues.league import League
-from soccer_env.leagues.legged_sensors import LeggedSensors
-from soccer_env.observations import belief, legged, omni, truth
+from soccer_env.leagues.robot_kind import kind_of
+from soccer_env.observations import belief, truth
 from soccer_env.observations.entry import Entry, Observation
 
 OBSERVE = ("truth", "percepts", "belief")
@@ -46,8 +46,7 @@ def names_of(league: League, observe: str | Observation) -> list[str]:
 
 def percept_entries(league: League) -> list[Entry]:
     """Return the entries of what a robot of a league senses, in order."""
-    entries = legged.entries if isinstance(league.sensors, LeggedSensors) else omni.entries
-    return entries(league)
+    return kind_of(league.sensors).entries(league)
 
 
 LAYOUTS: dict[str, Callable[[League], list[Entry]]] = {

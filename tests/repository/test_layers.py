@@ -35,7 +35,7 @@ LAYERS = (
     ("teams", "team_kernels"),  # the protocol, and names as strings
     ("physics", "perception", "belief", "referee"),
     ("actions", "observations", "rewards", "scenes"),
-    ("settings",),
+    ("settings", "robot_kinds"),
     ("step", "episodes", "squads", "senses", "truth_state", "saving", "user_code"),  # the parts of a match
     ("match_batch",),
     ("match",),
@@ -63,6 +63,7 @@ HIDDEN_FROM_PLAYERS = {
     "episodes",
     "truth_state",
     "saving",
+    "robot_kinds",
     "senses",
     "match_batch",
     "match",

@@ -1,0 +1,71 @@
+"""What a kind of robot is: all that goes with its sensors, declared in one place and found by what the sensors say.
+
+    league.sensors.KIND  ->  KINDS, a place as "MODULE:NAME"  ->  the RobotKind that is declared there
+
+The places are strings, resolved at first use: what they name stands above this file. A kind of one's own is one more
+entry: `KINDS["beacon"] = "my_robots:BEACON"`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from soccer_env.known_names import unknown
+
+KINDS = {
+    "legged": "soccer_env.robot_kinds.legged:LEGGED",
+    "omni": "soccer_env.robot_kinds.omni:OMNI",
+}
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What the fields of records may hold, by name: kernels trust what lies in records, and a save may be damaged."""
+
+    greatest: Mapping[str, int] = field(default_factory=dict)  # of whole numbers from 0 on, such as indices
+    endless: tuple[str, ...] = ()  # numbers from 0 on that may be infinite
+    ranges: Mapping[str, tuple[float, float]] = field(default_factory=dict)  # least and greatest
+
+    def __or__(self, other: Limits) -> Limits:
+        """Return the limits of both."""
+        return Limits(
+            {**self.greatest, **other.greatest}, self.endless + other.endless, {**self.ranges, **other.ranges}
+        )
+
+
+@dataclass(frozen=True)
+class RobotKind:
+    """The sensors and the memory of a kind of robot: its records, its kernels, and how learners see its percepts."""
+
+    percept: np.dtype  # what the sensors deliver, with a BODY_PERCEPT "body"
+    sensor_state: np.dtype  # what they remember and do not deliver, with a POSE_ERROR "pose_error"
+    memory: np.dtype  # what a robot remembers beside its belief
+    message: np.dtype  # what it says to team-mates
+    particle: np.dtype  # one of those by which it finds itself
+    sense: Callable[..., None]  # made by perception.sensing.sense_kernel
+    believe: Callable[..., None]  # made by belief.believing.believe_kernel
+    entries: Callable[[Any], list[Any]]  # of observe="percepts" in a league
+    observe: Callable[..., None]  # the kernel that writes them
+    tables: Callable[[Any], np.ndarray]  # (1,) record of what is calibrated before a match in a league
+    late: Callable[[Any], int] = lambda sensors: 0  # frames by which its camera delivers late, of its sensors' settings
+    limits: Limits = field(default_factory=Limits)  # of the fields that no other kind has
+
+
+def check_kind(sensors: Any) -> str:
+    """Return the kind of robot that goes with sensors; ValueError for an unknown one says which are known."""
+    name = getattr(sensors, "KIND", sensors)
+    if not isinstance(name, str) or name not in KINDS:
+        raise ValueError(unknown("kind of sensors", name, KINDS))
+    return name
+
+
+def kind_of(sensors: Any) -> RobotKind:
+    """Return the kind of robot that goes with the sensors of a league; ValueError for an unknown one."""
+    module, _, name = KINDS[check_kind(sensors)].partition(":")
+    kind: RobotKind = getattr(import_module(module), name)
+    return kind

@@ -1,0 +1,165 @@
+"""A kind of robot is one declared thing: here is a third one, which hears a beacon in the ball and plays a match."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.belief.believing import believe_kernel
+from soccer_env.belief.particles import PARTICLE
+from soccer_env.compiled import compiled
+from soccer_env.leagues import find_league
+from soccer_env.leagues.league import League
+from soccer_env.leagues.options import Options
+from soccer_env.leagues.robot_kind import KINDS, Limits, RobotKind, kind_of
+from soccer_env.observations import names_of
+from soccer_env.observations.entry import Entry
+from soccer_env.percept_types import BODY_PERCEPT
+from soccer_env.perception.pose import POSE_ERROR
+from soccer_env.perception.sensing import sense_kernel
+from soccer_env.random_numbers import normal
+from soccer_env.types import RobotStream
+
+CAMERA = int(RobotStream.CAMERA)
+PERCEPT = np.dtype([("body", BODY_PERCEPT), ("ahead", "f4"), ("left", "f4")])  # [m] robot frame: the ball
+SENSOR_STATE = np.dtype([("pose_error", POSE_ERROR), ("unused", "f4")])
+MEMORY = np.dtype([("heard", "i8")])  # frames in which the beacon was heard
+
+
+@dataclass(frozen=True)
+class BeaconSensors(Options):
+    """Ears for a beacon in the ball, and what every robot feels."""
+
+    KIND = "beacon"
+
+    beacon_noise: float = 0.02  # [m] sd of the ball's place
+    odometry_noise: float = 0.02
+    pose_noise: float = 0.05
+    pose_turn_noise: float = 0.05
+    pose_time: float = 1.0
+    place_noise: float = 0.0
+    place_turn_noise: float = 0.0
+
+
+@dataclass(frozen=True)
+class BeaconMemory(Options):
+    """A robot that trusts what it hears."""
+
+    confidence: float = 100.0
+
+
+@compiled
+def nothing(k, s):  # type: ignore[no-untyped-def]
+    return 0
+
+
+@compiled
+def sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s):  # type: ignore[no-untyped-def]
+    robot = robots[r]
+    cosine, sine = np.cos(robot.heading), np.sin(robot.heading)
+    x, y = ball.x - robot.x, ball.y - robot.y
+    percept.ahead = cosine * x + sine * y + s.beacon_noise * normal(robot.noise, CAMERA)
+    percept.left = cosine * y - sine * x + match.handedness * s.beacon_noise * normal(robot.noise, CAMERA)
+
+
+@compiled
+def no_scratch():  # type: ignore[no-untyped-def]
+    return 0
+
+
+@compiled
+def believe_robot(percept, mind, scratch, k, s, w, table):  # type: ignore[no-untyped-def]
+    own, ball, body = mind.belief.own, mind.belief.ball, percept.body
+    own.x, own.y, own.heading, own.confidence = body.x, body.y, body.heading, w.confidence
+    ball.x, ball.y, ball.confidence = percept.ahead, percept.left, w.confidence
+    ball.distance = ball.filtered_distance = np.hypot(ball.x, ball.y)
+    ball.bearing = ball.filtered_bearing = np.arctan2(ball.y, ball.x)
+    mind.memory.heard += 1
+
+
+@compiled
+def say_nothing(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows):  # type: ignore[no-untyped-def]
+    pass
+
+
+def entries(league: League) -> list[Entry]:
+    return [Entry("ball_ahead", "the beacon, ahead", "10 m"), Entry("ball_left", "the beacon, to the left", "10 m")]
+
+
+@compiled
+def observe_slice(percepts, beliefs, robots, out, constants, sensors, half_length, rows, first, last):  # type: ignore[no-untyped-def]
+    for m in range(first, last):
+        for r in rows:
+            out[m, r, 0] = min(max(percepts[m, r].ahead / 10.0, -1.0), 1.0)
+            out[m, r, 1] = min(max(percepts[m, r].left / 10.0, -1.0), 1.0)
+
+
+BEACON = RobotKind(
+    percept=PERCEPT,
+    sensor_state=SENSOR_STATE,
+    memory=MEMORY,
+    message=np.dtype([("unused", "i8")]),
+    particle=PARTICLE,
+    sense=sense_kernel(nothing, sense_robot),
+    believe=believe_kernel(no_scratch, believe_robot, say_nothing),
+    entries=entries,
+    observe=observe_slice,
+    tables=lambda league: np.zeros(1, np.dtype([("unused", "f8")])),
+    limits=Limits(greatest={"heard": 1000}),
+)
+
+
+@pytest.fixture
+def league(monkeypatch: pytest.MonkeyPatch) -> Iterator[League]:
+    """Return a league whose robots hear the ball; their kind is known as long as the test lasts."""
+    monkeypatch.setitem(KINDS, "beacon", f"{__name__}:BEACON")
+    yield replace(find_league("middle-size-2006"), name="beacons", sensors=BeaconSensors(), memory=BeaconMemory())
+
+
+def test_a_new_kind_of_robot_plays_by_its_sensors(league: League) -> None:
+    match = Match(league, home=2, away=2, matches=2, seed=1, controllers={"home": "chaser"}, observe="percepts")
+    assert match.observation_names == ["ball_ahead", "ball_left"]
+    for _ in range(150):
+        match.step(np.zeros((2, 4, 4)))
+    x, y = match.balls["x"][:, None] - match.robots["x"], match.balls["y"][:, None] - match.robots["y"]
+    assert match.beliefs["ball"]["distance"] == pytest.approx(np.hypot(x, y), abs=0.15)
+    observed = 10.0 * np.hypot(match.observations[..., 0], match.observations[..., 1])
+    assert observed == pytest.approx(np.hypot(x, y), abs=0.15)
+    assert (np.hypot(match.balls["x"], match.balls["y"]) > 0.3).all()  # the chasers found it and kicked off
+    assert (match.beliefs["situation"]["teammates"] == 1).all()  # everybody is told how the match stands
+
+
+def test_its_memory_is_saved_and_its_limits_are_held(league: League) -> None:
+    match = Match(league, home=1, away=1, seed=1, observe="belief")
+    for _ in range(10):
+        match.step(np.zeros((1, 2, 4)))
+    saved, memories = match.save(), match.batch.senses.memories  # type: ignore[union-attr]
+    assert (memories["heard"] == 11).all()  # the first look, and one after each step
+    memories["heard"] = 1001
+    damaged = match.save()
+    with pytest.raises(ValueError, match="heard of memories is out of range"):
+        match.load(damaged)
+    match.load(saved)
+    assert (memories["heard"] == 11).all()
+
+
+def test_an_unknown_kind_of_sensors_is_refused_by_name() -> None:
+    legged = find_league("legged-2001")
+    with pytest.raises(ValueError, match="unknown kind of sensors 'beacon'; known: legged, omni"):
+        replace(legged, sensors=BeaconSensors(), memory=BeaconMemory())
+    with pytest.raises(ValueError, match="unknown kind of sensors .*; known: legged, omni"):
+        replace(legged, sensors=object())
+    with pytest.raises(ValueError, match="unknown kind of sensors None; known: legged, omni"):
+        names_of(replace(legged, sensors=None), "percepts")
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_every_known_kind_is_where_it_is_said_to_be(name: str) -> None:
+    kinds = {league.sensors.KIND: league.sensors for league in map(find_league, ("legged-2001", "middle-size-2006"))}
+    kind = kind_of(kinds[name])
+    assert isinstance(kind, RobotKind)
+    assert "body" in (kind.percept.names or ()) and "pose_error" in (kind.sensor_state.names or ())
