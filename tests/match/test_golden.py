@@ -16,10 +16,10 @@ MADE_WITH = "pymunk 7.3.1, numba 0.68.1, numpy 2.4.6, Linux x86_64"
 GOLDEN = {
     ("legged-2001", "actions"): "51cc2dae05861e5e33c3a0e558df29ab",
     ("legged-2001", "teams"): "d5769d36a85424b6157617bc1db13484",
-    ("legged-2001", "senses"): "35ccb3091b282c1e128067aead56d0f5",
+    ("legged-2001", "senses"): "a26463b53cdb18db6be43799b8269c33",
     ("middle-size-2006", "actions"): "0bd4707e8046cab03768402d26b03ade",
     ("middle-size-2006", "teams"): "d8f22d631b2b541294c555674d719294",
-    ("middle-size-2006", "senses"): "a58111907d3a028bbc1649560f21ed8e",
+    ("middle-size-2006", "senses"): "5e42b1e79f4ff1a12612e27e0e5fae52",
 }
 
 
