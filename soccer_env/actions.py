@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.checking import one_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
-from soccer_env.known_names import unknown
 
 BOX = ("forward", "left", "turn", "kick")
 FULL = (*BOX, "head", "pan", "tilt")
@@ -50,8 +50,7 @@ class ActionKind:
     name: str
 
     def __post_init__(self) -> None:
-        if self.name not in KINDS:
-            raise ValueError(unknown("actions", self.name, KINDS))
+        one_of("actions", self.name, KINDS)
 
     @property
     def size(self) -> int:

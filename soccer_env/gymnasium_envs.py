@@ -16,6 +16,9 @@ import gymnasium
 import numpy as np
 import pettingzoo
 
+from soccer_env.checking import check_names
+from soccer_env.match_settings import LearnerSetup, MatchSetup, SoloArguments, made_from, part_of
+
 LEAGUES = {"Legged2001": "legged-2001", "MiddleSize2006": "middle-size-2006"}
 SIZES = range(1, 7)  # robots a side of the registered ids
 
@@ -37,66 +40,44 @@ def register() -> None:
         pettingzoo.register("aec", "soccer_env/soccer-v0", "soccer_env.soccer_v0:env")
 
 
-def choose_learner(
-    agent: str | None,
-    league: Any,
-    home: int | None,
-    away: int | None,
-    opponents: Any,
-    teammates: Any,
-    controllers: Mapping[str, Any] | None,
-    settings: dict[str, Any],
-) -> tuple[str, dict[str, Any]]:
-    """Return the learner, home's last robot unless `agent` names it, and who plays everybody else, as `controllers`."""
+def choose_learner(asked: LearnerSetup) -> tuple[str, dict[str, Any]]:
+    """Return the learner, home's last robot unless `agent` names it, and the settings of a match it plays in."""
     from soccer_env.settings import make_settings
 
-    checked = make_settings(league, home=home, away=away, **settings)
+    checked, controllers = make_settings(asked), asked.controllers
     sizes = {"home": checked.home, "away": checked.away}
     agents = [f"{side}_{number}" for side, size in sizes.items() for number in range(size)]
-    agent = f"home_{checked.home - 1}" if agent is None else agent
-    if agent not in agents:
-        raise ValueError(f"unknown agent {agent!r}; known: {', '.join(agents)}")
+    agent = f"home_{checked.home - 1}" if asked.agent is None else asked.agent
+    check_names("agent", [agent], agents)
     if controllers is not None and not (isinstance(controllers, Mapping) and agent not in controllers):
         raise ValueError(f"controllers must map agents or sides other than {agent} to teams, got {controllers!r}")
     own, other = ("home", "away") if agent.startswith("home") else ("away", "home")
-    players = {own: teammates, other: opponents, **(controllers or {}), agent: None}
+    players = {own: asked.teammates, other: asked.opponents, **(controllers or {}), agent: None}
     for other_agent in agents:
         if other_agent != agent and players.get(other_agent, players[other_agent.split("_")[0]]) is None:
             raise ValueError(
                 f"{agent} is the one learner, so a team has to play {other_agent}: give opponents, teammates"
             )
-    return agent, players
+    given = {**part_of(asked, MatchSetup), "opponents": None, "teammates": None, "controllers": players}
+    return agent, given
 
 
 class SoloSoccer(gymnasium.Env[np.ndarray, Any]):
     """One learner in one match; a `soccer_v0.parallel_env` inside whose other robots are played by teams.
 
-    agent: the learner, home's last robot by default. opponents, teammates: teams, and controllers as in
-    `soccer_v0.parallel_env`, which takes all further settings. ValueError names what is wrong.
+    Its settings are the fields of `SoloArguments`, `help(SoloSoccer.__init__)` explains them; ValueError names what is
+    wrong.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array", "human"]}
 
-    def __init__(
-        self,
-        *,
-        league: Any = "legged-2001",
-        home: int | None = None,
-        away: int | None = None,
-        agent: str | None = None,
-        opponents: Any = "chaser",
-        teammates: Any = "chaser",
-        controllers: Mapping[str, Any] | None = None,
-        render_mode: str | None = None,
-        **settings: Any,
-    ) -> None:
+    @made_from(SoloArguments)
+    def __init__(self, asked: SoloArguments) -> None:
         from soccer_env.soccer_v0 import parallel_env
 
-        self.agent, players = choose_learner(agent, league, home, away, opponents, teammates, controllers, settings)
-        self._parallel = parallel_env(
-            league=league, home=home, away=away, controllers=players, render_mode=render_mode, **settings
-        )
-        self.match, self.render_mode = self._parallel.match, render_mode
+        self.agent, given = choose_learner(asked)
+        self._parallel = parallel_env(**given, render_mode=asked.render_mode, infos=asked.infos)
+        self.match, self.render_mode = self._parallel.match, asked.render_mode
         self.metadata = {**self.metadata, "render_fps": self._parallel.metadata["render_fps"]}
         self.observation_space = self._parallel.observation_space(self.agent)
         self.action_space = self._parallel.action_space(self.agent)

@@ -19,12 +19,13 @@ import numpy as np
 from soccer_env import saving, truth_state
 from soccer_env.actions import numbers_for, take_actions
 from soccer_env.match_batch import MatchBatch, Sums
+from soccer_env.match_settings import MatchArguments, made_from
 from soccer_env.observations import layout
 from soccer_env.physics.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import NAMES
 from soccer_env.senses import sensing_sides
-from soccer_env.settings import check_known, make_settings, whole_number
+from soccer_env.settings import make_settings
 from soccer_env.squads import TeamArrays, assign, choose_teams, make_squads, run_compiled, run_python
 from soccer_env.user_code import OwnTerms, checked
 
@@ -36,30 +37,14 @@ FINAL = ("observations", "matches", "balls", "robots", "events", "robot_events",
 class Match:
     """M matches of one league, stepped together.
 
-    Settings are those of `soccer_v0.parallel_env`, and: matches, threads, seeds (M,) instead of seed, minutes of play,
-    autoreset "off", "next_step" or "same_step", physics backend "c" or "batch". ValueError names what is wrong.
+    Its settings are the fields of `MatchArguments`, `help(Match.__init__)` explains them; ValueError names a setting
+    that is wrong, and what is allowed.
     """
 
-    def __init__(
-        self,
-        league: Any = "legged-2001",
-        *,
-        matches: int = 1,
-        threads: int = 1,
-        seed: int | None = None,
-        seeds: Any = None,
-        home: int | None = None,
-        away: int | None = None,
-        opponents: Any = None,
-        teammates: Any = None,
-        controllers: Any = None,
-        backend: Backend | None = None,
-        **settings: Any,
-    ) -> None:
-        self.count = whole_number("matches", matches, 1, 1 << 20)
-        self.threads = whole_number("threads", threads, 1, 256)
-        check_known(settings)
-        self.settings = make_settings(league, home=home, away=away, **settings)
+    @made_from(MatchArguments)
+    def __init__(self, asked: MatchArguments) -> None:
+        self.count, self.threads, self.autoreset = asked.matches, asked.threads, asked.autoreset
+        self.settings = make_settings(asked)
         self.league = self.settings.league
         self.agents = self.settings.agents
         self.observation_entries = layout(self.league, self.settings.observe)
@@ -67,14 +52,14 @@ class Match:
         self.state_names = [entry.name for entry in truth_state.entries(self.settings.max_players)]
         self.term_names = [*NAMES, *self.settings.rewards.extra]
         self._own_terms = OwnTerms(self.settings.rewards)
-        self._make_arrays(backend)
-        self._make_squads(assign(self.agents, self.settings.home, opponents, teammates, controllers))
+        self._make_arrays(asked.backend)
+        self._make_squads(assign(self.agents, self.settings.home, asked.opponents, asked.teammates, asked.controllers))
         self._pool = ThreadPoolExecutor(self.threads) if self.count >= 2 * self.threads > 2 else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)
         self.ended, self.final = np.zeros(0, np.int64), dict[str, np.ndarray]()  # see _restart_same_step
         self._started = False
-        self.reset(seed=seed, seeds=seeds)
+        self.reset(seed=asked.seed, seeds=asked.seeds)
 
     def _make_arrays(self, backend: Backend | None) -> None:
         """Make the arrays and show them as attributes; those for a user's own observations are separate."""
@@ -153,7 +138,7 @@ class Match:
         last=False: the action goes on in the next call; the shaping discounts once, in the call that ends the action.
         """
         numbers = self._check_actions(actions)
-        mode, repeat = self.settings.autoreset, self.settings.action_repeat
+        mode, repeat = self.autoreset, self.settings.action_repeat
         ended = np.flatnonzero(self.terminated | self.truncated) if mode == "next_step" else ()
         sums = Sums(self.batch) if repeat > 1 else None
         for left in reversed(range(repeat)):  # a match that is over waits

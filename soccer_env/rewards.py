@@ -16,14 +16,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields, make_dataclass
-from math import inf, isfinite, sqrt
+from math import inf, sqrt
 from typing import Any
 
 import numpy as np
 
+from soccer_env.checking import SHARE, check_names, number, one_of, refuse
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, length
-from soccer_env.known_names import unknown
 from soccer_env.types import NO_TEAM
 
 KINDS = ("potential", "event", "cost")
@@ -50,10 +50,9 @@ class OwnTerm:
 
     def __post_init__(self) -> None:
         if not callable(self.function):
-            raise ValueError(f"OwnTerm.function must be a function of the Match, got {self.function!r}")
-        if self.kind not in KINDS:
-            raise ValueError(f"OwnTerm.kind must be one of {', '.join(KINDS)}, got {self.kind!r}")
-        check_weight("OwnTerm.weight", self.weight)
+            refuse("OwnTerm.function", "a function of the Match", self.function)
+        one_of("OwnTerm.kind", self.kind, KINDS)
+        number("OwnTerm.weight", self.weight)
 
 
 @compiled
@@ -139,18 +138,14 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
 
     def __new__(cls, **values: Any) -> Rewards:
         """Raise ValueError for a term that does not exist."""
-        known = [item.name for item in fields(cls)]
-        for name in values:
-            if name not in known:
-                raise ValueError(unknown("reward term", name, known))
+        check_names("reward term", values, [item.name for item in fields(cls)])
         made: Rewards = super().__new__(cls)
         return made
 
     def __post_init__(self) -> None:
-        for name in (*NAMES, "gamma"):
-            check_weight(f"Rewards.{name}", getattr(self, name))
-        if not 0.0 <= self.gamma <= 1.0:
-            raise ValueError(f"Rewards.gamma must be 0 to 1, got {self.gamma}")
+        for name in NAMES:
+            number(f"Rewards.{name}", getattr(self, name))
+        number("Rewards.gamma", self.gamma, SHARE)
         own = {}
         for name, term in self.extra.items():
             if not (callable(term) or isinstance(term, OwnTerm)) or name in NAMES:
@@ -168,12 +163,6 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
         return np.array([(tuple(float(getattr(self, name)) for name in NAMES), self.gamma)], WEIGHTS)
 
 
-def check_weight(name: str, value: Any) -> None:
-    """Raise ValueError unless a weight is a finite number."""
-    if not (isinstance(value, (int, float)) and isfinite(value)):
-        raise ValueError(f"{name} must be a finite number, got {value!r}")
-
-
 PRESETS = {
     "default": Rewards(),
     "sparse": Rewards.only(**{term.name: term.weight for term in TERMS if term.kind == "event"}),
@@ -185,8 +174,7 @@ def find_rewards(rewards: str | Rewards) -> Rewards:
     """Return the reward preset of that name, or the object itself; ValueError says which names exist."""
     if isinstance(rewards, Rewards):
         return rewards
-    if not isinstance(rewards, str) or rewards not in PRESETS:
-        raise ValueError(unknown("rewards", rewards, PRESETS, more="a Rewards object"))
+    check_names("rewards", [rewards], PRESETS, more="a Rewards object")
     return PRESETS[rewards]
 
 

@@ -5,59 +5,40 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, is_dataclass, replace
-from inspect import signature
+from dataclasses import dataclass, fields, is_dataclass, replace
 from math import inf, isfinite
-from typing import Any
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
 from soccer_env.actions import ActionKind
-from soccer_env.known_names import unknown
+from soccer_env.checking import check_names, one_of, refuse, whole_number
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.leagues.league import NEVER, PLACEMENTS, League, Rules
+from soccer_env.leagues.league import NEVER, League, Rules
+from soccer_env.match_settings import FREE, MatchSettings, Senses, part_of
 from soccer_env.observations import OBSERVE
 from soccer_env.rewards import Rewards, find_rewards
 from soccer_env.scenes import SUCCESS, Scene, find_scene
 from soccer_env.types import MAX_TEAM
 
-EPISODES = ("match", "goal", "drill")
-AUTORESETS = ("next_step", "same_step", "off")
-FREE = (
-    "observe",
-    "autoreset",
-    "actions",
-    "rewards",
-    "action_repeat",
-    "max_cycles",
-)  # settings on which the future of a match does not depend
-SENSES = ("ideal", "sensors")
-POSES = ("percept", "particles")
+SENSES = get_args(Senses)
 
 
-@dataclass(frozen=True)
-class Settings:
-    """What a Match follows from, beside its seeds and actions."""
+@dataclass(frozen=True, kw_only=True)
+class Settings(MatchSettings):
+    """What a Match follows from, beside its seeds and actions: its settings, every name resolved."""
 
-    league: League
-    home: int
-    away: int
-    max_players: int  # room for players a side in `state()`
+    if TYPE_CHECKING:  # what they are once they are found
+        league: League
+        home: int
+        away: int
+        max_players: int  # room for players a side in `state()`
+        senses: tuple[str, str]  # of home, of away
+        actions: ActionKind
+        scene: Scene
+        rewards: Rewards
     padded: bool  # True: both teams have max_players rows, those too many inactive
-    observe: Any
-    senses: tuple[str, str]  # of home, of away
-    pose: str  # how a robot that uses its sensors knows where it is
-    actions: ActionKind
-    scene: Scene
-    episode: str
-    rewards: Rewards
-    placement: str
-    keeper: int
-    minutes: float | None
-    action_repeat: int
-    max_cycles: int | None
-    autoreset: str
 
     @property
     def rows(self) -> tuple[int, int]:
@@ -94,7 +75,7 @@ class Settings:
 
     def describe(self) -> dict[str, Any]:
         """Return the settings as plain values, for reports and files."""
-        return {name: plain(getattr(self, name)) for name in self.__dataclass_fields__}
+        return {item.name: plain(getattr(self, item.name)) for item in fields(self) if not item.metadata.get("part")}
 
     def fingerprint(self) -> str:
         """Return a hash of everything that a match's future depends on."""
@@ -113,20 +94,6 @@ def plain(value: Any) -> Any:
     if value is None or isinstance(value, (bool, int, float, str)):
         return value if not (isinstance(value, float) and not isfinite(value)) else str(value)
     return f"{getattr(value, '__module__', '')}.{getattr(value, '__qualname__', type(value).__qualname__)}"
-
-
-def whole_number(name: str, value: Any, low: int, high: int) -> int:
-    """Return a whole number in a range; ValueError names it and the range."""
-    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not low <= value <= high:
-        raise ValueError(f"{name} must be {low} to {high}, got {value!r}")
-    return int(value)
-
-
-def one_of(name: str, value: Any, choices: tuple[str, ...]) -> str:
-    """Return one of the choices; ValueError names them."""
-    if not isinstance(value, str) or value not in choices:
-        raise ValueError(f"{name} must be one of {', '.join(choices)}, got {value!r}")
-    return value
 
 
 def check_senses(senses: Any) -> tuple[str, str]:
@@ -151,7 +118,7 @@ def check_options(name: str, value: Any, base: Any) -> Any:
         return changed
     if isinstance(value, type(base)):
         return value
-    raise ValueError(f"{name} must be a mapping of names to values or a {type(base).__name__}, got {value!r}")
+    refuse(name, f"a mapping of names to values or a {type(base).__name__}", value)
 
 
 def with_sensors(league: League, sensors: Any, memory: Any) -> League:
@@ -169,8 +136,7 @@ def find_rules(league: League, rules: Any) -> League:
     """Return the league with the rule set asked for."""
     if isinstance(rules, Rules):
         return replace(league, rules=rules)
-    if rules != "league":
-        raise ValueError(f"unknown rules {rules!r}; known: league, or a Rules object")
+    check_names("rules", [rules], ["league"], more="a Rules object")
     return league
 
 
@@ -179,27 +145,8 @@ def check_observe(observe: Any) -> Any:
     if callable(observe) and (hasattr(observe, "names") or hasattr(observe, "entries")):
         return observe
     if not isinstance(observe, str):
-        raise ValueError(
-            f"observe must be a name or an object with `names` or `entries` to call with a match, got {observe!r}"
-        )
+        refuse("observe", "a name, or an object with `names` or `entries` to call with a match", observe)
     return one_of("observe", observe, OBSERVE)
-
-
-def check_minutes(minutes: float | None) -> float | None:
-    """Return the minutes of play, or None for the episode's own."""
-    if minutes is None:
-        return None
-    if isinstance(minutes, bool) or not isinstance(minutes, (int, float)) or not (isfinite(minutes) and minutes > 0):
-        raise ValueError(f"minutes must be above zero, got {minutes!r}")
-    return float(minutes)
-
-
-def check_known(settings: Mapping[str, Any]) -> None:
-    """Raise TypeError for a setting that does not exist, and say which do."""
-    known = [name for name in signature(make_settings).parameters if name != "league"]
-    for name in settings:
-        if name not in known:
-            raise TypeError(unknown("setting", name, known))
 
 
 def check_keeper(keeper: Any, home: int, away: int) -> int:
@@ -208,63 +155,37 @@ def check_keeper(keeper: Any, home: int, away: int) -> int:
     return whole_number("keeper", keeper, 0, min(sizes, default=MAX_TEAM) - 1)
 
 
-def make_settings(
-    league: str | League,
-    *,
-    home: int | None,
-    away: int | None,
-    max_players: int | None = None,
-    observe: Any = "truth",
-    senses: Any = "sensors",
-    pose: str = "percept",
-    sensors: Any = None,
-    memory: Any = None,
-    actions: str = "box",
-    scene: str | Scene = "kick-off",
-    episode: str = "match",
-    rules: Any = "league",
-    rewards: str | Rewards = "default",
-    placement: str = "instant",
-    keeper: int = 0,
-    minutes: float | None = None,
-    action_repeat: int = 1,
-    max_cycles: int | None = None,
-    autoreset: str = "off",
-) -> Settings:
-    """Check every setting and return them; ValueError names the setting, the value and what is allowed."""
-    found = with_sensors(find_rules(find_league(league), rules), sensors, memory)
-    home = whole_number("home", found.team_size if home is None else home, 1, MAX_TEAM)
-    away = whole_number("away", found.team_size if away is None else away, 1, MAX_TEAM)
+def make_settings(asked: MatchSettings) -> Settings:
+    """Return the settings with every name resolved; ValueError names the setting, the value and what is allowed."""
+    league = with_sensors(find_rules(find_league(asked.league), asked.rules), asked.sensors, asked.memory)
+    home = league.team_size if asked.home is None else asked.home
+    away = league.team_size if asked.away is None else asked.away
     largest = max(home, away)
-    if max_cycles is not None:
-        max_cycles = whole_number("max_cycles", max_cycles, 1, 2**40)
-    found_scene = find_scene(scene)
-    found_scene.check(found, home, away)
-    one_of("episode", episode, EPISODES)
-    if episode == "drill" and found_scene.success == "none":
-        raise ValueError(f"episode 'drill' needs a scene with a success test, and {found_scene.name!r} has none")
-    if episode == "drill" and minutes is not None:
-        raise ValueError(f"minutes must be None in a drill, whose scene has its own time limit, got {minutes!r}")
-    return Settings(
-        league=found,
-        home=home,
-        away=away,
-        max_players=whole_number("max_players", largest if max_players is None else max_players, largest, MAX_TEAM),
-        padded=max_players is not None,
-        observe=check_observe(observe),
-        senses=check_senses(senses),
-        pose=one_of("pose", pose, POSES),
-        actions=ActionKind(actions),
-        scene=found_scene,
-        episode=episode,
-        rewards=find_rewards(rewards),
-        placement=one_of("placement", placement, PLACEMENTS),
-        keeper=check_keeper(keeper, home, away),
-        minutes=check_minutes(minutes),
-        action_repeat=whole_number("action_repeat", action_repeat, 1, 1000),
-        max_cycles=max_cycles,
-        autoreset=one_of("autoreset", autoreset, AUTORESETS),
-    )
+    most = largest if asked.max_players is None else asked.max_players
+    found: dict[str, Any] = {
+        "league": league,
+        "home": home,
+        "away": away,
+        "max_players": whole_number("max_players", most, largest, MAX_TEAM),
+        "padded": asked.max_players is not None,
+        "observe": check_observe(asked.observe),
+        "senses": check_senses(asked.senses),
+        "actions": asked.actions if isinstance(asked.actions, ActionKind) else ActionKind(asked.actions),
+        "scene": find_scene(asked.scene),
+        "rewards": find_rewards(asked.rewards),
+        "keeper": check_keeper(asked.keeper, home, away),
+    }
+    found["scene"].check(league, home, away)
+    check_drill(asked, found["scene"])
+    return Settings(**{**part_of(asked, MatchSettings), **found})
 
 
-__all__ = ["AUTORESETS", "EPISODES", "SENSES", "Settings", "make_settings"]
+def check_drill(asked: MatchSettings, scene: Scene) -> None:
+    """Raise ValueError for a drill that cannot be judged, or that has two limits of time."""
+    if asked.episode == "drill" and scene.success == "none":
+        raise ValueError(f"episode 'drill' needs a scene with a success test, and {scene.name!r} has none")
+    if asked.episode == "drill" and asked.minutes is not None:
+        raise ValueError(f"minutes must be None in a drill, whose scene has its own time limit, got {asked.minutes!r}")
+
+
+__all__ = ["SENSES", "Settings", "make_settings"]

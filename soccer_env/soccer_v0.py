@@ -39,6 +39,7 @@ from soccer_env.api.report import (
     check_render_mode,
 )
 from soccer_env.match import Match
+from soccer_env.match_settings import EnvArguments, MatchSetup, part_of, takes
 
 FLOATS = "fd"  # dtype characters of float32 and float64
 
@@ -49,8 +50,8 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
     metadata: dict[str, Any] = {"name": "soccer_v0", "render_modes": [*RENDER_MODES], "is_parallelizable": True}
 
     def __init__(self, match: Match, render_mode: str | None = None, infos: bool = True) -> None:
-        if match.count != 1 or match.settings.autoreset != "off":
-            raise ValueError(f"needs 1 match and autoreset 'off', got {match.count} and {match.settings.autoreset!r}")
+        if match.count != 1 or match.autoreset != "off":
+            raise ValueError(f"needs 1 match and autoreset 'off', got {match.count} and {match.autoreset!r}")
         if not match.learns.any():
             raise ValueError("teams play all robots, so no agent is left: step a Match instead, or watch")
         self.match = match
@@ -208,84 +209,22 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
         super().step(action)
 
 
-def parallel_env(
-    *,
-    league: Any = "legged-2001",
-    home: int | None = None,
-    away: int | None = None,
-    observe: Any = "truth",
-    senses: Any = "sensors",
-    pose: str = "percept",
-    sensors: Any = None,
-    memory: Any = None,
-    actions: str = "box",
-    opponents: Any = None,
-    teammates: Any = None,
-    controllers: Mapping[str, Any] | None = None,
-    scene: Any = "kick-off",
-    episode: str = "match",
-    rules: Any = "league",
-    rewards: Any = "default",
-    placement: str = "instant",
-    keeper: int = 0,
-    max_players: int | None = None,
-    minutes: float | None = None,
-    action_repeat: int = 1,
-    max_cycles: int | None = None,
-    render_mode: str | None = None,
-    infos: bool = True,
-) -> ParallelSoccer:
-    """Return one match as a PettingZoo ParallelEnv; ValueError names a setting that is wrong, and what is allowed.
-
-    league: a name or a League. home, away: robots, 1 to 11; None is the league's own team size.
-    observe: "truth", "percepts", "belief", or an object with `names` that is called with the Match.
-    senses: "sensors" or "ideal", or {"home": ..., "away": ...}: what fills beliefs. pose: "percept" (a noisy pose is
-    given) or "particles" (robots localise themselves). sensors, memory: {name: value} of the league's, or an object.
-    actions: "box" (4 numbers), "full" (7, with the head) or "discrete".
-    opponents: the team that plays away: then only home robots are agents. teammates: the team that plays home but for
-    its last robot. controllers: {agent or side: team} for any subset.
-    scene: a name or a Scene. episode: "match" ends by the clock, "goal" at the first goal, "drill" by the scene's test.
-    rules: "league" or Rules. rewards: a name or Rewards. placement: "instant" or "drive", at restarts.
-    keeper: number of the goalkeeper. max_players: room for robots a side, those too many are inactive.
-    minutes: of play; None is the league's own. action_repeat: control steps a step. max_cycles: steps until truncation.
-    render_mode: None, "rgb_array" or "human". infos: False leaves them empty: faster, and needed by libraries that turn
-    infos into tensors (TorchRL).
-    """
-    match = Match(
-        league,
-        home=home,
-        away=away,
-        observe=observe,
-        senses=senses,
-        pose=pose,
-        sensors=sensors,
-        memory=memory,
-        actions=actions,
-        opponents=opponents,
-        teammates=teammates,
-        controllers=controllers,
-        scene=scene,
-        episode=episode,
-        rules=rules,
-        rewards=rewards,
-        placement=placement,
-        keeper=keeper,
-        max_players=max_players,
-        minutes=minutes,
-        action_repeat=action_repeat,
-        max_cycles=max_cycles,
-    )
-    return ParallelSoccer(match, render_mode, infos)
+@takes(EnvArguments)
+def parallel_env(asked: EnvArguments) -> ParallelSoccer:
+    """Return one match as a PettingZoo ParallelEnv; ValueError names a setting that is wrong, and what is allowed."""
+    return ParallelSoccer(Match(**part_of(asked, MatchSetup)), asked.render_mode, asked.infos)
 
 
-def raw_env(**settings: Any) -> AECEnv[str, np.ndarray, Any]:
+@takes(EnvArguments)
+def raw_env(asked: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
     """Return one match as a PettingZoo AECEnv; the settings are those of `parallel_env`."""
-    return TurnSoccer(parallel_env(**settings))
+    return TurnSoccer(parallel_env(**part_of(asked, EnvArguments)))
 
 
-def env(**settings: Any) -> AECEnv[str, np.ndarray, Any]:
+@takes(EnvArguments)
+def env(asked: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
     """Return `raw_env` with PettingZoo's check of the order of calls; the settings are those of `parallel_env`."""
-    return OrderEnforcingWrapper(raw_env(**settings))
+    return OrderEnforcingWrapper(raw_env(**part_of(asked, EnvArguments)))
 
 
 __all__ = ["ParallelSoccer", "TurnSoccer", "env", "parallel_env", "raw_env"]

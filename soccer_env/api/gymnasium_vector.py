@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, Literal
 
 import gymnasium
 import numpy as np
@@ -13,51 +13,30 @@ from gymnasium.vector.utils import batch_space
 from soccer_env.api.report import NO_EVENTS, PHASES, Report, Screen, check_options, check_render_mode
 from soccer_env.gymnasium_envs import choose_learner
 from soccer_env.match import Match
+from soccer_env.match_settings import VectorArguments, made_from
 
-MODES = {AutoresetMode.NEXT_STEP: "next_step", AutoresetMode.SAME_STEP: "same_step"}
+MODES: dict[AutoresetMode, Literal["next_step", "same_step"]] = {
+    AutoresetMode.NEXT_STEP: "next_step",
+    AutoresetMode.SAME_STEP: "same_step",
+}
 OPTIONS = ("match_seeds",)  # of reset
 
 
 class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
     """One learner in each of `num_envs` matches, straight over the batched core.
 
-    autoreset_mode: "NextStep" or "SameStep" (or Gymnasium's AutoresetMode). threads: that step the matches. The other
-    settings are those of `SoloSoccer`. Infos are Gymnasium's: an array for each key, and a mask `_key` of the matches
-    that have it; "score" is (num_envs, 2).
+    Its settings are the fields of `VectorArguments`, `help(SoccerVectorEnv.__init__)` explains them. Infos are
+    Gymnasium's: an array for each key, and a mask `_key` of the matches that have it; "score" is (num_envs, 2).
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"]}
 
-    def __init__(
-        self,
-        num_envs: int = 1,
-        *,
-        league: Any = "legged-2001",
-        home: int | None = None,
-        away: int | None = None,
-        agent: str | None = None,
-        opponents: Any = "chaser",
-        teammates: Any = "chaser",
-        controllers: Mapping[str, Any] | None = None,
-        autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
-        threads: int = 1,
-        render_mode: str | None = None,
-        **settings: Any,
-    ) -> None:
-
-        mode = check_mode(autoreset_mode)
-        self.render_mode = check_render_mode(render_mode, ("rgb_array",))
-        self.agent, players = choose_learner(agent, league, home, away, opponents, teammates, controllers, settings)
-        self.match = Match(
-            league,
-            home=home,
-            away=away,
-            controllers=players,
-            matches=num_envs,
-            threads=threads,
-            autoreset=MODES[mode],
-            **settings,
-        )
+    @made_from(VectorArguments)
+    def __init__(self, asked: VectorArguments) -> None:
+        mode = check_mode(asked.autoreset_mode)
+        self.render_mode = check_render_mode(asked.render_mode, ("rgb_array",))
+        self.agent, given = choose_learner(asked)
+        self.match = Match(**given, matches=asked.num_envs, threads=asked.threads, autoreset=MODES[mode])
         self.num_envs = self.match.count
         self._row = self.match.agents.index(self.agent)
         self._report = Report(self.match, np.array([self._row]))

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.checking import check_names, one_of, refuse
 from soccer_env.match import Match
-from soccer_env.settings import one_of
 from soccer_env.types import QUIET, ROBOT_EVENTS, Phase
 
 RENDER_MODES = ("rgb_array", "human")
@@ -131,10 +131,8 @@ def check_options(options: Any, known: tuple[str, ...]) -> dict[str, Any]:
     if options is None:
         return {}
     if not isinstance(options, Mapping):
-        raise ValueError(f"options must be a dict, got {options!r}")
-    for name in options:
-        if name not in known and name != IGNORED_OPTION:
-            raise ValueError(f"unknown option {name!r}; known: {', '.join(known)}")
+        refuse("options", "a dict", options)
+    check_names("option", set(options) - {IGNORED_OPTION}, known)
     return dict(options)
 
 

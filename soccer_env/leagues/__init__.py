@@ -14,7 +14,7 @@ checks.py             checks of the numbers of a league
 
 from __future__ import annotations
 
-from soccer_env.known_names import unknown
+from soccer_env.checking import check_names
 from soccer_env.leagues import legged_2001, middle_size_2006
 from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
@@ -35,8 +35,7 @@ def find_league(league: str | League) -> League:
     """Return the league of that name, or the league itself; ValueError says which names exist."""
     if isinstance(league, League):
         return league
-    if not isinstance(league, str) or league not in LEAGUES:
-        raise ValueError(unknown("league", league, LEAGUES))
+    check_names("league", [league], LEAGUES)
     return LEAGUES[league]
 
 

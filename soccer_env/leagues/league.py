@@ -26,7 +26,7 @@ A walled pitch has no band: boards stand on the touchlines and goal lines, and t
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 from soccer_env.leagues.checks import PYTHON_ONLY, between_0_and_1, check, check_family, is_number, positive
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
@@ -166,7 +166,7 @@ class League:
     slots: Slots
     substeps: Substeps
     evaluation_minutes: float  # [min] of play in an evaluation
-    evaluation_placement: str = "instant"
+    evaluation_placement: Literal["instant", "drive"] = "instant"
     source: str = ""
     sensors: Any = None  # Options whose KIND says whose they are: a LeggedSensors, an OmniSensors, see robot_kind.py
     memory: Any = None  # Options, what goes with the sensors: a LeggedMemory, an OmniMemory

@@ -20,22 +20,13 @@ import numpy as np
 from soccer_env import saving
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
+from soccer_env.match_settings import REPLAYED
 from soccer_env.scenes import Scene
 from soccer_env.settings import plain
 from soccer_env.types import COMMAND, GAZE
 from soccer_env.whole_files import write_whole
 
 FORMAT = "soccer_env replay 2"
-KEPT = (
-    "home",
-    "away",
-    "keeper",
-    "max_players",
-    "episode",
-    "placement",
-    "minutes",
-    "matches",
-)  # settings that play needs
 LARGEST = 1 << 30  # [bytes] of a replay's parts, unpacked
 
 
@@ -101,7 +92,7 @@ class Replay:
         given = self.settings
         try:
             scene = given["scene"]
-            wanted = {name: given[name] for name in KEPT}
+            wanted = {name: given[name] for name in (*REPLAYED, "matches")}
             wanted["league"] = rebuild(League, given["league"])
             wanted["scene"] = Scene(scene["name"], "replayed", None, scene["success"], float(scene["time_limit"]))
             if wanted["matches"] * (given["home"] + given["away"]) > len(self.start):
@@ -238,13 +229,8 @@ def describe(match: Match) -> dict[str, Any]:
     settings = match.settings
     return {
         "league": plain(settings.league),
-        "home": settings.home,
-        "away": settings.away,
-        "keeper": settings.keeper,
+        **{name: getattr(settings, name) for name in REPLAYED},
         "max_players": settings.max_players if settings.padded else None,
-        "episode": settings.episode,
-        "placement": settings.placement,
-        "minutes": settings.minutes,
         "max_cycles": settings.max_cycles,
         "action_repeat": settings.action_repeat,
         "scene": {

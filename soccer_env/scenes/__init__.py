@@ -11,7 +11,7 @@ that need them.
 
 from __future__ import annotations
 
-from soccer_env.known_names import unknown
+from soccer_env.checking import check_names
 from soccer_env.scenes.drills import DRILLS
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED
 from soccer_env.scenes.judging import SUCCESS, judge_drill
@@ -24,8 +24,7 @@ def find_scene(scene: str | Scene) -> Scene:
     """Return the scene of that name, or the object itself; ValueError says which names exist."""
     if isinstance(scene, Scene):
         return scene
-    if not isinstance(scene, str) or scene not in SCENES:
-        raise ValueError(unknown("scene", scene, SCENES))
+    check_names("scene", [scene], SCENES)
     return SCENES[scene]
 
 

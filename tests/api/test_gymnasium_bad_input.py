@@ -17,7 +17,7 @@ GOOD = np.zeros((4, 4), np.float32)
     ("settings", "complaint"),
     [
         ({"agent": "home_2"}, "unknown agent 'home_2'; known: home_0, home_1, away_0, away_1"),
-        ({"agent": 1}, "unknown agent 1; known"),
+        ({"agent": 1}, "agent must be a text, got 1"),
         ({"opponents": None}, "home_1 is the one learner.*away_0"),
         ({"teammates": None}, "home_1 is the one learner.*home_0"),
         ({"controllers": {"home_1": "still"}}, "controllers must map .* other than home_1"),
@@ -37,8 +37,8 @@ def test_bad_settings_are_refused(maker, settings, complaint):
 @pytest.mark.parametrize(
     ("settings", "complaint"),
     [
-        ({"num_envs": 0}, "matches must be .*1"),
-        ({"num_envs": 2.5}, "matches must be .*2.5"),
+        ({"num_envs": 0}, "num_envs must be 1 to "),
+        ({"num_envs": 2.5}, "num_envs must be 1 to .*2.5"),
         ({"threads": 0}, "threads must be 1 to 256, got 0"),
         ({"autoreset_mode": "Disabled"}, "autoreset_mode must be one of NextStep, SameStep, got 'Disabled'"),
         ({"render_mode": "human"}, "render_mode must be one of rgb_array, got 'human'"),

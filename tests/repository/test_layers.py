@@ -19,6 +19,7 @@ COMPILING = ("compiled", "compiled_cache", "compiled_sources")
 LAYERS = (
     (
         "types",
+        "checking",
         "percept_types",
         "tracks",
         "world",
@@ -35,6 +36,7 @@ LAYERS = (
     ("teams", "team_kernels"),  # the protocol, and names as strings
     ("physics", "perception", "belief", "referee"),
     ("actions", "observations", "rewards", "scenes"),
+    ("match_settings",),
     ("settings", "robot_kinds"),
     ("step", "episodes", "squads", "senses", "truth_state", "saving", "user_code"),  # the parts of a match
     ("match_batch",),

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Literal
 
 from soccer_env.leagues.league import PLACEMENTS, League
+from soccer_env.match_settings import Placement, Pose
 from soccer_env.train.written_settings import POSES, as_path, command_with, split_players, split_senses
 
 FULL = "full"  # minutes: the league's own length of a match
@@ -95,9 +96,9 @@ class Conditions:
     players: tuple[int, int]  # of the first team (home), of the second (away)
     seed: int
     senses: tuple[str, str]  # of the first team, of the second
-    pose: str  # of robots that use their sensors
+    pose: Pose  # of robots that use their sensors
     scene: str
-    placement: str
+    placement: Placement
 
     @property
     def sizes(self) -> str:

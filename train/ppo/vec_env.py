@@ -23,10 +23,10 @@ from stable_baselines3.common.vec_env import VecEnv
 
 from soccer_env.actions import FULL
 from soccer_env.agents.learned import first_decision
+from soccer_env.checking import whole_number
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
-from soccer_env.settings import whole_number
 from soccer_env.train.ppo.critic_state import last_state, team_state, with_state
 from soccer_env.train.ppo.match_blocks import calls_python, playing, shared_out, stagger_clocks
 

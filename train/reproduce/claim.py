@@ -5,10 +5,11 @@ from __future__ import annotations
 import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
+from soccer_env.match_settings import Pose
 from soccer_env.train.reproduce.verdicts import Criterion, Samples
 
 SACKS, HEINEMANN = "Sacks 2001", "Heinemann et al. 2006"
@@ -22,7 +23,7 @@ class Batch:
     seed: int  # of the whole run
     index: int  # 0, 1, ...
     threads: int = 1  # that may share the work; no result depends on it
-    pose: str = "particles"  # how robots know where they are: "particles" or "percept"
+    pose: Pose = "particles"  # how robots know where they are: "particles" or "percept"
 
     def sequence(self) -> np.random.SeedSequence:
         """Return the seed sequence of this batch, which no other batch or claim shares."""
@@ -106,7 +107,9 @@ class Claim:
     without: Without | None = None  # by construction
     figures: Callable[[Samples], Sequence[Figure]] = no_figures
     note: str | Callable[[Samples], str] = ""  # what a reader of the result should know
-    pose: str = ""  # the own pose that the claim is about; "" for the one that the run asks for
+    pose: Literal["", "percept", "particles"] = (
+        ""  # the own pose that the claim is about; "" for the one that the run asks for
+    )
     study: bool = field(default=False)  # no claim of a paper: measured when it is named, not by --all
 
 

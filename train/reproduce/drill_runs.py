@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.match_settings import Senses
 from soccer_env.scenes import Scene, find_scene
 from soccer_env.scenes.judging import LOST, LOST_TIME, PAST
 from soccer_env.teams import make_team
@@ -22,7 +23,7 @@ LONGEST = 40.0  # [s] of a run
 
 
 def start_drill(
-    batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float, senses: str = "sensors"
+    batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float, senses: Senses = "sensors"
 ) -> Match:
     """Return matches at the start of a drill's scene, with nobody to end them; movers walk at a speed [m/s]."""
     found = find_scene(scene)
@@ -50,7 +51,7 @@ def play_drill(
     settings: dict[str, Any],
     matches: int,
     mover: float = PAPER,
-    senses: str = "sensors",
+    senses: Senses = "sensors",
 ) -> Samples:
     """Let sacks-2001, with settings by name and without shots, play a drill's scene; arrays (M,).
 
