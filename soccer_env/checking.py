@@ -35,7 +35,8 @@ class Range(NamedTuple):
     below: bool = False  # True: not the upper end itself
 
     def holds(self, value: float) -> bool:
-        """Tell whether a finite number lies in the range."""
+        """Tell whether a number lies in the range."""
+        value = value.item() if isinstance(value, np.generic) else value  # float32 has no room for the bounds
         high_enough = value > self.low if self.above else value >= self.low
         low_enough = value < self.high if self.below else value <= self.high
         return high_enough and low_enough and abs(value) <= sys.float_info.max

@@ -28,7 +28,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from soccer_env.leagues.checks import PYTHON_ONLY, between_0_and_1, check, check_family, is_number, positive
+from soccer_env.checking import ABOVE_ZERO, SHARE, Range
+from soccer_env.leagues.checks import PYTHON_ONLY, Part, check_family
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 from soccer_env.leagues.robot_kind import check_kind
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
@@ -39,8 +40,14 @@ MAX_RATE = 1000  # [1/s] control steps
 
 
 @dataclass(frozen=True)
-class Pitch:
+class Pitch(Part):
     """The field of play and what stands around it; see the map at the head of this file. Lengths in metres."""
+
+    BOUNDS = {
+        **dict.fromkeys(("length", "width", "goal_width", "goal_depth"), ABOVE_ZERO),
+        **dict.fromkeys(("wall_elasticity", "net_elasticity"), SHARE),
+    }
+    ORDER = (("goal_width", "less than", "width"),)
 
     length: float
     width: float
@@ -60,23 +67,12 @@ class Pitch:
     wall_friction: float = field(default=0.3, metadata=PYTHON_ONLY)  # [1] assumed
     net_elasticity: float = field(default=0.05, metadata=PYTHON_ONLY)  # [1] assumed: a goal catches the ball
 
-    def __post_init__(self) -> None:
-        check(
-            self,
-            length=positive,
-            width=positive,
-            goal_width=positive,
-            goal_depth=positive,
-            wall_elasticity=between_0_and_1,
-            net_elasticity=between_0_and_1,
-        )
-        if not self.goal_width < self.width:
-            raise ValueError(f"Pitch.goal_width must be less than the width {self.width}, got {self.goal_width}")
-
 
 @dataclass(frozen=True)
-class BallModel:
+class BallModel(Part):
     """The ball and how it rolls."""
+
+    BOUNDS = {**dict.fromkeys(("radius", "mass", "shell", "top_speed"), ABOVE_ZERO), "elasticity": SHARE}
 
     radius: float  # [m]
     mass: float = field(metadata=PYTHON_ONLY)  # [kg]
@@ -87,13 +83,12 @@ class BallModel:
     friction: float = field(metadata=PYTHON_ONLY)  # [1]
     top_speed: float  # [m/s] nothing moves it faster
 
-    def __post_init__(self) -> None:
-        check(self, radius=positive, mass=positive, shell=positive, top_speed=positive, elasticity=between_0_and_1)
-
 
 @dataclass(frozen=True)
-class Rules:
+class Rules(Part):
     """The rule set of a league. Fouls of later versions add their fields here."""
+
+    BOUNDS = dict.fromkeys(("half_minutes", "stuck_radius", "restart_time", "stuck_time", "contact_time"), ABOVE_ZERO)
 
     half_minutes: float = field(metadata=PYTHON_ONLY)  # [min] length of a half
     kick_off_distance: float  # [m] opponents' distance from the ball at a kick-off
@@ -111,30 +106,28 @@ class Rules:
     drop_y: float  # [m]
     contact_time: float = NEVER  # [s] in contact after which opponents are pulled apart
 
-    def __post_init__(self) -> None:
-        times = dict.fromkeys(("restart_time", "stuck_time", "contact_time"), positive)
-        check(self, half_minutes=positive, stuck_radius=positive, **times)
-
 
 @dataclass(frozen=True)
-class Slots:
+class Slots(Part):
     """Room for other players in tracks and observations."""
+
+    NUMBER = Range(0, MAX_TEAM)
 
     teammates: int
     opponents: int
 
     def __post_init__(self) -> None:
-        for name in ("teammates", "opponents"):
-            value = getattr(self, name)
-            if not (is_number(value, "int") and 0 <= value <= MAX_TEAM):
-                raise ValueError(f"Slots.{name} must be 0 to {MAX_TEAM}, got {value!r}")
+        super().__post_init__()
         if self.teammates + self.opponents == 0:
             raise ValueError("Slots must hold at least one player")
 
 
 @dataclass(frozen=True)
-class Substeps:
+class Substeps(Part):
     """How finely the physics cuts a control step."""
+
+    BOUNDS = dict.fromkeys(("least", "most", "travel", "iterations"), ABOVE_ZERO)
+    ORDER = (("least", "at most", "most"),)
 
     least: int
     most: int
@@ -142,15 +135,12 @@ class Substeps:
     iterations: int  # of the contact solver
     slop: float = field(metadata=PYTHON_ONLY)  # [m] overlap of bodies that is left alone
 
-    def __post_init__(self) -> None:
-        check(self, least=positive, most=positive, travel=positive, iterations=positive)
-        if self.least > self.most:
-            raise ValueError(f"Substeps.least must be at most {self.most}, got {self.least}")
-
 
 @dataclass(frozen=True)
-class League:
+class League(Part):
     """A league: pitch, ball, robots, rules and time. Variants by `dataclasses.replace`."""
+
+    BOUNDS = {"control_rate": Range(1, MAX_RATE), "team_size": Range(1, MAX_TEAM)}
 
     name: str
     family: str  # what teams, scenes and policies go by: "legged", "middle-size" or one of your own
@@ -172,18 +162,10 @@ class League:
     memory: Any = None  # Options, what goes with the sensors: a LeggedMemory, an OmniMemory
 
     def __post_init__(self) -> None:
-        check(self)
+        super().__post_init__()
         check_family("League.family", self.family)
         if self.sensors is not None:
             check_kind(self.sensors)
-        if not 1 <= self.control_rate <= MAX_RATE:
-            raise ValueError(f"League.control_rate must be 1 to {MAX_RATE} a second, got {self.control_rate}")
-        if not 1 <= self.team_size <= MAX_TEAM:
-            raise ValueError(f"League.team_size must be 1 to {MAX_TEAM}, got {self.team_size}")
-        if self.evaluation_placement not in PLACEMENTS:
-            raise ValueError(
-                f"League.evaluation_placement must be one of {PLACEMENTS}, got {self.evaluation_placement!r}"
-            )
         if self.delay_steps >= MAX_DELAY_STEPS:
             raise ValueError(f"Drive.delay spans {self.delay_steps} control steps, at most {MAX_DELAY_STEPS - 1} fit")
         if 2.0 * self.body.reach > min(self.pitch.length, self.pitch.width) / 4:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from math import hypot
 
-from soccer_env.leagues.checks import PYTHON_ONLY, any_number, between_0_and_1, check, is_convex, positive
+from soccer_env.checking import ABOVE_ZERO, ANY, SHARE, Range
+from soccer_env.leagues.checks import PYTHON_ONLY, Part, is_convex
 
 GAIT = 0
 WHEELS_OMNI = 1
@@ -15,11 +16,15 @@ MOST_CORNERS = 8  # of a hull, that the constants have room for
 
 
 @dataclass(frozen=True)
-class Body:
+class Body(Part):
     """A robot's outline seen from above, its origin at the centre of mass, x forward.
 
     A convex hull (corners) or a disc, with two round tips in front that form the pocket for the ball.
     """
+
+    BOUNDS = {
+        **dict.fromkeys(("mass", "reach"), ABOVE_ZERO), **dict.fromkeys(("tip_x", "disc_x"), ANY), "elasticity": SHARE,
+    }  # fmt: skip
 
     mass: float = field(metadata=PYTHON_ONLY)  # [kg]
     disc_radius: float  # [m] 0: the hull is given by its corners
@@ -35,7 +40,7 @@ class Body:
     height: float  # [m]
 
     def __post_init__(self) -> None:
-        check(self, mass=positive, reach=positive, tip_x=any_number, disc_x=any_number, elasticity=between_0_and_1)
+        super().__post_init__()
         if (self.disc_radius > 0.0) == bool(self.corners):
             raise ValueError("Body needs either a disc_radius above zero or corners, not both")
         if len(self.corners) > MOST_CORNERS:
@@ -51,9 +56,18 @@ class Body:
             raise ValueError(f"Body.reach must be at least {outermost:.3f}, got {self.reach}")
 
 
+MOVING = (
+    *("forward", "backward", "turn", "acceleration", "turn_acceleration", "traction", "turn_traction"),
+    *("gait_steps", "slip_time"),
+)
+
+
 @dataclass(frozen=True)
-class Drive:
+class Drive(Part):
     """How a robot moves: speeds, acceleration, delay; a gait or wheels."""
+
+    NAMES = {"kind": DRIVE_KINDS}
+    BOUNDS = {**dict.fromkeys(MOVING, ABOVE_ZERO), "delay": Range(0.0, 0.2)}
 
     kind: str  # "gait", "omnidirectional", "differential"
     forward: float  # [m/s] top speed ahead
@@ -72,28 +86,13 @@ class Drive:
     fall_time: float = field(metadata=PYTHON_ONLY)  # [s] on the ground
     leg_disturbance: float = 0.0  # [1] how much legs get at the ball and at other legs; 0 off, 1 see physics/legs.py
 
-    def __post_init__(self) -> None:
-        check(
-            self,
-            forward=positive,
-            backward=positive,
-            turn=positive,
-            acceleration=positive,
-            turn_acceleration=positive,
-            traction=positive,
-            turn_traction=positive,
-            gait_steps=positive,
-            slip_time=positive,
-        )
-        if self.kind not in DRIVE_KINDS:
-            raise ValueError(f"Drive.kind must be one of {', '.join(DRIVE_KINDS)}, got {self.kind!r}")
-        if self.delay > 0.2:
-            raise ValueError(f"Drive.delay must be 0 to 0.2 s, got {self.delay}")
-
 
 @dataclass(frozen=True)
-class Kicker:
+class Kicker(Part):
     """How a robot kicks."""
+
+    BOUNDS = {"fastest": ABOVE_ZERO, "least": SHARE}
+    ORDER = (("slowest", "at most", "fastest"),)
 
     slowest: float  # [m/s] ball speed at the smallest strength
     fastest: float  # [m/s] ball speed at strength 1
@@ -105,15 +104,12 @@ class Kicker:
     half_width: float  # [m] how far aside the ball's centre may lie
     keeper_kicks: bool  # False: a goalkeeper has no kicker
 
-    def __post_init__(self) -> None:
-        check(self, fastest=positive, least=between_0_and_1)
-        if self.slowest > self.fastest:
-            raise ValueError(f"Kicker.slowest must be at most fastest {self.fastest}, got {self.slowest}")
-
 
 @dataclass(frozen=True)
-class Head:
+class Head(Part):
     """Joint limits and speeds of the head [rad, rad/s]; all zero: the camera is fixed."""
+
+    BOUNDS = {"tilt_low": ANY}
 
     pan_limit: float = 0.0
     tilt_low: float = 0.0
@@ -122,6 +118,3 @@ class Head:
     tilt_speed: float = 0.0
     camera_height: float = 0.0  # [m]
     camera_ahead: float = 0.0  # [m] ahead of the origin, head level
-
-    def __post_init__(self) -> None:
-        check(self, tilt_low=any_number)

@@ -60,7 +60,7 @@ def test_a_number_must_be_one(part: str, bad: object) -> None:
     ("part", "field"), [("drive", "gait_steps"), ("substeps", "iterations"), ("substeps", "least")]
 )
 def test_what_is_counted_must_be_whole(part: str, field: str) -> None:
-    with pytest.raises(ValueError, match=f"{field} must be a whole number, got 2.5"):
+    with pytest.raises(ValueError, match=f"{field} must be a whole number above 0, got 2.5"):
         replace(getattr(legged_2001.LEAGUE, part), **{field: 2.5})
 
 
@@ -87,21 +87,21 @@ def test_a_body_must_be_a_convex_hull_within_its_reach(corners: Any, message: st
 @pytest.mark.parametrize(
     ("part", "changes", "message"),
     [
-        ("pitch", {"length": 0.0}, r"Pitch\.length must be positive, got 0"),
-        ("pitch", {"goal_width": 9.0}, r"Pitch\.goal_width must be less than the width 2\.0, got 9"),
-        ("ball", {"mass": -0.1}, r"BallModel\.mass must be positive"),
-        ("ball", {"elasticity": 1.5}, r"BallModel\.elasticity must be between 0 and 1"),
+        ("pitch", {"length": 0.0}, r"Pitch\.length must be a number above 0, got 0"),
+        ("pitch", {"goal_width": 9.0}, r"Pitch\.goal_width must be less than width 2\.0, got 9"),
+        ("ball", {"mass": -0.1}, r"BallModel\.mass must be a number above 0"),
+        ("ball", {"elasticity": 1.5}, r"BallModel\.elasticity must be 0 to 1, got 1\.5"),
         ("body", {"disc_radius": 0.1}, "either a disc_radius above zero or corners"),
-        ("body", {"mass": 0.0}, r"Body\.mass must be positive"),
+        ("body", {"mass": 0.0}, r"Body\.mass must be a number above 0"),
         ("drive", {"kind": "hover"}, r"Drive\.kind must be one of gait, omnidirectional, differential"),
-        ("drive", {"delay": 0.3}, r"Drive\.delay must be 0 to 0\.2 s, got 0\.3"),
-        ("drive", {"slip": -0.1}, r"Drive\.slip must be not negative"),
+        ("drive", {"delay": 0.3}, r"Drive\.delay must be 0 to 0\.2, got 0\.3"),
+        ("drive", {"slip": -0.1}, r"Drive\.slip must be a number of at least 0"),
         ("kicker", {"slowest": 3.0}, r"Kicker\.slowest must be at most fastest"),
-        ("rules", {"half_minutes": 0.0}, r"Rules\.half_minutes must be positive"),
+        ("rules", {"half_minutes": 0.0}, r"Rules\.half_minutes must be a number above 0"),
         ("slots", {"teammates": -1}, r"Slots\.teammates must be 0 to 11, got -1"),
         ("slots", {"teammates": 0, "opponents": 0}, "Slots must hold at least one"),
-        ("substeps", {"least": 20}, r"Substeps\.least must be at most 12, got 20"),
-        ("substeps", {"iterations": 0}, r"Substeps\.iterations must be positive"),
+        ("substeps", {"least": 20}, r"Substeps\.least must be at most most 12, got 20"),
+        ("substeps", {"iterations": 0}, r"Substeps\.iterations must be a whole number above 0"),
     ],
 )
 def test_a_number_out_of_range_is_named(part: str, changes: dict[str, Any], message: str) -> None:
