@@ -15,13 +15,13 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from reprlib import Repr
 from typing import Any
 
 import numpy as np
 
 from soccer_env.actions import BOX, FULL
 from soccer_env.agents.attention import TENSORS, layout_of
+from soccer_env.checking import brief, one_of, refuse
 from soccer_env.leagues.checks import check_family
 from soccer_env.leagues.league import MAX_RATE, League
 from soccer_env.observations import OBSERVE, Entry, entries_named, names_of
@@ -40,8 +40,6 @@ MAX_TEXT = 2000  # characters of one entry
 MAX_ACTIVITY = 1e37  # what a unit may reach; float32 ends at 3.4e38
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._+-]{0,63}")  # safe in a table, in a command line and as a file's name
 INPUT = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,63}")
-BRIEF = Repr()
-BRIEF.maxstring = 80
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,10 +71,10 @@ class Policy:
         _check_text("league", self.league, NAME)
         check_family("family", self.family)
         _check_whole("control_rate", self.control_rate, MAX_RATE)
-        _check_choice("observe", self.observe, OBSERVE)
-        _check_choice("actions", self.actions, tuple(ACTIONS))
-        _check_choice("kind", self.kind, KINDS)
-        _check_choice("activation", self.activation, ACTIVATIONS)
+        one_of("observe", self.observe, OBSERVE)
+        one_of("actions", self.actions, tuple(ACTIONS))
+        one_of("kind", self.kind, KINDS)
+        one_of("activation", self.activation, ACTIVATIONS)
         if type(self.mirror) is not bool:
             raise ValueError(f"mirror must be True or False, got {brief(self.mirror)}")
         if self.mirror and self.observe == "percepts":
@@ -127,11 +125,6 @@ class Policy:
         )
 
 
-def brief(value: object) -> str:
-    """Return a value as one short line for a message, whatever a stranger's file says."""
-    return BRIEF.repr(value)
-
-
 def trained_in(league: League) -> dict[str, Any]:
     """Return the fields of a policy that say which league it was trained in."""
     return {"league": league.name, "family": league.family, "control_rate": league.control_rate}
@@ -141,19 +134,13 @@ def _check_text(what: str, value: object, pattern: re.Pattern[str]) -> None:
     """Raise ValueError unless a value is a short plain text."""
     if not isinstance(value, str) or not pattern.fullmatch(value):
         kinds = "letters, digits and _" if pattern is INPUT else "letters, digits, spaces and . _ + -"
-        raise ValueError(f"{what} must be 1 to 64 characters ({kinds}), got {brief(value)}")
+        refuse(what, f"1 to 64 characters ({kinds})", value)
 
 
 def _check_whole(what: str, value: object, most: int) -> None:
     """Raise ValueError unless a value is a whole number from 1 to `most`."""
     if type(value) is not int or not 1 <= value <= most:
-        raise ValueError(f"{what} must be 1 to {most}, got {brief(value)}")
-
-
-def _check_choice(what: str, value: object, known: tuple[str, ...]) -> None:
-    """Raise ValueError unless a value is one of the known words."""
-    if not isinstance(value, str) or value not in known:
-        raise ValueError(f"{what} must be one of {', '.join(known)}, got {brief(value)}")
+        refuse(what, f"1 to {most}", value)
 
 
 def _check_inputs(inputs: object) -> None:
@@ -180,7 +167,7 @@ def _check_made(made: object) -> None:
             size = f"{len(text)} characters" if isinstance(text, str) else brief(text)
             raise ValueError(f"made[{key!r}] must be a text of at most {MAX_TEXT} characters, got {size}")
         if not text.replace("\n", "").replace("\t", "").isprintable():
-            raise ValueError(f"made[{key!r}] must be plain text, got {brief(text)}")
+            refuse(f"made[{key!r}]", "plain text", text)
 
 
 def _check_array(what: str, array: object) -> None:

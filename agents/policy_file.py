@@ -29,7 +29,8 @@ from safetensors.numpy import load as tensors_of
 from safetensors.numpy import save
 
 from soccer_env.agents.attention import TENSORS
-from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, brief, trained_in
+from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, trained_in
+from soccer_env.checking import brief
 from soccer_env.leagues import LEAGUES
 
 VERSION = 2

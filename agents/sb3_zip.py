@@ -23,8 +23,9 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, MAX_INPUTS, Policy, brief, trained_in
+from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, MAX_INPUTS, Policy, trained_in
 from soccer_env.agents.policy_file import file_name, one_line, read_plain, strict_json
+from soccer_env.checking import brief
 from soccer_env.leagues import League, find_league
 from soccer_env.observations import OBSERVE, names_of
 

@@ -16,6 +16,7 @@ from dataclasses import fields
 from functools import cache
 from math import inf
 from pathlib import Path
+from reprlib import Repr
 from types import NoneType, UnionType
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, NoReturn, Union, get_args, get_origin
 
@@ -23,6 +24,8 @@ import numpy as np
 
 from soccer_env.known_names import unknown
 
+BRIEF = Repr()
+BRIEF.maxstring = BRIEF.maxother = 80
 BELOW = {"at most": (operator.le, "at least"), "less than": (operator.lt, "more than")}  # and what the larger one is
 
 
@@ -64,7 +67,12 @@ def span(low: float, high: float) -> str:
 
 def refuse(what: str, allowed: str, value: Any) -> NoReturn:
     """Raise ValueError for a value that is not allowed."""
-    raise ValueError(f"{what} must be {allowed}, got {value!r}")
+    raise ValueError(f"{what} must be {allowed}, got {brief(value)}")
+
+
+def brief(value: object) -> str:
+    """Return a value as one short line, whatever a stranger's file says."""
+    return BRIEF.repr(value)
 
 
 def check_names(

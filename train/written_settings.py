@@ -1,4 +1,4 @@
-"""How settings are written: team sizes, senses and folders out of a user's words, and settings back into a command.
+"""How settings are written: team sizes and senses out of a user's words, and settings back into a command.
 
 What `soccer evaluate`, `record`, `watch`, `reproduce` and `train` have in common.
 """
@@ -8,14 +8,21 @@ from __future__ import annotations
 import shlex
 from collections.abc import Collection
 from dataclasses import fields
-from pathlib import Path
 from typing import Any
 
+from soccer_env.checking import FROM_ZERO, Checked, Range, refuse
 from soccer_env.types import MAX_TEAM
 
 SENSES = ("ideal", "sensors")
 SENSING = "sensors"  # a team that is not named
 POSES = ("particles", "percept")
+
+
+class CommandSettings(Checked):
+    """The settings of a command: a frozen dataclass whose fields are its flags."""
+
+    TITLED = False
+    BOUNDS = {"seed": FROM_ZERO, "threads": Range(1)}
 
 
 def split_players(players: int | str | None, default: int) -> tuple[int, int]:
@@ -26,7 +33,7 @@ def split_players(players: int | str | None, default: int) -> tuple[int, int]:
     except ValueError:
         sizes = []
     if len(sizes) not in (1, 2) or not all(1 <= size <= MAX_TEAM for size in sizes) or isinstance(players, bool):
-        raise ValueError(f"players must be 1 to {MAX_TEAM}, or two such numbers as in 3v5, got {players!r}")
+        refuse("players", f"1 to {MAX_TEAM}, or two such numbers as in 3v5", players)
     return sizes[0], sizes[-1]
 
 
@@ -37,13 +44,8 @@ def split_senses(senses: str) -> tuple[str, str]:
         (named.get("home", SENSING), named.get("away", SENSING)) if set(named) <= {"home", "away"} else (senses, senses)
     )
     if not set(both) <= set(SENSES):
-        raise ValueError(f"senses must be one of {', '.join(SENSES)}, or home=ideal,away=sensors, got {senses!r}")
+        refuse("senses", f"one of {', '.join(SENSES)}, or home=ideal,away=sensors", senses)
     return both
-
-
-def as_path(given: object) -> object:
-    """Return a text as a path, for settings made in Python, and anything else as it is."""
-    return Path(given) if isinstance(given, str) else given
 
 
 def command_with(command: str, settings: Any, always: Collection[str] = ()) -> str:

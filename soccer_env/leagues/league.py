@@ -34,7 +34,6 @@ from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 from soccer_env.leagues.robot_kind import check_kind
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
 
-PLACEMENTS = ("instant", "drive")
 NEVER = 1e9  # [s]
 MAX_RATE = 1000  # [1/s] control steps
 

@@ -16,7 +16,7 @@ GOOD = np.zeros((4, 4), np.float32)
 @pytest.mark.parametrize(
     ("settings", "complaint"),
     [
-        ({"agent": "home_2"}, "unknown agent 'home_2'; known: home_0, home_1, away_0, away_1"),
+        ({"agent": "home_2"}, "unknown agent 'home_2', did you mean .*known: home_0, home_1, away_0, away_1"),
         ({"agent": 1}, "agent must be a text, got 1"),
         ({"opponents": None}, "home_1 is the one learner.*away_0"),
         ({"teammates": None}, "home_1 is the one learner.*home_0"),

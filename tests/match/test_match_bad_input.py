@@ -28,7 +28,7 @@ BAD_SETTINGS = [
     ({"sensors": {"resolution": "640x480"}}, "resolution must be one of 44x36, 88x72, 176x144, got '640x480'"),
     ({"sensors": {"dither": -0.1}}, "LeggedSensors.dither must be 0 to 1000000, got -0.1"),
     ({"sensors": {"dither": float("nan")}}, "LeggedSensors.dither must be 0 to 1000000, got nan"),
-    ({"sensors": {"dither": "much"}}, "LeggedSensors.dither must be a number, got 'much'"),
+    ({"sensors": {"dither": "much"}}, "LeggedSensors.dither must be 0 to 1000000, got 'much'"),
     ({"sensors": 3}, "sensors must be a mapping of names to values or a LeggedSensors, got 3"),
     ({"memory": {"grouping": -3.0}}, "LeggedMemory.grouping must be 0 to 1000000, got -3.0"),
     ({"memory": {"horizon": 1}}, "LeggedMemory.horizon must be True or False, got 1"),

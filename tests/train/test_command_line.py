@@ -47,7 +47,7 @@ def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.Capt
         (["football"], "unknown command 'football'; known: evaluate"),
         (["evaluate", "--goals", "3"], "Unrecognized options: --goals, 3"),
         (["evaluate", "--matches", "many"], "--matches"),
-        (["evaluate", "--matches", "3"], "matches must be even"),
+        (["evaluate", "--matches", "3"], "matches must be an even whole number, for each seed is played twice"),
         (["evaluate", "--matches"], "--matches"),
         (["evaluate", "--minutes", "half"], "--minutes"),
         (["evaluate", "--seed", "-1"], "seed must be a whole number of at least 0, got -1"),

@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from soccer_env.train.evaluate.settings import whole
-from soccer_env.train.written_settings import as_path
+from soccer_env.train.written_settings import CommandSettings
 
 
 @dataclass(frozen=True)
-class BenchSettings:
+class BenchSettings(CommandSettings):
     """Measure the speed of both leagues against the bare physics; ratios are from one run, medians of repetitions."""
 
     quick: bool = False
@@ -27,9 +26,7 @@ class BenchSettings:
     """Interpreter for the other checkout, if that has no .venv of its own."""
 
     def __post_init__(self) -> None:
-        whole("seed", self.seed, 0)
-        for name in ("out", "against", "python"):
-            object.__setattr__(self, name, as_path(getattr(self, name)))
+        super().__post_init__()
         if self.against is not None and not self.against.is_dir():
             raise ValueError(f"against must be the folder of a checkout, got {self.against}")
         if self.python is not None and self.against is None:

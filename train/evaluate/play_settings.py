@@ -6,12 +6,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from soccer_env.train.evaluate.settings import whole
-from soccer_env.train.written_settings import split_players
+from soccer_env.train.written_settings import CommandSettings, split_players
 
 
 @dataclass(frozen=True)
-class PlaySettings:
+class PlaySettings(CommandSettings):
     """A match between two teams."""
 
     league: str = "legged-2001"
@@ -34,8 +33,8 @@ class PlaySettings:
     """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given."""
 
     def __post_init__(self) -> None:
-        whole("seed", self.seed, 0)
         split_players(self.players, 1)
+        super().__post_init__()
 
 
 @dataclass(frozen=True)

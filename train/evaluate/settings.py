@@ -5,26 +5,29 @@ The help of `soccer evaluate` is the text beside each field here.
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from soccer_env.leagues.league import PLACEMENTS, League
+from soccer_env.checking import SHARE, Range
+from soccer_env.leagues.league import League
 from soccer_env.match_settings import Placement, Pose
-from soccer_env.train.written_settings import POSES, as_path, command_with, split_players, split_senses
+from soccer_env.train.written_settings import CommandSettings, command_with, split_players, split_senses
 
 FULL = "full"  # minutes: the league's own length of a match
 
 
 @dataclass(frozen=True)
-class EvaluateSettings:
+class EvaluateSettings(CommandSettings):
     """Play one team against another and say how sure the result is.
 
     Half as many seeds as matches are drawn; each is played twice, the teams changing sides. Results are from the side
     of --home; intervals (95 %) are bootstraps over the pairs. The same settings give the same result, match by match,
     whatever --threads is. A run that was stopped goes on where it was when the same command is given again.
     """
+
+    BOUNDS = {"matches": Range(2), "minutes": Range(0.0, 10_000.0, above=True, below=True), "at_least": SHARE}
+    EVEN = {"matches": "for each seed is played twice, sides swapped"}
 
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
@@ -63,24 +66,10 @@ class EvaluateSettings:
         for side in ("home", "away"):
             if not isinstance(getattr(self, side), str):
                 raise ValueError(f"{side} must be a name; evaluate(settings, teams={{name: team}}) names team objects")
-        object.__setattr__(self, "out", as_path(self.out))
-        whole("matches", self.matches, 2)
-        if self.matches % 2:
-            raise ValueError(f"matches must be even (each seed is played twice, sides swapped), got {self.matches}")
-        whole("seed", self.seed, 0)
-        whole("threads", self.threads, 1)
-        timed = is_number(self.minutes) and 0.0 < float(self.minutes or 0.0) < 10_000.0
-        if not (timed or self.minutes in (None, FULL)):
-            raise ValueError(f"minutes must be above 0 and below 10000, or {FULL!r}, got {self.minutes!r}")
-        if self.placement not in (None, *PLACEMENTS):
-            raise ValueError(f"placement must be one of {', '.join(PLACEMENTS)}, got {self.placement!r}")
-        if self.at_least is not None and not (is_number(self.at_least) and 0.0 <= self.at_least <= 1.0):
-            raise ValueError(f"at_least must be 0 to 1, got {self.at_least!r}")
+        split_players(self.players, 1)
+        super().__post_init__()
         if self.picture and self.out is None:
             raise ValueError("picture needs a folder: give out as well")
-        if self.pose not in POSES:
-            raise ValueError(f"pose must be one of {', '.join(POSES)}, got {self.pose!r}")
-        split_players(self.players, 1)
         split_senses(self.senses)
 
 
@@ -137,14 +126,3 @@ def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
         scene=settings.scene,
         placement=settings.placement or league.evaluation_placement,
     )
-
-
-def whole(name: str, value: object, least: int) -> None:
-    """Raise ValueError unless the value is an int of at least that."""
-    if not isinstance(value, int) or isinstance(value, bool) or value < least:
-        raise ValueError(f"{name} must be a whole number of at least {least}, got {value!r}")
-
-
-def is_number(value: object) -> bool:
-    """Tell whether a value is a finite int or float."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max

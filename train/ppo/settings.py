@@ -5,31 +5,36 @@ The help of `soccer train` is the text beside each field here.
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, fields, make_dataclass
-from math import inf
+from dataclasses import asdict, dataclass, make_dataclass
 from pathlib import Path
-from typing import Annotated, Any, Literal, get_args, get_type_hints
+from typing import Annotated, Any, Literal
 
 import tyro
 
+from soccer_env.checking import ABOVE_ZERO, FROM_ZERO, Range, refuse
 from soccer_env.rewards import NAMES, PRESETS, TERMS
-from soccer_env.train.evaluate.settings import is_number, whole
-from soccer_env.train.written_settings import as_path, command_with, split_players, split_senses
+from soccer_env.train.written_settings import CommandSettings, command_with, split_players, split_senses
 
-MOST = {
-    "torch_threads": 256, "rollout": 65_536, "matches": 65_536, "learning_rate": 1.0, "noise": 10.0, "ideal_share": 1.0,
-    **dict.fromkeys(NAMES, 1e9),
-}  # fmt: skip
 FREE = ("out", "threads", "torch_threads", "steps", "anew", "tensorboard", "device")  # may differ when a run goes on
-SHARES = ("gae_lambda", "clip", "gamma")  # above 0, up to 1
-ABOVE_ZERO = ("minutes", "learning_rate", "noise", "evaluate_minutes", "gradient_limit")
-FROM_ZERO = ("ideal_share", "entropy", "value_weight", "target_kl", *NAMES)
 MAX_SEED = 2**32 - 1  # of numpy's global generator, with which stable-baselines3 shuffles
-MAX_MINUTES = 10_000
-COUNTS = (
-    "steps", "matches", "action_repeat", "rollout", "batch", "epochs", "evaluate_every", "evaluate_matches", "threads",
-    "torch_threads", "past_every",
-)  # fmt: skip
+SHARE = Range(0.0, 1.0, above=True)
+MINUTES = Range(0.0, 10_000.0, above=True, below=True)
+MOST = 65_536
+BOUNDS = {
+    **dict.fromkeys(("steps", "action_repeat", "batch", "epochs", "evaluate_every", "past_every"), Range(1)),
+    **dict.fromkeys(("rollout", "matches"), Range(1, MOST)),
+    **dict.fromkeys(("past", "teacher_steps", "teacher_epochs", "critic_first"), FROM_ZERO),
+    **dict.fromkeys(("gae_lambda", "clip", "gamma", "learning_rate"), SHARE),
+    **dict.fromkeys(("minutes", "evaluate_minutes"), MINUTES),
+    **dict.fromkeys(("entropy", "value_weight", "target_kl"), FROM_ZERO),
+    **dict.fromkeys(NAMES, Range(0.0, 1e9)),
+    "evaluate_matches": Range(1),
+    "torch_threads": Range(1, 256),
+    "noise": Range(0.0, 10.0, above=True),
+    "gradient_limit": ABOVE_ZERO,
+    "ideal_share": Range(0.0, 1.0),
+    "seed": Range(0, MAX_SEED),
+}
 
 
 @dataclass(frozen=True)
@@ -155,39 +160,24 @@ Weights: Any = make_dataclass(
 
 
 @dataclass(frozen=True)
-class TrainSettings(Weights, PlainSettings):  # type: ignore[misc]  # its weights follow from the table of rewards
+class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[misc]  # its weights follow from the table of rewards
     """Train a policy by PPO; all robots of the home team share it, the away team is played by opponents.
 
     A run that was stopped, even by kill -9, goes on where its last rollout began when the same command is given again.
     --config FILE reads settings from a TOML file; flags overrule it. One step is one decision of one robot.
     """
 
+    BOUNDS = BOUNDS
+    EVEN = {"evaluate_matches": "for each seed is played twice, sides swapped"}
+
     def __post_init__(self) -> None:
-        object.__setattr__(self, "out", as_path(self.out))
-        check_kinds(self)
-        for name in COUNTS:
-            whole(name, getattr(self, name), 1)
-        for name in ("past", "teacher_steps", "teacher_epochs", "critic_first", "seed"):
-            whole(name, getattr(self, name), 0)
-        for names, low in ((ABOVE_ZERO + SHARES, 0.0), (FROM_ZERO, -1.0)):
-            for name in names:
-                check_number(name, getattr(self, name), low)
-        for name in ("minutes", "evaluate_minutes"):
-            if getattr(self, name) >= MAX_MINUTES:
-                raise ValueError(f"{name} must be below {MAX_MINUTES}, got {getattr(self, name)!r}")
+        super().__post_init__()
         if min(self.batch, self.rollout * self.matches) < 2:
             raise ValueError(f"a batch and a rollout must have 2 decisions at least, got batch={self.batch}")
         if self.out == Path() or not str(self.out).isprintable():
             raise ValueError(f"out must be a folder of the run's own with a plain name, got {str(self.out)!r}")
-        for name, most in MOST.items():
-            if getattr(self, name) > most:
-                raise ValueError(f"{name} must be at most {most:g}, got {getattr(self, name)!r}")
-        if self.seed > MAX_SEED:
-            raise ValueError(f"seed must be at most {MAX_SEED}, got {self.seed}")
         if self.teacher and not (self.teacher_steps and self.teacher_epochs):
             raise ValueError("a teacher needs teacher_steps and teacher_epochs of at least 1")
-        if self.evaluate_matches % 2:
-            raise ValueError(f"evaluate_matches must be even, got {self.evaluate_matches}")
         if self.mirror and self.observe == "percepts":
             raise ValueError(
                 "mirror needs observe='belief' or 'truth', as turning signs round mirrors no picture: give --no-mirror"
@@ -247,32 +237,11 @@ def command_of(settings: TrainSettings) -> str:
     return command_with("train", settings)
 
 
-def check_kinds(settings: TrainSettings) -> None:
-    """Raise ValueError for a word that a setting does not know, and for a value that is no text or not yes or no."""
-    hints = get_type_hints(TrainSettings)
-    for field in fields(settings):
-        value, kind = getattr(settings, field.name), hints[field.name]
-        known = get_args(kind)
-        if known and value not in known:
-            raise ValueError(f"{field.name} must be one of {', '.join(known)}, got {value!r}")
-        if kind in (str, bool, Path) and not isinstance(value, kind):
-            words = {str: "a text", bool: "True or False", Path: "a path"}
-            raise ValueError(f"{field.name} must be {words[kind]}, got {value!r}")
-
-
-def check_number(name: str, value: object, low: float) -> None:
-    """Raise ValueError unless the value is a finite number above `low` (0 counts for -1), and at most 1 if a share."""
-    number = float(value) if is_number(value) else -inf  # type: ignore[arg-type]
-    if not (number > low if low >= 0.0 else number >= 0.0) or (name in SHARES and number > 1.0):
-        upper = " to 1" if name in SHARES else ""
-        raise ValueError(f"{name} must be a number {'above 0' if low >= 0.0 else 'from 0'}{upper}, got {value!r}")
-
-
 def different(name: str, text: str) -> tuple[str, ...]:
     """Return the names of teams in a text; ValueError if one stands there twice."""
     names = split(text, name)
     if len(set(names)) < len(names):
-        raise ValueError(f"{name} must be different, got {text!r}")
+        refuse(name, "different", text)
     return names
 
 
@@ -285,7 +254,7 @@ def split(text: str, name: str) -> tuple[str, ...]:
         else:
             parts.append(part.strip())
     if not all(parts):
-        raise ValueError(f"{name} must be names with commas between them, got {text!r}")
+        refuse(name, "names with commas between them", text)
     return tuple(parts)
 
 
@@ -301,5 +270,5 @@ def layer_sizes(name: str, text: str) -> tuple[int, ...]:
     except ValueError:
         sizes = ()
     if not 1 <= len(sizes) <= 6 or not all(1 <= size <= 1024 for size in sizes):
-        raise ValueError(f"{name} must be one to six layer sizes of 1 to 1024, as in 64,64, got {text!r}")
+        refuse(name, "one to six layer sizes of 1 to 1024, as in 64,64", text)
     return sizes

@@ -15,8 +15,6 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
-KINDS = {bool: "true or false", int: "a whole number", float: "a number", str: "a text"}
-
 
 def settings_of(config: Path | None) -> TrainSettings:
     """Return the settings of a TOML file, or the defaults; ValueError names the file and what is wrong."""
@@ -26,9 +24,6 @@ def settings_of(config: Path | None) -> TrainSettings:
     for name, default in TrainSettings().as_dict().items():
         if isinstance(found.get(name), list) and type(default) is str:  # hidden = [64, 64] is "64,64"
             found[name] = ",".join(map(str, found[name]))
-        kind, value = type(default), found.get(name, default)
-        if type(value) is not kind and not (kind is float and type(value) is int):
-            raise ValueError(f"{config}: {name} must be {KINDS[kind]}, got {value!r}")
     if found.get("anew"):
         raise ValueError(f"{config}: anew is for the command line: here it would remove the run that is to go on")
     try:

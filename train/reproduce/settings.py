@@ -13,18 +13,20 @@ from typing import Literal
 
 import tyro
 
-from soccer_env.train.evaluate.settings import is_number, whole
-from soccer_env.train.written_settings import POSES, as_path
+from soccer_env.checking import Range
+from soccer_env.train.written_settings import CommandSettings
 
 
 @dataclass(frozen=True)
-class ReproduceSettings:
+class ReproduceSettings(CommandSettings):
     """Measure what the papers claim, and say of each claim whether it holds here.
 
     Samples are taken in batches until the 95 % interval decides a claim or its cap is reached. The same claims, seed
     and budget give the same results whatever --threads is. A run that was stopped goes on with the claims that are
     missing when the same command is given again.
     """
+
+    BOUNDS = {"minutes": Range(0.0, 100_000.0, above=True, below=True)}
 
     claims: tyro.conf.Positional[tuple[str, ...]] = ()
     """Ids such as S05 or H10, as `soccer list claims` names them; `sensors` draws all sensor errors over the range."""
@@ -49,16 +51,10 @@ class ReproduceSettings:
     """Remove the files that an earlier run left in --out, instead of going on with it or refusing."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "out", as_path(self.out))
+        super().__post_init__()
         object.__setattr__(self, "claims", tuple(self.claims))
-        if self.pose not in POSES:
-            raise ValueError(f"pose must be one of {', '.join(POSES)}, got {self.pose!r}")
-        whole("seed", self.seed, 0)
-        whole("threads", self.threads, 1)
         if bool(self.claims) == self.all:
             raise ValueError("give the ids of claims, or --all; `soccer list claims` names them")
-        if self.minutes is not None and not (is_number(self.minutes) and 0.0 < self.minutes < 100_000.0):
-            raise ValueError(f"minutes must be above 0 and below 100000, got {self.minutes!r}")
         if self.quick and self.minutes is not None:
             raise ValueError("give quick or minutes, not both")
 
@@ -81,7 +77,7 @@ def command_of(settings: ReproduceSettings, claim: str = "") -> str:
     words += ["--all"] if settings.all and not single else []
     words += ["--quick"] if settings.quick else []
     words += ["--minutes", f"{settings.minutes:g}"] if settings.minutes is not None else []
-    words += ["--pose", settings.pose] if settings.pose != POSES[0] else []
+    words += ["--pose", settings.pose] if settings.pose != ReproduceSettings.pose else []
     words += ["--seed", f"{settings.seed}"]
     if not claim:
         words += ["--threads", f"{settings.threads}"] if settings.threads != 1 else []

@@ -16,7 +16,7 @@ from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
         (["reproduce"], "give the ids of claims, or --all"),
         (["reproduce", "S05", "--all"], "give the ids of claims, or --all"),
         (["reproduce", "X99"], "unknown claim 'X99'; known: "),
-        (["reproduce", "S05", "--minutes", "0"], "minutes must be above 0"),
+        (["reproduce", "S05", "--minutes", "0"], "minutes must be a number above 0"),
         (["reproduce", "S05", "--minutes", "3", "--quick"], "give quick or minutes, not both"),
         (["reproduce", "S05", "--seed", "-1"], "seed must be a whole number"),
         (["reproduce", "S05", "--pose", "compass"], "invalid choice 'compass'"),
