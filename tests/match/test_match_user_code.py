@@ -164,5 +164,5 @@ def test_a_league_of_ones_own_is_checked_and_played() -> None:
         match.step(np.array([[[1.0, 0, 0, 0], [0, 0, 0, 0]]]))
         speeds.append(np.hypot(match.robots["vx"], match.robots["vy"]).max())
     assert max(speeds) == pytest.approx(0.3, rel=0.01)
-    with pytest.raises(ValueError, match=r"Drive\.forward must be positive, got -1"):
+    with pytest.raises(ValueError, match=r"Drive\.forward must be a number above 0, got -1"):
         replace(legged.drive, forward=-1.0)

@@ -237,7 +237,7 @@ def test_an_unknown_term_is_refused_with_those_that_exist() -> None:
     [
         ((3,), "OwnTerm.function must be"),
         ((one, "bonus"), "OwnTerm.kind must be one of potential, event, cost, got 'bonus'"),
-        ((one, "cost", np.nan), "OwnTerm.weight must be a finite number, got nan"),
+        ((one, "cost", np.nan), "OwnTerm.weight must be a number, got nan"),
     ],
 )
 def test_bad_terms_of_ones_own_are_refused(bad: tuple[Any, ...], message: str) -> None:
