@@ -82,7 +82,7 @@ def check_names(
     known = list(known)
     for name in given:
         if not isinstance(name, str) or name not in known:
-            raise error(unknown(what, name, known, more))
+            raise error(unknown(what, name, known, more=more))
 
 
 def one_of(what: str, value: Any, choices: Iterable[Any]) -> Any:
