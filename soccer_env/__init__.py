@@ -14,7 +14,8 @@ What a match is made of:
 
     types.py             every record of a match, with units and frames
     percept_types.py     the records of percepts
-    settings.py          the settings of a match, checked
+    match_settings.py    the settings of a match, each declared once
+    settings.py          the settings of a match, every name resolved
     leagues/             the leagues, every number with unit and source
     teams.py             what a team is, and the teams by name
     team_kernels.py      the kernel of a team, made from what one player does
@@ -25,6 +26,7 @@ What a match is made of:
     physics/             bodies, wheels, legs and ball; the only user of pymunk
     referee/             goals, restarts and the other rules
     optics/              what a camera shows where
+    robot_kinds/         each kind of robot declared in one file
     perception/          percepts from the truth
     belief/              beliefs from percepts
 
@@ -50,6 +52,7 @@ What all of it stands on:
     compiled_cache.py    machine code on disk
     compiled_sources.py  which source files that code depends on
     lazy_names.py        names that are imported when they are used
+    checking.py          checks of what somebody gives, with one kind of message
     known_names.py       what to say of a name that does not exist
     whole_files.py       files that are written whole or not at all
 

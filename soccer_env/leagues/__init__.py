@@ -6,6 +6,7 @@ middle_size_2006.py   the middle-size league of 2006
 omni_sensors.py       its sensors, and the memory of its robots
 league.py             what a league is, and a map of the pitch
 robot.py              what its robots are: body, drive, kicker, head
+robot_kind.py         what a kind of robot is, and where each is declared
 constants.py          the numbers of a league as one record for kernels
 options.py            settings that are checked, changed by name and turned into a record
 pose_memory.py        the settings of a robot's own pose, alike in all leagues

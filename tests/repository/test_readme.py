@@ -3,12 +3,14 @@
 import re
 import sys
 from collections.abc import Iterator
+from dataclasses import fields
 from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
 import pytest
 
+from soccer_env.match_settings import MatchSettings
 from soccer_env.train.command_line import COMMANDS
 
 ROOT = Path(__file__).parents[2]
@@ -109,6 +111,15 @@ def test_the_readme_is_short_and_its_lines_too() -> None:
         shown = re.sub(r"<!-- table: (\w+) -->.*?<!-- end of table: \1 -->", "", TEXTS[page], flags=re.DOTALL)
         if page != "baselines/sacks_2001/README.md":
             assert [line for line in shown.splitlines() if len(line) > LINE and "](" not in line] == [], page
+
+
+def test_the_page_of_the_environment_names_every_setting_of_a_match() -> None:
+    _, _, section = TEXTS["soccer_env/README.md"].partition("\n## Settings\n")
+    rows = re.findall(r"^\| (`.*?`) \|", section.partition("\n## ")[0], re.MULTILINE)
+    named = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
+    known = {field.name for field in fields(MatchSettings)}
+    assert known - named <= {"autoreset"}  # of `Match` alone, in the text below the table
+    assert named - known <= {"opponents", "teammates", "controllers"}
 
 
 def links(markdown: str) -> list[str]:
