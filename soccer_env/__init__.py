@@ -52,9 +52,8 @@ What all of it stands on:
     compiled.py          the decorator that compiles a function
     compiled_cache.py    machine code on disk
     compiled_sources.py  which source files that code depends on
-    lazy_names.py        names that are imported when they are used
+    names.py             names imported when they are used, and what to say of unknown ones
     checking.py          checks of what somebody gives, with one kind of message
-    known_names.py       what to say of a name that does not exist
     whole_files.py       files that are written whole or not at all
 
 The folders baselines/, agents/ and train/ of the repository are imported as `soccer_env.baselines` and so on.

@@ -22,7 +22,7 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple, NoReturn, Unio
 
 import numpy as np
 
-from soccer_env.known_names import unknown
+from soccer_env.names import unknown
 
 BRIEF = Repr()
 BRIEF.maxstring = BRIEF.maxother = 80
@@ -130,7 +130,8 @@ class Checked:
     TITLED: ClassVar[bool] = True  # messages name the class before the field
 
     def __post_init__(self) -> None:
-        for name, kinds in kinds_of_fields(type(self)).items():
+        # mypy takes the hash of the class for that of its instances.
+        for name, kinds in kinds_of_fields(type(self)).items():  # type: ignore[arg-type]
             object.__setattr__(self, name, self._checked(name, kinds, getattr(self, name)))
         self._check_order()
 

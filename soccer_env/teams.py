@@ -26,10 +26,10 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
-from soccer_env.known_names import unknown
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.options import Options
+from soccer_env.names import unknown
 from soccer_env.random_numbers import mix
 from soccer_env.types import RobotStream
 

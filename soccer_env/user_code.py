@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -30,7 +30,7 @@ class OwnTerms:
     """The reward terms of a user's own, in the columns behind those of every match."""
 
     def __init__(self, rewards: Rewards) -> None:
-        self._terms: dict[str, OwnTerm] = rewards.extra
+        self._terms = cast("dict[str, OwnTerm]", rewards.extra)  # Rewards has made terms of plain functions
         self._waiting: np.ndarray = np.zeros(0, bool)  # (M,) matches that were over before the control step
         self._before: dict[str, np.ndarray] = {}  # potentials (M, R) before it, by name
 

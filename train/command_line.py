@@ -14,7 +14,7 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar, cast, get_args
 
-from soccer_env.known_names import unknown
+from soccer_env.names import unknown
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -11,7 +11,7 @@ from typing import Any, ClassVar, TypeVar
 import numpy as np
 
 from soccer_env.checking import BELOW, Checked, Range
-from soccer_env.known_names import unknown
+from soccer_env.names import unknown
 
 GREATEST = 1e6  # no number of sensors or memory is larger
 SIGNED = (-GREATEST, GREATEST)

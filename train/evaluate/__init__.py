@@ -11,7 +11,7 @@ recording.py       a match into a replay file, out of it again, and into a windo
 
 from typing import TYPE_CHECKING
 
-from soccer_env.lazy_names import lazy_names
+from soccer_env.names import lazy_names
 
 if TYPE_CHECKING:
     from soccer_env.train.evaluate.evaluation import evaluate

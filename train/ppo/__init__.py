@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from soccer_env.lazy_names import lazy_names
+from soccer_env.names import lazy_names
 
 if TYPE_CHECKING:
     from soccer_env.train.ppo.settings import TrainSettings

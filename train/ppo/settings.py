@@ -20,7 +20,7 @@ MAX_SEED = 2**32 - 1  # of numpy's global generator, with which stable-baselines
 SHARE = Range(0.0, 1.0, above=True)
 MINUTES = Range(0.0, 10_000.0, above=True, below=True)
 MOST = 65_536
-BOUNDS = {
+BOUNDS: dict[str, tuple[Any, ...]] = {
     **dict.fromkeys(("steps", "action_repeat", "batch", "epochs", "evaluate_every", "past_every"), Range(1)),
     **dict.fromkeys(("rollout", "matches"), Range(1, MOST)),
     **dict.fromkeys(("past", "teacher_steps", "teacher_epochs", "critic_first"), FROM_ZERO),

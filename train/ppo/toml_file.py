@@ -7,7 +7,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from soccer_env.known_names import unknown
+from soccer_env.names import unknown
 from soccer_env.train.ppo.settings import TrainSettings
 
 if sys.version_info >= (3, 11):

@@ -15,7 +15,7 @@ claims/           the claims by theme, with the guide to adding one
 
 from typing import TYPE_CHECKING
 
-from soccer_env.lazy_names import lazy_names
+from soccer_env.names import lazy_names
 
 if TYPE_CHECKING:
     from soccer_env.train.reproduce.reproduction import reproduce

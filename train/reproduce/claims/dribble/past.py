@@ -11,6 +11,7 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.leagues.league import League
+from soccer_env.match_settings import Senses
 from soccer_env.scenes import Scene
 from soccer_env.scenes.drills_legged import drill, put_at, send_mover, start_dribble
 from soccer_env.scenes.scene import Draw
@@ -53,7 +54,12 @@ def pass_still(batch: Batch) -> Samples:
     """Dribble past one, two and three players who stand; one also with ideal senses, with twice k2, with both."""
     found = play_all(batch, [(scene, {}, PAPER) for scene in STILL], MATCHES)
     strong = {"player_gain": 2.0 * SacksSettings().player_gain}
-    for name, settings, senses in (("ideal", {}, "ideal"), ("strong", strong, "sensors"), ("both", strong, "ideal")):
+    variants: tuple[tuple[str, dict[str, Any], Senses], ...] = (
+        ("ideal", {}, "ideal"),
+        ("strong", strong, "sensors"),
+        ("both", strong, "ideal"),
+    )
+    for name, settings, senses in variants:
         one = play_drill(batch, STILL[0], settings, MATCHES, senses=senses)
         found |= {f"{key} {name}": values for key, values in one.items()}
     return found
