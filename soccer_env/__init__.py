@@ -29,7 +29,6 @@ What a match is made of:
     robot_kinds/         each kind of robot declared in one file
     perception/          percepts from the truth
     belief/              beliefs from percepts
-    robot_kinds/         the kinds of robots: what of all this goes with their sensors
 
 How it is played:
 

@@ -65,6 +65,13 @@ def span(low: float, high: float) -> str:
     return " to ".join(f"{bound:.0f}" if bound == round(bound) else f"{bound:g}" for bound in (low, high))
 
 
+def in_words(allowed: Range, whole: bool, value: Any) -> str:
+    """Return what numbers are allowed, and that they are whole ones where the value is in range and no whole number."""
+    text = allowed.text(whole)
+    only_not_whole = whole and not text.startswith("a ") and is_number(value) and allowed.holds(value)
+    return f"a whole number, {text}" if only_not_whole else text
+
+
 def refuse(what: str, allowed: str, value: Any) -> NoReturn:
     """Raise ValueError for a value that is not allowed."""
     raise ValueError(f"{what} must be {allowed}, got {brief(value)}")
@@ -97,7 +104,7 @@ def whole_number(what: str, value: Any, low: float = -inf, high: float = inf) ->
     """Return a whole number in a range; ValueError names it and the range."""
     allowed = Range(low, high)
     if not (is_number(value, whole=True) and allowed.holds(value)):
-        refuse(what, allowed.text(whole=True), value)
+        refuse(what, in_words(allowed, True, value), value)
     return int(value)
 
 
@@ -150,7 +157,7 @@ class Checked:
                 if name in self.EVEN and value is not None and value % 2 != 0:
                     refuse(self.where(name), f"an even whole number, {self.EVEN[name]}", value)
                 return found
-        refuse(self.where(name), self._words(name, kinds), value)
+        refuse(self.where(name), self._words(name, kinds, value), value)
 
     def _check_order(self) -> None:
         """Raise ValueError for the first two values that are not in the order that ORDER asks for."""
@@ -167,11 +174,11 @@ class Checked:
         return Range(*metadata["bounds"]) if "bounds" in metadata else Range(*next(tables, cls.NUMBER))
 
     @classmethod
-    def _words(cls, name: str, kinds: tuple[Any, ...]) -> str:
-        """Return in words what a field of some kinds may hold, but for the None of its default."""
+    def _words(cls, name: str, kinds: tuple[Any, ...], value: Any) -> str:
+        """Return in words what a field of some kinds may hold instead of a value, but for the None of its default."""
         words = {bool: "True or False", str: "a text", Path: "a path"}
-        whole = float not in kinds
-        words |= dict.fromkeys((int, float), cls.bounds(name).text(whole))
+        numbers = in_words(cls.bounds(name), float not in kinds, value)
+        words |= dict.fromkeys((int, float), numbers)
         choices = [str(choice) for kind in kinds for choice in get_args(kind)]
         found = [f"one of {', '.join(choices)}"] if len(choices) > 1 else choices
         return " or ".join(dict.fromkeys([*(words[kind] for kind in kinds if kind in words), *found]))

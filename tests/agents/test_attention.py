@@ -273,6 +273,6 @@ def test_attention_counts_among_the_numbers_of_a_policy() -> None:
     weights = (np.zeros((4, layout.features(970)), np.float32),)
     with pytest.raises(ValueError, match="at most 3900000 weights and biases"):
         Policy(
-            "large", "legged-2001", "truth", names, "box", 1, "attention", "tanh", False, weights, (ones(4),), {},
-            attention,
+            "large", "legged-2001", "legged", 16, "truth", names, "box", 1, "attention", "tanh", False,
+            weights, (ones(4),), {}, attention,
         )  # fmt: skip

@@ -73,8 +73,8 @@ def test_a_class_is_no_team() -> None:
 
 
 def test_a_compiled_team_is_clipped_and_checked() -> None:
-    from soccer_env.baselines.still import MEMORY, SETTINGS
     from soccer_env.compiled import compiled
+    from soccer_env.team_kernels import NO_MEMORY, STRENGTH
     from soccer_env.teams import CompiledTeam
 
     @compiled
@@ -84,11 +84,12 @@ def test_a_compiled_team_is_clipped_and_checked() -> None:
                 commands[m, r].turn = settings[0].strength
 
     for asked, expected in ((7.0, 1.0), (-3.0, -1.0)):
-        team = CompiledTeam("wild", ask, MEMORY, np.array([(asked,)], SETTINGS))
+        team = CompiledTeam("wild", ask, NO_MEMORY, np.array([(asked,)], STRENGTH))
         match = Match(home=1, away=1, seed=1, controllers={"home": team, "away": "still"})
         match.step()
         assert match.robots["command"]["turn"][0, 0] == expected
-    match = Match(home=1, away=1, seed=1, opponents=CompiledTeam("lost", ask, MEMORY, np.array([(np.nan,)], SETTINGS)))
+    lost = CompiledTeam("lost", ask, NO_MEMORY, np.array([(np.nan,)], STRENGTH))
+    match = Match(home=1, away=1, seed=1, opponents=lost)
     with pytest.raises(ValueError, match="team 'lost' gave robot 1 of match 0 a command that is not finite"):
         match.step(np.zeros((1, 2, 4)))
     assert np.isfinite(match.robots["x"]).all()

@@ -101,6 +101,6 @@ def test_the_middle_size_league_has_no_such_rule():
 
 def test_a_contact_time_must_be_above_zero():
     rules = find_league(LEGGED).rules
-    with pytest.raises(ValueError, match=r"Rules\.contact_time must be positive, got 0"):
+    with pytest.raises(ValueError, match=r"Rules\.contact_time must be a number above 0, got 0"):
         Match(rules=replace(rules, contact_time=0.0))
     assert stand(Match(rules=replace(rules, contact_time=3), seed=1)).shape == (1, 6, 4)

@@ -54,7 +54,7 @@ def test_other_leagues_are_refused() -> None:
     [
         ({"strength": 1.5}, "strength must be 0 to 1"),
         ({"exponent": 4}, "exponent must be 1 to 3"),
-        ({"exponent": 1.5}, "exponent must be a whole number"),
+        ({"exponent": 1.5}, "exponent must be a whole number, 1 to 3"),
         ({"goal_force": "strong"}, "goal_force must be one of unit, proportional"),
         ({"player_range": 0.0}, "player_range must be 0.01 to 100"),
         ({"step_length": -0.01}, "step_length must be 0 to"),

@@ -17,9 +17,10 @@ import numpy as np
 import pytest
 
 from soccer_env.agents.policy_file import load
+from soccer_env.checking import Range
 from soccer_env.train.ppo import imitation, reports, train, training
 from soccer_env.train.ppo.reports import Board, learning_curve, rounded, scale
-from soccer_env.train.ppo.settings import MOST, TrainSettings, command_of
+from soccer_env.train.ppo.settings import BOUNDS, TrainSettings, command_of
 from soccer_env.train.progress import Progress
 from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
 
@@ -145,7 +146,7 @@ def test_no_warning_of_others_reaches_the_user(tmp_path: Path) -> None:
 
 
 def test_weights_that_became_nan_are_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(MOST, "learning_rate", 1e40)
+    monkeypatch.setitem(BOUNDS, "learning_rate", Range(0.0, 1e40))
     wild = tiny(tmp_path / "run", learning_rate=1e30, teacher="", critic_first=0)
     with (
         np.errstate(all="ignore"),
