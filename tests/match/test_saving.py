@@ -7,6 +7,7 @@ import pytest
 
 from soccer_env import Match, saving
 from soccer_env.replay import Recorder, Replay
+from soccer_env.types import RobotStream
 
 LEAGUES = ("legged-2001", "middle-size-2006")
 
@@ -122,6 +123,16 @@ def test_a_replay_notices_that_the_ball_alone_is_another(field: str, change: flo
     with pytest.raises(ValueError, match=f"differs from the recorded match at control step {when}"):
         replay.check()
     assert when == 10
+
+
+@pytest.mark.parametrize("stream", RobotStream)
+def test_a_replay_holds_the_noise_of_the_play_and_not_that_of_teams_and_senses(stream: RobotStream) -> None:
+    """Slips, kicks, places and legs are drawn by physics and referee; who commands and who looks on draws the rest."""
+    match = Match(home=1, away=1, seed=5)
+    before = saving.play_hash(match)
+    match.robots["noise"][0, 1, stream] += 1
+    played = stream in (RobotStream.SLIP, RobotStream.KICK, RobotStream.PLACEMENT, RobotStream.LEGS)
+    assert (saving.play_hash(match) != before) == played
 
 
 @pytest.mark.parametrize("damage", [b"", b"x", b"truncated", b"flipped", b"not bytes", b"other"])
