@@ -23,7 +23,6 @@ from soccer_env.belief.particles import PARTICLE
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.leagues.legged_sensors import LeggedSensors
 from soccer_env.optics import head_camera as optics
 from soccer_env.percept_types import LANDMARKS, LEGGED_PERCEPT, NO_POSE, OMNI_PERCEPT, POSE_TOLD
 from soccer_env.perception.body import count_steps
@@ -45,7 +44,7 @@ class World:
         found = find_league(league)
         found = replace(found, memory=found.memory.changed(memory), sensors=found.sensors.changed(sensors or {}))
         self.league, self.rng, self.count, self.frame = found, np.random.default_rng(seed), robots, 0
-        self.legged = isinstance(found.sensors, LeggedSensors)
+        self.legged = found.sensors.KIND == "legged"
         self.k, self.s, self.w = constants_of(found), found.sensors.record(), found.memory.record()
         self.matches, self.balls = np.zeros(robots, MATCH), np.zeros(robots, BALL)
         self.matches["home_direction"] = self.matches["handedness"] = 1.0

@@ -11,7 +11,6 @@ from math import cos, pi, sin
 import numpy as np
 
 from soccer_env.leagues.league import League
-from soccer_env.leagues.legged_sensors import LeggedSensors
 from soccer_env.match import Match
 from soccer_env.render import Area, Label, Overlay, Picture, Points, Polyline
 from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Colour
@@ -102,7 +101,7 @@ def place(own: Pose, thing: np.void) -> tuple[float, float]:
 
 def field_of_view(league: League, pose: Pose, pan: float) -> list[Overlay]:
     """Return the fan in which a camera on a head sees the pitch; nothing of a camera that sees all round."""
-    if not isinstance(league.sensors, LeggedSensors):
+    if league.sensors.KIND != "legged":
         return []
     neck = league.sensors.neck_ahead
     x, y = pose[0] + neck * cos(pose[2]), pose[1] + neck * sin(pose[2])
