@@ -13,7 +13,7 @@ from math import cos, inf, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip
+from soccer_env.geometry import clip, into_frame
 from soccer_env.leagues.constants import has_ranger
 from soccer_env.leagues.league import League
 from soccer_env.observations.body import write_command, write_duty, write_joints
@@ -49,8 +49,12 @@ OBSTACLE = of_group(  # of robots with an infrared ranger
 )
 FIXED = OWN + OWN_MORE + BALL + BALL_MORE + GOALS + GAME
 BELIEVED_PLAYER = PLAYER + PLAYER_MORE
-FIXED_ROW, OBSTACLE_ROW, PLAYER_ROW = record_of(FIXED), record_of(OBSTACLE), record_of(BELIEVED_PLAYER)
-FIXED_SIZE, OBSTACLE_SIZE, PLAYER_SIZE = len(FIXED), len(OBSTACLE), len(BELIEVED_PLAYER)
+FIXED_ROW = record_of(FIXED)
+OBSTACLE_ROW = record_of(OBSTACLE)
+PLAYER_ROW = record_of(BELIEVED_PLAYER)
+FIXED_SIZE = len(FIXED)
+OBSTACLE_SIZE = len(OBSTACLE)
+PLAYER_SIZE = len(BELIEVED_PLAYER)
 
 
 def entries(league: League) -> list[Entry]:
@@ -70,7 +74,9 @@ def observe_belief_slice(beliefs, tracks, robots, observations, constants, half_
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
     for m in range(first, last):
         for r in rows:
-            belief, observation, at = beliefs[m, r], observations[m, r], FIXED_SIZE
+            belief = beliefs[m, r]
+            observation = observations[m, r]
+            at = FIXED_SIZE
             row = part(observation, 0, FIXED_ROW)
             write_body(robots[m, r], belief, row, k)
             write_ball(belief.ball, row, k, diagonal)
@@ -121,13 +127,12 @@ def write_ball(ball, row, k, diagonal):
 @compiled
 def write_goals(own, row, k, diagonal):
     """Write where the two goals lie, seen from the believed pose."""
-    cosine, sine, goal = cos(own.heading), sin(own.heading), 0.5 * k.pitch_length
-    x, y = goal - own.x, -own.y
-    row.goal_x = clip((cosine * x + sine * y) / diagonal, -1.0, 1.0)
-    row.goal_y = clip((cosine * y - sine * x) / diagonal, -1.0, 1.0)
-    x = -goal - own.x
-    row.own_goal_x = clip((cosine * x + sine * y) / diagonal, -1.0, 1.0)
-    row.own_goal_y = clip((cosine * y - sine * x) / diagonal, -1.0, 1.0)
+    cosine, sine = cos(own.heading), sin(own.heading)
+    goal = 0.5 * k.pitch_length
+    ahead, left = into_frame(goal - own.x, -own.y, cosine, sine)
+    row.goal_x, row.goal_y = clip(ahead / diagonal, -1.0, 1.0), clip(left / diagonal, -1.0, 1.0)
+    ahead, left = into_frame(-goal - own.x, -own.y, cosine, sine)
+    row.own_goal_x, row.own_goal_y = clip(ahead / diagonal, -1.0, 1.0), clip(left / diagonal, -1.0, 1.0)
 
 
 @compiled

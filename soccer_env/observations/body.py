@@ -45,7 +45,9 @@ def write_joints(robot, row, k):
 @compiled
 def write_duty(upright, active, keeper, row):
     """Write the numbers of `DUTY` from what is 1 or 0."""
-    row.upright, row.active, row.keeper = 2.0 * upright - 1.0, 2.0 * active - 1.0, 2.0 * keeper - 1.0
+    row.upright = 2.0 * upright - 1.0
+    row.active = 2.0 * active - 1.0
+    row.keeper = 2.0 * keeper - 1.0
 
 
 @compiled

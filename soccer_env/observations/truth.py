@@ -13,7 +13,7 @@ from math import cos, inf, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, direction_of
+from soccer_env.geometry import clip, direction_of, into_frame
 from soccer_env.leagues.league import League
 from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_duty, write_joints
 from soccer_env.observations.entry import (
@@ -94,7 +94,9 @@ PLAYER = (
     Entry("sin", "sine of its heading, seen from the robot", "1", ROBOT, Y),
 )
 FIXED = OWN + BALL + GOALS + GAME
-FIXED_ROW, GAME_ROW, PLAYER_ROW = record_of(FIXED), record_of(GAME), record_of(PLAYER)  # what writers fill
+FIXED_ROW = record_of(FIXED)  # what writers fill
+GAME_ROW = record_of(GAME)
+PLAYER_ROW = record_of(PLAYER)
 FIXED_SIZE, PLAYER_SIZE = len(FIXED), len(PLAYER)
 
 
@@ -133,7 +135,9 @@ def observe_truth(match, ball, robots, observations, k, axes, rows, squares):
 @compiled
 def observe_slice(matches, balls, robots, observations, constants, first, last):
     """Write the observations (M, R, n) of a slice of matches."""
-    axes, rows, squares = np.empty((robots.shape[1], 2)), np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
+    axes = np.empty((robots.shape[1], 2))
+    rows = np.empty(MAX_TEAM, np.int64)
+    squares = np.empty(MAX_TEAM)
     for m in range(first, last):
         observe_truth(matches[m], balls[m], robots[m], observations[m], constants[0], axes, rows, squares)
 
@@ -145,8 +149,9 @@ def write_own(match, robot, row, k, cosine, sine):
     row.own_x = clip(side * robot.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)
     row.own_y = clip(side * robot.y / (0.5 * k.pitch_width + k.pitch_band_side), -1.0, 1.0)
     row.own_cos, row.own_sin = side * cosine, side * sine
-    row.own_forward = clip((cosine * robot.vx + sine * robot.vy) / k.drive_forward, -1.0, 1.0)
-    row.own_left = clip((cosine * robot.vy - sine * robot.vx) / k.drive_forward, -1.0, 1.0)
+    forward, left = into_frame(robot.vx, robot.vy, cosine, sine)
+    row.own_forward = clip(forward / k.drive_forward, -1.0, 1.0)
+    row.own_left = clip(left / k.drive_forward, -1.0, 1.0)
     row.own_turn = clip(robot.omega / k.drive_turn, -1.0, 1.0)
     write_joints(robot, row, k)
     row.has_ball = robot.has_ball
@@ -158,7 +163,7 @@ def write_own(match, robot, row, k, cosine, sine):
 def write_ball(robot, ball, row, k, cosine, sine, diagonal):
     """Write where the ball lies and how it moves."""
     x, y = ball.x - robot.x, ball.y - robot.y
-    ahead, left = cosine * x + sine * y, cosine * y - sine * x
+    ahead, left = into_frame(x, y, cosine, sine)
     near = NEAR * diagonal
     distance = sqrt(x * x + y * y)
     away = max(distance, 1e-9)
@@ -166,7 +171,7 @@ def write_ball(robot, ball, row, k, cosine, sine, diagonal):
     row.ball_near_x, row.ball_near_y = ahead / (abs(ahead) + near), left / (abs(left) + near)
     row.ball_cos, row.ball_sin = clip(ahead / away, -1.0, 1.0), clip(left / away, -1.0, 1.0)
     row.ball_near = near / (distance + near)
-    forward, aside = cosine * ball.vx + sine * ball.vy, cosine * ball.vy - sine * ball.vx
+    forward, aside = into_frame(ball.vx, ball.vy, cosine, sine)
     slow = SLOW * k.ball_top_speed
     row.ball_vx, row.ball_vy = forward / (abs(forward) + slow), aside / (abs(aside) + slow)
 
@@ -175,12 +180,10 @@ def write_ball(robot, ball, row, k, cosine, sine, diagonal):
 def write_goals(match, robot, row, k, cosine, sine, scale):
     """Write where the two goals lie."""
     goal = 0.5 * k.pitch_length * direction_of(match, robot.team)
-    x, y = goal - robot.x, -robot.y
-    row.goal_x = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
-    row.goal_y = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
-    x = -goal - robot.x
-    row.own_goal_x = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
-    row.own_goal_y = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
+    ahead, left = into_frame(goal - robot.x, -robot.y, cosine, sine)
+    row.goal_x, row.goal_y = clip(ahead * scale, -1.0, 1.0), clip(left * scale, -1.0, 1.0)
+    ahead, left = into_frame(-goal - robot.x, -robot.y, cosine, sine)
+    row.own_goal_x, row.own_goal_y = clip(ahead * scale, -1.0, 1.0), clip(left * scale, -1.0, 1.0)
 
 
 @compiled
@@ -206,14 +209,13 @@ def write_players(robots, r, observation, k, axes, scale, at, rows, found, slots
     for slot in range(found):
         other, row = rows[slot], part(observation, at + slot * PLAYER_SIZE, PLAYER_ROW)
         x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
-        vx, vy = robots[other].vx, robots[other].vy
         row.present = 1.0
-        row.x = clip((cosine * x + sine * y) * scale, -1.0, 1.0)
-        row.y = clip((cosine * y - sine * x) * scale, -1.0, 1.0)
-        row.vx = clip((cosine * vx + sine * vy) * speed, -1.0, 1.0)
-        row.vy = clip((cosine * vy - sine * vx) * speed, -1.0, 1.0)
-        row.cos = clip(cosine * axes[other, 0] + sine * axes[other, 1], -1.0, 1.0)
-        row.sin = clip(cosine * axes[other, 1] - sine * axes[other, 0], -1.0, 1.0)
+        ahead, left = into_frame(x, y, cosine, sine)
+        row.x, row.y = clip(ahead * scale, -1.0, 1.0), clip(left * scale, -1.0, 1.0)
+        ahead, left = into_frame(robots[other].vx, robots[other].vy, cosine, sine)
+        row.vx, row.vy = clip(ahead * speed, -1.0, 1.0), clip(left * speed, -1.0, 1.0)
+        ahead, left = into_frame(axes[other, 0], axes[other, 1], cosine, sine)
+        row.cos, row.sin = clip(ahead, -1.0, 1.0), clip(left, -1.0, 1.0)
     end = at + slots * PLAYER_SIZE
     for column in range(at + found * PLAYER_SIZE, end):
         observation[column] = 0.0
