@@ -7,8 +7,8 @@ from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK
 from soccer_env.staging import memory_of
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims import all_claims, find_claims
-from soccer_env.train.reproduce.claims.stuck import collisions, false_alarms, recovery
 from soccer_env.train.reproduce.claims.stuck import detection as stuck_detection
+from soccer_env.train.reproduce.claims.stuck import false_alarms, recovery, stealing
 from soccer_env.train.reproduce.claims.stuck.runs import (
     ABREAST,
     OVERLAP,
@@ -103,7 +103,7 @@ def test_how_many_times_fewer_alarms_there_are_is_unknown_without_any() -> None:
 
 
 def test_a_ball_is_won_now_and_then_and_now_and_then_not() -> None:
-    won = collisions.steal(BATCH, avoid=False)
+    won = stealing.steal(BATCH, avoid=False)
     assert 0.2 < won.mean() < 1.0
 
 

@@ -39,6 +39,7 @@ MODULES: tuple[str, ...] = (
     "ball.velocity",
     "ball.gap",
     "stuck.collisions",
+    "stuck.stealing",
     "stuck.detection",
     "stuck.false_alarms",
     "stuck.recovery",

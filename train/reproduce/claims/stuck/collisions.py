@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from soccer_env.staging import memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.stuck.runs import behind_post
-from soccer_env.train.reproduce.staging import LEGGED, ahead_of, begin, kick_off, play, put, put_ball, stage
+from soccer_env.train.reproduce.staging import LEGGED, kick_off, play
 from soccer_env.train.reproduce.values import mean
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
 
@@ -27,13 +26,12 @@ UNITS, DRILLS = 12, 4  # units of a batch, drills of each task in a unit
 LONGEST = 60.0  # [s] of a drill
 PLAY = 90.0  # [s] of 3 v 3, S02
 PUSHES, DEADLOCK = 64, 20.0  # drills head-on-push a batch, [s] assumed: S03
-STEALS, STEAL_TIME = 64, 30.0  # S30
 
 
 def contacts(batch: Batch) -> Samples:
     """Count contact episodes (M,) and the time with three robots and more near the ball (M,) [s] in 3 v 3 play."""
     match = kick_off(batch, matches=MATCHES, team=OFF)
-    episodes, crowded, touching = np.zeros(MATCHES), np.zeros(MATCHES), np.zeros(MATCHES)
+    episodes, crowded, touching = np.zeros((3, MATCHES))
     since = np.full(match.robots.shape, np.inf)
     for _ in play(match, SECONDS):
         touch = match.robot_events["collision"] == 1
@@ -43,8 +41,8 @@ def contacts(batch: Batch) -> Samples:
         crowded += (np.hypot(x, y) < NEAR).sum(axis=1) >= CROWD
         touching += touch.any(axis=1)
     match.close()
-    dt = match.league.dt
-    return {"episodes": 0.5 * episodes, "crowded": crowded * dt, "touching": touching * dt}
+    in_seconds = {"crowded": crowded * match.league.dt, "touching": touching * match.league.dt}
+    return {"episodes": 0.5 * episodes, **in_seconds}
 
 
 S01 = Claim(
@@ -207,7 +205,8 @@ def push(batch: Batch) -> Samples:
         )  # fmt: skip
         until = np.full(PUSHES, np.inf)
         for memory in (memory_of(match, r) for r in range(2)):  # they have been after the ball before
-            memory["begun"], memory["attacks"], memory["behaviour"] = 1, 1, APPROACH
+            memory["begun"] = memory["attacks"] = 1
+            memory["behaviour"] = APPROACH
         for step in play(match, DEADLOCK):
             until[match.events["drill"] != 0] = (step + 1) * match.league.dt
         match.close()
@@ -249,53 +248,4 @@ S03 = Claim(
     batches=24,
 )
 
-
-def steal(batch: Batch, avoid: bool) -> np.ndarray:
-    """Let a robot chase an opponent that has the ball; return who won it within STEAL_TIME (M,)."""
-    rng = batch.rng()
-    sides: dict[str, Any] = {"home": make_team("sacks-2001", avoid_chasing=avoid), "away": make_team("sacks-2001")}
-    match = stage(batch, matches=STEALS, controllers=sides, keeper=0)
-    x, y = rng.uniform(-0.3, 0.5, STEALS), rng.uniform(-0.4, 0.4, STEALS)
-    heading = np.pi + rng.uniform(-0.8, 0.8, STEALS)
-    put(match, 1, x, y, heading)
-    put_ball(match, *ahead_of(match, 1, match.league.body.front + match.league.ball.radius + 0.003, 0.0))
-    angle, away = np.pi + rng.uniform(-1.2, 1.2, STEALS), rng.uniform(0.5, 0.8, STEALS)
-    put(match, 0, x + away * np.cos(angle), y + away * np.sin(angle), angle + np.pi + rng.uniform(-0.3, 0.3, STEALS))
-    begin(match, placed=True)
-    won, over = np.zeros(STEALS), np.zeros(STEALS, bool)
-    for _ in play(match, STEAL_TIME):
-        alone = (match.robots["has_ball"][:, 0] == 1) & (match.robots["has_ball"][:, 1] == 0)
-        won[alone & ~over] = 1.0
-        over |= alone | (match.events["goal"] >= 0)
-    match.close()
-    return won
-
-
-def steals(batch: Batch) -> Samples:
-    """Return who won the ball with avoidance while chasing, and without (M,)."""
-    return {"on": steal(batch, True), "off": steal(batch, False)}
-
-
-S30 = Claim(
-    id="S30",
-    paper=SACKS,
-    section="4",
-    statement="When a player is going after the ball a collision can be helpful, running into an opponent that has it: "
-    "others are avoided only in possession of the ball.",
-    method=f"{STEALS} scenes a batch: an opponent (sacks-2001) has the ball between its paws, a robot 50 to 80 cm "
-    f"before it goes for it, walking round others or not; who has the ball alone within {STEAL_TIME:g} s.",
-    criteria=(
-        measured(
-            "balls won: not avoiding less avoiding", lambda s: 100.0 * mean(s["off"] - s["on"]), unit="%", at_least=0.0
-        ),
-        reported("balls won without avoidance", lambda s: 100.0 * mean(s["off"]), unit="%"),
-        reported("balls won with avoidance", lambda s: 100.0 * mean(s["on"]), unit="%"),
-    ),
-    measure=steals,
-    ingredients=("how the team walks round others: baselines/skills.py",),
-    note="Little depends on it: who runs into the opponent wins the ball nearly as often as who walks round it.",
-    seconds=3.0,
-    batches=16,
-)
-
-CLAIMS = (S01, S02, S03, S30)
+CLAIMS = (S01, S02, S03)

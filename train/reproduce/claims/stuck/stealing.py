@@ -1,0 +1,66 @@
+"""Stealing the ball: whether running into an opponent that has it helps.  [Sacks 2001, 4]"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from soccer_env.teams import make_team
+from soccer_env.train.reproduce.claim import SACKS, Batch, Claim
+from soccer_env.train.reproduce.staging import ahead_of, begin, play, put, put_ball, stage
+from soccer_env.train.reproduce.values import mean
+from soccer_env.train.reproduce.verdicts import Samples, measured, reported
+
+STEALS, STEAL_TIME = 64, 30.0  # scenes a batch, [s] of each
+
+
+def steal(batch: Batch, avoid: bool) -> np.ndarray:
+    """Let a robot chase an opponent that has the ball; return who won it within STEAL_TIME (M,)."""
+    rng = batch.rng()
+    sides: dict[str, Any] = {"home": make_team("sacks-2001", avoid_chasing=avoid), "away": make_team("sacks-2001")}
+    match = stage(batch, matches=STEALS, controllers=sides, keeper=0)
+    x, y = rng.uniform(-0.3, 0.5, STEALS), rng.uniform(-0.4, 0.4, STEALS)
+    heading = np.pi + rng.uniform(-0.8, 0.8, STEALS)
+    put(match, 1, x, y, heading)
+    put_ball(match, *ahead_of(match, 1, match.league.body.front + match.league.ball.radius + 0.003, 0.0))
+    angle, away = np.pi + rng.uniform(-1.2, 1.2, STEALS), rng.uniform(0.5, 0.8, STEALS)
+    put(match, 0, x + away * np.cos(angle), y + away * np.sin(angle), angle + np.pi + rng.uniform(-0.3, 0.3, STEALS))
+    begin(match, placed=True)
+    won, over = np.zeros(STEALS), np.zeros(STEALS, bool)
+    for _ in play(match, STEAL_TIME):
+        alone = (match.robots["has_ball"][:, 0] == 1) & (match.robots["has_ball"][:, 1] == 0)
+        won[alone & ~over] = 1.0
+        over |= alone | (match.events["goal"] >= 0)
+    match.close()
+    return won
+
+
+def steals(batch: Batch) -> Samples:
+    """Return who won the ball with avoidance while chasing, and without (M,)."""
+    return {"on": steal(batch, True), "off": steal(batch, False)}
+
+
+S30 = Claim(
+    id="S30",
+    paper=SACKS,
+    section="4",
+    statement="When a player is going after the ball a collision can be helpful, running into an opponent that has it: "
+    "others are avoided only in possession of the ball.",
+    method=f"{STEALS} scenes a batch: an opponent (sacks-2001) has the ball between its paws, a robot 50 to 80 cm "
+    f"before it goes for it, walking round others or not; who has the ball alone within {STEAL_TIME:g} s.",
+    criteria=(
+        measured(
+            "balls won: not avoiding less avoiding", lambda s: 100.0 * mean(s["off"] - s["on"]), unit="%", at_least=0.0
+        ),
+        reported("balls won without avoidance", lambda s: 100.0 * mean(s["off"]), unit="%"),
+        reported("balls won with avoidance", lambda s: 100.0 * mean(s["on"]), unit="%"),
+    ),
+    measure=steals,
+    ingredients=("how the team walks round others: baselines/skills.py",),
+    note="Little depends on it: who runs into the opponent wins the ball nearly as often as who walks round it.",
+    seconds=3.0,
+    batches=16,
+)
+
+CLAIMS = (S30,)
