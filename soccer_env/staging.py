@@ -1,9 +1,10 @@
-"""Put robots and ball of running matches somewhere, and reach what the parts of a match keep, for claims and tests.
+"""Stage running matches for experiments: put robots and ball somewhere, and reach what the parts of a match keep.
 
     put(match, 0, x=0.0, y=0.0); put_ball(match, 0.5, 0.0)      records are set directly
     begin(match)                                                bodies and senses then follow from them
 
-Whoever stages a match reaches inside it through this file alone: what robots, players and sensors keep may move.
+Claims (`train/reproduce/staging.py`) and tests (`tests/scenes/staging.py`) build on it. Whoever stages a match reaches
+inside it through this file alone: what robots, players and sensors keep may move.
 """
 
 from __future__ import annotations
@@ -60,7 +61,8 @@ def put_ball(match: Match, x: Any, y: Any, vx: Any = 0.0, vy: Any = 0.0, rolls: 
     ball["x"], ball["y"], ball["vx"], ball["vy"] = x, y, vx, vy
     ball["roll_x"], ball["roll_y"] = (vx, vy) if rolls else (0.0, 0.0)
     ball["spin"] = 0.0
-    match.matches["still_x"], match.matches["still_y"], match.matches["still_clock"] = x, y, 0.0
+    match.matches["still_x"], match.matches["still_y"] = x, y
+    match.matches["still_clock"] = 0.0
 
 
 def begin(match: Match, placed: bool = False) -> None:

@@ -1,4 +1,4 @@
-"""Set a scene for a test: put ball and robots somewhere (`soccer_env.staging`), let robots act, look at the bodies."""
+"""Stage matches for tests: leagues with something taken out, small scenes, commands, and measures of the bodies."""
 
 from dataclasses import replace
 from typing import Any

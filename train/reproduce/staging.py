@@ -1,4 +1,4 @@
-"""Stage scenes for claims: many matches at once, robots and ball put somewhere, sensors and memory as asked.
+"""Stage matches for claims: the many matches of a batch, with sensors and memory as a claim asks, and play them.
 
     match = stage(batch, LEGGED, matches=128, memory={"infrared_override": False})
     put(match, 0, x=0.0, y=0.0, heading=batch.rng().uniform(-pi, pi, 128))
