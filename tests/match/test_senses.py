@@ -1,7 +1,6 @@
 """Promises of the whole chain of senses: nothing hidden is seen, no belief reads the truth, noise is reproducible."""
 
 import pkgutil
-from collections.abc import Callable
 from importlib import import_module
 from typing import Any
 
@@ -10,43 +9,9 @@ import pytest
 
 import soccer_env
 from soccer_env import Match, baselines, belief, leagues, perception
-from soccer_env.saving import dump
-from tests.scenes.staging import scatter, set_phase
-from tests.scenes.symmetry import (
-    Records,
-    assert_same,
-    mirrored,
-    mirrored_actions,
-    mirrored_beliefs,
-    mirrored_percepts,
-    mirrored_states,
-    mirrored_tracks,
-    swapped_rows,
-    turned,
-)
+from tests.match.staged_senses import LEAGUES, draws, sensing
 
-LEAGUES = ("legged-2001", "middle-size-2006")
 HIDDEN = {"legged-2001": "scale", "middle-size-2006": "table"}  # what each camera remembers and does not deliver
-EXACT, CLOSE = 1e-12, 1e-9
-
-
-def sensing(league: str, matches: int = 4, home: int = 3, away: int = 3, **settings: Any) -> Match:
-    """Return matches whose robots all use their sensors."""
-    return Match(league, home=home, away=away, matches=matches, **{"seed": 5, "observe": "belief", **settings})
-
-
-def draws(match: Match, steps: int, seed: int = 0) -> np.ndarray:
-    """Return actions (steps, M, R, 4), each kept for half a second."""
-    rng, hold = np.random.default_rng(seed), match.league.control_rate // 2
-    kept = rng.uniform(-1.0, 1.0, (steps // hold + 1, match.count, match.robots.shape[1], 4))
-    return np.repeat(kept, hold, axis=0)[:steps]
-
-
-def look_again(match: Match) -> None:
-    """Let all robots forget, and take a first look at the field as it is."""
-    for m in range(match.count):
-        match.batch.senses.start(m)
-    match.batch.senses.step(0, match.count)
 
 
 def finite(records: np.ndarray) -> bool:
@@ -153,77 +118,12 @@ def test_one_match_alone_senses_what_it_senses_among_many(league: str) -> None:
 
 
 @pytest.mark.parametrize("league", LEAGUES)
-def test_a_save_goes_on_with_the_same_senses(league: str) -> None:
-    match = sensing(league, pose="particles")
-    actions = draws(match, 80)
-    for step in range(40):
-        match.step(actions[step])
-    saved = match.save()
-    futures = []
-    for _ in range(2):
-        for step in range(40, 80):
-            match.step(actions[step])
-        futures.append(match.state_hash())
-        match.load(saved)
-    assert futures[0] == futures[1]
-
-
-@pytest.mark.parametrize("league", LEAGUES)
 def test_an_episode_begins_with_nothing_remembered(league: str) -> None:
     used, fresh = sensing(league, pose="particles"), sensing(league, pose="particles", seed=42)
     for actions in draws(used, 40):
         used.step(actions)
     used.reset(seed=42)
     assert used.state_hash() == fresh.state_hash(), "beliefs, memories, particles and messages are part of the state"
-
-
-def scattered_pair(league: str, pose: str, changed: Callable[[Records], Records], seed: int) -> tuple[Match, Match]:
-    """Return matches whose robots have just been told where they stand, at random, and their image."""
-    match = sensing(league, matches=6, pose=pose)
-    scatter(match, np.random.default_rng(seed))
-    set_phase(match, 0)
-    image = sensing(league, matches=6, pose=pose)
-    changed(Records.of(match)).put_into(image)
-    match.rebuild()
-    for one in (match, image):
-        one.robots["placed"] = 1
-        look_again(one)
-    return match, image
-
-
-@pytest.mark.parametrize("pose", ["percept", "particles"])
-@pytest.mark.parametrize("league", LEAGUES)
-def test_mirrored_play_is_sensed_and_believed_mirrored(league: str, pose: str) -> None:
-    match, image = scattered_pair(league, pose, mirrored, seed=1)
-    lines = getattr(match.league.sensors, "lines", 0)
-    for actions in draws(match, 24, seed=3):
-        compare_mirrored(match, image, lines)
-        match.step(0.5 * actions)
-        image.step(0.5 * mirrored_actions(actions))
-
-
-def compare_mirrored(match: Match, image: Match, lines: int) -> None:
-    """Assert that percepts, beliefs and tracks are mirrored, in matches whose robots have not touched anything."""
-    calm = match.robot_events["collision"].any(axis=1) | match.robot_events["touch"].any(axis=1)
-    rows = ~calm
-    assert_same(mirrored_percepts(match.percepts[rows], lines), image.percepts[rows], 1e-5, "percepts")
-    states = [one.batch.senses.sensor_states[rows] for one in (match, image)]
-    assert_same(mirrored_states(states[0]), states[1], 1e-5, "sensor states")
-    assert_same(mirrored_beliefs(match.beliefs[rows]), image.beliefs[rows], 1e-6, "beliefs")
-    assert_same(mirrored_tracks(match.tracks[rows]), image.tracks[rows], 1e-6, "tracks")
-
-
-@pytest.mark.parametrize("pose", ["percept", "particles"])
-@pytest.mark.parametrize("league", LEAGUES)
-def test_a_half_turn_with_the_teams_swapped_changes_nothing_that_is_sensed(league: str, pose: str) -> None:
-    match, image = scattered_pair(league, pose, turned, seed=2)
-    for actions in draws(match, 24, seed=4):
-        calm = ~(match.robot_events["collision"].any(axis=1) | match.robot_events["touch"].any(axis=1))
-        assert_same(swapped_rows(match.percepts)[calm], image.percepts[calm], 1e-5, "percepts")
-        assert_same(swapped_rows(match.beliefs)[calm], image.beliefs[calm], 1e-6, "beliefs")
-        assert_same(swapped_rows(match.tracks)[calm], image.tracks[calm], 1e-6, "tracks")
-        match.step(0.5 * actions)
-        image.step(0.5 * swapped_rows(actions))
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -306,37 +206,6 @@ def test_looking_at_beliefs_is_no_part_of_the_state() -> None:
         assert looked.beliefs["ball"]["confidence"][0, 0] == 100.0
         assert looked.state_hash() == left.state_hash()
     assert looked.save() == left.save()
-
-
-def test_a_team_that_uses_its_sensors_alone_is_saved_alone() -> None:
-    teams = {"home": "chaser", "away": "chaser"}
-    match = Match("legged-2001", home=3, away=2, seed=1, controllers=teams, senses={"home": "ideal", "away": "sensors"})
-    assert match.batch.senses is not None
-    assert {array.shape[1] for array in match.batch.senses.parts.values()} == {2}
-    for _ in range(20):
-        match.step()
-    saved = match.save()
-    futures = []
-    for _ in range(2):
-        for _ in range(20):
-            match.step()
-        futures.append((match.state_hash(), match.beliefs.tobytes(), match.tracks.tobytes()))
-        match.load(saved)
-    assert futures[0] == futures[1]
-
-
-def test_a_save_with_nonsense_in_the_memory_is_refused() -> None:
-    match = sensing("legged-2001", matches=1)
-    memory = match.batch.senses.memories
-    for name, value in (("count", 100), ("x", np.nan)):
-        kept = memory["ball"][name].copy()
-        memory["ball"][name] = value
-        damaged = dump(match)
-        memory["ball"][name] = kept
-        before = match.state_hash()
-        with pytest.raises(ValueError, match="this save is damaged"):
-            match.load(damaged)
-        assert match.state_hash() == before
 
 
 def test_no_field_of_a_record_hides_behind_a_method_of_numpys() -> None:

@@ -99,7 +99,7 @@ QUICK = [
         "soccer_env/saving.py",
         "match.batch.senses is not None",
         "False",
-        MATCH + "test_senses.py::test_a_save_goes_on_with_the_same_senses",
+        MATCH + "test_senses_saving.py::test_a_save_goes_on_with_the_same_senses",
     ),
     Mutant(
         "hash of the play without the ball",
