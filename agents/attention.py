@@ -25,7 +25,10 @@ PLAYERS = (TEAMMATE, OPPONENT)  # groups of entries
 TENSORS = tuple(f"{kind}.{part}" for kind in PLAYERS for part in ("weight", "bias", "query"))  # W, b, Q
 NARROWEST = 8  # least width, beside a small hidden layer
 SHARE = 4  # [1] how many times as wide the first hidden layer is
-FIXED, WIDTH, SLOTS, ENTRIES = 0, 1, 2, 4  # places in the shape; SLOTS and ENTRIES have two numbers, one for each kind
+FIXED = 0  # places in the shape; of slots and their entries it has two numbers, one for each kind
+WIDTH = 1
+SLOTS = 2
+ENTRIES = 4
 SHAPE = 6  # numbers of the shape
 
 

@@ -93,7 +93,9 @@ def decide_slice(observations, memory, commands, players, constants, numbers, fi
         for p in range(len(players)):
             kept = memory[m, p]
             if kept.begun == 0:
-                kept.begun, kept.wait, kept.action[HEAD] = 1, -delay % repeat, -1.0
+                kept.begun = 1
+                kept.wait = -delay % repeat
+                kept.action[HEAD] = -1.0
             if kept.wait == 0:
                 act(numbers, observations[m, players[p]], kept.action[:size], scratch)
                 kept.wait = repeat
@@ -104,5 +106,8 @@ def decide_slice(observations, memory, commands, players, constants, numbers, fi
 @compiled
 def obey(command, action):
     """Write an action into a command."""
-    command.forward, command.left, command.turn, command.kick = action[0], action[1], action[2], action[3]
-    command.head, command.pan, command.tilt = action[HEAD], action[5], action[6]
+    command.forward, command.left, command.turn = action[0], action[1], action[2]
+    command.kick = action[3]
+    command.head = action[HEAD]
+    command.pan = action[5]
+    command.tilt = action[6]

@@ -187,7 +187,8 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
     if type(version) is not int or not 1 <= version <= VERSION:
         raise ValueError(f"is of format version {brief(version)}; this soccer_env reads versions 1 to {VERSION}")
     fields: dict[str, Any] = _of_version_1(table) if version == 1 else table
-    missing, unknown = [key for key in SCHEMA if key not in fields], [key for key in fields if key not in SCHEMA]
+    missing = [key for key in SCHEMA if key not in fields]
+    unknown = [key for key in fields if key not in SCHEMA]
     if missing:
         raise ValueError(f"{KEY} lacks {', '.join(missing)}")
     if unknown:

@@ -190,7 +190,8 @@ def support(command, sight, memory, k, play, ring):
     ring += ROOM * k.body_reach * min(memory.rank, 1)
     stretch = max(ring / length(off_x, off_y), 1.0) if ring > 0.0 else 1.0
     edge_x, edge_y = 0.5 * k.pitch_length - HOME_EDGE * k.body_reach, 0.5 * k.pitch_width - k.body_reach
-    x, y = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x), clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
+    x = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x)
+    y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
     go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
 

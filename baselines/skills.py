@@ -160,7 +160,9 @@ def choose_shot(sight, k):
     goal = 0.5 * k.pitch_length + k.ball_radius - sight.ball_x
     widest = 0.5 * k.pitch_goal_width - k.ball_radius
     side = side_of(sight.ball_y)
-    best, best_x, best_y, best_room = -1e9, 1.0, 0.0, -1.0
+    best = -1e9
+    best_x, best_y = 1.0, 0.0
+    best_room = -1.0
     for i in range(-GOAL_SPOTS, GOAL_SPOTS + 1):
         y = side * widest * i / (GOAL_SPOTS + 1.0) - sight.ball_y
         away = max(length(goal, y), 1e-6)
@@ -168,7 +170,9 @@ def choose_shot(sight, k):
         room = shot_room(sight, k, ux, uy)
         worth = room - TURN_COST * turned_away(sight, ux, uy)
         if worth > best:
-            best, best_x, best_y, best_room = worth, ux, uy, room
+            best = worth
+            best_x, best_y = ux, uy
+            best_room = room
     return best_x, best_y, best_room
 
 
@@ -180,13 +184,15 @@ def choose_way(sight, k, play):
     side = side_of(sight.ball_y)
     far = min(play.way_on, away)
     ux, uy = turned(x / away, y / away, -side * FAN * FAN_STEP)
-    best, best_x, best_y = -1e9, ux, uy
+    best = -1e9
+    best_x, best_y = ux, uy
     for i in range(-FAN, FAN + 1):
         worth = lane_room(sight, k, ux, uy, far) - FAN_COST * abs(i) * FAN_STEP - TURN_COST * turned_away(sight, ux, uy)
         worth -= OUT_COST * max(1.0 - free_way(sight, k, ux, uy) / play.way_on, 0.0)
         worth -= play.wing_cost * abs(sight.ball_y + play.way_on * uy) / (0.5 * k.pitch_width)
         if worth > best:
-            best, best_x, best_y = worth, ux, uy
+            best = worth
+            best_x, best_y = ux, uy
         ux, uy = out_of_frame(ux, uy, FAN_COSINE, side * FAN_SINE)
     return best_x, best_y
 

@@ -60,7 +60,10 @@ class Senses:
         sides: tuple[int, ...],
     ) -> None:
         league, (matches, robots) = settings.league, beliefs.shape
-        self.settings, self.world, self.constants, self.sides = settings, world, constants, sides
+        self.settings = settings
+        self.world = world
+        self.constants = constants
+        self.sides = sides
         self.kind = kind_of(league.sensors)
         self._sensing = rows_of(sides, settings.rows)
         believing = tuple(side for side in sides if settings.senses[side] == "sensors")
@@ -79,7 +82,9 @@ class Senses:
 
     def _make_arrays(self, beliefs: np.ndarray, tracks: np.ndarray) -> None:
         """Make the records of sensors and memory, zeroed."""
-        shape, kind, settings = beliefs.shape, self.kind, self.settings
+        shape = beliefs.shape
+        kind = self.kind
+        settings = self.settings
         self.percepts = np.zeros(shape, kind.percept)
         self.sensor_states = np.zeros(shape, kind.sensor_state)
         self.pending = np.zeros((*shape, kind.late(settings.league.sensors)), kind.percept)

@@ -150,7 +150,9 @@ def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matc
             continue
         for place, team in enumerate(given.teams):
             squad = make_squad(team, players, settings, matches, len(agents))
-            squad.name, squad.lineup, squad.place = given.names[place], given, place
+            squad.name = given.names[place]
+            squad.lineup = given
+            squad.place = place
             squad.plays = np.zeros(matches, bool)
             squads.append(squad)
     return squads

@@ -108,7 +108,9 @@ def game_numbers(match: Match) -> dict[str, Any]:
 
 def ball_numbers(match: Match) -> dict[str, Any]:
     """Return the numbers (M,) of the ball."""
-    pitch, ball, top = match.league.pitch, match.balls, match.league.ball.top_speed
+    pitch = match.league.pitch
+    ball = match.balls
+    top = match.league.ball.top_speed
     return {
         "ball_x": ball["x"] / (pitch.length / 2 + pitch.goal_depth),
         "ball_y": ball["y"] / (pitch.width / 2 + pitch.band_side),
@@ -121,8 +123,12 @@ def ball_numbers(match: Match) -> dict[str, Any]:
 
 def robot_numbers(match: Match) -> dict[str, Any]:
     """Return the numbers (M, R) of the robots; zeros for inactive ones."""
-    pitch, drive, robots = match.league.pitch, match.league.drive, match.robots
-    walk, heading, active = robots["walk"], robots["heading"], robots["active"].astype(float)
+    pitch = match.league.pitch
+    drive = match.league.drive
+    robots = match.robots
+    walk = robots["walk"]
+    heading = robots["heading"]
+    active = robots["active"].astype(float)
     numbers = {
         "present": active,
         "keeper": robots["keeper"],

@@ -65,4 +65,5 @@ def may_clear(sight, play, k):
     """Tell whether the ball lies so near to the goal, and so slow, that the goalkeeper fetches it."""
     near = length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < play.keeper_zone
     speed = length(sight.ball_vx, sight.ball_vy)
-    return near and (speed < SLOW or (play.keeper_speed == 1 and speed < 2.0 * SLOW and sight.distance < play.near))
+    nearly_slow = play.keeper_speed == 1 and speed < 2.0 * SLOW and sight.distance < play.near
+    return near and (speed < SLOW or nearly_slow)

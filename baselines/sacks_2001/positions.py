@@ -47,7 +47,8 @@ def support(command, sight, memory, situation, k, play, ring):
     off_x, off_y = -(play.cover + ROW * pair), side * play.aside
     stretch = max(ring / length(off_x, off_y), 1.0) if ring > 0.0 else 1.0
     edge_x, edge_y = 0.5 * k.pitch_length - EDGE * k.body_reach, 0.5 * k.pitch_width - k.body_reach
-    x, y = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x), clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
+    x = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x)
+    y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
     go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
 

@@ -44,7 +44,9 @@ def tuned(strength: float = 1.0, **changes: Any) -> CompiledTeam:
 def act(belief, tracks, memory, noise, command, k, play, sight):
     """Decide, or repeat the last decision until it is time for the next."""
     if memory.begun == 0:
-        memory.begun, memory.had_ball, memory.role_clock = 1, NEVER, -1.0
+        memory.begun = 1
+        memory.had_ball = NEVER
+        memory.role_clock = -1.0
     if not must_decide(belief, memory, command, k):
         return
     apply_strength(sight, memory, noise, k, 1.0 - play.strength, play.weak_wait, play.weak_aim, play.weak_pace)

@@ -53,7 +53,9 @@ class Report:
         happened = dict(self._say(events.item()))
         home, away = match["score"].tolist()
         scores, phase = ((home, away), (away, home)), PHASES[match["phase"]]
-        active, own, shares = robots["active"].tolist(), robot_events.tolist(), terms.tolist()
+        active = robots["active"].tolist()
+        own = robot_events.tolist()
+        shares = terms.tolist()
         infos = {}
         for agent, row, team in self._robots:
             mine = dict(happened)

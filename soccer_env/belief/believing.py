@@ -64,8 +64,13 @@ def believe_kernel(
         Nothing happens in matches that are `asleep` (M,), over before this step.
         """
         minds, numbers = Minds(*minds), MemoryNumbers(*numbers)
-        k, s, w, table = numbers.constants[0], numbers.sensors[0], numbers.memory[0], numbers.tables[0]
-        beliefs, tracks, noise = minds.beliefs, minds.tracks, minds.noise
+        k = numbers.constants[0]
+        s = numbers.sensors[0]
+        w = numbers.memory[0]
+        table = numbers.tables[0]
+        beliefs = minds.beliefs
+        tracks = minds.tracks
+        noise = minds.noise
         scratch = make_scratch()
         for m in range(first, last):
             if asleep[m]:

@@ -4,8 +4,19 @@ from __future__ import annotations
 
 from math import cos, sin
 
+import numpy as np
+
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame
+
+
+@compiled
+def motion_of(odometry):
+    """Return the forward, left [m] and turn [rad] of a frame's odometry in double precision.
+
+    odometry: a record that holds them in single precision, a BODY_PERCEPT or a MOTION.
+    """
+    return np.float64(odometry.forward), np.float64(odometry.left), np.float64(odometry.turn)
 
 
 @compiled

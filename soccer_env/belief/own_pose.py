@@ -16,6 +16,7 @@ from math import cos, exp, sin, sqrt
 
 import numpy as np
 
+from soccer_env.belief.odometry import motion_of
 from soccer_env.belief.particles import (
     cluster_near,
     estimate,
@@ -53,7 +54,7 @@ POSE_MEMORY = np.dtype(
 @compiled
 def particles_are_due(body, own, memory, particles, noise, k, s, w):
     """Bring the own pose up to what the robot feels or is told; return whether its particles are due."""
-    forward, left, turn = np.float64(body.forward), np.float64(body.left), np.float64(body.turn)
+    forward, left, turn = motion_of(body)
     own.forward, own.left, own.turn = forward / k.dt, left / k.dt, turn / k.dt
     if body.pose == POSE_SENSED or body.pose == POSE_TOLD:
         own.x = body.x

@@ -28,7 +28,9 @@ def believe_truth_slice(world, beliefs, tracks, constants, rows, first, last):
     world = World(*world)
     players, squares = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
     for m in range(first, last):
-        match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
+        match = world.matches[m]
+        ball = world.balls[m]
+        robots = world.robots[m]
         for r in rows:
             believe_truth(match, ball, robots, beliefs[m], tracks[m, r], constants[0], r, players, squares)
 
@@ -90,7 +92,9 @@ def ball_truth(robot, ball, believed, cosine, sine):
 def situation(match, robots, known, r):
     """Fill in what robot r may know of the match: phase, score, time, numbers."""
     team = robots[r].team
-    known.phase, known.placing, known.phase_clock = match.phase, match.placing, match.phase_clock
+    known.phase = match.phase
+    known.placing = match.placing
+    known.phase_clock = match.phase_clock
     known.ours = 0.0 if match.restart_team == NO_TEAM else (1.0 if match.restart_team == team else -1.0)
     known.seconds_left = seconds_left(match)
     known.goals_for, known.goals_against = match.score[team], match.score[1 - team]
@@ -167,5 +171,7 @@ def see_player(robot, other, track, cosine, sine):
     track.distance, track.bearing = length(track.x, track.y), atan2(track.y, track.x)
     track.vx, track.vy = into_frame(other.vx, other.vy, cosine, sine)
     track.heading = wrap(other.heading - robot.heading)
-    track.present, track.keeper, track.number = 1, other.keeper, other.number
+    track.present = 1
+    track.keeper = other.keeper
+    track.number = other.number
     track.confidence, track.age = SURE, 0.0

@@ -43,7 +43,9 @@ def sense_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[..., No
     @compiled
     def sense_slice(world, sensing, numbers, asleep, rows, first, last):
         """Fill the percepts of some robots of a slice of matches; those of matches that are `asleep` (M,) stay."""
-        world, sensing, numbers = World(*world), Sensing(*sensing), SensorNumbers(*numbers)
+        world = World(*world)
+        sensing = Sensing(*sensing)
+        numbers = SensorNumbers(*numbers)
         k, s = numbers.constants[0], numbers.sensors[0]
         scratch = make_scratch(k, s)
         for m in range(first, last):
@@ -51,7 +53,9 @@ def sense_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[..., No
                 continue
             match, robots = world.matches[m], world.robots[m]
             for r in rows:
-                percept, state, events = sensing.percepts[m, r], sensing.states[m, r], world.robot_events[m, r]
+                percept = sensing.percepts[m, r]
+                state = sensing.states[m, r]
+                events = world.robot_events[m, r]
                 sense_body(match, robots[r], events, percept.body, state.pose_error, k, s, numbers.pose_sensed)
                 sense_robot(match, world.balls[m], robots, r, percept, state, sensing.pending[m, r], scratch, k, s)
 

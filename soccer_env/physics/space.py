@@ -29,7 +29,8 @@ def build_space(league: League, ball: Any, robots: Any) -> pymunk.Space:
     ball_body = pymunk.Body(league.ball.mass, pymunk.moment_for_circle(league.ball.mass, 0.0, league.ball.radius))
     space.add(ball_body, surface(pymunk.Circle(ball_body, league.ball.radius), league.ball))
     ball_body.position, ball_body.angle = (float(ball["x"]), float(ball["y"])), float(ball["angle"])
-    ball_body.velocity, ball_body.angular_velocity = (float(ball["vx"]), float(ball["vy"])), float(ball["spin"])
+    ball_body.velocity = float(ball["vx"]), float(ball["vy"])
+    ball_body.angular_velocity = float(ball["spin"])
     for robot in robots:
         body = pymunk.Body(league.body.mass, robot_moment(league))
         space.add(body, *robot_shapes(body, league))

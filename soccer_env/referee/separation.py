@@ -131,4 +131,5 @@ def leave_alone(ball, robot, k, swirl):
     gap, far = max(length(x, y), 1e-6), k.body_reach + k.ball_radius + MARGIN
     if gap < far:
         along = swirl * (far - gap)
-        robot.place_x, robot.place_y = ball.x + (x * far - y * along) / gap, ball.y + (y * far + x * along) / gap
+        robot.place_x = ball.x + (x * far - y * along) / gap
+        robot.place_y = ball.y + (y * far + x * along) / gap

@@ -81,7 +81,10 @@ class Replay:
         hashes: list[str],
         log: list[tuple[int, list[int], bytes]],
     ) -> None:
-        self.settings, self.start, self.hashes, self.log = settings, start, hashes, log
+        self.settings = settings
+        self.start = start
+        self.hashes = hashes
+        self.log = log
         self.commands, self.gazes = commands, gazes
 
     def __len__(self) -> int:

@@ -22,6 +22,7 @@ import numpy as np
 
 from soccer_env.belief.legged.ball_blob import choose_blob, place_of_ball
 from soccer_env.belief.legged.velocity import ROUNDING, turn_velocity, update_velocity
+from soccer_env.belief.odometry import motion_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
 from soccer_env.leagues.legged_sensors import AVERAGED_MOST, ODOMETRY
@@ -95,7 +96,7 @@ def move_memory(ball, memory, body, frame, k, w):
     robot dribbles, footnote 2: then the ball comes along. Velocity and last reading belong to the ground: they are
     carried along whatever is believed of the ball.
     """
-    forward, left, turn = np.float64(body.forward), np.float64(body.left), np.float64(body.turn)
+    forward, left, turn = motion_of(body)
     if memory.known == 0 or (forward == 0.0 and left == 0.0 and turn == 0.0):
         return
     cosine, sine = cos(turn), sin(turn)

@@ -31,7 +31,9 @@ def make_scratch():
 @compiled
 def believe_robot(percept, mind, scratch, k, s, w, table):
     """Bring the Mind of one robot up to its percept, and choose where its head looks next."""
-    belief, tracks, memory = mind.belief, mind.tracks, mind.memory
+    belief = mind.belief
+    tracks = mind.tracks
+    memory = mind.memory
     believe_pose_legged(percept, belief.own, memory.pose, mind.particles, mind.noise, k, s, w)
     believe_ball(percept, belief.own, belief.ball, memory.ball, k, s, w, table)
     believe_players(percept, belief.own, tracks, memory.players, k, s, w, table)

@@ -84,7 +84,9 @@ def larger_nearby(blobs, i, grouping):
     """Return the index of the largest of the blobs that are larger than blob i and near it, -1 without any.  MS29"""
     found = -1
     for j in range(BLOBS):
-        if blobs[j].area <= 0 or not is_larger(blobs, j, i) or (found >= 0 and not is_larger(blobs, j, found)):
+        if blobs[j].area <= 0 or not is_larger(blobs, j, i):
+            continue
+        if found >= 0 and not is_larger(blobs, j, found):
             continue
         if gap_between(blobs[i], blobs[j]) < grouping * size_of(blobs[j]):
             found = j

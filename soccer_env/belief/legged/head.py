@@ -9,7 +9,7 @@ from math import asin, atan2, cos, pi, sin, sqrt
 
 import numpy as np
 
-from soccer_env.belief.odometry import move_point
+from soccer_env.belief.odometry import motion_of, move_point
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 from soccer_env.percept_types import POSE_TOLD
@@ -51,7 +51,7 @@ def choose_gaze(percept, belief, memory, gaze, k, s, w):
         ahead, left = ball.distance * cos(ball.bearing), ball.distance * sin(ball.bearing)
         if ball.distance >= w.dribbling_distance:  # a nearer one comes along
             body = percept.body
-            forward, aside, turn = np.float64(body.forward), np.float64(body.left), np.float64(body.turn)
+            forward, aside, turn = motion_of(body)
             ahead, left = move_point(ahead, left, forward, aside, turn)
         pan, tilt = gaze_at_point(ahead, left, k.ball_radius, s)
     else:

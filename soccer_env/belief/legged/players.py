@@ -18,6 +18,7 @@ import numpy as np
 
 from soccer_env.belief.legged.grouping import COMBINED, box_of_player, largest_left, player_of
 from soccer_env.belief.legged.matching import likeliest_slot
+from soccer_env.belief.odometry import motion_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
 from soccer_env.leagues.legged_sensors import PLAYER_VIEWS, SLOTS
@@ -60,7 +61,7 @@ def believe_players(percept, own, tracks, memory, k, s, w, table):
 @compiled
 def move_tracks(tracks, body, last):
     """Move all players in memory against the robot's own motion since the last frame.  MS36"""
-    forward, left, turn = np.float64(body.forward), np.float64(body.left), np.float64(body.turn)
+    forward, left, turn = motion_of(body)
     if forward == 0.0 and left == 0.0 and turn == 0.0:
         return
     cosine, sine = cos(turn), sin(turn)

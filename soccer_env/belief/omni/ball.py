@@ -13,7 +13,7 @@ from math import atan2, inf
 
 import numpy as np
 
-from soccer_env.belief.odometry import move_point
+from soccer_env.belief.odometry import motion_of, move_point
 from soccer_env.belief.omni.tracking import (
     FILTER,
     at_exposure,
@@ -82,7 +82,7 @@ def move_ball(memory, motion, kicked, k, s, w):
         return
     predict(memory, filter, motion, w.ball_agility, k.ball_rolling, k, s)
     carry(memory, motion)
-    forward, left, turn = np.float64(motion.forward), np.float64(motion.left), np.float64(motion.turn)
+    forward, left, turn = motion_of(motion)
     memory.raw_x, memory.raw_y = move_point(memory.raw_x, memory.raw_y, forward, left, turn)
     memory.odd_x, memory.odd_y = move_point(memory.odd_x, memory.odd_y, forward, left, turn)
     if kicked:
@@ -120,7 +120,8 @@ def take(memory, x, y, late, age, alone, k, s, w):
 @compiled
 def fill_belief(believed, memory, own):
     """Fill in the belief from what is tracked; rates are what the moving, turning robot sees."""
-    believed.distance, believed.bearing = length(memory.raw_x, memory.raw_y), atan2(memory.raw_y, memory.raw_x)
+    believed.distance = length(memory.raw_x, memory.raw_y)
+    believed.bearing = atan2(memory.raw_y, memory.raw_x)
     x, y = memory.x, memory.y
     distance = length(x, y)
     believed.filtered_distance, believed.filtered_bearing = distance, atan2(y, x)

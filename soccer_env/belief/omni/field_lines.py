@@ -89,7 +89,8 @@ def weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand
             point = view.points[j]
             at_x, at_y = point_of_frame(x, y, point.ahead, point.left, cosine, sine)
             # lines are symmetric about both axes: a quarter of the grid is read, alike in a mirror
-            column, row = min(int(abs(at_x) * per_metre), columns - 1), min(int(abs(at_y) * per_metre), rows - 1)
+            column = min(int(abs(at_x) * per_metre), columns - 1)
+            row = min(int(abs(at_y) * per_metre), rows - 1)
             off = np.float64(grid[columns + column, rows + row])
             cost += bounded(off * off * sharp, OUTLIER)
         for j in range(2):

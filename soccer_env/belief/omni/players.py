@@ -124,13 +124,17 @@ def measure_offsets(percept, tracks, readings, count, teammate, first, last, lat
 @compiled
 def nearest_pair(percept, tracks, filters, readings, count, teammate, first, last, gate):
     """Return the reading and the track, both still free, that are nearest to each other within the gate; or -1, -1."""
-    best, best_slot, least = -1, -1, gate
+    best = -1
+    best_slot = -1
+    least = gate
     for i in range(count):
         if readings[i].taken == 1 or percept.players[i].teammate != teammate:
             continue
         for slot in range(first, last):
             if tracks[slot].present == 1 and filters[slot].seen == 0 and readings[i].off[slot] < least:
-                best, best_slot, least = i, slot, readings[i].off[slot]
+                best = i
+                best_slot = slot
+                least = readings[i].off[slot]
     return best, best_slot
 
 

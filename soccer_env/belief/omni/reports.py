@@ -94,7 +94,9 @@ def nearest_pair(tracks, scratch, k, w, rows):
 
     The gate is w.gate, and wider for one who is far away, whose place errs with the own heading.
     """
-    best, best_slot, least = -1, -1, inf
+    best = -1
+    best_slot = -1
+    least = inf
     for other in rows:
         if scratch[other, 2] == 0.0:
             continue
@@ -103,7 +105,9 @@ def nearest_pair(tracks, scratch, k, w, rows):
             if tracks[slot].present == 1 and scratch[slot, 3] == 0.0:
                 x, y = scratch[other, 0] - tracks[slot].x, scratch[other, 1] - tracks[slot].y
                 if x * x + y * y < min(least, gate * gate):
-                    best, best_slot, least = other, slot, x * x + y * y
+                    best = other
+                    best_slot = slot
+                    least = x * x + y * y
     return best, best_slot
 
 

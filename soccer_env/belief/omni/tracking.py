@@ -12,7 +12,7 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
-from soccer_env.belief.odometry import move_point
+from soccer_env.belief.odometry import motion_of, move_point
 from soccer_env.belief.omni.kalman import (
     COVARIANCE,
     fit_gains,
@@ -65,14 +65,15 @@ def reading_of(sighting, motions, frame, frames):
     x, y = distance * cos(bearing), distance * sin(bearing)
     for back in range(frames - 1, -1, -1):
         motion = motions[(frame - back) % DELAYS]
-        x, y = move_point(x, y, np.float64(motion.forward), np.float64(motion.left), np.float64(motion.turn))
+        forward, left, turn = motion_of(motion)
+        x, y = move_point(x, y, forward, left, turn)
     return x, y
 
 
 @compiled
 def carry(thing, motion):
     """Bring a thing into the robot frame of now; where it goes by itself is not in this."""
-    forward, left, turn = np.float64(motion.forward), np.float64(motion.left), np.float64(motion.turn)
+    forward, left, turn = motion_of(motion)
     thing.x, thing.y = move_point(thing.x, thing.y, forward, left, turn)
     thing.vx, thing.vy = into_frame(thing.vx, thing.vy, cos(turn), sin(turn))
 

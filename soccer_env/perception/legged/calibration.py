@@ -29,7 +29,9 @@ from soccer_env.types import AWAY, MATCH, ROBOT
 from soccer_env.types import BALL as BALL_RECORD
 
 SIZES = 256  # [px] sizes that a table has room for; larger ones read as the last
-NEAREST, FARTHEST, STEP = 0.15, 3.0, 0.05  # [m] ranges at which things are put, assumed
+NEAREST = 0.15  # [m] range at which a thing is put first, assumed
+FARTHEST = 3.0  # [m] range at which it is put last, assumed
+STEP = 0.05  # [m] between two ranges, assumed
 LEAST = 0.01  # [m] least range that a table holds
 ASIDE = 50.0  # [m] where everything is put that is not looked at
 HEAD_ON, FROM_THE_SIDE = pi, 0.5 * pi  # [rad] heading of the robot that is looked at
@@ -70,9 +72,13 @@ def calibrate(league: League) -> np.ndarray:
 
 def look_at(league: League, ranges: np.ndarray, height: float, kind: int, heading: float) -> np.ndarray:
     """Return the SIZE of a kind of thing at each range; the camera aims at a height [m] over the middle of it."""
-    match, ball, robots = np.zeros(1, MATCH), np.zeros(1, BALL_RECORD), np.zeros((1, 2), ROBOT)
+    match = np.zeros(1, MATCH)
+    ball = np.zeros(1, BALL_RECORD)
+    robots = np.zeros((1, 2), ROBOT)
     match["handedness"] = match["home_direction"] = 1.0
-    robots["active"], robots["team"][0, 1], robots["heading"][0, 1] = 1, AWAY, heading
+    robots["active"] = 1
+    robots["team"][0, 1] = AWAY
+    robots["heading"][0, 1] = heading
     ball["x"], robots["x"][0, 1] = ASIDE, ASIDE
     sizes = np.zeros(len(ranges), SIZE)
     render(match, ball, robots, constants_of(league), league.sensors.record(), ranges, height, kind, sizes)
@@ -107,7 +113,8 @@ def measure_pieces(sketch, kind, size):
     whole = True
     for i in range(sketch.found[kind]):
         piece, camera = sketch.pieces[kind, i], sketch.camera
-        inside = max(piece.left, -piece.right) < camera.half_width and max(piece.high, -piece.low) < camera.half_height
+        aside, above = max(piece.left, -piece.right), max(piece.high, -piece.low)
+        inside = aside < camera.half_width and above < camera.half_height
         if piece.area > largest:
             largest = piece.area
             size.width = piece.left - piece.right if inside else nan

@@ -68,8 +68,10 @@ def trace_beam(ball, robots, k, s, r, lateral, vertical):
             continue
         to_x, to_y = robots[other].x - x, robots[other].y - y
         ahead, aside = to_x * dx + to_y * dy, to_x * dy - to_y * dx
-        if abs(aside) > extent * level or ahead < -extent * level or ahead > (nearest * level + extent) * level:
-            continue  # the beam passes it by, or it lies behind, or farther than what the beam has met already
+        if abs(aside) > extent * level or ahead < -extent * level:
+            continue  # the beam passes it by, or it lies behind
+        if ahead > (nearest * level + extent) * level:
+            continue  # it lies farther than what the beam has met already
         nearest = min(nearest, reach_robot(-to_x, -to_y, z, dx, dy, dz, robots[other], k, s))
     return nearest
 

@@ -68,7 +68,8 @@ def add_piece(sketch, kind, left, right, high, low, area):
     if area < LEAST_AREA or count >= PIECES:
         return
     piece = sketch.pieces[kind, count]
-    piece.left, piece.right, piece.high, piece.low, piece.area = left, right, high, low, area
+    piece.left, piece.right, piece.high, piece.low = left, right, high, low
+    piece.area = area
     sketch.found[kind] = count + 1
 
 
@@ -231,9 +232,15 @@ def fill_columns(target, columns, count, right, width, border):
     for at in range(count):
         u, column = right + (at + 0.5) * width, columns[at]
         i, j = piece_at(lower, i, lower_last, u), piece_at(upper, j, upper_last, u)
-        low, high = lower[i].v + lower[i].slope * (u - lower[i].u), upper[j].v + upper[j].slope * (u - upper[j].u)
+        low, high = height_on(lower[i], u), height_on(upper[j], u)
         column.low, column.high = max(low, -border), min(high, border)
         column.second_low = column.second_high = 0.0
+
+
+@compiled
+def height_on(point, u):
+    """Return the height [px] at u [px] of the piece of a chain that begins at a point."""
+    return point.v + point.slope * (u - point.u)
 
 
 @compiled
@@ -247,7 +254,7 @@ def hide_columns(outline, columns, count, right, width):
     for at in range(first, last):
         u = right + (at + 0.5) * width
         i, j = piece_at(lower, i, lower_last, u), piece_at(upper, j, upper_last, u)
-        low, high = lower[i].v + lower[i].slope * (u - lower[i].u), upper[j].v + upper[j].slope * (u - upper[j].u)
+        low, high = height_on(lower[i], u), height_on(upper[j], u)
         hide(columns[at], low, high)
 
 

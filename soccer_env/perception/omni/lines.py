@@ -40,7 +40,9 @@ def line_tables(league: League) -> np.ndarray:
     cell = max(CELL, (pitch.length + 2.0 * MARGIN) / COLUMNS, (pitch.width + 2.0 * MARGIN) / ROWS)
     x = cell * (np.arange(COLUMNS) - 0.5 * (COLUMNS - 1))
     y = cell * (np.arange(ROWS) - 0.5 * (ROWS - 1))
-    table["cell"], table["first_x"], table["first_y"] = cell, -0.5 * cell * COLUMNS, -0.5 * cell * ROWS
+    table["cell"] = cell
+    table["first_x"] = -0.5 * cell * COLUMNS
+    table["first_y"] = -0.5 * cell * ROWS
     table["nearest_line"] = nearest_line(pitch, x[:, None], y[None, :])
     return table
 
