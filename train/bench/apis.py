@@ -38,13 +38,17 @@ class ApiLoad:
         agents = self.env.possible_agents
         draws = rng.uniform(-1.0, 1.0, (32, len(agents), 4)).astype(np.float32)
         self.actions = [dict(zip(agents, rows, strict=True)) for rows in draws]
-        self.hold, self.steps, self.seed = round(HOLD * rate), 0, seed
+        self.hold = round(HOLD * rate)
+        self.steps = 0
+        self.seed = seed
         self.env.reset(seed=seed)
         self.sample(round(WARM_UP * rate))
 
     def sample(self, steps: int) -> float:
         """Return the seconds per step."""
-        env, actions, hold = self.env, self.actions, self.hold
+        env = self.env
+        actions = self.actions
+        hold = self.hold
         start = perf_counter()
         for step in range(self.steps, self.steps + steps):
             env.step(actions[step // hold % 32])
@@ -83,7 +87,9 @@ def record_bytes(league: str, pose: str | None = None, matches: int = 64) -> flo
 
 def arrays_of(root: object) -> list[np.ndarray]:
     """Return every array that an object of this package and its parts hold, each once, and no views."""
-    waiting, seen, found = [root], set(), []
+    waiting = [root]
+    seen = set()
+    found = []
     while waiting:
         item = waiting.pop()
         if id(item) in seen:

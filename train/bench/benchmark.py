@@ -97,7 +97,9 @@ def run(settings: BenchSettings) -> dict[str, Any]:
 
 def measure_core(league: str, settings: BenchSettings) -> Samples:
     """Return the samples [s per match step] of the core and of its floors in one league."""
-    matches, seed, steps = settings.matches, settings.seed, settings.steps
+    matches = settings.matches
+    seed = settings.seed
+    steps = settings.steps
     loads: dict[str, Load] = {
         "reference": ReferenceFloor(matches, seed),
         "random floor": OwnFloor(league, None, matches, 1, seed),

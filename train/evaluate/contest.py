@@ -36,9 +36,13 @@ class Contest:
     def start(self, side: str, seeds: Sequence[int], threads: int = 1) -> Match:
         """Return matches (one for each seed) in which the first team plays on that side, "home" or "away"."""
         asked = self.conditions
-        teams, sizes, senses = (self.first, self.second), asked.players, asked.senses
+        teams = (self.first, self.second)
+        sizes = asked.players
+        senses = asked.senses
         if side == "away":
-            teams, sizes, senses = teams[::-1], sizes[::-1], senses[::-1]
+            teams = teams[::-1]
+            sizes = sizes[::-1]
+            senses = senses[::-1]
         sides = ("home", "away")
         return Match(
             self.league,

@@ -34,7 +34,9 @@ def rows(result: EvaluationResult) -> list[tuple[str, str, str]]:
     """Return the numbers of a result as rows of name, value and 95 % interval."""
     conditions = result.conditions
     matches, minutes = conditions.matches, conditions.matches * conditions.minutes
-    difference, points, rate = result.goal_difference, result.points, result.win_rate
+    difference = result.goal_difference
+    points = result.points
+    rate = result.win_rate
     _, low, high = wilson_interval(result.wins, matches)
     middle = interquartile_mean([line.goals_for - line.goals_against for line in result.lines])
     return [

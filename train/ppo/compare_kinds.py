@@ -24,7 +24,10 @@ from soccer_env.train.ppo.imitation import fit, forget_own_commands, record
 from soccer_env.train.ppo.networks import SoccerPolicy, policy_from
 from soccer_env.types import COMMAND
 
-KINDS, SEEDS, EPOCHS, REPEAT = ("slots", "attention"), (1, 2, 3), 10, 8
+KINDS = ("slots", "attention")
+SEEDS = (1, 2, 3)
+EPOCHS = 10
+REPEAT = 8
 TAUGHT, HELD_OUT = 521, 104  # decisions of 192 robots: 100,032 and 19,968 rows
 ROBOTS = (64, 6)
 TIMES = 500  # that a kernel is timed; the least counts

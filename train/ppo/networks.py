@@ -41,7 +41,9 @@ class Attention(nn.Module):
 
     def __init__(self, layout: Layout, width: int, activation: str) -> None:
         super().__init__()
-        self.layout, self.features, self.activation = layout, layout.features(width), ACTIVATIONS[activation]()
+        self.layout = layout
+        self.features = layout.features(width)
+        self.activation = ACTIVATIONS[activation]()
         self.encoders = nn.ModuleList(nn.Linear(entries, width) for entries in layout.entries)
         self.queries = nn.ModuleList(nn.Linear(layout.fixed, width, bias=False) for _ in layout.entries)
 
@@ -75,7 +77,9 @@ class ActorAndCritic(nn.Module):
         attention: Attention | None = None,
     ) -> None:  # fmt: skip
         super().__init__()
-        self.inputs, self.latent_dim_pi, self.latent_dim_vf = inputs, hidden[-1], critic[-1]
+        self.inputs = inputs
+        self.latent_dim_pi = hidden[-1]
+        self.latent_dim_vf = critic[-1]
         self.register_buffer("signs", signs, persistent=False)
         self.attention = attention
         self.policy_net = layers([attention.features if attention else inputs, *hidden], activation)
@@ -132,8 +136,12 @@ class SoccerPolicy(ActorCriticPolicy):
         kind: str = "slots",
         **settings: Any,
     ) -> None:
-        self.entries, self.hidden, self.critic = entries, hidden, critic
-        self.kind, self.activation, self.mirror = kind, activation, mirror
+        self.entries = entries
+        self.hidden = hidden
+        self.critic = critic
+        self.kind = kind
+        self.activation = activation
+        self.mirror = mirror
         super().__init__(
             observation_space, action_space, lr_schedule, activation_fn=ACTIVATIONS[activation], **settings
         )
@@ -192,7 +200,9 @@ def policy_from(
 def blank_policy(settings: TrainSettings, league: League) -> Policy:
     """Return a policy of the shape that a run trains, all zeros: it stands still."""
     entries = entries_of(league, settings.observe)
-    names, actions, features = tuple(entry.name for entry in entries), 4, len(entries)
+    names = tuple(entry.name for entry in entries)
+    actions = 4
+    features = len(entries)
     pooling: tuple[tuple[int, ...], ...] = ()
     if settings.kind == "attention":
         layout, width = layout_of(entries), width_beside(settings.hidden_sizes)

@@ -18,8 +18,12 @@ from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.results_folder import SETTINGS, Kind, ResultsFolder
 from soccer_env.whole_files import write_whole
 
-LOG, TABLE, EVALUATIONS = "log.jsonl", "progress.csv", "evaluations.jsonl"
-BEST, LAST, CURVE = "best.safetensors", "last.safetensors", "learning_curve.png"
+LOG = "log.jsonl"
+TABLE = "progress.csv"
+EVALUATIONS = "evaluations.jsonl"
+BEST = "best.safetensors"
+LAST = "last.safetensors"
+CURVE = "learning_curve.png"
 TENSORBOARD = "tensorboard"  # a folder
 TRAINING = Kind(
     "a training", ("league", "matches", "opponents", "past", "rollout", "epochs"),

@@ -44,7 +44,9 @@ class Training:
         learner: Learner,
     ) -> None:  # fmt: skip
         self.settings, self.folder = settings, folder
-        self.curriculum, self.matches, self.learner = curriculum, matches, learner
+        self.curriculum = curriculum
+        self.matches = matches
+        self.learner = learner
         self.board = Board(settings, folder)
         self.rollouts = 0  # so far
         self.best = -np.inf  # mean goal difference of the best evaluation

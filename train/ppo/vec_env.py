@@ -80,7 +80,8 @@ class SoccerVecEnv(VecEnv):
         threads: int = 1,
         **settings: Any,
     ) -> None:
-        self.repeat, self.stagger, self.results = action_repeat, stagger, list[Result]()
+        self.repeat, self.stagger = action_repeat, stagger
+        self.results = list[Result]()
         self.render_mode, self.seconds = None, 0.0
         check_request(players, opponents, action_repeat, threads, settings)
         blocks = shared_out(players, matches, ideal_share)
@@ -98,8 +99,7 @@ class SoccerVecEnv(VecEnv):
         self.largest, self.state = max(match.settings.max_players for match in self.matches), state
         self.learners = [match.settings.home for match in self.matches]
         self.observed = len(self.matches[0].observation_names)  # entries before the state
-        league = self.matches[0].league
-        self.first_decision = first_decision(league.delay_steps, action_repeat)
+        self.first_decision = first_decision(self.matches[0].league.delay_steps, action_repeat)
         rows = [match.count * home for match, home in zip(self.matches, self.learners, strict=True)]
         self._order = np.argsort([-match.count * len(match.agents) for match in self.matches]).tolist()  # longest first
         self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()

@@ -73,7 +73,8 @@ def start_dribbling(match: Match) -> None:
     """Let the first player of a sacks team have felt the ball between its paws just now: it dribbles already."""
     if not match.learns[0]:
         memory = memory_of(match)
-        memory["begun"], memory["behaviour"], memory["attacks"] = 1, DRIBBLE, 1
+        memory["begun"] = memory["attacks"] = 1
+        memory["behaviour"] = DRIBBLE
         memory["had_ball"] = memory["role_clock"] = 0.0
 
 

@@ -99,7 +99,8 @@ def _in(bounds: dict[str, float]) -> dict[str, Any]:
     strict = bool({"above", "below"} & set(bounds))
     if unknown or not bounds or (strict and {"at_least", "at_most"} & set(bounds)):
         raise ValueError(f"bounds are at_least and at_most, or above and below, got {bounds}")
-    low, high = bounds.get("at_least", bounds.get("above", -inf)), bounds.get("at_most", bounds.get("below", inf))
+    low = bounds.get("at_least", bounds.get("above", -inf))
+    high = bounds.get("at_most", bounds.get("below", inf))
     return {"low": low, "high": high, "strict": strict}
 
 

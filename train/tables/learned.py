@@ -13,7 +13,9 @@ from soccer_env.train.evaluate.settings import EvaluateSettings
 from soccer_env.train.files import read_lines
 from soccer_env.train.tables.teams import measured, row_settings
 
-TEAM, MATCHES, MINUTES = "learned", 200, 4.0
+TEAM = "learned"
+MATCHES = 200
+MINUTES = 4.0
 SIZES = (1, 2, 3)
 OPPONENTS = ("random", "chaser", "sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75", "sacks-2001")
 SENSES = ("sensors", "ideal")

@@ -34,7 +34,8 @@ from soccer_env.train.reproduce.verdicts import Samples, counted, measured, repo
 
 MATCHES = 192
 NEAR, FAR = 0.45, 0.75  # [m] of the ball from the body's centre: 30 to 60 cm from the camera
-LOOK, SETTLE, SECONDS = 0.75, 1.25, 0.5  # [s] turned to the ball, until measuring begins, measured
+LOOK, SETTLE = 0.75, 1.25  # [s] turned to the ball, until measuring begins
+SECONDS = 0.5  # [s] measured
 APART, CLEAR = 0.30, 0.205  # [m] between two robots' middles, and from a robot's middle to the ball's: nothing overlaps
 SIGHT = 0.25  # [m] from the line of sight within which others are put
 START = -0.3  # [m] where the robot stands that looks, ahead along the field
@@ -136,14 +137,15 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
             stare(match, actions)
         if (step + 1) * dt <= SETTLE:
             continue
-        ball, (camera, _), (distance, angle) = match.beliefs["ball"][:, 0], camera_of(match), ball_in_sight(match)
+        ball, infrared = match.beliefs["ball"][:, 0], match.percepts["infrared"][:, 0]
+        camera, _ = camera_of(match)
+        distance, angle = ball_in_sight(match)
         ground = np.hypot(match.balls["x"] - camera[:, 0], match.balls["y"] - camera[:, 1])
         seen = ball["age"] < 0.5 * dt
         rows["error"].append(np.where(seen, (ball["distance"] - ball_from(match)[0]) / ground, np.nan))
         rows["believed"].append(np.where(seen, ball["distance"], np.nan))
         rows["range"].append(ground)
         rows["centred"].append(seen & (angle < ball_angle(match, distance)))
-        infrared = match.percepts["infrared"][:, 0]
         rows["short"].append((infrared > 0.0) & (infrared < distance - WELL_BEFORE))
     match.close()
     return {name: np.stack(values, axis=1) for name, values in rows.items()}
@@ -152,8 +154,7 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
 def by_dimension(batch: Batch) -> Samples:
     """Return the errors by width, by height and by the closer of them, of hidden balls, and what is left of them."""
     scene = draw_scene(batch)
-    width, height, area = hidden_parts(batch, scene)
-    found = {"width left": width, "height left": height, "area left": area}
+    found = dict(zip(("width left", "height left", "area left"), hidden_parts(batch, scene), strict=True))
     for size in ("width", "height", "closer"):
         found[size] = watch_scene(batch, scene, True, True, OLD | {"ball_size": size})["error"]
     return found

@@ -31,7 +31,8 @@ FRESH = 1e-6  # [s] age of a ball that is seen in this frame
 CAMERA_AHEAD = 0.15  # [m] of the body's centre, roughly: only where balls are put
 # Ranges that a claim about sensors names count along the ground from the camera, as those of the tables of sizes do.
 NEAR, FAR = 0.05, 0.60  # [m] from a ball before the paws to the range that the criterion names
-LEAST_RANGE, MOST_RANGE, WIDTH = 0.15, 0.90, 0.05  # [m] S06, and its bins
+LEAST_RANGE, MOST_RANGE = 0.15, 0.90  # [m] S06
+WIDTH = 0.05  # [m] of its bins
 CROSSING = (0.35, 0.45)  # [m] "about 40 cm"
 BEYOND = (0.45, 0.80)  # [m] where the ranger must be the worse one
 STEPS = ((0.05, 0.52, 0.64), (0.10, 0.74, 0.90))  # [m] worth of a pixel, and the ranges between which it falls: S15

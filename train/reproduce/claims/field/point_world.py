@@ -70,7 +70,8 @@ class PointWorld:
     def draw_noise(self, shape: tuple[int, ...], rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
         """Return factors on distances (T, M, P); distance and bearing of false blobs (T, M, 2), distance 0: none."""
         errors = np.maximum(1.0 + self.range_noise * rng.standard_normal(shape), 0.1)
-        far, aside = rng.uniform(BLOB_NEAR, BLOB_FAR, shape[:2]), rng.uniform(-BLOB_ASIDE, BLOB_ASIDE, shape[:2])
+        far = rng.uniform(BLOB_NEAR, BLOB_FAR, shape[:2])
+        aside = rng.uniform(-BLOB_ASIDE, BLOB_ASIDE, shape[:2])
         far[rng.random(shape[:2]) >= self.false_blobs] = 0.0
         return errors, np.stack([far, aside], axis=-1)
 

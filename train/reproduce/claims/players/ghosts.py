@@ -32,7 +32,9 @@ from soccer_env.train.reproduce.values import mean
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 
 MATCHES = 256
-LOOK_ASIDE, LOOK_AHEAD, AFTER = 1.0, 1.0, 5.0  # [s] at the third opponent, at the first two, and after the error
+LOOK_ASIDE = 1.0  # [s] at the third opponent
+LOOK_AHEAD = 1.0  # [s] at the first two
+AFTER = 5.0  # [s] after the error
 ASIDE, TURNED = (1.1, 1.4), 1.25  # [rad] bearing of the third opponent, out of view of a head that looks ahead; pan
 NEAR, FAR = 0.5, 1.0  # [m] of the third opponent
 KNOWN = 1.0  # [m] beyond which a slot stands for nobody: where obstacles exert no force any more, 4.3.2

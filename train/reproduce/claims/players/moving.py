@@ -53,7 +53,8 @@ def leave(batch: Batch) -> Samples:
     distance, _ = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
     seen, aside = nearest_seen(match)
     angle = match.robots["heading"][:, 0] + aside
-    known_x, known_y = match.robots["x"][:, 0] + seen * np.cos(angle), match.robots["y"][:, 0] + seen * np.sin(angle)
+    known_x = match.robots["x"][:, 0] + seen * np.cos(angle)
+    known_y = match.robots["y"][:, 0] + seen * np.sin(angle)
     x, y = walk(match, actions, (FARTHEST + LOOK * max(SPEEDS) - THERE) / DRIBBLE + 1.0, batch.rng(2))
     arrival = np.round(np.maximum(distance - THERE, 0.0) / DRIBBLE * match.league.control_rate).astype(int)
     rows = np.arange(len(speeds))

@@ -18,7 +18,10 @@ WALK = 1.5  # [s] of free walk before
 LIMIT, LATE = 5.0, 8.0  # [s] assumed: S22
 SLOW, STOPPED = 0.02, 5.0  # [m/s], [s] of contact: a robot that somebody stopped
 WAIT = 12.0  # [s] for which a held robot may think
-NEAREST, NEAR, MIDDLE, FARTHEST = 0.2, 0.35, 0.6, 0.8  # [m] of the ball, 3.3 and assumed
+NEAREST = 0.2  # [m] of the ball, 3.3 and assumed; so are the three below
+NEAR = 0.35  # [m]
+MIDDLE = 0.6  # [m]
+FARTHEST = 0.8  # [m]
 BINS = (0.2, 0.35, 0.5, 0.6, 0.7, 0.8)  # [m] edges of distances
 WINDOW, EARLY = 2.5, 0.7  # [s] over which the velocity is averaged, and before that; assumed
 

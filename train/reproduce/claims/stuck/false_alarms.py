@@ -26,7 +26,9 @@ MATCHES, PLAY_TIME = 16, 60.0  # of 3 v 3, [s]
 CAUSES = ("receding", "turning", "near", "other")
 BEFORE = 3.0  # [s] before an alarm that tell its cause
 FREE = 0.5  # [1] of that time in contact with somebody, below which nobody stopped the robot
-AWAY, ASIDE, SLOWLY = 0.01, 0.3, 0.2  # [m/s] of the ball, [rad] off its bearing, [rad/s] of the turn
+AWAY = 0.01  # [m/s] of the ball
+ASIDE = 0.3  # [rad] off its bearing
+SLOWLY = 0.2  # [rad/s] of the turn
 
 
 def approach(batch: Batch, rolls: bool, **settings: Any) -> np.ndarray:

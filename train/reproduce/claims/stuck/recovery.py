@@ -153,7 +153,9 @@ def sidestep(batch: Batch, either: bool) -> Samples:
     """Recover once (`either`: to a side that is drawn); return misalignments [deg] and who cleared, (M,) each."""
     match = begin_recovery(batch, 2.8)
     side = batch.rng(3).choice([-1.0, 1.0], RUNS)
-    before, after, watch = misalignment(match), np.full(RUNS, np.nan), Watch(match)
+    before = misalignment(match)
+    after = np.full(RUNS, np.nan)
+    watch = Watch(match)
     asides = np.zeros(RUNS, bool)
     for step in play(match, 9.0 + CLEAR):
         stepping = memory_of(match)["behaviour"] == SIDESTEP

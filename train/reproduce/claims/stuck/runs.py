@@ -75,7 +75,8 @@ def behind_post(batch: Batch, matches: int, ways: float = 0.4, **settings: Any) 
     x, y = rng.uniform(-0.6, 0.3, matches), rng.uniform(-0.2, 0.2, matches)
     ahead, aside = rng.uniform(*POST, matches), side * (ABREAST - rng.uniform(0.0, OVERLAP, matches))
     put(match, 0, x, y, way)
-    post_x, post_y = x + ahead * np.cos(way) - aside * np.sin(way), y + ahead * np.sin(way) + aside * np.cos(way)
+    post_x = x + ahead * np.cos(way) - aside * np.sin(way)
+    post_y = y + ahead * np.sin(way) + aside * np.cos(way)
     put(match, 1, post_x, post_y, way + np.pi + rng.uniform(-0.3, 0.3, matches))
     put_ball(match, *ahead_of(match, 0, ahead + rng.uniform(*BEYOND, matches), 0.0))
     begin(match, placed=True)
@@ -86,6 +87,8 @@ def behind_post(batch: Batch, matches: int, ways: float = 0.4, **settings: Any) 
 def recover(match: Match, rows: Any = slice(None)) -> None:
     """Let the player of robot 0 begin a recovery now, as if it had noticed that it is stuck."""
     memory, steps = memory_of(match), team_settings_of(match)["back_steps"][0]
-    memory["behaviour"][rows], memory["clock"][rows], memory["stuck"][rows] = BACK, 0.0, 0
+    memory["behaviour"][rows] = BACK
+    memory["clock"][rows] = 0.0
+    memory["stuck"][rows] = 0
     memory["tries"][rows] = 1
     memory["left"][rows] = steps * match.league.drive.gait_steps * match.league.dt
