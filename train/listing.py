@@ -46,21 +46,22 @@ def leagues() -> Iterator[Table]:
     """Yield the leagues with their main numbers."""
     from soccer_env.leagues import LEAGUES
 
-    rows = [
-        ("family", *(x.family for x in LEAGUES.values())),
-        ("pitch", *(f"{x.pitch.length:g} x {x.pitch.width:g} m" for x in LEAGUES.values())),
-        ("round it", *("boards" if x.pitch.walled else "lines, throw-ins" for x in LEAGUES.values())),
-        ("players a side", *(f"{x.team_size}" for x in LEAGUES.values())),
-        ("control steps a second", *(f"{x.control_rate}" for x in LEAGUES.values())),
-        ("drive", *(x.drive.kind for x in LEAGUES.values())),
-        ("top speed", *(f"{x.drive.forward:g} m/s" for x in LEAGUES.values())),
-        ("fastest kick", *(f"{x.kicker.fastest:g} m/s" for x in LEAGUES.values())),
-        ("minutes of a match", *(f"{2 * x.rules.half_minutes:g}" for x in LEAGUES.values())),
-        ("minutes of an evaluation", *(f"{x.evaluation_minutes:g}" for x in LEAGUES.values())),
-        ("placement in evaluations", *(x.evaluation_placement for x in LEAGUES.values())),
-        ("source", *(x.source for x in LEAGUES.values())),
-    ]
-    yield table("Leagues", ("", *LEAGUES), rows)
+    columns = ("name", "family", "pitch", "robots", "time", "source")
+    rows = []
+    for name, league in LEAGUES.items():
+        pitch, drive, minutes = league.pitch, league.drive, 2.0 * league.rules.half_minutes
+        evaluated = f"evaluated {league.evaluation_minutes:g} min, {league.evaluation_placement} placement"
+        rows.append(
+            (
+                name,
+                league.family,
+                f"{pitch.length:g} x {pitch.width:g} m, {'boards' if pitch.walled else 'lines'}",
+                f"{league.team_size} a side, {drive.kind}, {drive.forward:g} m/s, kicks {league.kicker.fastest:g} m/s",
+                f"{league.control_rate} steps/s, match {minutes:g} min, {evaluated}",
+                league.source,
+            )
+        )
+    yield table("Leagues", columns, rows)
 
 
 def teams() -> Iterator[Table]:
@@ -201,8 +202,8 @@ def table(title: str, columns: tuple[str, ...], rows: Sequence[tuple[str, ...]])
     from rich.table import Table
 
     drawn = Table(title=title, title_justify="left")
-    for column in columns:
-        drawn.add_column(column, overflow="fold")
+    for index, column in enumerate(columns):
+        drawn.add_column(column, overflow="fold", no_wrap=index == 0)
     for row in rows:
         drawn.add_row(*row)
     return drawn

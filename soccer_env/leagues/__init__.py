@@ -1,9 +1,9 @@
 """The leagues: every number of pitch, robots, rules and sensors, with unit and source.
 
 legged_2001.py        the Sony legged league of 2001
-legged_sensors.py     its sensors, and the memory of its robots
+legged_sensors.py     the sensors of legged robots, and their memory
 middle_size_2006.py   the middle-size league of 2006
-omni_sensors.py       its sensors, and the memory of its robots
+omni_sensors.py       the sensors of middle-size robots, and their memory
 league.py             what a league is, and a map of the pitch
 robot.py              what its robots are: body, drive, kicker, head
 robot_kind.py         what a kind of robot is, and where each is declared

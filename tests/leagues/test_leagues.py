@@ -1,12 +1,16 @@
 """Leagues: presets as published, frozen, and every number checked with a message that names it."""
 
+import importlib
+import pkgutil
 from dataclasses import FrozenInstanceError, fields, is_dataclass, replace
 from math import inf, nan
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 
+from soccer_env import leagues
 from soccer_env.leagues import LEAGUES, find_league, legged_2001, middle_size_2006
 from soccer_env.leagues.constants import CONSTANTS, constants_of
 
@@ -138,8 +142,16 @@ def test_leagues_are_frozen_and_become_constants(name: str) -> None:
     assert record["delay_steps"][0] == {16: 2, 50: 5}[league.control_rate]
 
 
+def modules_of_leagues() -> list[ModuleType]:
+    """Return the modules of soccer_env/leagues/ that hold a league."""
+    names = [found.name for found in pkgutil.iter_modules(leagues.__path__)]
+    found = [importlib.import_module(f"soccer_env.leagues.{name}") for name in names]
+    return [module for module in found if hasattr(module, "LEAGUE")]
+
+
 def test_each_league_draws_its_pitch() -> None:
-    for module in (legged_2001, middle_size_2006):
+    assert {legged_2001, middle_size_2006} <= set(modules_of_leagues())
+    for module in modules_of_leagues():
         assert module.__doc__ is not None and "---+" in module.__doc__
 
 
@@ -147,7 +159,7 @@ def test_each_number_of_a_preset_has_its_source_beside_it() -> None:
     """A number without unit and source, or the word assumed, is a guess that nobody can find."""
     from pathlib import Path
 
-    for module in (legged_2001, middle_size_2006):
+    for module in modules_of_leagues():
         lines = Path(module.__file__ or "").read_text(encoding="utf-8").splitlines()
         for line in lines:
             code, _, comment = line.partition("#")

@@ -10,7 +10,9 @@ from typing import Any, NamedTuple
 
 import pytest
 
+from soccer_env.leagues import LEAGUES
 from soccer_env.match_settings import MatchSettings
+from soccer_env.teams import NAMES
 from soccer_env.train.command_line import COMMANDS
 
 ROOT = Path(__file__).parents[2]
@@ -29,6 +31,7 @@ OTHERS = ("CHANGELOG.md", "soccer_env/REFERENCES.md")  # linked, not made of exa
 TEXTS = {page: (ROOT / page).read_text(encoding="utf-8") for page in (*PAGES, *OTHERS)}
 EXECUTABLES = {"make", "soccer", "pip", "python", "pytest", "git", "ruff", "mypy"}
 README_LINES = 200
+LISTS = {"soccer_env/README.md": sorted(LEAGUES), "baselines/README.md": sorted(NAMES)}  # what ships
 LINE = 160  # characters of a line that no command and no table needs
 SLOW = ("TrainSettings(", "stable_baselines3")  # examples that take more than five seconds
 
@@ -203,3 +206,9 @@ def test_links_and_headings_are_found() -> None:
     page = "# A `b` c!\n[one](two.md#a-b-c) ![three](four.png)\n`[five](six)`\n```\n[seven](eight)\n```\n"
     assert links(page) == ["two.md#a-b-c", "four.png"]
     assert anchors(page) == {"a-b-c"}
+
+
+@pytest.mark.parametrize("page", LISTS)
+def test_what_ships_is_named_on_its_page(page: str) -> None:
+    named = set(re.findall(r"`([\w-]+)`", TEXTS[page]))
+    assert [name for name in LISTS[page] if name not in named] == []

@@ -24,6 +24,7 @@ from soccer_env.baselines.sacks_2001.team import FUTURE, TUNED
 from soccer_env.leagues.options import GREATEST
 from soccer_env.train.evaluate.report import plain
 from soccer_env.train.files import read_lines
+from soccer_env.train.reproduce.claim import SACKS
 from soccer_env.train.reproduce.claims import all_claims
 from soccer_env.train.reproduce.report import with_interval
 from soccer_env.train.reproduce.reproduction import reproduce
@@ -38,7 +39,7 @@ FOLDER = Path(sacks_settings.__file__).resolve().parent
 README, DATA = FOLDER / "README.md", FOLDER / "claims.json"
 RUN = Path("runs/sacks-claims")  # where the command measures, so that it can be stopped
 SEED, THREADS = 1, 2
-CLAIMS = tuple(f"S{number:02}" for number in range(1, 73))
+CLAIMS = tuple(claim.id for claim in all_claims().values() if claim.paper == SACKS and not claim.study)
 NOT_MEASURED = "not measured"
 KEPT = ("id", "statement", "section", "verdict", "quick", "n", "command", "note", "without", "pose")  # of a result
 
@@ -66,9 +67,8 @@ def take_folder(path: Path) -> dict[str, dict[str, Any]]:
 
 
 def measure() -> dict[str, dict[str, Any]]:
-    """Measure every claim of the paper that is built, in RUN, and return them all."""
-    built = tuple(name for name in CLAIMS if name in all_claims())
-    reproduce(ReproduceSettings(claims=built, seed=SEED, threads=THREADS, out=RUN))
+    """Measure every claim of the paper, in RUN, and return them all."""
+    reproduce(ReproduceSettings(claims=CLAIMS, seed=SEED, threads=THREADS, out=RUN))
     return take_folder(RUN)
 
 
