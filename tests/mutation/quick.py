@@ -11,8 +11,8 @@ QUICK = [
     Mutant(
         "wrong sign of a rotation",
         "soccer_env/observations/truth.py",
-        "cosine * x + sine * y, cosine * y - sine * x",
-        "cosine * x + sine * y, cosine * y + sine * x",
+        "into_frame(x, y, cosine, sine)",
+        "into_frame(x, y, cosine, -sine)",
         "tests/observations/test_observations.py::test_entries_mean_what_the_layout_says",
         where="write_ball",
     ),
@@ -76,8 +76,8 @@ QUICK = [
     Mutant(
         "wrong sign of another player's heading",
         "soccer_env/observations/truth.py",
-        "cosine * axes[other, 1] - sine * axes[other, 0]",
-        "sine * axes[other, 0] - cosine * axes[other, 1]",
+        "clip(left, -1.0, 1.0)",
+        "clip(-left, -1.0, 1.0)",
         "tests/observations/test_observations.py::test_the_heading_of_another_player_is_seen_from_the_robots_own",
     ),
     Mutant(
