@@ -75,18 +75,19 @@ def progress(match, ball, robots, k, team):
 def approach(match, ball, robots, k, team):
     """Return minus the distance of the team's nearest active robot from the ball, over the pitch's diagonal."""
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
-    return -nearest_distance(ball, robots, team) / diagonal
+    square = nearest_square(ball, robots, team)
+    return -(0.0 if square == inf else sqrt(square)) / diagonal
 
 
 @compiled
-def nearest_distance(ball, robots, team):
-    """Return the distance [m] of a team's nearest active robot from the ball, 0 if it has none."""
+def nearest_square(ball, robots, team):
+    """Return the square of the distance [m2] of a team's nearest active robot from the ball, inf if it has none."""
     least = inf
     for r in range(robots.shape[0]):
         if robots[r].team == team and robots[r].active == 1:
             x, y = robots[r].x - ball.x, robots[r].y - ball.y
             least = min(least, x * x + y * y)
-    return 0.0 if least == inf else sqrt(least)
+    return least
 
 
 @compiled
@@ -178,8 +179,11 @@ def find_rewards(rewards: str | Rewards) -> Rewards:
     return PRESETS[rewards]
 
 
+# A link of a chain has no loop and takes whole arrays: it then is inlined, and counts no references to views of rows.
+
+
 def make_measure(terms: tuple[Term, ...]) -> Callable[..., None]:
-    """Return a kernel that writes the potentials of a team (terms,): each row's after those of the rows before it."""
+    """Return a kernel that writes the potentials of a team into its row of (2, potentials), one column a term."""
 
     @compiled
     def measure(match, ball, robots, k, team, potentials):
@@ -196,13 +200,13 @@ def add_potential(measure_others, index, function):
     @compiled
     def measure(match, ball, robots, k, team, potentials):
         measure_others(match, ball, robots, k, team, potentials)
-        potentials[index] = function(match, ball, robots, k, team)
+        potentials[team, index] = function(match, ball, robots, k, team)
 
     return measure
 
 
 def make_pay(terms: tuple[Term, ...]) -> Callable[..., None]:
-    """Return a kernel that adds what a robot gets to its terms (terms,): each row after the rows before it."""
+    """Return a kernel that adds what a robot gets to its row of (R, terms or more), one column a term."""
 
     @compiled
     def pay(match, ball, robots, events, robot_events, k, r, before, after, weights, paid):
@@ -224,7 +228,8 @@ def add_shaping(pay_others, column, index):
     @compiled
     def pay(match, ball, robots, events, robot_events, k, r, before, after, weights, paid):
         pay_others(match, ball, robots, events, robot_events, k, r, before, after, weights, paid)
-        paid[column] += weights.term[column] * (weights.gamma * after[index] - before[index])
+        team = robots[r].team
+        paid[r, column] += weights.term[column] * (weights.gamma * after[team, index] - before[team, index])
 
     return pay
 
@@ -235,7 +240,7 @@ def add_event(pay_others, column, function, sign):
     @compiled
     def pay(match, ball, robots, events, robot_events, k, r, before, after, weights, paid):
         pay_others(match, ball, robots, events, robot_events, k, r, before, after, weights, paid)
-        paid[column] += sign * function(match, ball, robots, events, robot_events, k, r, weights.term[column])
+        paid[r, column] += sign * function(match, ball, robots, events, robot_events, k, r, weights.term[column])
 
     return pay
 
@@ -251,15 +256,15 @@ def measure_potentials(match, ball, robots, k, potentials):
         potentials[:] = 0.0
         return
     for team in range(2):
-        measure_team(match, ball, robots, k, team, potentials[team])
+        measure_team(match, ball, robots, k, team, potentials)
 
 
 @compiled
 def reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards):
     """Add the weighted terms of each robot to terms (R, COUNT or more), and write their sum into rewards (R,)."""
     for r in range(robots.shape[0]):
-        team, total = robots[r].team, 0.0
-        pay_robot(match, ball, robots, events, robot_events, k, r, before[team], after[team], weights, terms[r])
+        pay_robot(match, ball, robots, events, robot_events, k, r, before, after, weights, terms)
+        total = 0.0
         for column in range(COUNT):
             total += terms[r, column]
         rewards[r] = total

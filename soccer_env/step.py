@@ -70,16 +70,26 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
     The whole step of a match runs before the next match begins, so that its records stay in the cache.
     """
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
+    k, weights, limit = numbers.constants[0], numbers.weights[0], numbers.limit
     before, scratch, broken = np.empty(POTENTIALS), make_scratch(world.robots.shape[1]), -1
     for m in range(first, last):
-        substeps = begin_match(world, physics, outcome, numbers, before, m)
-        if substeps > 0:
-            step_match(links, m, substeps, numbers.constants[0].dt)
-            result = finish_match(world, physics, outcome, numbers, before, scratch, m)
-            if result == PUT_ELSEWHERE:
-                write_bodies(links, m)
-            elif result == BROKEN and broken < 0:
-                broken = m
+        match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
+        events, robot_events, velocities = world.events[m], world.robot_events[m], physics.velocities[m]
+        terms, rewards = outcome.terms[m], outcome.rewards[m]
+        substeps = begin_match(match, ball, robots, events, robot_events, velocities, k, before, terms, rewards)
+        if substeps == 0:
+            continue
+        step_match(links, m, substeps, k.dt)
+        result = finish_match(
+            match, ball, robots, events, robot_events, physics.bodies[m], velocities, k, weights,
+            before, scratch, terms, rewards, outcome.observations[m],
+        )  # fmt: skip
+        if result == PUT_ELSEWHERE:
+            write_bodies(links, m)
+        elif result == BROKEN:
+            broken = m if broken < 0 else broken
+            continue
+        outcome.terminated[m], outcome.truncated[m] = match.over == 1, is_truncated(match, k, limit)
     return broken
 
 
@@ -88,17 +98,28 @@ def begin_slice(world, physics, outcome, numbers, before, substeps, first, last)
     """Do the part of a step before the physics, for physics that Python steps: `before` (M, *POTENTIALS)."""
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
     for m in range(first, last):
-        substeps[m] = begin_match(world, physics, outcome, numbers, before[m], m)
+        substeps[m] = begin_match(
+            world.matches[m], world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
+            physics.velocities[m], numbers.constants[0], before[m], outcome.terms[m], outcome.rewards[m],
+        )  # fmt: skip
 
 
 @compiled
 def finish_slice(world, physics, outcome, numbers, before, results, first, last):
     """Do the part after the physics; `results` (M,) are substeps before and what `finish_match` says afterwards."""
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
-    scratch = make_scratch(world.robots.shape[1])
+    k, scratch = numbers.constants[0], make_scratch(world.robots.shape[1])
     for m in range(first, last):
-        if results[m] > 0:
-            results[m] = finish_match(world, physics, outcome, numbers, before[m], scratch, m)
+        if results[m] == 0:
+            continue
+        match = world.matches[m]
+        results[m] = finish_match(
+            match, world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
+            physics.bodies[m], physics.velocities[m], k, numbers.weights[0],
+            before[m], scratch, outcome.terms[m], outcome.rewards[m], outcome.observations[m],
+        )  # fmt: skip
+        if results[m] != BROKEN:
+            outcome.terminated[m], outcome.truncated[m] = match.over == 1, is_truncated(match, k, numbers.limit)
 
 
 @compiled
@@ -107,38 +128,36 @@ def named(world, physics, outcome, numbers):
     return World(*world), Physics(*physics), Outcome(*outcome), Numbers(*numbers)
 
 
+# Below this line a match is its own records and rows: handed on as bundles, each array in them would be counted by
+# reference once more at every call, which cost several percent of a step.
+
+
 @compiled
-def begin_match(world, physics, outcome, numbers, before, m):
-    """Do what comes before the physics in match m; return its substeps, 0 if it is over and stands still."""
-    match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
-    clear_events(world.events[m], world.robot_events[m])
-    outcome.terms[m][:] = 0.0
+def begin_match(match, ball, robots, events, robot_events, velocities, k, before, terms, rewards):
+    """Do what comes before the physics; return the number of substeps, 0 if the match is over and stands still."""
+    clear_events(events, robot_events)
+    terms[:] = 0.0
     if match.over == 1:
-        outcome.rewards[m][:] = 0.0
+        rewards[:] = 0.0
         return 0
-    k = numbers.constants[0]
     measure_potentials(match, ball, robots, k, before)
-    return begin_step(match, ball, robots, world.robot_events[m], physics.velocities[m], k)
+    return begin_step(match, ball, robots, robot_events, velocities, k)
 
 
 @compiled
-def finish_match(world, physics, outcome, numbers, before, scratch, m):
-    """Do what comes after the physics in match m; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
-    match, ball, robots, events = world.matches[m], world.balls[m], world.robots[m], world.events[m]
-    if not is_finite(physics.bodies[m], robots.shape[0] + 1):
+def finish_match(
+    match, ball, robots, events, robot_events, bodies, velocities, k, weights,
+    before, scratch, terms, rewards, observations,
+):  # fmt: skip
+    """Do what comes after the physics; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
+    if not is_finite(bodies, robots.shape[0] + 1):
         return BROKEN
-    k = numbers.constants[0]
-    moved = finish_step(match, ball, robots, events, world.robot_events[m], physics.bodies[m], physics.velocities[m], k)
+    moved = finish_step(match, ball, robots, events, robot_events, bodies, velocities, k)
     after, axes, rows, squares = scratch
     measure_potentials(match, ball, robots, k, after)
-    reward_robots(
-        match, ball, robots, events, world.robot_events[m], k, before, after, numbers.weights[0],
-        outcome.terms[m], outcome.rewards[m],
-    )  # fmt: skip
-    if outcome.observations.shape[2] > 0:
-        observe_truth(match, ball, robots, outcome.observations[m], k, axes, rows, squares)
-    outcome.terminated[m] = match.over == 1
-    outcome.truncated[m] = match.over == 0 and (match.step >= numbers.limit or out_of_time(match, k))
+    reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards)
+    if observations.shape[1] > 0:
+        observe_truth(match, ball, robots, observations, k, axes, rows, squares)
     return PUT_ELSEWHERE if moved else GOES_ON
 
 
@@ -200,6 +219,12 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k
 def make_scratch(robots):
     """Return arrays to work in: potentials, axes of the robots (R, 2), rows and squared distances of players."""
     return np.empty(POTENTIALS), np.empty((robots, 2)), np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
+
+
+@compiled
+def is_truncated(match, k, limit):
+    """Tell whether an episode that has not ended stops all the same, after `limit` control steps or a drill's time."""
+    return match.over == 0 and (match.step >= limit or out_of_time(match, k))
 
 
 @compiled

@@ -9,6 +9,7 @@ import pytest
 from soccer_env import Match, Rewards
 from soccer_env.rewards import KINDS, NAMES, POTENTIALS, PRESETS, TERMS, Term, find_rewards, make_pay
 from soccer_env.train.command_line import main
+from soccer_env.types import AWAY, HOME
 from tests.scenes.staging import LEAGUES, endless, put, put_ball, scatter, set_phase, stage, stand
 
 GOAL, PROGRESS, APPROACH, EFFORT = (NAMES.index(name) for name in ("goal", "progress", "approach", "effort"))
@@ -203,10 +204,14 @@ def test_a_kernel_follows_from_any_table() -> None:
     match.robots["command"]["forward"] = 0.5
     match.events["goal"] = 1
     weights = np.array([((3.0, 2.0, 5.0, 7.0), 0.5)], [("term", "f8", (4,)), ("gamma", "f8")])
-    paid, before, after = np.zeros(4), np.array([1.0, 4.0]), np.array([3.0, 6.0])
+    before, after = np.array([[1.0, 4.0], [2.0, 8.0]]), np.array([[3.0, 6.0], [8.0, 6.0]])
     records = (match.matches[0], match.balls[0], match.robots[0], match.events[0], match.robot_events[0])
-    pay(*records, match.settings.constants()[0], 1, before, after, weights[0], paid)
-    assert paid.tolist() == [-3.0 * 0.25 / 3.0, 2.0 * (1.5 - 1.0), 5.0 * (3.0 - 4.0), 7.0]
+    paid = np.zeros((2, 4))
+    for r in range(2):
+        pay(*records, match.settings.constants()[0], r, before, after, weights[0], paid)
+    cost = -3.0 * 0.25 / 3.0
+    assert paid[HOME].tolist() == [cost, 2.0 * (1.5 - 1.0), 5.0 * (3.0 - 4.0), -7.0]
+    assert paid[AWAY].tolist() == [cost, 2.0 * (4.0 - 2.0), 5.0 * (3.0 - 8.0), 7.0]
 
 
 def test_an_unknown_term_is_refused_with_those_that_exist() -> None:
