@@ -175,7 +175,7 @@ class Match:
         else:
             edges = [self.count * i // self.threads for i in range(self.threads + 1)]
             list(self._pool.map(partial(self._step_slice, numbers), edges[:-1], edges[1:]))
-        self._own_terms.pay(self, float(self.batch.weights["gamma"][0]))
+        self._own_terms.pay(self)
         self._observe_own()
         if self.recorder is not None:
             self.recorder.note_state(self)
