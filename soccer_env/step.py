@@ -70,11 +70,13 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
     The whole step of a match runs before the next match begins, so that its records stay in the cache.
     """
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
-    k, weights, limit = numbers.constants[0], numbers.weights[0], numbers.limit
-    before, scratch, broken = np.empty(POTENTIALS), make_scratch(world.robots.shape[1]), -1
+    k, weights = numbers.constants[0], numbers.weights[0]
+    before, scratch = np.empty(POTENTIALS), make_scratch(world.robots.shape[1])
+    broken = -1
     for m in range(first, last):
         match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
-        events, robot_events, velocities = world.events[m], world.robot_events[m], physics.velocities[m]
+        events, robot_events = world.events[m], world.robot_events[m]
+        velocities = physics.velocities[m]
         terms, rewards = outcome.terms[m], outcome.rewards[m]
         substeps = begin_match(match, ball, robots, events, robot_events, velocities, k, before, terms, rewards)
         if substeps == 0:
@@ -89,7 +91,8 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
         elif result == BROKEN:
             broken = m if broken < 0 else broken
             continue
-        outcome.terminated[m], outcome.truncated[m] = match.over == 1, is_truncated(match, k, limit)
+        outcome.terminated[m] = match.over == 1
+        outcome.truncated[m] = is_truncated(match, k, numbers.limit)
     return broken
 
 
@@ -108,7 +111,8 @@ def begin_slice(world, physics, outcome, numbers, before, substeps, first, last)
 def finish_slice(world, physics, outcome, numbers, before, results, first, last):
     """Do the part after the physics; `results` (M,) are substeps before and what `finish_match` says afterwards."""
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
-    k, scratch = numbers.constants[0], make_scratch(world.robots.shape[1])
+    k = numbers.constants[0]
+    scratch = make_scratch(world.robots.shape[1])
     for m in range(first, last):
         if results[m] == 0:
             continue
@@ -119,7 +123,8 @@ def finish_slice(world, physics, outcome, numbers, before, results, first, last)
             before[m], scratch, outcome.terms[m], outcome.rewards[m], outcome.observations[m],
         )  # fmt: skip
         if results[m] != BROKEN:
-            outcome.terminated[m], outcome.truncated[m] = match.over == 1, is_truncated(match, k, numbers.limit)
+            outcome.terminated[m] = match.over == 1
+            outcome.truncated[m] = is_truncated(match, k, numbers.limit)
 
 
 @compiled

@@ -27,17 +27,6 @@ class Minds(NamedTuple):
     gazes: np.ndarray  # (M, R) GAZE: where the head looks unless the command says otherwise
 
 
-class Mind(NamedTuple):
-    """What one robot believes and remembers: a row of Minds."""
-
-    belief: Any
-    tracks: np.ndarray  # (slots,)
-    memory: Any
-    particles: np.ndarray  # (N,)
-    noise: np.ndarray  # (streams,)
-    gaze: Any
-
-
 class MemoryNumbers(NamedTuple):
     """What league and settings say to beliefs."""
 
@@ -53,7 +42,9 @@ def believe_kernel(
 ) -> Callable[..., None]:
     """Return the compiled loop over matches and robots of a kind.
 
-    make_scratch() makes what believe_robot(percept, mind, scratch, k, s, w, table) works in;
+    make_scratch() makes the scratch that believe_robot(percept, belief, tracks, memory, particles, noise, gaze,
+    scratch, k, s, w, table) works in. It gets its robot's rows one by one: the arrays of a bundle would have their
+    references counted once more at every call.
     talk(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows) is among the robots of one match.
     """
 
@@ -63,22 +54,22 @@ def believe_kernel(
 
         Nothing happens in matches that are `asleep` (M,), over before this step.
         """
-        minds, numbers = Minds(*minds), MemoryNumbers(*numbers)
+        numbers = MemoryNumbers(*numbers)
         k = numbers.constants[0]
         s = numbers.sensors[0]
         w = numbers.memory[0]
         table = numbers.tables[0]
-        beliefs = minds.beliefs
-        tracks = minds.tracks
-        noise = minds.noise
+        beliefs, tracks, memories, particles, messages, noise, gazes = Minds(*minds)
+        home = numbers.home
         scratch = make_scratch()
         for m in range(first, last):
             if asleep[m]:
                 continue
             for r in rows:
-                memory, particles = minds.memories[m, r], minds.particles[m, r]
-                mind = Mind(beliefs[m, r], tracks[m, r], memory, particles, noise[m, r], minds.gazes[m, r])
-                believe_robot(percepts[m, r], mind, scratch, k, s, w, table)
-            talk(percepts[m], beliefs[m], tracks[m], minds.messages[m], noise[m], k, s, w, numbers.home, rows)
+                believe_robot(
+                    percepts[m, r], beliefs[m, r], tracks[m, r], memories[m, r], particles[m, r], noise[m, r],
+                    gazes[m, r], scratch, k, s, w, table,
+                )  # fmt: skip
+            talk(percepts[m], beliefs[m], tracks[m], messages[m], noise[m], k, s, w, home, rows)
 
     return believe_slice

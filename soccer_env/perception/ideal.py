@@ -40,9 +40,10 @@ def tell_slice(world, beliefs, asleep, rows, first, last):
     """Tell some robots of a slice of matches how the match stands; nothing new in those that are `asleep` (M,)."""
     world = World(*world)
     for m in range(first, last):
+        match, robots = world.matches[m], world.robots[m]
         if not asleep[m]:
             for r in rows:
-                situation(world.matches[m], world.robots[m], beliefs[m, r].situation, r)
+                situation(match, robots, beliefs[m, r].situation, r)
 
 
 @compiled

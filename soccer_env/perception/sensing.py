@@ -44,19 +44,20 @@ def sense_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[..., No
     def sense_slice(world, sensing, numbers, asleep, rows, first, last):
         """Fill the percepts of some robots of a slice of matches; those of matches that are `asleep` (M,) stay."""
         world = World(*world)
-        sensing = Sensing(*sensing)
         numbers = SensorNumbers(*numbers)
         k, s = numbers.constants[0], numbers.sensors[0]
+        pose_sensed = numbers.pose_sensed
+        percepts, states, pending = Sensing(*sensing)
         scratch = make_scratch(k, s)
         for m in range(first, last):
             if asleep[m]:
                 continue
-            match, robots = world.matches[m], world.robots[m]
+            match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
+            robot_events = world.robot_events[m]
             for r in rows:
-                percept = sensing.percepts[m, r]
-                state = sensing.states[m, r]
-                events = world.robot_events[m, r]
-                sense_body(match, robots[r], events, percept.body, state.pose_error, k, s, numbers.pose_sensed)
-                sense_robot(match, world.balls[m], robots, r, percept, state, sensing.pending[m, r], scratch, k, s)
+                percept = percepts[m, r]
+                state = states[m, r]
+                sense_body(match, robots[r], robot_events[r], percept.body, state.pose_error, k, s, pose_sensed)
+                sense_robot(match, ball, robots, r, percept, state, pending[m, r], scratch, k, s)
 
     return sense_slice

@@ -25,7 +25,7 @@ MUTANTS = [
     Mutant(
         "MS01",
         MEMORY,
-        "choose_gaze(percept, belief, memory.head, mind.gaze, k, s, w)",
+        "choose_gaze(percept, belief, memory.head, gaze, k, s, w)",
         "pass",
         TEST_FILLED,
     ),

@@ -29,16 +29,13 @@ def make_scratch():
 
 
 @compiled
-def believe_robot(percept, mind, scratch, k, s, w, table):
-    """Bring the Mind of one robot up to its percept, and choose where its head looks next."""
-    belief = mind.belief
-    tracks = mind.tracks
-    memory = mind.memory
-    believe_pose_legged(percept, belief.own, memory.pose, mind.particles, mind.noise, k, s, w)
+def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scratch, k, s, w, table):
+    """Bring what one robot believes and remembers up to its percept, and choose where its head looks next."""
+    believe_pose_legged(percept, belief.own, memory.pose, particles, noise, k, s, w)
     believe_ball(percept, belief.own, belief.ball, memory.ball, k, s, w, table)
     believe_players(percept, belief.own, tracks, memory.players, k, s, w, table)
     believe_obstacle(percept, belief, tracks, k, s, w)
-    choose_gaze(percept, belief, memory.head, mind.gaze, k, s, w)
+    choose_gaze(percept, belief, memory.head, gaze, k, s, w)
 
 
 believe_slice = believe_kernel(make_scratch, believe_robot, exchange)

@@ -36,11 +36,10 @@ def make_scratch():
 
 
 @compiled
-def believe_robot(percept, mind, scratch, k, s, w, table):
-    """Bring the Mind of one robot up to its percept; there is no head to turn."""
-    belief, memory = mind.belief, mind.memory
-    believe_pose_omni(percept, belief.own, memory.pose, mind.particles, mind.noise, k, s, w, table)
-    track_things(percept, belief, mind.tracks, memory, scratch, k, s, w)
+def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scratch, k, s, w, table):
+    """Bring what one robot believes and remembers up to its percept; there is no head to turn."""
+    believe_pose_omni(percept, belief.own, memory.pose, particles, noise, k, s, w, table)
+    track_things(percept, belief, tracks, memory, scratch, k, s, w)
     belief.obstacle.distance = belief.obstacle.bearing = 0.0  # there is no ranger
 
 
