@@ -14,7 +14,7 @@ from soccer_env.train.pictures.settings import PictureSettings
 def make_pictures(settings: PictureSettings) -> None:
     """Write match.gif, belief.png and frames.png into the folder."""
     settings.out.mkdir(parents=True, exist_ok=True)
-    write_gif(frames_of(settings), settings.out / "match.gif", settings.frame_time)
+    write_gif(frames_of(settings), settings.out / "match.gif", settings.frame_time, settings.last_time)
     save_png(belief_picture(settings), settings.out / "belief.png")
     save_png(frames_picture(settings), settings.out / "frames.png")
 

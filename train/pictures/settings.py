@@ -28,6 +28,8 @@ class PictureSettings:
     """Control steps from one frame of the animation to the next."""
     frame_time: float = 0.08
     """[s] for which a frame of the animation is shown."""
+    last_time: float = 1.5
+    """[s] for which its last frame, the goal, is shown."""
     width: int = 720
     """[px] width of the animation."""
     belief_seed: int = 5
