@@ -14,17 +14,17 @@ from soccer_env.train.pictures.legend import Entry, with_legend
 from soccer_env.train.pictures.settings import PictureSettings
 from soccer_env.types import Phase
 
-ROBOT = (-0.72, -0.52, 0.52)  # [m, m, rad] pose of red 1 in the field frame
-OTHER = (0.85, -0.55, 2.6)  # of blue 1
-BALL = (-0.25, 0.55)  # [m]
+ROBOT = (-0.70, -0.60, 0.45)  # [m, m, rad] pose of red 0 in the field frame
+OTHER = (0.85, -0.55, 2.6)  # of blue 0
+BALL = (-0.51, 0.48)  # [m]
 AXIS = 0.42  # [m] length of the arrows
 LETTERS = 24.0  # [px] in a picture of 1000 px
 
 ENTRIES = (
-    Entry("axes", WHITE, "field frame: origin at the centre spot, x towards the goal that away defends first"),
-    Entry("axes", TEAMS_LIGHT[1], "team frame of away: turned by half a turn, so that its own goal lies at -x too"),
+    Entry("axes", WHITE, "field frame, origin at the centre spot: in the first half also home's team frame"),
+    Entry("axes", TEAMS_LIGHT[1], "away's team frame in the first half: half a turn, so its own goal lies at -x too"),
     Entry("axes", KEEPER, "robot frame: x forward, y left; heading is its angle in the field frame"),
-    Entry("ring", BALL_SHINE, "bearing and distance: the polar place of a thing in the robot frame"),
+    Entry("polar", BALL_SHINE, "bearing and distance: where a thing lies in the robot frame"),
 )
 
 
@@ -54,8 +54,8 @@ def axes_of_robot(size: float) -> list[Overlay]:
     """Return the axes of the robot frame, and the heading as an arc from the direction of the field's x."""
     x, y, heading = ROBOT
     along = Polyline([(x, y), (x + 1.15 * AXIS, y)], WHITE, 1.5 * size)
-    middle = heading / 2
-    words = Label((x + 0.36 * cos(middle), y + 0.36 * sin(middle)), "heading", WHITE, LETTERS * size, align="left")
+    beside = (x + 0.36 * cos(0.4 * heading), y + 0.36 * sin(0.4 * heading))
+    words = Label(beside, "heading", WHITE, LETTERS * size, align="left")
     return [along, arc(x, y, 0.0, heading, 0.33, WHITE, size), words, *axes(x, y, heading, KEEPER, size)]
 
 
@@ -63,12 +63,14 @@ def polar_place(size: float) -> list[Overlay]:
     """Return the line from the robot to the ball, and the bearing as an arc."""
     x, y, heading = ROBOT
     direction = atan2(BALL[1] - y, BALL[0] - x)
-    middle, half_way = (heading + direction) / 2, 0.62 * hypot(BALL[0] - x, BALL[1] - y)
+    half_way = 0.62 * hypot(BALL[0] - x, BALL[1] - y)
     at = (x + half_way * cos(direction), y + half_way * sin(direction))
+    high = heading + 0.65 * (direction - heading)  # clear of the name of the robot's x
+    beside = (x + 0.35 * cos(high), y + 0.35 * sin(high))
     return [
         Polyline([(x, y), BALL], BALL_SHINE, 2.0 * size),
         arc(x, y, heading, direction, 0.26, BALL_SHINE, size),
-        Label((x + 0.42 * cos(middle), y + 0.42 * sin(middle)), "bearing", BALL_SHINE, LETTERS * size, align="left"),
+        Label(beside, "bearing", BALL_SHINE, LETTERS * size, align="left"),
         Label(at, "distance", BALL_SHINE, LETTERS * size, (-8.0 * size, 0.0), "right"),
     ]
 

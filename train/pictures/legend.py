@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import atan2, cos, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +18,7 @@ ROW = 0.042  # of the width
 class Entry(NamedTuple):
     """A sign and what it means."""
 
-    sign: str  # "ring", "box", "axes", "dots" or "area"
+    sign: str  # "ring", "box", "axes", "polar", "dots" or "area"
     colour: Colour
     words: str
 
@@ -58,6 +59,13 @@ def draw_sign(canvas: Canvas, entry: Entry, x: float, y: float, radius: float) -
         corner = (x - 0.8 * radius, y + 0.8 * radius)
         for end in ((x + 1.3 * radius, y + 0.8 * radius), (x - 0.8 * radius, y - 1.2 * radius)):
             canvas.stroke(corner, end, line, entry.colour)
+    elif entry.sign == "polar":
+        robot = (x - radius, y + radius)
+        canvas.stroke(robot, (robot[0] + 1.5 * radius, robot[1] - 2.2 * radius), line, entry.colour)
+        angles = np.linspace(0.0, atan2(2.2, 1.5), 12)
+        arc = [(robot[0] + 1.9 * radius * cos(angle), robot[1] - 1.9 * radius * sin(angle)) for angle in angles]
+        for start, end in zip(arc[:-1], arc[1:], strict=True):
+            canvas.stroke(start, end, line, entry.colour)
     elif entry.sign == "area":
         canvas.box(x - 1.3 * radius, y - radius, 2.6 * radius, 2 * radius, FLOOR)
         corners = [(x - 1.3 * radius, y), (x + 1.3 * radius, y - radius), (x + 1.3 * radius, y + radius)]
