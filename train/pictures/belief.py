@@ -6,7 +6,7 @@ stand: an error of the own pose moves everything else as well.
 
 from __future__ import annotations
 
-from math import cos, pi, sin
+from math import cos, dist, pi, sin
 
 import numpy as np
 
@@ -52,7 +52,7 @@ def entries(match: Match, row: int) -> list[Entry]:
         Entry("ring", BALL_SHINE, "where it believes the ball is"),
         Entry("area", SIGHT, "what its camera has in view"),
         Entry("ring", TEAMS_LIGHT[0], "a team-mate as it believes"),
-        Entry("ring", TEAMS_LIGHT[1], "an opponent, and how long ago it was seen"),
+        Entry("ring", TEAMS_LIGHT[1], "an opponent, and how long ago it saw it"),
     ]
 
 
@@ -142,13 +142,30 @@ def outline(league: League, pose: Pose, colour: Colour, width: float) -> list[Ov
 
 
 def believed_player(match: Match, row: int, own: Pose, track: np.void, size: float) -> list[Overlay]:
-    """Return a player as the robot believes it, with the time since it was seen if that is long ago."""
+    """Return a player as the robot believes it, if that is on the pitch.
+
+    One seen long ago has the time since then, and a line to the player that the memory is of.
+    """
     team = int(match.robots["team"][0, row])
-    colour = TEAMS_LIGHT[team if track["teammate"] else 1 - team]
-    where = place(own, track)
+    team = team if track["teammate"] else 1 - team
+    colour, where, pitch = TEAMS_LIGHT[team], place(own, track), match.league.pitch
+    if abs(where[0]) > pitch.length / 2 or abs(where[1]) > pitch.width / 2:
+        return []
     found: list[Overlay] = [Points([where], colour, 17.0 * size, hollow=True)]
     if track["age"] > JUST_SEEN:
         age = float(track["age"])
         words = f"{age:.0f} s ago" if age >= 1.0 else f"{age:.1f} s ago"
-        found.append(Label(where, words, colour, 27.0 * size, (0.0, 34.0 * size)))
+        found.append(Polyline([nearest_player(match, row, team, where), where], colour, 1.5 * size))
+        found.append(Label(where, words, WHITE, 24.0 * size, (20.0 * size, -16.0 * size), "left"))
     return found
+
+
+def nearest_player(match: Match, row: int, team: int, where: tuple[float, float]) -> tuple[float, float]:
+    """Return where the player of a team, other than the robot itself, stands that is nearest to a place.
+
+    A memory does not say of whom it is: the nearest is taken.
+    """
+    robots = match.robots[0]
+    others = [r for r in range(len(robots)) if r != row and robots["team"][r] == team and robots["active"][r]]
+    places = [(float(robots["x"][r]), float(robots["y"][r])) for r in others]
+    return min(places, key=lambda at: dist(at, where))

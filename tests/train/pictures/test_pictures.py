@@ -1,7 +1,7 @@
 """The pictures of the pages: they show the match that they say, and beliefs where the robot believes them."""
 
 from dataclasses import replace
-from math import pi
+from math import dist, pi
 from pathlib import Path
 
 import numpy as np
@@ -14,13 +14,13 @@ from PIL import Image
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from soccer_env.render import Area, Picture, Points
+from soccer_env.render import Area, Label, Picture, Points, Polyline
 from soccer_env.render.colours import BALL, BALL_SHINE, TEAMS_LIGHT
 from soccer_env.train.pictures.animation import frames_of, scoring_ball, write_gif
-from soccer_env.train.pictures.belief import belief_overlays, belief_picture, field_of_view, to_board
+from soccer_env.train.pictures.belief import belief_overlays, belief_picture, believed_player, field_of_view, to_board
 from soccer_env.train.pictures.frames import frames_picture
 from soccer_env.train.pictures.settings import FOLDER, PictureSettings
-from soccer_env.types import NO_TEAM
+from soccer_env.types import NO_TEAM, TRACK
 
 TINY = PictureSettings(home="chaser", away="still", seed=3, longest=1.0, width=240, still_width=240, belief_time=0.5)
 
@@ -65,6 +65,26 @@ def test_who_knows_the_truth_believes_every_thing_where_it_is(row: int) -> None:
         others = [r for r in range(6) if r != row and match.robots["team"][0, r] == team]
         true = sorted((float(match.robots["x"][0, r]), float(match.robots["y"][0, r])) for r in others)
         assert sorted(rings[TEAMS_LIGHT[team]]) == [pytest.approx(place, abs=1e-6) for place in true]
+
+
+def test_an_old_memory_is_tied_to_the_nearest_player_of_its_team_and_a_new_one_to_nobody() -> None:
+    match = Match(TINY.league, seed=2)
+    robots, track = match.robots[0], np.zeros((), TRACK)
+    own = (float(robots["x"][1]), float(robots["y"][1]), 0.0)
+    track["x"], track["y"] = robots["x"][4] - own[0] + 0.05, robots["y"][4] - own[1]
+    (ring,) = believed_player(match, 1, own, track, 1.0)
+    assert isinstance(ring, Points)
+    track["age"] = 9.0
+    _, line, words = believed_player(match, 1, own, track, 1.0)
+    assert isinstance(line, Polyline) and isinstance(words, Label) and words.words == "9 s ago"
+    place = (float(robots["x"][4]), float(robots["y"][4]))
+    assert list(line.xy) == [pytest.approx(place), pytest.approx((place[0] + 0.05, place[1]))]
+    track["teammate"], track["x"], track["y"] = 1, 0.0, 0.0  # where the robot itself stands
+    _, line, _ = believed_player(match, 1, own, track, 1.0)
+    mates = [(float(robots["x"][r]), float(robots["y"][r])) for r in (0, 2)]
+    assert line.xy[0] == min(mates, key=lambda at: dist(at, own[:2]))
+    track["x"] = 9.0  # beyond the pitch
+    assert believed_player(match, 1, own, track, 1.0) == []
 
 
 def test_the_field_of_view_is_as_wide_as_the_cameras_and_ends_at_the_boards() -> None:
