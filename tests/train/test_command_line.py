@@ -3,11 +3,13 @@
 import subprocess
 import sys
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
 from soccer_env.train import command_line
 from soccer_env.train.command_line import main
+from soccer_env.train.listing import What
 
 # not gymnasium and pettingzoo: importing the package registers its environments there
 HEAVY = ("numba", "torch", "pymunk", "tyro", "rich", "scipy", "matplotlib", "pygame")
@@ -38,6 +40,7 @@ def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.Capt
     text = capsys.readouterr().out
     assert set(command_line.SUMMARIES) == set(command_line.COMMANDS)
     assert all(f"  {name} " in text for name in command_line.SUMMARIES)
+    assert all(kind in command_line.SUMMARIES["list"] for kind in get_args(What))
     assert main([]) == 2
 
 
