@@ -60,7 +60,6 @@ def believe_kernel(
         w = numbers.memory[0]
         table = numbers.tables[0]
         beliefs, tracks, memories, particles, messages, noise, gazes = Minds(*minds)
-        home = numbers.home
         scratch = make_scratch()
         for m in range(first, last):
             if asleep[m]:
@@ -70,6 +69,6 @@ def believe_kernel(
                     percepts[m, r], beliefs[m, r], tracks[m, r], memories[m, r], particles[m, r], noise[m, r],
                     gazes[m, r], scratch, k, s, w, table,
                 )  # fmt: skip
-            talk(percepts[m], beliefs[m], tracks[m], messages[m], noise[m], k, s, w, home, rows)
+            talk(percepts[m], beliefs[m], tracks[m], messages[m], noise[m], k, s, w, numbers.home, rows)
 
     return believe_slice
