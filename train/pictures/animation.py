@@ -34,7 +34,7 @@ def frames_of(settings: PictureSettings) -> list[np.ndarray]:
 
 def scoring_ball(match: Match) -> np.void:
     """Return the ball of a single match where it lay when the goal was given."""
-    ball = match.balls[0].copy()
+    ball: np.void = match.balls[0].copy()
     ball["x"], ball["y"] = match.events["ball_x"][0], match.events["ball_y"][0]
     return ball
 
