@@ -1,7 +1,5 @@
 """The loop in which robots bring their beliefs up to their percepts, then talk: the same for every kind of robot.
 
-k is the league's constants record, s the sensors' settings, w those of the memory.
-
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 

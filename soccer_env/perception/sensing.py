@@ -1,7 +1,5 @@
 """The loop in which robots sense: what is common to all kinds of robots, round what each kind does itself.
 
-k is the league's constants record, s the sensors' settings.
-
 `k`: the league's constants; `s`: settings of the sensors.
 """
 

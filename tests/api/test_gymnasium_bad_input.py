@@ -38,7 +38,7 @@ def test_bad_settings_are_refused(maker, settings, complaint):
     ("settings", "complaint"),
     [
         ({"num_envs": 0}, "num_envs must be 1 to "),
-        ({"num_envs": 2.5}, "num_envs must be 1 to .*2.5"),
+        ({"num_envs": 2.5}, "num_envs must be a whole number, 1 to .*2.5"),
         ({"threads": 0}, "threads must be 1 to 256, got 0"),
         ({"autoreset_mode": "Disabled"}, "autoreset_mode must be one of NextStep, SameStep, got 'Disabled'"),
         ({"render_mode": "human"}, "render_mode must be one of rgb_array, got 'human'"),

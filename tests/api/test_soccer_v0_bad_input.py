@@ -111,7 +111,7 @@ def test_bad_resets_are_refused_and_the_episode_goes_on(arguments, complaint):
         ({"rewards": {"goal": 1.0}}, "unknown rewards.*or a Rewards object"),
         ({"home": 0}, "home must be 1 to 11, got 0"),
         ({"home": 14}, "home must be 1 to 11, got 14"),
-        ({"away": 2.0}, "away must be 1 to 11, got 2.0"),
+        ({"away": 2.0}, "away must be a whole number, 1 to 11, got 2.0"),
         ({"max_players": 2}, "max_players must be 3 to 11, got 2"),
         ({"keeper": -1}, "keeper must be 0 to 2, got -1"),
         ({"observe": "smell"}, "observe must be one of truth, percepts, belief, got 'smell'"),

@@ -14,7 +14,7 @@ BAD_SETTINGS = [
     ({"league": "small-size"}, "unknown league 'small-size'; known: legged-2001"),
     ({"home": 0}, "home must be 1 to 11, got 0"),
     ({"home": 14}, "home must be 1 to 11, got 14"),
-    ({"away": 2.5}, "away must be 1 to 11, got 2.5"),
+    ({"away": 2.5}, "away must be a whole number, 1 to 11, got 2.5"),
     ({"home": True}, "home must be 1 to 11, got True"),
     ({"max_players": 2}, "max_players must be 3 to 11, got 2"),
     ({"matches": 0}, "matches must be 1"),

@@ -72,13 +72,15 @@ def no_scratch():  # type: ignore[no-untyped-def]
 
 
 @compiled
-def believe_robot(percept, mind, scratch, k, s, w, table):  # type: ignore[no-untyped-def]
-    own, ball, body = mind.belief.own, mind.belief.ball, percept.body
+def believe_robot(  # type: ignore[no-untyped-def]
+    percept, belief, tracks, memory, particles, noise, gaze, scratch, k, s, w, table
+):
+    own, ball, body = belief.own, belief.ball, percept.body
     own.x, own.y, own.heading, own.confidence = body.x, body.y, body.heading, w.confidence
     ball.x, ball.y, ball.confidence = percept.ahead, percept.left, w.confidence
     ball.distance = ball.filtered_distance = np.hypot(ball.x, ball.y)
     ball.bearing = ball.filtered_bearing = np.arctan2(ball.y, ball.x)
-    mind.memory.heard += 1
+    memory.heard += 1
 
 
 @compiled
