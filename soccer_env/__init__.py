@@ -3,7 +3,7 @@
 How to use it:
 
     soccer_v0.py         the PettingZoo API
-    gymnasium_envs.py    the Gymnasium API, and its ids
+    gymnasium_envs.py    the Gymnasium API
     api/                 what both share
     match.py             `Match`: many matches at once, without dictionaries
     replay/              matches on disk that play again exactly
@@ -62,7 +62,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from soccer_env.gymnasium_envs import register as _register
+from soccer_env.api.ids import register as _register
 
 __version__ = "0.1.0"
 __all__ = ["Match", "League", "OwnTerm", "Rewards", "Scene", "Team", "make_team", "soccer_v0"]

@@ -1,10 +1,7 @@
-"""The Gymnasium API for one learner in one match, `SoloSoccer`, and the ids of it and of `gymnasium_vector`.
+"""The Gymnasium API for one learner in one match, `SoloSoccer`; `api/ids.py` has its ids.
 
-Ids: `soccer_env/Legged2001-1v1-v0` to `-6v6-v0` and `soccer_env/MiddleSize2006-1v1-v0` to `-6v6-v0`, for
-`gymnasium.make` and `gymnasium.make_vec`; `home=` and `away=` give any other sizes. Everybody but the learner is played
-by a team. Spaces, rewards and infos are those of the agent in `soccer_v0.parallel_env`, transition by transition.
-
-`import soccer_env` imports this file to register the ids, so it leaves the match (and numba) to the constructors.
+Everybody but the learner is played by a team. Spaces, rewards and infos are those of the agent in
+`soccer_v0.parallel_env`, transition by transition.
 """
 
 from __future__ import annotations
@@ -14,30 +11,9 @@ from typing import Any
 
 import gymnasium
 import numpy as np
-import pettingzoo
 
 from soccer_env.checking import check_names
 from soccer_env.match_settings import LearnerSetup, MatchSetup, SoloArguments, made_from, part_of
-
-LEAGUES = {"Legged2001": "legged-2001", "MiddleSize2006": "middle-size-2006"}
-SIZES = range(1, 7)  # robots a side of the registered ids
-
-
-def register() -> None:
-    """Register the ids with Gymnasium and with PettingZoo, where it has a registry; nothing is imported for it."""
-    for name, league in LEAGUES.items():
-        for size in SIZES:
-            known_as = f"soccer_env/{name}-{size}v{size}-v0"
-            if known_as not in gymnasium.registry:
-                gymnasium.register(
-                    known_as,
-                    entry_point="soccer_env.gymnasium_envs:SoloSoccer",
-                    vector_entry_point="soccer_env.api.gymnasium_vector:SoccerVectorEnv",
-                    kwargs={"league": league, "home": size, "away": size},
-                )
-    if hasattr(pettingzoo, "register") and "soccer_env/soccer-v0" not in pettingzoo.parallel_registry:
-        pettingzoo.register("parallel", "soccer_env/soccer-v0", "soccer_env.soccer_v0:parallel_env")
-        pettingzoo.register("aec", "soccer_env/soccer-v0", "soccer_env.soccer_v0:env")
 
 
 def choose_learner(asked: LearnerSetup) -> tuple[str, dict[str, Any]]:
@@ -105,4 +81,4 @@ class SoloSoccer(gymnasium.Env[np.ndarray, Any]):
         self._parallel.close()
 
 
-__all__ = ["SoloSoccer", "register"]
+__all__ = ["SoloSoccer"]

@@ -7,7 +7,7 @@ import pytest
 from gymnasium.utils.env_checker import check_env, data_equivalence
 
 from soccer_env import soccer_v0
-from soccer_env.gymnasium_envs import register
+from soccer_env.api.ids import register
 from tests.scenes.staged_envs import GAMES, TEAMS, make
 from tests.scenes.staging import LEAGUES
 
