@@ -71,7 +71,7 @@ def test_reward_terms_of_ones_own_are_named_in_infos():
 @pytest.mark.parametrize("after", [1, 2])
 @pytest.mark.parametrize("league", LEAGUES)
 def test_repeated_actions_add_up_rewards_and_events(league, after):
-    rewards = Rewards(gamma=1.0)  # shaping discounts once an action; tests/match/test_rewards.py has that
+    rewards = Rewards(gamma=1.0)  # shaping discounts once an action; tests/rewards/test_rewards.py has that
     once = about_to_score(after, league=league, rewards=rewards)
     thrice = about_to_score(after, league=league, rewards=rewards, action_repeat=3)
     parts = [once.step(standing(once)) for _ in range(3)]

@@ -12,7 +12,7 @@ MEMORY, TALK, WORDS = (
 LEGS, TEST_LEGS = "soccer_env/physics/legs.py", "tests/physics/test_legs.py::"
 TEST_HEAD, TEST_TALK = "tests/belief/legged/test_head.py::", "tests/belief/test_talk.py::"
 TEST_FELT = "tests/perception/test_body.py::test_ms06_a_robot_feels_touch_and_whether_it_lies_on_its_side"
-TEST_FILLED = "tests/match/test_modules.py::test_ms01_memory_gets_percepts_alone_and_fills_the_shared_records"
+TEST_FILLED = "tests/senses/test_modules.py::test_ms01_memory_gets_percepts_alone_and_fills_the_shared_records"
 
 MUTANTS = [
     Mutant(
@@ -34,7 +34,7 @@ MUTANTS = [
         DRIVE,
         "(robot.gaze.pan, robot.gaze.tilt)",
         "gaze_at(robot, k, ball)",
-        "tests/match/test_modules.py::test_ms01_actuation_reads_what_memory_wrote",
+        "tests/senses/test_modules.py::test_ms01_actuation_reads_what_memory_wrote",
     ),
     Mutant(
         "MS05",

@@ -35,7 +35,7 @@ QUICK = [
         "soccer_env/senses.py",
         "array[m] = np.zeros((), array.dtype)",
         "pass",
-        MATCH + "test_senses.py::test_an_episode_begins_with_nothing_remembered",
+        "tests/senses/test_senses.py::test_an_episode_begins_with_nothing_remembered",
     ),
     Mutant(
         "degrees for radians",
@@ -85,7 +85,7 @@ QUICK = [
         "soccer_env/rewards.py",
         "weight if events.goal == robots[r].team else -weight",
         "-weight if events.goal == robots[r].team else weight",
-        MATCH + "test_rewards.py::test_a_goal_pays_one_to_every_robot_of_the_team_and_costs_the_others_one_once",
+        "tests/rewards/test_rewards.py::test_a_goal_pays_one_to_every_robot_of_the_team_and_costs_the_others_one_once",
     ),
     Mutant(
         "noise shared by two robots",
@@ -99,7 +99,7 @@ QUICK = [
         "soccer_env/saving.py",
         "match.batch.senses is not None",
         "False",
-        MATCH + "test_senses_saving.py::test_a_save_goes_on_with_the_same_senses",
+        "tests/senses/test_senses_saving.py::test_a_save_goes_on_with_the_same_senses",
     ),
     Mutant(
         "hash of the play without the ball",

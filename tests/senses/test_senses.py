@@ -9,7 +9,7 @@ import pytest
 
 import soccer_env
 from soccer_env import Match, baselines, belief, leagues, perception
-from tests.match.staged_senses import LEAGUES, draws, sensing
+from tests.senses.staged_senses import LEAGUES, draws, sensing
 
 HIDDEN = {"legged-2001": "scale", "middle-size-2006": "table"}  # what each camera remembers and does not deliver
 

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from tests.match.staged_senses import LEAGUES, draws, look_again, sensing
 from tests.scenes.staging import scatter, set_phase
 from tests.scenes.symmetry import (
     Records,
@@ -20,6 +19,7 @@ from tests.scenes.symmetry import (
     swapped_rows,
     turned,
 )
+from tests.senses.staged_senses import LEAGUES, draws, look_again, sensing
 
 
 def scattered_pair(league: str, pose: str, changed: Callable[[Records], Records], seed: int) -> tuple[Match, Match]:

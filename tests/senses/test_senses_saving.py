@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.saving import dump
-from tests.match.staged_senses import LEAGUES, draws, sensing
+from tests.senses.staged_senses import LEAGUES, draws, sensing
 
 
 @pytest.mark.parametrize("league", LEAGUES)
