@@ -10,6 +10,7 @@ from math import cos, dist, pi, sin
 
 import numpy as np
 
+from soccer_env.geometry import out_of_frame, point_of_frame
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.render import Area, Label, Overlay, Picture, Points, Polyline
@@ -85,18 +86,15 @@ def team_direction(match: Match, row: int) -> float:
 def into_field(pose: np.void, direction: float) -> Pose:
     """Return a pose of the team frame in the field frame."""
     x, y = float(pose["x"]), float(pose["y"])
-    return (
-        cos(direction) * x - sin(direction) * y,
-        sin(direction) * x + cos(direction) * y,
-        float(pose["heading"]) + direction,
-    )
+    field_x, field_y = out_of_frame(x, y, cos(direction), sin(direction))
+    return field_x, field_y, float(pose["heading"]) + direction
 
 
 def place(own: Pose, thing: np.void) -> tuple[float, float]:
     """Return where a thing of the robot frame lies in the field frame, for a robot at that pose."""
     x, y, heading = own
-    ahead, left = float(thing["x"]), float(thing["y"])
-    return x + cos(heading) * ahead - sin(heading) * left, y + sin(heading) * ahead + cos(heading) * left
+    found: tuple[float, float] = point_of_frame(x, y, float(thing["x"]), float(thing["y"]), cos(heading), sin(heading))
+    return found
 
 
 def field_of_view(league: League, pose: Pose, pan: float) -> list[Overlay]:
@@ -137,7 +135,7 @@ def outline(league: League, pose: Pose, colour: Colour, width: float) -> list[Ov
     x, y, heading = pose
     parts = parts_of(league.body, 0.0, walks=True)
     (trunk,) = (part.outline for part in parts if part.role == "body")
-    corners = [(x + cos(heading) * u - sin(heading) * v, y + sin(heading) * u + cos(heading) * v) for u, v in trunk]
+    corners = [point_of_frame(x, y, u, v, cos(heading), sin(heading)) for u, v in trunk]
     return [Polyline(corners, colour, width, closed=True)]
 
 
