@@ -60,7 +60,7 @@ class MatchBatch:
         seen = self.observations if self._sees_truth else np.zeros((count, robots, 0), np.float32)
         outcome = Outcome(self.rewards, self.terms, seen, self.terminated, self.truncated)
         numbers = Numbers(self.constants, self.weights, self.settings.limit)
-        physics = Physics(self.physics.bodies, self.physics.velocities)
+        physics = Physics(self.physics.bodies, self.physics.velocities, self.physics.solvers)
         self._truth = tuple(self.world)
         self._step = self._truth, tuple(physics), tuple(outcome), tuple(numbers)
 
@@ -95,7 +95,8 @@ class MatchBatch:
     def build_spaces(self, rows: Iterable[int]) -> None:
         """Rebuild the Spaces of some matches from their records."""
         for m in rows:
-            self.physics.set_space(m, build_space(self.settings.league, self.balls[m], self.robots[m]))
+            league = self.settings.league
+            self.physics.set_space(m, build_space(league, self.balls[m], self.robots[m]), league.ball)
 
     # One control step of a slice of matches
 

@@ -43,6 +43,7 @@ class Physics(NamedTuple):
 
     bodies: np.ndarray  # (M, rows, 6)
     velocities: np.ndarray  # (M, rows, 3)
+    solvers: np.ndarray  # (M,) SOLVER
 
 
 class Outcome(NamedTuple):
@@ -76,14 +77,14 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
     for m in range(first, last):
         match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
         events, robot_events = world.events[m], world.robot_events[m]
-        velocities = physics.velocities[m]
+        velocities, solver = physics.velocities[m], physics.solvers[m]
         terms, rewards = outcome.terms[m], outcome.rewards[m]
-        substeps = begin_match(match, ball, robots, events, robot_events, velocities, k, before, terms, rewards)
+        substeps = begin_match(match, ball, robots, events, robot_events, velocities, solver, k, before, terms, rewards)
         if substeps == 0:
             continue
         step_match(links, m, substeps, k.dt)
         result = finish_match(
-            match, ball, robots, events, robot_events, physics.bodies[m], velocities, k, weights,
+            match, ball, robots, events, robot_events, physics.bodies[m], velocities, solver, k, weights,
             before, scratch, terms, rewards, outcome.observations[m],
         )  # fmt: skip
         if result == PUT_ELSEWHERE:
@@ -103,7 +104,8 @@ def begin_slice(world, physics, outcome, numbers, before, substeps, first, last)
     for m in range(first, last):
         substeps[m] = begin_match(
             world.matches[m], world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
-            physics.velocities[m], numbers.constants[0], before[m], outcome.terms[m], outcome.rewards[m],
+            physics.velocities[m], physics.solvers[m], numbers.constants[0], before[m],
+            outcome.terms[m], outcome.rewards[m],
         )  # fmt: skip
 
 
@@ -119,7 +121,7 @@ def finish_slice(world, physics, outcome, numbers, before, results, first, last)
         match = world.matches[m]
         results[m] = finish_match(
             match, world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
-            physics.bodies[m], physics.velocities[m], k, numbers.weights[0],
+            physics.bodies[m], physics.velocities[m], physics.solvers[m], k, numbers.weights[0],
             before[m], scratch, outcome.terms[m], outcome.rewards[m], outcome.observations[m],
         )  # fmt: skip
         if results[m] != BROKEN:
@@ -138,7 +140,7 @@ def named(world, physics, outcome, numbers):
 
 
 @compiled
-def begin_match(match, ball, robots, events, robot_events, velocities, k, before, terms, rewards):
+def begin_match(match, ball, robots, events, robot_events, velocities, solver, k, before, terms, rewards):
     """Do what comes before the physics; return the number of substeps, 0 if the match is over and stands still."""
     clear_events(events, robot_events)
     terms[:] = 0.0
@@ -146,18 +148,18 @@ def begin_match(match, ball, robots, events, robot_events, velocities, k, before
         rewards[:] = 0.0
         return 0
     measure_potentials(match, ball, robots, k, before)
-    return begin_step(match, ball, robots, robot_events, velocities, k)
+    return begin_step(match, ball, robots, robot_events, velocities, solver, k)
 
 
 @compiled
 def finish_match(
-    match, ball, robots, events, robot_events, bodies, velocities, k, weights,
+    match, ball, robots, events, robot_events, bodies, velocities, solver, k, weights,
     before, scratch, terms, rewards, observations,
 ):  # fmt: skip
     """Do what comes after the physics; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
     if not is_finite(bodies, robots.shape[0] + 1):
         return BROKEN
-    moved = finish_step(match, ball, robots, events, robot_events, bodies, velocities, k)
+    moved = finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k)
     after, axes, rows, squares = scratch
     measure_potentials(match, ball, robots, k, after)
     reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards)
@@ -167,13 +169,13 @@ def finish_match(
 
 
 @compiled
-def begin_step(match, ball, robots, robot_events, velocities, k):
+def begin_step(match, ball, robots, robot_events, velocities, solver, k):
     """Let robots drive, kick and turn their heads, and the ball roll; return the number of substeps."""
     for r in range(robots.shape[0]):
         robot = robots[r]
         if match.placing == 1:
             steer_to_place(robot, k)
-        drive(robot, k, match.step, match.handedness)
+        drive(robot, k, match.step, match.handedness, solver.stances[r])
         if k.drive_leg_disturbance > 0.0 and robot.gait_phase % k.gait_steps == 1 % k.gait_steps:
             disturb(robots, r, ball, k, match.handedness)
         work_kicker(robot, robot_events[r], k, ball, match.handedness)
@@ -185,14 +187,14 @@ def begin_step(match, ball, robots, robot_events, velocities, k):
     if match.placing == 1:
         hold(ball)
     slow_down(ball, k, 0.5 * k.dt)
-    write_twists(ball, robots, velocities)
+    write_twists(ball, robots, velocities, solver)
     return count_substeps(ball, robots, k)
 
 
 @compiled
-def finish_step(match, ball, robots, events, robot_events, bodies, velocities, k):
+def finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k):
     """Read back what the physics did, and let the referee judge it; return whether bodies were put elsewhere."""
-    read_records(ball, robots, bodies)
+    read_records(ball, robots, bodies, solver)
     knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
     slow_down(ball, k, 0.5 * k.dt)
     limit_speed(ball, k)

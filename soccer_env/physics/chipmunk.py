@@ -1,8 +1,9 @@
 """Call Chipmunk, the C library under pymunk, from compiled loops over matches.
 
-The only file that knows pymunk's private names. pymunk's batch iterators copy the numbers of all bodies of a Space
-from or to an array. They and `cpSpaceStep` take addresses and doubles only, so a kernel can write velocities, step
-and read back without Python and without its lock, for about 0.3 us a match step on top of the steps themselves.
+The only file that knows the private names of pymunk's functions; `chipmunk_memory.py` knows its structs. Velocities are
+written to, and poses and velocities read from, the bodies' structs in memory; bodies are put elsewhere by pymunk's
+batch iterator, since more than a number depends on where they are. `cpSpaceStep` takes addresses and doubles only, so
+a kernel can write velocities, step and read back without Python and without its lock.
 
 The functions below take `links`, one record for each match with all addresses that it needs, and the match's index;
 `space_batch.py` makes `links` and owns the arrays that it points to:
@@ -11,9 +12,8 @@ The functions below take `links`, one record for each match with all addresses t
   put bodies elsewhere;
 * `velocities[m]`, rows of vx, vy, angular velocity: written at every step.
 
-Row r is the r-th body added to the Space. The iterators visit a Space's static body too, after the dynamic ones, so a
+Row r is the r-th body added to the Space. The iterator visits a Space's static body too, after the dynamic ones, so a
 match has more rows than bodies: row B is the static body's and stays zero, since other numbers would move the walls.
-The getter reallocates an array once it is full but for one place; the other spare rows keep it away from there.
 """
 
 from typing import Any
@@ -27,18 +27,30 @@ from numpy.typing import NDArray
 from pymunk._chipmunk_cffi import ffi, lib
 
 from soccer_env.compiled import compiled, config
+from soccer_env.physics.chipmunk_memory import (
+    BODY_ANGLE,
+    BODY_OMEGA,
+    BODY_VX,
+    BODY_VY,
+    BODY_X,
+    BODY_Y,
+    number_at,
+    record_reader,
+    store,
+)
+from soccer_env.physics.paws import swing_paws
+from soccer_env.physics.solver_records import MOST_ROBOTS, SOLVER
 
 Links = Any  # array (M,) of LINK; Any because mypy knows no record fields
 
-SPARE_ROWS = 3  # the static body's, and two that the getter never reaches
+SPARE_ROWS = 3  # the static body's, and two that no iterator reaches
+MOST_BODIES = 1 + MOST_ROBOTS  # of a match
 STATE_FIELDS = lib.POSITION | lib.ANGLE | lib.VELOCITY | lib.ANGULAR_VELOCITY
-VELOCITY_FIELDS = lib.VELOCITY | lib.ANGULAR_VELOCITY
 
 C_FUNCTIONS = {  # field of LINK: C function
     "step": "cpSpaceStep",
     "set_time_step": "cpSpaceSetCurrentTimeStep",
     "each_body": "cpSpaceEachBody",
-    "get_body": "pmSpaceBodyGetIteratorFuncBatched",
     "set_body": "pmSpaceBodySetIteratorFuncBatched",
 }
 # struct pmFloatArray: the next place, the number of places, and where they are
@@ -48,15 +60,18 @@ BATCHED_DATA = np.dtype([("intArray", "u8"), ("floatArray", "u8"), ("fields", "i
 LINK = np.dtype(
     [
         ("space", "u8"),  # address of the match's cpSpace, 0 before there is one
+        ("count", "i8"),  # bodies of a match
+        ("body", "u8", (MOST_BODIES,)),  # their addresses
+        ("solver", "u8"),  # address of the match's SOLVER record; 0: Chipmunk solves its contacts alone
+        ("velocities", "u8"),  # address of `velocities[m]`
+        ("bodies", "u8"),  # address of `bodies[m]`
         *[(field, "u8") for field in C_FUNCTIONS],  # their addresses
         ("body_data_at", "u8"),  # address of `body_data` in this record
-        ("velocity_data_at", "u8"),  # address of `velocity_data` in this record
-        ("body_data", BATCHED_DATA),  # moves all six numbers, to and from `bodies[m]`
-        ("velocity_data", BATCHED_DATA),  # moves three numbers, from `velocities[m]`
+        ("body_data", BATCHED_DATA),  # moves all six numbers from `bodies[m]`
         ("body_array", FLOAT_ARRAY),
-        ("velocity_array", FLOAT_ARRAY),
     ]
 )
+solver_at: Any = record_reader(SOLVER)
 
 
 # Calls of C functions by address. An address that is an argument, not a constant, lets the caller be cached on disk.
@@ -95,42 +110,63 @@ _call_each: Any = _python_each if config.DISABLE_JIT else intrinsic(_compiled_ea
 @compiled
 def write_velocities(links: Links, m: int) -> None:
     """Give match m's bodies the velocities in `velocities[m]`."""
-    links[m].velocity_array.num = 0
-    _visit(links[m], links[m].set_body, links[m].velocity_data_at)
-
-
-@compiled
-def write_bodies(links: Links, m: int) -> None:
-    """Put match m's bodies where `bodies[m]` says, with its velocities; rows left as they were read change nothing."""
-    links[m].body_array.num = 0
-    _visit(links[m], links[m].set_body, links[m].body_data_at)
+    link = links[m]
+    check_space(link)
+    row = link.velocities
+    for i in range(link.count):
+        body = link.body[i]
+        store(body + BODY_VX, number_at(row))
+        store(body + BODY_VY, number_at(row + 8))
+        store(body + BODY_OMEGA, number_at(row + 16))
+        row += 24
 
 
 @compiled
 def read_bodies(links: Links, m: int) -> None:
     """Fill `bodies[m]` with match m's poses and velocities."""
-    links[m].body_array.num = 0
-    _visit(links[m], links[m].get_body, links[m].body_data_at)
+    link = links[m]
+    check_space(link)
+    row = link.bodies
+    for i in range(link.count):
+        body = link.body[i]
+        store(row, number_at(body + BODY_X))
+        store(row + 8, number_at(body + BODY_Y))
+        store(row + 16, number_at(body + BODY_ANGLE))
+        store(row + 24, number_at(body + BODY_VX))
+        store(row + 32, number_at(body + BODY_VY))
+        store(row + 40, number_at(body + BODY_OMEGA))
+        row += 48
 
 
 @compiled
-def _visit(link: Any, visitor: int, data: int) -> None:
+def write_bodies(links: Links, m: int) -> None:
+    """Put match m's bodies where `bodies[m]` says, with its velocities; rows left as they were read change nothing."""
+    link = links[m]
+    check_space(link)
+    link.body_array.num = 0
+    _call_each(link.each_body, link.space, link.set_body, link.body_data_at)
+
+
+@compiled
+def check_space(link: Any) -> None:
+    """Raise ValueError if a match has no Space."""
     if link.space == 0:
         raise ValueError("the match has no Space yet")
-    _call_each(link.each_body, link.space, visitor, data)
 
 
 @compiled
 def advance(links: Links, m: int, substeps: int, dt: float) -> None:
     """Move match m on by dt [s] in equal substeps; with 0 substeps it stands still."""
     link = links[m]
-    if link.space == 0:
-        raise ValueError("the match has no Space yet")
-    if substeps > 0:
-        substep = dt / substeps  # [s]
-        _call_step(link.set_time_step, link.space, substep)  # see `keep_impulses`
-        for _ in range(substeps):
-            _call_step(link.step, link.space, substep)
+    check_space(link)
+    if substeps == 0:
+        return
+    substep = dt / substeps  # [s]
+    _call_step(link.set_time_step, link.space, substep)  # see `keep_impulses`
+    for i in range(substeps):
+        if link.solver != 0:
+            swing_paws(solver_at(link.solver), (i + 1) * substep)
+        _call_step(link.step, link.space, substep)
 
 
 @compiled
@@ -159,14 +195,12 @@ def make_links(bodies: NDArray[np.float64], velocities: NDArray[np.float64]) -> 
     links = np.zeros(len(bodies), LINK)
     for field, address in c_addresses().items():
         links[field] = address
-    for name, rows, fields in (("body", bodies, STATE_FIELDS), ("velocity", velocities, VELOCITY_FIELDS)):
+    for name, rows in (("bodies", bodies), ("velocities", velocities)):
         assert rows.flags.c_contiguous and rows.dtype == np.float64 and len(rows) == len(links)
-        array, data = links[f"{name}_array"], links[f"{name}_data"]
-        array["max"] = rows[0].size
-        array["arr"] = _addresses(rows)
-        data["floatArray"] = _addresses(array)
-        data["fields"] = fields
-        links[f"{name}_data_at"] = _addresses(data)
+        links[name] = _addresses(rows)
+    links["body_array"]["max"], links["body_array"]["arr"] = bodies[0].size, links["bodies"]
+    links["body_data"]["floatArray"], links["body_data"]["fields"] = _addresses(links["body_array"]), STATE_FIELDS
+    links["body_data_at"] = _addresses(links["body_data"])
     return links
 
 

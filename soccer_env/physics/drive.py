@@ -21,8 +21,8 @@ SLIP = int(RobotStream.SLIP)
 
 
 @compiled
-def drive(robot, k, step, handedness):
-    """Turn a robot's command into the velocity with which it enters the physics."""
+def drive(robot, k, step, handedness, stance):
+    """Turn a robot's command into what its legs or wheels want of the ground."""
     request_walk(robot, k, step)
     if robot.gait_phase % k.slip_steps == 0 and k.drive_slip > 0.0:
         draw_slip(robot, k, handedness)
@@ -32,7 +32,7 @@ def drive(robot, k, step, handedness):
     if robot.gait_phase % k.slip_steps == 0 and robot.gait_phase % k.gait_steps == 0:
         robot.gait_phase = 0
     change_walk(robot, k)
-    push_ground(robot, k)
+    stand_on_ground(robot, k, stance)
 
 
 @compiled
@@ -85,19 +85,18 @@ def change_walk(robot, k):
 
 
 @compiled
-def push_ground(robot, k):
-    """Change the body's velocity towards the walk, within the traction of the ground."""
+def stand_on_ground(robot, k, stance):
+    """Say what the legs or wheels want of the ground in this control step, and how much it bears.  MH01
+
+    Who stands holds with all paws or wheels; who walks or drives has less: a trot stands on two of four paws, and
+    wheels give no more than their motors. The force itself acts in the solver, in every substep.
+    """
     forward, left = robot.walk.forward * robot.slip.forward, robot.walk.left * robot.slip.left
-    cosine, sine = cos(robot.heading), sin(robot.heading)
-    vx, vy = out_of_frame(forward, left, cosine, sine)
-    ahead, aside = vx - robot.vx, vy - robot.vy
-    change = length(ahead, aside)
-    most = k.drive_traction * k.dt
-    share = 1.0 if change <= most else most / change
-    robot.vx += share * ahead
-    robot.vy += share * aside
-    most = k.drive_turn_traction * k.dt
-    robot.omega += clip(robot.walk.turn * robot.slip.turn - robot.omega, -most, most)
+    stance.vx, stance.vy = out_of_frame(forward, left, cos(robot.heading), sin(robot.heading))
+    stance.omega = robot.walk.turn * robot.slip.turn
+    stands = robot.walk.forward == 0.0 and robot.walk.left == 0.0 and robot.walk.turn == 0.0
+    stance.traction = k.drive_traction if stands else 0.5 * k.drive_traction
+    stance.turn_traction = k.drive_turn_traction if stands else 0.5 * k.drive_turn_traction
 
 
 @compiled

@@ -23,17 +23,19 @@ def count_substeps(ball, robots, k):
 
 
 @compiled
-def write_twists(ball, robots, velocities):
-    """Copy the velocities of ball and robots into the rows that the physics is given."""
+def write_twists(ball, robots, velocities, solver):
+    """Copy the velocities of ball and robots into the rows that the physics is given, and the ball's roll."""
     velocities[0, 0], velocities[0, 1], velocities[0, 2] = ball.vx, ball.vy, ball.spin
+    solver.roll_x, solver.roll_y = ball.roll_x, ball.roll_y
     for r in range(robots.shape[0]):
         velocities[r + 1, 0], velocities[r + 1, 1] = robots[r].vx, robots[r].vy
         velocities[r + 1, 2] = robots[r].omega
 
 
 @compiled
-def read_records(ball, robots, bodies):
+def read_records(ball, robots, bodies, solver):
     """Copy what the physics says into the records."""
+    ball.roll_x, ball.roll_y = solver.roll_x, solver.roll_y
     ball.x, ball.y, ball.angle = bodies[0, 0], bodies[0, 1], wrap(bodies[0, 2])
     ball.vx, ball.vy, ball.spin = bodies[0, 3], bodies[0, 4], bodies[0, 5]
     for r in range(robots.shape[0]):

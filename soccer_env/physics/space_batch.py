@@ -21,7 +21,11 @@ from numpy.typing import ArrayLike, NDArray
 from pymunk import batch as pymunk_batch
 from pymunk.batch import BodyFields
 
-from soccer_env.physics import chipmunk
+from soccer_env.leagues.league import BallModel
+from soccer_env.physics import chipmunk, solver
+from soccer_env.physics.chipmunk_memory import address_of
+from soccer_env.physics.paws import swing_paws
+from soccer_env.physics.solver_records import SOLVER
 
 Backend = Literal["c", "batch"]
 
@@ -33,13 +37,16 @@ class SpaceBatch:
     """M Spaces of B dynamic bodies each, and the arrays through which they are written and read.
 
     `bodies` (M, B + SPARE_ROWS, 6) holds x, y [m], angle [rad], vx, vy [m/s], angular velocity [rad/s]; `velocities`
-    (M, B + SPARE_ROWS, 3) holds vx, vy, angular velocity. Rows from B on are not for the caller. `links` (M,) is what
-    kernels take (the C backend only). It holds addresses: keep the batch as long as a kernel may use it.
+    (M, B + SPARE_ROWS, 3) holds vx, vy, angular velocity. Rows from B on are not for the caller. `solvers` (M,) is what
+    our part of the solver works on. `links` (M,) is what kernels take (the C backend only). It holds addresses: keep
+    the batch as long as a kernel may use it.
     """
 
     def __init__(self, matches: int, bodies: int, backend: Backend | None = None) -> None:
         if matches < 1 or bodies < 1:
             raise ValueError(f"matches and bodies must be at least 1, got {matches} and {bodies}")
+        if bodies > chipmunk.MOST_BODIES:
+            raise ValueError(f"bodies must be at most {chipmunk.MOST_BODIES}, got {bodies}")
         if backend not in ("c", "batch", None):
             raise ValueError(f"backend must be 'c' or 'batch', got {backend!r}")
         self.backend: Backend = backend or default_backend()
@@ -47,6 +54,7 @@ class SpaceBatch:
         self.spaces: list[pymunk.Space | None] = [None] * matches
         self.bodies = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 6))
         self.velocities = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 3))
+        self.solvers = np.zeros(matches, SOLVER)
         self.links = chipmunk.make_links(self.bodies, self.velocities) if self.backend == "c" else None
         self._read_buffer, self._write_buffer = pymunk_batch.Buffer(), pymunk_batch.Buffer()
         self._lock = threading.Lock()  # around the buffers
@@ -54,11 +62,19 @@ class SpaceBatch:
     def __reduce__(self) -> NoReturn:
         raise TypeError("a SpaceBatch holds addresses of this process and cannot be copied or pickled")
 
-    def set_space(self, m: int, space: pymunk.Space) -> None:
-        """Make `space` match m's, and read its bodies; the batch keeps it alive until the next one."""
+    def set_space(self, m: int, space: pymunk.Space, ball: BallModel | None = None) -> None:
+        """Make `space` match m's, and read its bodies; the batch keeps it alive until the next one.
+
+        With a league's ball, our part of the solver acts in it: the ground, the ball's roll, paws that swing.
+        """
         _check_space(space, self.size)
+        if ball is not None:
+            solver.attach(space, self.solvers[m : m + 1], ball)
         if self.links is not None:
-            self.links["space"][m] = chipmunk.space_address(space)
+            link = self.links[m : m + 1]
+            link["space"], link["count"] = chipmunk.space_address(space), self.size
+            link["body"][0, : self.size] = [address_of(body) for body in space.bodies]
+            link["solver"] = 0 if ball is None else self.solvers[m : m + 1].ctypes.data
         self.spaces[m] = space
         self.bodies[m] = self.velocities[m] = 0.0
         self.read_bodies(m)
@@ -82,7 +98,8 @@ class SpaceBatch:
             self.write_velocities(m)
             if counts[m] > 0:
                 chipmunk.keep_impulses(self._space(m), dt / int(counts[m]))
-            for _ in range(counts[m]):
+            for i in range(counts[m]):
+                swing_paws(self.solvers[m], (i + 1) * (dt / int(counts[m])))
                 self._space(m).step(dt / int(counts[m]))
             self.read_bodies(m)
 

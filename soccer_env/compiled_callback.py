@@ -1,0 +1,64 @@
+"""Functions of ours that C calls: compiled like all others, and known by an address.
+
+`@callback("void", "address", "float64")` makes one at its first use: `function.address` is what C is given. It runs
+without the interpreter lock. It must not raise: nobody above it could catch that.
+"""
+
+from __future__ import annotations
+
+import functools
+import threading
+from collections.abc import Callable
+from typing import Any
+
+from cffi import FFI
+from numba import types
+from numba.core.ccallback import CFunc
+
+from soccer_env.compiled import compiled, config
+from soccer_env.compiled_cache import SourceCache
+
+TYPES = {"void": types.void, "address": types.uintp, "float64": types.float64}
+C_TYPES = {"void": "void", "address": "uintptr_t", "float64": "double"}
+OPTIONS = {"error_model": "numpy", "fastmath": False, "boundscheck": False}
+
+_lock = threading.Lock()
+
+
+class Callback:
+    """A function that C may call; `address` compiles it, or loads it from the cache on disk."""
+
+    def __init__(self, function: Callable[..., Any], result: str, arguments: tuple[str, ...]) -> None:
+        self._function, self._result, self._arguments = function, result, arguments
+        functools.update_wrapper(self, function)
+
+    def __call__(self, *arguments: Any) -> Any:
+        """Call the function as plain Python does, for tests."""
+        return compiled(self._function)(*arguments)
+
+    @property
+    def address(self) -> int:
+        """The address of the machine code; with NUMBA_DISABLE_JIT=1 of a stub that calls the Python function."""
+        with _lock:
+            return self._address
+
+    @functools.cached_property
+    def _address(self) -> int:
+        if config.DISABLE_JIT:
+            return self._stub()
+        signature = TYPES[self._result](*(TYPES[name] for name in self._arguments))
+        self._made: Any = CFunc(self._function, (signature.args, signature.return_type), locals={}, options=OPTIONS)
+        self._made._cache = SourceCache(self._function)  # what enable_caching does with numba's own
+        self._made.compile()
+        return int(self._made.address)
+
+    def _stub(self) -> int:
+        ffi = FFI()
+        text = f"{C_TYPES[self._result]}({', '.join(C_TYPES[name] for name in self._arguments)})"
+        self._made = ffi.callback(text, compiled(self._function))
+        return int(ffi.cast("uintptr_t", self._made))
+
+
+def callback(result: str, *arguments: str) -> Callable[[Callable[..., Any]], Callback]:
+    """Return a decorator for a function that C calls; types are "void", "address" and "float64"."""
+    return lambda function: Callback(function, result, arguments)

@@ -1,0 +1,157 @@
+"""What a blow does to a ball that rolls: friction acts against the whole slip of the two surfaces.
+
+Chipmunk knows the ball's spin about the vertical, not its roll. Seen from the ball, let n point to what it meets, u be
+the relative velocity along the surface, level, and w = roll . n the speed at which the ball's surface moves up or down
+there. Coulomb's friction has the size mu times the normal impulse P and the direction of the slip (u, w):
+
+    level share      Chipmunk's own friction, with mu |u| / hypot(u, w)
+    upright share    at most sqrt((mu P)^2 - Q^2), with Q the level impulse that it took
+
+The upright impulse J acts at the ball's side and turns it, whose inertia is shell m r^2: the roll along n changes by
+J / (shell m), until nothing slips. For a ball that rolls head-on at v into something heavy, P = (1 + e) m v, so that
+
+    change of roll = min(v, mu (1 + e) v / shell).
+
+Along the surface the roll does not change: the contact lies on its axis. Assumed: the ball stays on the carpet, where
+real balls hop a little. Friction in the direction of the slip, limited by the normal impulse, is the usual model of a
+spinning ball's bounce, for instance in R. Cross, "Bounce of a spinning ball near normal incidence", American Journal of
+Physics 73 (2005).
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length, out_of_frame
+from soccer_env.physics.chipmunk_memory import (
+    ARBITER_BODY_A,
+    ARBITER_BODY_B,
+    ARBITER_CONTACTS,
+    ARBITER_COUNT,
+    ARBITER_ELASTICITY,
+    ARBITER_FRICTION,
+    ARBITER_NEXT_OF_A,
+    ARBITER_NEXT_OF_B,
+    ARBITER_NORMAL,
+    ARBITER_SHAPE_A,
+    ARBITER_SHAPE_B,
+    ARBITER_SURFACE,
+    BODY_ARBITERS,
+    BODY_COS,
+    BODY_OMEGA,
+    BODY_SIN,
+    BODY_VX,
+    BODY_VY,
+    CONTACT_BOUNCE,
+    CONTACT_PUSH,
+    CONTACT_RUB,
+    CONTACT_SIZE,
+    address_at,
+    count_at,
+    number_at,
+    store,
+)
+from soccer_env.physics.solver_records import MOST_CONTACTS, PAWS
+
+
+@compiled
+def look_at_ball(solver):
+    """List the contacts of the ball, and set in each how its paw moves and how much of its friction is level."""
+    solver.ball_contact_count = 0
+    arbiter = address_at(solver.ball + BODY_ARBITERS)
+    while arbiter != 0 and solver.ball_contact_count < MOST_CONTACTS:
+        first = address_at(arbiter + ARBITER_BODY_A) == solver.ball
+        if count_at(arbiter + ARBITER_COUNT) > 0:
+            contact = solver.ball_contacts[solver.ball_contact_count]
+            solver.ball_contact_count += 1
+            contact.arbiter = arbiter
+            contact.friction = number_at(arbiter + ARBITER_FRICTION)
+            move_paw(solver, arbiter, first)
+            share_friction(solver, contact, arbiter, first)
+        arbiter = address_at(arbiter + (ARBITER_NEXT_OF_A if first else ARBITER_NEXT_OF_B))
+
+
+@compiled
+def move_paw(solver, arbiter, first):
+    """Give a contact the velocity at which its paw swings, if it is one: across the normal and in the blow."""
+    body = address_at(arbiter + (ARBITER_BODY_B if first else ARBITER_BODY_A))
+    shape = address_at(arbiter + (ARBITER_SHAPE_B if first else ARBITER_SHAPE_A))
+    vx, vy = paw_velocity(solver, body, shape)
+    if vx == 0.0 and vy == 0.0:
+        return
+    if not first:
+        vx, vy = -vx, -vy
+    store(arbiter + ARBITER_SURFACE, vx)
+    store(arbiter + ARBITER_SURFACE + 8, vy)
+    along = vx * number_at(arbiter + ARBITER_NORMAL) + vy * number_at(arbiter + ARBITER_NORMAL + 8)
+    bounce = number_at(arbiter + ARBITER_ELASTICITY) * along
+    for i in range(count_at(arbiter + ARBITER_COUNT)):
+        place = address_at(arbiter + ARBITER_CONTACTS) + i * CONTACT_SIZE + CONTACT_BOUNCE
+        store(place, number_at(place) + bounce)
+
+
+@compiled
+def paw_velocity(solver, body, shape):
+    """Return the velocity [m/s] over its robot, field frame, of a shape; 0 if it is no paw."""
+    for r in range(solver.robots):
+        stance = solver.stances[r]
+        if stance.body == body:
+            for i in range(PAWS):
+                if stance.paws[i].shape == shape:
+                    paw = stance.paws[i]
+                    return out_of_frame(paw.vx, paw.vy, number_at(body + BODY_COS), number_at(body + BODY_SIN))
+    return 0.0, 0.0
+
+
+@compiled
+def share_friction(solver, contact, arbiter, first):
+    """Leave to Chipmunk the level share of a contact's friction."""
+    level = slip_across(arbiter)
+    upright = roll_along(solver, arbiter, first)
+    slip = length(level, upright)
+    if slip > 0.0:
+        store(arbiter + ARBITER_FRICTION, contact.friction * abs(level) / slip)
+
+
+@compiled
+def slip_across(arbiter):
+    """Return the velocity [m/s] of B's surface over A's, level and across the normal, where they touch."""
+    a, b = address_at(arbiter + ARBITER_BODY_A), address_at(arbiter + ARBITER_BODY_B)
+    point = address_at(arbiter + ARBITER_CONTACTS)
+    turn_a, turn_b = number_at(a + BODY_OMEGA), number_at(b + BODY_OMEGA)
+    x = number_at(b + BODY_VX) - turn_b * number_at(point + 24) - number_at(a + BODY_VX) + turn_a * number_at(point + 8)
+    y = number_at(b + BODY_VY) + turn_b * number_at(point + 16) - number_at(a + BODY_VY) - turn_a * number_at(point)
+    x += number_at(arbiter + ARBITER_SURFACE)
+    y += number_at(arbiter + ARBITER_SURFACE + 8)
+    return y * number_at(arbiter + ARBITER_NORMAL) - x * number_at(arbiter + ARBITER_NORMAL + 8)
+
+
+@compiled
+def roll_along(solver, arbiter, first):
+    """Return the speed [m/s] at which the ball's surface moves down where it touches: its roll along the normal."""
+    nx, ny = number_at(arbiter + ARBITER_NORMAL), number_at(arbiter + ARBITER_NORMAL + 8)
+    along = solver.roll_x * nx + solver.roll_y * ny
+    return along if first else -along
+
+
+@compiled
+def take_roll(solver):
+    """Let the friction of all contacts that the ball has had in this substep slow its roll along their normals."""
+    for i in range(solver.ball_contact_count):
+        contact = solver.ball_contacts[i]
+        arbiter = contact.arbiter
+        points = address_at(arbiter + ARBITER_CONTACTS)
+        push = rub = 0.0
+        for j in range(count_at(arbiter + ARBITER_COUNT)):
+            push += number_at(points + j * CONTACT_SIZE + CONTACT_PUSH)
+            rub += number_at(points + j * CONTACT_SIZE + CONTACT_RUB)
+        left = contact.friction * push * contact.friction * push - rub * rub
+        if left <= 0.0:
+            continue
+        nx, ny = number_at(arbiter + ARBITER_NORMAL), number_at(arbiter + ARBITER_NORMAL + 8)
+        along = solver.roll_x * nx + solver.roll_y * ny
+        most = sqrt(left) / solver.spin_mass
+        taken = clip(along, -most, most)
+        solver.roll_x -= taken * nx
+        solver.roll_y -= taken * ny

@@ -1,0 +1,168 @@
+"""Read and write Chipmunk's structs in memory, from compiled code.
+
+pymunk hides the layout of most structs. The offsets below are those of the 64-bit builds of pymunk 7.3 (Munk2D,
+`chipmunk_structs.h`); `layout_fits` looks for each in a struct whose numbers it knows, before anything relies on it.
+"""
+
+from __future__ import annotations
+
+import functools
+import struct
+from math import cos, sin
+from typing import Any
+
+import numpy as np
+import pymunk
+from numba import types
+from numba.extending import intrinsic
+from numba.np.numpy_support import from_dtype
+from pymunk._chipmunk_cffi import ffi
+
+from soccer_env.compiled import config
+
+# struct cpBody
+BODY_MASS_INVERSE = 24  # [1/kg]
+BODY_MOMENT_INVERSE = 40  # [1/(kg m2)]
+BODY_X, BODY_Y = 64, 72  # [m]
+BODY_VX, BODY_VY = 80, 88  # [m/s]
+BODY_ANGLE, BODY_OMEGA = 112, 120  # [rad], [rad/s]
+BODY_COS, BODY_SIN = 136, 144  # of its angle
+BODY_ARBITERS = 232  # address of the first of its contacts in this substep, 0 without any
+# struct cpCircleShape
+CIRCLE_X, CIRCLE_Y = 192, 200  # [m] its place on its body
+# struct cpArbiter: two shapes in contact
+ARBITER_ELASTICITY, ARBITER_FRICTION = 0, 8  # [1]
+ARBITER_SURFACE = 16  # two numbers [m/s]: velocity of B's surface on its body less that of A's
+ARBITER_SHAPE_A, ARBITER_SHAPE_B = 40, 48
+ARBITER_BODY_A, ARBITER_BODY_B = 56, 64
+ARBITER_NEXT_OF_A, ARBITER_NEXT_OF_B = 72, 88  # the next contact of each of the bodies
+ARBITER_COUNT, ARBITER_CONTACTS = 104, 112
+ARBITER_NORMAL = 120  # two numbers: from A to B
+# struct cpContact, `count` of them in a row
+CONTACT_SIZE = 96
+CONTACT_BOUNCE = 48  # [m/s] velocity along the normal before the blow, times elasticity
+CONTACT_PUSH, CONTACT_RUB = 56, 64  # [N s] impulses along and across the normal in this substep
+# struct cpConstraint, and behind it cpSimpleMotor
+CONSTRAINT_CLASS = 0  # address of the addresses of its four functions
+MOTOR_RATE = 104  # a number of eight bytes that nobody but the class reads
+
+
+# Reading and writing at an address
+
+
+def _load(kind: Any) -> Any:
+    def typed(typing_context: Any, address: Any) -> Any:
+        def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            place = builder.inttoptr(arguments[0], context.get_value_type(kind).as_pointer())
+            return builder.load(place)
+
+        return kind(types.uintp), build
+
+    return intrinsic(typed)
+
+
+def _store(typing_context: Any, address: Any, value: Any) -> Any:
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        place = builder.inttoptr(arguments[0], context.get_value_type(types.float64).as_pointer())
+        builder.store(arguments[1], place)
+        return context.get_dummy_value()
+
+    return types.void(types.uintp, types.float64), build
+
+
+def _python_load(name: str) -> Any:
+    return lambda address: ffi.cast(f"{name} *", int(address))[0]
+
+
+def _python_store(address: Any, value: Any) -> None:
+    ffi.cast("double *", int(address))[0] = float(value)
+
+
+if config.DISABLE_JIT:
+    number_at: Any = _python_load("double")
+    address_at: Any = _python_load("uintptr_t")
+    count_at: Any = _python_load("int")
+    store: Any = _python_store
+else:
+    number_at, address_at, count_at = _load(types.float64), _load(types.uintp), _load(types.int32)
+    store = intrinsic(_store)
+
+
+def record_reader(dtype: np.dtype) -> Any:
+    """Return a function for kernels that returns the record of a dtype at an address, to read and to write."""
+    if config.DISABLE_JIT:
+        return lambda address: np.frombuffer(ffi.buffer(ffi.cast("char *", int(address)), dtype.itemsize), dtype).view(
+            np.recarray
+        )[0]
+    kind = from_dtype(dtype)
+
+    def typed(typing_context: Any, address: Any) -> Any:
+        def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            return builder.inttoptr(arguments[0], context.get_value_type(kind))
+
+        return kind(types.uintp), build
+
+    return intrinsic(typed)
+
+
+# For Python
+
+
+def address_of(thing: Any) -> int:
+    """Return the address of the struct of a pymunk Space, Body, Shape or Constraint."""
+    names = {pymunk.Space: "_space", pymunk.Body: "_body", pymunk.Shape: "_shape", pymunk.Constraint: "_constraint"}
+    name = next(name for kind, name in names.items() if isinstance(thing, kind))
+    return int(ffi.cast("uintptr_t", getattr(thing, name)))
+
+
+@functools.cache
+def layout_fits() -> bool:
+    """Say whether the structs of this pymunk lie in memory as the offsets above say."""
+    try:
+        return _arbiter_fits() and _bodies_fit()
+    except (AttributeError, ffi.error):
+        return False
+
+
+def _arbiter_fits() -> bool:
+    """Compare the structs that pymunk declares with the offsets."""
+    arbiter = {name: field.offset for name, field in ffi.typeof("cpArbiter").fields}
+    contact = {name: field.offset for name, field in ffi.typeof("struct cpContact").fields}
+    expected = {
+        "e": ARBITER_ELASTICITY, "u": ARBITER_FRICTION, "surface_vr": ARBITER_SURFACE, "a": ARBITER_SHAPE_A,
+        "b": ARBITER_SHAPE_B, "body_a": ARBITER_BODY_A, "body_b": ARBITER_BODY_B, "thread_a": ARBITER_NEXT_OF_A,
+        "thread_b": ARBITER_NEXT_OF_B, "count": ARBITER_COUNT, "contacts": ARBITER_CONTACTS, "n": ARBITER_NORMAL,
+    }  # fmt: skip
+    places = {"bounce": CONTACT_BOUNCE, "jnAcc": CONTACT_PUSH, "jtAcc": CONTACT_RUB}
+    return (
+        all(arbiter[name] == offset for name, offset in expected.items())
+        and all(contact[name] == offset for name, offset in places.items())
+        and ffi.sizeof("struct cpContact") == CONTACT_SIZE
+        and ffi.sizeof("void *") == ffi.sizeof("cpFloat") == 8
+    )
+
+
+def _bodies_fit() -> bool:
+    """Compare things of known numbers with the offsets: a body, a circle, a motor, and two bodies that then touch."""
+    space = pymunk.Space()
+    body, other = pymunk.Body(4.0, 8.0), pymunk.Body(4.0, 8.0)
+    body.position, body.velocity, body.angle, body.angular_velocity = (1.25, -2.5), (3.5, -4.5), 0.5, 7.25
+    other.position = body.position
+    circle = pymunk.Circle(body, 0.375, (0.1875, -0.3125))
+    motor = pymunk.SimpleMotor(space.static_body, body, 123.5)
+    space.add(body, other, circle, pymunk.Circle(other, 1.0), motor)
+    places = [
+        (body, BODY_MASS_INVERSE, 0.25), (body, BODY_MOMENT_INVERSE, 0.125), (body, BODY_X, 1.25), (body, BODY_Y, -2.5),
+        (body, BODY_VX, 3.5), (body, BODY_VY, -4.5), (body, BODY_ANGLE, 0.5), (body, BODY_OMEGA, 7.25),
+        (body, BODY_COS, cos(0.5)), (body, BODY_SIN, sin(0.5)), (circle, CIRCLE_X, 0.1875), (circle, CIRCLE_Y, -0.3125),
+        (motor, MOTOR_RATE, 123.5),
+    ]  # fmt: skip
+    if any(_value(*place[:2], "d") != place[2] for place in places) or _value(body, BODY_ARBITERS, "Q") != 0:
+        return False
+    space.step(1e-9)
+    found = _value(body, BODY_ARBITERS, "Q")
+    return bool(found != 0 and found == _value(other, BODY_ARBITERS, "Q"))
+
+
+def _value(thing: Any, offset: int, form: str) -> Any:
+    return struct.unpack(form, ffi.buffer(ffi.cast("char *", address_of(thing) + offset), 8))[0]

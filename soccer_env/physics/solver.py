@@ -1,0 +1,147 @@
+"""Our part of Chipmunk's contact solver: the ground under the robots, and the ball's roll in a blow.
+
+Chipmunk solves the contacts of a substep together, in a few rounds of impulses. What acts at the same time as they do
+must take part in those rounds: a ground that is asked once a control step lets a robot that stands be pushed along as
+on ice, since the solver, which knows nothing of the ground, shares out the momentum of the two. So each Space holds
+one constraint of our own, whose four functions Chipmunk calls in every substep:
+
+    prepare   once contacts are known: robots that touch nothing are driven at once, contacts of the ball looked at
+    resume    the ground's impulses of the last substep, from which the rounds start
+    round     once a round, after the contacts: the ground under the robots that touch something
+    finish    after the last round: the ball's roll
+
+The constraint is made as a motor and gets our functions in the place of the motor's; its rate holds the address of the
+match's SOLVER record. Impulses of the ground are counted as changes of velocity: over the robot's mass.
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import Any
+
+import numpy as np
+import pymunk
+from pymunk._chipmunk_cffi import ffi, lib
+
+from soccer_env.compiled import compiled
+from soccer_env.compiled_callback import callback
+from soccer_env.geometry import clip, length
+from soccer_env.physics.ball_contacts import look_at_ball, take_roll
+from soccer_env.physics.chipmunk_memory import (
+    BODY_ARBITERS,
+    BODY_OMEGA,
+    BODY_VX,
+    BODY_VY,
+    CONSTRAINT_CLASS,
+    MOTOR_RATE,
+    address_at,
+    address_of,
+    layout_fits,
+    number_at,
+    record_reader,
+    store,
+)
+from soccer_env.physics.solver_records import SOLVER
+
+solver_at: Any = record_reader(SOLVER)
+
+
+@callback("void", "address", "float64")
+def prepare(constraint, dt):
+    """Drive the robots that touch nothing, and list those that do and the contacts of the ball."""
+    solver = solver_at(address_at(constraint + MOTOR_RATE))
+    count = 0
+    for r in range(solver.robots):
+        stance = solver.stances[r]
+        if address_at(stance.body + BODY_ARBITERS) == 0:
+            stance.given_x = stance.given_y = stance.given_turn = 0.0
+            hold_ground(stance, dt)
+        else:
+            solver.touching[count] = r
+            count += 1
+    solver.touching_count = count
+    look_at_ball(solver)
+
+
+@callback("void", "address", "float64")
+def resume(constraint, share):
+    """Begin the rounds with what the ground gave in the last substep, times the ratio of the substeps' lengths."""
+    solver = solver_at(address_at(constraint + MOTOR_RATE))
+    for i in range(solver.touching_count):
+        stance = solver.stances[solver.touching[i]]
+        body = stance.body
+        stance.given_x *= share
+        stance.given_y *= share
+        stance.given_turn *= share
+        store(body + BODY_VX, number_at(body + BODY_VX) + stance.given_x)
+        store(body + BODY_VY, number_at(body + BODY_VY) + stance.given_y)
+        store(body + BODY_OMEGA, number_at(body + BODY_OMEGA) + stance.given_turn)
+
+
+@callback("void", "address", "float64")
+def solve_round(constraint, dt):
+    """Let the ground act on the robots that touch something."""
+    solver = solver_at(address_at(constraint + MOTOR_RATE))
+    for i in range(solver.touching_count):
+        hold_ground(solver.stances[solver.touching[i]], dt)
+
+
+@callback("float64", "address")
+def impulse(constraint):
+    """Return no impulse: nobody asks for it."""
+    return 0.0
+
+
+@callback("void", "address", "address")
+def finish(constraint, space):
+    """Let the blows of this substep take the ball's roll."""
+    take_roll(solver_at(address_at(constraint + MOTOR_RATE)))
+
+
+@compiled
+def hold_ground(stance, dt):
+    """Bring a robot towards the velocity that it wants, with what the ground bears in a substep at most."""
+    body = stance.body
+    vx, vy = number_at(body + BODY_VX), number_at(body + BODY_VY)
+    x, y = stance.given_x + stance.vx - vx, stance.given_y + stance.vy - vy
+    size, most = length(x, y), stance.traction * dt
+    if size > most:
+        x *= most / size
+        y *= most / size
+    store(body + BODY_VX, vx + x - stance.given_x)
+    store(body + BODY_VY, vy + y - stance.given_y)
+    stance.given_x = x
+    stance.given_y = y
+    omega, most = number_at(body + BODY_OMEGA), stance.turn_traction * dt
+    turn = clip(stance.given_turn + stance.omega - omega, -most, most)
+    store(body + BODY_OMEGA, omega + turn - stance.given_turn)
+    stance.given_turn = turn
+
+
+# For the owner of the Spaces
+
+
+def attach(space: pymunk.Space, solver: np.ndarray, ball: Any) -> None:
+    """Let our functions take part in solving a Space, with a SOLVER record (1,) of which the caller takes care.
+
+    Its dynamic bodies are the ball and the robots, in this order; `ball` is a league's BallModel.
+    """
+    if not layout_fits():
+        raise RuntimeError(f"this package needs pymunk 7.3 on a 64-bit machine, found {pymunk.version}")
+    bodies = [address_of(body) for body in space.bodies]
+    solver[0] = np.zeros((), SOLVER)
+    solver["robots"] = len(bodies) - 1
+    solver["ball"] = bodies[0]
+    solver["spin_mass"] = ball.shell * ball.mass
+    solver["stances"]["body"][0, : len(bodies) - 1] = bodies[1:]
+    rate = float(np.uint64(solver.ctypes.data).view(np.float64))
+    motor = pymunk.SimpleMotor(space.static_body, next(iter(space.bodies)), rate)
+    space.add(motor)
+    ffi.cast("uintptr_t *", address_of(motor) + CONSTRAINT_CLASS)[0] = _class_table().ctypes.data
+    lib.cpConstraintSetPostSolveFunc(motor._constraint, ffi.cast("cpConstraintPostSolveFunc", finish.address))
+
+
+@functools.cache
+def _class_table() -> np.ndarray:
+    """Return the addresses of the four functions of our kind of constraint, as Chipmunk's struct has them."""
+    return np.array([function.address for function in (prepare, resume, solve_round, impulse)], np.uint64)
