@@ -5,6 +5,7 @@ legged_sensors.py     the sensors of legged robots, and their memory
 middle_size_2006.py   the middle-size league of 2006
 omni_sensors.py       the sensors of middle-size robots, and their memory
 league.py             what a league is, and a map of the pitch
+materials.py          what bounces and rubs how much: elasticity and friction of each pair that meets
 robot.py              what its robots are: body, drive, kicker, head
 robot_kind.py         what a kind of robot is, and where each is declared
 constants.py          the numbers of a league as one record for kernels
@@ -18,6 +19,7 @@ from __future__ import annotations
 from soccer_env.checking import check_names
 from soccer_env.leagues import legged_2001, middle_size_2006
 from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
+from soccer_env.leagues.materials import Materials, Pair
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 
 LEAGUES: dict[str, League] = {
@@ -26,6 +28,7 @@ LEAGUES: dict[str, League] = {
         legged_2001.LEAGUE,
         middle_size_2006.LEAGUE,
         legged_2001.INNER,
+        legged_2001.SMOOTH,
         legged_2001.LEGS,
         middle_size_2006.OLD_BASE,
     )
@@ -48,6 +51,8 @@ __all__ = [
     "Head",
     "Kicker",
     "League",
+    "Materials",
+    "Pair",
     "Pitch",
     "Rules",
     "Slots",

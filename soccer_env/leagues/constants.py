@@ -31,6 +31,7 @@ NUMBERS = {
 }
 WHOLE_NUMBERS: dict[str, Callable[[League], int]] = {
     "corners": lambda league: len(league.body.corners),  # how many the hull has
+    "legs": lambda league: league.body.legs,  # 1: posts swing with the gait
     "walled": lambda league: league.pitch.walled,  # 1: boards on the lines
     "ranger": has_ranger,  # 1: robots have an infrared ranger
     "drive_kind": lambda league: DRIVE_KINDS[league.drive.kind],

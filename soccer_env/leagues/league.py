@@ -26,10 +26,12 @@ A walled pitch has no band: boards stand on the touchlines and goal lines, and t
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from math import sqrt
 from typing import Any, Literal
 
-from soccer_env.checking import ABOVE_ZERO, SHARE, Range
+from soccer_env.checking import ABOVE_ZERO, Range, refuse
 from soccer_env.leagues.checks import PYTHON_ONLY, Part, check_family
+from soccer_env.leagues.materials import Materials
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 from soccer_env.leagues.robot_kind import check_kind
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
@@ -42,10 +44,7 @@ MAX_RATE = 1000  # [1/s] control steps
 class Pitch(Part):
     """The field of play and what stands around it; see the map at the head of this file. Lengths in metres."""
 
-    BOUNDS = {
-        **dict.fromkeys(("length", "width", "goal_width", "goal_depth"), ABOVE_ZERO),
-        **dict.fromkeys(("wall_elasticity", "net_elasticity"), SHARE),
-    }
+    BOUNDS = dict.fromkeys(("length", "width", "goal_width", "goal_depth"), ABOVE_ZERO)
     ORDER = (("goal_width", "less than", "width"),)
 
     length: float
@@ -60,26 +59,22 @@ class Pitch(Part):
     goal_area_width: float = 0.0
     band_side: float = 0.0
     band_end: float = 0.0
+    board_foot: float = 0.0  # how far the sloped foot of a board reaches into the pitch, and how high: 45 degrees
     post_radius: float = field(default=0.02, metadata=PYTHON_ONLY)
     line: float = field(default=0.025, metadata=PYTHON_ONLY)
-    wall_elasticity: float = field(default=0.8, metadata=PYTHON_ONLY)  # [1] assumed; multiplied with the ball's
-    wall_friction: float = field(default=0.3, metadata=PYTHON_ONLY)  # [1] assumed
-    net_elasticity: float = field(default=0.05, metadata=PYTHON_ONLY)  # [1] assumed: a goal catches the ball
 
 
 @dataclass(frozen=True)
 class BallModel(Part):
     """The ball and how it rolls."""
 
-    BOUNDS = {**dict.fromkeys(("radius", "mass", "shell", "top_speed"), ABOVE_ZERO), "elasticity": SHARE}
+    BOUNDS = dict.fromkeys(("radius", "mass", "shell", "top_speed"), ABOVE_ZERO)
 
     radius: float  # [m]
     mass: float = field(metadata=PYTHON_ONLY)  # [kg]
     rolling: float  # [m/s2] constant deceleration of a rolling ball
     sliding: float  # [m/s2] deceleration while it slides
     shell: float  # [1] inertia over mass times radius squared: 2/5 solid, 2/3 a hollow shell
-    elasticity: float = field(metadata=PYTHON_ONLY)  # [1] restitution against robots and walls, times theirs
-    friction: float = field(metadata=PYTHON_ONLY)  # [1]
     top_speed: float  # [m/s] nothing moves it faster
 
 
@@ -148,6 +143,7 @@ class League(Part):
     pitch: Pitch
     ball: BallModel
     body: Body
+    materials: Materials
     drive: Drive
     kicker: Kicker
     head: Head
@@ -163,8 +159,17 @@ class League(Part):
     def __post_init__(self) -> None:
         super().__post_init__()
         check_family("League.family", self.family)
+        if not isinstance(self.materials, Materials):
+            refuse("League.materials", "Materials", self.materials)
         if self.sensors is not None:
             check_kind(self.sensors)
+        if self.pitch.board_foot > self.highest_foot:
+            raise ValueError(
+                f"Pitch.board_foot must be at most {self.highest_foot:.4f}, got {self.pitch.board_foot}: "
+                f"the ball has to meet the upright board"
+            )
+        if self.body.legs and self.drive.gait_steps % 2 != 0:
+            raise ValueError(f"Drive.gait_steps must be even for a body with legs, got {self.drive.gait_steps}")
         if self.delay_steps >= MAX_DELAY_STEPS:
             raise ValueError(f"Drive.delay spans {self.delay_steps} control steps, at most {MAX_DELAY_STEPS - 1} fit")
         if 2.0 * self.body.reach > min(self.pitch.length, self.pitch.width) / 4:
@@ -179,6 +184,16 @@ class League(Part):
     def dt(self) -> float:
         """Return the length of a control step [s]."""
         return 1.0 / self.control_rate
+
+    @property
+    def highest_foot(self) -> float:
+        """Return the height of a board's foot [m] at which a ball on the floor would meet it before the board.
+
+        The slope of a foot of height h is x + z = h, with x the distance from the board. The centre of a ball that
+        touches floor and board lies at x = z = r, (2 r - h) / sqrt(2) from the slope: r or more if h is at most
+        r (2 - sqrt(2)).
+        """
+        return self.ball.radius * (2.0 - sqrt(2.0))
 
     @property
     def delay_steps(self) -> int:

@@ -17,6 +17,7 @@ from math import pi
 
 from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
 from soccer_env.leagues.legged_sensors import LeggedMemory, LeggedSensors
+from soccer_env.leagues.materials import Materials, Pair
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 
 PITCH = Pitch(
@@ -28,6 +29,7 @@ PITCH = Pitch(
     penalty_width=1.0,  # [m] league rules, remembered, unverified
     circle=0.15,  # [m] radius; 300 mm across in the 2004 rule book
     walled=True,  # league rules of 2001 to 2004
+    board_foot=0.024,  # [m] sloped feet are remembered; height assumed: just below 24.6 mm, so the ball meets the board
     post_radius=0.02,  # [m] assumed
     line=0.025,  # [m] 2004 rule book
 )
@@ -38,12 +40,10 @@ BALL = BallModel(
     rolling=0.3,  # [m/s2] plastic on carpet, assumed; -0.26 to -0.7 in the small-size reference
     sliding=3.0,  # [m/s2] small-size reference
     shell=2.0 / 3.0,  # a hollow ball
-    elasticity=0.6,  # assumed
-    friction=0.3,  # assumed
     top_speed=2.0,  # [m/s] assumed
 )
 
-BODY = Body(  # 270 x 155 mm with the forelegs; about 255 x 150 by the ERS-210's kinematics
+SMOOTH_BODY = Body(  # of one piece: 270 x 155 mm with the forelegs; about 255 x 150 by the ERS-210's kinematics
     mass=1.45,  # [kg] 1.4 to 1.5, remembered
     disc_radius=0.0,
     disc_x=0.0,
@@ -53,9 +53,45 @@ BODY = Body(  # 270 x 155 mm with the forelegs; about 255 x 150 by the ERS-210's
     tip_radius=0.02,  # [m] assumed
     front=0.105,  # [m] the chest, assumed
     reach=0.159,  # [m] outermost point of the paws
-    elasticity=0.3,  # assumed
-    friction=0.4,  # assumed
     height=0.27,  # [m] 266 to 281 mm, remembered
+)
+
+# With legs: 264 mm long (250 to 274 remembered) and 172 mm wide.  MS51
+#
+# Shoulders and hips are 59.5 mm ahead of the centre and behind it, 59.2 mm aside (kinematics of the ERS-210). Paws do
+# not stand under them: a forepaw stands 60 mm ahead of its shoulder and 7 mm outside of it, a hind paw 45 mm behind and
+# 2 mm outside, in the stance of the walk of the University of Pennsylvania of 2004 (Tekkotsu, touretzkyds/Tekkotsu,
+# Motion/UPennWalkMC.cc: STANCE_FORE_X0 = 7, STANCE_FORE_Y0 = 60, STANCE_HIND_X0 = 2, STANCE_HIND_Y0 = -45, x aside and
+# y ahead). That is of the ERS-7, whose legs are 5 to 10 % longer.
+#
+# Posts right under the shoulders would hold the ball 78 mm ahead of the centre, where the camera could never see it:
+# from 142 mm ahead it would lie 135 degrees below the horizon, and at the lowest tilt of 82 degrees the picture ends
+# at 106.
+BODY = Body(
+    mass=1.45,  # [kg] 1.4 to 1.5, remembered
+    disc_radius=0.039,  # [m] half the width of the trunk between the legs: shoulders less a leg's thickness, assumed
+    disc_x=0.066,  # [m] so that the chest is at 105 mm
+    disc_back=0.122,  # [m] so that the rear end is at -95 mm, assumed
+    corners=(),
+    tip_x=0.1195,  # [m] forepaws: 59.5 + 60 mm
+    tip_y=0.0662,  # [m] 59.2 + 7 mm
+    tip_radius=0.02,  # [m] assumed
+    hind_x=-0.1045,  # [m] hind paws: -59.5 - 45 mm
+    hind_y=0.0612,  # [m] 59.2 + 2 mm
+    front=0.105,  # [m] the chest, assumed
+    reach=0.157,  # [m] outermost point of the forepaws
+    height=0.27,  # [m] 266 to 281 mm, remembered
+    legs=True,
+    inertia=(0.270**2 + 0.155**2) / 12.0,  # [m2] a rectangle of 270 x 155 mm, about the size of the ERS-210, remembered
+)
+
+MATERIALS = Materials(
+    ball_board=Pair(0.7, 0.3),  # hard hollow plastic on painted wood, assumed
+    ball_post=Pair(0.7, 0.3),  # the same: the ends of boards
+    ball_net=Pair(0.05, 0.3),  # assumed: a goal catches the ball
+    ball_robot=Pair(0.5, 0.3),  # plastic on plastic shells and rubber paws of jointed legs, assumed
+    robot_robot=Pair(0.1, 0.4),  # jointed legs give way, assumed
+    robot_board=Pair(0.1, 0.4),  # rubber paws on wood, assumed
 )
 
 DRIVE = Drive(
@@ -66,8 +102,10 @@ DRIVE = Drive(
     turn=0.8,  # [rad/s] assumed
     acceleration=0.24,  # [m/s2] twice the top speed a second, CMPack'02 walk
     turn_acceleration=1.6,  # [rad/s2] the same
-    traction=3.0,  # [m/s2] rubber paws on carpet, assumed
+    traction=3.0,  # [m/s2] rubber paws on carpet, all four, assumed
+    thrust=1.5,  # [m/s2] half of it: a trot stands on two of four paws
     turn_traction=30.0,  # [rad/s2] assumed
+    turn_thrust=15.0,  # [rad/s2] half of it, as thrust
     delay=0.1,  # [s] 0.1 to 0.2, assumed
     gait_steps=8,  # half a second, Sacks 2001, 4.3.2
     slip=0.08,  # 8 %, assumed
@@ -125,6 +163,7 @@ LEAGUE = League(  # MS56
     pitch=PITCH,
     ball=BALL,
     body=BODY,
+    materials=MATERIALS,
     drive=DRIVE,
     kicker=KICKER,
     head=HEAD,
@@ -138,4 +177,5 @@ LEAGUE = League(  # MS56
 )
 
 INNER = replace(LEAGUE, name="legged-2001-inner", pitch=replace(PITCH, length=2.8, width=1.8))  # the other reading
+SMOOTH = replace(LEAGUE, name="legged-2001-smooth", body=SMOOTH_BODY)  # a body of one piece, without legs
 LEGS = replace(LEAGUE, name="legged-2001-legs", drive=replace(DRIVE, leg_disturbance=1.0))  # legs get at the ball  MS51

@@ -17,6 +17,7 @@ from math import pi
 
 from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
 from soccer_env.leagues.omni_sensors import OmniMemory, OmniSensors
+from soccer_env.leagues.materials import Materials, Pair
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 
 PITCH = Pitch(  # MH23
@@ -42,8 +43,6 @@ BALL = BallModel(
     rolling=0.4,  # [m/s2] 0.3 to 0.6 on thin carpet, remembered
     sliding=3.0,  # [m/s2] small-size reference
     shell=2.0 / 3.0,  # a hollow ball: it rolls at 0.6 of the speed of a kick
-    elasticity=0.7,  # assumed
-    friction=0.3,  # assumed
     top_speed=11.0,  # [m/s] the kicker's 10 m/s on a moving robot, assumed
 )
 
@@ -57,9 +56,18 @@ BODY = Body(  # a round base that fits 50 x 50 cm, with a guide that holds a qua
     tip_radius=0.045,  # [m] guide, assumed
     front=0.18,  # [m] kicker, Tribots 2005; 55 mm of the ball lie within the hull, a third (73 mm) may
     reach=0.287,  # [m] outermost point of the guide
-    elasticity=0.4,  # assumed
-    friction=0.3,  # assumed
     height=0.8,  # [m] at most 0.85 by the rules
+)
+
+MATERIALS = Materials(
+    ball_board=Pair(0.7, 0.3),  # assumed
+    ball_post=Pair(0.7, 0.3),  # assumed
+    ball_net=Pair(0.05, 0.3),  # assumed: a goal catches the ball
+    # From steel a size 5 ball bounces with sqrt(1.25 / 2) to sqrt(1.55 / 2) = 0.79 to 0.88 in FIFA's drop test from
+    # 2 m; a robot's thin panels give way.
+    ball_robot=Pair(0.6, 0.3),  # assumed
+    robot_robot=Pair(0.2, 0.3),  # assumed
+    robot_board=Pair(0.2, 0.3),  # assumed
 )
 
 DRIVE = Drive(  # MH01
@@ -70,8 +78,10 @@ DRIVE = Drive(  # MH01
     turn=6.0,  # [rad/s] assumed; 3.0 in Tribots 2005
     acceleration=4.0,  # [m/s2] 3 to 5, Falcons, Tribots 2005
     turn_acceleration=20.0,  # [rad/s2] assumed; 12 in Tribots 2005
-    traction=4.0,  # [m/s2] braking of Tribots 2005
-    turn_traction=20.0,  # [rad/s2] assumed
+    traction=6.0,  # [m/s2] rubber rollers on carpet, friction 0.6, assumed
+    thrust=4.0,  # [m/s2] braking of Tribots 2005: what the motors give
+    turn_traction=30.0,  # [rad/s2] assumed
+    turn_thrust=20.0,  # [rad/s2] assumed
     delay=0.1,  # [s] 0.14 CAMBADA, 0.2 Tribots 2005; a default of this package
     gait_steps=1,
     slip=0.02,  # assumed
@@ -88,8 +98,10 @@ DIFFERENTIAL = Drive(  # the Pioneer 2 of the years before
     turn=4.0,  # [rad/s] assumed
     acceleration=2.0,  # [m/s2] assumed
     turn_acceleration=10.0,  # [rad/s2] assumed
-    traction=4.0,  # [m/s2] assumed
-    turn_traction=20.0,  # [rad/s2] assumed
+    traction=6.0,  # [m/s2] rubber wheels on carpet, friction 0.6, assumed
+    thrust=2.0,  # [m/s2] its acceleration
+    turn_traction=30.0,  # [rad/s2] assumed
+    turn_thrust=10.0,  # [rad/s2] its turn acceleration
     delay=0.1,  # [s] assumed
     gait_steps=1,
     slip=0.02,  # assumed
@@ -135,6 +147,7 @@ LEAGUE = League(
     pitch=PITCH,
     ball=BALL,
     body=BODY,
+    materials=MATERIALS,
     drive=DRIVE,
     kicker=KICKER,
     head=Head(camera_height=0.75),  # [m] omnidirectional camera, assumed

@@ -19,12 +19,12 @@ MOST_CORNERS = 8  # of a hull, that the constants have room for
 class Body(Part):
     """A robot's outline seen from above, its origin at the centre of mass, x forward.
 
-    A convex hull (corners) or a disc, with two round tips in front that form the pocket for the ball.
+    A convex hull (corners), a disc or a capsule, with two round posts in front, its tips, that form the pocket for the
+    ball, and two behind if hind_y is above 0. With legs the four are where its legs stand in the middle of a step: they
+    swing with the gait.
     """
 
-    BOUNDS = {
-        **dict.fromkeys(("mass", "reach"), ABOVE_ZERO), **dict.fromkeys(("tip_x", "disc_x"), ANY), "elasticity": SHARE,
-    }  # fmt: skip
+    BOUNDS = {**dict.fromkeys(("mass", "reach"), ABOVE_ZERO), **dict.fromkeys(("tip_x", "disc_x", "hind_x"), ANY)}
 
     mass: float = field(metadata=PYTHON_ONLY)  # [kg]
     disc_radius: float  # [m] 0: the hull is given by its corners
@@ -35,9 +35,12 @@ class Body(Part):
     tip_radius: float  # [m]
     front: float  # [m] x of the surface that a ball in the pocket rests on
     reach: float  # [m] greatest distance of the outline from the origin
-    elasticity: float = field(metadata=PYTHON_ONLY)  # [1]
-    friction: float = field(metadata=PYTHON_ONLY)  # [1]
     height: float  # [m]
+    disc_back: float = 0.0  # [m] how far the disc is drawn out backwards to a capsule; 0: a disc
+    hind_x: float = 0.0  # [m] centres of the hind posts, at +-hind_y, as thick as the tips
+    hind_y: float = 0.0  # [m] 0: none
+    legs: bool = False  # True: posts swing with the gait, and meet the feet of boards
+    inertia: float = field(default=0.0, metadata=PYTHON_ONLY)  # [m2] moment over mass; 0: that of the hull or disc
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -47,18 +50,35 @@ class Body(Part):
             raise ValueError(f"Body.corners must be at most {MOST_CORNERS}, got {len(self.corners)}")
         if self.corners and not is_convex(self.corners):
             raise ValueError(f"Body.corners must be finite and run counter-clockwise round a hull, got {self.corners}")
+        if self.disc_back > 0.0 and self.corners:
+            raise ValueError(f"Body.disc_back must be 0 for a hull, got {self.disc_back}")
+        in_quarters = self.hind_x < 0.0 < self.tip_x and min(self.tip_y, self.hind_y, self.tip_radius) > 0.0
+        if self.legs and (self.corners or not in_quarters):
+            raise ValueError("Body.legs needs a disc_radius above zero and four posts, one in each quarter round it")
+        self._check_reach()
+
+    def _check_reach(self) -> None:
+        """Raise ValueError unless the reach holds the whole outline."""
         outermost = max(
-            hypot(self.tip_x, self.tip_y) + self.tip_radius,
+            *(hypot(x, y) + self.tip_radius for x, y in self.posts or ((0.0, 0.0),)),
             abs(self.disc_x) + self.disc_radius,
+            abs(self.disc_x - self.disc_back) + self.disc_radius,
             *(hypot(x, y) for x, y in self.corners),
         )
         if self.reach < outermost - 0.001:
             raise ValueError(f"Body.reach must be at least {outermost:.3f}, got {self.reach}")
 
+    @property
+    def posts(self) -> tuple[tuple[float, float], ...]:
+        """Return the centres of the posts [m]: left fore, right fore, left hind, right hind, those that there are."""
+        pairs = [(self.tip_x, self.tip_y)] if self.tip_radius > 0.0 else []
+        pairs += [(self.hind_x, self.hind_y)] if self.hind_y > 0.0 else []
+        return tuple((x, side * y) for x, y in pairs for side in (1.0, -1.0))
+
 
 MOVING = (
     *("forward", "backward", "turn", "acceleration", "turn_acceleration", "traction", "turn_traction"),
-    *("gait_steps", "slip_time"),
+    *("thrust", "turn_thrust", "gait_steps", "slip_time"),
 )
 
 
@@ -76,8 +96,10 @@ class Drive(Part):
     turn: float  # [rad/s] top turn rate
     acceleration: float  # [m/s2] at which a walk changes
     turn_acceleration: float  # [rad/s2]
-    traction: float  # [m/s2] force that the ground bears, over mass
-    turn_traction: float  # [rad/s2]
+    traction: float  # [m/s2] force that the ground bears under a robot that stands, over mass
+    thrust: float  # [m/s2] the same while it walks or drives
+    turn_traction: float  # [rad/s2] torque that the ground bears under a robot that stands, over moment of inertia
+    turn_thrust: float  # [rad/s2] the same while it walks or drives
     delay: float = field(metadata=PYTHON_ONLY)  # [s] from a command to the motion, 0 to 0.2
     gait_steps: int  # control steps of a gait step, in which the walk cannot change; 1 for wheels
     slip: float  # [1] deviation of a walk from its command

@@ -95,8 +95,8 @@ def stand_on_ground(robot, k, stance):
     stance.vx, stance.vy = out_of_frame(forward, left, cos(robot.heading), sin(robot.heading))
     stance.omega = robot.walk.turn * robot.slip.turn
     stands = robot.walk.forward == 0.0 and robot.walk.left == 0.0 and robot.walk.turn == 0.0
-    stance.traction = k.drive_traction if stands else 0.5 * k.drive_traction
-    stance.turn_traction = k.drive_turn_traction if stands else 0.5 * k.drive_turn_traction
+    stance.traction = k.drive_traction if stands else k.drive_thrust
+    stance.turn_traction = k.drive_turn_traction if stands else k.drive_turn_thrust
 
 
 @compiled

@@ -2,6 +2,9 @@
 
 Bodies are added as ball, robot 0, robot 1, ...; that order is the order of rows in every body array. A Space is made
 anew at each reset: one that is reset in place remembers its past and breaks reproducibility.
+
+A robot with legs is a trunk and four posts. Its posts meet other robots and boards where they stand, in the middle of
+their swing, and the ball where they are as they swing (`gait.py`).
 """
 
 from __future__ import annotations
@@ -11,7 +14,21 @@ from typing import Any
 
 import pymunk
 
-from soccer_env.leagues.league import League
+from soccer_env.leagues.league import League, Pitch
+from soccer_env.leagues.robot import Body
+from soccer_env.physics.surfaces import (
+    BALL,
+    BALL_WALL,
+    BODY,
+    BODY_WALL,
+    PAW,
+    POST,
+    POST_WALL,
+    Surface,
+    Surfaces,
+    finish,
+    surfaces_of,
+)
 
 BOARD = 0.5  # [m] thickness of boards, so that nothing passes through one within a substep
 OVERLAP_LEFT = 1e-12  # [1] share of an overlap left after 1 s, assumed; Chipmunk's 0.0018 buries a ball in a scrum
@@ -25,102 +42,116 @@ def build_space(league: League, ball: Any, robots: Any) -> pymunk.Space:
     space.iterations = league.substeps.iterations
     space.collision_slop = league.substeps.slop
     space.collision_bias = OVERLAP_LEFT
-    space.add(*boards(space.static_body, league))
+    surfaces = surfaces_of(league.materials)
+    space.add(*surroundings(space.static_body, league, surfaces))
     ball_body = pymunk.Body(league.ball.mass, pymunk.moment_for_circle(league.ball.mass, 0.0, league.ball.radius))
-    space.add(ball_body, surface(pymunk.Circle(ball_body, league.ball.radius), league.ball))
+    space.add(ball_body, finish(pymunk.Circle(ball_body, league.ball.radius), surfaces.ball, BALL))
     ball_body.position, ball_body.angle = (float(ball["x"]), float(ball["y"])), float(ball["angle"])
     ball_body.velocity = float(ball["vx"]), float(ball["vy"])
     ball_body.angular_velocity = float(ball["spin"])
     for robot in robots:
         body = pymunk.Body(league.body.mass, robot_moment(league))
-        space.add(body, *robot_shapes(body, league))
+        space.add(body, *robot_shapes(body, league, surfaces.robot))
         body.position, body.angle = (float(robot["x"]), float(robot["y"])), float(robot["heading"])
         body.velocity, body.angular_velocity = (float(robot["vx"]), float(robot["vy"])), float(robot["omega"])
     return space
 
 
-def surface(shape: pymunk.Shape, material: Any) -> pymunk.Shape:
-    """Give a shape the elasticity and friction of a ball or body."""
-    shape.elasticity, shape.friction = material.elasticity, material.friction
-    return shape
-
-
 def robot_moment(league: League) -> float:
-    """Return the moment of inertia of a robot [kg m2]: a disc of half its reach squared, or its hull."""
+    """Return the moment of inertia of a robot [kg m2]: what the body says, or else that of its hull or disc."""
     body = league.body
+    if body.inertia > 0.0:
+        return body.mass * body.inertia
     if body.corners:
         return float(pymunk.moment_for_poly(body.mass, body.corners))
     return 0.5 * body.mass * body.disc_radius * body.disc_radius
 
 
-def robot_shapes(body: pymunk.Body, league: League) -> list[pymunk.Shape]:
-    """Return the hull or disc of a robot and the two tips of its pocket."""
+def robot_shapes(body: pymunk.Body, league: League, surface: Surface) -> list[pymunk.Shape]:
+    """Return the shapes of a robot: its hull, disc or capsule, then its posts.
+
+    Posts of a body with legs stand twice: as other robots and boards meet them, then as the ball does (see `paws_of`).
+    """
     outline = league.body
-    shapes: list[pymunk.Shape] = [
-        pymunk.Poly(body, outline.corners)
-        if outline.corners
-        else pymunk.Circle(body, outline.disc_radius, (outline.disc_x, 0.0))
-    ]
-    if outline.tip_radius > 0.0:
-        shapes += [pymunk.Circle(body, outline.tip_radius, (outline.tip_x, side * outline.tip_y)) for side in (1, -1)]
-    return [surface(shape, outline) for shape in shapes]
-
-
-def boards(static: pymunk.Body, league: League) -> list[pymunk.Shape]:
-    """Return the boards round the pitch and the goals."""
-    pitch = league.pitch
-    shapes = walled_ends(static, league) if pitch.walled else banded_ends(static, league)
-    half_length, half_width = pitch.length / 2 + pitch.band_end, pitch.width / 2 + pitch.band_side
-    for side in (1, -1):
-        shapes.append(
-            box(static, -half_length - BOARD, half_length + BOARD, side * half_width, side * (half_width + BOARD))
-        )
-    for shape in shapes:
-        shape.elasticity, shape.friction = pitch.wall_elasticity, pitch.wall_friction
-    for side in (1, -1):
-        back = box(
-            static,
-            side * (pitch.length / 2 + pitch.goal_depth),
-            side * (pitch.length / 2 + pitch.goal_depth + BOARD),
-            -pitch.goal_width / 2,
-            pitch.goal_width / 2,
-        )
-        back.elasticity, back.friction = pitch.net_elasticity, pitch.wall_friction
-        shapes.append(back)
+    shapes = [finish(trunk(body, outline), surface, BODY)]
+    for category in (POST, PAW) if outline.legs else (BODY,):
+        posts = [pymunk.Circle(body, outline.tip_radius, place) for place in outline.posts]
+        shapes += [finish(post, surface, category) for post in posts]
     return shapes
 
 
-def walled_ends(static: pymunk.Body, league: League) -> list[pymunk.Shape]:
-    """Return the boards on the goal lines; their inner edges are the goals' sides."""
-    pitch = league.pitch
-    near, far = pitch.length / 2, pitch.length / 2 + pitch.goal_depth + BOARD
+def trunk(body: pymunk.Body, outline: Body) -> pymunk.Shape:
+    """Return the hull, disc or capsule of a robot."""
+    if outline.corners:
+        return pymunk.Poly(body, outline.corners)
+    if outline.disc_back > 0.0:
+        rear, front = (outline.disc_x - outline.disc_back, 0.0), (outline.disc_x, 0.0)
+        return pymunk.Segment(body, rear, front, outline.disc_radius)
+    return pymunk.Circle(body, outline.disc_radius, (outline.disc_x, 0.0))
+
+
+def paws_of(body: pymunk.Body) -> list[pymunk.Circle]:
+    """Return the posts of a robot's body that the ball meets: left fore, right fore, left hind, right hind.
+
+    They are what swings with the gait; none of a body without legs. Legs are told apart by the quarter that they stand
+    in, as `pymunk.Body.shapes` has no order.
+    """
+    paws = [shape for shape in body.shapes if shape.filter.categories == PAW and isinstance(shape, pymunk.Circle)]
+    return sorted(paws, key=lambda paw: (paw.offset.x < 0.0, paw.offset.y < 0.0))
+
+
+def surroundings(static: pymunk.Body, league: League, surfaces: Surfaces) -> list[pymunk.Shape]:
+    """Return boards, posts and nets: as the ball meets them, as robots do, and as the posts of legs do."""
+    pitch, shapes = league.pitch, []
+    kinds = ((surfaces.board, boards(static, pitch)), (surfaces.post, goal_posts(static, pitch)))
+    for surface, found in (*kinds, (surfaces.net, nets(static, pitch))):
+        shapes += [finish(shape, surface, BALL_WALL) for shape in found]
+    for category, foot in ((BODY_WALL, 0.0), (POST_WALL, pitch.board_foot))[: 2 if league.body.legs else 1]:
+        found = [*boards(static, pitch, foot), *goal_posts(static, pitch), *nets(static, pitch)]
+        shapes += [finish(shape, surfaces.edge, category) for shape in found]
+    return shapes
+
+
+def boards(static: pymunk.Body, pitch: Pitch, foot: float = 0.0) -> list[pymunk.Shape]:
+    """Return the boards round the pitch, whose faces stand nearer to it by the reach of their feet [m].
+
+    On a walled pitch their inner edges on the goal lines are the goals' sides.
+    """
+    half_length, half_width = pitch.length / 2 + pitch.band_end, pitch.width / 2 + pitch.band_side
+    near = pitch.length / 2 if pitch.walled else pitch.length / 2 + max(pitch.band_end, pitch.goal_depth)
+    far = near + BOARD + (pitch.goal_depth if pitch.walled else 0.0)
+    shapes = [
+        box(static, end * (near - foot), end * far, side * pitch.goal_width / 2, side * (half_width + BOARD))
+        for end in (1, -1)
+        for side in (1, -1)
+    ]
+    for side in (1, -1):
+        face, back = side * (half_width - foot), side * (half_width + BOARD)
+        shapes.append(box(static, -half_length - BOARD, half_length + BOARD, face, back))
+    return shapes
+
+
+def goal_posts(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
+    """Return the posts with the goals' side nets; a walled pitch has none but the ends of its boards."""
+    line, y = pitch.length / 2, pitch.goal_width / 2 + pitch.post_radius
+    if pitch.walled:
+        return []
     return [
-        box(static, end * near, end * far, side * pitch.goal_width / 2, side * (pitch.width / 2 + BOARD))
+        pymunk.Segment(
+            static,
+            (end * (line + pitch.post_radius), side * y),
+            (end * (line + pitch.goal_depth), side * y),
+            pitch.post_radius,
+        )
         for end in (1, -1)
         for side in (1, -1)
     ]
 
 
-def banded_ends(static: pymunk.Body, league: League) -> list[pymunk.Shape]:
-    """Return the boards behind the goal lines and the posts with the goals' side nets."""
-    pitch = league.pitch
-    line, edge = pitch.length / 2, pitch.length / 2 + max(pitch.band_end, pitch.goal_depth)
-    shapes: list[pymunk.Shape] = []
-    for end in (1, -1):
-        for side in (1, -1):
-            y = side * (pitch.goal_width / 2 + pitch.post_radius)
-            start, stop = (end * (line + pitch.post_radius), y), (end * (line + pitch.goal_depth), y)
-            shapes.append(pymunk.Segment(static, start, stop, pitch.post_radius))
-            shapes.append(
-                box(
-                    static,
-                    end * edge,
-                    end * (edge + BOARD),
-                    side * pitch.goal_width / 2,
-                    side * (pitch.width / 2 + pitch.band_side + BOARD),
-                )
-            )
-    return shapes
+def nets(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
+    """Return the backs of the goals."""
+    near, half = pitch.length / 2 + pitch.goal_depth, pitch.goal_width / 2
+    return [box(static, end * near, end * (near + BOARD), -half, half) for end in (1, -1)]
 
 
 def box(static: pymunk.Body, x1: float, x2: float, y1: float, y2: float) -> pymunk.Shape:
