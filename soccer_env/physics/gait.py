@@ -1,0 +1,56 @@
+"""Where the paws of a walking robot are: a trot, in which diagonal pairs of legs swing in turn.  MS51
+
+A cycle is a gait step. In half of it a paw stands on the ground while the body passes over it: seen from the body it
+goes back from half a stroke ahead of its stance to half a stroke behind. In the other half it swings forward again,
+over the ground at twice the speed of the walk. The left forepaw and the right hind paw swing first, then the others.
+
+    ahead   half     /\\        /\\
+     of             /  \\      /  \\          a paw that swings first
+    stance  -half  /    \\    /    \\    /
+                   0   1/2   1   3/2   gait steps
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+
+LEGS = 4  # left fore, right fore, left hind, right hind
+
+
+@compiled
+def stance(k, leg):
+    """Return where a leg stands in the middle of its stroke [m, m], robot frame."""
+    side = 1.0 if leg % 2 == 0 else -1.0
+    return (k.body_tip_x, side * k.body_tip_y) if leg < 2 else (k.body_hind_x, side * k.body_hind_y)
+
+
+@compiled
+def paw_offset(robot, k, leg, handedness):
+    """Return how far a paw is off its stance [m, m], robot frame, at the end of the control step.
+
+    The stroke is what the ground under the stance does in half a gait step: with a turn each paw has its own.
+    """
+    x, y = stance(k, leg)
+    half = swing(robot.gait_phase, k.gait_steps, leg, handedness) * 0.25 * k.gait_steps * k.dt
+    return half * (robot.walk.forward - robot.walk.turn * y), half * (robot.walk.left + robot.walk.turn * x)
+
+
+@compiled
+def swing(phase, gait_steps, leg, handedness):
+    """Return where in its stroke a leg is: 1 its fore end, -1 its hind end; `phase` control steps of a gait step.
+
+    In a mirrored match the legs of the other side swing first.
+    """
+    done = (phase % gait_steps) / gait_steps
+    ahead = 4.0 * done - 1.0 if done <= 0.5 else 3.0 - 4.0 * done
+    swings_first = (leg == 0 or leg == 3) == (handedness > 0.0)
+    return ahead if swings_first else -ahead
+
+
+@compiled
+def most_swing(k):
+    """Return how far a paw gets off its stance at most [m], at full speed and full turn rate; 0 without legs."""
+    fastest = max(k.drive_forward, k.drive_backward, k.drive_sideways) + k.drive_turn * k.body_reach
+    return 0.25 * k.gait_steps * k.dt * fastest if k.legs == 1 else 0.0
