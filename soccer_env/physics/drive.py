@@ -14,6 +14,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, toward
 from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
 from soccer_env.optics.head_camera import tilt_at
+from soccer_env.physics.paws import aim_paws, note_paws
 from soccer_env.random_numbers import normal
 from soccer_env.types import RobotStream
 
@@ -23,6 +24,8 @@ SLIP = int(RobotStream.SLIP)
 @compiled
 def drive(robot, k, step, handedness, stance):
     """Turn a robot's command into what its legs or wheels want of the ground."""
+    if k.legs == 1:
+        note_paws(robot, k, stance.paws, handedness)
     request_walk(robot, k, step)
     if robot.gait_phase % k.slip_steps == 0 and k.drive_slip > 0.0:
         draw_slip(robot, k, handedness)
@@ -32,6 +35,8 @@ def drive(robot, k, step, handedness, stance):
     if robot.gait_phase % k.slip_steps == 0 and robot.gait_phase % k.gait_steps == 0:
         robot.gait_phase = 0
     change_walk(robot, k)
+    if k.legs == 1:
+        aim_paws(robot, k, stance.paws, handedness)
     stand_on_ground(robot, k, stance)
 
 

@@ -1,19 +1,42 @@
-"""Paws that swing while a robot walks: where they are in each substep, for the ball that they meet.  MS51"""
+"""Paws that swing while a robot walks: where they are in each substep, for the ball that they meet.  MS51
+
+`k`: the league's constants.
+"""
 
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.physics.chipmunk_memory import CIRCLE_X, CIRCLE_Y, store
+from soccer_env.physics.gait import paw_offset, stance
 from soccer_env.physics.solver_records import PAWS
 
 
 @compiled
+def note_paws(robot, k, paws, handedness):
+    """Note where a robot's paws are before its gait goes on; paws (4,) of PAW."""
+    for leg in range(PAWS):
+        x, y = stance(k, leg)
+        ahead, left = paw_offset(robot, k, leg, handedness)
+        paws[leg].x, paws[leg].y = x + ahead, y + left
+
+
+@compiled
+def aim_paws(robot, k, paws, handedness):
+    """Give the paws the velocity that takes them, within a control step, to where the gait now wants them."""
+    for leg in range(PAWS):
+        x, y = stance(k, leg)
+        ahead, left = paw_offset(robot, k, leg, handedness)
+        paws[leg].vx = (x + ahead - paws[leg].x) / k.dt
+        paws[leg].vy = (y + left - paws[leg].y) / k.dt
+
+
+@compiled
 def swing_paws(solver, time):
-    """Put the paws where they are a time [s] after the beginning of the control step."""
+    """Put the paws of a match where they are a time [s] after the beginning of the control step."""
     for r in range(solver.robots):
-        stance = solver.stances[r]
-        for i in range(PAWS):
-            paw = stance.paws[i]
+        paws = solver.stances[r].paws
+        for leg in range(PAWS):
+            paw = paws[leg]
             if paw.shape != 0:
                 store(paw.shape + CIRCLE_X, paw.x + time * paw.vx)
                 store(paw.shape + CIRCLE_Y, paw.y + time * paw.vy)

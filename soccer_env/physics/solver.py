@@ -42,6 +42,7 @@ from soccer_env.physics.chipmunk_memory import (
     store,
 )
 from soccer_env.physics.solver_records import SOLVER
+from soccer_env.physics.space import paws_of
 
 solver_at: Any = record_reader(SOLVER)
 
@@ -134,6 +135,9 @@ def attach(space: pymunk.Space, solver: np.ndarray, ball: Any) -> None:
     solver["ball"] = bodies[0]
     solver["spin_mass"] = ball.shell * ball.mass
     solver["stances"]["body"][0, : len(bodies) - 1] = bodies[1:]
+    for r, body in enumerate(list(space.bodies)[1:]):
+        for leg, paw in enumerate(paws_of(body)):
+            solver["stances"]["paws"]["shape"][0, r, leg] = address_of(paw)
     rate = float(np.uint64(solver.ctypes.data).view(np.float64))
     motor = pymunk.SimpleMotor(space.static_body, next(iter(space.bodies)), rate)
     space.add(motor)
