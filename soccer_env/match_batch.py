@@ -96,7 +96,8 @@ class MatchBatch:
         """Rebuild the Spaces of some matches from their records."""
         for m in rows:
             league = self.settings.league
-            self.physics.set_space(m, build_space(league, self.balls[m], self.robots[m]), league.ball)
+            self.physics.set_space(m, build_space(league, self.balls[m], self.robots[m]))
+            self.physics.take_part(m, league, self.constants)
 
     # One control step of a slice of matches
 

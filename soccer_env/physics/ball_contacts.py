@@ -23,27 +23,21 @@ from __future__ import annotations
 from math import sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, out_of_frame
+from soccer_env.geometry import clip, length
 from soccer_env.physics.chipmunk_memory import (
     ARBITER_BODY_A,
     ARBITER_BODY_B,
     ARBITER_CONTACTS,
     ARBITER_COUNT,
-    ARBITER_ELASTICITY,
     ARBITER_FRICTION,
     ARBITER_NEXT_OF_A,
     ARBITER_NEXT_OF_B,
     ARBITER_NORMAL,
-    ARBITER_SHAPE_A,
-    ARBITER_SHAPE_B,
     ARBITER_SURFACE,
     BODY_ARBITERS,
-    BODY_COS,
     BODY_OMEGA,
-    BODY_SIN,
     BODY_VX,
     BODY_VY,
-    CONTACT_BOUNCE,
     CONTACT_PUSH,
     CONTACT_RUB,
     CONTACT_SIZE,
@@ -52,12 +46,13 @@ from soccer_env.physics.chipmunk_memory import (
     number_at,
     store,
 )
-from soccer_env.physics.solver_records import MOST_CONTACTS, PAWS
+from soccer_env.physics.leg_contacts import CONTACT_BYTES, contact_at
+from soccer_env.physics.solver_records import MOST_CONTACTS
 
 
 @compiled
 def look_at_ball(solver):
-    """List the contacts of the ball, and set in each how its paw moves and how much of its friction is level."""
+    """List the contacts of the ball, and set in each how much of its friction is level."""
     solver.ball_contact_count = 0
     arbiter = address_at(solver.ball + BODY_ARBITERS)
     while arbiter != 0 and solver.ball_contact_count < MOST_CONTACTS:
@@ -67,41 +62,8 @@ def look_at_ball(solver):
             solver.ball_contact_count += 1
             contact.arbiter = arbiter
             contact.friction = number_at(arbiter + ARBITER_FRICTION)
-            move_paw(solver, arbiter, first)
             share_friction(solver, contact, arbiter, first)
         arbiter = address_at(arbiter + (ARBITER_NEXT_OF_A if first else ARBITER_NEXT_OF_B))
-
-
-@compiled
-def move_paw(solver, arbiter, first):
-    """Give a contact the velocity at which its paw swings, if it is one: across the normal and in the blow."""
-    body = address_at(arbiter + (ARBITER_BODY_B if first else ARBITER_BODY_A))
-    shape = address_at(arbiter + (ARBITER_SHAPE_B if first else ARBITER_SHAPE_A))
-    vx, vy = paw_velocity(solver, body, shape)
-    if vx == 0.0 and vy == 0.0:
-        return
-    if not first:
-        vx, vy = -vx, -vy
-    store(arbiter + ARBITER_SURFACE, vx)
-    store(arbiter + ARBITER_SURFACE + 8, vy)
-    along = vx * number_at(arbiter + ARBITER_NORMAL) + vy * number_at(arbiter + ARBITER_NORMAL + 8)
-    bounce = number_at(arbiter + ARBITER_ELASTICITY) * along
-    for i in range(count_at(arbiter + ARBITER_COUNT)):
-        place = address_at(arbiter + ARBITER_CONTACTS) + i * CONTACT_SIZE + CONTACT_BOUNCE
-        store(place, number_at(place) + bounce)
-
-
-@compiled
-def paw_velocity(solver, body, shape):
-    """Return the velocity [m/s] over its robot, field frame, of a shape; 0 if it is no paw."""
-    for r in range(solver.robots):
-        stance = solver.stances[r]
-        if stance.body == body:
-            for i in range(PAWS):
-                if stance.paws[i].shape == shape:
-                    paw = stance.paws[i]
-                    return out_of_frame(paw.vx, paw.vy, number_at(body + BODY_COS), number_at(body + BODY_SIN))
-    return 0.0, 0.0
 
 
 @compiled
@@ -146,12 +108,20 @@ def take_roll(solver):
         for j in range(count_at(arbiter + ARBITER_COUNT)):
             push += number_at(points + j * CONTACT_SIZE + CONTACT_PUSH)
             rub += number_at(points + j * CONTACT_SIZE + CONTACT_RUB)
-        left = contact.friction * push * contact.friction * push - rub * rub
-        if left <= 0.0:
-            continue
         nx, ny = number_at(arbiter + ARBITER_NORMAL), number_at(arbiter + ARBITER_NORMAL + 8)
-        along = solver.roll_x * nx + solver.roll_y * ny
-        most = sqrt(left) / solver.spin_mass
-        taken = clip(along, -most, most)
+        slow_roll(solver, nx, ny, contact.friction * push, rub)
+    for i in range(solver.contact_count):
+        leg = contact_at(solver.contacts + i * CONTACT_BYTES)
+        if leg.ball == 1:
+            slow_roll(solver, leg.nx, leg.ny, leg.friction * leg.push, leg.rub)
+
+
+@compiled
+def slow_roll(solver, nx, ny, most, rub):
+    """Slow the roll along a normal by the friction [N s] that a contact has left of `most`, after the level `rub`."""
+    left = most * most - rub * rub
+    if left > 0.0:
+        change = sqrt(left) / solver.spin_mass
+        taken = clip(solver.roll_x * nx + solver.roll_y * ny, -change, change)
         solver.roll_x -= taken * nx
         solver.roll_y -= taken * ny

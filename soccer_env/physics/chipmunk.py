@@ -35,11 +35,9 @@ from soccer_env.physics.chipmunk_memory import (
     BODY_X,
     BODY_Y,
     number_at,
-    record_reader,
     store,
 )
-from soccer_env.physics.paws import swing_paws
-from soccer_env.physics.solver_records import MOST_ROBOTS, SOLVER
+from soccer_env.physics.solver_records import MOST_ROBOTS
 
 Links = Any  # array (M,) of LINK; Any because mypy knows no record fields
 
@@ -62,7 +60,6 @@ LINK = np.dtype(
         ("space", "u8"),  # address of the match's cpSpace, 0 before there is one
         ("count", "i8"),  # bodies of a match
         ("body", "u8", (MOST_BODIES,)),  # their addresses
-        ("solver", "u8"),  # address of the match's SOLVER record; 0: Chipmunk solves its contacts alone
         ("velocities", "u8"),  # address of `velocities[m]`
         ("bodies", "u8"),  # address of `bodies[m]`
         *[(field, "u8") for field in C_FUNCTIONS],  # their addresses
@@ -71,7 +68,6 @@ LINK = np.dtype(
         ("body_array", FLOAT_ARRAY),
     ]
 )
-solver_at: Any = record_reader(SOLVER)
 
 
 # Calls of C functions by address. An address that is an argument, not a constant, lets the caller be cached on disk.
@@ -163,9 +159,7 @@ def advance(links: Links, m: int, substeps: int, dt: float) -> None:
         return
     substep = dt / substeps  # [s]
     _call_step(link.set_time_step, link.space, substep)  # see `keep_impulses`
-    for i in range(substeps):
-        if link.solver != 0:
-            swing_paws(solver_at(link.solver), (i + 1) * substep)
+    for _ in range(substeps):
         _call_step(link.step, link.space, substep)
 
 

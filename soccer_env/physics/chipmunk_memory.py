@@ -27,9 +27,8 @@ BODY_X, BODY_Y = 64, 72  # [m]
 BODY_VX, BODY_VY = 80, 88  # [m/s]
 BODY_ANGLE, BODY_OMEGA = 112, 120  # [rad], [rad/s]
 BODY_COS, BODY_SIN = 136, 144  # of its angle
+BODY_REPAIR_VX, BODY_REPAIR_VY, BODY_REPAIR_OMEGA = 192, 200, 208  # [m/s], [rad/s] that undo overlaps
 BODY_ARBITERS = 232  # address of the first of its contacts in this substep, 0 without any
-# struct cpCircleShape
-CIRCLE_X, CIRCLE_Y = 192, 200  # [m] its place on its body
 # struct cpArbiter: two shapes in contact
 ARBITER_ELASTICITY, ARBITER_FRICTION = 0, 8  # [1]
 ARBITER_SURFACE = 16  # two numbers [m/s]: velocity of B's surface on its body less that of A's
@@ -143,25 +142,28 @@ def _arbiter_fits() -> bool:
 
 
 def _bodies_fit() -> bool:
-    """Compare things of known numbers with the offsets: a body, a circle, a motor, and two bodies that then touch."""
+    """Compare things of known numbers with the offsets: a body, a motor, and two bodies that then touch."""
     space = pymunk.Space()
     body, other = pymunk.Body(4.0, 8.0), pymunk.Body(4.0, 8.0)
     body.position, body.velocity, body.angle, body.angular_velocity = (1.25, -2.5), (3.5, -4.5), 0.5, 7.25
-    other.position = body.position
-    circle = pymunk.Circle(body, 0.375, (0.1875, -0.3125))
+    other.position = body.position + (0.5, 0.25)
     motor = pymunk.SimpleMotor(space.static_body, body, 123.5)
-    space.add(body, other, circle, pymunk.Circle(other, 1.0), motor)
+    space.add(body, other, pymunk.Circle(body, 0.375), pymunk.Circle(other, 1.0), motor)
     places = [
         (body, BODY_MASS_INVERSE, 0.25), (body, BODY_MOMENT_INVERSE, 0.125), (body, BODY_X, 1.25), (body, BODY_Y, -2.5),
         (body, BODY_VX, 3.5), (body, BODY_VY, -4.5), (body, BODY_ANGLE, 0.5), (body, BODY_OMEGA, 7.25),
-        (body, BODY_COS, cos(0.5)), (body, BODY_SIN, sin(0.5)), (circle, CIRCLE_X, 0.1875), (circle, CIRCLE_Y, -0.3125),
+        (body, BODY_COS, cos(0.5)), (body, BODY_SIN, sin(0.5)),
         (motor, MOTOR_RATE, 123.5),
     ]  # fmt: skip
     if any(_value(*place[:2], "d") != place[2] for place in places) or _value(body, BODY_ARBITERS, "Q") != 0:
         return False
     space.step(1e-9)
     found = _value(body, BODY_ARBITERS, "Q")
-    return bool(found != 0 and found == _value(other, BODY_ARBITERS, "Q"))
+    repair = _value(body, BODY_REPAIR_VX, "d"), _value(body, BODY_REPAIR_VY, "d")
+    back = _value(other, BODY_REPAIR_VX, "d"), _value(other, BODY_REPAIR_VY, "d")
+    parts = 0.0 != repair[0] == -back[0] and 0.0 != repair[1] == -back[1]
+    turns = _value(body, BODY_REPAIR_OMEGA, "d") != 0.0
+    return bool(parts and turns and found != 0 and found == _value(other, BODY_ARBITERS, "Q"))
 
 
 def _value(thing: Any, offset: int, form: str) -> Any:

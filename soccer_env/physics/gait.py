@@ -1,12 +1,12 @@
-"""Where the paws of a walking robot are: a trot, in which diagonal pairs of legs swing in turn.  MS51
+r"""Where the paws of a walking robot are: a trot, in which diagonal pairs of legs swing in turn.  MS51
 
 A cycle is a gait step. In half of it a paw stands on the ground while the body passes over it: seen from the body it
 goes back from half a stroke ahead of its stance to half a stroke behind. In the other half it swings forward again,
 over the ground at twice the speed of the walk. The left forepaw and the right hind paw swing first, then the others.
 
-    ahead   half     /\\        /\\
-     of             /  \\      /  \\          a paw that swings first
-    stance  -half  /    \\    /    \\    /
+    ahead   half     /\        /\
+     of             /  \      /  \          a paw that swings first
+    stance  -half  /    \    /    \    /
                    0   1/2   1   3/2   gait steps
 
 `k`: the league's constants.

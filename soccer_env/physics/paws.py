@@ -1,4 +1,4 @@
-"""Paws that swing while a robot walks: where they are in each substep, for the ball that they meet.  MS51
+"""Paws that swing while a robot walks: how they move in a control step, for the ball that they meet.  MS51
 
 `k`: the league's constants.
 """
@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.physics.chipmunk_memory import CIRCLE_X, CIRCLE_Y, store
 from soccer_env.physics.gait import paw_offset, stance
 from soccer_env.physics.solver_records import PAWS
 
@@ -28,15 +27,3 @@ def aim_paws(robot, k, paws, handedness):
         ahead, left = paw_offset(robot, k, leg, handedness)
         paws[leg].vx = (x + ahead - paws[leg].x) / k.dt
         paws[leg].vy = (y + left - paws[leg].y) / k.dt
-
-
-@compiled
-def swing_paws(solver, time):
-    """Put the paws of a match where they are a time [s] after the beginning of the control step."""
-    for r in range(solver.robots):
-        paws = solver.stances[r].paws
-        for leg in range(PAWS):
-            paw = paws[leg]
-            if paw.shape != 0:
-                store(paw.shape + CIRCLE_X, paw.x + time * paw.vx)
-                store(paw.shape + CIRCLE_Y, paw.y + time * paw.vy)

@@ -1,14 +1,14 @@
-"""Our part of Chipmunk's contact solver: the ground under the robots, and the ball's roll in a blow.
+"""Our part of Chipmunk's contact solver: the ground under the robots, their legs, and the ball's roll in a blow.
 
 Chipmunk solves the contacts of a substep together, in a few rounds of impulses. What acts at the same time as they do
 must take part in those rounds: a ground that is asked once a control step lets a robot that stands be pushed along as
 on ice, since the solver, which knows nothing of the ground, shares out the momentum of the two. So each Space holds
 one constraint of our own, whose four functions Chipmunk calls in every substep:
 
-    prepare   once contacts are known: robots that touch nothing are driven at once, contacts of the ball looked at
-    resume    the ground's impulses of the last substep, from which the rounds start
-    round     once a round, after the contacts: the ground under the robots that touch something
-    finish    after the last round: the ball's roll
+    prepare      once contacts are known: what legs touch is found, robots that touch nothing are driven at once
+    resume       the impulses of the last substep, from which the rounds start
+    solve_round  once a round, after Chipmunk's contacts: those of legs, the ground under robots that touch something
+    finish       after the last round: the ball's roll
 
 The constraint is made as a motor and gets our functions in the place of the motor's; its rate holds the address of the
 match's SOLVER record. Impulses of the ground are counted as changes of velocity: over the robot's mass.
@@ -26,6 +26,8 @@ from pymunk._chipmunk_cffi import ffi, lib
 from soccer_env.compiled import compiled
 from soccer_env.compiled_callback import callback
 from soccer_env.geometry import clip, length
+from soccer_env.leagues.constants import CONSTANTS
+from soccer_env.leagues.league import League
 from soccer_env.physics.ball_contacts import look_at_ball, take_roll
 from soccer_env.physics.chipmunk_memory import (
     BODY_ARBITERS,
@@ -41,20 +43,25 @@ from soccer_env.physics.chipmunk_memory import (
     record_reader,
     store,
 )
+from soccer_env.physics.leg_contacts import find_leg_contacts
+from soccer_env.physics.leg_rows import resume_legs, solve_legs
 from soccer_env.physics.solver_records import SOLVER
-from soccer_env.physics.space import paws_of
 
 solver_at: Any = record_reader(SOLVER)
+constants_at: Any = record_reader(CONSTANTS)
 
 
 @callback("void", "address", "float64")
 def prepare(constraint, dt):
-    """Drive the robots that touch nothing, and list those that do and the contacts of the ball."""
+    """Find what legs touch, drive the robots that touch nothing, and list those that do and the ball's contacts."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
+    solver.time += dt
+    if solver.legs == 1:
+        find_leg_contacts(solver, constants_at(solver.constants), dt)
     count = 0
     for r in range(solver.robots):
         stance = solver.stances[r]
-        if address_at(stance.body + BODY_ARBITERS) == 0:
+        if address_at(stance.body + BODY_ARBITERS) == 0 and stance.meets == 0:
             stance.given_x = stance.given_y = stance.given_turn = 0.0
             hold_ground(stance, dt)
         else:
@@ -66,8 +73,9 @@ def prepare(constraint, dt):
 
 @callback("void", "address", "float64")
 def resume(constraint, share):
-    """Begin the rounds with what the ground gave in the last substep, times the ratio of the substeps' lengths."""
+    """Begin the rounds with the impulses of the last substep, times the ratio of the substeps' lengths."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
+    resume_legs(solver, share)
     for i in range(solver.touching_count):
         stance = solver.stances[solver.touching[i]]
         body = stance.body
@@ -81,8 +89,9 @@ def resume(constraint, share):
 
 @callback("void", "address", "float64")
 def solve_round(constraint, dt):
-    """Let the ground act on the robots that touch something."""
+    """Look at the contacts of legs, then let the ground act on the robots that touch something."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
+    solve_legs(solver)
     for i in range(solver.touching_count):
         hold_ground(solver.stances[solver.touching[i]], dt)
 
@@ -122,24 +131,33 @@ def hold_ground(stance, dt):
 # For the owner of the Spaces
 
 
-def attach(space: pymunk.Space, solver: np.ndarray, ball: Any) -> None:
-    """Let our functions take part in solving a Space, with a SOLVER record (1,) of which the caller takes care.
+def attach(space: pymunk.Space, solver: np.ndarray, contacts: np.ndarray, league: League, k: np.ndarray) -> None:
+    """Let our functions take part in solving a Space whose dynamic bodies are the ball and the robots, in this order.
 
-    Its dynamic bodies are the ball and the robots, in this order; `ball` is a league's BallModel.
+    They work on a SOLVER record (1,), on contacts (2, n) of LEG_CONTACT, those of this substep and of the last, and on
+    the constants (1,) of the league. The caller keeps all of them alive and in place.
     """
     if not layout_fits():
         raise RuntimeError(f"this package needs pymunk 7.3 on a 64-bit machine, found {pymunk.version}")
     bodies = [address_of(body) for body in space.bodies]
     solver[0] = np.zeros((), SOLVER)
-    solver["robots"] = len(bodies) - 1
-    solver["ball"] = bodies[0]
-    solver["spin_mass"] = ball.shell * ball.mass
+    solver["robots"], solver["legs"] = len(bodies) - 1, league.body.legs
+    solver["constants"], solver["slop"] = k.ctypes.data, league.substeps.slop
+    solver["ground"], solver["ball"] = address_of(space.static_body), bodies[0]
+    solver["spin_mass"] = league.ball.shell * league.ball.mass
+    for name in ("ball", "robot", "board"):
+        pair = league.materials.pairs()[{"ball": "ball_robot", "robot": "robot_robot", "board": "robot_board"}[name]]
+        solver[f"{name}_elasticity"], solver[f"{name}_friction"] = pair.elasticity, pair.friction
+    solver["contacts"], solver["last_contacts"] = contacts[0].ctypes.data, contacts[1].ctypes.data
+    solver["contact_room"] = contacts.shape[1]
     solver["stances"]["body"][0, : len(bodies) - 1] = bodies[1:]
-    for r, body in enumerate(list(space.bodies)[1:]):
-        for leg, paw in enumerate(paws_of(body)):
-            solver["stances"]["paws"]["shape"][0, r, leg] = address_of(paw)
-    rate = float(np.uint64(solver.ctypes.data).view(np.float64))
-    motor = pymunk.SimpleMotor(space.static_body, next(iter(space.bodies)), rate)
+    solver["stances"]["held_by"] = -1
+    _add_constraint(space, solver.ctypes.data)
+
+
+def _add_constraint(space: pymunk.Space, solver: int) -> None:
+    """Add the constraint whose functions are ours, and tell it the address of the match's SOLVER record."""
+    motor = pymunk.SimpleMotor(space.static_body, next(iter(space.bodies)), float(np.uint64(solver).view(np.float64)))
     space.add(motor)
     ffi.cast("uintptr_t *", address_of(motor) + CONSTRAINT_CLASS)[0] = _class_table().ctypes.data
     lib.cpConstraintSetPostSolveFunc(motor._constraint, ffi.cast("cpConstraintPostSolveFunc", finish.address))

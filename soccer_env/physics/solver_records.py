@@ -9,14 +9,16 @@ from soccer_env.types import MAX_TEAM
 MOST_ROBOTS = 2 * MAX_TEAM
 PAWS = 4  # of a robot, in the order of `gait.py`
 MOST_CONTACTS = 8  # of the ball that are treated; more do not fit round it
+LEG_CONTACTS = 8  # for each robot that there is room for in a match
 
 PAW = np.dtype(
     [
-        ("shape", "u8"),  # address of the circle that the ball meets; 0: this robot has none
         ("x", "f8"),  # [m] robot frame, at the beginning of the control step
         ("y", "f8"),  # [m] robot frame
         ("vx", "f8"),  # [m/s] over the robot's body, in its frame
         ("vy", "f8"),  # [m/s]
+        ("post_x", "f8"),  # [m] field frame, where its leg stands in this substep, in the middle of its stroke
+        ("post_y", "f8"),  # [m] field frame
     ]
 )
 STANCE = np.dtype(
@@ -30,6 +32,10 @@ STANCE = np.dtype(
         ("given_x", "f8"),  # [m/s] field frame: what the ground has added to its velocity in this substep
         ("given_y", "f8"),  # [m/s]
         ("given_turn", "f8"),  # [rad/s]
+        ("meets", "i8"),  # 1: its legs touch something in this substep
+        ("held_by", "i8"),  # row of the robot between whose legs one of its own is caught, or -1
+        ("held_leg", "i8"),  # which of its own
+        ("held_gap", "i8"),  # between which of the other's: 0 fore, 1 hind, 2 left, 3 right
         ("paws", PAW, (PAWS,)),
     ]
 )
@@ -39,17 +45,59 @@ BALL_CONTACT = np.dtype(
         ("friction", "f8"),  # [1] of the pair
     ]
 )
+LEG_CONTACT = np.dtype(
+    [  # a leg of robot A that touches B; the normal points from A to B
+        ("key", "i8"),  # the same in the next substep, if the same two touch again
+        ("a", "u8"),  # address of A's body
+        ("b", "u8"),  # address of B's: a robot, the ball, or the static body
+        ("nx", "f8"),  # [1] field frame
+        ("ny", "f8"),  # [1]
+        ("ax", "f8"),  # [m] field frame: where they touch, from A's centre
+        ("ay", "f8"),  # [m]
+        ("bx", "f8"),  # [m] field frame: the same from B's centre
+        ("by", "f8"),  # [m]
+        ("surface_x", "f8"),  # [m/s] field frame: velocity of B's surface on its body less that of A's
+        ("surface_y", "f8"),  # [m/s]
+        ("mass_along", "f8"),  # [kg] that resists an impulse along the normal
+        ("mass_across", "f8"),  # [kg] and across it
+        ("target", "f8"),  # [m/s] velocity along the normal after the blow
+        ("repair", "f8"),  # [m/s] at which an overlap is undone
+        ("friction", "f8"),  # [1] of the pair
+        ("level", "f8"),  # [1] share of the friction that acts level: less than 1 at a ball that rolls
+        ("ball", "i8"),  # 1: B is the ball
+        ("push", "f8"),  # [N s] impulse along the normal in this substep
+        ("rub", "f8"),  # [N s] impulse across it
+        ("shift", "f8"),  # [N s] impulse that undoes the overlap
+    ]
+)
 SOLVER = np.dtype(
     [
         ("robots", "i8"),  # how many there are
-        ("stances", STANCE, (MOST_ROBOTS,)),
-        ("touching", "i8", (MOST_ROBOTS,)),  # rows of those that touch something in this substep
-        ("touching_count", "i8"),
+        ("legs", "i8"),  # 1: they have legs that this part of the solver lets touch things
+        ("constants", "u8"),  # address of the league's constants
+        ("time", "f8"),  # [s] since the beginning of the control step
+        ("slop", "f8"),  # [m] overlap that is left alone
+        ("repair", "f8"),  # [1/s] share of the rest that is undone in a substep, over its length
+        ("ground", "u8"),  # address of the static body
         ("ball", "u8"),  # address of its body
         ("roll_x", "f8"),  # [m/s] field frame: speed at which the ball would roll without sliding
         ("roll_y", "f8"),  # [m/s] field frame
         ("spin_mass", "f8"),  # [kg] the ball's inertia over its radius squared
         ("ball_contacts", BALL_CONTACT, (MOST_CONTACTS,)),
         ("ball_contact_count", "i8"),
+        ("ball_elasticity", "f8"),  # [1] of ball and robot
+        ("ball_friction", "f8"),  # [1]
+        ("robot_elasticity", "f8"),  # [1] of two robots
+        ("robot_friction", "f8"),  # [1]
+        ("board_elasticity", "f8"),  # [1] of robot and board
+        ("board_friction", "f8"),  # [1]
+        ("contacts", "u8"),  # address of the first LEG_CONTACT of this substep
+        ("contact_count", "i8"),
+        ("last_contacts", "u8"),  # address of the first of the last substep
+        ("last_count", "i8"),
+        ("contact_room", "i8"),  # how many fit
+        ("touching", "i8", (MOST_ROBOTS,)),  # rows of those that touch something in this substep
+        ("touching_count", "i8"),
+        ("stances", STANCE, (MOST_ROBOTS,)),
     ]
 )

@@ -3,8 +3,7 @@
 Bodies are added as ball, robot 0, robot 1, ...; that order is the order of rows in every body array. A Space is made
 anew at each reset: one that is reset in place remembers its past and breaks reproducibility.
 
-A robot with legs is a trunk and four posts. Its posts meet other robots and boards where they stand, in the middle of
-their swing, and the ball where they are as they swing (`gait.py`).
+A robot with legs is a trunk here; its legs are found apart (`leg_contacts.py`).
 """
 
 from __future__ import annotations
@@ -21,9 +20,6 @@ from soccer_env.physics.surfaces import (
     BALL_WALL,
     BODY,
     BODY_WALL,
-    PAW,
-    POST,
-    POST_WALL,
     Surface,
     Surfaces,
     finish,
@@ -68,16 +64,12 @@ def robot_moment(league: League) -> float:
 
 
 def robot_shapes(body: pymunk.Body, league: League, surface: Surface) -> list[pymunk.Shape]:
-    """Return the shapes of a robot: its hull, disc or capsule, then its posts.
-
-    Posts of a body with legs stand twice: as other robots and boards meet them, then as the ball does (see `paws_of`).
-    """
+    """Return the shapes of a robot: its hull, disc or capsule, and posts that do not swing."""
     outline = league.body
-    shapes = [finish(trunk(body, outline), surface, BODY)]
-    for category in (POST, PAW) if outline.legs else (BODY,):
-        posts = [pymunk.Circle(body, outline.tip_radius, place) for place in outline.posts]
-        shapes += [finish(post, surface, category) for post in posts]
-    return shapes
+    shapes = [trunk(body, outline)]
+    if not outline.legs:
+        shapes += [pymunk.Circle(body, outline.tip_radius, place) for place in outline.posts]
+    return [finish(shape, surface, BODY) for shape in shapes]
 
 
 def trunk(body: pymunk.Body, outline: Body) -> pymunk.Shape:
@@ -90,43 +82,28 @@ def trunk(body: pymunk.Body, outline: Body) -> pymunk.Shape:
     return pymunk.Circle(body, outline.disc_radius, (outline.disc_x, 0.0))
 
 
-def paws_of(body: pymunk.Body) -> list[pymunk.Circle]:
-    """Return the posts of a robot's body that the ball meets: left fore, right fore, left hind, right hind.
-
-    They are what swings with the gait; none of a body without legs. Legs are told apart by the quarter that they stand
-    in, as `pymunk.Body.shapes` has no order.
-    """
-    paws = [shape for shape in body.shapes if shape.filter.categories == PAW and isinstance(shape, pymunk.Circle)]
-    return sorted(paws, key=lambda paw: (paw.offset.x < 0.0, paw.offset.y < 0.0))
-
-
 def surroundings(static: pymunk.Body, league: League, surfaces: Surfaces) -> list[pymunk.Shape]:
-    """Return boards, posts and nets: as the ball meets them, as robots do, and as the posts of legs do."""
+    """Return boards, posts and nets: as the ball meets them, then as robots do."""
     pitch, shapes = league.pitch, []
     kinds = ((surfaces.board, boards(static, pitch)), (surfaces.post, goal_posts(static, pitch)))
     for surface, found in (*kinds, (surfaces.net, nets(static, pitch))):
         shapes += [finish(shape, surface, BALL_WALL) for shape in found]
-    for category, foot in ((BODY_WALL, 0.0), (POST_WALL, pitch.board_foot))[: 2 if league.body.legs else 1]:
-        found = [*boards(static, pitch, foot), *goal_posts(static, pitch), *nets(static, pitch)]
-        shapes += [finish(shape, surfaces.edge, category) for shape in found]
-    return shapes
+    found = [*boards(static, pitch), *goal_posts(static, pitch), *nets(static, pitch)]
+    return shapes + [finish(shape, surfaces.edge, BODY_WALL) for shape in found]
 
 
-def boards(static: pymunk.Body, pitch: Pitch, foot: float = 0.0) -> list[pymunk.Shape]:
-    """Return the boards round the pitch, whose faces stand nearer to it by the reach of their feet [m].
-
-    On a walled pitch their inner edges on the goal lines are the goals' sides.
-    """
+def boards(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
+    """Return the boards round the pitch; on a walled one their inner edges on the goal lines are the goals' sides."""
     half_length, half_width = pitch.length / 2 + pitch.band_end, pitch.width / 2 + pitch.band_side
     near = pitch.length / 2 if pitch.walled else pitch.length / 2 + max(pitch.band_end, pitch.goal_depth)
     far = near + BOARD + (pitch.goal_depth if pitch.walled else 0.0)
     shapes = [
-        box(static, end * (near - foot), end * far, side * pitch.goal_width / 2, side * (half_width + BOARD))
+        box(static, end * near, end * far, side * pitch.goal_width / 2, side * (half_width + BOARD))
         for end in (1, -1)
         for side in (1, -1)
     ]
     for side in (1, -1):
-        face, back = side * (half_width - foot), side * (half_width + BOARD)
+        face, back = side * half_width, side * (half_width + BOARD)
         shapes.append(box(static, -half_length - BOARD, half_length + BOARD, face, back))
     return shapes
 

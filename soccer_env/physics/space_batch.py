@@ -13,7 +13,7 @@ import platform
 import sys
 import threading
 import warnings
-from typing import Literal, NoReturn
+from typing import Any, Literal, NoReturn
 
 import numpy as np
 import pymunk
@@ -21,11 +21,10 @@ from numpy.typing import ArrayLike, NDArray
 from pymunk import batch as pymunk_batch
 from pymunk.batch import BodyFields
 
-from soccer_env.leagues.league import BallModel
+from soccer_env.leagues.league import League
 from soccer_env.physics import chipmunk, solver
 from soccer_env.physics.chipmunk_memory import address_of
-from soccer_env.physics.paws import swing_paws
-from soccer_env.physics.solver_records import SOLVER
+from soccer_env.physics.solver_records import LEG_CONTACT, LEG_CONTACTS, SOLVER
 
 Backend = Literal["c", "batch"]
 
@@ -55,6 +54,7 @@ class SpaceBatch:
         self.bodies = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 6))
         self.velocities = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 3))
         self.solvers = np.zeros(matches, SOLVER)
+        self._contacts = np.zeros((matches, 2, LEG_CONTACTS * bodies), LEG_CONTACT)
         self.links = chipmunk.make_links(self.bodies, self.velocities) if self.backend == "c" else None
         self._read_buffer, self._write_buffer = pymunk_batch.Buffer(), pymunk_batch.Buffer()
         self._lock = threading.Lock()  # around the buffers
@@ -62,22 +62,20 @@ class SpaceBatch:
     def __reduce__(self) -> NoReturn:
         raise TypeError("a SpaceBatch holds addresses of this process and cannot be copied or pickled")
 
-    def set_space(self, m: int, space: pymunk.Space, ball: BallModel | None = None) -> None:
-        """Make `space` match m's, and read its bodies; the batch keeps it alive until the next one.
-
-        With a league's ball, our part of the solver acts in it: the ground, the ball's roll, paws that swing.
-        """
+    def set_space(self, m: int, space: pymunk.Space) -> None:
+        """Make `space` match m's, and read its bodies; the batch keeps it alive until the next one."""
         _check_space(space, self.size)
-        if ball is not None:
-            solver.attach(space, self.solvers[m : m + 1], ball)
         if self.links is not None:
             link = self.links[m : m + 1]
             link["space"], link["count"] = chipmunk.space_address(space), self.size
             link["body"][0, : self.size] = [address_of(body) for body in space.bodies]
-            link["solver"] = 0 if ball is None else self.solvers[m : m + 1].ctypes.data
         self.spaces[m] = space
         self.bodies[m] = self.velocities[m] = 0.0
         self.read_bodies(m)
+
+    def take_part(self, m: int, league: League, constants: NDArray[Any]) -> None:
+        """Let our part of the solver act in match m's Space; the caller keeps the league's constants (1,) in place."""
+        solver.attach(self._space(m), self.solvers[m : m + 1], self._contacts[m], league, constants)
 
     def step_all(self, dt: float, substeps: ArrayLike) -> None:
         """Write the velocities of all matches, move them on by dt [s] and read their bodies; `substeps` () or (M,)."""
@@ -98,8 +96,7 @@ class SpaceBatch:
             self.write_velocities(m)
             if counts[m] > 0:
                 chipmunk.keep_impulses(self._space(m), dt / int(counts[m]))
-            for i in range(counts[m]):
-                swing_paws(self.solvers[m], (i + 1) * (dt / int(counts[m])))
+            for _ in range(counts[m]):
                 self._space(m).step(dt / int(counts[m]))
             self.read_bodies(m)
 

@@ -9,7 +9,7 @@ shape gets a factor, for elasticity and for friction alike:
     what robots meet: all of these                         w = robot_board / r
 
 Boards, posts and nets therefore stand twice in a Space, once for the ball and once for robots, told apart by
-categories; and once more for the posts of legs, which meet a board's foot first.
+categories.
 """
 
 from __future__ import annotations
@@ -24,21 +24,10 @@ from soccer_env.leagues.materials import Materials, Pair
 LEAST = 1e-6  # [1] what a factor that is divided by stands for at least: robot_robot or ball_robot of 0 act as that
 
 BALL = 1 << 0
-BODY = 1 << 1  # a robot's trunk; of a body without legs all of it
-POST = 1 << 2  # where a leg stands, as robots and boards meet it
-PAW = 1 << 3  # where a leg is as it swings, as the ball meets it
-BALL_WALL = 1 << 4  # boards, posts and nets as the ball meets them
-BODY_WALL = 1 << 5  # the same as robots meet them
-POST_WALL = 1 << 6  # the same with the feet of boards, as the posts of legs meet them
-MEETS = {
-    BALL: BODY | PAW | BALL_WALL,
-    BODY: BALL | BODY | POST | BODY_WALL,
-    POST: BODY | POST | POST_WALL,
-    PAW: BALL,
-    BALL_WALL: BALL,
-    BODY_WALL: BODY,
-    POST_WALL: POST,
-}
+BODY = 1 << 1  # a robot's trunk; of a body without legs all of it. Legs are found apart, in `leg_contacts.py`
+BALL_WALL = 1 << 2  # boards, posts and nets as the ball meets them
+BODY_WALL = 1 << 3  # the same as robots meet them
+MEETS = {BALL: BODY | BALL_WALL, BODY: BALL | BODY | BODY_WALL, BALL_WALL: BALL, BODY_WALL: BODY}
 
 
 class Surface(NamedTuple):

@@ -1,0 +1,284 @@
+"""What legs touch: other robots' legs and trunks, the feet of boards, the ball.  MS51
+
+Legs are no shapes of Chipmunk's, whose search for pairs would cost more than all the rest of a match: they are found
+here, in each substep, by the distances of circles from circles, from the capsules of trunks and from boards, and take
+part in the same rounds of impulses (`leg_rows.py`). A leg meets robots and boards where it stands, in the middle of
+its stroke, since a leg that swings against something heavy gives way; it meets the ball where it is.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from math import exp, log
+from typing import Any
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame
+from soccer_env.physics.chipmunk_memory import (
+    BODY_COS,
+    BODY_MASS_INVERSE,
+    BODY_MOMENT_INVERSE,
+    BODY_OMEGA,
+    BODY_SIN,
+    BODY_VX,
+    BODY_VY,
+    BODY_X,
+    BODY_Y,
+    number_at,
+    record_reader,
+)
+from soccer_env.physics.gait import stance as leg_stance
+from soccer_env.physics.solver_records import LEG_CONTACT, PAWS
+
+OVERLAP_LEFT = 1e-12  # [1] share of an overlap left after 1 s, assumed; Chipmunk's 0.0018 buries a ball in a scrum
+BALL, BOARD = 30, 31  # in the place of the other robot's row in a contact's key
+TRUNK = 4  # in the place of the other robot's leg
+
+contact_at: Any = record_reader(LEG_CONTACT)
+CONTACT_BYTES = int(LEG_CONTACT.itemsize)
+
+
+@compiled
+def find_leg_contacts(solver, k, dt):
+    """List what the legs of a match touch in this substep of dt [s]."""
+    solver.contacts, solver.last_contacts = solver.last_contacts, solver.contacts
+    solver.last_count = solver.contact_count
+    solver.contact_count = 0
+    solver.repair = (1.0 - exp(log(OVERLAP_LEFT) * dt)) / dt
+    for r in range(solver.robots):
+        solver.stances[r].meets = 0
+        place_legs(solver.stances[r], k)
+    near = 2.0 * k.body_reach
+    for r in range(solver.robots):
+        body = solver.stances[r].body
+        x, y = number_at(body + BODY_X), number_at(body + BODY_Y)
+        for other in range(r + 1, solver.robots):
+            away = solver.stances[other].body
+            away_x, away_y = number_at(away + BODY_X) - x, number_at(away + BODY_Y) - y
+            if away_x * away_x + away_y * away_y < near * near:
+                meet_robot(solver, k, r, other)
+        meet_boards(solver, k, r, x, y)
+    meet_ball(solver, k)
+
+
+@compiled
+def place_legs(stance, k):
+    """Say where the legs of a robot stand in the field."""
+    body = stance.body
+    x, y = number_at(body + BODY_X), number_at(body + BODY_Y)
+    cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
+    for leg in range(PAWS):
+        ahead, left = leg_stance(k, leg)
+        paw = stance.paws[leg]
+        paw.post_x, paw.post_y = point_of_frame(x, y, ahead, left, cosine, sine)
+
+
+@compiled
+def meet_robot(solver, k, r, other):
+    """List the contacts of two robots near each other: leg with leg, and legs of each with the trunk of the other."""
+    both = 2.0 * k.body_tip_radius
+    for leg in range(PAWS):
+        post = solver.stances[r].paws[leg]
+        for its in range(PAWS):
+            across = solver.stances[other].paws[its]
+            x, y = across.post_x - post.post_x, across.post_y - post.post_y
+            if x * x + y * y < both * both:
+                gap = length(x, y)
+                touch_robot(solver, k, r, leg, other, its, x, y, gap, both)
+    for leg in range(PAWS):
+        meet_trunk(solver, k, r, leg, other)
+        meet_trunk(solver, k, other, leg, r)
+
+
+@compiled
+def meet_trunk(solver, k, r, leg, other):
+    """List the contact of a leg of robot r with the trunk of another robot, if they touch."""
+    post = solver.stances[r].paws[leg]
+    body = solver.stances[other].body
+    cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
+    x, y = number_at(body + BODY_X) - post.post_x, number_at(body + BODY_Y) - post.post_y
+    ahead, _ = into_frame(-x, -y, cosine, sine)
+    ahead = clip(ahead, k.body_disc_x - k.body_disc_back, k.body_disc_x)
+    x += cosine * ahead
+    y += sine * ahead
+    reach = k.body_tip_radius + k.body_disc_radius
+    if x * x + y * y < reach * reach:
+        touch_robot(solver, k, r, leg, other, TRUNK, x, y, length(x, y), reach)
+
+
+@compiled
+def touch_robot(solver, k, r, leg, other, part, x, y, gap, reach):
+    """List a contact of robot r's leg with a part of another robot whose axis is x, y [m] away; they reach so far."""
+    solver.stances[r].meets = 1
+    solver.stances[other].meets = 1
+    post = solver.stances[r].paws[leg]
+    nx, ny = normal(x, y, gap)
+    place_x, place_y = post.post_x + nx * k.body_tip_radius, post.post_y + ny * k.body_tip_radius
+    key = contact_key(r, leg, other, part)
+    contact = add_contact(solver, key, solver.stances[r].body, solver.stances[other].body)
+    aim(solver, contact, nx, ny, place_x, place_y, gap - reach, solver.robot_elasticity, solver.robot_friction)
+
+
+@compiled
+def meet_boards(solver, k, r, x, y):
+    """List the contacts of a robot's legs with the feet of the boards; x, y [m] its place."""
+    half_length = 0.5 * k.pitch_length + k.pitch_band_end
+    half_width = 0.5 * k.pitch_width + k.pitch_band_side
+    reach = k.body_reach + k.pitch_board_foot
+    if abs(x) + reach < half_length and abs(y) + reach < half_width:
+        return
+    for leg in range(PAWS):
+        post = solver.stances[r].paws[leg]
+        room = half_width - k.pitch_board_foot - abs(post.post_y)
+        if room < k.body_tip_radius:
+            touch_board(solver, k, r, leg, 0, 0.0, 1.0 if post.post_y > 0.0 else -1.0, room)
+        meet_end(solver, k, r, leg, half_length - k.pitch_board_foot)
+
+
+@compiled
+def meet_end(solver, k, r, leg, face):
+    """List the contacts of a leg with the boards beside and behind a goal; `face` [m] is where their feet begin."""
+    post = solver.stances[r].paws[leg]
+    end = 1.0 if post.post_x > 0.0 else -1.0
+    side = 1.0 if post.post_y > 0.0 else -1.0
+    past, aside = abs(post.post_x) - face, 0.5 * k.pitch_goal_width - abs(post.post_y)  # aside: room to the goal's side
+    back = 0.5 * k.pitch_length + k.pitch_goal_depth - abs(post.post_x)
+    if back < k.body_tip_radius:
+        touch_board(solver, k, r, leg, 1, end, 0.0, back)
+    if past <= 0.0 and aside > 0.0:  # before the mouth: the corner of the boards
+        gap = length(past, aside)
+        if gap < k.body_tip_radius:
+            nx, ny = normal(-past * end, aside * side, gap)
+            touch_board(solver, k, r, leg, 2, nx, ny, gap)
+    elif past + k.body_tip_radius > 0.0 and (aside <= 0.0 or aside < k.body_tip_radius):
+        if aside <= 0.0 and past < -aside:
+            touch_board(solver, k, r, leg, 2, end, 0.0, -past)
+        else:
+            touch_board(solver, k, r, leg, 2, 0.0, side, aside)
+
+
+@compiled
+def touch_board(solver, k, r, leg, part, nx, ny, room):
+    """List a contact of a robot's leg with something that stands still, `room` [m] from the leg's axis."""
+    solver.stances[r].meets = 1
+    post = solver.stances[r].paws[leg]
+    place_x, place_y = post.post_x + nx * room, post.post_y + ny * room
+    contact = add_contact(solver, contact_key(r, leg, BOARD, part), solver.stances[r].body, solver.ground)
+    gap = room - k.body_tip_radius
+    aim(solver, contact, nx, ny, place_x, place_y, gap, solver.board_elasticity, solver.board_friction)
+
+
+@compiled
+def meet_ball(solver, k):
+    """List the contacts of swinging paws with the ball."""
+    x, y = number_at(solver.ball + BODY_X), number_at(solver.ball + BODY_Y)
+    near = 1.5 * k.body_reach + k.ball_radius
+    for r in range(solver.robots):
+        stance = solver.stances[r]
+        body = stance.body
+        away_x, away_y = x - number_at(body + BODY_X), y - number_at(body + BODY_Y)
+        if away_x * away_x + away_y * away_y < near * near:
+            cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
+            ahead, left = into_frame(away_x, away_y, cosine, sine)
+            for leg in range(PAWS):
+                meet_paw(solver, k, r, leg, ahead, left, cosine, sine)
+
+
+@compiled
+def meet_paw(solver, k, r, leg, ahead, left, cosine, sine):
+    """List the contact of a paw with the ball, which lies ahead and left [m] of its robot, if they touch."""
+    stance = solver.stances[r]
+    paw = stance.paws[leg]
+    x, y = ahead - paw.x - solver.time * paw.vx, left - paw.y - solver.time * paw.vy
+    reach = k.body_tip_radius + k.ball_radius
+    if x * x + y * y >= reach * reach:
+        return
+    stance.meets = 1
+    gap = length(x, y)
+    x, y = out_of_frame(x, y, cosine, sine)
+    nx, ny = normal(x, y, gap)
+    place_x = number_at(solver.ball + BODY_X) - nx * k.ball_radius
+    place_y = number_at(solver.ball + BODY_Y) - ny * k.ball_radius
+    contact = add_contact(solver, contact_key(r, leg, BALL, 0), stance.body, solver.ball)
+    contact.ball = 1
+    vx, vy = out_of_frame(paw.vx, paw.vy, cosine, sine)
+    contact.surface_x = -vx
+    contact.surface_y = -vy
+    aim(solver, contact, nx, ny, place_x, place_y, gap - reach, solver.ball_elasticity, solver.ball_friction)
+    share_with_roll(solver, contact)
+
+
+@compiled
+def normal(x, y, gap):
+    """Return the direction of a vector of a length [m]; any one if it has none."""
+    return (x / gap, y / gap) if gap > 0.0 else (1.0, 0.0)
+
+
+@compiled
+def contact_key(r, leg, other, part):
+    """Return a number that is a contact's own."""
+    return ((r * PAWS + leg) * 32 + other) * 8 + part
+
+
+@compiled
+def add_contact(solver, key, a, b):
+    """Return room for a contact, with the impulses of the last substep if it was there; the last if none is left."""
+    if solver.contact_count < solver.contact_room:
+        solver.contact_count += 1
+    contact = contact_at(solver.contacts + (solver.contact_count - 1) * CONTACT_BYTES)
+    contact.key, contact.a, contact.b = key, a, b
+    contact.push = contact.rub = contact.shift = contact.surface_x = contact.surface_y = 0.0
+    contact.ball = 0
+    contact.level = 1.0
+    for i in range(solver.last_count):
+        last = contact_at(solver.last_contacts + i * CONTACT_BYTES)
+        if last.key == key:
+            contact.push, contact.rub = last.push, last.rub
+    return contact
+
+
+@compiled
+def aim(solver, contact, nx, ny, x, y, gap, elasticity, friction):
+    """Say what a contact at x, y [m] is to bring about: the velocity after the blow, and the end of the overlap."""
+    a, b = contact.a, contact.b
+    contact.nx, contact.ny, contact.friction = nx, ny, friction
+    contact.ax, contact.ay = x - number_at(a + BODY_X), y - number_at(a + BODY_Y)
+    contact.bx, contact.by = x - number_at(b + BODY_X), y - number_at(b + BODY_Y)
+    contact.mass_along = 1.0 / softness(contact, nx, ny)
+    contact.mass_across = 1.0 / softness(contact, -ny, nx)
+    vx, vy = slip_of(contact)
+    contact.target = -elasticity * (vx * nx + vy * ny)
+    contact.repair = -solver.repair * min(0.0, gap + solver.slop)
+
+
+@compiled
+def softness(contact, x, y):
+    """Return the change of relative velocity that a unit of impulse along a direction brings about [1/kg]."""
+    a, b = contact.a, contact.b
+    turn_a, turn_b = contact.ax * y - contact.ay * x, contact.bx * y - contact.by * x
+    linear = number_at(a + BODY_MASS_INVERSE) + number_at(b + BODY_MASS_INVERSE)
+    return (
+        linear
+        + number_at(a + BODY_MOMENT_INVERSE) * turn_a * turn_a
+        + number_at(b + BODY_MOMENT_INVERSE) * turn_b * turn_b
+    )
+
+
+@compiled
+def slip_of(contact):
+    """Return the velocity [m/s] of B's surface over A's where they touch."""
+    a, b = contact.a, contact.b
+    turn_a, turn_b = number_at(a + BODY_OMEGA), number_at(b + BODY_OMEGA)
+    vx = number_at(b + BODY_VX) - turn_b * contact.by - number_at(a + BODY_VX) + turn_a * contact.ay
+    vy = number_at(b + BODY_VY) + turn_b * contact.bx - number_at(a + BODY_VY) - turn_a * contact.ax
+    return vx + contact.surface_x, vy + contact.surface_y
+
+
+@compiled
+def share_with_roll(solver, contact):
+    """Leave to the level friction of a contact with the ball its share of the slip, see `ball_contacts.py`."""
+    vx, vy = slip_of(contact)
+    level = vy * contact.nx - vx * contact.ny
+    slip = length(level, solver.roll_x * contact.nx + solver.roll_y * contact.ny)
+    contact.level = abs(level) / slip if slip > 0.0 else 1.0
