@@ -23,9 +23,9 @@ from soccer_env.physics.ball import hold, limit_speed, slow_down
 from soccer_env.physics.chipmunk import step_match, write_bodies
 from soccer_env.physics.contacts import find_collisions, find_touches
 from soccer_env.physics.drive import drive, move_head
-from soccer_env.physics.exchange import count_substeps, is_finite, read_records, write_rows, write_twists
+from soccer_env.physics.exchange import count_substeps, is_finite, read_records, weigh_ball, write_rows, write_twists
+from soccer_env.physics.interlock import catch_legs
 from soccer_env.physics.kicker import holds_ball, work_kicker
-from soccer_env.physics.legs import disturb
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
 from soccer_env.referee.separation import pull_apart, watch_contacts
@@ -175,9 +175,9 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
         robot = robots[r]
         if match.placing == 1:
             steer_to_place(robot, k)
+        if k.legs == 1 and robot.gait_phase % k.gait_steps == 0:
+            catch_legs(robots, r, k)
         drive(robot, k, match.step, match.handedness, solver.stances[r])
-        if k.drive_leg_disturbance > 0.0 and robot.gait_phase % k.gait_steps == 1 % k.gait_steps:
-            disturb(robots, r, ball, k, match.handedness)
         work_kicker(robot, robot_events[r], k, ball, match.handedness)
         move_head(robot, k, ball)
         robot.placed = 0
@@ -188,6 +188,7 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
         hold(ball)
     slow_down(ball, k, 0.5 * k.dt)
     write_twists(ball, robots, velocities, solver)
+    weigh_ball(solver, match.placing)
     return count_substeps(ball, robots, k)
 
 

@@ -16,8 +16,8 @@ from dataclasses import replace
 from math import pi
 
 from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
-from soccer_env.leagues.omni_sensors import OmniMemory, OmniSensors
 from soccer_env.leagues.materials import Materials, Pair
+from soccer_env.leagues.omni_sensors import OmniMemory, OmniSensors
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
 
 PITCH = Pitch(  # MH23

@@ -100,6 +100,7 @@ def stand_on_ground(robot, k, stance):
     stance.vx, stance.vy = out_of_frame(forward, left, cos(robot.heading), sin(robot.heading))
     stance.omega = robot.walk.turn * robot.slip.turn
     stands = robot.walk.forward == 0.0 and robot.walk.left == 0.0 and robot.walk.turn == 0.0
+    stance.caught_by, stance.caught_leg, stance.caught_gap = robot.caught_by, robot.caught_leg, robot.caught_gap
     stance.traction = k.drive_traction if stands else k.drive_thrust
     stance.turn_traction = k.drive_turn_traction if stands else k.drive_turn_thrust
 

@@ -9,6 +9,9 @@ from math import ceil
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
+from soccer_env.physics.chipmunk_memory import BODY_MASS_INVERSE, BODY_MOMENT_INVERSE, store
+
+HELD = 1e-9  # [1] share of its lightness that a ball has which the referee holds
 
 
 @compiled
@@ -31,6 +34,14 @@ def write_twists(ball, robots, velocities, solver):
     for r in range(robots.shape[0]):
         velocities[r + 1, 0], velocities[r + 1, 1] = robots[r].vx, robots[r].vy
         velocities[r + 1, 2] = robots[r].omega
+
+
+@compiled
+def weigh_ball(solver, held):
+    """Make the ball as heavy as if it were nailed down while the referee holds it, or as light as it is."""
+    share = HELD if held == 1 else 1.0
+    store(solver.ball + BODY_MASS_INVERSE, share * solver.ball_lightness)
+    store(solver.ball + BODY_MOMENT_INVERSE, share * solver.ball_ease)
 
 
 @compiled

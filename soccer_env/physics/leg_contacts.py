@@ -231,6 +231,7 @@ def add_contact(solver, key, a, b):
     contact.push = contact.rub = contact.shift = contact.surface_x = contact.surface_y = 0.0
     contact.ball = 0
     contact.level = 1.0
+    contact.grip = 0.0
     for i in range(solver.last_count):
         last = contact_at(solver.last_contacts + i * CONTACT_BYTES)
         if last.key == key:

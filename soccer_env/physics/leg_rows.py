@@ -43,7 +43,7 @@ def solve_legs(solver):
         vx, vy = slip_of(contact)
         along, across = vx * contact.nx + vy * contact.ny, vy * contact.nx - vx * contact.ny
         push = max(contact.push + (contact.target - along) * contact.mass_along, 0.0)
-        most = contact.friction * contact.level * push
+        most = contact.friction * contact.level * push + contact.grip
         rub = clip(contact.rub - across * contact.mass_across, -most, most)
         give(contact, push - contact.push, rub - contact.rub)
         contact.push = push

@@ -43,6 +43,7 @@ from soccer_env.physics.chipmunk_memory import (
     record_reader,
     store,
 )
+from soccer_env.physics.interlock import hold_caught
 from soccer_env.physics.leg_contacts import find_leg_contacts
 from soccer_env.physics.leg_rows import resume_legs, solve_legs
 from soccer_env.physics.solver_records import SOLVER
@@ -58,6 +59,7 @@ def prepare(constraint, dt):
     solver.time += dt
     if solver.legs == 1:
         find_leg_contacts(solver, constants_at(solver.constants), dt)
+        hold_caught(solver, constants_at(solver.constants))
     count = 0
     for r in range(solver.robots):
         stance = solver.stances[r]
@@ -145,13 +147,14 @@ def attach(space: pymunk.Space, solver: np.ndarray, contacts: np.ndarray, league
     solver["constants"], solver["slop"] = k.ctypes.data, league.substeps.slop
     solver["ground"], solver["ball"] = address_of(space.static_body), bodies[0]
     solver["spin_mass"] = league.ball.shell * league.ball.mass
+    ball = next(iter(space.bodies))
+    solver["ball_lightness"], solver["ball_ease"] = 1.0 / ball.mass, 1.0 / ball.moment
     for name in ("ball", "robot", "board"):
         pair = league.materials.pairs()[{"ball": "ball_robot", "robot": "robot_robot", "board": "robot_board"}[name]]
         solver[f"{name}_elasticity"], solver[f"{name}_friction"] = pair.elasticity, pair.friction
     solver["contacts"], solver["last_contacts"] = contacts[0].ctypes.data, contacts[1].ctypes.data
     solver["contact_room"] = contacts.shape[1]
     solver["stances"]["body"][0, : len(bodies) - 1] = bodies[1:]
-    solver["stances"]["held_by"] = -1
     _add_constraint(space, solver.ctypes.data)
 
 

@@ -33,9 +33,9 @@ STANCE = np.dtype(
         ("given_y", "f8"),  # [m/s]
         ("given_turn", "f8"),  # [rad/s]
         ("meets", "i8"),  # 1: its legs touch something in this substep
-        ("held_by", "i8"),  # row of the robot between whose legs one of its own is caught, or -1
-        ("held_leg", "i8"),  # which of its own
-        ("held_gap", "i8"),  # between which of the other's: 0 fore, 1 hind, 2 left, 3 right
+        ("caught_by", "i8"),  # as in the robot's record
+        ("caught_leg", "i8"),
+        ("caught_gap", "i8"),
         ("paws", PAW, (PAWS,)),
     ]
 )
@@ -63,6 +63,7 @@ LEG_CONTACT = np.dtype(
         ("target", "f8"),  # [m/s] velocity along the normal after the blow
         ("repair", "f8"),  # [m/s] at which an overlap is undone
         ("friction", "f8"),  # [1] of the pair
+        ("grip", "f8"),  # [N s] friction that it has without any push, where legs hold each other
         ("level", "f8"),  # [1] share of the friction that acts level: less than 1 at a ball that rolls
         ("ball", "i8"),  # 1: B is the ball
         ("push", "f8"),  # [N s] impulse along the normal in this substep
@@ -80,6 +81,8 @@ SOLVER = np.dtype(
         ("repair", "f8"),  # [1/s] share of the rest that is undone in a substep, over its length
         ("ground", "u8"),  # address of the static body
         ("ball", "u8"),  # address of its body
+        ("ball_lightness", "f8"),  # [1/kg] one over its mass
+        ("ball_ease", "f8"),  # [1/(kg m2)] one over its moment of inertia about the vertical
         ("roll_x", "f8"),  # [m/s] field frame: speed at which the ball would roll without sliding
         ("roll_y", "f8"),  # [m/s] field frame
         ("spin_mass", "f8"),  # [kg] the ball's inertia over its radius squared

@@ -40,7 +40,7 @@ def build_space(league: League, ball: Any, robots: Any) -> pymunk.Space:
     space.collision_bias = OVERLAP_LEFT
     surfaces = surfaces_of(league.materials)
     space.add(*surroundings(space.static_body, league, surfaces))
-    ball_body = pymunk.Body(league.ball.mass, pymunk.moment_for_circle(league.ball.mass, 0.0, league.ball.radius))
+    ball_body = pymunk.Body(league.ball.mass, league.ball.shell * league.ball.mass * league.ball.radius**2)
     space.add(ball_body, finish(pymunk.Circle(ball_body, league.ball.radius), surfaces.ball, BALL))
     ball_body.position, ball_body.angle = (float(ball["x"]), float(ball["y"])), float(ball["angle"])
     ball_body.velocity = float(ball["vx"]), float(ball["vy"])

@@ -1,0 +1,102 @@
+"""Legs that interlock: a leg of one robot stands between two legs of another.  [Sacks 2001, 1, 3]  MS51
+
+Where the circle of a leg crosses the line between two neighbouring legs of another robot, the two hold each other for
+a gait step: in every direction but out of that gap, straight apart. Where legs stand decides it; nothing is drawn.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame
+from soccer_env.physics.chipmunk_memory import BODY_COS, BODY_SIN, BODY_X, BODY_Y, number_at
+from soccer_env.physics.gait import LEGS, stance
+from soccer_env.physics.leg_contacts import add_contact, aim, contact_key
+
+GAPS = 4  # between two neighbouring legs: the fore ones, the hind ones, the left, the right
+HOLD = 6  # in the place of the other robot's leg in a contact's key
+GRIP = 1e6  # [N s] what legs bear that hold each other: more than any robot pushes
+
+
+@compiled
+def catch_legs(robots, r, k):
+    """Tell, as a gait step of a robot begins, whether one of its legs is caught between the legs of another."""
+    robot = robots[r]
+    robot.caught_by = 0
+    if robot.active == 0:
+        return
+    cosine, sine = cos(robot.heading), sin(robot.heading)
+    near = 2.0 * k.body_reach
+    for other in range(robots.shape[0]):
+        away_x, away_y = robot.x - robots[other].x, robot.y - robots[other].y
+        if other == r or robots[other].active == 0 or away_x * away_x + away_y * away_y > near * near:
+            continue
+        its_cosine, its_sine = cos(robots[other].heading), sin(robots[other].heading)
+        for leg in range(LEGS):
+            x, y = stance(k, leg)
+            x, y = point_of_frame(away_x, away_y, x, y, cosine, sine)
+            ahead, left = into_frame(x, y, its_cosine, its_sine)
+            gap = gap_at(k, ahead, left)
+            if gap >= 0:
+                robot.caught_by, robot.caught_leg, robot.caught_gap = other + 1, leg, gap
+                return
+
+
+@compiled
+def gap_at(k, ahead, left):
+    """Return between which of a robot's legs a leg at a place [m], in its frame, stands; -1: between none."""
+    for gap in range(GAPS):
+        if gap_distance(k, gap, ahead, left) < k.body_tip_radius:
+            return gap
+    return -1
+
+
+@compiled
+def gap_distance(k, gap, ahead, left):
+    """Return the distance [m] of a place from the line between the axes of two legs, in the frame of their robot."""
+    first, second = 2 * (gap == 1) + (gap == 3), 1 + (gap == 1) + (gap == 2) + 2 * (gap == 3)
+    x, y = stance(k, first)
+    end_x, end_y = stance(k, second)
+    line = length(end_x - x, end_y - y)
+    along = clip(((ahead - x) * (end_x - x) + (left - y) * (end_y - y)) / line, 0.0, line)
+    return length(ahead - x - along * (end_x - x) / line, left - y - along * (end_y - y) / line)
+
+
+@compiled
+def way_out(gap):
+    """Return the direction out of a gap, in the frame of its robot."""
+    if gap < 2:
+        return (1.0, 0.0) if gap == 0 else (-1.0, 0.0)
+    return (0.0, 1.0) if gap == 2 else (0.0, -1.0)
+
+
+@compiled
+def hold_caught(solver, k):
+    """List the holds of a match: contacts that allow no motion but out of the gap, while the leg is near it."""
+    for r in range(solver.robots):
+        robot = solver.stances[r]
+        if robot.caught_by > 0:
+            hold_leg(solver, k, r, robot.caught_by - 1)
+
+
+@compiled
+def hold_leg(solver, k, r, other):
+    """List the hold of a caught leg of robot r, unless it has come a leg's width out of the gap."""
+    robot, holder = solver.stances[r], solver.stances[other]
+    body = holder.body
+    cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
+    paw = robot.paws[robot.caught_leg]
+    x, y = paw.post_x - number_at(body + BODY_X), paw.post_y - number_at(body + BODY_Y)
+    ahead, left = into_frame(x, y, cosine, sine)
+    if gap_distance(k, robot.caught_gap, ahead, left) > 2.0 * k.body_tip_radius:
+        return
+    robot.meets = 1
+    holder.meets = 1
+    out_x, out_y = way_out(robot.caught_gap)
+    nx, ny = out_of_frame(-out_x, -out_y, cosine, sine)
+    contact = add_contact(solver, contact_key(r, robot.caught_leg, other, HOLD), robot.body, body)
+    contact.grip = GRIP
+    aim(solver, contact, nx, ny, paw.post_x, paw.post_y, 0.0, 0.0, 0.0)
