@@ -71,7 +71,7 @@ class BallModel(Part):
     BOUNDS = dict.fromkeys(("radius", "mass", "shell", "top_speed"), ABOVE_ZERO)
 
     radius: float  # [m]
-    mass: float = field(metadata=PYTHON_ONLY)  # [kg]
+    mass: float  # [kg]
     rolling: float  # [m/s2] constant deceleration of a rolling ball
     sliding: float  # [m/s2] deceleration while it slides
     shell: float  # [1] inertia over mass times radius squared: 2/5 solid, 2/3 a hollow shell

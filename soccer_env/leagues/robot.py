@@ -26,7 +26,7 @@ class Body(Part):
 
     BOUNDS = {**dict.fromkeys(("mass", "reach"), ABOVE_ZERO), **dict.fromkeys(("tip_x", "disc_x", "hind_x"), ANY)}
 
-    mass: float = field(metadata=PYTHON_ONLY)  # [kg]
+    mass: float  # [kg]
     disc_radius: float  # [m] 0: the hull is given by its corners
     disc_x: float  # [m] centre of the disc
     corners: tuple[tuple[float, float], ...]  # [m] corners of the hull, counter-clockwise; empty for a disc
@@ -113,7 +113,7 @@ class Drive(Part):
 class Kicker(Part):
     """How a robot kicks."""
 
-    BOUNDS = {"fastest": ABOVE_ZERO, "least": SHARE}
+    BOUNDS = {"fastest": ABOVE_ZERO, "least": SHARE, "speed_spread": SHARE, "miss": SHARE}
     ORDER = (("slowest", "at most", "fastest"),)
 
     slowest: float  # [m/s] ball speed at the smallest strength
@@ -121,7 +121,9 @@ class Kicker(Part):
     least: float  # [1] strengths below this are ignored
     wind_up: float  # [s] during which the robot stands
     recharge: float  # [s] until it can kick again
-    spread: float  # [rad] deviation of the direction
+    spread: float  # [rad] deviation of the direction of a ball that lies well
+    speed_spread: float  # [1] deviation of the speed, as a share of it
+    miss: float  # [1] probability of missing a ball that lies as badly as it can be kicked at all
     reach: float  # [m] how far ahead of the front the ball's near side may lie
     half_width: float  # [m] how far aside the ball's centre may lie
     keeper_kicks: bool  # False: a goalkeeper has no kicker
