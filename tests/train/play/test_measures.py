@@ -1,0 +1,47 @@
+"""Measuring played matches: the same settings give the same figures, and pictures of the goals."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from soccer_env.train.play import measures
+from soccer_env.train.play.measures import MEASURES, measure
+from soccer_env.train.play.report import screen_table, write
+from soccer_env.train.play.settings import MeasureSettings, conditions_of
+
+TINY = MeasureSettings(matches=3, minutes=0.2, seed=5, senses="ideal", players=2)
+
+
+def test_figures_do_not_depend_on_how_many_matches_are_played_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = measure(TINY)
+    monkeypatch.setattr(measures, "BLOCK", 2)
+    assert measure(TINY).figures == whole.figures
+    by_name = {found.name: found.value for found in whole.figures}
+    assert 0.0 < by_name["ball in play"] <= 100.0  # type: ignore[operator]
+
+
+def test_the_file_holds_settings_figures_and_what_each_means(tmp_path: Path) -> None:
+    play = measure(TINY)
+    write(play, tmp_path / "out" / "play.json")
+    held = json.loads((tmp_path / "out" / "play.json").read_text())
+    assert (held["settings"]["seed"], held["settings"]["placement"]) == (5, "instant")
+    assert {found["name"] for found in held["figures"]} == held["definitions"].keys()
+    assert all(len(words) > 20 for words in held["definitions"].values())
+    assert screen_table(play).row_count <= len(held["figures"])
+
+
+def test_names_of_figures_are_all_different() -> None:
+    names = [figure.name for one in MEASURES for figure in one.figures]
+    assert len(names) == len(set(names))
+
+
+def test_without_separation_the_referee_never_pulls_apart() -> None:
+    league = conditions_of(MeasureSettings(no_separation=True)).league
+    assert league.rules.contact_time > 1e6 > conditions_of(MeasureSettings()).league.rules.contact_time
+
+
+@pytest.mark.parametrize("wrong", [{"matches": 0}, {"minutes": 0.0}, {"goals": -1}, {"players": 12}])
+def test_wrong_settings_are_refused(wrong: dict[str, float]) -> None:
+    with pytest.raises(ValueError, match=f"{next(iter(wrong))} must be"):
+        MeasureSettings(**wrong)  # type: ignore[arg-type]
