@@ -18,7 +18,7 @@ from soccer_env.types import AWAY, GAZE, HOME, NO_TEAM, Phase, RobotStream
 Match = Any  # soccer_env.match.Match, which stands above this file
 
 # Streams that physics and the referee draw from: the play itself. Teams and senses draw from the others.
-PLAYED = (RobotStream.SLIP, RobotStream.KICK, RobotStream.PLACEMENT, RobotStream.LEGS)
+PLAYED = (RobotStream.SLIP, RobotStream.KICK, RobotStream.PLACEMENT)
 THOUGHT = [int(stream) for stream in RobotStream if stream not in PLAYED]
 
 MAGIC = b"soccer_env save 1\n"

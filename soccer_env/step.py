@@ -200,7 +200,7 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
     slow_down(ball, k, 0.5 * k.dt)
     limit_speed(ball, k)
     dead = match.placing == 1  # a ball that is held cannot be touched
-    toucher = -1 if dead else find_touches(ball, robots, robot_events, k, knock_x, knock_y)
+    toucher = -1 if dead else find_touches(ball, robots, robot_events, k, knock_x, knock_y, match.handedness)
     find_collisions(robots, robot_events, k)
     watch_contacts(robots, robot_events, k)
     match.step += 1

@@ -61,7 +61,6 @@ class RobotStream(IntEnum):
     RADIO = 10  # loss of messages
     LIGHT = 11
     BARRIER = 12  # errors of the light barrier
-    LEGS = 13  # pushes of legs at the ball, interlocked legs
 
 
 COMMAND = np.dtype(

@@ -29,16 +29,20 @@ LEAGUES: dict[str, League] = {
         middle_size_2006.LEAGUE,
         legged_2001.INNER,
         legged_2001.SMOOTH,
-        legged_2001.LEGS,
         middle_size_2006.OLD_BASE,
     )
 }
+
+
+RETIRED = {"legged-2001-legs": "legged-2001 has legs now, legged-2001-smooth the body without them"}
 
 
 def find_league(league: str | League) -> League:
     """Return the league of that name, or the league itself; ValueError says which names exist."""
     if isinstance(league, League):
         return league
+    if isinstance(league, str) and league in RETIRED:
+        raise ValueError(f"there is no league {league!r} any more: {RETIRED[league]}")
     check_names("league", [league], LEAGUES)
     return LEAGUES[league]
 

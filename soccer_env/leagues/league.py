@@ -196,6 +196,11 @@ class League(Part):
         return self.ball.radius * (2.0 - sqrt(2.0))
 
     @property
+    def foot(self) -> float:
+        """Return how far the feet of boards keep robots off the boards [m]: those with legs."""
+        return self.pitch.board_foot if self.body.legs else 0.0
+
+    @property
     def delay_steps(self) -> int:
         """Return the actuation delay in whole control steps, rounded."""
         return round(self.drive.delay * self.control_rate)

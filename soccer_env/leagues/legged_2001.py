@@ -112,7 +112,6 @@ DRIVE = Drive(
     slip_time=0.5,  # [s] a gait step
     fall=0.0,  # off until the foul rules use it
     fall_time=3.0,  # [s] assumed
-    leg_disturbance=0.0,  # off: dribbling comes from contact and gait alone  MS51
 )
 
 KICKER = Kicker(
@@ -180,4 +179,3 @@ LEAGUE = League(  # MS56
 
 INNER = replace(LEAGUE, name="legged-2001-inner", pitch=replace(PITCH, length=2.8, width=1.8))  # the other reading
 SMOOTH = replace(LEAGUE, name="legged-2001-smooth", body=SMOOTH_BODY)  # a body of one piece, without legs
-LEGS = replace(LEAGUE, name="legged-2001-legs", drive=replace(DRIVE, leg_disturbance=1.0))  # legs get at the ball  MS51

@@ -106,7 +106,6 @@ class Drive(Part):
     slip_time: float = field(metadata=PYTHON_ONLY)  # [s] for which a drawn slip holds
     fall: float = field(metadata=PYTHON_ONLY)  # [1/(N s)] probability of a fall for each unit of pushing impulse; 0 off
     fall_time: float = field(metadata=PYTHON_ONLY)  # [s] on the ground
-    leg_disturbance: float = 0.0  # [1] how much legs get at the ball and at other legs; 0 off, 1 see physics/legs.py
 
 
 @dataclass(frozen=True)

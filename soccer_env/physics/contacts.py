@@ -10,7 +10,8 @@ from __future__ import annotations
 from math import cos, sin
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, length, point_of_frame
+from soccer_env.geometry import clip, into_frame, length, point_of_frame
+from soccer_env.physics.gait import LEGS, TIPS, most_swing, paw_offset, stance
 
 TOUCH_GAP = 0.004  # [m] assumed: a ball this near touches
 KNOCK = 0.02  # [m/s] assumed: a change of velocity that friction does not explain
@@ -18,19 +19,41 @@ KNOCK = 0.02  # [m/s] assumed: a change of velocity that friction does not expla
 
 @compiled
 def ball_gap(robot, k, ball_x, ball_y):
-    """Return the distance [m] between the ball and a robot's outline; below 0 they overlap."""
-    x, y = ball_x - robot.x, ball_y - robot.y
-    cosine, sine = cos(robot.heading), sin(robot.heading)
-    ahead, left = into_frame(x, y, cosine, sine)
-    gap = length(ahead - k.body_tip_x, abs(left) - k.body_tip_y) - k.body_tip_radius
-    body = disc_gap(k, ahead, left) if k.corners == 0 else hull_gap(k, ahead, left)
-    return min(gap, body) - k.ball_radius
+    """Return the distance [m] between the ball and a robot's outline, its legs in mid-stroke; below 0 they overlap."""
+    return outline_gap(robot, k, ball_x, ball_y) - k.ball_radius
 
 
 @compiled
-def disc_gap(k, ahead, left):
-    """Return the distance [m] of a point from a robot's disc."""
-    return length(ahead - k.body_disc_x, left) - k.body_disc_radius
+def paws_gap(robot, k, ball_x, ball_y, handedness):
+    """Return the distance [m] between the ball and a robot's outline with its legs where they are in their stroke."""
+    if k.legs == 0:
+        return ball_gap(robot, k, ball_x, ball_y)
+    ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, cos(robot.heading), sin(robot.heading))
+    gap = trunk_gap(k, ahead, left)
+    for leg in range(LEGS):
+        x, y = stance(k, leg)
+        off_x, off_y = paw_offset(robot, k, leg, handedness)
+        gap = min(gap, length(ahead - x - off_x, left - y - off_y) - k.body_tip_radius)
+    return gap - k.ball_radius
+
+
+@compiled
+def outline_gap(robot, k, x, y):
+    """Return the distance [m] of a point of the field from a robot's outline, its legs in mid-stroke."""
+    ahead, left = into_frame(x - robot.x, y - robot.y, cos(robot.heading), sin(robot.heading))
+    gap = min(trunk_gap(k, ahead, left), length(ahead - k.body_tip_x, abs(left) - k.body_tip_y) - k.body_tip_radius)
+    if k.body_hind_y > 0.0:
+        gap = min(gap, length(ahead - k.body_hind_x, abs(left) - k.body_hind_y) - k.body_tip_radius)
+    return gap
+
+
+@compiled
+def trunk_gap(k, ahead, left):
+    """Return the distance [m] of a point from a robot's hull, disc or capsule."""
+    if k.corners > 0:
+        return hull_gap(k, ahead, left)
+    nearest = clip(ahead, k.body_disc_x - k.body_disc_back, k.body_disc_x)
+    return length(ahead - nearest, left) - k.body_disc_radius
 
 
 @compiled
@@ -51,7 +74,7 @@ def hull_gap(k, ahead, left):
 
 
 @compiled
-def find_touches(ball, robots, robot_events, k, knock_x, knock_y):
+def find_touches(ball, robots, robot_events, k, knock_x, knock_y, handedness):
     """Mark the robots that touch the ball; return the row of the one that touched it last (the nearest), or -1.
 
     The knock [m/s] is the change of velocity that the contacts of this step made. A ball that was knocked may already
@@ -59,6 +82,7 @@ def find_touches(ball, robots, robot_events, k, knock_x, knock_y):
     apart, touched it.
     """
     nearest, least = -1, 1e9
+    outline = k.body_reach + most_swing(k)
     knocked = knock_x * knock_x + knock_y * knock_y > KNOCK * KNOCK
     for r in range(robots.shape[0]):
         robot = robots[r]
@@ -66,10 +90,10 @@ def find_touches(ball, robots, robot_events, k, knock_x, knock_y):
         gone = TOUCH_GAP
         if knocked:
             gone += k.dt * length(ball.vx - robot.vx, ball.vy - robot.vy)
-        reach = k.body_reach + k.ball_radius + gone
+        reach = outline + k.ball_radius + gone
         if robot.active == 0 or x * x + y * y > reach * reach:
             continue
-        gap = ball_gap(robot, k, ball.x, ball.y)
+        gap = paws_gap(robot, k, ball.x, ball.y, handedness)
         touches = gap < TOUCH_GAP
         if touches:
             robot_events[r].touch = 1
@@ -96,24 +120,34 @@ def find_collisions(robots, robot_events, k):
 
 @compiled
 def robots_touch(robot, other, k):
-    """Tell whether the outlines of two robots touch, judged by the points of each against the hull of the other."""
+    """Tell whether the outlines of two robots touch, judged by the points of each against the outline of the other.
+
+    Legs are taken in mid-stroke, where they hold other robots (see `space.robot_shapes`).
+    """
     return points_touch(robot, other, k) or points_touch(other, robot, k)
 
 
 @compiled
 def points_touch(robot, other, k):
-    """Tell whether a corner or tip (or the disc) of one robot touches the outline of the other."""
+    """Tell whether a post, a corner or an end of the trunk of one robot touches the outline of the other."""
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    slack = k.ball_radius - TOUCH_GAP  # ball_gap takes off the ball's radius, which is not wanted here
-    for side in (-1.0, 1.0):
-        x, y = point_of_frame(robot.x, robot.y, k.body_tip_x, side * k.body_tip_y, cosine, sine)
-        if ball_gap(other, k, x, y) + slack < k.body_tip_radius:
+    for leg in range(LEGS if k.body_hind_y > 0.0 else TIPS):
+        x, y = stance(k, leg)
+        if disc_touches(robot, other, k, x, y, k.body_tip_radius, cosine, sine):
             return True
-    if k.corners == 0:
-        x, y = robot.x + cosine * k.body_disc_x, robot.y + sine * k.body_disc_x
-        return ball_gap(other, k, x, y) + slack < k.body_disc_radius
     for i in range(k.corners):
-        x, y = point_of_frame(robot.x, robot.y, k.corner_x[i], k.corner_y[i], cosine, sine)
-        if ball_gap(other, k, x, y) + slack < 0.0:
+        if disc_touches(robot, other, k, k.corner_x[i], k.corner_y[i], 0.0, cosine, sine):
             return True
-    return False
+    if k.corners > 0:
+        return False
+    if disc_touches(robot, other, k, k.body_disc_x, 0.0, k.body_disc_radius, cosine, sine):
+        return True
+    rear = k.body_disc_x - k.body_disc_back
+    return k.body_disc_back > 0.0 and disc_touches(robot, other, k, rear, 0.0, k.body_disc_radius, cosine, sine)
+
+
+@compiled
+def disc_touches(robot, other, k, ahead, left, radius, cosine, sine):
+    """Tell whether a disc of a robot, its middle given in the robot's frame [m], touches the outline of another."""
+    x, y = point_of_frame(robot.x, robot.y, ahead, left, cosine, sine)
+    return outline_gap(other, k, x, y) < radius + TOUCH_GAP

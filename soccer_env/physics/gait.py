@@ -4,10 +4,13 @@ A cycle is a gait step. In half of it a paw stands on the ground while the body 
 goes back from half a stroke ahead of its stance to half a stroke behind. In the other half it swings forward again,
 over the ground at twice the speed of the walk. The left forepaw and the right hind paw swing first, then the others.
 
-    ahead   half     /\        /\
-     of             /  \      /  \          a paw that swings first
-    stance  -half  /    \    /    \    /
-                   0   1/2   1   3/2   gait steps
+    half a stroke ahead           /\          /\
+    stance                       /  \        /  \      a paw that swings first
+    half a stroke behind        /    \      /    \
+                               0  1/2  1  3/2   2      gait steps
+
+The paper's robots walk in steps of half a second, each of which shifts them as a whole (Sacks 2001, 4.3.2); that they
+trot, and that paws go back and forth at constant speeds, is assumed.
 
 `k`: the league's constants.
 """
@@ -17,6 +20,7 @@ from __future__ import annotations
 from soccer_env.compiled import compiled
 
 LEGS = 4  # left fore, right fore, left hind, right hind
+TIPS = 2  # the fore ones: all that a body without legs has
 
 
 @compiled

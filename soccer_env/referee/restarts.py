@@ -177,8 +177,8 @@ def leave_ball(match, robot, k, swirl):
 @compiled
 def stay_on_pitch(match, robot, k):
     """Hold a place on the pitch, and in the own half at a kick-off."""
-    edge_x = 0.5 * k.pitch_length - k.body_reach - MARGIN
-    edge_y = 0.5 * k.pitch_width - k.body_reach - MARGIN
+    room = k.body_reach + k.legs * k.pitch_board_foot + MARGIN
+    edge_x, edge_y = 0.5 * k.pitch_length - room, 0.5 * k.pitch_width - room
     robot.place_x = clip(robot.place_x, -edge_x, edge_x)
     robot.place_y = clip(robot.place_y, -edge_y, edge_y)
     if match.phase == KICK_OFF:

@@ -19,7 +19,7 @@ def place_empty_goal(league: League, ball: Any, robots: Any, draw: Draw) -> None
     back = league.body.front + league.ball.radius + draw.between(0.05, 0.15) * league.pitch.length
     off = atan2(-ball["y"], goal - ball["x"]) + draw.between(-1.0, 1.0)
     x, y = ball["x"] - back * cos(off), ball["y"] - back * sin(off)
-    limit = league.pitch.width / 2 - league.body.reach
+    limit = league.pitch.width / 2 - league.body.reach - league.foot
     striker = last_of(robots, HOME)
     send_away(league, robots, striker)
     put(robots[striker], x, min(max(y, -limit), limit), off + draw.between(-0.5, 0.5))

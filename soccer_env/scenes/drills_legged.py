@@ -35,8 +35,8 @@ def last_rows(robots: Any, team: int, count: int) -> list[int]:
 
 def put_inside(league: League, robot: Any, x: float, y: float, heading: float) -> None:
     """Put a robot somewhere [m, m, rad], held on the pitch."""
-    edge_x = league.pitch.length / 2 - league.body.reach - ROOM
-    edge_y = league.pitch.width / 2 - league.body.reach - ROOM
+    room = league.body.reach + league.foot + ROOM
+    edge_x, edge_y = league.pitch.length / 2 - room, league.pitch.width / 2 - room
     put(robot, min(max(x, -edge_x), edge_x), min(max(y, -edge_y), edge_y), heading)
 
 
@@ -74,8 +74,9 @@ def place_facing_wall(league: League, ball: Any, robots: Any, draw: Draw) -> Non
     seeker = last_of(robots, HOME)
     send_away(league, robots, seeker)
     side, off = draw.side(), draw.between(-0.4, 0.4)
-    paws = league.body.tip_x + league.body.tip_radius
-    x, y = draw.between(-0.2, 1.1), side * (league.pitch.width / 2 - paws * cos(off) - league.body.tip_y - ROOM)
+    body = league.body
+    paws = body.tip_x * cos(off) + body.tip_y * abs(sin(off)) + body.tip_radius  # how far they reach to the board
+    x, y = draw.between(-0.2, 1.1), side * (league.pitch.width / 2 - league.foot - paws - ROOM)
     put(robots[seeker], x, y, side * pi / 2 + off)
     away, behind = draw.between(0.35, 0.8), -side * pi / 2 + draw.between(-0.7, 0.7)
     ball["x"], ball["y"] = min(x + away * cos(behind), 1.3), y + away * sin(behind)

@@ -82,7 +82,7 @@ def send_away(league: League, robots: Any, *but: int) -> None:
     """Put every active robot but some at home's end of the pitch, in two columns or three, out of play."""
     columns = 2 if len(robots) <= 2 * league.team_size else 3
     rows = -(-len(robots) // columns)
-    edge, step = league.pitch.width / 2 - league.body.reach, 2.5 * league.body.reach
+    edge, step = league.pitch.width / 2 - league.body.reach - league.foot, 2.5 * league.body.reach
     for r in range(len(robots)):
         if r not in but and robots[r]["active"]:
             column, row = r % columns, r // columns

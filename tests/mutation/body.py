@@ -9,7 +9,7 @@ MEMORY, TALK, WORDS = (
     "soccer_env/belief/legged/talk.py",
     "soccer_env/ball_words.py",
 )
-LEGS, TEST_LEGS = "soccer_env/physics/legs.py", "tests/physics/test_legs.py::"
+GAIT, TEST_GAIT = "soccer_env/physics/gait.py", "tests/physics/test_gait.py::"
 TEST_HEAD, TEST_TALK = "tests/belief/legged/test_head.py::", "tests/belief/test_talk.py::"
 TEST_FELT = "tests/perception/test_body.py::test_ms06_a_robot_feels_touch_and_whether_it_lies_on_its_side"
 TEST_FILLED = "tests/senses/test_modules.py::test_ms01_memory_gets_percepts_alone_and_fills_the_shared_records"
@@ -115,31 +115,31 @@ MUTANTS = [
     ),
     Mutant(
         "MS51",
-        LEGS,
-        "LENGTH_PUSH * max(step - SHORT_STEP, 0.0)",
-        "0.0 * max(step - SHORT_STEP, 0.0)",
-        TEST_LEGS + "test_ms51_longer_steps_kick_the_ball_away",
+        GAIT,
+        "ahead if swings_first else -ahead",
+        "ahead",
+        TEST_GAIT + "test_ms51_a_paw_in_its_stance_stands_still_and_one_that_swings_is_twice_as_fast_as_the_walk",
     ),
     Mutant(
         "MS51",
-        LEGS,
-        "ANGLE_PUSH * max(angle - SMALL_ANGLE, 0.0)",
-        "0.0 * max(angle - SMALL_ANGLE, 0.0)",
-        TEST_LEGS + "test_ms51_steps_far_aside_lose_the_ball",
+        GAIT,
+        "* 0.25 * k.gait_steps * k.dt",
+        "* 0.5 * k.gait_steps * k.dt",
+        TEST_GAIT + "test_ms51_at_12_cm_per_s_and_steps_of_half_a_second_a_stroke_is_3_cm",
     ),
     Mutant(
         "MS51",
-        LEGS,
-        "CONTACT_PUSH if touched else 0.0",
-        "CONTACT_PUSH if False else 0.0",
-        TEST_LEGS + "test_ms51_pushes_grow_with_step_angle_and_contact",
+        GAIT,
+        "robot.walk.left + robot.walk.turn * x",
+        "robot.walk.left",
+        TEST_GAIT + "test_ms51_a_robot_that_turns_on_the_spot_moves_its_paws_round_its_centre",
     ),
     Mutant(
         "MS51",
-        LEGS,
-        "robot.target.forward = robot.target.left = robot.target.turn = 0.0",
-        "pass",
-        TEST_LEGS + "test_ms51_legs_interlock_with_a_robot_ahead_the_less_the_farther_aside_a_step_goes",
+        "soccer_env/physics/contacts.py",
+        "length(ahead - x - off_x, left - y - off_y)",
+        "length(ahead - x, left - y)",
+        "tests/physics/test_touches.py::test_ms51_a_paw_touches_the_ball_where_it_is_in_its_stroke",
     ),
     Mutant(
         "MS56",

@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.physics.contacts import ball_gap
+from soccer_env.physics.contacts import TOUCH_GAP, ball_gap, paws_gap
 from soccer_env.types import AWAY, HOME, NO_TEAM
 from tests.scenes.staging import (
     LEGGED,
@@ -24,6 +24,7 @@ from tests.scenes.staging import (
 )
 
 MANY = 200
+FLANK = outline(find_league(LEGGED))[:, 1].max()  # [m]
 
 
 def run_until_touched(match, seconds):
@@ -90,7 +91,7 @@ def test_a_bounce_off_a_board_is_nobodys_touch(name):
 
 def test_a_ball_that_a_board_sends_towards_a_robot_has_not_touched_it_yet():
     match = stage(LEGGED)
-    put(match, 0, 0.0, 1.0 - 0.042 - 0.042 - 0.05 - 0.0775, 0.0)  # its flank is 5 cm from a ball at the board
+    put(match, 0, 0.0, 1.0 - 0.042 - 0.042 - 0.05 - FLANK, 0.0)  # its flank is 5 cm from a ball at the board
     put_ball(match, 0.0, 0.93, 0.0, 1.5)
     match.rebuild()
     match.step(stand(match))
@@ -101,7 +102,7 @@ def test_a_ball_that_a_board_sends_towards_a_robot_has_not_touched_it_yet():
 def test_a_bounce_off_a_board_beside_a_robot_that_hugs_it_is_nobodys_touch():
     match = stage(LEGGED, MANY)
     rng = np.random.default_rng(1)
-    put(match, 0, 0.0, 1.0 - 0.0775 - 0.005, 0.0)
+    put(match, 0, 0.0, 1.0 - FLANK - match.league.foot - 0.005, 0.0)
     v, angle = rng.uniform(1.0, 2.0, MANY), rng.uniform(1.0, np.pi / 2, MANY)
     put_ball(match, 0.22, 1.0 - 0.042 - rng.uniform(0.05, 0.12, MANY), v * np.cos(angle), v * np.sin(angle))
     match.rebuild()
@@ -113,8 +114,7 @@ def test_a_bounce_off_a_board_beside_a_robot_that_hugs_it_is_nobodys_touch():
 @each_league
 def test_a_ball_that_passes_close_by_is_not_touched(name):
     match = stage(endless(name))
-    body, r = match.league.body, match.league.ball.radius
-    side = max(y for _, y in body.corners) if body.corners else body.disc_radius
+    side, r = outline(match.league)[:, 1].max(), match.league.ball.radius
     put(match, 0, 0.0, 0.0, 0.0)
     put_ball(match, -1.0, side + r + 0.01, match.league.ball.top_speed, 0.0)
     match.rebuild()
@@ -180,6 +180,20 @@ def test_the_gap_to_the_ball_is_its_distance_from_the_outline(name):
             expected = np.hypot(turned[:, 0] - bx, turned[:, 1] - by).min() - league.ball.radius
             assert gap == pytest.approx(expected, abs=2e-4)
     assert outside > 150
+
+
+def test_ms51_a_paw_touches_the_ball_where_it_is_in_its_stroke():
+    """Of two balls beside where it stands the one that it has swung to, 15 mm off, is touched."""
+    match = stage(endless(LEGGED))
+    body, k = match.league.body, constants_of(match.league)[0]
+    put(match, 0, 0.0, 0.0, 0.0)
+    match.robots["walk"]["forward"][:, 0], match.robots["gait_phase"][:, 0] = 0.12, 4
+    robot, beside = match.robots[0, 0], body.tip_y + body.tip_radius + match.league.ball.radius
+    for side, swung in ((1.0, 0.015), (-1.0, -0.015)):  # the left forepaw is ahead, the right one behind
+        assert paws_gap(robot, k, body.tip_x + swung, side * beside, 1.0) == pytest.approx(0.0, abs=1e-12)
+        assert paws_gap(robot, k, body.tip_x - swung, side * beside, 1.0) > TOUCH_GAP
+        assert paws_gap(robot, k, body.tip_x - swung, side * beside, -1.0) == pytest.approx(0.0, abs=1e-12)
+        assert ball_gap(robot, k, body.tip_x, side * beside) == pytest.approx(0.0, abs=1e-12)
 
 
 @each_league

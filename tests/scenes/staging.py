@@ -126,12 +126,17 @@ def energy(match: Match) -> np.ndarray:
 
 
 def outline(league: League) -> np.ndarray:
-    """Return points (N, 2) along the outlines of a robot's base and tips, robot frame."""
+    """Return points (N, 2) along the outlines of a robot's trunk and posts, robot frame."""
     body, angle = league.body, np.linspace(-np.pi, np.pi, 721)
     ring = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-    tips = [(body.tip_x, side * body.tip_y) + body.tip_radius * ring for side in (1, -1)]
-    base = edges(np.array(body.corners)) if body.corners else (body.disc_x, 0.0) + body.disc_radius * ring
-    return np.concatenate([base, *tips])
+    posts = [place + body.tip_radius * ring for place in np.array(body.posts)]
+    if body.corners:
+        return np.concatenate([edges(np.array(body.corners)), *posts])
+    middles = body.disc_x - np.linspace(0.0, body.disc_back, 200 if body.disc_back else 1)
+    trunk = np.concatenate([(x, 0.0) + body.disc_radius * ring for x in middles])
+    away = np.abs(trunk[:, 0] - np.clip(trunk[:, 0], middles.min(), middles.max()))
+    on_edge = np.hypot(away, trunk[:, 1]) > body.disc_radius - 1e-9
+    return np.concatenate([trunk[on_edge], *posts])
 
 
 def edges(corners: np.ndarray) -> np.ndarray:

@@ -1,7 +1,8 @@
 """The infrared ranger on the camera's axis: it measures whatever its beam meets first.  [Sacks 2001, 1, 2]  MS05, MS06
 
-The beam is a ray. A robot is a trunk, a head and four legs: its trunk spans the hull, its legs are posts as thick as
-the paws, at the shoulders' width, between which a beam passes. The own body is never in the way.
+The beam is a ray. A robot is a trunk, a head and four legs: its trunk spans the hull, or shoulders and hips over the
+legs; its legs are posts as thick as the paws, which stand in mid-stroke and between which a beam passes. The own body
+is never in the way.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
@@ -122,8 +123,9 @@ def reach_head(x, y, z, dx, dy, dz, other, s):
 @compiled
 def reach_legs(x, y, z, dx, dy, dz, back, k, s):
     """Return the distance to the nearest of a robot's four legs below the trunk [m], robot frame."""
-    hind = back + k.body_tip_radius
     left = k.body_tip_y
+    hind = k.body_hind_x if k.body_hind_y > 0.0 else back + k.body_tip_radius
+    hind_left = k.body_hind_y if k.body_hind_y > 0.0 else left
     radius = k.body_tip_radius
     fore = min(
         reach_post(x - k.body_tip_x, y - left, z, dx, dy, dz, radius, s.trunk_low),
@@ -131,16 +133,22 @@ def reach_legs(x, y, z, dx, dy, dz, back, k, s):
     )
     return min(
         fore,
-        reach_post(x - hind, y - left, z, dx, dy, dz, radius, s.trunk_low),
-        reach_post(x - hind, y + left, z, dx, dy, dz, radius, s.trunk_low),
+        reach_post(x - hind, y - hind_left, z, dx, dy, dz, radius, s.trunk_low),
+        reach_post(x - hind, y + hind_left, z, dx, dy, dz, radius, s.trunk_low),
     )
 
 
 @compiled
 def hull_edges(k):
-    """Return where the rectangle round a robot's hull ends: behind, ahead, and half its width [m], robot frame."""
+    """Return where the rectangle round a robot's hull ends: behind, ahead, and half its width [m], robot frame.
+
+    Over legs it holds shoulders, hips and rump: it is as wide and ends behind as the hind legs do, ahead at the chest.
+    """
+    if k.legs == 1:
+        return k.body_hind_x - k.body_tip_radius, k.body_front, k.body_hind_y + k.body_tip_radius
     if k.corners == 0:
-        return k.body_disc_x - k.body_disc_radius, k.body_disc_x + k.body_disc_radius, k.body_disc_radius
+        back = k.body_disc_x - k.body_disc_back - k.body_disc_radius
+        return back, k.body_disc_x + k.body_disc_radius, k.body_disc_radius
     back = front = k.corner_x[0]
     half_width = abs(k.corner_y[0])
     for i in range(1, k.corners):

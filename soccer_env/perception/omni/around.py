@@ -53,8 +53,8 @@ def survey(robots, r, k, around):
 
 @compiled
 def body_radius(k):
-    """Return the radius of a robot's round base [m]."""
-    return k.body_disc_radius if k.body_disc_radius > 0.0 else k.body_reach
+    """Return the radius of a robot's round base [m]; of a hull or capsule its reach."""
+    return k.body_disc_radius if k.body_disc_radius > 0.0 and k.body_disc_back <= 0.0 else k.body_reach
 
 
 @compiled

@@ -1,0 +1,256 @@
+"""Shapes of a Space: what meets what, and that a blow shows the elasticity and friction that the league states."""
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pymunk
+import pytest
+
+from soccer_env.leagues import League, Materials, Pair, find_league
+from soccer_env.physics.space import BOARD, build_space, paws_of, robot_moment
+from soccer_env.physics.surfaces import surfaces_of
+from soccer_env.types import BALL, ROBOT
+from tests.scenes.staging import LEGGED, MIDDLE, each_league
+
+PAIRS = ("ball_board", "ball_post", "ball_net", "ball_robot", "robot_robot", "robot_board")
+each_pair = pytest.mark.parametrize("pair", PAIRS)
+SUBSTEP = 1e-4  # [s]
+
+
+def world(league: League, ball: tuple, *robots: tuple) -> tuple[pymunk.Space, list[pymunk.Body]]:
+    """Return a Space without carpet, and its bodies: the ball at x, y [m], robots at x, y, heading."""
+    balls, players = np.zeros(1, BALL), np.zeros(len(robots), ROBOT)
+    balls["x"], balls["y"] = ball
+    for robot, pose in zip(players, robots, strict=True):
+        robot["x"], robot["y"], robot["heading"] = pose
+    space = build_space(league, balls[0], players)
+    return space, list(space.bodies)
+
+
+def scene(name: str, pair: str, **numbers: float) -> tuple[League, pymunk.Space, pymunk.Body, pymunk.Body]:
+    """Return a body that is about to meet a face ahead (+x) head-on, and what it meets: 0.2 mm lie between them.
+
+    Away from the numbers asked for, the league's own. Posts need a goal that has some. Whatever has legs meets boards
+    and robots with the middle of a smooth trunk here, so that the blow goes through its centre.
+    """
+    league = find_league(name)
+    stated = replace(getattr(league.materials, pair), **numbers)
+    body = replace(league.body, tip_radius=0.0, hind_y=0.0, legs=False)
+    pitch = replace(league.pitch, walled=pair != "ball_post")
+    league = replace(league, materials=replace(league.materials, **{pair: stated}), body=body, pitch=pitch)
+    radius, front, gap, far = league.ball.radius, league.body.front, 2e-4, (-1.0, 0.0, 0.0)
+    edge = pitch.length / 2 + pitch.band_end * (not pitch.walled)
+    aside = 0.75 * pitch.goal_width
+    if pair == "robot_robot":
+        space, bodies = world(league, (-1.0, 0.5), (0.0, 0.0, 0.0), (2.0 * front + gap, 0.0, pi))
+        return league, space, bodies[1], bodies[2]
+    if pair == "robot_board":
+        space, bodies = world(league, (-1.0, 0.5), (pitch.length / 2 - front - gap, aside, 0.0))
+        return league, space, bodies[1], space.static_body
+    places = {
+        "ball_board": (edge - radius - gap, aside),
+        "ball_post": (pitch.length / 2 - radius - gap, pitch.goal_width / 2 + pitch.post_radius),
+        "ball_net": (pitch.length / 2 + pitch.goal_depth - radius - gap, 0.0),
+        "ball_robot": (-1.0 - pitch.length / 8, 0.0),
+    }
+    x, y = places[pair]
+    robot = (x + radius + gap + front, y, pi) if pair == "ball_robot" else far
+    space, bodies = world(league, (x, y), robot)
+    return league, space, bodies[0], bodies[1] if pair == "ball_robot" else space.static_body
+
+
+def effective(body: pymunk.Body, arm: float = 0.0) -> float:
+    """Return the inverse mass [1/kg] with which a body yields at a contact that lies an arm [m] off its centre."""
+    still = body.body_type == pymunk.Body.STATIC
+    return 0.0 if still else 1.0 / body.mass + arm * arm / body.moment
+
+
+@each_league
+@each_pair
+@pytest.mark.parametrize("elasticity", [None, 0.0, 0.37])
+def test_bodies_part_with_the_share_of_their_speed_that_the_league_states(name, pair, elasticity):
+    changed = {} if elasticity is None else {"elasticity": elasticity}
+    league, space, body, other = scene(name, pair, **changed)
+    body.velocity = 0.8, 0.0
+    for _ in range(100):
+        space.step(SUBSTEP)
+    assert other.velocity.x - body.velocity.x == pytest.approx(
+        0.8 * getattr(league.materials, pair).elasticity, abs=2e-6
+    )
+    assert body.velocity.y == pytest.approx(0.0, abs=1e-9)
+
+
+@each_league
+@each_pair
+@pytest.mark.parametrize("friction", [None, 0.0, 0.13])
+def test_a_blow_that_slides_loses_along_the_surface_what_the_league_states_of_its_impulse(name, pair, friction):
+    """Of a fast slide no friction of a short blow makes an end: its impulse is friction times that along the normal."""
+    changed = {} if friction is None else {"friction": friction}
+    league, space, body, _ = scene(name, pair, **changed)
+    stated = getattr(league.materials, pair)
+    body.velocity = 0.5, 3.0
+    space.step(SUBSTEP)
+    normal = space_impulse(space, body)
+    while normal is None:
+        space.step(SUBSTEP)
+        normal = space_impulse(space, body)
+    along, across = normal
+    assert along > 0.0
+    assert across == pytest.approx(stated.friction * along, rel=1e-5, abs=2e-6 * along)
+
+
+def space_impulse(space: pymunk.Space, body: pymunk.Body) -> tuple[float, float] | None:
+    """Return the impulse of the first contact of a body along the normal and across it [N s], None without one."""
+    found: list[tuple[float, float]] = []
+
+    def note(arbiter: pymunk.Arbiter) -> None:
+        impulse, normal = arbiter.total_impulse, arbiter.contact_point_set.normal
+        along = abs(impulse.dot(normal))
+        found.append((along, abs(impulse.cross(normal))))
+
+    body.each_arbiter(note)
+    return found[0] if found and found[0][0] > 0.0 else None
+
+
+@each_league
+def test_factors_multiply_to_the_pairs_that_the_league_states(name):
+    materials = find_league(name).materials
+    soft = replace(materials, robot_robot=Pair(0.0, 0.0), ball_board=Pair(0.0, 0.0), robot_board=Pair(0.0, 0.0))
+    for stated in (materials, soft):
+        found, least = surfaces_of(stated), 1e-6
+        products = {
+            "ball_board": (found.ball, found.board),
+            "ball_post": (found.ball, found.post),
+            "ball_net": (found.ball, found.net),
+            "ball_robot": (found.ball, found.robot),
+            "robot_robot": (found.robot, found.robot),
+            "robot_board": (found.robot, found.edge),
+        }
+        for pair, (one, other) in products.items():
+            for number in ("elasticity", "friction"):
+                product = getattr(one, number) * getattr(other, number)
+                wanted = getattr(getattr(stated, pair), number)
+                wanted = max(wanted, least) if pair == "robot_robot" else wanted
+                assert product == pytest.approx(wanted, rel=1e-12, abs=0.0)
+
+
+@pytest.mark.parametrize("bad", [None, 0.5, (0.5, 0.3)])
+@each_pair
+def test_a_pair_must_be_one(pair, bad):
+    with pytest.raises(ValueError, match=rf"Materials\.{pair} must be a Pair, got"):
+        replace(find_league(LEGGED).materials, **{pair: bad})
+    with pytest.raises(ValueError, match=r"League\.materials must be Materials, got"):
+        replace(find_league(LEGGED), materials=bad)
+
+
+@pytest.mark.parametrize(
+    ("numbers", "message"),
+    [
+        ((1.1, 0.3), r"Pair\.elasticity must be 0 to 1, got 1\.1"),
+        ((-0.1, 0.3), r"Pair\.elasticity must be 0 to 1, got -0\.1"),
+        ((0.5, -0.3), r"Pair\.friction must be a number of at least 0, got -0\.3"),
+        ((0.5, float("nan")), r"Pair\.friction must be a number of at least 0, got nan"),
+    ],
+)
+def test_the_numbers_of_a_pair_are_checked(numbers, message):
+    with pytest.raises(ValueError, match=message):
+        Pair(*numbers)
+
+
+def test_materials_are_six_pairs():
+    assert tuple(find_league(LEGGED).materials.pairs()) == PAIRS == tuple(Materials.__dataclass_fields__)
+
+
+def test_a_legged_robot_is_a_trunk_and_four_posts_twice():
+    league = find_league(LEGGED)
+    _, (_, robot, other) = world(league, (0.0, 0.0), (0.5, 0.0, 0.0), (-0.5, 0.0, 0.0))
+    for body in (robot, other):
+        assert len(body.shapes) == 9
+        assert [tuple(paw.offset) for paw in paws_of(body)] == list(league.body.posts)
+    smooth = find_league("legged-2001-smooth")
+    _, (_, robot) = world(smooth, (0.0, 0.0), (0.5, 0.0, 0.0))
+    assert len(robot.shapes) == 3 and paws_of(robot) == []
+    assert robot_moment(league) == pytest.approx(1.45 * (0.27**2 + 0.155**2) / 12.0)
+
+
+def reached(league: League, heading: float, place: float, aside: float) -> float:
+    """Return how far a robot gets that slides to the board on the touchline above, y of its centre [m]."""
+    space, (_, robot) = world(league, (-1.0, -0.5), (aside, place, heading))
+    farthest = place
+    robot.velocity = 0.0, 0.2
+    for _ in range(3000):
+        space.step(1e-3)
+        farthest = max(farthest, robot.position.y)
+    return farthest
+
+
+def test_ms51_paws_meet_a_board_at_its_foot_and_trunk_and_ball_the_upright_board():
+    league = find_league(LEGGED)
+    body, edge, foot = league.body, league.pitch.width / 2, league.pitch.board_foot
+    assert foot == 0.024
+    paws = body.tip_x + body.tip_radius
+    assert reached(league, pi / 2, 0.6, 0.0) == pytest.approx(edge - foot - paws, abs=0.002)
+    bare = replace(league, pitch=replace(league.pitch, board_foot=0.0))
+    assert reached(bare, pi / 2, 0.6, 0.0) == pytest.approx(edge - paws, abs=0.002)
+    smooth = find_league("legged-2001-smooth")
+    paws = smooth.body.tip_x + smooth.body.tip_radius
+    assert reached(smooth, pi / 2, 0.6, 0.0) == pytest.approx(edge - paws, abs=0.002)
+    space, (ball, _) = world(league, (0.0, 0.8), (-1.0, 0.0, 0.0))
+    ball.velocity, farthest = (0.0, 0.5), 0.0
+    for _ in range(1000):
+        space.step(1e-3)
+        farthest = max(farthest, ball.position.y)
+    assert farthest == pytest.approx(edge - league.ball.radius, abs=0.001)
+
+
+def test_no_foot_stands_in_a_goal():
+    league = find_league(LEGGED)
+    space, (_, robot) = world(league, (-1.0, 0.0), (1.3, 0.0, 0.0))
+    robot.velocity, farthest = (0.2, 0.0), 0.0
+    for _ in range(3000):
+        space.step(1e-3)
+        farthest = max(farthest, robot.position.x)
+    back = league.pitch.length / 2 + league.pitch.goal_depth
+    assert farthest == pytest.approx(back - league.body.tip_x - league.body.tip_radius, abs=0.002)
+    shape = pymunk.ShapeFilter(mask=pymunk.ShapeFilter.ALL_MASKS())
+    half = league.pitch.goal_width / 2
+    assert space.point_query_nearest((league.pitch.length / 2 + 0.1, half - 0.001), 0.0, shape) is None
+    assert space.point_query_nearest((league.pitch.length / 2 + 0.1, half + 0.5 * BOARD), 0.0, shape) is not None
+
+
+def test_a_foot_is_so_low_that_the_ball_meets_the_upright_board():
+    """By the distance of the ball's centre from the slope, 45 degrees, where it touches floor and board."""
+    league = find_league(LEGGED)
+    r, highest = league.ball.radius, league.highest_foot
+    assert abs(r + r - highest) / np.sqrt(2.0) == pytest.approx(r)
+    assert highest == pytest.approx(0.0246, abs=5e-5) and league.pitch.board_foot < highest
+    with pytest.raises(
+        ValueError, match=r"Pitch\.board_foot must be at most 0\.0246, got 0\.025: the ball has to meet"
+    ):
+        replace(league, pitch=replace(league.pitch, board_foot=0.025))
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"hind_y": 0.0}, "four posts, one in each quarter"),
+        ({"tip_radius": 0.0}, "four posts, one in each quarter"),
+        ({"hind_x": 0.1}, "four posts, one in each quarter"),
+        ({"hind_x": -0.15}, r"Body\.reach must be at least 0\.182"),
+        ({"disc_back": 0.2}, r"Body\.reach must be at least 0\.173"),
+    ],
+)
+def test_a_body_with_legs_needs_posts_round_its_trunk_within_its_reach(changes, message):
+    with pytest.raises(ValueError, match=message):
+        replace(find_league(LEGGED).body, **changes)
+    with pytest.raises(ValueError, match=r"Body\.disc_back must be 0 for a hull, got 0\.1"):
+        replace(find_league("legged-2001-smooth").body, disc_back=0.1)
+
+
+def test_a_league_that_is_gone_says_what_replaced_it():
+    with pytest.raises(ValueError, match="legged-2001 has legs now, legged-2001-smooth the body without them"):
+        find_league("legged-2001-legs")
+    smooth, league = find_league("legged-2001-smooth"), find_league(LEGGED)
+    assert replace(smooth, name=league.name, body=league.body) == league and league.body.legs
+    assert not smooth.body.legs and not find_league(MIDDLE).body.legs
