@@ -14,7 +14,7 @@ from soccer_env import leagues
 from soccer_env.leagues import LEAGUES, find_league, legged_2001, middle_size_2006
 from soccer_env.leagues.constants import CONSTANTS, constants_of
 
-PARTS = ("pitch", "ball", "body", "drive", "kicker", "head", "rules", "slots", "substeps")
+PARTS = ("pitch", "ball", "body", "materials", "drive", "kicker", "head", "rules", "slots", "substeps")
 
 
 def numbers() -> list[tuple[str, str, str]]:
@@ -38,7 +38,7 @@ def test_no_number_may_be_infinite_or_nan(league: str, part: str, field: str, ba
         replace(record, **{field: bad})
 
 
-SIGNED = {"tip_x", "disc_x", "tilt_low"}  # may be negative
+SIGNED = {"tip_x", "disc_x", "hind_x", "tilt_low"}  # may be negative
 
 
 @pytest.mark.parametrize("part", PARTS)
@@ -77,7 +77,7 @@ def test_numbers_of_numpy_become_python_numbers() -> None:
     ("corners", "message"),
     [
         (((nan, 0.0), (0.1, -0.05), (0.1, 0.05)), "counter-clockwise"),
-        (tuple(reversed(legged_2001.BODY.corners)), "counter-clockwise"),
+        (tuple(reversed(legged_2001.SMOOTH_BODY.corners)), "counter-clockwise"),
         (((0.0, 0.0), (0.1, 0.0)), "counter-clockwise"),
         (((-0.1, -0.1), (0.1, -0.1), (0.0, 0.0), (0.1, 0.1), (-0.1, 0.1)), "counter-clockwise"),
         (((-0.3, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.3, 0.1)), r"Body\.reach must be at least 0\.316"),
@@ -85,7 +85,7 @@ def test_numbers_of_numpy_become_python_numbers() -> None:
 )
 def test_a_body_must_be_a_convex_hull_within_its_reach(corners: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        replace(legged_2001.BODY, corners=corners)
+        replace(legged_2001.SMOOTH_BODY, corners=corners)
 
 
 @pytest.mark.parametrize(
@@ -94,11 +94,11 @@ def test_a_body_must_be_a_convex_hull_within_its_reach(corners: Any, message: st
         ("pitch", {"length": 0.0}, r"Pitch\.length must be a number above 0, got 0"),
         ("pitch", {"goal_width": 9.0}, r"Pitch\.goal_width must be less than width 2\.0, got 9"),
         ("ball", {"mass": -0.1}, r"BallModel\.mass must be a number above 0"),
-        ("ball", {"elasticity": 1.5}, r"BallModel\.elasticity must be 0 to 1, got 1\.5"),
-        ("body", {"disc_radius": 0.1}, "either a disc_radius above zero or corners"),
+        ("body", {"disc_radius": 0.0}, "either a disc_radius above zero or corners"),
         ("body", {"mass": 0.0}, r"Body\.mass must be a number above 0"),
         ("drive", {"kind": "hover"}, r"Drive\.kind must be one of gait, omnidirectional, differential"),
         ("drive", {"delay": 0.3}, r"Drive\.delay must be 0 to 0\.2, got 0\.3"),
+        ("drive", {"thrust": 0.0}, r"Drive\.thrust must be a number above 0, got 0"),
         ("drive", {"slip": -0.1}, r"Drive\.slip must be a number of at least 0"),
         ("kicker", {"slowest": 3.0}, r"Kicker\.slowest must be at most fastest"),
         ("rules", {"half_minutes": 0.0}, r"Rules\.half_minutes must be a number above 0"),

@@ -63,7 +63,7 @@ def test_bodies_read_the_constants_that_are_changed(traction: float | None, walk
     put(match, 0, 0.0, 0.0)
     begin(match)
     if traction:
-        constants_of(match)["drive_traction"] = traction
+        constants_of(match)["drive_traction"] = constants_of(match)["drive_thrust"] = traction
     for _ in range(32):
         match.step(np.array([[[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]]]))
     assert (abs(float(match.robots["x"][0, 0])) > 0.1) == walks

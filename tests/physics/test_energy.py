@@ -67,7 +67,7 @@ def test_a_ball_that_has_come_back_from_a_board_gets_no_faster(name):
         came = np.where(came == 0.0, np.where(match.balls["vy"] < 0.0, last, 0.0), came)
         fastest = np.maximum(fastest, -match.balls["vy"])
     assert (came > 0.0).mean() > 0.8
-    assert (fastest[came > 0.0] < came[came > 0.0] * ball.elasticity * pitch.wall_elasticity).all()
+    assert (fastest[came > 0.0] < came[came > 0.0] * match.league.materials.ball_board.elasticity).all()
 
 
 @each_league

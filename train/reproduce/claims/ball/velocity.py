@@ -49,7 +49,7 @@ def walk_to_ball(batch: Batch, start: np.ndarray, seconds: float, stuck: bool, *
     rng = batch.rng()
     league = find_league(LEGGED)
     if stuck:
-        league = replace(league, drive=replace(league.drive, traction=1e-9))
+        league = replace(league, drive=replace(league.drive, traction=1e-9, thrust=1e-9))
     sensors = {"patches": 0.0, **settings.pop("sensors", {})}
     match = stage(batch, league, matches=count, actions="full", sensors=sensors, **settings)
     put(match, 0, rng.uniform(-0.9, -0.7, count), rng.uniform(-0.5, 0.5, count), 0.0, 0.0 if stuck else TOP_SPEED)

@@ -41,7 +41,7 @@ def recovers(match: Match) -> np.ndarray:
 
 def hold(match: Match) -> None:
     """Immobilise robots: from now on they go nowhere, whatever their legs do; they can still turn."""
-    constants_of(match)["drive_traction"] = NO_GRIP
+    constants_of(match)["drive_traction"] = constants_of(match)["drive_thrust"] = NO_GRIP
     for name in ("vx", "vy"):
         match.robots[name] = 0.0
     match.rebuild()
