@@ -69,7 +69,7 @@ class Picture:
         self._header.draw(story_of(match, robots, (home, away), self.league))
         self._canvas.clean()
         self._ground.draw_directions(float(match["home_direction"]))
-        figures = figures_of(robots)
+        figures = figures_of(robots, self.league, float(match["handedness"]))
         for overlay in overlays:
             if overlay.under:
                 overlay.draw_on(self._canvas, self.view)

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.robot import Body
+from soccer_env.physics.gait import LEGS, TIPS, paw_offset
 from soccer_env.render import colours
 from soccer_env.render.canvas import FACTOR, Canvas, Point, new_surface
 from soccer_env.render.colours import Colour
@@ -23,7 +25,8 @@ TRAIL_PIECES = 5
 TRAIL_ALPHA = 170  # of 255, next to the ball
 LEAST_BALL = 4.0  # [px] radius
 KICK_SHOWN = 0.2  # [s] after a kick
-HIND_LEG = ((-0.105, 0.055), (-0.055, 0.055), 0.0175)  # [m] from, to, radius; of the ERS-210, for the eye
+HIND_LEG = ((-0.105, 0.055), (-0.055, 0.055), 0.0175)  # [m] from, to, radius; of a body without legs, for the eye
+SHOULDER = (0.0595, 0.0592)  # [m] kinematics of the ERS-210; its hips as far behind
 NECK = 0.082  # [m] where the head turns, ahead of the origin, for the eye
 HEAD = (  # [m] discs of the head: ahead of the neck, to the left, radius; for the eye
     (0.036, 0.0, 0.033),  # skull
@@ -49,15 +52,21 @@ class Figure(NamedTuple):
     fallen: float
     penalty: float
     kick_clock: float
+    paws: tuple[Point, ...] = ()  # [m] how far legs are off their stance, robot frame
 
 
-def figures_of(robots: np.ndarray) -> list[Figure]:
+def figures_of(robots: np.ndarray, league: League, handedness: float = 1.0) -> list[Figure]:
     """Return the robots of shape (R,) as plain numbers; ValueError names a robot whose pose is not finite."""
     for name in ("x", "y", "heading", "pan"):
         bad = np.flatnonzero(~np.isfinite(robots[name]))
         if len(bad):
             raise ValueError(f"robot {bad[0]} has {name} = {robots[name][bad[0]]}, a picture needs finite numbers")
-    return [Figure(*row) for row in zip(*(robots[name].tolist() for name in Figure._fields))]
+    rows = zip(*(robots[name].tolist() for name in Figure._fields[:-1]))
+    if not league.body.legs:
+        return [Figure(*row) for row in rows]
+    k = constants_of(league)[0]
+    paws = [tuple(paw_offset(robot, k, leg, handedness) for leg in range(LEGS)) for robot in robots]
+    return [Figure(*row, swung) for row, swung in zip(rows, paws, strict=True)]
 
 
 class Part(NamedTuple):
@@ -66,10 +75,13 @@ class Part(NamedTuple):
     rim: list[Point]
     outline: list[Point]
     role: str
+    leg: int = -1  # whose paw the second half of both outlines goes round; -1: nothing swings
 
 
 def parts_of(body: Body, rim: float, walks: bool) -> list[Part]:
     """Return the pieces of a robot, the lowest first, with rims of that width [m]."""
+    if body.legs:
+        return legged_parts(body, rim)
     root = min(body.front - body.tip_radius, body.tip_x)
     pieces: list[tuple[list[Point], float, str]] = []
     for side in (-1.0, 1.0):
@@ -81,6 +93,24 @@ def parts_of(body: Body, rim: float, walks: bool) -> list[Part]:
         (start, y), (end, _), radius = HIND_LEG
         pieces += [([(start, side * y), (end, side * y)], radius, "leg") for side in (-1.0, 1.0)]
     return [Part(rounded(corners, radius + rim), rounded(corners, radius), role) for corners, radius, role in pieces]
+
+
+def legged_parts(body: Body, rim: float) -> list[Part]:
+    """Return the pieces of a robot with legs: forelegs and hind legs from shoulder to paw, then its trunk."""
+    ahead, aside = SHOULDER
+    shoulders = [(x, y) for x in (ahead, -ahead) for y in (aside, -aside)]
+    pieces: list[tuple[list[Point], float, str, int]] = [
+        ([shoulder, paw], body.tip_radius, "tip" if leg < TIPS else "leg", leg)
+        for leg, (shoulder, paw) in enumerate(zip(shoulders, body.posts, strict=True))
+    ]
+    pieces.append(([(body.disc_x - body.disc_back, 0.0), (body.disc_x, 0.0)], body.disc_radius, "body", -1))
+    return [Part(rounded(way, wide + rim), rounded(way, wide), role, leg) for way, wide, role, leg in pieces]
+
+
+def swung(points: list[Point], offset: Point) -> list[Point]:
+    """Return the outline of a leg whose paw is off its stance."""
+    half = len(points) // 2
+    return points[:half] + [(x + offset[0], y + offset[1]) for x, y in points[half:]]
 
 
 class Players:
@@ -165,6 +195,9 @@ class Players:
         team = colours.TEAMS[figure.team]
         fills = {"tip": tip, "body": faded(team) if figure.fallen > 0.0 else team, "leg": darker(team)}
         for part, wide, edge in zip(self.parts, self.keeper_parts, self.keeper_edges):
+            if part.leg >= 0 and figure.paws:
+                offset = figure.paws[part.leg]
+                part = part._replace(rim=swung(part.rim, offset), outline=swung(part.outline, offset))
             if part.role == "body" and figure.keeper:
                 self.canvas.polygon(self._pixels(edge.rim, figure), colours.INK)
                 self.canvas.polygon(self._pixels(wide.rim, figure), colours.KEEPER)

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
-from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.staging import memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import Batch
-from soccer_env.train.reproduce.staging import LEGGED, begin, put, put_ball, stage
+from soccer_env.train.reproduce.staging import begin, put, put_ball, stage
 from soccer_env.train.reproduce.verdicts import Samples
 
 NO_SHOTS = {"shot_range": 0.0}  # a team that dribbles on instead of shooting
@@ -41,12 +40,6 @@ class Way:
     def step(self) -> np.ndarray:
         """Return how far the robot moves [m] in each control step."""
         return np.hypot(np.diff(self.x, axis=0, prepend=self.x[:1]), np.diff(self.y, axis=0, prepend=self.y[:1]))
-
-
-def disturbed(size: float = 1.0) -> League:
-    """Return the legged league with legs that get at the ball, MS51; 0: without."""
-    league = find_league(LEGGED)
-    return replace(league, drive=replace(league.drive, leg_disturbance=size))
 
 
 def dribblers(batch: Batch, league: League, matches: int, others: int, settings: dict[str, Any], **more: Any) -> Match:

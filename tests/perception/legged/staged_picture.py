@@ -183,8 +183,8 @@ def image_of(scene: Scene, m: int, finer: int = 4, box: tuple[float, ...] | None
 def bodies_of(scene: Scene, m: int, rows: Any = None) -> list[Box]:
     """Return trunk and head of the robots in `rows`, of all but robot 0."""
     s, boxes = scene.settings, []
-    corners = np.array(scene.league.body.corners)
-    back, front, half_width = corners[:, 0].min(), corners[:, 0].max(), corners[:, 1].max()
+    body = scene.league.body
+    back, front, half_width = body.hind_x - body.tip_radius, body.front, body.hind_y + body.tip_radius
     low, high, half = s.trunk_low, s.trunk_height, 0.5 * s.head_size
     for r in range(1, scene.robots.shape[1]) if rows is None else rows:
         robot = scene.robots[m, r]

@@ -78,12 +78,13 @@ def test_a_goal_is_a_hole_in_the_boards_with_a_back_and_sides() -> None:
 
 
 def test_a_beam_meets_trunk_head_and_legs_of_a_robot_and_passes_between_the_legs() -> None:
-    rump, paw_y = 0.125, LEAGUE.body.tip_y
+    body = LEAGUE.body
+    rump = body.tip_radius - body.hind_x
     place = Place()
     place.put(1, 0.6, 0.0)  # seen from behind
     for target, expected in (
         ((0.6 - rump, 0.0, 0.10), "trunk"),
-        ((0.6 - rump + LEAGUE.body.tip_radius, paw_y, 0.02), "leg"),
+        ((0.6 + body.hind_x, body.hind_y, 0.02), "leg"),
     ):
         aim_at(place, *target)
         to_target = float(np.linalg.norm(place.camera() - np.array(target)))

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
+from soccer_env.leagues import find_league
 from soccer_env.staging import memory_of
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims import goalkeeper
@@ -16,14 +17,13 @@ from soccer_env.train.reproduce.dribble_runs import (
     START,
     Way,
     begin_dribbling,
-    disturbed,
     dribblers,
     losses,
     place_with_ball,
     run,
 )
 from soccer_env.train.reproduce.drill_runs import play_drill
-from soccer_env.train.reproduce.staging import put, stage
+from soccer_env.train.reproduce.staging import LEGGED, put, stage
 
 BATCH = Batch("test", 0, 0)
 
@@ -49,7 +49,7 @@ def test_a_metre_with_the_ball_is_a_metre_kept() -> None:
 
 
 def test_a_dribbler_begins_with_its_ball_and_knows_where_it_is() -> None:
-    match = dribblers(BATCH, disturbed(0.0), 8, 1, NO_SHOTS)
+    match = dribblers(BATCH, find_league(LEGGED), 8, 1, NO_SHOTS)
     place_with_ball(match, heading=np.linspace(-0.5, 0.5, 8))
     begin_dribbling(match)
     own = match.beliefs["own"][:, 0]

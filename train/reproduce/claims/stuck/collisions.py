@@ -240,7 +240,7 @@ S03 = Claim(
     ),
     measure=push,
     figures=push_figure,
-    ingredients=("friction of bodies and ball", "bodies are convex hulls with two paws: legs do not interlock"),
+    ingredients=("friction of bodies and ball", "bodies are a trunk and four posts, which can interlock"),
     note="Detection changes nothing here: most of the time a robot takes the ball between its paws for its own, else "
     "it pushes on, for the ball is contested. The counters run only in the latter, and a second with the ball sets "
     "both back: the first nearly gets to its nine readings, the second one never to its 8 s.",
