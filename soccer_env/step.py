@@ -178,7 +178,7 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
         if k.legs == 1 and robot.gait_phase % k.gait_steps == 0:
             catch_legs(robots, r, k)
         drive(robot, k, match.step, match.handedness, solver.stances[r])
-        work_kicker(robot, robot_events[r], k, ball, match.handedness)
+        work_kicker(robots, r, robot_events[r], k, ball, match.handedness)
         move_head(robot, k, ball)
         robot.placed = 0
         robot.fallen = max(robot.fallen - k.dt, 0.0)

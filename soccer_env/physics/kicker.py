@@ -1,5 +1,9 @@
 """Kicks: an electromagnet that fires at once, or a leg that winds up while the robot stands.  MH04
 
+No two kicks are alike: direction and speed vary, and both a wider direction and a miss become likelier the worse the
+ball lies. A kick that misses gives the ball nothing. The robot recoils with the momentum that the ball gets; its turn
+by a kick beside its middle is left out, for wheels and paws bear it.
+
 `k`: the league's constants.
 """
 
@@ -8,30 +12,32 @@ from __future__ import annotations
 from math import cos, sin
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame
-from soccer_env.random_numbers import normal
+from soccer_env.geometry import clip, into_frame
+from soccer_env.physics.contacts import TOUCH_GAP, ball_gap
+from soccer_env.random_numbers import normal, uniform
 from soccer_env.types import RobotStream
 
 KICK = int(RobotStream.KICK)
 
 
 @compiled
-def work_kicker(robot, events, k, ball, handedness):
-    """Advance a robot's kicker by one control step: start a kick that is asked for, or finish one."""
+def work_kicker(robots, r, events, k, ball, handedness):
+    """Advance robot r's kicker by one control step: start a kick that is asked for, or finish one."""
+    robot = robots[r]
     if robot.kick_clock < 0.0:
         robot.kick_clock = min(robot.kick_clock + k.dt, 0.0)
         return
     if robot.kick_clock > 0.0:
         robot.kick_clock -= k.dt
         if robot.kick_clock <= 1e-9:
-            finish_kick(robot, events, k, ball, handedness)
+            finish_kick(robots, r, events, k, ball, handedness)
         return
     if may_kick(robot, k):
         robot.kick_strength = robot.command.kick
         if k.kicker_wind_up > 0.0:
             robot.kick_clock = k.kicker_wind_up
         else:
-            finish_kick(robot, events, k, ball, handedness)
+            finish_kick(robots, r, events, k, ball, handedness)
 
 
 @compiled
@@ -43,25 +49,63 @@ def may_kick(robot, k):
 
 
 @compiled
-def finish_kick(robot, events, k, ball, handedness):
-    """Push the ball off, if it still lies in the pocket; pushes of two robots at once add up, whoever comes first."""
+def finish_kick(robots, r, events, k, ball, handedness):
+    """Push the ball off, if it still lies in the pocket; pushes of two robots at once add up, whoever comes first.
+
+    Each kick draws five numbers, whatever comes of it.
+    """
+    robot = robots[r]
     robot.kick_clock = -k.kicker_recharge
+    stray = handedness * k.kicker_spread * normal(robot.noise, KICK)
+    pace = max(1.0 + k.kicker_speed_spread * normal(robot.noise, KICK), 0.0)
+    luck = uniform(robot.noise, KICK)
     if not holds_ball(robot, k, ball.x, ball.y):
         return
-    direction = robot.heading + handedness * k.kicker_spread * normal(robot.noise, KICK)
+    badness = 1.0 if is_pinched(robots, r, k, ball) else lies_badly(robot, k, ball.x, ball.y)
+    if luck < k.kicker_miss * badness * badness:
+        return
+    direction = robot.heading + (1.0 + badness) * stray
     ahead, aside = cos(direction), sin(direction)
-    speed = kick_speed(k, robot.kick_strength)
+    speed = pace * kick_speed(k, robot.kick_strength)
     ball.vx += speed * ahead
     ball.vy += speed * aside
+    recoil = speed * k.ball_mass / k.body_mass
+    robot.vx -= recoil * ahead
+    robot.vy -= recoil * aside
     events.kick = 1
     events.touch = 1
 
 
 @compiled
 def kick_speed(k, strength):
-    """Return the speed [m/s] that a kick adds to the ball's: slowest at the least strength, fastest at strength 1."""
+    """Return the mean speed [m/s] that a kick adds to the ball's: slowest at the least strength, fastest at 1."""
     share = (strength - k.kicker_least) / max(1.0 - k.kicker_least, 1e-9)
     return k.kicker_slowest + (k.kicker_fastest - k.kicker_slowest) * min(share, 1.0)
+
+
+@compiled
+def lies_badly(robot, k, ball_x, ball_y):
+    """Return how badly a ball in the pocket lies for a kick: 0 at the middle of the front, 1 at the kicker's edge."""
+    gap, left = place_at_kicker(robot, k, ball_x, ball_y)
+    far, aside = gap / max(k.kicker_reach, 1e-9), abs(left) / max(k.kicker_half_width, 1e-9)
+    return clip(max(far, aside), 0.0, 1.0)
+
+
+@compiled
+def is_pinched(robots, r, k, ball):
+    """Tell whether another robot touches the ball that robot r kicks.
+
+    Its body takes its share when the contacts are solved: the ball bounces between the two. The kicker itself cannot
+    swing through a ball that is held from behind, so that such a ball lies as badly as it can.
+    """
+    near = k.body_reach + k.ball_radius + TOUCH_GAP
+    for other in range(robots.shape[0]):
+        x, y = ball.x - robots[other].x, ball.y - robots[other].y
+        if other == r or robots[other].active == 0 or x * x + y * y > near * near:
+            continue
+        if ball_gap(robots[other], k, ball.x, ball.y) < TOUCH_GAP:
+            return True
+    return False
 
 
 @compiled
@@ -71,7 +115,12 @@ def holds_ball(robot, k, ball_x, ball_y):
     far = k.body_front + k.ball_radius + k.kicker_reach + k.kicker_half_width
     if x * x + y * y > far * far:  # most robots are nowhere near
         return False
-    cosine, sine = cos(robot.heading), sin(robot.heading)
-    ahead, left = into_frame(x, y, cosine, sine)
-    gap = ahead - k.body_front - k.ball_radius
+    gap, left = place_at_kicker(robot, k, ball_x, ball_y)
     return -0.5 * k.ball_radius < gap < k.kicker_reach and -k.kicker_half_width < left < k.kicker_half_width
+
+
+@compiled
+def place_at_kicker(robot, k, ball_x, ball_y):
+    """Return how far ahead of the front the ball's near side lies, and how far to the left its centre [m, m]."""
+    ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, cos(robot.heading), sin(robot.heading))
+    return ahead - k.body_front - k.ball_radius, left

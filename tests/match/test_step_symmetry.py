@@ -105,7 +105,7 @@ def steer_all(robots, constants):
 def kick_all(matches, balls, robots, robot_events, constants):
     for m in range(len(matches)):
         for r in range(robots.shape[1]):
-            work_kicker(robots[m, r], robot_events[m, r], constants[0], balls[m], matches[m].handedness)
+            work_kicker(robots[m], r, robot_events[m, r], constants[0], balls[m], matches[m].handedness)
 
 
 @compiled
@@ -146,10 +146,10 @@ def test_kicks_are_symmetric_and_stray_to_mirrored_sides(name):
     match = mid_game(name, 200)
     body, ball = match.league.body, match.league.ball
     row, reach = np.arange(200) % (2 * SIZE), body.front + ball.radius + 0.004
-    robot = match.robots[np.arange(200), row]
-    put_ball(
-        match, robot["x"] + reach * np.cos(robot["heading"]), robot["y"] + reach * np.sin(robot["heading"]), 0.1, 0.2
-    )
+    robot, aside = match.robots[np.arange(200), row], np.linspace(-0.95, 0.95, 200) * match.league.kicker.half_width
+    cosine, sine = np.cos(robot["heading"]), np.sin(robot["heading"])
+    x, y = robot["x"] + reach * cosine - aside * sine, robot["y"] + reach * sine + aside * cosine
+    put_ball(match, x, y, 0.1, 0.2)
 
     def stage(records, events, robot_events, constants):
         robot_events["kick"] = 0

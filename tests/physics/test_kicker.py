@@ -51,7 +51,7 @@ def carpet(match: Match) -> float:
 
 @pytest.mark.parametrize(("strength", "expected"), [(0.3, 0.8), (0.5, 1.0), (0.65, 1.15), (1.0, 1.5)])
 def test_a_legged_kick_sends_the_ball_off_at_0_8_to_1_5_m_per_s(strength, expected):
-    match = at_the_ball(LEGGED)
+    match = at_the_ball(steady(LEGGED))
     _, v, _ = kicks(match, asking(match, kick=strength), 16)
     assert v[0] == pytest.approx(expected - carpet(match), abs=1e-6)
 
@@ -65,7 +65,7 @@ def test_a_legged_robot_ignores_strengths_below_0_3(strength):
 
 @pytest.mark.parametrize("strength", [0.02, 0.1, 0.5, 0.9, 1.0])
 def test_a_middle_size_kick_is_proportional_to_its_strength_up_to_10_m_per_s(strength):
-    match = at_the_ball(MIDDLE)
+    match = at_the_ball(steady(MIDDLE))
     at, v, _ = kicks(match, asking(match, kick=strength), 1)
     assert at[0] == 1
     assert v[0] == pytest.approx(10.0 * strength - carpet(match), abs=1e-6)
@@ -90,7 +90,7 @@ def test_a_legged_kick_takes_0_6_s_in_which_the_robot_comes_to_a_stand_and_stays
         if match.robot_events["kick"][0, 0]:
             break
     assert len(speeds) - 1 == np.ceil(0.6 * 16)  # the first step only begins it
-    assert max(speeds) == 0.0
+    assert max(speeds[:-1]) == 0.0 < speeds[-1], "it recoils when it has kicked"
     assert clock[0] == pytest.approx(0.6) and clock[-1] == -0.5
 
 
@@ -120,10 +120,11 @@ def test_a_ball_that_rolls_away_during_the_wind_up_is_missed():
 
 @pytest.mark.parametrize(("name", "degrees"), [(LEGGED, 10.0), (MIDDLE, 2.0)])
 def test_kicks_stray_from_the_heading_with_the_leagues_deviation(name, degrees):
+    """Where the ball lies at the middle of the front."""
     matches = 300
     match = at_the_ball(name, matches, seed=11)
     heading = np.linspace(-3.0, 3.0, matches)
-    reach = match.league.body.front + match.league.ball.radius + 0.002
+    reach = match.league.body.front + match.league.ball.radius
     put(match, 0, -0.5, 0.0, heading)
     put_ball(match, -0.5 + reach * np.cos(heading), reach * np.sin(heading))
     match.rebuild()
@@ -192,7 +193,7 @@ def test_the_middle_size_goalkeeper_has_no_kicker():
 
 
 def test_a_legged_goalkeeper_kicks():
-    match = at_the_ball(LEGGED, home=2)
+    match = at_the_ball(steady(LEGGED), home=2)
     assert match.robots["keeper"][0, 0] == 1
     at, _, _ = kicks(match, asking(match, kick=1.0), 16)
     assert at[0] > 0

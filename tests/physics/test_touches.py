@@ -20,6 +20,7 @@ from tests.scenes.staging import (
     put_ball,
     stage,
     stand,
+    steady,
     steps_in,
 )
 
@@ -124,7 +125,7 @@ def test_a_ball_that_passes_close_by_is_not_touched(name):
 
 @each_league
 def test_the_kicker_touches_the_ball_even_if_it_is_gone_at_the_end_of_the_step(name):
-    match = stage(name)
+    match = stage(steady(name))
     put(match, 1, 0.0, 0.0, 0.0)
     put_ball(match, match.league.body.front + match.league.ball.radius + 0.02, 0.0)
     match.robots["has_ball"][:, 1] = 1

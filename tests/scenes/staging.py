@@ -36,10 +36,10 @@ def boarded(league: str | League) -> League:
 
 
 def steady(league: str | League) -> League:
-    """Return the league, with a patient referee, where no robot slips and no kick strays."""
+    """Return the league, with a patient referee, where no robot slips and all kicks are alike."""
     found = patient(league)
-    drive, kicker = replace(found.drive, slip=0.0), replace(found.kicker, spread=0.0)
-    return replace(found, drive=drive, kicker=kicker)
+    kicker = replace(found.kicker, spread=0.0, speed_spread=0.0, miss=0.0)
+    return replace(found, drive=replace(found.drive, slip=0.0), kicker=kicker)
 
 
 def icy(league: str | League) -> League:
