@@ -89,7 +89,7 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "keeper_zone": (0.4, 1.5, 1.5),  # [m] round the middle of the goal from which balls are cleared
     "shot_speed": (0.15, 0.5, 0.5),  # [m/s] a ball this fast towards the goal is a shot
     "dive": (0.0, 0.0, 0.0),  # [m/s] at which a shot is met
-    "clear_cosine": (0.5, 0.5, 0.5),  # cosine of the angle to straight away from the goal for a clearing kick
+    "clear_cosine": (0.77, 0.77, 0.77),  # cosine of the angle to the way clear of the goal for a kick, 40 degrees
     "slowest": (0.7, 0.8, 0.8),  # [1] pace at strength 0
     "laziest": (0.5, 0.1, 0.1),  # [s] between decisions at strength 0
     "crookedest": (0.3, 0.1, 0.1),  # [rad] deviation of the aim at strength 0

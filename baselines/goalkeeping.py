@@ -1,5 +1,7 @@
 """The goalkeeper of the chaser: stand between ball and goal, meet shots on the line, clear what lies near.
 
+With a kicker it kicks the ball clear; without one, in the middle-size league, it clears by driving into the ball.
+
 `k`: the league's constants; `play`: the team's settings.
 """
 
@@ -9,7 +11,7 @@ from math import atan2
 
 from soccer_env.baselines.attacking import approach, turn_to_goal
 from soccer_env.baselines.sight import rolls_to
-from soccer_env.baselines.skills import go
+from soccer_env.baselines.skills import faces, go, way_clear
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 
@@ -54,7 +56,12 @@ def guard(command, sight, k, play, line):
 
 @compiled
 def may_clear(sight, k, play):
-    """Tell whether the ball lies so near to the goal, and so far from a field player, that the keeper fetches it."""
+    """Tell whether the ball lies so near to the goal, and so far from a field player, that the keeper fetches it.
+
+    A ball that lies at its kicker it clears from anywhere.
+    """
+    if sight.held == 1 and k.keeper_kicks == 1:
+        return True
     x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
     if length(x, y) > play.keeper_zone or length(sight.ball_vx, sight.ball_vy) > play.shot_speed:
         return False
@@ -69,12 +76,10 @@ def may_clear(sight, k, play):
 
 @compiled
 def clear(command, sight, memory, k, play):
-    """Play the ball away from the own goal."""
-    x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
-    away = max(length(x, y), 1e-6)
+    """Play the ball away from the own goal, with a kick once the keeper faces that way."""
+    ux, uy = way_clear(sight, k)
     if sight.held == 1:
-        turn_to_goal(command, sight, k, play, x / away, y / away)
-        if sight.now_cosine * x + sight.now_sine * y > play.clear_cosine * away:
-            command.kick = 1.0
+        turn_to_goal(command, sight, k, play, ux, uy)
+        command.kick = 1.0 if faces(sight, ux, uy, play.clear_cosine) else 0.0
     else:
-        approach(command, sight, memory, k, play, x / away, y / away)
+        approach(command, sight, memory, k, play, ux, uy)

@@ -198,6 +198,24 @@ def choose_way(sight, k, play):
 
 
 @compiled
+def way_clear(sight, k):
+    """Return the unit vector along which the ball is played clear of the own goal, never across its mouth.
+
+    Away from a point as far behind the middle of the goal as the goal is half wide: straight out from the middle, at
+    most 45 degrees aside between the posts, where away from the middle of the goal would be along its line.
+    """
+    x, y = sight.ball_x + 0.5 * k.pitch_length + 0.5 * k.pitch_goal_width, sight.ball_y
+    away = max(length(x, y), 1e-6)
+    return x / away, y / away
+
+
+@compiled
+def faces(sight, ux, uy, cosine):
+    """Tell whether the player faces along (ux, uy) now, to an angle of this cosine."""
+    return sight.now_cosine * ux + sight.now_sine * uy > cosine
+
+
+@compiled
 def free_way(sight, k, ux, uy):
     """Return how far a ball can go along (ux, uy) before it leaves the pitch or meets a board [m]."""
     ahead = (0.5 * k.pitch_length - side_of(ux) * sight.ball_x) / max(abs(ux), 1e-6)

@@ -1,5 +1,8 @@
 """The goalkeeper: meet a shot by the ball's angular velocity, clear what lies near, guard the line.  MS53
 
+The paper has the goalkeeper block balls (3.2) and react to their speed (5). What it does with a ball that it has is
+not said: that it kicks it clear is ours.
+
 `k`: the league's constants; `play`: the team's settings.
 """
 
@@ -7,11 +10,12 @@ from __future__ import annotations
 
 from math import atan2
 
-from soccer_env.baselines.skills import go, turn_by
+from soccer_env.baselines.skills import faces, go, turn_by, way_clear
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 
 FAST = 0.6  # [m/s] a ball that comes nearer faster is met without delay, assumed
+CLEAR_COSINE = 0.77  # [1] of the angle to the way clear of the goal within which it kicks, 40 degrees, assumed
 SLOW = 0.3  # [m/s] one that comes nearer more slowly is gone to, assumed
 
 
@@ -67,3 +71,10 @@ def may_clear(sight, play, k):
     speed = length(sight.ball_vx, sight.ball_vy)
     nearly_slow = play.keeper_speed == 1 and speed < 2.0 * SLOW and sight.distance < play.near
     return near and (speed < SLOW or nearly_slow)
+
+
+@compiled
+def can_clear(situation, sight, k, play):
+    """Tell whether a goalkeeper that has the ball kicks it clear now, for it faces away from its goal."""
+    ux, uy = way_clear(sight, k)
+    return play.keeper_clears == 1 and situation.keeper == 1 and faces(sight, ux, uy, CLEAR_COSINE)

@@ -7,7 +7,7 @@ and head.
     goalkeeper                            meet a shot  >  clear  >  guard                     goalkeeper.py
     opponents' restart, or not nearest    yield, support                                      positions.py
     attacker without the ball             approach  >  stuck?  >  back, aside or round        stuck.py, recovery.py
-    attacker with the ball                shoot  >  pass  >  orbit  >  dribble                steering.py
+    whoever has the ball                  clear, the goalkeeper  >  shoot  >  pass  >  orbit  >  dribble   steering.py
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -18,7 +18,7 @@ from math import atan2
 
 from soccer_env.baselines.deciding import free_ring
 from soccer_env.baselines.sacks_2001.ball_notes import JUST_SEEN, note_possession, note_sighting
-from soccer_env.baselines.sacks_2001.goalkeeper import guard, is_shot, may_clear, meet_shot
+from soccer_env.baselines.sacks_2001.goalkeeper import can_clear, guard, is_shot, may_clear, meet_shot
 from soccer_env.baselines.sacks_2001.memory import (
     APPROACH,
     BACK,
@@ -123,6 +123,8 @@ def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
     if memory.clock >= REALLY_HAS:
         forget_approach(memory)
     memory.tries = 0
+    if memory.foiled <= 0.0 and can_clear(belief.situation, sight, k, play):
+        return SHOOT
     off = wrap(aim(sight, memory, k, play) - sight.heading)
     if memory.foiled <= 0.0 and abs(off) < play.orbit_until and is_open(sight, memory, k, play):
         return SHOOT

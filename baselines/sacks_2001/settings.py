@@ -104,6 +104,7 @@ class SacksSettings(Options):
     angular_keeper: bool = True  # the goalkeeper goes by the ball's angular velocity  MS53
     keeper_out: float = 0.30  # [m] from the middle of the goal that it stands, assumed
     keeper_zone: float = 0.55  # [m] from the middle of the goal within which it clears the ball, assumed
+    keeper_clears: bool = True  # the goalkeeper kicks a ball between its paws clear: the paper does not say, ours
     keeper_alarm: float = 0.10  # [m/s] a ball that comes nearer faster is a shot, assumed
 
     # the paper's future work, 5: sacks-2001-future

@@ -1,0 +1,91 @@
+"""Scripted goalkeepers clear the ball: with a kick away from their goal, or without a kicker by driving into it."""
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from tests.scenes.staging import LEGGED, MIDDLE, put, put_ball, stage, steps_in
+
+MATCHES = 64
+
+
+def keeper_at_goal(league: str, team: str, home: int = 2) -> Match:
+    """Return matches with home's goalkeeper alone on the field, played by a scripted team with ideal senses."""
+    return stage(league, MATCHES, home, 1, seed=4, senses="ideal", controllers={"home": team, "away": "still"})
+
+
+def with_the_ball(team: str, widest: float) -> Match:
+    """Return matches in which a legged goalkeeper has the ball before its goal, turned up to `widest` [rad] aside."""
+    match, rng = keeper_at_goal(LEGGED, team), np.random.default_rng(2)
+    body, ball, pitch = match.league.body, match.league.ball, match.league.pitch
+    heading, touch = rng.uniform(-widest, widest, MATCHES), body.front + ball.radius
+    x, y = -pitch.length / 2 + rng.uniform(0.2, 0.6, MATCHES), rng.uniform(-0.35, 0.35, MATCHES)
+    put(match, 0, x, y, heading)
+    put_ball(match, x + touch * np.cos(heading), y + touch * np.sin(heading))
+    match.rebuild()
+    return match
+
+
+@pytest.mark.parametrize("team", ["chaser", "sacks-2001", "sacks-2001-tuned", "sacks-2001-future"])
+def test_a_legged_keeper_kicks_the_ball_in_its_pocket_away_from_its_goal(team: str) -> None:
+    match = with_the_ball(team, 1.2)
+    league, kicked = match.league, np.zeros(MATCHES, bool)
+    behind = league.pitch.length / 2 + league.pitch.goal_width / 2
+    for _ in range(steps_in(match, 8.0)):
+        where, heading = match.balls.copy(), match.robots["heading"][:, 0].copy()
+        match.step()
+        kicks = match.robot_events["kick"][:, 0] == 1
+        clear = np.arctan2(where["y"], where["x"] + behind)
+        assert (np.cos(heading - clear)[kicks] > np.cos(np.radians(50.0))).all(), "40 degrees, and what it turns since"
+        assert (match.balls["vx"][kicks] > -0.1).all(), "nearly along the goal line at worst, with a kick that strays"
+        kicked |= kicks
+    assert kicked.mean() > 0.9
+    assert not match.matches["score"].any()
+    match.close()
+
+
+@pytest.mark.parametrize("team", ["chaser", "sacks-2001"])
+def test_a_legged_keeper_that_faces_its_goal_does_not_kick(team: str) -> None:
+    match = keeper_at_goal(LEGGED, team)
+    body, ball = match.league.body, match.league.ball
+    heading = np.linspace(0.6, 1.4, MATCHES) * np.pi
+    touch = body.front + ball.radius
+    put(match, 0, -0.9, 0.0, heading)
+    put_ball(match, -0.9 + touch * np.cos(heading), touch * np.sin(heading))
+    match.rebuild()
+    for _ in range(4):
+        match.step()
+        assert not match.robot_events["kick"].any()
+        assert not (match.robots["kick_clock"][:, 0] > 0.0).any()
+    match.close()
+
+
+def test_sacks_keeper_clears_only_where_its_setting_says_so() -> None:
+    kicks = []
+    for team in ("sacks-2001", "sacks-2001:keeper_clears=False"):
+        match = with_the_ball(team, 0.3)
+        kicked = np.zeros(MATCHES, bool)
+        for _ in range(steps_in(match, 2.0)):
+            match.step()
+            kicked |= match.robot_events["kick"][:, 0] == 1
+        kicks.append(kicked.mean())
+        match.close()
+    assert kicks[0] > 0.8 and kicks[1] == 0.0
+
+
+def test_mh04_the_middle_size_keeper_clears_a_resting_ball_by_driving_into_it() -> None:
+    """MH04: it has no kicker. The ball ends beyond its penalty area, and no goal falls."""
+    match = keeper_at_goal(MIDDLE, "chaser")
+    rng, pitch = np.random.default_rng(3), match.league.pitch
+    put(match, 0, -pitch.length / 2 + 0.35, 0.0, 0.0)
+    put_ball(match, -pitch.length / 2 + rng.uniform(0.8, 1.3, MATCHES), rng.uniform(-0.8, 0.8, MATCHES))
+    match.rebuild()
+    cleared = np.zeros(MATCHES, bool)
+    for _ in range(steps_in(match, 12.0)):
+        match.step()
+        x, y = match.events["ball_x"], match.events["ball_y"]
+        cleared |= (x > -pitch.length / 2 + pitch.penalty_depth) | (abs(y) > pitch.penalty_width / 2)
+        assert not match.robot_events["kick"].any()
+    assert cleared.all()
+    assert not match.matches["score"].any()
+    match.close()
