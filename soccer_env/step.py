@@ -27,8 +27,9 @@ from soccer_env.physics.exchange import count_substeps, is_finite, read_records,
 from soccer_env.physics.interlock import catch_legs
 from soccer_env.physics.kicker import holds_ball, work_kicker
 from soccer_env.referee.calls import judge
-from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
+from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.separation import pull_apart, watch_contacts
+from soccer_env.referee.steering import steer_to_place
 from soccer_env.rewards import POTENTIALS, measure_potentials, reward_robots
 from soccer_env.scenes import judge_drill
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
@@ -174,7 +175,7 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
     for r in range(robots.shape[0]):
         robot = robots[r]
         if match.placing == 1:
-            steer_to_place(robot, k)
+            steer_to_place(match, robot, k)
         if k.legs == 1 and robot.gait_phase % k.gait_steps == 0:
             catch_legs(robots, r, k)
         drive(robot, k, match.step, match.handedness, solver.stances[r])

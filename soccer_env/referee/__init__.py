@@ -3,5 +3,6 @@
 calls.py        what the referee sees and calls: goals, out of play, stuck ball, the end of a half
 restarts.py     how a restart is carried out: the ball, places, distances
 formation.py    where robots stand at a restart
+steering.py     how robots drive there, round the held ball
 separation.py   opponents that hold each other are pulled apart
 """

@@ -1,22 +1,22 @@
 """Carry out a restart: put the ball down, choose places, keep the distances, put robots there or let them drive.
 
 Under instant placement the robots stand at their places at once. Under drive placement the referee steers them for up
-to the league's placing time while the ball lies still and the clock runs. Then the taker is put at its place, and
-whoever stands too near the ball, in the wrong half or in another robot is moved as far as it must be.
+to the league's placing time (steering.py), while the ball lies still, an obstacle to all, and the clock runs. Then the
+taker is put at its place, and whoever stands too near the ball, in the wrong half or in another robot is moved as far
+as it must be.
 
 `k`: the league's constants.
 """
 
 from __future__ import annotations
 
-from math import atan2, cos, sin
-
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, direction_of, into_frame, length, wrap
+from soccer_env.geometry import clip, direction_of, length
 from soccer_env.physics.ball import hold
 from soccer_env.referee.formation import choose_places, is_taker
+from soccer_env.referee.steering import ARRIVED, keep_off
 from soccer_env.types import Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
@@ -26,8 +26,6 @@ STIR = 20  # passes between two changes: straight out of the ring round the ball
 SWIRL = 3.0  # [1] length of the move along the ring over that of the move out of it
 MARGIN = 0.02  # [m] between robots, assumed
 CARRIED = 0.03  # [m] a robot that is moved farther was carried, assumed
-ARRIVED = 0.10  # [m] from its place, assumed
-SLOW_ZONE = 0.25  # [s] of travel before the place in which a robot slows down, assumed
 
 
 @compiled
@@ -42,8 +40,17 @@ def carry_out_restart(match, ball, robots, k, drive):
     keep_distances(match, robots, k)
     if drive == 1 and match.phase != DROP_BALL:
         match.placing = 1
+        keep_all_off(robots, k, ball)
     else:
         place_robots(robots)
+
+
+@compiled
+def keep_all_off(robots, k, ball):
+    """Let nobody stand in the ball that is held; who is set back far was carried, and is told where it is."""
+    for r in range(robots.shape[0]):
+        if keep_off(robots[r], k, ball) > CARRIED:
+            robots[r].placed = 1
 
 
 @compiled
@@ -187,32 +194,6 @@ def stay_on_pitch(match, robot, k):
 
 
 @compiled
-def steer_to_place(robot, k):
-    """Command a robot towards its place, whatever its team asked for."""
-    x, y = robot.place_x - robot.x, robot.place_y - robot.y
-    cosine, sine = cos(robot.heading), sin(robot.heading)
-    ahead, left = into_frame(x, y, cosine, sine)
-    turn = wrap(robot.place_heading - robot.heading)
-    if k.drive_sideways <= 0.0:  # a differential base cannot step aside: it turns towards the place first
-        ahead, left, turn = aim_ahead(ahead, left, turn)
-    slow = SLOW_ZONE * k.drive_forward + 1e-9
-    robot.command.forward = clip(ahead / slow, -1.0, 1.0)
-    robot.command.left = clip(left / slow, -1.0, 1.0)
-    robot.command.turn = clip(turn, -1.0, 1.0)
-    robot.command.kick = 0.0
-
-
-@compiled
-def aim_ahead(ahead, left, turn):
-    """Return what a base that cannot step aside should do: face the place, drive, then take up the heading."""
-    distance = length(ahead, left)
-    if distance < ARRIVED:
-        return 0.0, 0.0, turn
-    bearing = atan2(left, ahead)
-    return (distance if abs(bearing) < 0.5 else 0.0), 0.0, bearing
-
-
-@compiled
 def is_ready(match, robots, r, k):
     """Tell whether robot r is ready for a restart: the taker at its place, the others where the rules let them."""
     robot = robots[r]
@@ -227,6 +208,7 @@ def is_ready(match, robots, r, k):
 def end_placing(match, ball, robots, k):
     """End the placement when all are ready or the time is up: correct illegal places, and stop all robots."""
     put_ball(ball, match.restart_x, match.restart_y)
+    keep_all_off(robots, k, ball)
     ready = True
     for r in range(robots.shape[0]):
         ready = ready and (robots[r].active == 0 or is_ready(match, robots, r, k))

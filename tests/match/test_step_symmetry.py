@@ -13,7 +13,8 @@ from soccer_env.perception.ideal import believe_truth_slice
 from soccer_env.physics.drive import drive, move_head
 from soccer_env.physics.kicker import work_kicker
 from soccer_env.referee.calls import judge
-from soccer_env.referee.restarts import carry_out_restart, end_placing, steer_to_place
+from soccer_env.referee.restarts import carry_out_restart, end_placing
+from soccer_env.referee.steering import steer_to_place
 from soccer_env.rewards import POTENTIALS, measure_potentials
 from soccer_env.step import clear_events
 from soccer_env.types import NO_TEAM, Phase
@@ -95,10 +96,10 @@ def drive_all(matches, balls, robots, constants):
 
 
 @compiled
-def steer_all(robots, constants):
+def steer_all(matches, robots, constants):
     for m in range(len(robots)):
         for r in range(robots.shape[1]):
-            steer_to_place(robots[m, r], constants[0])
+            steer_to_place(matches[m], robots[m, r], constants[0])
 
 
 @compiled
@@ -196,7 +197,7 @@ def test_driving_to_places_is_symmetric_and_so_is_its_end(name):
     match.matches["phase_clock"] = match.league.rules.placing_time
 
     def stage(records, events, robot_events, constants):
-        steer_all(records.robots, constants)
+        steer_all(records.matches, records.robots, constants)
         end_all(records.matches, records.balls, records.robots, constants)
 
     after = in_both_worlds(match, stage)
