@@ -98,6 +98,7 @@ def stand_on_ground(robot, k, stance):
     """
     forward, left = robot.walk.forward * robot.slip.forward, robot.walk.left * robot.slip.left
     stance.vx, stance.vy = out_of_frame(forward, left, cos(robot.heading), sin(robot.heading))
+    stance.active = robot.active
     stance.omega = robot.walk.turn * robot.slip.turn
     stands = robot.walk.forward == 0.0 and robot.walk.left == 0.0 and robot.walk.turn == 0.0
     stance.caught_by, stance.caught_leg, stance.caught_gap = robot.caught_by, robot.caught_leg, robot.caught_gap

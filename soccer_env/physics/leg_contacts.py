@@ -51,6 +51,8 @@ def find_leg_contacts(solver, k, dt):
         place_legs(solver.stances[r], k)
     near = 2.0 * k.body_reach
     for r in range(solver.robots):
+        if solver.stances[r].active == 0:
+            continue
         body = solver.stances[r].body
         x, y = number_at(body + BODY_X), number_at(body + BODY_Y)
         for other in range(r + 1, solver.robots):

@@ -32,6 +32,7 @@ STANCE = np.dtype(
         ("given_x", "f8"),  # [m/s] field frame: what the ground has added to its velocity in this substep
         ("given_y", "f8"),  # [m/s]
         ("given_turn", "f8"),  # [rad/s]
+        ("active", "i8"),  # 0: parked off the pitch, where its legs touch nothing
         ("meets", "i8"),  # 1: its legs touch something in this substep
         ("caught_by", "i8"),  # as in the robot's record
         ("caught_leg", "i8"),
