@@ -10,8 +10,9 @@ import numpy as np
 
 from soccer_env.leagues.league import League
 from soccer_env.train.play.convex import Shape, gap
-from soccer_env.train.play.outlines import board_shapes, placed, shapes_of
+from soccer_env.train.play.outlines import board_shapes, has_legs, placed, posts_of, swung, trunk_of
 
+SWING = 0.05  # [m] more than any leg swings
 NEAR = 0.02  # [m] what is farther apart than this need not be known exactly: inf
 
 
@@ -38,19 +39,21 @@ def measure_gaps(league: League, balls: np.ndarray, robots: np.ndarray) -> Gaps:
 
 
 def ball_robot_gaps(league: League, balls: np.ndarray, robots: np.ndarray) -> np.ndarray:
-    """Return the gaps (T, M, R) between ball and robots."""
+    """Return the gaps (T, M, R) between ball and robots; posts of legs are where the gait has swung them."""
     distance = np.hypot(robots["x"] - balls["x"][..., None], robots["y"] - balls["y"][..., None])
-    near = (distance < league.body.reach + league.ball.radius + NEAR) & (robots["active"] == 1)
+    near = (distance < league.body.reach + SWING + league.ball.radius + NEAR) & (robots["active"] == 1)
     touched = np.broadcast_to(balls[..., None], robots.shape)[near]
-    return filled(near, least_gap(at_poses(league, robots[near]), [disc(touched, league.ball.radius)]))
+    shapes = at_poses([trunk_of(league.body), *swung(league, robots[near])], robots[near])
+    return filled(near, least_gap(shapes, [disc(touched, league.ball.radius)]))
 
 
 def robot_robot_gaps(league: League, robots: np.ndarray, pairs: np.ndarray) -> np.ndarray:
-    """Return the gaps (T, M, P) between the robots of each pair, by the bodies as they stand."""
+    """Return the gaps (T, M, P) between the robots of each pair, posts standing still."""
+    standing = [trunk_of(league.body), *posts_of(league.body)]
     one, other = robots[..., pairs[:, 0]], robots[..., pairs[:, 1]]
     near = np.hypot(one["x"] - other["x"], one["y"] - other["y"]) < 2.0 * league.body.reach + NEAR
     near &= (one["active"] == 1) & (other["active"] == 1)
-    return filled(near, least_gap(at_poses(league, one[near]), at_poses(league, other[near])))
+    return filled(near, least_gap(at_poses(standing, one[near]), at_poses(standing, other[near])))
 
 
 def ball_board_gaps(league: League, balls: np.ndarray) -> np.ndarray:
@@ -60,9 +63,12 @@ def ball_board_gaps(league: League, balls: np.ndarray) -> np.ndarray:
 
 
 def robot_board_gaps(league: League, robots: np.ndarray) -> np.ndarray:
-    """Return the gaps (T, M, R) between robots and boards."""
-    near = away_from_middle(league, robots, league.body.reach) & (robots["active"] == 1)
-    return filled(near, least_gap(at_poses(league, robots[near]), board_shapes(league.pitch)))
+    """Return the gaps (T, M, R) between robots and boards; posts of legs meet the feet of the boards."""
+    foot = league.pitch.board_foot if has_legs(league.body) else 0.0
+    near = away_from_middle(league, robots, league.body.reach + foot) & (robots["active"] == 1)
+    trunk, posts = at_poses([trunk_of(league.body)], robots[near]), at_poses(posts_of(league.body), robots[near])
+    of_trunk = least_gap(trunk, board_shapes(league.pitch))
+    return filled(near, np.minimum(of_trunk, least_gap(posts, board_shapes(league.pitch, foot))))
 
 
 def away_from_middle(league: League, things: np.ndarray, reach: float) -> np.ndarray:
@@ -73,9 +79,9 @@ def away_from_middle(league: League, things: np.ndarray, reach: float) -> np.nda
     return found
 
 
-def at_poses(league: League, robots: np.ndarray) -> list[Shape]:
-    """Return the shapes of robots (N,) in the field frame."""
-    return [placed(shape, robots) for shape in shapes_of(league.body)]
+def at_poses(shapes: Sequence[Shape], robots: np.ndarray) -> list[Shape]:
+    """Return shapes of the robot frame in the field frame, for robots (N,)."""
+    return [placed(shape, robots) for shape in shapes]
 
 
 def disc(things: np.ndarray, radius: float) -> Shape:
