@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -33,8 +34,16 @@ def write(play: Play, path: Path) -> None:
     write_whole(path, (json.dumps(as_dict(play), indent=1) + "\n").encode())
 
 
-def screen_table(play: Play) -> Table:
-    """Return the figures as a table; those of nothing are left out."""
+def read(path: Path) -> dict[str, Found]:
+    """Return the figures that a JSON file holds, by name; ValueError if it holds none."""
+    try:
+        return {one["name"]: Found(**one) for one in json.loads(path.read_text(encoding="utf-8"))["figures"]}
+    except (KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"before must be a file that a measurement of play has written, got {path}") from error
+
+
+def screen_table(play: Play, before: Mapping[str, Found] | None = None) -> Table:
+    """Return the figures as a table, beside those of an earlier measurement; those of nothing are left out."""
     from rich.table import Table
 
     settings, conditions = play.settings, play.conditions
@@ -43,12 +52,22 @@ def screen_table(play: Play) -> Table:
         f"{conditions.players[0]}v{conditions.players[1]}, {settings.matches} x {settings.minutes:g} min, "
         f"seed {settings.seed}"
     )
-    for name, side in (("", "left"), ("value", "right"), ("95 % interval", "right"), ("", "left")):
-        drawn.add_column(name, justify=side)  # type: ignore[arg-type]
+    drawn.add_column("")
+    for name in (*(("before", "95 % interval") if before else ()), "value", "95 % interval"):
+        drawn.add_column(name, justify="right")
+    drawn.add_column("")
     for found in play.figures:
-        if found.value is not None:
-            drawn.add_row(found.name, number(found.value), interval(found), found.unit)
+        both = [*([before.get(found.name)] if before else []), found]
+        if any(one is not None and one.value is not None for one in both):
+            drawn.add_row(found.name, *(cell for one in both for cell in cells(one)), found.unit)
     return drawn
+
+
+def cells(found: Found | None) -> tuple[str, str]:
+    """Return value and interval in words; nothing of a figure that is not known."""
+    if found is None or found.value is None:
+        return "", ""
+    return number(found.value), interval(found)
 
 
 def interval(found: Found) -> str:

@@ -47,6 +47,8 @@ class MeasureSettings(CommandSettings):
     """Let the referee pull nobody apart who stays in contact with an opponent."""
     out: Path | None = None
     """File for the results (JSON)."""
+    before: Path | None = None
+    """File of an earlier measurement, of another team, league or version: its figures stand beside the new ones."""
     sheets: Path | None = None
     """Folder for pictures of the seconds before goals, a sheet each (needs pygame-ce)."""
     goals: int = 25

@@ -7,7 +7,7 @@ import pytest
 
 from soccer_env.train.play import measures
 from soccer_env.train.play.measures import MEASURES, measure
-from soccer_env.train.play.report import screen_table, write
+from soccer_env.train.play.report import read, screen_table, write
 from soccer_env.train.play.settings import MeasureSettings, conditions_of
 
 TINY = MeasureSettings(matches=3, minutes=0.2, seed=5, senses="ideal", players=2)
@@ -29,6 +29,19 @@ def test_the_file_holds_settings_figures_and_what_each_means(tmp_path: Path) -> 
     assert {found["name"] for found in held["figures"]} == held["definitions"].keys()
     assert all(len(words) > 20 for words in held["definitions"].values())
     assert screen_table(play).row_count <= len(held["figures"])
+
+
+def test_figures_of_an_earlier_measurement_stand_beside_the_new_ones(tmp_path: Path) -> None:
+    play = measure(TINY)
+    write(play, tmp_path / "play.json")
+    before = read(tmp_path / "play.json")
+    assert list(before.values()) == list(play.figures)
+    alone, both = screen_table(play), screen_table(play, before)
+    assert [column.header for column in both.columns] == ["", "before", "95 % interval", "value", "95 % interval", ""]
+    assert list(both.columns[1].cells) == list(both.columns[3].cells) == list(alone.columns[1].cells)
+    (tmp_path / "play.json").write_text("{}")
+    with pytest.raises(ValueError, match="before must be a file"):
+        read(tmp_path / "play.json")
 
 
 def test_names_of_figures_are_all_different() -> None:
