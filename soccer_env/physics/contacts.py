@@ -25,7 +25,7 @@ def ball_gap(robot, k, ball_x, ball_y):
 
 @compiled
 def paws_gap(robot, k, ball_x, ball_y, handedness):
-    """Return the distance [m] between the ball and a robot's outline with its legs where they are in their stroke."""
+    """Return the distance [m] between the ball and a robot's outline with its legs where they are in a stroke.  MS51"""
     if k.legs == 0:
         return ball_gap(robot, k, ball_x, ball_y)
     ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, cos(robot.heading), sin(robot.heading))

@@ -23,7 +23,7 @@ from soccer_env.train.reproduce.dribble_runs import (
     run,
 )
 from soccer_env.train.reproduce.drill_runs import play_drill
-from soccer_env.train.reproduce.staging import LEGGED, put, stage
+from soccer_env.train.reproduce.staging import LEGGED, put, put_ball, stage
 
 BATCH = Batch("test", 0, 0)
 
@@ -69,8 +69,9 @@ def test_the_knee_is_where_losses_reach_half_of_their_greatest_share() -> None:
 
 def test_robots_that_walk_against_another_touch_it() -> None:
     match = stage(BATCH, matches=2, senses="ideal")
-    place_with_ball(match, -0.3, 0.0)
+    put(match, 0, -0.3, 0.0, 0.0)
     put(match, 1, [0.05, 0.9], 0.0, np.pi)
+    put_ball(match, -1.0, 0.8)
     found = run(match, 4.0, dribbling.walking(match, 0.035, np.zeros(2)))
     assert found.touches.any(axis=0).tolist() == [True, False]
     assert found.x[-1, 1] > found.x[-1, 0]

@@ -1,8 +1,7 @@
 """A ball that other robots hide in part, and what the rules make of it.  [Sacks 2001, 3.1.1]
 
 Scenes: a robot looks at a ball 30 to 60 cm ahead of its camera; one or two others stand at random before a part of
-it, on the ground plan. What they hide is measured in two pictures without noise at the finest resolution, one with
-them and one without.
+it, on the ground plan. What they hide is measured in two pictures without noise, with them and without.
 """
 
 from __future__ import annotations
@@ -40,8 +39,8 @@ APART, CLEAR = 0.30, 0.205  # [m] between two robots' middles, and from a robot'
 SIGHT = 0.25  # [m] from the line of sight within which others are put
 START = -0.3  # [m] where the robot stands that looks, ahead along the field
 BODY, CAMERA_AHEAD = find_league(LEGGED).body, find_league(LEGGED).head.camera_ahead
-SIDE = BODY.hind_y + BODY.tip_radius  # [m] half the width of the trunk that is seen, over the legs
-TRUNK = [(x, y) for x in (BODY.hind_x - BODY.tip_radius, BODY.front) for y in (-SIDE, SIDE)]  # [m] its corners
+SIDE, ENDS = BODY.hind_y + BODY.tip_radius, (BODY.hind_x - BODY.tip_radius, BODY.front)  # [m] of a trunk over its legs
+TRUNK = np.array([(x, y) for x in ENDS for y in (-SIDE, SIDE)])  # [m] its corners
 FINE = {"resolution": "176x144", "dither": 0.0, "scale_error": 0.0, "ball_miss": 0.0}
 PLAIN = {"patches": 0.0, "red_as_orange": 0.0}  # nothing but the ball is orange
 CUT = 0.9  # [1] share of a dimension that is left, below which it counts as cut; a pixel is up to 5 % of it
@@ -83,10 +82,9 @@ def free_place(rng: np.random.Generator, ball: np.ndarray, taken: list[np.ndarra
 
 def stands_before(ball: np.ndarray, place: np.ndarray, heading: float) -> bool:
     """Tell whether a robot's trunk is before a part of the ball, seen from the camera on the ground plan."""
-    corners = np.array(TRUNK)
     turn = np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
     camera = CAMERA_AHEAD * ball / np.linalg.norm(ball)
-    trunk, away = place + corners @ turn - camera, ball - camera
+    trunk, away = place + TRUNK @ turn - camera, ball - camera
     angles = wrapped(np.arctan2(trunk[:, 1], trunk[:, 0]) - np.arctan2(away[1], away[0]))
     half = np.arcsin(find_league(LEGGED).ball.radius / np.linalg.norm(away))
     return bool(angles.min() < half and angles.max() > -half and np.ptp(angles) < np.pi)
