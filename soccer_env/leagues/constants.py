@@ -40,6 +40,7 @@ WHOLE_NUMBERS: dict[str, Callable[[League], int]] = {
     "delay_steps": lambda league: league.delay_steps,
     "keeper_kicks": lambda league: league.kicker.keeper_kicks,
     "substeps_least": lambda league: league.substeps.least,
+    "substeps_close": lambda league: league.substeps.close,
     "substeps_most": lambda league: league.substeps.most,
     "teammate_slots": lambda league: league.slots.teammates,
     "opponent_slots": lambda league: league.slots.opponents,

@@ -60,7 +60,7 @@ class Pitch(Part):
     band_side: float = 0.0
     band_end: float = 0.0
     board_foot: float = 0.0  # how far the sloped foot of a board reaches into the pitch, and how high: 45 degrees
-    post_radius: float = field(default=0.02, metadata=PYTHON_ONLY)
+    post_radius: float = 0.02
     line: float = field(default=0.025, metadata=PYTHON_ONLY)
 
 
@@ -120,10 +120,11 @@ class Slots(Part):
 class Substeps(Part):
     """How finely the physics cuts a control step."""
 
-    BOUNDS = dict.fromkeys(("least", "most", "travel", "iterations"), ABOVE_ZERO)
-    ORDER = (("least", "at most", "most"),)
+    BOUNDS = dict.fromkeys(("least", "close", "most", "travel", "iterations"), ABOVE_ZERO)
+    ORDER = (("least", "at most", "close"), ("close", "at most", "most"))
 
     least: int
+    close: int  # the least while a robot is within reach of the ball or of another robot
     most: int
     travel: float  # [m] that the fastest body may move in a substep
     iterations: int  # of the contact solver

@@ -170,7 +170,7 @@ LEAGUE = League(  # MS56
     head=HEAD,
     rules=RULES,
     slots=Slots(teammates=2, opponents=3),  # Sacks 2001, 4.1.1
-    substeps=Substeps(least=2, most=12, travel=0.0125, iterations=10, slop=0.001),
+    substeps=Substeps(least=2, close=4, most=12, travel=0.0125, iterations=10, slop=0.001),
     evaluation_minutes=10.0,  # [min] a half of the league's own length, assumed
     source="Sacks 2001, University of Pennsylvania",
     sensors=LeggedSensors(),

@@ -155,7 +155,7 @@ LEAGUE = League(
     head=Head(camera_height=0.75),  # [m] omnidirectional camera, assumed
     rules=RULES,
     slots=Slots(teammates=4, opponents=5),
-    substeps=Substeps(least=2, most=8, travel=0.044, iterations=10, slop=0.002),
+    substeps=Substeps(least=2, close=4, most=8, travel=0.044, iterations=10, slop=0.002),
     evaluation_minutes=4.0,  # [min] assumed
     evaluation_placement="drive",
     source="Heinemann et al. 2006, University of Tübingen",

@@ -46,7 +46,7 @@ from soccer_env.physics.chipmunk_memory import (
     number_at,
     store,
 )
-from soccer_env.physics.leg_contacts import CONTACT_BYTES, contact_at
+from soccer_env.physics.post_contacts import CONTACT_BYTES, contact_at
 from soccer_env.physics.solver_records import MOST_CONTACTS
 
 

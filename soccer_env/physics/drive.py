@@ -25,7 +25,7 @@ SLIP = int(RobotStream.SLIP)
 def drive(robot, k, step, handedness, stance):
     """Turn a robot's command into what its legs or wheels want of the ground."""
     if k.legs == 1:
-        note_paws(robot, k, stance.paws, handedness)
+        note_paws(robot, k, stance.posts, handedness)
     request_walk(robot, k, step)
     if robot.gait_phase % k.slip_steps == 0 and k.drive_slip > 0.0:
         draw_slip(robot, k, handedness)
@@ -36,7 +36,7 @@ def drive(robot, k, step, handedness, stance):
         robot.gait_phase = 0
     change_walk(robot, k)
     if k.legs == 1:
-        aim_paws(robot, k, stance.paws, handedness)
+        aim_paws(robot, k, stance.posts, handedness)
     stand_on_ground(robot, k, stance)
 
 

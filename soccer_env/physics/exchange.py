@@ -16,13 +16,32 @@ HELD = 1e-9  # [1] share of its lightness that a ball has which the referee hold
 
 @compiled
 def count_substeps(ball, robots, k):
-    """Return how many substeps the fastest body needs, so that none travels too far in one."""
+    """Return how many substeps the fastest body needs, so that none travels too far in one, and more in a throng."""
     fastest = length(ball.vx, ball.vy)
     for r in range(robots.shape[0]):
         robot = robots[r]
         fastest = max(fastest, length(robot.vx, robot.vy) + abs(robot.omega) * k.body_reach)
     wanted = int(ceil(fastest * k.dt / k.substeps_travel))
-    return min(max(wanted, k.substeps_least), k.substeps_most)
+    least = k.substeps_close if anyone_close(ball, robots, k) else k.substeps_least
+    return min(max(wanted, least), k.substeps_most)
+
+
+@compiled
+def anyone_close(ball, robots, k):
+    """Tell whether a robot is within reach of the ball or of another robot: where things press, overlaps grow."""
+    to_ball, to_robot = k.body_reach + k.ball_radius, 2.0 * k.body_reach
+    for r in range(robots.shape[0]):
+        robot = robots[r]
+        if robot.active == 0:
+            continue
+        x, y = ball.x - robot.x, ball.y - robot.y
+        if x * x + y * y < to_ball * to_ball:
+            return True
+        for other in range(r + 1, robots.shape[0]):
+            x, y = robots[other].x - robot.x, robots[other].y - robot.y
+            if x * x + y * y < to_robot * to_robot:
+                return True
+    return False
 
 
 @compiled

@@ -14,7 +14,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame
 from soccer_env.physics.chipmunk_memory import BODY_COS, BODY_SIN, BODY_X, BODY_Y, number_at
 from soccer_env.physics.gait import LEGS, stance
-from soccer_env.physics.leg_contacts import add_contact, aim, contact_key
+from soccer_env.physics.post_contacts import add_contact, aim, contact_key
 
 GAPS = 4  # between two neighbouring legs: the fore ones, the hind ones, the left, the right
 HOLD = 6  # in the place of the other robot's leg in a contact's key
@@ -88,8 +88,8 @@ def hold_leg(solver, k, r, other):
     robot, holder = solver.stances[r], solver.stances[other]
     body = holder.body
     cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
-    paw = robot.paws[robot.caught_leg]
-    x, y = paw.post_x - number_at(body + BODY_X), paw.post_y - number_at(body + BODY_Y)
+    leg = robot.posts[robot.caught_leg]
+    x, y = leg.field_x - number_at(body + BODY_X), leg.field_y - number_at(body + BODY_Y)
     ahead, left = into_frame(x, y, cosine, sine)
     if gap_distance(k, robot.caught_gap, ahead, left) > 2.0 * k.body_tip_radius:
         return
@@ -99,4 +99,4 @@ def hold_leg(solver, k, r, other):
     nx, ny = out_of_frame(-out_x, -out_y, cosine, sine)
     contact = add_contact(solver, contact_key(r, robot.caught_leg, other, HOLD), robot.body, body)
     contact.grip = GRIP
-    aim(solver, contact, nx, ny, paw.post_x, paw.post_y, 0.0, 0.0, 0.0)
+    aim(solver, contact, nx, ny, leg.field_x, leg.field_y, 0.0, 0.0, 0.0)

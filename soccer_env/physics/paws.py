@@ -6,24 +6,23 @@
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.physics.gait import paw_offset, stance
-from soccer_env.physics.solver_records import PAWS
+from soccer_env.physics.gait import LEGS, paw_offset
 
 
 @compiled
-def note_paws(robot, k, paws, handedness):
-    """Note where a robot's paws are before its gait goes on; paws (4,) of PAW."""
-    for leg in range(PAWS):
-        x, y = stance(k, leg)
+def note_paws(robot, k, posts, handedness):
+    """Note where a robot's paws are before its gait goes on; posts (4,) of POST."""
+    for leg in range(LEGS):
+        paw = posts[leg]
         ahead, left = paw_offset(robot, k, leg, handedness)
-        paws[leg].x, paws[leg].y = x + ahead, y + left
+        paw.x, paw.y = paw.stand_x + ahead, paw.stand_y + left
 
 
 @compiled
-def aim_paws(robot, k, paws, handedness):
+def aim_paws(robot, k, posts, handedness):
     """Give the paws the velocity that takes them, within a control step, to where the gait now wants them."""
-    for leg in range(PAWS):
-        x, y = stance(k, leg)
+    for leg in range(LEGS):
+        paw = posts[leg]
         ahead, left = paw_offset(robot, k, leg, handedness)
-        paws[leg].vx = (x + ahead - paws[leg].x) / k.dt
-        paws[leg].vy = (y + left - paws[leg].y) / k.dt
+        paw.vx = (paw.stand_x + ahead - paw.x) / k.dt
+        paw.vy = (paw.stand_y + left - paw.y) / k.dt

@@ -1,13 +1,14 @@
-"""Our part of Chipmunk's contact solver: the ground under the robots, their legs, and the ball's roll in a blow.
+"""Our part of Chipmunk's contact solver: the ground under the robots, their legs and guides, and
+the ball's roll in a blow.
 
 Chipmunk solves the contacts of a substep together, in a few rounds of impulses. What acts at the same time as they do
 must take part in those rounds: a ground that is asked once a control step lets a robot that stands be pushed along as
 on ice, since the solver, which knows nothing of the ground, shares out the momentum of the two. So each Space holds
 one constraint of our own, whose four functions Chipmunk calls in every substep:
 
-    prepare      once contacts are known: what legs touch is found, robots that touch nothing are driven at once
+    prepare      once contacts are known: what posts touch is found, robots that touch nothing are driven at once
     resume       the impulses of the last substep, from which the rounds start
-    solve_round  once a round, after Chipmunk's contacts: those of legs, the ground under robots that touch something
+    solve_round  once a round, after Chipmunk's contacts: those of posts, the ground under robots that touch something
     finish       after the last round: the ball's roll
 
 The constraint is made as a motor and gets our functions in the place of the motor's; its rate holds the address of the
@@ -34,6 +35,8 @@ from soccer_env.physics.chipmunk_memory import (
     BODY_OMEGA,
     BODY_VX,
     BODY_VY,
+    BODY_X,
+    BODY_Y,
     CONSTRAINT_CLASS,
     MOTOR_RATE,
     address_at,
@@ -44,9 +47,11 @@ from soccer_env.physics.chipmunk_memory import (
     store,
 )
 from soccer_env.physics.interlock import hold_caught
-from soccer_env.physics.leg_contacts import find_leg_contacts
-from soccer_env.physics.leg_rows import resume_legs, solve_legs
+from soccer_env.physics.post_contacts import find_post_contacts
+from soccer_env.physics.post_rows import resume_posts, solve_posts
+from soccer_env.physics.post_walls import meet_walls
 from soccer_env.physics.solver_records import SOLVER
+from soccer_env.physics.space import loose_posts
 
 solver_at: Any = record_reader(SOLVER)
 constants_at: Any = record_reader(CONSTANTS)
@@ -54,12 +59,18 @@ constants_at: Any = record_reader(CONSTANTS)
 
 @callback("void", "address", "float64")
 def prepare(constraint, dt):
-    """Find what legs touch, drive the robots that touch nothing, and list those that do and the ball's contacts."""
+    """Find what posts touch, drive the robots that touch nothing, and list those that do and the ball's contacts."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
     solver.time += dt
-    if solver.legs == 1:
-        find_leg_contacts(solver, constants_at(solver.constants), dt)
-        hold_caught(solver, constants_at(solver.constants))
+    if solver.posts > 0:
+        k = constants_at(solver.constants)
+        find_post_contacts(solver, k, dt)
+        for r in range(solver.robots):
+            stance = solver.stances[r]
+            if stance.active == 1:
+                meet_walls(solver, k, r, number_at(stance.body + BODY_X), number_at(stance.body + BODY_Y))
+        if k.legs == 1:
+            hold_caught(solver, k)
     count = 0
     for r in range(solver.robots):
         stance = solver.stances[r]
@@ -77,7 +88,7 @@ def prepare(constraint, dt):
 def resume(constraint, share):
     """Begin the rounds with the impulses of the last substep, times the ratio of the substeps' lengths."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
-    resume_legs(solver, share)
+    resume_posts(solver, share)
     for i in range(solver.touching_count):
         stance = solver.stances[solver.touching[i]]
         body = stance.body
@@ -91,9 +102,9 @@ def resume(constraint, share):
 
 @callback("void", "address", "float64")
 def solve_round(constraint, dt):
-    """Look at the contacts of legs, then let the ground act on the robots that touch something."""
+    """Look at the contacts of posts, then let the ground act on the robots that touch something."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
-    solve_legs(solver)
+    solve_posts(solver)
     for i in range(solver.touching_count):
         hold_ground(solver.stances[solver.touching[i]], dt)
 
@@ -136,14 +147,14 @@ def hold_ground(stance, dt):
 def attach(space: pymunk.Space, solver: np.ndarray, contacts: np.ndarray, league: League, k: np.ndarray) -> None:
     """Let our functions take part in solving a Space whose dynamic bodies are the ball and the robots, in this order.
 
-    They work on a SOLVER record (1,), on contacts (2, n) of LEG_CONTACT, those of this substep and of the last, and on
+    They work on a SOLVER record (1,), on contacts (2, n) of POST_CONTACT, those of this substep and of the last, and on
     the constants (1,) of the league. The caller keeps all of them alive and in place.
     """
     if not layout_fits():
         raise RuntimeError(f"this package needs pymunk 7.3 on a 64-bit machine, found {pymunk.version}")
     bodies = [address_of(body) for body in space.bodies]
     solver[0] = np.zeros((), SOLVER)
-    solver["robots"], solver["legs"] = len(bodies) - 1, league.body.legs
+    solver["robots"], solver["posts"] = len(bodies) - 1, len(loose_posts(league.body))
     solver["constants"], solver["slop"] = k.ctypes.data, league.substeps.slop
     solver["ground"], solver["ball"] = address_of(space.static_body), bodies[0]
     solver["spin_mass"] = league.ball.shell * league.ball.mass
@@ -155,6 +166,9 @@ def attach(space: pymunk.Space, solver: np.ndarray, contacts: np.ndarray, league
     solver["contacts"], solver["last_contacts"] = contacts[0].ctypes.data, contacts[1].ctypes.data
     solver["contact_room"] = contacts.shape[1]
     solver["stances"]["body"][0, : len(bodies) - 1] = bodies[1:]
+    for i, (x, y) in enumerate(loose_posts(league.body)):
+        post = solver["stances"]["posts"][..., i]
+        post["x"], post["y"] = post["stand_x"], post["stand_y"] = x, y
     _add_constraint(space, solver.ctypes.data)
 
 

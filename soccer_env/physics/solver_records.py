@@ -7,18 +7,20 @@ import numpy as np
 from soccer_env.types import MAX_TEAM
 
 MOST_ROBOTS = 2 * MAX_TEAM
-PAWS = 4  # of a robot, in the order of `gait.py`
+POSTS = 4  # of a robot that there is room for: left fore, right fore, left hind, right hind
 MOST_CONTACTS = 8  # of the ball that are treated; more do not fit round it
-LEG_CONTACTS = 8  # for each robot that there is room for in a match
+POST_CONTACTS = 8  # for each robot that there is room for in a match
 
-PAW = np.dtype(
-    [
-        ("x", "f8"),  # [m] robot frame, at the beginning of the control step
+POST = np.dtype(
+    [  # a leg, or a tip of a guide
+        ("stand_x", "f8"),  # [m] robot frame, where it stands, in the middle of its stroke
+        ("stand_y", "f8"),  # [m] robot frame
+        ("x", "f8"),  # [m] robot frame, where it is at the beginning of the control step
         ("y", "f8"),  # [m] robot frame
         ("vx", "f8"),  # [m/s] over the robot's body, in its frame
         ("vy", "f8"),  # [m/s]
-        ("post_x", "f8"),  # [m] field frame, where its leg stands in this substep, in the middle of its stroke
-        ("post_y", "f8"),  # [m] field frame
+        ("field_x", "f8"),  # [m] field frame, where it stands in this substep
+        ("field_y", "f8"),  # [m] field frame
     ]
 )
 STANCE = np.dtype(
@@ -32,12 +34,12 @@ STANCE = np.dtype(
         ("given_x", "f8"),  # [m/s] field frame: what the ground has added to its velocity in this substep
         ("given_y", "f8"),  # [m/s]
         ("given_turn", "f8"),  # [rad/s]
-        ("active", "i8"),  # 0: parked off the pitch, where its legs touch nothing
-        ("meets", "i8"),  # 1: its legs touch something in this substep
+        ("active", "i8"),  # 0: parked off the pitch, where its posts touch nothing
+        ("meets", "i8"),  # 1: its posts touch something in this substep
         ("caught_by", "i8"),  # as in the robot's record
         ("caught_leg", "i8"),
         ("caught_gap", "i8"),
-        ("paws", PAW, (PAWS,)),
+        ("posts", POST, (POSTS,)),
     ]
 )
 BALL_CONTACT = np.dtype(
@@ -46,8 +48,8 @@ BALL_CONTACT = np.dtype(
         ("friction", "f8"),  # [1] of the pair
     ]
 )
-LEG_CONTACT = np.dtype(
-    [  # a leg of robot A that touches B; the normal points from A to B
+POST_CONTACT = np.dtype(
+    [  # a post of robot A that touches B; the normal points from A to B
         ("key", "i8"),  # the same in the next substep, if the same two touch again
         ("a", "u8"),  # address of A's body
         ("b", "u8"),  # address of B's: a robot, the ball, or the static body
@@ -75,7 +77,7 @@ LEG_CONTACT = np.dtype(
 SOLVER = np.dtype(
     [
         ("robots", "i8"),  # how many there are
-        ("legs", "i8"),  # 1: they have legs that this part of the solver lets touch things
+        ("posts", "i8"),  # of a robot that this part of the solver lets touch things
         ("constants", "u8"),  # address of the league's constants
         ("time", "f8"),  # [s] since the beginning of the control step
         ("slop", "f8"),  # [m] overlap that is left alone
@@ -95,7 +97,7 @@ SOLVER = np.dtype(
         ("robot_friction", "f8"),  # [1]
         ("board_elasticity", "f8"),  # [1] of robot and board
         ("board_friction", "f8"),  # [1]
-        ("contacts", "u8"),  # address of the first LEG_CONTACT of this substep
+        ("contacts", "u8"),  # address of the first POST_CONTACT of this substep
         ("contact_count", "i8"),
         ("last_contacts", "u8"),  # address of the first of the last substep
         ("last_count", "i8"),

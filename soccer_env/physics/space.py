@@ -3,7 +3,7 @@
 Bodies are added as ball, robot 0, robot 1, ...; that order is the order of rows in every body array. A Space is made
 anew at each reset: one that is reset in place remembers its past and breaks reproducibility.
 
-A robot with legs is a trunk here; its legs are found apart (`leg_contacts.py`).
+A robot is a disc or capsule here; what its posts touch, legs or tips of a guide, is found apart (`post_contacts.py`).
 """
 
 from __future__ import annotations
@@ -64,12 +64,17 @@ def robot_moment(league: League) -> float:
 
 
 def robot_shapes(body: pymunk.Body, league: League, surface: Surface) -> list[pymunk.Shape]:
-    """Return the shapes of a robot: its hull, disc or capsule, and posts that do not swing."""
+    """Return the shapes of a robot: its disc or capsule, or its hull with its posts."""
     outline = league.body
     shapes = [trunk(body, outline)]
-    if not outline.legs:
+    if not loose_posts(outline):
         shapes += [pymunk.Circle(body, outline.tip_radius, place) for place in outline.posts]
     return [finish(shape, surface, BODY) for shape in shapes]
+
+
+def loose_posts(outline: Body) -> tuple[tuple[float, float], ...]:
+    """Return the posts [m] of a body that are no shapes here but found apart: all, unless the body is a hull."""
+    return () if outline.corners else outline.posts
 
 
 def trunk(body: pymunk.Body, outline: Body) -> pymunk.Shape:

@@ -24,7 +24,7 @@ from pymunk.batch import BodyFields
 from soccer_env.leagues.league import League
 from soccer_env.physics import chipmunk, solver
 from soccer_env.physics.chipmunk_memory import address_of
-from soccer_env.physics.solver_records import LEG_CONTACT, LEG_CONTACTS, SOLVER
+from soccer_env.physics.solver_records import POST_CONTACT, POST_CONTACTS, SOLVER
 
 Backend = Literal["c", "batch"]
 
@@ -54,7 +54,7 @@ class SpaceBatch:
         self.bodies = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 6))
         self.velocities = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 3))
         self.solvers = np.zeros(matches, SOLVER)
-        self._contacts = np.zeros((matches, 2, LEG_CONTACTS * bodies), LEG_CONTACT)
+        self._contacts = np.zeros((matches, 2, POST_CONTACTS * bodies), POST_CONTACT)
         self.links = chipmunk.make_links(self.bodies, self.velocities) if self.backend == "c" else None
         self._read_buffer, self._write_buffer = pymunk_batch.Buffer(), pymunk_batch.Buffer()
         self._lock = threading.Lock()  # around the buffers

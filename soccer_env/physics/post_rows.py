@@ -21,11 +21,11 @@ from soccer_env.physics.chipmunk_memory import (
     number_at,
     store,
 )
-from soccer_env.physics.leg_contacts import CONTACT_BYTES, contact_at, slip_of
+from soccer_env.physics.post_contacts import CONTACT_BYTES, contact_at, slip_of
 
 
 @compiled
-def resume_legs(solver, share):
+def resume_posts(solver, share):
     """Begin with the impulses of the last substep, times the ratio of the substeps' lengths."""
     for i in range(solver.contact_count):
         contact = contact_at(solver.contacts + i * CONTACT_BYTES)
@@ -35,7 +35,7 @@ def resume_legs(solver, share):
 
 
 @compiled
-def solve_legs(solver):
+def solve_posts(solver):
     """Look at all contacts once."""
     for i in range(solver.contact_count):
         contact = contact_at(solver.contacts + i * CONTACT_BYTES)

@@ -1,9 +1,9 @@
-"""What legs touch: other robots' legs and trunks, the feet of boards, the ball.  MS51
+"""What the posts of robots touch, legs or tips of a guide: other robots, boards and their feet, the ball.  MS51
 
-Legs are no shapes of Chipmunk's, whose search for pairs would cost more than all the rest of a match: they are found
-here, in each substep, by the distances of circles from circles, from the capsules of trunks and from boards, and take
-part in the same rounds of impulses (`leg_rows.py`). A leg meets robots and boards where it stands, in the middle of
-its stroke, since a leg that swings against something heavy gives way; it meets the ball where it is.
+Posts are no shapes of Chipmunk's, whose search for pairs would cost more than all the rest of a match: they are found
+here, in each substep, by the distances of circles from circles, from discs and capsules and from boards, and take part
+in the same rounds of impulses (`post_rows.py`). A leg meets robots and boards where it stands, in the middle of its
+stroke, since a leg that swings against something heavy gives way; it meets the ball where it is.
 
 `k`: the league's constants.
 """
@@ -28,27 +28,26 @@ from soccer_env.physics.chipmunk_memory import (
     number_at,
     record_reader,
 )
-from soccer_env.physics.gait import stance as leg_stance
-from soccer_env.physics.solver_records import LEG_CONTACT, PAWS
+from soccer_env.physics.solver_records import POST_CONTACT, POSTS
 
 OVERLAP_LEFT = 1e-12  # [1] share of an overlap left after 1 s, assumed; Chipmunk's 0.0018 buries a ball in a scrum
-BALL, BOARD = 30, 31  # in the place of the other robot's row in a contact's key
+BALL = 30  # in the place of the other robot's row in a contact's key
 TRUNK = 4  # in the place of the other robot's leg
 
-contact_at: Any = record_reader(LEG_CONTACT)
-CONTACT_BYTES = int(LEG_CONTACT.itemsize)
+contact_at: Any = record_reader(POST_CONTACT)
+CONTACT_BYTES = int(POST_CONTACT.itemsize)
 
 
 @compiled
-def find_leg_contacts(solver, k, dt):
-    """List what the legs of a match touch in this substep of dt [s]."""
+def find_post_contacts(solver, k, dt):
+    """List what the posts of a match touch of other robots and the ball, in this substep of dt [s]."""
     solver.contacts, solver.last_contacts = solver.last_contacts, solver.contacts
     solver.last_count = solver.contact_count
     solver.contact_count = 0
     solver.repair = (1.0 - exp(log(OVERLAP_LEFT) * dt)) / dt
     for r in range(solver.robots):
         solver.stances[r].meets = 0
-        place_legs(solver.stances[r], k)
+        place_posts(solver, solver.stances[r])
     near = 2.0 * k.body_reach
     for r in range(solver.robots):
         if solver.stances[r].active == 0:
@@ -60,35 +59,33 @@ def find_leg_contacts(solver, k, dt):
             away_x, away_y = number_at(away + BODY_X) - x, number_at(away + BODY_Y) - y
             if away_x * away_x + away_y * away_y < near * near:
                 meet_robot(solver, k, r, other)
-        meet_boards(solver, k, r, x, y)
     meet_ball(solver, k)
 
 
 @compiled
-def place_legs(stance, k):
-    """Say where the legs of a robot stand in the field."""
+def place_posts(solver, stance):
+    """Say where the posts of a robot stand in the field."""
     body = stance.body
     x, y = number_at(body + BODY_X), number_at(body + BODY_Y)
     cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
-    for leg in range(PAWS):
-        ahead, left = leg_stance(k, leg)
-        paw = stance.paws[leg]
-        paw.post_x, paw.post_y = point_of_frame(x, y, ahead, left, cosine, sine)
+    for leg in range(solver.posts):
+        post = stance.posts[leg]
+        post.field_x, post.field_y = point_of_frame(x, y, post.stand_x, post.stand_y, cosine, sine)
 
 
 @compiled
 def meet_robot(solver, k, r, other):
     """List the contacts of two robots near each other: leg with leg, and legs of each with the trunk of the other."""
     both = 2.0 * k.body_tip_radius
-    for leg in range(PAWS):
-        post = solver.stances[r].paws[leg]
-        for its in range(PAWS):
-            across = solver.stances[other].paws[its]
-            x, y = across.post_x - post.post_x, across.post_y - post.post_y
+    for leg in range(solver.posts):
+        post = solver.stances[r].posts[leg]
+        for its in range(solver.posts):
+            across = solver.stances[other].posts[its]
+            x, y = across.field_x - post.field_x, across.field_y - post.field_y
             if x * x + y * y < both * both:
                 gap = length(x, y)
                 touch_robot(solver, k, r, leg, other, its, x, y, gap, both)
-    for leg in range(PAWS):
+    for leg in range(solver.posts):
         meet_trunk(solver, k, r, leg, other)
         meet_trunk(solver, k, other, leg, r)
 
@@ -96,10 +93,10 @@ def meet_robot(solver, k, r, other):
 @compiled
 def meet_trunk(solver, k, r, leg, other):
     """List the contact of a leg of robot r with the trunk of another robot, if they touch."""
-    post = solver.stances[r].paws[leg]
+    post = solver.stances[r].posts[leg]
     body = solver.stances[other].body
     cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
-    x, y = number_at(body + BODY_X) - post.post_x, number_at(body + BODY_Y) - post.post_y
+    x, y = number_at(body + BODY_X) - post.field_x, number_at(body + BODY_Y) - post.field_y
     ahead, _ = into_frame(-x, -y, cosine, sine)
     ahead = clip(ahead, k.body_disc_x - k.body_disc_back, k.body_disc_x)
     x += cosine * ahead
@@ -114,61 +111,12 @@ def touch_robot(solver, k, r, leg, other, part, x, y, gap, reach):
     """List a contact of robot r's leg with a part of another robot whose axis is x, y [m] away; they reach so far."""
     solver.stances[r].meets = 1
     solver.stances[other].meets = 1
-    post = solver.stances[r].paws[leg]
+    post = solver.stances[r].posts[leg]
     nx, ny = normal(x, y, gap)
-    place_x, place_y = post.post_x + nx * k.body_tip_radius, post.post_y + ny * k.body_tip_radius
+    place_x, place_y = post.field_x + nx * k.body_tip_radius, post.field_y + ny * k.body_tip_radius
     key = contact_key(r, leg, other, part)
     contact = add_contact(solver, key, solver.stances[r].body, solver.stances[other].body)
     aim(solver, contact, nx, ny, place_x, place_y, gap - reach, solver.robot_elasticity, solver.robot_friction)
-
-
-@compiled
-def meet_boards(solver, k, r, x, y):
-    """List the contacts of a robot's legs with the feet of the boards; x, y [m] its place."""
-    half_length = 0.5 * k.pitch_length + k.pitch_band_end
-    half_width = 0.5 * k.pitch_width + k.pitch_band_side
-    reach = k.body_reach + k.pitch_board_foot
-    if abs(x) + reach < half_length and abs(y) + reach < half_width:
-        return
-    for leg in range(PAWS):
-        post = solver.stances[r].paws[leg]
-        room = half_width - k.pitch_board_foot - abs(post.post_y)
-        if room < k.body_tip_radius:
-            touch_board(solver, k, r, leg, 0, 0.0, 1.0 if post.post_y > 0.0 else -1.0, room)
-        meet_end(solver, k, r, leg, half_length - k.pitch_board_foot)
-
-
-@compiled
-def meet_end(solver, k, r, leg, face):
-    """List the contacts of a leg with the boards beside and behind a goal; `face` [m] is where their feet begin."""
-    post = solver.stances[r].paws[leg]
-    end = 1.0 if post.post_x > 0.0 else -1.0
-    side = 1.0 if post.post_y > 0.0 else -1.0
-    past, aside = abs(post.post_x) - face, 0.5 * k.pitch_goal_width - abs(post.post_y)  # aside: room to the goal's side
-    back = 0.5 * k.pitch_length + k.pitch_goal_depth - abs(post.post_x)
-    if back < k.body_tip_radius:
-        touch_board(solver, k, r, leg, 1, end, 0.0, back)
-    if past <= 0.0 and aside > 0.0:  # before the mouth: the corner of the boards
-        gap = length(past, aside)
-        if gap < k.body_tip_radius:
-            nx, ny = normal(-past * end, aside * side, gap)
-            touch_board(solver, k, r, leg, 2, nx, ny, gap)
-    elif past + k.body_tip_radius > 0.0 and (aside <= 0.0 or aside < k.body_tip_radius):
-        if aside <= 0.0 and past < -aside:
-            touch_board(solver, k, r, leg, 2, end, 0.0, -past)
-        else:
-            touch_board(solver, k, r, leg, 2, 0.0, side, aside)
-
-
-@compiled
-def touch_board(solver, k, r, leg, part, nx, ny, room):
-    """List a contact of a robot's leg with something that stands still, `room` [m] from the leg's axis."""
-    solver.stances[r].meets = 1
-    post = solver.stances[r].paws[leg]
-    place_x, place_y = post.post_x + nx * room, post.post_y + ny * room
-    contact = add_contact(solver, contact_key(r, leg, BOARD, part), solver.stances[r].body, solver.ground)
-    gap = room - k.body_tip_radius
-    aim(solver, contact, nx, ny, place_x, place_y, gap, solver.board_elasticity, solver.board_friction)
 
 
 @compiled
@@ -183,7 +131,7 @@ def meet_ball(solver, k):
         if away_x * away_x + away_y * away_y < near * near:
             cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
             ahead, left = into_frame(away_x, away_y, cosine, sine)
-            for leg in range(PAWS):
+            for leg in range(solver.posts):
                 meet_paw(solver, k, r, leg, ahead, left, cosine, sine)
 
 
@@ -191,7 +139,7 @@ def meet_ball(solver, k):
 def meet_paw(solver, k, r, leg, ahead, left, cosine, sine):
     """List the contact of a paw with the ball, which lies ahead and left [m] of its robot, if they touch."""
     stance = solver.stances[r]
-    paw = stance.paws[leg]
+    paw = stance.posts[leg]
     x, y = ahead - paw.x - solver.time * paw.vx, left - paw.y - solver.time * paw.vy
     reach = k.body_tip_radius + k.ball_radius
     if x * x + y * y >= reach * reach:
@@ -220,7 +168,7 @@ def normal(x, y, gap):
 @compiled
 def contact_key(r, leg, other, part):
     """Return a number that is a contact's own."""
-    return ((r * PAWS + leg) * 32 + other) * 8 + part
+    return ((r * POSTS + leg) * 32 + other) * 8 + part
 
 
 @compiled
