@@ -123,10 +123,9 @@ def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
     if memory.clock >= REALLY_HAS:
         forget_approach(memory)
     memory.tries = 0
-    if memory.foiled <= 0.0 and can_clear(belief.situation, sight, k, play):
-        return SHOOT
     off = wrap(aim(sight, memory, k, play) - sight.heading)
-    if memory.foiled <= 0.0 and abs(off) < play.orbit_until and is_open(sight, memory, k, play):
+    shoots = abs(off) < play.orbit_until and is_open(sight, memory, k, play)
+    if memory.foiled <= 0.0 and (shoots or can_clear(belief.situation, sight, k, play)):
         return SHOOT
     if play.passes == 1 and memory.foiled <= 0.0 and find_pass(sight, k, play) >= 0:
         return PASS

@@ -86,6 +86,13 @@ MUTANTS = [
         TEST_LEAGUE + "test_mh04_the_kicker_shoots_as_hard_as_it_is_told",
     ),
     Mutant(
+        "MH04",
+        "soccer_env/physics/kicker.py",
+        "robot.keeper == 0 or k.keeper_kicks == 1",
+        "True",
+        TEST_LEAGUE + "test_mh04_the_kicker_shoots_as_hard_as_it_is_told",
+    ),
+    Mutant(
         "MH05",
         TALK,
         "uniform(noise[r], RADIO) < s.radio_loss",
