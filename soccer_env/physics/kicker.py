@@ -13,7 +13,8 @@ from math import cos, sin
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame
-from soccer_env.physics.contacts import TOUCH_GAP, ball_gap
+from soccer_env.physics.contacts import TOUCH_GAP, paws_gap
+from soccer_env.physics.gait import most_swing
 from soccer_env.random_numbers import normal, uniform
 from soccer_env.types import RobotStream
 
@@ -61,7 +62,7 @@ def finish_kick(robots, r, events, k, ball, handedness):
     luck = uniform(robot.noise, KICK)
     if not holds_ball(robot, k, ball.x, ball.y):
         return
-    badness = 1.0 if is_pinched(robots, r, k, ball) else lies_badly(robot, k, ball.x, ball.y)
+    badness = 1.0 if is_pinched(robots, r, k, ball, handedness) else lies_badly(robot, k, ball.x, ball.y)
     if luck < k.kicker_miss * badness * badness:
         return
     direction = robot.heading + (1.0 + badness) * stray
@@ -92,18 +93,18 @@ def lies_badly(robot, k, ball_x, ball_y):
 
 
 @compiled
-def is_pinched(robots, r, k, ball):
+def is_pinched(robots, r, k, ball, handedness):
     """Tell whether another robot touches the ball that robot r kicks.
 
     Its body takes its share when the contacts are solved: the ball bounces between the two. The kicker itself cannot
     swing through a ball that is held from behind, so that such a ball lies as badly as it can.
     """
-    near = k.body_reach + k.ball_radius + TOUCH_GAP
+    near = k.body_reach + most_swing(k) + k.ball_radius + TOUCH_GAP
     for other in range(robots.shape[0]):
         x, y = ball.x - robots[other].x, ball.y - robots[other].y
         if other == r or robots[other].active == 0 or x * x + y * y > near * near:
             continue
-        if ball_gap(robots[other], k, ball.x, ball.y) < TOUCH_GAP:
+        if paws_gap(robots[other], k, ball.x, ball.y, handedness) < TOUCH_GAP:
             return True
     return False
 

@@ -40,16 +40,16 @@ def carry_out_restart(match, ball, robots, k, drive):
     keep_distances(match, robots, k)
     if drive == 1 and match.phase != DROP_BALL:
         match.placing = 1
-        keep_all_off(robots, k, ball)
+        keep_all_off(match, ball, robots, k)
     else:
         place_robots(robots)
 
 
 @compiled
-def keep_all_off(robots, k, ball):
-    """Let nobody stand in the ball that is held; who is set back far was carried, and is told where it is."""
+def keep_all_off(match, ball, robots, k):
+    """Set back who stands where the ball is laid down; who is set back far was carried, and is told where it is."""
     for r in range(robots.shape[0]):
-        if keep_off(robots[r], k, ball) > CARRIED:
+        if keep_off(robots[r], k, ball, match.handedness) > CARRIED:
             robots[r].placed = 1
 
 
@@ -208,7 +208,6 @@ def is_ready(match, robots, r, k):
 def end_placing(match, ball, robots, k):
     """End the placement when all are ready or the time is up: correct illegal places, and stop all robots."""
     put_ball(ball, match.restart_x, match.restart_y)
-    keep_all_off(robots, k, ball)
     ready = True
     for r in range(robots.shape[0]):
         ready = ready and (robots[r].active == 0 or is_ready(match, robots, r, k))

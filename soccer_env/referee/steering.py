@@ -12,7 +12,8 @@ from math import asin, atan2, cos, sin, sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, wrap
-from soccer_env.physics.contacts import ball_gap
+from soccer_env.physics.contacts import paws_gap
+from soccer_env.physics.gait import most_swing
 
 ARRIVED = 0.10  # [m] from its place, assumed
 SLOW_ZONE = 0.25  # [s] of travel before the place or the ring in which a robot slows down, assumed
@@ -30,7 +31,7 @@ def steer_to_place(match, robot, k):
 
     Places are seen from the ball; the robot's own is the one where it will be when the command takes effect.
     """
-    ring = k.body_reach + k.ball_radius + CLEAR
+    ring = k.body_reach + most_swing(k) + k.ball_radius + CLEAR
     lag = k.dt * (k.delay_steps + k.gait_steps)
     now_x, now_y = robot.x - match.restart_x, robot.y - match.restart_y
     x, y = now_x + lag * robot.vx, now_y + lag * robot.vy
@@ -126,21 +127,21 @@ def aim_ahead(ahead, left, turn, distance, may_turn):
 
 
 @compiled
-def keep_off(robot, k, ball):
-    """Set a robot that stands in the held ball back, until it only touches it, and stop it there; return how far [m].
+def keep_off(robot, k, ball, handedness):
+    """Set a robot back on whose place the ball is laid down, until it only touches it; return how far [m].
 
-    The ball gives way to nobody: Chipmunk's own contact would share the overlap out by mass.
+    It loses its speed towards the ball. Later the ball is too heavy for anybody (`physics.exchange.weigh_ball`).
     """
     x, y = robot.x - ball.x, robot.y - ball.y
     away = length(x, y)
-    if robot.active == 0 or away >= k.body_reach + k.ball_radius:
+    if robot.active == 0 or away >= k.body_reach + most_swing(k) + k.ball_radius:
         return 0.0
     if away < 1e-6:
         x, y, away = -cos(robot.heading), -sin(robot.heading), 1.0
     x, y = x / away, y / away
     moved = 0.0
     for _ in range(SET_BACK):
-        gap = ball_gap(robot, k, ball.x, ball.y)
+        gap = paws_gap(robot, k, ball.x, ball.y, handedness)
         if gap > -SLACK:
             break
         robot.x -= gap * x
