@@ -177,6 +177,30 @@ def test_a_differential_base_cannot_move_sideways():
     assert aside < 0.02
 
 
+def test_a_differential_base_never_exceeds_2_m_per_s2_nor_10_rad_per_s2():
+    """A trap: a slip that is drawn anew used to jerk the base at twice its limit, the traction of standing wheels.
+
+    Straight ahead and back, or turning on the spot, with commands that change at random and slip.
+    """
+    league = endless(DIFFERENTIAL)
+    assert (league.drive.acceleration, league.drive.turn_acceleration) == (2.0, 10.0)
+    assert (league.drive.thrust, league.drive.turn_thrust) == (2.0, 10.0)
+    match = on_its_own(replace(league, drive=replace(league.drive, slip=0.1)), 40, seed=3)
+    rng = np.random.default_rng(0)
+    drives, change, spin = np.arange(40) % 2 == 0, np.zeros(40), np.zeros(40)
+    for step in range(steps_in(match, 8.0)):
+        if step % 30 == 0:
+            command = rng.choice([-1.0, -0.3, 0.0, 0.5, 1.0], 40)
+            actions = asking(match, forward=np.where(drives, command, 0.0), turn=np.where(drives, 0.0, command))
+        before = match.robots[:, 0].copy()
+        match.step(actions)
+        after = match.robots[:, 0]
+        change = np.maximum(change, np.hypot(after["vx"] - before["vx"], after["vy"] - before["vy"]))
+        spin = np.maximum(spin, abs(after["omega"] - before["omega"]))
+    assert change.max() <= 2.0 * league.dt + 1e-9 and spin.max() <= 10.0 * league.dt + 1e-9
+    assert change.max() > 1.99 * league.dt and spin.max() > 9.9 * league.dt
+
+
 @pytest.mark.parametrize(("name", "slip"), [(LEGGED, 0.08), (MIDDLE, 0.02)])
 def test_a_walk_misses_its_speed_by_the_leagues_slip(name, slip):
     matches = 300
