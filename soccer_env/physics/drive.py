@@ -102,8 +102,10 @@ def stand_on_ground(robot, k, stance):
     stance.omega = robot.walk.turn * robot.slip.turn
     stands = robot.walk.forward == 0.0 and robot.walk.left == 0.0 and robot.walk.turn == 0.0
     stance.caught_by, stance.caught_leg, stance.caught_gap = robot.caught_by, robot.caught_leg, robot.caught_gap
-    stance.traction = k.drive_traction if stands else k.drive_thrust
-    stance.turn_traction = k.drive_turn_traction if stands else k.drive_turn_thrust
+    holds = stands and length(robot.vx, robot.vy) <= k.drive_thrust * k.dt
+    holds_turn = stands and abs(robot.omega) <= k.drive_turn_thrust * k.dt
+    stance.traction = k.drive_traction if holds else k.drive_thrust
+    stance.turn_traction = k.drive_turn_traction if holds_turn else k.drive_turn_thrust
 
 
 @compiled
