@@ -43,7 +43,7 @@ def list_tables(what: What, settings: ListSettings) -> Iterator[Table]:
 
 
 def leagues() -> Iterator[Table]:
-    """Yield the leagues with their main numbers."""
+    """Yield the leagues with their main numbers, and what happens between the materials of each."""
     from soccer_env.leagues import LEAGUES
 
     columns = ("name", "family", "pitch", "robots", "time", "source")
@@ -62,6 +62,10 @@ def leagues() -> Iterator[Table]:
             )
         )
     yield table("Leagues", columns, rows)
+    pairs = {name: league.materials.pairs() for name, league in LEAGUES.items()}
+    heads = ("name", *(pair.replace("_", ", ") for pair in next(iter(pairs.values()))))
+    texts = [(name, *(pair.text() for pair in found.values())) for name, found in pairs.items()]
+    yield table("Materials: elasticity/friction of each pair that meets", heads, texts)
 
 
 def teams() -> Iterator[Table]:

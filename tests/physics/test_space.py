@@ -8,10 +8,10 @@ import pymunk
 import pytest
 
 from soccer_env.leagues import League, Materials, Pair, find_league
-from soccer_env.physics.space import BOARD, build_space, paws_of, robot_moment
+from soccer_env.physics.space import build_space, robot_moment
 from soccer_env.physics.surfaces import surfaces_of
 from soccer_env.types import BALL, ROBOT
-from tests.scenes.staging import LEGGED, MIDDLE, each_league
+from tests.scenes.staging import LEGGED, MIDDLE, asking, each_league, patient, put, put_ball, stage, steps_in
 
 PAIRS = ("ball_board", "ball_post", "ball_net", "ball_robot", "robot_robot", "robot_board")
 each_pair = pytest.mark.parametrize("pair", PAIRS)
@@ -162,40 +162,34 @@ def test_materials_are_six_pairs():
     assert tuple(find_league(LEGGED).materials.pairs()) == PAIRS == tuple(Materials.__dataclass_fields__)
 
 
-def test_a_legged_robot_is_a_trunk_and_four_posts_twice():
+def test_a_legged_robot_is_a_trunk_and_a_smooth_one_a_hull_with_two_tips():
     league = find_league(LEGGED)
     _, (_, robot, other) = world(league, (0.0, 0.0), (0.5, 0.0, 0.0), (-0.5, 0.0, 0.0))
-    for body in (robot, other):
-        assert len(body.shapes) == 9
-        assert [tuple(paw.offset) for paw in paws_of(body)] == list(league.body.posts)
-    smooth = find_league("legged-2001-smooth")
-    _, (_, robot) = world(smooth, (0.0, 0.0), (0.5, 0.0, 0.0))
-    assert len(robot.shapes) == 3 and paws_of(robot) == []
-    assert robot_moment(league) == pytest.approx(1.45 * (0.27**2 + 0.155**2) / 12.0)
+    assert len(robot.shapes) == len(other.shapes) == 1
+    _, (_, smooth) = world(find_league("legged-2001-smooth"), (0.0, 0.0), (0.5, 0.0, 0.0))
+    assert len(smooth.shapes) == 3
+    assert robot_moment(league) == robot.moment == pytest.approx(1.45 * (0.27**2 + 0.155**2) / 12.0)
 
 
-def reached(league: League, heading: float, place: float, aside: float) -> float:
-    """Return how far a robot gets that slides to the board on the touchline above, y of its centre [m]."""
-    space, (_, robot) = world(league, (-1.0, -0.5), (aside, place, heading))
-    farthest = place
-    robot.velocity = 0.0, 0.2
-    for _ in range(3000):
-        space.step(1e-3)
-        farthest = max(farthest, robot.position.y)
-    return farthest
+def walked_up(league: League, x: float, y: float) -> float:
+    """Return where the foremost paws of a robot are [m] that has walked along +y until something stopped it."""
+    match = stage(patient(league))
+    put(match, 0, x, y, pi / 2)
+    put_ball(match, -1.0, -0.8)
+    match.rebuild()
+    for _ in range(steps_in(match, 5.0)):
+        match.step(asking(match, forward=1.0))
+    return float(match.robots["y"][0, 0]) + league.body.tip_x + league.body.tip_radius
 
 
 def test_ms51_paws_meet_a_board_at_its_foot_and_trunk_and_ball_the_upright_board():
     league = find_league(LEGGED)
-    body, edge, foot = league.body, league.pitch.width / 2, league.pitch.board_foot
+    edge, foot, pressed = league.pitch.width / 2, league.pitch.board_foot, 0.003  # [m] and how far paws are pressed in
     assert foot == 0.024
-    paws = body.tip_x + body.tip_radius
-    assert reached(league, pi / 2, 0.6, 0.0) == pytest.approx(edge - foot - paws, abs=0.002)
+    assert walked_up(league, 0.0, 0.6) == pytest.approx(edge - foot, abs=pressed)
     bare = replace(league, pitch=replace(league.pitch, board_foot=0.0))
-    assert reached(bare, pi / 2, 0.6, 0.0) == pytest.approx(edge - paws, abs=0.002)
-    smooth = find_league("legged-2001-smooth")
-    paws = smooth.body.tip_x + smooth.body.tip_radius
-    assert reached(smooth, pi / 2, 0.6, 0.0) == pytest.approx(edge - paws, abs=0.002)
+    assert walked_up(bare, 0.0, 0.6) == pytest.approx(edge, abs=pressed)
+    assert walked_up(find_league("legged-2001-smooth"), 0.0, 0.6) == pytest.approx(edge, abs=pressed)
     space, (ball, _) = world(league, (0.0, 0.8), (-1.0, 0.0, 0.0))
     ball.velocity, farthest = (0.0, 0.5), 0.0
     for _ in range(1000):
@@ -206,17 +200,8 @@ def test_ms51_paws_meet_a_board_at_its_foot_and_trunk_and_ball_the_upright_board
 
 def test_no_foot_stands_in_a_goal():
     league = find_league(LEGGED)
-    space, (_, robot) = world(league, (-1.0, 0.0), (1.3, 0.0, 0.0))
-    robot.velocity, farthest = (0.2, 0.0), 0.0
-    for _ in range(3000):
-        space.step(1e-3)
-        farthest = max(farthest, robot.position.x)
-    back = league.pitch.length / 2 + league.pitch.goal_depth
-    assert farthest == pytest.approx(back - league.body.tip_x - league.body.tip_radius, abs=0.002)
-    shape = pymunk.ShapeFilter(mask=pymunk.ShapeFilter.ALL_MASKS())
-    half = league.pitch.goal_width / 2
-    assert space.point_query_nearest((league.pitch.length / 2 + 0.1, half - 0.001), 0.0, shape) is None
-    assert space.point_query_nearest((league.pitch.length / 2 + 0.1, half + 0.5 * BOARD), 0.0, shape) is not None
+    inside = league.pitch.length / 2 + 0.5 * league.pitch.goal_depth
+    assert walked_up(league, inside, 0.0) == pytest.approx(league.pitch.goal_width / 2, abs=0.003)
 
 
 def test_a_foot_is_so_low_that_the_ball_meets_the_upright_board():

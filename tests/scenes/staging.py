@@ -8,10 +8,13 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import League
-from soccer_env.physics.space import build_space, robot_moment
+from soccer_env.leagues.constants import constants_of
+from soccer_env.physics.contacts import paws_gap
+from soccer_env.physics.space import robot_moment
 from soccer_env.staging import patient, send_off, set_phase
 from soccer_env.staging import put as put
 from soccer_env.staging import put_ball as put_ball
+from soccer_env.train.play.gaps import measure_gaps
 from soccer_env.types import Phase
 
 LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
@@ -146,31 +149,25 @@ def edges(corners: np.ndarray) -> np.ndarray:
     return points
 
 
-def overlaps(league: League, ball: np.void, robots: np.ndarray) -> dict[str, float]:
+def overlaps(league: League, ball: np.void, robots: np.ndarray, handedness: float = 1.0) -> dict[str, float]:
     """Return how deep bodies of one match overlap [m]: "ball robot", "ball wall", "robot robot", "robot wall".
 
-    Asked of Chipmunk's own contacts in a fresh Space of the same shapes.
+    By geometry alone: legs in mid-stroke to robots and walls, and where they are in their stroke to the ball.
     """
-    space = build_space(league, ball, robots)
-    bodies = list(space.bodies)
-    for body in bodies:
-        body.velocity, body.angular_velocity = (0.0, 0.0), 0.0
-    space.step(1e-9)
-    deepest = dict.fromkeys(("ball robot", "ball wall", "robot robot", "robot wall"), 0.0)
-
-    def note(arbiter: Any) -> None:
-        pair = [shape.body for shape in arbiter.shapes]
-        first = "ball" if bodies[0] in pair else "robot"
-        second = "wall" if space.static_body in pair else "robot"
-        for point in arbiter.contact_point_set.points:
-            deepest[f"{first} {second}"] = max(deepest[f"{first} {second}"], -point.distance)
-
-    for body in bodies:
-        body.each_arbiter(note)
-    return deepest
+    gaps = measure_gaps(league, np.array([[ball]]), robots[None, None])
+    k = constants_of(league)[0]
+    to_robots = [paws_gap(robot, k, ball["x"], ball["y"], handedness) for robot in robots if robot["active"] == 1]
+    found = {
+        "ball robot": np.array(to_robots),
+        "ball wall": gaps.ball_board,
+        "robot robot": gaps.robot_robot,
+        "robot wall": gaps.robot_board,
+    }
+    return {pair: max(0.0, -float(gap.min(initial=np.inf))) for pair, gap in found.items()}
 
 
 def deepest_overlaps(match: Match) -> dict[str, float]:
     """Return the deepest overlaps [m] in all matches."""
-    found = [overlaps(match.league, match.balls[m], match.robots[m]) for m in range(match.count)]
+    hands = match.matches["handedness"]
+    found = [overlaps(match.league, match.balls[m], match.robots[m], float(hands[m])) for m in range(match.count)]
     return {pair: max(one[pair] for one in found) for pair in found[0]}

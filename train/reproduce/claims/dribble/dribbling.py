@@ -113,8 +113,8 @@ S51 = Claim(
     measure=in_both_worlds(dribble_steps),
     figures=step_figure,
     ingredients=("the body's outline: the pocket between the paws", "the drive's acceleration", "the gait"),
-    note="A body of one piece that slides with a constant speed does not kick. A paw that swings goes at twice the speed "
-    "of the walk and reaches half a stroke ahead of where it stands; geometry and gait decide how often that kicks.",
+    note="A body of one piece that slides with a constant speed does not kick. A paw that swings goes at twice the "
+    "speed of the walk and reaches half a stroke ahead of where it stands; geometry and gait say how often that kicks.",
     seconds=5.5,
     batches=12,
 )  # fmt: skip
