@@ -20,7 +20,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.observations.truth import observe_truth
 from soccer_env.physics.ball import hold, limit_speed, slow_down
-from soccer_env.physics.chipmunk import step_match, write_bodies
+from soccer_env.physics.chipmunk import fetch, step_match, write_bodies
 from soccer_env.physics.contacts import find_collisions, find_touches
 from soccer_env.physics.drive import drive, move_head
 from soccer_env.physics.exchange import count_substeps, is_finite, read_records, weigh_ball, write_rows, write_twists
@@ -80,6 +80,7 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
         events, robot_events = world.events[m], world.robot_events[m]
         velocities, solver = physics.velocities[m], physics.solvers[m]
         terms, rewards = outcome.terms[m], outcome.rewards[m]
+        fetch(links, m + 1)
         substeps = begin_match(match, ball, robots, events, robot_events, velocities, solver, k, before, terms, rewards)
         if substeps == 0:
             continue

@@ -1,9 +1,9 @@
 """Call Chipmunk, the C library under pymunk, from compiled loops over matches.
 
-The only file that knows the private names of pymunk's functions; `chipmunk_memory.py` knows its structs. Velocities are
-written to, and poses and velocities read from, the bodies' structs in memory; bodies are put elsewhere by pymunk's
-batch iterator, since more than a number depends on where they are. `cpSpaceStep` takes addresses and doubles only, so
-a kernel can write velocities, step and read back without Python and without its lock.
+The only file that knows the private names of pymunk's functions; `chipmunk_memory.py` and `chipmunk_pools.py` know its
+structs. Velocities are written to, and poses and velocities read from, the bodies' structs in memory; bodies are put
+elsewhere by pymunk's batch iterator, since more than a number depends on where they are. `cpSpaceStep` takes addresses
+and doubles only, so a kernel can write velocities, step and read back without Python and without its lock.
 
 The functions below take `links`, one record for each match with all addresses that it needs, and the match's index;
 `space_batch.py` makes `links` and owns the arrays that it points to:
@@ -37,6 +37,7 @@ from soccer_env.physics.chipmunk_memory import (
     number_at,
     store,
 )
+from soccer_env.physics.prefetch import fetch_spans, note_step, spans_at
 from soccer_env.physics.solver_records import MOST_ROBOTS
 
 Links = Any  # array (M,) of LINK; Any because mypy knows no record fields
@@ -60,6 +61,7 @@ LINK = np.dtype(
         ("space", "u8"),  # address of the match's cpSpace, 0 before there is one
         ("count", "i8"),  # bodies of a match
         ("body", "u8", (MOST_BODIES,)),  # their addresses
+        ("spans", "u8"),  # address of the match's SPANS record; 0: nothing is fetched ahead
         ("velocities", "u8"),  # address of `velocities[m]`
         ("bodies", "u8"),  # address of `bodies[m]`
         *[(field, "u8") for field in C_FUNCTIONS],  # their addresses
@@ -169,12 +171,23 @@ def step_match(links: Links, m: int, substeps: int, dt: float) -> None:
     write_velocities(links, m)
     advance(links, m, substeps, dt)
     read_bodies(links, m)
+    link = links[m]
+    if link.spans != 0:
+        note_step(spans_at(link.spans), np.int64(link.space))
+
+
+@compiled
+def fetch(links: Links, m: int) -> None:
+    """Fetch what match m's next step touches into the cache, if there is such a match."""
+    if m < len(links) and links[m].spans != 0:
+        fetch_spans(spans_at(links[m].spans))
 
 
 @compiled
 def advance_slice(links: Links, substeps: NDArray[np.int64], dt: float, first: int, last: int) -> None:
     """Step the matches first, ..., last - 1, match m by dt [s] in substeps[m] substeps."""
     for m in range(first, last):
+        fetch(links, m + 1)
         step_match(links, m, substeps[m], dt)
 
 

@@ -22,7 +22,7 @@ from pymunk import batch as pymunk_batch
 from pymunk.batch import BodyFields
 
 from soccer_env.leagues.league import League
-from soccer_env.physics import chipmunk, solver
+from soccer_env.physics import chipmunk, prefetch, solver
 from soccer_env.physics.chipmunk_memory import address_of
 from soccer_env.physics.solver_records import POST_CONTACT, POST_CONTACTS, SOLVER
 
@@ -55,6 +55,7 @@ class SpaceBatch:
         self.velocities = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 3))
         self.solvers = np.zeros(matches, SOLVER)
         self._contacts = np.zeros((matches, 2, POST_CONTACTS * bodies), POST_CONTACT)
+        self.spans = np.zeros(matches, prefetch.SPANS)
         self.links = chipmunk.make_links(self.bodies, self.velocities) if self.backend == "c" else None
         self._read_buffer, self._write_buffer = pymunk_batch.Buffer(), pymunk_batch.Buffer()
         self._lock = threading.Lock()  # around the buffers
@@ -69,6 +70,8 @@ class SpaceBatch:
             link = self.links[m : m + 1]
             link["space"], link["count"] = chipmunk.space_address(space), self.size
             link["body"][0, : self.size] = [address_of(body) for body in space.bodies]
+            self.spans["steps"][m] = self.spans["count"][m] = 0
+            link["spans"] = self.spans[m : m + 1].ctypes.data if prefetch.is_useful(len(self.spaces)) else 0
         self.spaces[m] = space
         self.bodies[m] = self.velocities[m] = 0.0
         self.read_bodies(m)

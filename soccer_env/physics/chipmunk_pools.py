@@ -1,0 +1,91 @@
+"""The structs in which Chipmunk keeps the shapes, pairs and contacts of a Space.
+
+Chipmunk keeps nodes and pairs of its trees, arbiters and bins of hash sets in pools: buffers of 32 KiB, whose first
+item is used first, then the items from the last one downwards; what is given back is used next. So the head and the
+tail of a buffer hold what is in use.
+
+`chipmunk_memory.py` has the structs of bodies and contacts themselves. The numbers below are those of the 64-bit builds
+of pymunk 7.3 (Munk2D, `chipmunk_structs.h`, `cpBBTree.c`, `cpHashSet.c`, `cpSpaceStep.c`).
+"""
+
+from __future__ import annotations
+
+import functools
+
+import pymunk
+from pymunk._chipmunk_cffi import ffi
+
+from soccer_env.physics.chipmunk_memory import BODY_ARBITERS, address_of
+
+# Sizes in bytes, and places in a struct
+SPACE_SIZE = 608  # struct cpSpace, with its static body
+SPACE_BODIES, SPACE_CONSTRAINTS, SPACE_ARBITERS = 96, 152, 160  # addresses of cpArrays
+SPACE_STATIC, SPACE_DYNAMIC = 136, 144  # addresses of the trees of static shapes and of those that move
+SPACE_CONTACTS = 168  # address of the newest in a ring of buffers
+SPACE_CACHED, SPACE_POOLED = 176, 184  # a hash set of arbiters, a cpArray of those not in use
+ARRAY_SIZE, ARRAY_ITEMS = 16, 8  # struct cpArray: a count, and the address of its items
+TREE_SIZE, TREE_LEAVES, TREE_BUFFERS = 88, 40, 72  # struct cpBBTree: a hash set of leaves, a cpArray of buffers
+SET_SIZE, SET_ROOM, SET_TABLE, SET_BUFFERS = 48, 4, 24, 40  # struct cpHashSet: the length of its table, its address
+BIN_SIZE, BIN_NEXT = 24, 16  # struct cpHashSetBin: an item, the next bin
+NODE_SIZE = 64  # struct Node of a tree: first the shape of a leaf
+BUFFER_SIZE = 32768  # of a pool
+BODY_SIZE, CONSTRAINT_SIZE, ARBITER_SIZE = 312, 128, 184
+CONTACTS_NEXT = 8  # of a buffer of contacts: the next in the ring
+CONTACTS_SIZE = 320  # of its head, with its first three contacts
+SHAPE_SIZES = (232, 328, 216)  # of a circle, a segment and a polygon
+POLYGON = 2
+POLYGON_COUNT, POLYGON_PLANES = 200, 208  # corners, and the address of twice so many planes
+PLANE_SIZE = 32
+
+
+@functools.cache
+def layout_fits() -> bool:
+    """Say whether the structs of this pymunk lie in memory as the numbers above say, found in a Space that is known."""
+    space = pymunk.Space()
+    bodies = [pymunk.Body(1.0, 1.0) for _ in range(2)]
+    box = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+    moving = [pymunk.Circle(bodies[0], 0.5), pymunk.Poly(bodies[1], box)]
+    walls = [pymunk.Segment(space.static_body, (5.0, 0.0), (6.0, 0.0), 0.1), pymunk.Poly(space.static_body, box)]
+    walls[1].filter = pymunk.ShapeFilter(mask=0)
+    space.add(*bodies, *moving, *walls)
+    space.step(1e-9)
+    at = address_of(space)
+    arbiter = _at(address_of(bodies[0]) + BODY_ARBITERS)
+    return (
+        _items(_at(at + SPACE_BODIES)) == [address_of(body) for body in bodies]
+        and _leaves(_at(at + SPACE_DYNAMIC)) == {address_of(shape) for shape in moving}
+        and _leaves(_at(at + SPACE_STATIC)) == {address_of(shape) for shape in walls}
+        and [_at(_at(address_of(shape))) & 0xFF for shape in (*moving, *walls)] == [0, POLYGON, 1, POLYGON]
+        and _at(address_of(walls[1]) + POLYGON_COUNT) & 0xFF == len(box)
+        and _items(_at(at + SPACE_ARBITERS)) == [arbiter] == _set_items(_at(at + SPACE_CACHED))
+        and _items(_at(at + SPACE_CONSTRAINTS)) == []
+        and arbiter not in _items(_at(at + SPACE_POOLED))
+        and ffi.sizeof("cpArbiter") == ARBITER_SIZE
+        and _at(_at(at + SPACE_CONTACTS) + CONTACTS_NEXT) == _at(at + SPACE_CONTACTS)
+    )
+
+
+def _at(address: int) -> int:
+    return int(ffi.cast("uintptr_t *", address)[0])
+
+
+def _count(address: int) -> int:
+    return int(ffi.cast("int *", address)[0])
+
+
+def _items(array: int) -> list[int]:
+    return [_at(_at(array + ARRAY_ITEMS) + 8 * i) for i in range(_count(array))]
+
+
+def _set_items(hash_set: int) -> list[int]:
+    found = []
+    for i in range(_count(hash_set + SET_ROOM)):
+        place = _at(_at(hash_set + SET_TABLE) + 8 * i)
+        while place != 0:
+            found.append(_at(place))
+            place = _at(place + BIN_NEXT)
+    return found
+
+
+def _leaves(tree: int) -> set[int]:
+    return {_at(leaf) for leaf in _set_items(_at(tree + TREE_LEAVES))}
