@@ -33,7 +33,11 @@ PARKED_STEP = 2.0  # [m]
 
 
 def build_space(league: League, ball: Any, robots: Any) -> pymunk.Space:
-    """Return a fresh Space with the ball and the robots in the state of their records, robots (R,)."""
+    """Return a fresh Space with the ball and the robots in the state of their records, robots (R,).
+
+    Bodies are in their places before they are added: all in one place, their shapes would be neighbours of each other,
+    and the pool of such pairs would grow and be scattered for good.
+    """
     space = pymunk.Space()
     space.iterations = league.substeps.iterations
     space.collision_slop = league.substeps.slop
@@ -41,14 +45,14 @@ def build_space(league: League, ball: Any, robots: Any) -> pymunk.Space:
     surfaces = surfaces_of(league.materials)
     space.add(*surroundings(space.static_body, league, surfaces))
     ball_body = pymunk.Body(league.ball.mass, league.ball.shell * league.ball.mass * league.ball.radius**2)
-    space.add(ball_body, finish(pymunk.Circle(ball_body, league.ball.radius), surfaces.ball, BALL))
     ball_body.position, ball_body.angle = (float(ball["x"]), float(ball["y"])), float(ball["angle"])
+    space.add(ball_body, finish(pymunk.Circle(ball_body, league.ball.radius), surfaces.ball, BALL))
     ball_body.velocity = float(ball["vx"]), float(ball["vy"])
     ball_body.angular_velocity = float(ball["spin"])
     for robot in robots:
         body = pymunk.Body(league.body.mass, robot_moment(league))
-        space.add(body, *robot_shapes(body, league, surfaces.robot))
         body.position, body.angle = (float(robot["x"]), float(robot["y"])), float(robot["heading"])
+        space.add(body, *robot_shapes(body, league, surfaces.robot))
         body.velocity, body.angular_velocity = (float(robot["vx"]), float(robot["vy"])), float(robot["omega"])
     return space
 

@@ -2,15 +2,17 @@
 
 import numpy as np
 import pytest
+from pymunk._chipmunk_cffi import ffi
 
 from soccer_env.match import Match
 from soccer_env.physics import prefetch
 from soccer_env.physics.chipmunk_memory import address_of
-from soccer_env.physics.chipmunk_pools import layout_fits
+from soccer_env.physics.chipmunk_pools import ARRAY_ITEMS, BUFFER_SIZE, SPACE_DYNAMIC, TREE_BUFFERS, layout_fits
 from soccer_env.physics.prefetch import LINE, SPANS, add
 
 LEAGUES = ["legged-2001", "middle-size-2006"]
 PLAYERS = 3  # a side
+UNUSED_PAIR, PAIR_SIZE = 64, 56  # in Chipmunk's tree the next of its pool of pairs, which go from its end down
 
 
 @pytest.fixture(autouse=True)
@@ -96,3 +98,15 @@ def test_spans_beyond_the_room_are_left_out():
     for i in range(prefetch.MOST_SPANS + 5):
         add(spans[0], 3 * i * LINE + LINE, LINE)
     assert spans["count"][0] == prefetch.MOST_SPANS
+
+
+def test_shapes_of_a_fresh_space_are_neighbours_only_where_they_stand():
+    physics = play("middle-size-2006", 0).batch.physics
+    tree = word_at(address_of(physics.spaces[0]) + SPACE_DYNAMIC)
+    pairs = word_at(word_at(word_at(tree + TREE_BUFFERS) + ARRAY_ITEMS) + 8)  # the pool's buffer
+    used = (pairs + BUFFER_SIZE - word_at(tree + UNUSED_PAIR)) // PAIR_SIZE
+    assert 0 < used < 19  # one a shape; of robots that are added in one place there would be 123
+
+
+def word_at(address):
+    return int(ffi.cast("uintptr_t *", address)[0])
