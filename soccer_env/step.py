@@ -26,6 +26,7 @@ from soccer_env.physics.drive import drive, move_head
 from soccer_env.physics.exchange import count_substeps, is_finite, read_records, weigh_ball, write_rows, write_twists
 from soccer_env.physics.interlock import catch_legs
 from soccer_env.physics.kicker import holds_ball, work_kicker
+from soccer_env.physics.prefetch import fetch_row
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.separation import pull_apart, watch_contacts
@@ -80,7 +81,8 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
         events, robot_events = world.events[m], world.robot_events[m]
         velocities, solver = physics.velocities[m], physics.solvers[m]
         terms, rewards = outcome.terms[m], outcome.rewards[m]
-        fetch(links, m + 1)
+        if fetch(links, m + 1):
+            fetch_row(world.robots, m + 1)
         substeps = begin_match(match, ball, robots, events, robot_events, velocities, solver, k, before, terms, rewards)
         if substeps == 0:
             continue

@@ -10,6 +10,7 @@ surfaces.py     what meets what in it, and how much that bounces and rubs
 space_batch.py  M of them, and the arrays through which kernels reach them
 exchange.py     between the records of a match and the rows of those arrays
 chipmunk.py     calls of Chipmunk, the C library under pymunk, from compiled loops
+chipmunk_pools.py  where Chipmunk keeps shapes, pairs and contacts
 prefetch.py     fetch the next match's memory into the cache while this one is played
 reference.py    a bare scene for `soccer bench` to compare with
 """

@@ -177,10 +177,12 @@ def step_match(links: Links, m: int, substeps: int, dt: float) -> None:
 
 
 @compiled
-def fetch(links: Links, m: int) -> None:
-    """Fetch what match m's next step touches into the cache, if there is such a match."""
-    if m < len(links) and links[m].spans != 0:
-        fetch_spans(spans_at(links[m].spans))
+def fetch(links: Links, m: int) -> bool:
+    """Fetch what match m's next step touches into the cache, if there is such a match and it gains by it; say so."""
+    if m >= len(links) or links[m].spans == 0:
+        return False
+    fetch_spans(spans_at(links[m].spans))
+    return True
 
 
 @compiled

@@ -108,6 +108,14 @@ def fetch_spans(spans):
 
 
 @compiled
+def fetch_row(array, m):
+    """Fetch row m of an array into the cache."""
+    at = np.int64(array.ctypes.data) + m * array.strides[0]
+    for byte in range(0, array.strides[0], LINE):
+        _fetch_line(at + byte)
+
+
+@compiled
 def pointer(at):
     """Return the address that lies at an address, as a signed number: sums of unsigned and signed ones are floats."""
     return np.int64(address_at(at))
