@@ -180,7 +180,7 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
         if match.placing == 1:
             steer_to_place(match, robot, k)
         if k.legs == 1 and robot.gait_phase % k.gait_steps == 0:
-            catch_legs(robots, r, k)
+            catch_legs(robots, r, k, match.handedness)
         drive(robot, k, match.step, match.handedness, solver.stances[r])
         work_kicker(robots, r, robot_events[r], k, ball, match.handedness)
         move_head(robot, k, ball)
@@ -191,7 +191,7 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
     if match.placing == 1:
         hold(ball)
     slow_down(ball, k, 0.5 * k.dt)
-    write_twists(ball, robots, velocities, solver)
+    write_twists(ball, robots, velocities, solver, match.handedness)
     weigh_ball(solver, match.placing)
     return count_substeps(ball, robots, k)
 

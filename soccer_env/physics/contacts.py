@@ -31,7 +31,7 @@ def paws_gap(robot, k, ball_x, ball_y, handedness):
     ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, cos(robot.heading), sin(robot.heading))
     gap = trunk_gap(k, ahead, left)
     for leg in range(LEGS):
-        x, y = stance(k, leg)
+        x, y = stance(k, leg, handedness)
         off_x, off_y = paw_offset(robot, k, leg, handedness)
         gap = min(gap, length(ahead - x - off_x, left - y - off_y) - k.body_tip_radius)
     return gap - k.ball_radius
@@ -132,7 +132,7 @@ def points_touch(robot, other, k):
     """Tell whether a post, a corner or an end of the trunk of one robot touches the outline of the other."""
     cosine, sine = cos(robot.heading), sin(robot.heading)
     for leg in range(LEGS if k.body_hind_y > 0.0 else TIPS):
-        x, y = stance(k, leg)
+        x, y = stance(k, leg, 1.0)
         if disc_touches(robot, other, k, x, y, k.body_tip_radius, cosine, sine):
             return True
     for i in range(k.corners):

@@ -45,10 +45,11 @@ def anyone_close(ball, robots, k):
 
 
 @compiled
-def write_twists(ball, robots, velocities, solver):
+def write_twists(ball, robots, velocities, solver, handedness):
     """Copy the velocities of ball and robots into the rows that the physics is given, and the ball's roll."""
     velocities[0, 0], velocities[0, 1], velocities[0, 2] = ball.vx, ball.vy, ball.spin
     solver.time = 0.0
+    solver.handedness = handedness
     solver.roll_x, solver.roll_y = ball.roll_x, ball.roll_y
     for r in range(robots.shape[0]):
         velocities[r + 1, 0], velocities[r + 1, 1] = robots[r].vx, robots[r].vy

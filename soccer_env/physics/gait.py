@@ -3,6 +3,8 @@ r"""Where the paws of a walking robot are: a trot, in which diagonal pairs of le
 A cycle is a gait step. In half of it a paw stands on the ground while the body passes over it: seen from the body it
 goes back from half a stroke ahead of its stance to half a stroke behind. In the other half it swings forward again,
 over the ground at twice the speed of the walk. The left forepaw and the right hind paw swing first, then the others.
+In a mirrored match (handedness -1) left and right change places, also in the numbers of the legs: whatever goes through
+them in turn then does the mirrored thing.
 
     half a stroke ahead           /\          /\
     stance                       /  \        /  \      a paw that swings first
@@ -19,14 +21,14 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 
-LEGS = 4  # left fore, right fore, left hind, right hind
+LEGS = 4  # left fore, right fore, left hind, right hind; mirrored: right fore first
 TIPS = 2  # the fore ones: all that a body without legs has
 
 
 @compiled
-def stance(k, leg):
+def stance(k, leg, handedness):
     """Return where a leg stands in the middle of its stroke [m, m], robot frame."""
-    side = 1.0 if leg % 2 == 0 else -1.0
+    side = handedness if leg % 2 == 0 else -handedness
     return (k.body_tip_x, side * k.body_tip_y) if leg < 2 else (k.body_hind_x, side * k.body_hind_y)
 
 
@@ -36,21 +38,17 @@ def paw_offset(robot, k, leg, handedness):
 
     The stroke is what the ground under the stance does in half a gait step: with a turn each paw has its own.
     """
-    x, y = stance(k, leg)
-    half = swing(robot.gait_phase, k.gait_steps, leg, handedness) * 0.25 * k.gait_steps * k.dt
+    x, y = stance(k, leg, handedness)
+    half = swing(robot.gait_phase, k.gait_steps, leg) * 0.25 * k.gait_steps * k.dt
     return half * (robot.walk.forward - robot.walk.turn * y), half * (robot.walk.left + robot.walk.turn * x)
 
 
 @compiled
-def swing(phase, gait_steps, leg, handedness):
-    """Return where in its stroke a leg is: 1 its fore end, -1 its hind end; `phase` control steps of a gait step.
-
-    In a mirrored match the legs of the other side swing first.
-    """
+def swing(phase, gait_steps, leg):
+    """Return where in its stroke a leg is: 1 its fore end, -1 its hind end; `phase` control steps of a gait step."""
     done = (phase % gait_steps) / gait_steps
     ahead = 4.0 * done - 1.0 if done <= 0.5 else 3.0 - 4.0 * done
-    swings_first = (leg == 0 or leg == 3) == (handedness > 0.0)
-    return ahead if swings_first else -ahead
+    return ahead if leg == 0 or leg == 3 else -ahead
 
 
 @compiled

@@ -22,7 +22,7 @@ GRIP = 1e6  # [N s] what legs bear that hold each other: more than any robot pus
 
 
 @compiled
-def catch_legs(robots, r, k):
+def catch_legs(robots, r, k, handedness):
     """Tell, as a gait step of a robot begins, whether one of its legs is caught between the legs of another."""
     robot = robots[r]
     robot.caught_by = 0
@@ -36,41 +36,41 @@ def catch_legs(robots, r, k):
             continue
         its_cosine, its_sine = cos(robots[other].heading), sin(robots[other].heading)
         for leg in range(LEGS):
-            x, y = stance(k, leg)
+            x, y = stance(k, leg, handedness)
             x, y = point_of_frame(away_x, away_y, x, y, cosine, sine)
             ahead, left = into_frame(x, y, its_cosine, its_sine)
-            gap = gap_at(k, ahead, left)
+            gap = gap_at(k, ahead, left, handedness)
             if gap >= 0:
                 robot.caught_by, robot.caught_leg, robot.caught_gap = other + 1, leg, gap
                 return
 
 
 @compiled
-def gap_at(k, ahead, left):
+def gap_at(k, ahead, left, handedness):
     """Return between which of a robot's legs a leg at a place [m], in its frame, stands; -1: between none."""
     for gap in range(GAPS):
-        if gap_distance(k, gap, ahead, left) < k.body_tip_radius:
+        if gap_distance(k, gap, ahead, left, handedness) < k.body_tip_radius:
             return gap
     return -1
 
 
 @compiled
-def gap_distance(k, gap, ahead, left):
+def gap_distance(k, gap, ahead, left, handedness):
     """Return the distance [m] of a place from the line between the axes of two legs, in the frame of their robot."""
     first, second = 2 * (gap == 1) + (gap == 3), 1 + (gap == 1) + (gap == 2) + 2 * (gap == 3)
-    x, y = stance(k, first)
-    end_x, end_y = stance(k, second)
+    x, y = stance(k, first, handedness)
+    end_x, end_y = stance(k, second, handedness)
     line = length(end_x - x, end_y - y)
     along = clip(((ahead - x) * (end_x - x) + (left - y) * (end_y - y)) / line, 0.0, line)
     return length(ahead - x - along * (end_x - x) / line, left - y - along * (end_y - y) / line)
 
 
 @compiled
-def way_out(gap):
+def way_out(gap, handedness):
     """Return the direction out of a gap, in the frame of its robot."""
     if gap < 2:
         return (1.0, 0.0) if gap == 0 else (-1.0, 0.0)
-    return (0.0, 1.0) if gap == 2 else (0.0, -1.0)
+    return (0.0, handedness) if gap == 2 else (0.0, -handedness)
 
 
 @compiled
@@ -91,11 +91,11 @@ def hold_leg(solver, k, r, other):
     leg = robot.posts[robot.caught_leg]
     x, y = leg.field_x - number_at(body + BODY_X), leg.field_y - number_at(body + BODY_Y)
     ahead, left = into_frame(x, y, cosine, sine)
-    if gap_distance(k, robot.caught_gap, ahead, left) > 2.0 * k.body_tip_radius:
+    if gap_distance(k, robot.caught_gap, ahead, left, solver.handedness) > 2.0 * k.body_tip_radius:
         return
     robot.meets = 1
     holder.meets = 1
-    out_x, out_y = way_out(robot.caught_gap)
+    out_x, out_y = way_out(robot.caught_gap, solver.handedness)
     nx, ny = out_of_frame(-out_x, -out_y, cosine, sine)
     contact = add_contact(solver, contact_key(r, robot.caught_leg, other, HOLD), robot.body, body)
     contact.grip = GRIP

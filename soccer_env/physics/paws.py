@@ -15,7 +15,7 @@ def note_paws(robot, k, posts, handedness):
     for leg in range(LEGS):
         paw = posts[leg]
         ahead, left = paw_offset(robot, k, leg, handedness)
-        paw.x, paw.y = paw.stand_x + ahead, paw.stand_y + left
+        paw.x, paw.y = paw.stand_x + ahead, handedness * paw.stand_y + left
 
 
 @compiled
@@ -25,4 +25,4 @@ def aim_paws(robot, k, posts, handedness):
         paw = posts[leg]
         ahead, left = paw_offset(robot, k, leg, handedness)
         paw.vx = (paw.stand_x + ahead - paw.x) / k.dt
-        paw.vy = (paw.stand_y + left - paw.y) / k.dt
+        paw.vy = (handedness * paw.stand_y + left - paw.y) / k.dt

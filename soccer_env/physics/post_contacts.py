@@ -47,7 +47,7 @@ def find_post_contacts(solver, k, dt):
     solver.repair = (1.0 - exp(log(OVERLAP_LEFT) * dt)) / dt
     for r in range(solver.robots):
         solver.stances[r].meets = 0
-        place_posts(solver, solver.stances[r])
+        place_posts(solver, k, solver.stances[r])
     near = 2.0 * k.body_reach
     for r in range(solver.robots):
         if solver.stances[r].active == 0:
@@ -63,14 +63,17 @@ def find_post_contacts(solver, k, dt):
 
 
 @compiled
-def place_posts(solver, stance):
-    """Say where the posts of a robot stand in the field."""
+def place_posts(solver, k, stance):
+    """Say where the posts of a robot stand in the field; in a mirrored match those of the other side come first."""
     body = stance.body
     x, y = number_at(body + BODY_X), number_at(body + BODY_Y)
     cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
     for leg in range(solver.posts):
         post = stance.posts[leg]
-        post.field_x, post.field_y = point_of_frame(x, y, post.stand_x, post.stand_y, cosine, sine)
+        ahead, left = post.stand_x, solver.handedness * post.stand_y
+        post.field_x, post.field_y = point_of_frame(x, y, ahead, left, cosine, sine)
+        if k.legs == 0:
+            post.x, post.y = ahead, left
 
 
 @compiled

@@ -168,7 +168,7 @@ def attach(space: pymunk.Space, solver: np.ndarray, contacts: np.ndarray, league
     solver["stances"]["body"][0, : len(bodies) - 1] = bodies[1:]
     for i, (x, y) in enumerate(loose_posts(league.body)):
         post = solver["stances"]["posts"][..., i]
-        post["x"], post["y"] = post["stand_x"], post["stand_y"] = x, y
+        post["stand_x"], post["stand_y"] = x, y
     _add_constraint(space, solver.ctypes.data)
 
 

@@ -79,6 +79,7 @@ SOLVER = np.dtype(
         ("robots", "i8"),  # how many there are
         ("posts", "i8"),  # of a robot that this part of the solver lets touch things
         ("constants", "u8"),  # address of the league's constants
+        ("handedness", "f8"),  # -1 in a mirrored match, whose legs are numbered the other way round
         ("time", "f8"),  # [s] since the beginning of the control step
         ("slop", "f8"),  # [m] overlap that is left alone
         ("repair", "f8"),  # [1/s] share of the rest that is undone in a substep, over its length

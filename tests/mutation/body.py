@@ -116,7 +116,7 @@ MUTANTS = [
     Mutant(
         "MS51",
         GAIT,
-        "ahead if swings_first else -ahead",
+        "ahead if leg == 0 or leg == 3 else -ahead",
         "ahead",
         TEST_GAIT + "test_ms51_a_paw_in_its_stance_stands_still_and_one_that_swings_is_twice_as_fast_as_the_walk",
     ),
