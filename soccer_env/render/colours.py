@@ -22,6 +22,7 @@ BAND: Colour = (38, 110, 62)
 LINE: Colour = (240, 244, 240)
 BOARD: Colour = (222, 222, 214)
 BOARD_EDGE: Colour = (150, 152, 146)
+BOARD_FOOT: Colour = (188, 190, 182)
 FLOOR: Colour = (38, 43, 51)  # around the field
 
 INK: Colour = (16, 19, 24)

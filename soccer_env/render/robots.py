@@ -67,7 +67,7 @@ def figures_of(robots: np.ndarray, league: League, handedness: float = 1.0) -> l
     k = constants_of(league)[0]
     legs = range(LEGS) if handedness > 0.0 else [leg ^ 1 for leg in range(LEGS)]  # numbered the other way round
     paws = [tuple(paw_offset(robot, k, leg, handedness) for leg in legs) for robot in robots]
-    return [Figure(*row, swung) for row, swung in zip(rows, paws, strict=True)]
+    return [Figure(*row)._replace(paws=swung) for row, swung in zip(rows, paws, strict=True)]
 
 
 class Part(NamedTuple):

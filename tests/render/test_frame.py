@@ -196,3 +196,33 @@ def test_eleven_against_eleven_and_a_robot_far_outside_are_drawn(league):
     robots[3]["x"], robots[4]["y"], ball["x"] = 1e12, -1e300, -1e200
     frame = Picture(league).draw(match, ball, robots)
     assert near(frame, colours.TEAMS[0]).any() and near(frame, colours.TEAMS[1]).any()
+
+
+def test_the_feet_of_boards_reach_into_the_pitch_but_not_into_the_mouth_of_a_goal():
+    picture = Picture("legged-2001", 960)
+    match, ball, robots = make_records(1, 1)
+    feet, pitch = near(picture.draw(match, ball, robots), colours.BOARD_FOOT, 4), picture.league.pitch
+    ahead, aside, half = pitch.length / 2, pitch.width / 2, 0.5 * pitch.board_foot
+
+    def shown(x: float, y: float) -> bool:
+        column, row = picture.pixel(x, y)
+        return bool(feet[int(row), int(column)])
+
+    for side in (1.0, -1.0):
+        assert shown(0.4, side * (aside - half)) and shown(side * (ahead - half), 0.7)
+        assert not shown(0.4, side * (aside - 3.0 * half)) and not shown(side * (ahead - half), 0.0)
+
+
+def test_a_leg_is_drawn_where_it_is_in_its_stroke():
+    picture = Picture("legged-2001", 960)
+    match, ball, robots = make_records(1, 0)
+    match["handedness"], ball["x"] = 1.0, -1.0
+    robots["x"] = robots["y"] = 0.5
+    robots["walk"]["forward"] = 0.12
+    foremost = {}
+    for phase in (0, 4):  # the left forepaw is at its hind end, then at its fore end
+        robots["gait_phase"] = phase
+        paws = around(picture, near(picture.draw(match, ball, robots), colours.PAW, 8), 0.5, 0.5, 0.2)
+        foremost[phase] = paws[paws[:, 1] > 0.5 + 0.05, 0].max(), paws[paws[:, 1] < 0.5 - 0.05, 0].max()
+    left, right = np.subtract(foremost[4], foremost[0])
+    assert left == pytest.approx(0.03, abs=0.006) and right == pytest.approx(-0.03, abs=0.006)
