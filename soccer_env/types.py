@@ -157,6 +157,7 @@ ROBOT = np.dtype(
         ("kick_clock", "f8"),  # [s] left of a wind-up (negative: left of the recharge, as -s); 0 ready
         ("kick_strength", "f8"),  # (0, 1] of the kick being wound up
         ("has_ball", "i8"),  # 1: the ball lies in the pocket or at the kicker
+        ("stands", "i8"),  # 1: it has come to rest and holds with all paws or wheels; 0: it walks, drives or brakes
         ("caught_by", "i8"),  # 1 + row of the robot between whose legs one of its own is caught; 0: none is
         ("caught_leg", "i8"),  # which of its own: 0 left fore, 1 right fore, 2 left hind, 3 right hind
         ("caught_gap", "i8"),  # between which of the other's: 0 the fore ones, 1 the hind ones, 2 the left, 3 the right

@@ -94,18 +94,29 @@ def stand_on_ground(robot, k, stance):
     """Say what the legs or wheels want of the ground in this control step, and how much it bears.  MH01
 
     Who stands holds with all paws or wheels; who walks or drives has less: a trot stands on two of four paws, and
-    wheels give no more than their motors. The force itself acts in the solver, in every substep.
+    wheels give no more than their motors, but for those of a differential base, which do not roll sideways. The force itself acts in the solver, in every substep.
     """
     forward, left = robot.walk.forward * robot.slip.forward, robot.walk.left * robot.slip.left
     stance.vx, stance.vy = out_of_frame(forward, left, cos(robot.heading), sin(robot.heading))
     stance.active = robot.active
     stance.omega = robot.walk.turn * robot.slip.turn
-    stands = robot.walk.forward == 0.0 and robot.walk.left == 0.0 and robot.walk.turn == 0.0
     stance.caught_by, stance.caught_leg, stance.caught_gap = robot.caught_by, robot.caught_leg, robot.caught_gap
-    holds = stands and length(robot.vx, robot.vy) <= k.drive_thrust * k.dt
-    holds_turn = stands and abs(robot.omega) <= k.drive_turn_thrust * k.dt
-    stance.traction = k.drive_traction if holds else k.drive_thrust
-    stance.turn_traction = k.drive_turn_traction if holds_turn else k.drive_turn_thrust
+    robot.stands = 1 if keeps_standing(robot, k) else 0
+    stance.traction = k.drive_traction if robot.stands == 1 else k.drive_thrust
+    stance.turn_traction = k.drive_turn_traction if robot.stands == 1 else k.drive_turn_thrust
+    stance.grip = k.drive_traction if k.drive_kind == WHEELS_DIFFERENTIAL else stance.traction
+
+
+@compiled
+def keeps_standing(robot, k):
+    """Tell whether a robot stands: it has come to rest, and since then its legs or wheels want nothing else.
+
+    One that brakes has no more than its drive gives; one that stands and is pushed slides with all it has.
+    """
+    if robot.walk.forward != 0.0 or robot.walk.left != 0.0 or robot.walk.turn != 0.0:
+        return False
+    slow = length(robot.vx, robot.vy) <= k.drive_thrust * k.dt and abs(robot.omega) <= k.drive_turn_thrust * k.dt
+    return robot.stands == 1 or slow
 
 
 @compiled

@@ -26,13 +26,15 @@ from pymunk._chipmunk_cffi import ffi, lib
 
 from soccer_env.compiled import compiled
 from soccer_env.compiled_callback import callback
-from soccer_env.geometry import clip, length
+from soccer_env.geometry import clip, into_frame, length, out_of_frame
 from soccer_env.leagues.constants import CONSTANTS
 from soccer_env.leagues.league import League
 from soccer_env.physics.ball_contacts import look_at_ball, take_roll
 from soccer_env.physics.chipmunk_memory import (
     BODY_ARBITERS,
+    BODY_COS,
     BODY_OMEGA,
+    BODY_SIN,
     BODY_VX,
     BODY_VY,
     BODY_X,
@@ -127,10 +129,17 @@ def hold_ground(stance, dt):
     body = stance.body
     vx, vy = number_at(body + BODY_VX), number_at(body + BODY_VY)
     x, y = stance.given_x + stance.vx - vx, stance.given_y + stance.vy - vy
-    size, most = length(x, y), stance.traction * dt
-    if size > most:
-        x *= most / size
-        y *= most / size
+    if stance.grip == stance.traction:
+        size, most = length(x, y), stance.traction * dt
+        if size > most:
+            x *= most / size
+            y *= most / size
+    else:
+        cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
+        ahead, left = into_frame(x, y, cosine, sine)
+        ahead = clip(ahead, -stance.traction * dt, stance.traction * dt)
+        left = clip(left, -stance.grip * dt, stance.grip * dt)
+        x, y = out_of_frame(ahead, left, cosine, sine)
     store(body + BODY_VX, vx + x - stance.given_x)
     store(body + BODY_VY, vy + y - stance.given_y)
     stance.given_x = x

@@ -30,6 +30,7 @@ STANCE = np.dtype(
         ("vy", "f8"),  # [m/s] field frame
         ("omega", "f8"),  # [rad/s]
         ("traction", "f8"),  # [m/s2] force that the ground bears, over mass
+        ("grip", "f8"),  # [m/s2] the same across its heading; another number only where wheels do not roll sideways
         ("turn_traction", "f8"),  # [rad/s2] the same for its torque
         ("given_x", "f8"),  # [m/s] field frame: what the ground has added to its velocity in this substep
         ("given_y", "f8"),  # [m/s]
