@@ -7,12 +7,12 @@ from pymunk._chipmunk_cffi import ffi
 from soccer_env.match import Match
 from soccer_env.physics import prefetch
 from soccer_env.physics.chipmunk_memory import address_of
-from soccer_env.physics.chipmunk_pools import ARRAY_ITEMS, BUFFER_SIZE, SPACE_DYNAMIC, TREE_BUFFERS, layout_fits
+from soccer_env.physics.chipmunk_pools import BUFFER_SIZE, SPACE_DYNAMIC, layout_fits
 from soccer_env.physics.prefetch import LINE, SPANS, add
 
 LEAGUES = ["legged-2001", "middle-size-2006"]
 PLAYERS = 3  # a side
-UNUSED_PAIR, PAIR_SIZE = 64, 56  # in Chipmunk's tree the next of its pool of pairs, which go from its end down
+UNUSED_PAIR, NEXT_PAIR, PAIR_SIZE = 64, 16, 56  # the first of the pool of pairs in Chipmunk's tree, the next
 
 
 @pytest.fixture(autouse=True)
@@ -102,10 +102,11 @@ def test_spans_beyond_the_room_are_left_out():
 
 def test_shapes_of_a_fresh_space_are_neighbours_only_where_they_stand():
     physics = play("middle-size-2006", 0).batch.physics
-    tree = word_at(address_of(physics.spaces[0]) + SPACE_DYNAMIC)
-    pairs = word_at(word_at(word_at(tree + TREE_BUFFERS) + ARRAY_ITEMS) + 8)  # the pool's buffer
-    used = (pairs + BUFFER_SIZE - word_at(tree + UNUSED_PAIR)) // PAIR_SIZE
-    assert 0 < used < 19  # one a shape; of robots that are added in one place there would be 123
+    unused, place = 0, word_at(word_at(address_of(physics.spaces[0]) + SPACE_DYNAMIC) + UNUSED_PAIR)
+    while place != 0:
+        unused, place = unused + 1, word_at(place + NEXT_PAIR)
+    used = 0 if unused == 0 else BUFFER_SIZE // PAIR_SIZE - unused  # without any pair there is no pool yet
+    assert used < 7  # of seven shapes that are added in one place there would be 21
 
 
 def word_at(address):
