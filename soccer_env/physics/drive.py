@@ -94,7 +94,8 @@ def stand_on_ground(robot, k, stance):
     """Say what the legs or wheels want of the ground in this control step, and how much it bears.  MH01
 
     Who stands holds with all paws or wheels; who walks or drives has less: a trot stands on two of four paws, and
-    wheels give no more than their motors, but for those of a differential base, which do not roll sideways. The force itself acts in the solver, in every substep.
+    wheels give no more than their motors, but for those of a differential base, which do not roll sideways. The
+    force itself acts in the solver, in every substep.
     """
     forward, left = robot.walk.forward * robot.slip.forward, robot.walk.left * robot.slip.left
     stance.vx, stance.vy = out_of_frame(forward, left, cos(robot.heading), sin(robot.heading))
