@@ -123,8 +123,8 @@ MUTANTS = [
     Mutant(
         "MS51",
         GAIT,
-        "* 0.25 * k.gait_steps * k.dt",
-        "* 0.5 * k.gait_steps * k.dt",
+        "swing(robot.gait_phase, k.gait_steps, leg) * 0.25 * k.gait_steps * k.dt",
+        "swing(robot.gait_phase, k.gait_steps, leg) * 0.5 * k.gait_steps * k.dt",
         TEST_GAIT + "test_ms51_at_12_cm_per_s_and_steps_of_half_a_second_a_stroke_is_3_cm",
     ),
     Mutant(
