@@ -104,7 +104,7 @@ def test_a_body_must_be_a_convex_hull_within_its_reach(corners: Any, message: st
         ("rules", {"half_minutes": 0.0}, r"Rules\.half_minutes must be a number above 0"),
         ("slots", {"teammates": -1}, r"Slots\.teammates must be 0 to 11, got -1"),
         ("slots", {"teammates": 0, "opponents": 0}, "Slots must hold at least one"),
-        ("substeps", {"least": 20}, r"Substeps\.least must be at most most 12, got 20"),
+        ("substeps", {"least": 20}, r"Substeps\.least must be at most close 4, got 20"),
         ("substeps", {"iterations": 0}, r"Substeps\.iterations must be a whole number above 0"),
     ],
 )
