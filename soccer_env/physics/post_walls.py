@@ -18,7 +18,7 @@ SIDE, BACK, END, GOAL_POST = 0, 1, 2, 3  # in the place of the other robot's pos
 
 @compiled
 def meet_walls(solver, k, r, x, y):
-    """List the contacts of a robot's posts with what stands still; x, y [m] its place."""
+    """List the contacts of a robot's posts with what stands still; x, y [m] its place.  MS51"""
     half_width = 0.5 * k.pitch_width + k.pitch_band_side
     reach = k.body_reach + k.pitch_board_foot
     if abs(x) + reach < 0.5 * k.pitch_length and abs(y) + reach < half_width:
