@@ -6,12 +6,12 @@ without the interpreter lock. It must not raise: nobody above it could catch tha
 
 from __future__ import annotations
 
+import ctypes
 import functools
 import threading
 from collections.abc import Callable
 from typing import Any
 
-from cffi import FFI
 from numba import types
 from numba.core.ccallback import CFunc
 
@@ -19,7 +19,7 @@ from soccer_env.compiled import compiled, config
 from soccer_env.compiled_cache import SourceCache
 
 TYPES = {"void": types.void, "address": types.uintp, "float64": types.float64}
-C_TYPES = {"void": "void", "address": "uintptr_t", "float64": "double"}
+C_TYPES: dict[str, Any] = {"void": None, "address": ctypes.c_size_t, "float64": ctypes.c_double}
 OPTIONS = {"error_model": "numpy", "fastmath": False, "boundscheck": False}
 
 _lock = threading.Lock()
@@ -30,6 +30,7 @@ class Callback:
 
     def __init__(self, function: Callable[..., Any], result: str, arguments: tuple[str, ...]) -> None:
         self._function, self._result, self._arguments = function, result, arguments
+        self._made: Any = None
         functools.update_wrapper(self, function)
 
     def __call__(self, *arguments: Any) -> Any:
@@ -47,16 +48,16 @@ class Callback:
         if config.DISABLE_JIT:
             return self._stub()
         signature = TYPES[self._result](*(TYPES[name] for name in self._arguments))
-        self._made: Any = CFunc(self._function, (signature.args, signature.return_type), locals={}, options=OPTIONS)
-        self._made._cache = SourceCache(self._function)  # what enable_caching does with numba's own
-        self._made.compile()
-        return int(self._made.address)
+        made: Any = CFunc(self._function, (signature.args, signature.return_type), locals={}, options=OPTIONS)
+        made._cache = SourceCache(self._function)  # what enable_caching does with numba's own
+        made.compile()
+        self._made = made  # as long as it lives, the machine code does
+        return int(made.address)
 
     def _stub(self) -> int:
-        ffi = FFI()
-        text = f"{C_TYPES[self._result]}({', '.join(C_TYPES[name] for name in self._arguments)})"
-        self._made = ffi.callback(text, compiled(self._function))
-        return int(ffi.cast("uintptr_t", self._made))
+        kind = ctypes.CFUNCTYPE(C_TYPES[self._result], *(C_TYPES[name] for name in self._arguments))
+        self._made = kind(compiled(self._function))
+        return int(ctypes.cast(self._made, ctypes.c_void_p).value or 0)
 
 
 def callback(result: str, *arguments: str) -> Callable[[Callable[..., Any]], Callback]:

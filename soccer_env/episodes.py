@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.physics.engine.space import parking_place
 from soccer_env.physics.kicker import holds_ball
-from soccer_env.physics.space import parking_place
 from soccer_env.random_numbers import start_streams
 from soccer_env.referee.restarts import carry_out_restart
 from soccer_env.scenes import Draw

@@ -21,7 +21,7 @@ from soccer_env.actions import numbers_for, take_actions
 from soccer_env.match_batch import MatchBatch, Sums
 from soccer_env.match_settings import MatchArguments, made_from
 from soccer_env.observations import layout
-from soccer_env.physics.space_batch import Backend
+from soccer_env.physics.engine.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import NAMES
 from soccer_env.senses import sensing_sides

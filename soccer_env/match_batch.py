@@ -20,8 +20,8 @@ from soccer_env.episodes import start_match
 from soccer_env.observations.belief import observe_belief_slice
 from soccer_env.observations.truth import observe_slice
 from soccer_env.perception.ideal import believe_truth_slice
-from soccer_env.physics.space import build_space
-from soccer_env.physics.space_batch import Backend, SpaceBatch
+from soccer_env.physics.engine.space import build_space
+from soccer_env.physics.engine.space_batch import Backend, SpaceBatch
 from soccer_env.rewards import COUNT, POTENTIALS
 from soccer_env.senses import UNUSED, Senses
 from soccer_env.settings import Settings

@@ -18,7 +18,7 @@ import numpy as np
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import NEVER, League
 from soccer_env.match import Match
-from soccer_env.physics.space import parking_place
+from soccer_env.physics.engine.space import parking_place
 from soccer_env.squads import Squad
 from soccer_env.types import NO_TEAM
 

@@ -3,8 +3,8 @@
     commands -> drive -> physics -> referee -> restart -> rewards -> observe
                 begin_match         finish_match
 
-Between the two `physics.chipmunk` moves the Spaces on, in the same compiled loop, or Python does it for a whole slice.
-Rewards come after the restart: goals are read from the events, and shaping looks at the state that the next
+Between the two `physics.engine.chipmunk` moves the Spaces on, in the same compiled loop, or Python does it for a whole
+slice. Rewards come after the restart: goals are read from the events, and shaping looks at the state that the next
 observation shows.
 
 `k`: the league's constants.
@@ -20,13 +20,13 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.observations.truth import observe_truth
 from soccer_env.physics.ball import hold, limit_speed, slow_down
-from soccer_env.physics.chipmunk import fetch, step_match, write_bodies
 from soccer_env.physics.contacts import find_collisions, find_touches
 from soccer_env.physics.drive import drive, move_head
+from soccer_env.physics.engine.chipmunk import fetch, step_match, write_bodies
+from soccer_env.physics.engine.prefetch import fetch_row
 from soccer_env.physics.exchange import count_substeps, is_finite, read_records, weigh_ball, write_rows, write_twists
-from soccer_env.physics.interlock import catch_legs
 from soccer_env.physics.kicker import holds_ball, work_kicker
-from soccer_env.physics.prefetch import fetch_row
+from soccer_env.physics.solver.interlock import catch_legs
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.separation import pull_apart, watch_contacts
@@ -41,7 +41,7 @@ GOES_ON, PUT_ELSEWHERE, BROKEN = 0, -1, -2  # how a match stands after a step; a
 
 
 class Physics(NamedTuple):
-    """Rows of numbers that the physics gives back and is given, see `physics.chipmunk`; of M matches."""
+    """Rows of numbers that the physics gives back and is given, see `physics.engine.chipmunk`; of M matches."""
 
     bodies: np.ndarray  # (M, rows, 6)
     velocities: np.ndarray  # (M, rows, 3)

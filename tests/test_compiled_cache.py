@@ -220,5 +220,5 @@ print(double(4), pathlib.Path("cache").exists())
 
 
 def test_the_physics_kernels_depend_on_their_imports_and_on_nothing_beside_them():
-    found = {file.name for file in sources("soccer_env.physics.chipmunk", PACKAGE / "physics" / "chipmunk.py")}
+    found = {file.name for file in sources("soccer_env.physics.engine.chipmunk", PACKAGE / "physics" / "chipmunk.py")}
     assert {"chipmunk.py", "compiled.py", "compiled_cache.py", "compiled_sources.py"} == found

@@ -9,7 +9,7 @@ from math import ceil
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
-from soccer_env.physics.chipmunk_memory import BODY_MASS_INVERSE, BODY_MOMENT_INVERSE, store
+from soccer_env.physics.engine.memory import BODY_MASS_INVERSE, BODY_MOMENT_INVERSE, store
 
 HELD = 1e-9  # [1] share of its lightness that a ball has which the referee holds
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.physics.space import build_space
+from soccer_env.physics.engine.space import build_space
 from soccer_env.types import HOME, NO_TEAM
 from tests.scenes.staging import (
     LEGGED,

@@ -12,9 +12,9 @@ import pymunk
 import pytest
 
 from soccer_env.compiled import compiled
-from soccer_env.physics import chipmunk
-from soccer_env.physics.chipmunk import step_match
-from soccer_env.physics.space_batch import SpaceBatch, default_backend
+from soccer_env.physics.engine import chipmunk
+from soccer_env.physics.engine.chipmunk import step_match
+from soccer_env.physics.engine.space_batch import SpaceBatch, default_backend
 
 ROOT = Path(__file__).parents[2]
 ROBOTS = 6
@@ -172,7 +172,7 @@ import gc, resource, sys
 sys.path.insert(0, {root!r})
 import numpy as np
 from tests.physics.test_chipmunk import BODIES, DT, command, fill_space
-from soccer_env.physics.space_batch import SpaceBatch
+from soccer_env.physics.engine.space_batch import SpaceBatch
 def play(resets):
     for k in range(resets):
         batch.set_space(k % 4, fill_space(k, polygons=k % 2 == 1))
@@ -214,7 +214,7 @@ def test_another_platform_takes_the_c_way_only_after_a_test(monkeypatch):
     default_backend.cache_clear()
     assert default_backend() == "c"
     answers = iter((b"this", b"that"))
-    monkeypatch.setattr("soccer_env.physics.space_batch._collision", lambda backend: next(answers))
+    monkeypatch.setattr("soccer_env.physics.engine.space_batch._collision", lambda backend: next(answers))
     default_backend.cache_clear()
     assert default_backend() == "batch"
     default_backend.cache_clear()

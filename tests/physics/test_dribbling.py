@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.physics.space import build_space
+from soccer_env.physics.engine.space import build_space
 from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, asking, each_league, outline, put, put_ball, stage, steady
 
 

@@ -5,10 +5,10 @@ import pytest
 from pymunk._chipmunk_cffi import ffi
 
 from soccer_env.match import Match
-from soccer_env.physics import prefetch
-from soccer_env.physics.chipmunk_memory import address_of
-from soccer_env.physics.chipmunk_pools import BUFFER_SIZE, SPACE_DYNAMIC, layout_fits
-from soccer_env.physics.prefetch import LINE, SPANS, add
+from soccer_env.physics.engine import prefetch
+from soccer_env.physics.engine.memory import address_of
+from soccer_env.physics.engine.pools import BUFFER_SIZE, SPACE_DYNAMIC, layout_fits
+from soccer_env.physics.engine.prefetch import LINE, SPANS, add
 
 LEAGUES = ["legged-2001", "middle-size-2006"]
 PLAYERS = 3  # a side

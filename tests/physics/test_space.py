@@ -8,8 +8,8 @@ import pymunk
 import pytest
 
 from soccer_env.leagues import League, Materials, Pair, find_league
-from soccer_env.physics.space import build_space, robot_moment
-from soccer_env.physics.surfaces import surfaces_of
+from soccer_env.physics.engine.space import build_space, robot_moment
+from soccer_env.physics.engine.surfaces import surfaces_of
 from soccer_env.types import BALL, ROBOT
 from tests.scenes.staging import LEGGED, MIDDLE, asking, each_league, patient, put, put_ball, stage, steps_in
 

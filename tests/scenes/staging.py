@@ -10,7 +10,7 @@ from soccer_env import Match
 from soccer_env.leagues import League
 from soccer_env.leagues.constants import constants_of
 from soccer_env.physics.contacts import paws_gap
-from soccer_env.physics.space import robot_moment
+from soccer_env.physics.engine.space import robot_moment
 from soccer_env.staging import patient, send_off, set_phase
 from soccer_env.staging import put as put
 from soccer_env.staging import put_ball as put_ball

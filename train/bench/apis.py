@@ -16,7 +16,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.physics.space import build_space
+from soccer_env.physics.engine.space import build_space
 from soccer_env.train.bench.loads import HOLD, PLAYERS, WARM_UP
 
 START_TIMES = {  # Python programs by what they start

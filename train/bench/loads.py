@@ -15,7 +15,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.physics.reference import (
+from soccer_env.physics.engine.reference import (
     REFERENCE_DISCS,
     REFERENCE_DT,
     REFERENCE_SUBSTEPS,
@@ -24,7 +24,7 @@ from soccer_env.physics.reference import (
     reference_space,
     write_slice,
 )
-from soccer_env.physics.space_batch import SpaceBatch
+from soccer_env.physics.engine.space_batch import SpaceBatch
 
 PLAYERS = 3  # a side
 HOLD = 0.5  # [s] for which a random action is kept: shorter ones cancel out and nobody moves

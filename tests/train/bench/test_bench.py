@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.physics import reference
+from soccer_env.physics.engine import reference
 from soccer_env.train.bench import apis as bench_faces
 from soccer_env.train.bench import benchmark as bench
 from soccer_env.train.bench import loads as bench_loads

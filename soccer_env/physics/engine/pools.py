@@ -4,7 +4,7 @@ Chipmunk keeps nodes and pairs of its trees, arbiters and bins of hash sets in p
 item is used first, then the items from the last one downwards; what is given back is used next. So the head and the
 tail of a buffer hold what is in use.
 
-`chipmunk_memory.py` has the structs of bodies and contacts themselves. The numbers below are those of the 64-bit builds
+`engine/memory.py` has the structs of bodies and contacts themselves. The numbers below are those of the 64-bit builds
 of pymunk 7.3 (Munk2D, `chipmunk_structs.h`, `cpBBTree.c`, `cpHashSet.c`, `cpSpaceStep.c`).
 """
 
@@ -15,7 +15,7 @@ import functools
 import pymunk
 from pymunk._chipmunk_cffi import ffi
 
-from soccer_env.physics.chipmunk_memory import BODY_ARBITERS, address_of
+from soccer_env.physics.engine.memory import BODY_ARBITERS, address_of
 
 # Sizes in bytes, and places in a struct
 SPACE_SIZE = 608  # struct cpSpace, with its static body

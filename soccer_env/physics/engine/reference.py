@@ -8,7 +8,7 @@ import numpy as np
 import pymunk
 
 from soccer_env.compiled import compiled
-from soccer_env.physics.chipmunk import advance, read_bodies, write_velocities
+from soccer_env.physics.engine.chipmunk import advance, read_bodies, write_velocities
 
 REFERENCE_DISCS = 6
 REFERENCE_SUBSTEPS = 8

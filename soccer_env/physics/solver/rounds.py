@@ -29,8 +29,7 @@ from soccer_env.compiled_callback import callback
 from soccer_env.geometry import clip, into_frame, length, out_of_frame
 from soccer_env.leagues.constants import CONSTANTS
 from soccer_env.leagues.league import League
-from soccer_env.physics.ball_contacts import look_at_ball, take_roll
-from soccer_env.physics.chipmunk_memory import (
+from soccer_env.physics.engine.memory import (
     BODY_ARBITERS,
     BODY_COS,
     BODY_OMEGA,
@@ -48,12 +47,13 @@ from soccer_env.physics.chipmunk_memory import (
     record_reader,
     store,
 )
-from soccer_env.physics.interlock import hold_caught
-from soccer_env.physics.post_contacts import find_post_contacts
-from soccer_env.physics.post_rows import resume_posts, solve_posts
-from soccer_env.physics.post_walls import meet_walls
-from soccer_env.physics.solver_records import SOLVER
-from soccer_env.physics.space import loose_posts
+from soccer_env.physics.engine.space import loose_posts
+from soccer_env.physics.solver.ball import look_at_ball, take_roll
+from soccer_env.physics.solver.impulses import resume_posts, solve_posts
+from soccer_env.physics.solver.interlock import hold_caught
+from soccer_env.physics.solver.posts import find_post_contacts
+from soccer_env.physics.solver.records import SOLVER
+from soccer_env.physics.solver.walls import meet_walls
 
 solver_at: Any = record_reader(SOLVER)
 constants_at: Any = record_reader(CONSTANTS)
@@ -76,12 +76,14 @@ def prepare(constraint, dt):
     count = 0
     for r in range(solver.robots):
         stance = solver.stances[r]
-        if address_at(stance.body + BODY_ARBITERS) == 0 and stance.meets == 0:
-            stance.given_x = stance.given_y = stance.given_turn = 0.0
-            hold_ground(stance, dt)
-        else:
+        if not is_free(stance):
             solver.touching[count] = r
             count += 1
+        elif stance.led == 1:
+            stance.led = 0
+        else:
+            stance.given_x = stance.given_y = stance.given_turn = 0.0
+            hold_ground(stance, dt)
     solver.touching_count = count
     look_at_ball(solver)
 
@@ -94,6 +96,9 @@ def resume(constraint, share):
     for i in range(solver.touching_count):
         stance = solver.stances[solver.touching[i]]
         body = stance.body
+        if stance.led == 1:
+            stance.led = 0
+            continue
         stance.given_x *= share
         stance.given_y *= share
         stance.given_turn *= share
@@ -121,6 +126,26 @@ def impulse(constraint):
 def finish(constraint, space):
     """Let the blows of this substep take the ball's roll."""
     take_roll(solver_at(address_at(constraint + MOTOR_RATE)))
+
+
+@compiled
+def lead_off(solver, dt):
+    """Let the ground act before the first substep, of dt [s], on the robots that touched nothing in the last one.
+
+    Chipmunk moves bodies first and then changes their velocities: a walk would show a substep late.
+    """
+    for r in range(solver.robots):
+        stance = solver.stances[r]
+        if is_free(stance):
+            stance.given_x = stance.given_y = stance.given_turn = 0.0
+            hold_ground(stance, dt)
+            stance.led = 1
+
+
+@compiled
+def is_free(stance):
+    """Tell whether a robot touches nothing in this substep, or in the last one before the next has begun."""
+    return address_at(stance.body + BODY_ARBITERS) == 0 and stance.meets == 0
 
 
 @compiled

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
-from soccer_env.physics.chipmunk_memory import (
+from soccer_env.physics.engine.memory import (
     BODY_MASS_INVERSE,
     BODY_MOMENT_INVERSE,
     BODY_OMEGA,
@@ -21,7 +21,7 @@ from soccer_env.physics.chipmunk_memory import (
     number_at,
     store,
 )
-from soccer_env.physics.post_contacts import CONTACT_BYTES, contact_at, slip_of
+from soccer_env.physics.solver.posts import CONTACT_BYTES, contact_at, slip_of
 
 
 @compiled

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.physics.post_contacts import add_contact, aim, contact_key, normal
+from soccer_env.physics.solver.posts import add_contact, aim, contact_key, normal
 
 WALL = 31  # in the place of the other robot's row in a contact's key
 SIDE, BACK, END, GOAL_POST = 0, 1, 2, 3  # in the place of the other robot's post

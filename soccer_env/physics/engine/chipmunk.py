@@ -1,12 +1,12 @@
 """Call Chipmunk, the C library under pymunk, from compiled loops over matches.
 
-The only file that knows the private names of pymunk's functions; `chipmunk_memory.py` and `chipmunk_pools.py` know its
+The only file that knows the private names of pymunk's functions; `engine/memory.py` and `engine/pools.py` know its
 structs. Velocities are written to, and poses and velocities read from, the bodies' structs in memory; bodies are put
 elsewhere by pymunk's batch iterator, since more than a number depends on where they are. `cpSpaceStep` takes addresses
 and doubles only, so a kernel can write velocities, step and read back without Python and without its lock.
 
 The functions below take `links`, one record for each match with all addresses that it needs, and the match's index;
-`space_batch.py` makes `links` and owns the arrays that it points to:
+`engine/space_batch.py` makes `links` and owns the arrays that it points to:
 
 * `bodies[m]`, rows of x, y [m], angle [rad], vx, vy [m/s], angular velocity [rad/s]: read at every step, and written to
   put bodies elsewhere;
@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from pymunk._chipmunk_cffi import ffi, lib
 
 from soccer_env.compiled import compiled, config
-from soccer_env.physics.chipmunk_memory import (
+from soccer_env.physics.engine.memory import (
     BODY_ANGLE,
     BODY_OMEGA,
     BODY_VX,
@@ -37,8 +37,9 @@ from soccer_env.physics.chipmunk_memory import (
     number_at,
     store,
 )
-from soccer_env.physics.prefetch import fetch_spans, note_step, spans_at
-from soccer_env.physics.solver_records import MOST_ROBOTS
+from soccer_env.physics.engine.prefetch import fetch_spans, note_step, spans_at
+from soccer_env.physics.solver.records import MOST_ROBOTS
+from soccer_env.physics.solver.rounds import lead_off, solver_at
 
 Links = Any  # array (M,) of LINK; Any because mypy knows no record fields
 
@@ -61,6 +62,7 @@ LINK = np.dtype(
         ("space", "u8"),  # address of the match's cpSpace, 0 before there is one
         ("count", "i8"),  # bodies of a match
         ("body", "u8", (MOST_BODIES,)),  # their addresses
+        ("solver", "u8"),  # address of the match's SOLVER record; 0: Chipmunk solves its contacts alone
         ("spans", "u8"),  # address of the match's SPANS record; 0: nothing is fetched ahead
         ("velocities", "u8"),  # address of `velocities[m]`
         ("bodies", "u8"),  # address of `bodies[m]`
@@ -161,6 +163,8 @@ def advance(links: Links, m: int, substeps: int, dt: float) -> None:
         return
     substep = dt / substeps  # [s]
     _call_step(link.set_time_step, link.space, substep)  # see `keep_impulses`
+    if link.solver != 0:
+        lead_off(solver_at(link.solver), substep)
     for _ in range(substeps):
         _call_step(link.step, link.space, substep)
 

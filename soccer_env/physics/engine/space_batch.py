@@ -1,7 +1,7 @@
 """Hold M pymunk Spaces, and the arrays through which kernels write velocities and read bodies.
 
 Two backends copy between the arrays and the Spaces, with bit-identical results: `"c"` calls Chipmunk from compiled
-code (`chipmunk.py`), `"batch"` is the public `pymunk.batch`, one match after the other from Python.
+code (`engine/chipmunk.py`), `"batch"` is the public `pymunk.batch`, one match after the other from Python.
 
 At each reset `batch.set_space(m, space)`. At each step a kernel fills `batch.velocities`, `batch.step_all(dt,
 substeps)` uses either, and the next kernel reads `batch.bodies`; with the C backend one kernel can do all three.
@@ -22,9 +22,10 @@ from pymunk import batch as pymunk_batch
 from pymunk.batch import BodyFields
 
 from soccer_env.leagues.league import League
-from soccer_env.physics import chipmunk, prefetch, solver
-from soccer_env.physics.chipmunk_memory import address_of
-from soccer_env.physics.solver_records import POST_CONTACT, POST_CONTACTS, SOLVER
+from soccer_env.physics.engine import chipmunk, prefetch
+from soccer_env.physics.engine.memory import address_of
+from soccer_env.physics.solver import rounds
+from soccer_env.physics.solver.records import POST_CONTACT, POST_CONTACTS, SOLVER
 
 Backend = Literal["c", "batch"]
 
@@ -69,6 +70,7 @@ class SpaceBatch:
         if self.links is not None:
             link = self.links[m : m + 1]
             link["space"], link["count"] = chipmunk.space_address(space), self.size
+            link["solver"] = 0
             link["body"][0, : self.size] = [address_of(body) for body in space.bodies]
             self.spans["steps"][m] = self.spans["count"][m] = 0
             link["spans"] = self.spans[m : m + 1].ctypes.data if prefetch.is_useful(len(self.spaces)) else 0
@@ -78,7 +80,9 @@ class SpaceBatch:
 
     def take_part(self, m: int, league: League, constants: NDArray[Any]) -> None:
         """Let our part of the solver act in match m's Space; the caller keeps the league's constants (1,) in place."""
-        solver.attach(self._space(m), self.solvers[m : m + 1], self._contacts[m], league, constants)
+        if self.links is not None:
+            self.links["solver"][m] = self.solvers[m : m + 1].ctypes.data
+        rounds.attach(self._space(m), self.solvers[m : m + 1], self._contacts[m], league, constants)
 
     def step_all(self, dt: float, substeps: ArrayLike) -> None:
         """Write the velocities of all matches, move them on by dt [s] and read their bodies; `substeps` () or (M,)."""
@@ -99,6 +103,7 @@ class SpaceBatch:
             self.write_velocities(m)
             if counts[m] > 0:
                 chipmunk.keep_impulses(self._space(m), dt / int(counts[m]))
+                rounds.lead_off(self.solvers[m], dt / int(counts[m]))
             for _ in range(counts[m]):
                 self._space(m).step(dt / int(counts[m]))
             self.read_bodies(m)

@@ -2,8 +2,8 @@
 
 Posts are no shapes of Chipmunk's, whose search for pairs would cost more than all the rest of a match: they are found
 here, in each substep, by the distances of circles from circles, from discs and capsules and from boards, and take part
-in the same rounds of impulses (`post_rows.py`). A leg meets robots and boards where it stands, in the middle of its
-stroke, since a leg that swings against something heavy gives way; it meets the ball where it is.
+in the same rounds of impulses (`solver/impulses.py`). A leg meets robots and boards where it stands, in the middle of
+its stroke, since a leg that swings against something heavy gives way; it meets the ball where it is.
 
 `k`: the league's constants.
 """
@@ -15,7 +15,7 @@ from typing import Any
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame
-from soccer_env.physics.chipmunk_memory import (
+from soccer_env.physics.engine.memory import (
     BODY_COS,
     BODY_MASS_INVERSE,
     BODY_MOMENT_INVERSE,
@@ -28,7 +28,7 @@ from soccer_env.physics.chipmunk_memory import (
     number_at,
     record_reader,
 )
-from soccer_env.physics.solver_records import POST_CONTACT, POSTS
+from soccer_env.physics.solver.records import POST_CONTACT, POSTS
 
 OVERLAP_LEFT = 1e-12  # [1] share of an overlap left after 1 s, assumed; Chipmunk's 0.0018 buries a ball in a scrum
 BALL = 30  # in the place of the other robot's row in a contact's key
@@ -231,7 +231,7 @@ def slip_of(contact):
 
 @compiled
 def share_with_roll(solver, contact):
-    """Leave to the level friction of a contact with the ball its share of the slip, see `ball_contacts.py`."""
+    """Leave to the level friction of a contact with the ball its share of the slip, see `solver/ball.py`."""
     vx, vy = slip_of(contact)
     level = vy * contact.nx - vx * contact.ny
     slip = length(level, solver.roll_x * contact.nx + solver.roll_y * contact.ny)

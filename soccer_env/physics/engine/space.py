@@ -3,7 +3,7 @@
 Bodies are added as ball, robot 0, robot 1, ...; that order is the order of rows in every body array. A Space is made
 anew at each reset: one that is reset in place remembers its past and breaks reproducibility.
 
-A robot is a disc or capsule here; what its posts touch, legs or tips of a guide, is found apart (`post_contacts.py`).
+A robot is a disc or capsule here; what its posts touch, legs or tips of a guide, is found apart (`solver/posts.py`).
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import pymunk
 
 from soccer_env.leagues.league import League, Pitch
 from soccer_env.leagues.robot import Body
-from soccer_env.physics.surfaces import (
+from soccer_env.physics.engine.surfaces import (
     BALL,
     BALL_WALL,
     BODY,

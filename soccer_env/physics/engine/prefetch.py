@@ -20,8 +20,8 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 
 from soccer_env.compiled import compiled, config
-from soccer_env.physics.chipmunk_memory import MOTOR_RATE, address_at, count_at, record_reader
-from soccer_env.physics.chipmunk_pools import (
+from soccer_env.physics.engine.memory import MOTOR_RATE, address_at, count_at, record_reader
+from soccer_env.physics.engine.pools import (
     ARBITER_SIZE,
     ARRAY_ITEMS,
     ARRAY_SIZE,
@@ -56,7 +56,7 @@ from soccer_env.physics.chipmunk_pools import (
     TREE_SIZE,
     layout_fits,
 )
-from soccer_env.physics.solver_records import MOST_ROBOTS, SOLVER, STANCE
+from soccer_env.physics.solver.records import MOST_ROBOTS, SOLVER, STANCE
 
 LINE = 64  # [B] a cache line
 MOST_SPANS = 254  # of a match; enough for 11 v 11, and more would not be noted

@@ -24,7 +24,7 @@ from soccer_env.leagues.materials import Materials, Pair
 LEAST = 1e-6  # [1] what a factor that is divided by stands for at least: robot_robot or ball_robot of 0 act as that
 
 BALL = 1 << 0
-BODY = 1 << 1  # a robot's trunk; with its posts where it is a hull; others are found apart, `post_contacts.py`
+BODY = 1 << 1  # a robot's trunk; with its posts where it is a hull; others are found apart, `solver/posts.py`
 BALL_WALL = 1 << 2  # boards, posts and nets as the ball meets them
 BODY_WALL = 1 << 3  # the same as robots meet them
 MEETS = {BALL: BODY | BALL_WALL, BODY: BALL | BODY | BODY_WALL, BALL_WALL: BALL, BODY_WALL: BODY}

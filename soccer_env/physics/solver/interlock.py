@@ -12,9 +12,9 @@ from math import cos, sin
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame
-from soccer_env.physics.chipmunk_memory import BODY_COS, BODY_SIN, BODY_X, BODY_Y, number_at
+from soccer_env.physics.engine.memory import BODY_COS, BODY_SIN, BODY_X, BODY_Y, number_at
 from soccer_env.physics.gait import LEGS, stance
-from soccer_env.physics.post_contacts import add_contact, aim, contact_key
+from soccer_env.physics.solver.posts import add_contact, aim, contact_key
 
 GAPS = 4  # between two neighbouring legs: the fore ones, the hind ones, the left, the right
 HOLD = 6  # in the place of the other robot's leg in a contact's key

@@ -24,7 +24,7 @@ from math import sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.physics.chipmunk_memory import (
+from soccer_env.physics.engine.memory import (
     ARBITER_BODY_A,
     ARBITER_BODY_B,
     ARBITER_CONTACTS,
@@ -46,8 +46,8 @@ from soccer_env.physics.chipmunk_memory import (
     number_at,
     store,
 )
-from soccer_env.physics.post_contacts import CONTACT_BYTES, contact_at
-from soccer_env.physics.solver_records import MOST_CONTACTS
+from soccer_env.physics.solver.posts import CONTACT_BYTES, contact_at
+from soccer_env.physics.solver.records import MOST_CONTACTS
 
 
 @compiled
