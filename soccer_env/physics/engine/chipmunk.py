@@ -164,7 +164,7 @@ def advance(links: Links, m: int, substeps: int, dt: float) -> None:
     substep = dt / substeps  # [s]
     _call_step(link.set_time_step, link.space, substep)  # see `keep_impulses`
     if link.solver != 0:
-        lead_off(solver_at(link.solver), substep)
+        lead_off(solver_at(link.solver), dt)
     for _ in range(substeps):
         _call_step(link.step, link.space, substep)
 

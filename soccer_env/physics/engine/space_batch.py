@@ -103,7 +103,7 @@ class SpaceBatch:
             self.write_velocities(m)
             if counts[m] > 0:
                 chipmunk.keep_impulses(self._space(m), dt / int(counts[m]))
-                rounds.lead_off(self.solvers[m], dt / int(counts[m]))
+                rounds.lead_off(self.solvers[m], dt)
             for _ in range(counts[m]):
                 self._space(m).step(dt / int(counts[m]))
             self.read_bodies(m)

@@ -36,7 +36,7 @@ STANCE = np.dtype(
         ("given_y", "f8"),  # [m/s]
         ("given_turn", "f8"),  # [rad/s]
         ("active", "i8"),  # 0: parked off the pitch, where its posts touch nothing
-        ("led", "i8"),  # 1: the ground has given what it gives in this substep before it began
+        ("led", "i8"),  # 1: it touches nothing, and the ground has given all that it gives in this control step
         ("meets", "i8"),  # 1: its posts touch something in this substep
         ("caught_by", "i8"),  # as in the robot's record
         ("caught_leg", "i8"),

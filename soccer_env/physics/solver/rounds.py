@@ -79,9 +79,8 @@ def prepare(constraint, dt):
         if not is_free(stance):
             solver.touching[count] = r
             count += 1
-        elif stance.led == 1:
             stance.led = 0
-        else:
+        elif stance.led == 0:
             stance.given_x = stance.given_y = stance.given_turn = 0.0
             hold_ground(stance, dt)
     solver.touching_count = count
@@ -96,9 +95,6 @@ def resume(constraint, share):
     for i in range(solver.touching_count):
         stance = solver.stances[solver.touching[i]]
         body = stance.body
-        if stance.led == 1:
-            stance.led = 0
-            continue
         stance.given_x *= share
         stance.given_y *= share
         stance.given_turn *= share
@@ -130,15 +126,17 @@ def finish(constraint, space):
 
 @compiled
 def lead_off(solver, dt):
-    """Let the ground act before the first substep, of dt [s], on the robots that touched nothing in the last one.
+    """Let the ground act before the first substep of a control step of dt [s] on robots that touched nothing so far.
 
     Chipmunk moves bodies first and then changes their velocities: a walk would show a substep late.
     """
     for r in range(solver.robots):
         stance = solver.stances[r]
+        stance.led = 0
         if is_free(stance):
             stance.given_x = stance.given_y = stance.given_turn = 0.0
             hold_ground(stance, dt)
+            stance.given_x = stance.given_y = stance.given_turn = 0.0
             stance.led = 1
 
 
