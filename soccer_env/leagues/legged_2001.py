@@ -56,13 +56,12 @@ SMOOTH_BODY = Body(  # of one piece: 270 x 155 mm with the forelegs; about 255 x
     height=0.27,  # [m] 266 to 281 mm, remembered
 )
 
-# With legs: 264 mm long (250 to 274 remembered) and 172 mm wide.  MS51
+# With legs: 264 mm long (250 to 274 remembered) and 158 mm wide (152 to 156 remembered).  MS51
 #
-# Shoulders and hips are 59.5 mm ahead of the centre and behind it, 59.2 mm aside (kinematics of the ERS-210). Paws do
-# not stand under them: a forepaw stands 60 mm ahead of its shoulder and 7 mm outside of it, a hind paw 45 mm behind and
-# 2 mm outside, in the stance of the walk of the University of Pennsylvania of 2004 (Tekkotsu, touretzkyds/Tekkotsu,
-# Motion/UPennWalkMC.cc: STANCE_FORE_X0 = 7, STANCE_FORE_Y0 = 60, STANCE_HIND_X0 = 2, STANCE_HIND_Y0 = -45, x aside and
-# y ahead). That is of the ERS-7, whose legs are 5 to 10 % longer.
+# Shoulders and hips are 59.5 mm ahead of the centre and behind it, 59.2 mm aside (kinematics of the ERS-210). Legs stand
+# as far aside as these. Ahead they do not: a forepaw stands 60 mm ahead of its shoulder, a hind paw 45 mm behind, in the
+# stance of the walk of the University of Pennsylvania of 2004 (Tekkotsu, touretzkyds/Tekkotsu, Motion/UPennWalkMC.cc:
+# STANCE_FORE_Y0 = 60, STANCE_HIND_Y0 = -45), whose robot, the ERS-7, has legs 5 to 10 % longer.
 #
 # Posts right under the shoulders would hold the ball 78 mm ahead of the centre, where the camera could never see it:
 # from 142 mm ahead it would lie 135 degrees below the horizon, and at the lowest tilt of 82 degrees the picture ends
@@ -74,12 +73,12 @@ BODY = Body(
     disc_back=0.122,  # [m] so that the rear end is at -95 mm, assumed
     corners=(),
     tip_x=0.1195,  # [m] forepaws: 59.5 + 60 mm
-    tip_y=0.0662,  # [m] 59.2 + 7 mm
+    tip_y=0.0592,  # [m] shoulders
     tip_radius=0.02,  # [m] assumed
     hind_x=-0.1045,  # [m] hind paws: -59.5 - 45 mm
-    hind_y=0.0612,  # [m] 59.2 + 2 mm
+    hind_y=0.0592,  # [m] hips
     front=0.105,  # [m] the chest, assumed
-    reach=0.157,  # [m] outermost point of the forepaws
+    reach=0.1535,  # [m] outermost point of the forepaws
     height=0.27,  # [m] 266 to 281 mm, remembered
     legs=True,
     inertia=(0.270**2 + 0.155**2) / 12.0,  # [m2] a rectangle of 270 x 155 mm, about the size of the ERS-210, remembered
