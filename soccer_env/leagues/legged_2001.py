@@ -58,8 +58,8 @@ SMOOTH_BODY = Body(  # of one piece: 270 x 155 mm with the forelegs; about 255 x
 
 # With legs: 264 mm long (250 to 274 remembered) and 158 mm wide (152 to 156 remembered).  MS51
 #
-# Shoulders and hips are 59.5 mm ahead of the centre and behind it, 59.2 mm aside (kinematics of the ERS-210). Legs stand
-# as far aside as these. Ahead they do not: a forepaw stands 60 mm ahead of its shoulder, a hind paw 45 mm behind, in the
+# Shoulders and hips are 59.5 mm ahead of the centre and behind it, 59.2 mm aside (kinematics of the ERS-210). Legs are
+# as far aside. Ahead they are not: a forepaw stands 60 mm ahead of its shoulder, a hind paw 45 mm behind, in the
 # stance of the walk of the University of Pennsylvania of 2004 (Tekkotsu, touretzkyds/Tekkotsu, Motion/UPennWalkMC.cc:
 # STANCE_FORE_Y0 = 60, STANCE_HIND_Y0 = -45), whose robot, the ERS-7, has legs 5 to 10 % longer.
 #
