@@ -16,7 +16,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.staging import constants_of
-from tests.scenes.staging import LEGGED, MIDDLE, boarded, each_league, icy, put, put_ball, stage, stand
+from tests.scenes.staging import MIDDLE, boarded, each_league, icy, put, put_ball, stage, stand
 
 RATE = 1000  # [1/s] control steps, so short that a step holds one blow
 SUBSTEPS = 2
