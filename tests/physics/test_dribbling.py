@@ -5,7 +5,19 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.physics.engine.space import build_space
-from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, asking, each_league, outline, put, put_ball, stage, steady
+from tests.scenes.staging import (
+    LEAGUES,
+    LEGGED,
+    MIDDLE,
+    asking,
+    each_league,
+    endless,
+    outline,
+    put,
+    put_ball,
+    stage,
+    steady,
+)
 
 
 def pushed(league, matches, v, seconds, forward):
@@ -50,6 +62,38 @@ def test_a_robot_that_turns_on_the_spot_loses_its_ball():
     for _ in range(100):
         match.step(asking(match, turn=1.0))
     assert match.robots["has_ball"][0, 0] == 0
+
+
+def kept_for(commands, seconds=4.0):
+    """Return for how long [s] guides keep the ball (N,), each robot at 1 m/s ahead and then told its command (N, 3)."""
+    league = endless(steady(MIDDLE))
+    match = stage(league, len(commands))
+    put(match, 0, 0.0, 0.0, 0.0)
+    put_ball(match, league.body.front + league.ball.radius + 0.001, 0.0)
+    match.rebuild()
+    warm = league.control_rate  # steps of a gentle start
+    last = np.zeros(len(commands))
+    for step in range(warm + round(seconds * league.control_rate)):
+        ahead = np.array([min(step / warm, 1.0) / league.drive.forward, 0.0, 0.0])
+        forward, left, turn = np.broadcast_to(ahead if step < warm else commands, (len(commands), 3)).T
+        match.step(asking(match, forward=forward, left=left, turn=turn))
+        last[match.robots["has_ball"][:, 0] == 1] = (step - warm + 1) * league.dt
+    return last
+
+
+def test_a_guide_keeps_the_ball_by_geometry_and_friction_straight_ahead_and_loses_it_the_sooner_the_faster_it_turns():
+    drive = find_league(MIDDLE).drive
+    rates = np.array([0.0, 0.2, 0.5, 1.0, 2.0, 3.0])  # [rad/s]
+    ahead = np.full(len(rates), 1.0 / drive.forward)
+    times = kept_for(np.stack([ahead, 0.0 * rates, rates / drive.turn], axis=1))
+    assert times[0] == 4.0
+    assert (np.diff(times) <= 0.0).all()
+    assert 2.0 < times[1] < 4.0 and (times[2:] < 0.8).all()
+
+
+def test_a_guide_does_not_pull_the_ball_along_when_it_brakes_goes_back_or_aside():
+    standing, back, aside = [0.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]
+    assert (kept_for(np.array([standing, back, aside]), 1.5) < 0.5).all()
 
 
 @each_league
