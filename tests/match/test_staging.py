@@ -5,11 +5,13 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE, SHOOT
+from soccer_env.leagues import find_league
 from soccer_env.staging import (
     begin,
     constants_of,
     memory_of,
     memory_settings_of,
+    patient,
     put,
     put_ball,
     sensors_of,
@@ -78,17 +80,27 @@ def test_a_scene_begins_with_robots_that_know_where_they_are_or_not() -> None:
     assert (lost.beliefs["ball"]["confidence"] == 0.0).all()
 
 
-def test_a_heavy_robot_stays_where_a_walking_one_pushes_it() -> None:
-    moved = []
-    for mass in (None, 1e4):
-        match = Match("legged-2001", home=1, away=1, seed=2)
-        put(match, 0, 0.0, 0.0)
-        put(match, 1, 0.3, 0.0)
-        put_ball(match, 0.0, 0.8)
-        begin(match)
-        if mass:
-            set_mass(match, (1,), mass, mass)
-        for _ in range(64):
-            match.step(np.array([[[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]]]))
-        moved.append(abs(float(match.robots["x"][0, 1]) - 0.3))
-    assert moved[0] > 0.02 > 0.001 > moved[1]
+def pushed_by(pushers: int, mass: float | None = None) -> float:
+    """Return how far [m] a robot that stands is moved in four seconds by others that walk at it, one behind another."""
+    match = Match(patient("legged-2001"), home=pushers, away=1, seed=2)
+    apart = 2.0 * (match.league.body.tip_x + match.league.body.tip_radius) + 0.002  # [m] between neighbours
+    for r in range(pushers):
+        put(match, r, -apart * r, 0.0)
+    put(match, pushers, apart, 0.0, np.pi)
+    put_ball(match, 0.0, 0.8)
+    begin(match)
+    if mass:
+        set_mass(match, (pushers,), mass, mass)
+    actions = np.zeros((1, pushers + 1, 4))
+    actions[:, :pushers, 0] = 1.0
+    for _ in range(64):
+        match.step(actions)
+    return abs(float(match.robots["x"][0, pushers]) - apart)
+
+
+def test_a_heavy_robot_stays_where_three_push_another_away() -> None:
+    """Who walks pushes with half of what one bears who stands: one does not move it, three do."""
+    drive = find_league("legged-2001").drive
+    assert drive.thrust < drive.traction < 3.0 * drive.thrust
+    assert pushed_by(1) < 0.005 < 0.1 < pushed_by(3)
+    assert pushed_by(3, mass=1e4) < 0.001
