@@ -11,7 +11,10 @@ from soccer_env.compiled import compiled
 from soccer_env.observations.truth import observe_slice
 from soccer_env.perception.ideal import believe_truth_slice
 from soccer_env.physics.drive import drive, move_head
+from soccer_env.physics.engine.memory import BODY_ARBITERS, BODY_COS, BODY_OMEGA, BODY_SIN, BODY_VX, BODY_VY
 from soccer_env.physics.kicker import work_kicker
+from soccer_env.physics.solver.records import STANCE
+from soccer_env.physics.solver.rounds import hold_ground
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.steering import steer_to_place
@@ -87,12 +90,34 @@ def in_both_worlds(match, stage, events=False):
 
 
 @compiled
-def drive_all(matches, balls, robots, constants):
+def drive_all(matches, balls, robots, constants, stances, bodies):
     for m in range(len(matches)):
         for r in range(robots.shape[1]):
-            drive(robots[m, r], constants[0], matches[m].step, matches[m].handedness)
+            drive(robots[m, r], constants[0], matches[m].step, matches[m].handedness, stances[m, r])
+            take_ground(robots[m, r], stances[m, r], bodies[m, r], constants[0].dt)
             move_head(robots[m, r], constants[0], balls[m])
         matches[m].step += 1
+
+
+@compiled
+def take_ground(robot, stance, body, dt):
+    """Give a robot that touches nothing the velocity that the ground lets it have; body: what stance.body points to."""
+    stance.given_x = stance.given_y = stance.given_turn = 0.0
+    body[BODY_VX // 8], body[BODY_VY // 8], body[BODY_OMEGA // 8] = robot.vx, robot.vy, robot.omega
+    body[BODY_COS // 8], body[BODY_SIN // 8] = np.cos(robot.heading), np.sin(robot.heading)
+    hold_ground(stance, dt)
+    robot.vx, robot.vy, robot.omega = body[BODY_VX // 8], body[BODY_VY // 8], body[BODY_OMEGA // 8]
+
+
+def stances_of(match):
+    """Return STANCE records (M, R) of the robots of a league, and the memory of bodies that they point to."""
+    bodies = np.zeros((*match.robots.shape, BODY_ARBITERS // 8 + 1))
+    stances = np.zeros(match.robots.shape, STANCE)
+    size = bodies.itemsize * bodies.shape[-1]
+    stances["body"] = bodies.ctypes.data + size * np.arange(stances.size).reshape(stances.shape)
+    for i, (x, y) in enumerate(match.league.body.posts):
+        stances["posts"]["stand_x"][..., i], stances["posts"]["stand_y"][..., i] = x, y
+    return stances, bodies
 
 
 @compiled
@@ -133,11 +158,18 @@ def measure_all(matches, balls, robots, constants, potentials):
 @pytest.mark.parametrize("name", [LEGGED, MIDDLE, DIFFERENTIAL])
 def test_driving_is_symmetric_over_many_gait_steps(name):
     def stage(records, events, robot_events, constants):
+        stances, bodies = stances_of(before)
         for _ in range(40):
-            drive_all(records.matches, records.balls, records.robots, constants)
+            drive_all(records.matches, records.balls, records.robots, constants, stances, bodies)
+        posts.append(stances["posts"].copy())
 
-    before = mid_game(name)
+    before, posts = mid_game(name), []
     after = in_both_worlds(before, stage)
+    one, left_right, half_turn = posts
+    for axis, sign in (("x", 1.0), ("y", -1.0), ("vx", 1.0), ("vy", -1.0)):
+        assert_close(left_right[axis], sign * one[axis], MIRROR, f"posts.{axis}")
+        assert_close(half_turn[axis], swapped_rows(one[axis]), HALF_TURN, f"posts.{axis}")
+    assert (abs(one["vx"]).max() > 0.1) == before.league.body.legs
     assert not np.array_equal(after.robots["slip"], before.robots["slip"])
     assert speed(after.robots).max() > 0.3 * before.league.drive.forward
 
