@@ -142,6 +142,13 @@ MUTANTS = [
         "tests/physics/test_touches.py::test_ms51_a_paw_touches_the_ball_where_it_is_in_its_stroke",
     ),
     Mutant(
+        "MS51",
+        "soccer_env/physics/solver/walls.py",
+        "half_width - k.pitch_board_foot - abs(post.field_y)",
+        "half_width - abs(post.field_y)",
+        "tests/physics/test_space.py::test_ms51_paws_meet_a_board_at_its_foot_and_trunk_and_ball_the_upright_board",
+    ),
+    Mutant(
         "MS56",
         "soccer_env/leagues/legged_2001.py",
         "team_size=3",
