@@ -146,12 +146,23 @@ def unchanged(match: Match, seen: set[str]) -> set[str]:
 def middle_of_play(league: str, home: int, away: int, **settings: str) -> Match:
     """Return a match with everything in motion, all in generic places, and a finite clock."""
     match = Match(league, home=home, away=away, seed=3, minutes=2.0, pose="percept", **settings)
-    scatter(match, np.random.default_rng(5), share=0.6)
+    rng = np.random.default_rng(5)
+    scatter(match, rng, share=0.6)
+    while closest_in_distance(match) < 4.0 * STEP:
+        for axis in "xy":
+            match.robots[axis] += rng.uniform(-0.01, 0.01, match.robots.shape)
     for records, names in ((match.robots, ("vx", "vy", "omega")), (match.balls, ("vx", "vy"))):
         for name in names:
             records[name] = 0.02
     match.matches["phase"], match.matches["restart_team"], match.matches["clock"] = Phase.PLAY, 0, 20.0
     return match
+
+
+def closest_in_distance(match: Match) -> float:
+    """Return the least difference [m] between the distances of two robots from a third: a tie would swap slots."""
+    x, y = match.robots["x"][0], match.robots["y"][0]
+    distances = np.sort(np.hypot(x[:, None] - x, y[:, None] - y), axis=1)
+    return float(np.diff(distances[[0, -1]], axis=1).min())
 
 
 def slots_seen(match: Match, r: int) -> dict[int, str]:
