@@ -11,7 +11,8 @@ from soccer_env.leagues.league import NEVER
 from tests.scenes.staging import LEGGED, MIDDLE, asking, deepest_overlaps, put, put_ball, stage, stand, steps_in
 from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_actions
 
-NOSES = 0.291  # [m] between the centres of two robots whose paws touch
+PAWS = find_league(LEGGED).body
+NOSES = 2.0 * (PAWS.tip_x + PAWS.tip_radius) + 0.002  # [m] between the centres of two robots whose paws touch
 
 
 def pushing(league=LEGGED, matches=1, x=0.3, y=0.4, contact_time=15.0):
