@@ -1,8 +1,8 @@
 """Runs of a robot that makes for a ball and is stopped on the way, for the claims on collisions.  [Sacks 2001, 3]
 
-Two robots that push against each other slide past each other here sooner or later, for a standing robot holds its
-ground no better than a walking one pushes. Where a claim is about a robot that is stuck, it is therefore held
-(`hold`: its legs slip), or what it walks into is (`anchor`).
+A robot that walks slides past another sooner or later, and moves one that stands by millimetres.
+Where a claim is about a robot that is stuck, it is therefore held (`hold`: its legs slip), or what it walks into is
+(`anchor`).
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def hold(match: Match) -> None:
 
 
 def anchor(match: Match, rows: Sequence[int]) -> None:
-    """Make robots so heavy that nobody pushes them aside."""
+    """Make robots so heavy that nobody moves them at all."""
     set_mass(match, rows, HEAVY, HEAVY)
 
 
