@@ -10,6 +10,10 @@ MEMORY, TALK, WORDS = (
     "soccer_env/ball_words.py",
 )
 GAIT, TEST_GAIT = "soccer_env/physics/gait.py", "tests/physics/test_gait.py::"
+INTERLOCK, TEST_INTERLOCK = "soccer_env/physics/solver/interlock.py", "tests/physics/test_interlock.py::"
+TEST_SWING = (
+    "tests/physics/test_blow_energy.py::test_ms51_a_paw_that_swings_hits_the_ball_at_twice_the_speed_of_the_walk"
+)
 TEST_HEAD, TEST_TALK = "tests/belief/legged/test_head.py::", "tests/belief/test_talk.py::"
 TEST_FELT = "tests/perception/test_body.py::test_ms06_a_robot_feels_touch_and_whether_it_lies_on_its_side"
 TEST_FILLED = "tests/senses/test_modules.py::test_ms01_memory_gets_percepts_alone_and_fills_the_shared_records"
@@ -147,6 +151,34 @@ MUTANTS = [
         "half_width - k.pitch_board_foot - abs(post.field_y)",
         "half_width - abs(post.field_y)",
         "tests/physics/test_space.py::test_ms51_paws_meet_a_board_at_its_foot_and_trunk_and_ball_the_upright_board",
+    ),
+    Mutant(
+        "MS51",
+        "soccer_env/physics/solver/posts.py",
+        "contact.surface_x = -vx",
+        "contact.surface_x = 0.0",
+        TEST_SWING,
+    ),
+    Mutant(
+        "MS51",
+        INTERLOCK,
+        "contact.grip = GRIP",
+        "contact.grip = 0.0",
+        TEST_INTERLOCK + "test_ms51_a_leg_between_two_legs_of_another_robot_moves_straight_out_or_not_at_all",
+    ),
+    Mutant(
+        "MS51",
+        INTERLOCK,
+        "(0.0, handedness) if gap == 2 else (0.0, -handedness)",
+        "(0.0, -handedness) if gap == 2 else (0.0, handedness)",
+        TEST_INTERLOCK + "test_ms51_it_comes_free_straight_apart",
+    ),
+    Mutant(
+        "MS51",
+        INTERLOCK,
+        "handedness) < k.body_tip_radius:",
+        "handedness) < 2.0 * k.body_tip_radius:",
+        TEST_INTERLOCK + "test_ms51_a_leg_beside_the_gap_is_free",
     ),
     Mutant(
         "MS56",

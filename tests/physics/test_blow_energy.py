@@ -1,0 +1,156 @@
+"""Blows between bodies that nothing drives add no energy and keep momentum; a paw that swings gives its work."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.leagues.league import League
+from soccer_env.physics.engine.space import robot_moment
+from soccer_env.staging import constants_of
+from tests.scenes.staging import (
+    LEGGED,
+    asking,
+    boarded,
+    each_league,
+    endless,
+    energy,
+    icy,
+    put,
+    put_ball,
+    stage,
+    stand,
+    steady,
+    steps_in,
+)
+
+MATCHES = 200
+
+
+def freeze(match: Match) -> Match:
+    """Let neither the ground nor a drive act on the robots of a match, so that blows alone change speeds."""
+    for name in ("traction", "thrust", "turn_traction", "turn_thrust"):
+        constants_of(match)[f"drive_{name}"] = 1e-12
+    return match
+
+
+def throng(league: League, seed: int, x: float = 0.0, y: float = 0.0) -> Match:
+    """Return matches in which a ball and three robots rush at each other on ice, round a place [m]."""
+    match = freeze(stage(league, MATCHES, home=2, away=1))
+    rng, body, top = np.random.default_rng(seed), match.league.body, match.league.drive.forward
+    corners = np.array([(i, j) for i in (-1.1, 1.1) for j in (-1.1, 1.1)])
+    corners = corners[rng.permuted(np.tile(np.arange(4), (MATCHES, 1)), axis=1)]
+    for r in range(3):
+        place = corners[:, r] * body.reach + (x, y)
+        put(match, r, place[:, 0], place[:, 1], rng.uniform(-np.pi, np.pi, MATCHES))
+        drift = 0.5 * (rng.uniform(-top, top, (MATCHES, 2)) - 0.9 * top * corners[:, r])
+        match.robots["vx"][:, r], match.robots["vy"][:, r] = drift.T
+    match.robots["omega"] = rng.uniform(-1.0, 1.0, (MATCHES, 3)) * match.league.drive.turn
+    v, angle = match.league.ball.top_speed * rng.uniform(0.0, 0.4, MATCHES), rng.uniform(-np.pi, np.pi, MATCHES)
+    place = corners[:, 3] * body.reach + (x, y)
+    put_ball(match, place[:, 0], place[:, 1], v * np.cos(angle), v * np.sin(angle))
+    match.rebuild()
+    return match
+
+
+def momentum(match: Match) -> np.ndarray:
+    """Return the momentum (M, 2) of ball and robots [N s]."""
+    ball, body = match.league.ball, match.league.body
+    sums = [ball.mass * match.balls[v] + body.mass * match.robots[v].sum(axis=1) for v in ("vx", "vy")]
+    return np.stack(sums, axis=-1)
+
+
+def jammed(match: Match) -> np.ndarray:
+    """Tell in which matches legs hold each other, or robots may have the ball between them (M,).
+
+    These ten rounds of impulses leave unsolved: the ball's mass is a part in 70 of a robot's.
+    """
+    league, x, y = match.league, match.balls["x"][:, None], match.balls["y"][:, None]
+    away = np.hypot(match.robots["x"] - x, match.robots["y"] - y)
+    at_ball = away < league.body.reach + league.ball.radius + 0.05
+    held: np.ndarray = (match.robots["caught_by"] > 0).any(axis=1) | (at_ball.sum(axis=1) > 1)
+    return held
+
+
+def growth_in(match: Match, seconds: float) -> np.ndarray:
+    """Return by how much of its first energy a match has grown at most in a step (M,) in which nothing is jammed."""
+    before = began = energy(match)
+    growth, past = np.zeros(MATCHES), np.zeros(MATCHES, bool)
+    free = 0
+    for _ in range(steps_in(match, seconds)):
+        match.step(stand(match))
+        now, jam = energy(match), jammed(match)
+        growth = np.maximum(growth, np.where(jam | past, 0.0, (now - before) / began))
+        free += (now < 0.99 * before)[~(jam | past)].sum()
+        before, past = now, jam
+    assert free > MATCHES / 2, "many blows are looked at"
+    return growth
+
+
+@each_league
+def test_blows_in_a_throng_on_ice_add_no_energy(name):
+    assert growth_in(throng(icy(endless(name)), seed=2), 3.0).max() < 1e-9
+
+
+@each_league
+def test_blows_of_robots_and_boards_on_ice_add_no_energy(name):
+    league = icy(boarded(name))
+    match = throng(league, seed=1, y=0.5 * league.pitch.width - 2.5 * league.body.reach)
+    put_ball(match, 0.4 * league.pitch.length, -0.4 * league.pitch.width)
+    match.rebuild()
+    assert growth_in(match, 2.0).max() < 1e-9
+
+
+@each_league
+def test_blows_in_a_throng_on_ice_keep_momentum(name):
+    match = throng(icy(endless(name)), seed=1)
+    kept, moved = momentum(match), match.robots["vx"].copy()
+    for _ in range(steps_in(match, 3.0)):
+        match.step(stand(match))
+        assert abs(momentum(match) - kept).max() < 3e-10 * match.league.body.mass
+    assert (abs(match.robots["vx"] - moved) > 1e-3).mean() > 0.5
+
+
+# Paws that swing
+
+
+def swinging(mass: float, gap: float, side: float) -> Match:
+    """Return a match in which a robot on ice walks at full speed, a slick ball at rest a gap [m] before a forepaw.
+
+    The left forepaw (side 1) begins to swing ahead, the right one (-1) to stand.
+    """
+    league = icy(steady(endless(LEGGED)))
+    slick = replace(league.materials, ball_robot=replace(league.materials.ball_robot, friction=0.0))
+    match = stage(replace(league, body=replace(league.body, mass=mass), materials=slick))
+    drive, body = match.league.drive, match.league.body
+    put(match, 0, 0.0, 0.0, forward=drive.forward)
+    match.robots["gait_phase"] = 0
+    half = 0.25 * drive.gait_steps * match.league.dt * drive.forward  # [m] of a stroke
+    ahead = body.tip_x - side * half + body.tip_radius + match.league.ball.radius
+    put_ball(match, ahead + gap, side * body.tip_y)
+    match.rebuild()
+    return freeze(match)
+
+
+@pytest.mark.parametrize("mass", [1e6, 1.45, 0.2])
+def test_ms51_a_paw_that_swings_hits_the_ball_at_twice_the_speed_of_the_walk(mass):
+    """Off the centre's line, a robot of mass M resists with 1 / (1 / M + y^2 / I)."""
+    match = swinging(mass, gap=0.004, side=1.0)
+    league, u = match.league, 2.0 * match.league.drive.forward
+    body, ball = league.body, league.ball
+    both = 1.0 / ball.mass + 1.0 / body.mass + body.tip_y**2 / robot_moment(league)  # [1/kg]
+    match.step(asking(match, forward=1.0))
+    expected = (1.0 + league.materials.ball_robot.elasticity) * u / both / ball.mass
+    assert match.balls["vx"][0] == pytest.approx(expected, rel=1e-6)
+    assert match.balls["vy"][0] == pytest.approx(0.0, abs=1e-6)
+
+
+def test_ms51_a_paw_that_stands_on_the_ground_leaves_the_ball_alone():
+    match = swinging(1e6, gap=0.001, side=-1.0)
+    for _ in range(match.league.drive.gait_steps // 2):
+        match.step(asking(match, forward=1.0))
+    assert abs(match.balls["vx"][0]) < 1e-9
+    for _ in range(match.league.drive.gait_steps // 2):
+        match.step(asking(match, forward=1.0))
+    assert match.balls["vx"][0] > match.league.drive.forward, "then it swings"
