@@ -14,12 +14,12 @@ from soccer_env import Match
 
 MADE_WITH = "pymunk 7.3.1, numba 0.68.1, numpy 2.4.6, Linux x86_64"
 GOLDEN = {
-    ("legged-2001", "actions"): "51cc2dae05861e5e33c3a0e558df29ab",
-    ("legged-2001", "teams"): "d5769d36a85424b6157617bc1db13484",
-    ("legged-2001", "senses"): "a26463b53cdb18db6be43799b8269c33",
-    ("middle-size-2006", "actions"): "0bd4707e8046cab03768402d26b03ade",
-    ("middle-size-2006", "teams"): "d8f22d631b2b541294c555674d719294",
-    ("middle-size-2006", "senses"): "5e42b1e79f4ff1a12612e27e0e5fae52",
+    ("legged-2001", "actions"): "969f9dc514411adbf6a288defba244be",
+    ("legged-2001", "teams"): "08c13bcb8bd79686633e0cbda167028d",
+    ("legged-2001", "senses"): "031fb9a0b14fd7cbb4795eafefb12f5e",
+    ("middle-size-2006", "actions"): "06b6ae60dfddc389f23cb4e1338b903f",
+    ("middle-size-2006", "teams"): "5b1673ffb892495e0f1b8abeef29c67e",
+    ("middle-size-2006", "senses"): "409a581d0afa970dd5295d395a604eb0",
 }
 
 
