@@ -32,7 +32,7 @@ from soccer_env.physics.solver.records import POST_CONTACT, POSTS
 
 OVERLAP_LEFT = 1e-12  # [1] share of an overlap left after 1 s, assumed; Chipmunk's 0.0018 buries a ball in a scrum
 BALL = 30  # in the place of the other robot's row in a contact's key
-TRUNK = 4  # in the place of the other robot's leg
+TRUNK = 4  # in the place of the other robot's post
 
 contact_at: Any = record_reader(POST_CONTACT)
 CONTACT_BYTES = int(POST_CONTACT.itemsize)
@@ -68,8 +68,8 @@ def place_posts(solver, k, stance):
     body = stance.body
     x, y = number_at(body + BODY_X), number_at(body + BODY_Y)
     cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
-    for leg in range(solver.posts):
-        post = stance.posts[leg]
+    for i in range(solver.posts):
+        post = stance.posts[i]
         ahead, left = post.stand_x, solver.handedness * post.stand_y
         post.field_x, post.field_y = point_of_frame(x, y, ahead, left, cosine, sine)
         if k.legs == 0:
@@ -78,25 +78,25 @@ def place_posts(solver, k, stance):
 
 @compiled
 def meet_robot(solver, k, r, other):
-    """List the contacts of two robots near each other: leg with leg, and legs of each with the trunk of the other."""
+    """List the contacts of two robots near each other: posts with posts, and of each with the trunk of the other."""
     both = 2.0 * k.body_tip_radius
-    for leg in range(solver.posts):
-        post = solver.stances[r].posts[leg]
+    for i in range(solver.posts):
+        post = solver.stances[r].posts[i]
         for its in range(solver.posts):
             across = solver.stances[other].posts[its]
             x, y = across.field_x - post.field_x, across.field_y - post.field_y
             if x * x + y * y < both * both:
                 gap = length(x, y)
-                touch_robot(solver, k, r, leg, other, its, x, y, gap, both)
-    for leg in range(solver.posts):
-        meet_trunk(solver, k, r, leg, other)
-        meet_trunk(solver, k, other, leg, r)
+                touch_robot(solver, k, r, i, other, its, x, y, gap, both)
+    for i in range(solver.posts):
+        meet_trunk(solver, k, r, i, other)
+        meet_trunk(solver, k, other, i, r)
 
 
 @compiled
-def meet_trunk(solver, k, r, leg, other):
-    """List the contact of a leg of robot r with the trunk of another robot, if they touch."""
-    post = solver.stances[r].posts[leg]
+def meet_trunk(solver, k, r, i, other):
+    """List the contact of a post of robot r with the trunk of another robot, if they touch."""
+    post = solver.stances[r].posts[i]
     body = solver.stances[other].body
     cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
     x, y = number_at(body + BODY_X) - post.field_x, number_at(body + BODY_Y) - post.field_y
@@ -106,25 +106,25 @@ def meet_trunk(solver, k, r, leg, other):
     y += sine * ahead
     reach = k.body_tip_radius + k.body_disc_radius
     if x * x + y * y < reach * reach:
-        touch_robot(solver, k, r, leg, other, TRUNK, x, y, length(x, y), reach)
+        touch_robot(solver, k, r, i, other, TRUNK, x, y, length(x, y), reach)
 
 
 @compiled
-def touch_robot(solver, k, r, leg, other, part, x, y, gap, reach):
-    """List a contact of robot r's leg with a part of another robot whose axis is x, y [m] away; they reach so far."""
+def touch_robot(solver, k, r, i, other, part, x, y, gap, reach):
+    """List a contact of robot r's post with a part of another robot whose axis is x, y [m] away; they reach so far."""
     solver.stances[r].meets = 1
     solver.stances[other].meets = 1
-    post = solver.stances[r].posts[leg]
+    post = solver.stances[r].posts[i]
     nx, ny = normal(x, y, gap)
     place_x, place_y = post.field_x + nx * k.body_tip_radius, post.field_y + ny * k.body_tip_radius
-    key = contact_key(r, leg, other, part)
+    key = contact_key(r, i, other, part)
     contact = add_contact(solver, key, solver.stances[r].body, solver.stances[other].body)
     aim(solver, contact, nx, ny, place_x, place_y, gap - reach, solver.robot_elasticity, solver.robot_friction)
 
 
 @compiled
 def meet_ball(solver, k):
-    """List the contacts of swinging paws with the ball."""
+    """List the contacts of posts, paws where they swing, with the ball."""
     x, y = number_at(solver.ball + BODY_X), number_at(solver.ball + BODY_Y)
     near = 1.5 * k.body_reach + k.ball_radius
     for r in range(solver.robots):
@@ -134,15 +134,15 @@ def meet_ball(solver, k):
         if away_x * away_x + away_y * away_y < near * near:
             cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
             ahead, left = into_frame(away_x, away_y, cosine, sine)
-            for leg in range(solver.posts):
-                meet_paw(solver, k, r, leg, ahead, left, cosine, sine)
+            for i in range(solver.posts):
+                meet_paw(solver, k, r, i, ahead, left, cosine, sine)
 
 
 @compiled
-def meet_paw(solver, k, r, leg, ahead, left, cosine, sine):
-    """List the contact of a paw with the ball, which lies ahead and left [m] of its robot, if they touch."""
+def meet_paw(solver, k, r, i, ahead, left, cosine, sine):
+    """List the contact of a post with the ball, which lies ahead and left [m] of its robot, if they touch."""
     stance = solver.stances[r]
-    paw = stance.posts[leg]
+    paw = stance.posts[i]
     x, y = ahead - paw.x - solver.time * paw.vx, left - paw.y - solver.time * paw.vy
     reach = k.body_tip_radius + k.ball_radius
     if x * x + y * y >= reach * reach:
@@ -153,7 +153,7 @@ def meet_paw(solver, k, r, leg, ahead, left, cosine, sine):
     nx, ny = normal(x, y, gap)
     place_x = number_at(solver.ball + BODY_X) - nx * k.ball_radius
     place_y = number_at(solver.ball + BODY_Y) - ny * k.ball_radius
-    contact = add_contact(solver, contact_key(r, leg, BALL, 0), stance.body, solver.ball)
+    contact = add_contact(solver, contact_key(r, i, BALL, 0), stance.body, solver.ball)
     contact.ball = 1
     vx, vy = out_of_frame(paw.vx, paw.vy, cosine, sine)
     contact.surface_x = -vx
@@ -169,9 +169,9 @@ def normal(x, y, gap):
 
 
 @compiled
-def contact_key(r, leg, other, part):
+def contact_key(r, i, other, part):
     """Return a number that is a contact's own."""
-    return ((r * POSTS + leg) * 32 + other) * 8 + part
+    return ((r * POSTS + i) * 32 + other) * 8 + part
 
 
 @compiled
