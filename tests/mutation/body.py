@@ -176,8 +176,8 @@ MUTANTS = [
     Mutant(
         "MS51",
         INTERLOCK,
-        "handedness) < k.body_tip_radius:",
-        "handedness) < 2.0 * k.body_tip_radius:",
+        "gap_distance(k, gap, ahead, left, handedness) < k.body_tip_radius",
+        "gap_distance(k, gap, ahead, left, handedness) < 2.0 * k.body_tip_radius",
         TEST_INTERLOCK + "test_ms51_a_leg_beside_the_gap_is_free",
     ),
     Mutant(
