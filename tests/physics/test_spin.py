@@ -16,7 +16,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.staging import constants_of
-from tests.scenes.staging import MIDDLE, boarded, each_league, icy, put, put_ball, stage, stand
+from tests.scenes.staging import MIDDLE, boarded, each_league, energy, icy, put, put_ball, stage, stand
 
 RATE = 1000  # [1/s] control steps, so short that a step holds one blow
 SUBSTEPS = 2
@@ -74,7 +74,9 @@ def check_blow(match: Match, point, normal, pair, speeds, angles, rolls, share=1
     """Assert that the balls leave as the closed form says; `share`: the mass that a blow feels over the ball's."""
     ball, (nx, ny) = match.league.ball, normal
     shoot(match, point, normal, speeds, angles, rolls)
+    before = energy(match)
     match.step(stand(match))
+    assert (energy(match) <= before * (1.0 + 1e-9)).all()
     along, u, w = speeds * np.cos(angles), speeds * np.sin(angles), rolls * speeds * np.cos(angles)
     push = (1.0 + pair.elasticity) * share * along  # [m/s] the impulse over the ball's mass
     slip = np.hypot(u, w)

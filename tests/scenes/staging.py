@@ -122,7 +122,7 @@ def energy(match: Match) -> np.ndarray:
     league, ball, robots = match.league, match.balls, match.robots
     moving = ball["vx"] ** 2 + ball["vy"] ** 2
     rolling = league.ball.shell * (ball["roll_x"] ** 2 + ball["roll_y"] ** 2)
-    spinning = 0.5 * league.ball.radius**2 * ball["spin"] ** 2
+    spinning = league.ball.shell * league.ball.radius**2 * ball["spin"] ** 2
     driving = league.body.mass * (robots["vx"] ** 2 + robots["vy"] ** 2) + robot_moment(league) * robots["omega"] ** 2
     total: np.ndarray = 0.5 * league.ball.mass * (moving + rolling + spinning) + 0.5 * driving.sum(axis=1)
     return total
