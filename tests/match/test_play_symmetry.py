@@ -105,7 +105,7 @@ def test_a_mirrored_scrum_stays_a_mirror_while_robots_push_and_hold_each_other(n
     for axis in ("x", "y"):
         off = np.maximum(off, abs(other.balls[axis] - expected.balls[axis]))
         off = np.maximum(off, abs(other.robots[axis] - expected.robots[axis]).max(axis=1))
-    assert (off <= MIRROR).mean() > 0.85 and off.max() < 1e-5
+    assert (off <= MIRROR).mean() > 0.7 and off.max() < 1e-5
     assert blows > 100 and (held > 100 or name == MIDDLE)
 
 

@@ -130,6 +130,7 @@ def turned(records: Records) -> Records:
     negate(robots, "x", "y", "vx", "vy", "place_x", "place_y")
     robots["heading"], robots["place_heading"] = opposite(robots["heading"]), opposite(robots["place_heading"])
     robots["team"] = 1 - robots["team"]
+    robots["caught_by"] = 1 + other_row(robots["caught_by"] - 1, robots.shape[1])  # 0: by nobody
     for name in TEAM_CODES:
         matches[name] = other_team(matches[name])
     matches["score"] = matches["score"][:, ::-1]
