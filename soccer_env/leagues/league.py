@@ -74,6 +74,7 @@ class BallModel(Part):
     mass: float  # [kg]
     rolling: float  # [m/s2] constant deceleration of a rolling ball
     sliding: float  # [m/s2] deceleration while it slides
+    pivot: float  # [rad/s2] at which its spin about the vertical slows down
     shell: float  # [1] inertia over mass times radius squared: 2/5 solid, 2/3 a hollow shell
     top_speed: float  # [m/s] nothing moves it faster
 
@@ -120,14 +121,15 @@ class Slots(Part):
 class Substeps(Part):
     """How finely the physics cuts a control step."""
 
-    BOUNDS = dict.fromkeys(("least", "close", "most", "travel", "iterations"), ABOVE_ZERO)
-    ORDER = (("least", "at most", "close"), ("close", "at most", "most"))
+    BOUNDS = dict.fromkeys(("least", "close", "most", "travel", "iterations", "jam_iterations"), ABOVE_ZERO)
+    ORDER = (("least", "at most", "close"), ("close", "at most", "most"), ("iterations", "at most", "jam_iterations"))
 
     least: int
     close: int  # the least while a robot is within reach of the ball or of another robot
     most: int
     travel: float  # [m] that the fastest body may move in a substep
-    iterations: int  # of the contact solver
+    iterations: int  # rounds of the contact solver
+    jam_iterations: int  # the same while the ball touches two things or more, or legs hold each other
     slop: float = field(metadata=PYTHON_ONLY)  # [m] overlap of bodies that is left alone
 
 

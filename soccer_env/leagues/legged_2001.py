@@ -39,6 +39,7 @@ BALL = BallModel(
     mass=0.05,  # [kg] 40 to 60 g, remembered, unverified
     rolling=0.3,  # [m/s2] plastic on carpet, assumed; -0.26 to -0.7 in the small-size reference
     sliding=3.0,  # [m/s2] small-size reference
+    pivot=7.0,  # [rad/s2] 2/3 of the sliding friction at a patch of carpet 4 mm in radius, assumed, over shell r^2
     shell=2.0 / 3.0,  # a hollow ball
     top_speed=2.0,  # [m/s] assumed
 )
@@ -169,7 +170,7 @@ LEAGUE = League(  # MS56
     head=HEAD,
     rules=RULES,
     slots=Slots(teammates=2, opponents=3),  # Sacks 2001, 4.1.1
-    substeps=Substeps(least=2, close=4, most=12, travel=0.0125, iterations=10, slop=0.001),
+    substeps=Substeps(least=2, close=4, most=12, travel=0.0125, iterations=10, jam_iterations=20, slop=0.001),
     evaluation_minutes=10.0,  # [min] a half of the league's own length, assumed
     source="Sacks 2001, University of Pennsylvania",
     sensors=LeggedSensors(),

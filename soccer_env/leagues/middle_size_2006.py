@@ -42,6 +42,7 @@ BALL = BallModel(
     mass=0.43,  # [kg] 410 to 450 g, FIFA
     rolling=0.4,  # [m/s2] 0.3 to 0.6 on thin carpet, remembered
     sliding=3.0,  # [m/s2] small-size reference
+    pivot=3.7,  # [rad/s2] 2/3 of the sliding friction at a patch of carpet 15 mm in radius, assumed, over shell r^2
     shell=2.0 / 3.0,  # a hollow ball: it rolls at 0.6 of the speed of a kick
     top_speed=11.0,  # [m/s] the kicker's 10 m/s on a moving robot, assumed
 )
@@ -155,7 +156,7 @@ LEAGUE = League(
     head=Head(camera_height=0.75),  # [m] omnidirectional camera, assumed
     rules=RULES,
     slots=Slots(teammates=4, opponents=5),
-    substeps=Substeps(least=2, close=4, most=8, travel=0.044, iterations=10, slop=0.002),
+    substeps=Substeps(least=2, close=4, most=8, travel=0.044, iterations=10, jam_iterations=100, slop=0.002),
     evaluation_minutes=4.0,  # [min] assumed
     evaluation_placement="drive",
     source="Heinemann et al. 2006, University of Tübingen",

@@ -9,12 +9,13 @@ the ends of a step, and the distance is v^2 / 2a to the last digit of the integr
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import length, toward
 
 
 @compiled
 def slow_down(ball, k, seconds):
     """Apply the carpet's friction to a ball for a time [s]."""
+    ball.spin = toward(ball.spin, 0.0, k.ball_pivot * seconds)
     slip_x, slip_y = ball.vx - ball.roll_x, ball.vy - ball.roll_y
     slip = length(slip_x, slip_y)
     if slip > 0.0:

@@ -12,7 +12,7 @@ from math import atan2, cos, sin, sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, toward
-from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
+from soccer_env.leagues.robot import GAIT, WHEELS_DIFFERENTIAL
 from soccer_env.optics.head_camera import tilt_at
 from soccer_env.physics.paws import aim_paws, note_paws
 from soccer_env.random_numbers import normal
@@ -95,7 +95,8 @@ def stand_on_ground(robot, k, stance):
 
     Who stands holds with all paws or wheels; who walks or drives has less: a trot stands on two of four paws, and
     wheels give no more than their motors, but for those of a differential base, which do not roll sideways. The
-    force itself acts in the solver, in every substep.
+    force itself acts in the solver, in every substep. Wheels that others turn backwards brake with all that the
+    ground bears: of two that push each other none is carried off.
     """
     forward, left = robot.walk.forward * robot.slip.forward, robot.walk.left * robot.slip.left
     stance.vx, stance.vy = out_of_frame(forward, left, cos(robot.heading), sin(robot.heading))
@@ -103,9 +104,18 @@ def stand_on_ground(robot, k, stance):
     stance.omega = robot.walk.turn * robot.slip.turn
     stance.caught_by, stance.caught_leg, stance.caught_gap = robot.caught_by, robot.caught_leg, robot.caught_gap
     robot.stands = 1 if keeps_standing(robot, k) else 0
-    stance.traction = k.drive_traction if robot.stands == 1 else k.drive_thrust
+    holds = robot.stands == 1 or is_driven_back(robot, k, stance)
+    stance.traction = k.drive_traction if holds else k.drive_thrust
     stance.turn_traction = k.drive_turn_traction if robot.stands == 1 else k.drive_turn_thrust
     stance.grip = k.drive_traction if k.drive_kind == WHEELS_DIFFERENTIAL else stance.traction
+
+
+@compiled
+def is_driven_back(robot, k, stance):
+    """Tell whether others push a robot against the way that its wheels drive, faster than they make good in a step."""
+    wanted = length(stance.vx, stance.vy)
+    along = stance.vx * robot.vx + stance.vy * robot.vy
+    return k.drive_kind != GAIT and along < -wanted * k.drive_thrust * k.dt
 
 
 @compiled

@@ -15,6 +15,7 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, direction_of, length
 from soccer_env.physics.ball import hold
+from soccer_env.physics.contacts import robots_touch
 from soccer_env.referee.formation import choose_places, is_taker
 from soccer_env.referee.steering import ARRIVED, keep_off
 from soccer_env.types import Phase
@@ -25,6 +26,7 @@ PASSES = 200  # over the robots, to pull overlapping places apart
 STIR = 20  # passes between two changes: straight out of the ring round the ball, or also along it, out of dead ends
 SWIRL = 3.0  # [1] length of the move along the ring over that of the move out of it
 MARGIN = 0.02  # [m] between robots, assumed
+STEP_ASIDE, STEPS_ASIDE = 0.01, 60  # [m] by which, and how often, a robot makes room for one that is carried, assumed
 CARRIED = 0.03  # [m] a robot that is moved farther was carried, assumed
 
 
@@ -51,6 +53,32 @@ def keep_all_off(match, ball, robots, k):
     for r in range(robots.shape[0]):
         if keep_off(robots[r], k, ball, match.handedness) > CARRIED:
             robots[r].placed = 1
+    for _ in range(robots.shape[0]):
+        for r in range(robots.shape[0]):
+            if robots[r].placed == 1:
+                make_room(robots, r, ball, k)
+
+
+@compiled
+def make_room(robots, r, ball, k):
+    """Carry those farther out, away from the ball, into whom a robot has been carried."""
+    near = 2.0 * k.body_reach
+    for other in range(robots.shape[0]):
+        x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
+        if other == r or robots[other].active == 0 or x * x + y * y > near * near:
+            continue
+        x, y = robots[other].x - ball.x, robots[other].y - ball.y
+        away = max(length(x, y), 1e-6)
+        if away < length(robots[r].x - ball.x, robots[r].y - ball.y):
+            continue
+        for _ in range(STEPS_ASIDE):
+            if not robots_touch(robots[r], robots[other], k):
+                break
+            edge_x = 0.5 * k.pitch_length + k.pitch_band_end - k.body_reach
+            edge_y = 0.5 * k.pitch_width + k.pitch_band_side - k.body_reach
+            robots[other].x = clip(robots[other].x + STEP_ASIDE * x / away, -edge_x, edge_x)
+            robots[other].y = clip(robots[other].y + STEP_ASIDE * y / away, -edge_y, edge_y)
+            robots[other].placed = 1
 
 
 @compiled

@@ -162,8 +162,8 @@ MUTANTS = [
     Mutant(
         "MS51",
         INTERLOCK,
-        "contact.grip = GRIP",
-        "contact.grip = 0.0",
+        "contact.held = 1",
+        "contact.held = 0",
         TEST_INTERLOCK + "test_ms51_a_leg_between_two_legs_of_another_robot_moves_straight_out_or_not_at_all",
     ),
     Mutant(

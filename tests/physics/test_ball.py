@@ -18,6 +18,7 @@ from tests.scenes.staging import (
     speed,
     stage,
     stand,
+    steps_in,
 )
 
 DIRECTIONS = 32
@@ -132,3 +133,17 @@ def test_nothing_moves_faster_than_the_balls_top_speed(name):
     match.step(stand(match))
     assert (speed(match.balls) <= top * (1.0 + 1e-12)).all() and speed(match.balls) == pytest.approx(top)
     np.testing.assert_allclose(np.arctan2(match.balls["vy"], match.balls["vx"]), np.arctan2(-4.0, 3.0))
+
+
+@each_league
+def test_a_ball_that_spins_on_the_spot_slows_down_at_a_constant_rate_and_stops(name):
+    match = stage(name)
+    match.balls["spin"] = 3.0
+    match.rebuild()
+    pivot, spins = match.league.ball.pivot, []
+    for _ in range(steps_in(match, 2.0)):
+        match.step(stand(match))
+        spins.append(match.balls["spin"][0])
+    times = match.league.dt * np.arange(1, len(spins) + 1)
+    np.testing.assert_allclose(spins, np.maximum(3.0 - pivot * times, 0.0), atol=1e-9)
+    assert (match.balls["vx"][0], match.balls["vy"][0]) == (0.0, 0.0)

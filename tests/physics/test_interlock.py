@@ -13,6 +13,7 @@ WALKS = {  # of the one that is held
     "turning left": (0.0, 0.0, 1.0), "turning right": (0.0, 0.0, -1.0), "ahead and left": (0.8, 0.6, 0.0),
 }  # fmt: skip
 HELD = 2e-3  # [m] along the line between two legs
+TURNED = 0.006  # [m] farther in: two robots that hold a leg of each other are held between the two, and may turn there
 
 
 def caught(side: str, out: float = DEEP, matches: int = 1) -> Match:
@@ -73,7 +74,7 @@ def test_ms51_a_leg_between_two_legs_of_another_robot_moves_straight_out_or_not_
     within = np.maximum.accumulate(out) < match.league.body.tip_radius - DEEP
     assert within.sum() > steps_in(match, 0.6), "so long that a free leg would have gone"
     assert abs(along[within]).max() < HELD
-    assert out.min() > -HELD
+    assert out.min() > -TURNED
 
 
 @pytest.mark.parametrize("side", SIDES)

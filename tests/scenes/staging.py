@@ -48,7 +48,7 @@ def steady(league: str | League) -> League:
 def icy(league: str | League) -> League:
     """Return the league, with a patient referee, on a carpet without friction."""
     found = patient(league)
-    return replace(found, ball=replace(found.ball, rolling=0.0, sliding=1e-9))
+    return replace(found, ball=replace(found.ball, rolling=0.0, sliding=1e-9, pivot=0.0))
 
 
 # Putting things somewhere

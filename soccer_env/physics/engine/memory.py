@@ -42,6 +42,7 @@ CONTACT_SIZE = 96
 CONTACT_BOUNCE = 48  # [m/s] velocity along the normal before the blow, times elasticity
 CONTACT_PUSH, CONTACT_RUB = 56, 64  # [N s] impulses along and across the normal in this substep
 # struct cpConstraint, and behind it cpSimpleMotor
+SPACE_ROUNDS = 0  # struct cpSpace: how many rounds of impulses a substep has, an int
 CONSTRAINT_CLASS = 0  # address of the addresses of its four functions
 MOTOR_RATE = 104  # a number of eight bytes that nobody but the class reads
 
@@ -60,31 +61,38 @@ def _load(kind: Any) -> Any:
     return intrinsic(typed)
 
 
-def _store(typing_context: Any, address: Any, value: Any) -> Any:
-    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        place = builder.inttoptr(arguments[0], context.get_value_type(types.float64).as_pointer())
-        builder.store(arguments[1], place)
-        return context.get_dummy_value()
+def _store(kind: Any) -> Any:
+    def typed(typing_context: Any, address: Any, value: Any) -> Any:
+        def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            place = builder.inttoptr(arguments[0], context.get_value_type(kind).as_pointer())
+            builder.store(arguments[1], place)
+            return context.get_dummy_value()
 
-    return types.void(types.uintp, types.float64), build
+        return types.void(types.uintp, kind), build
+
+    return intrinsic(typed)
 
 
 def _python_load(name: str) -> Any:
     return lambda address: ffi.cast(f"{name} *", int(address))[0]
 
 
-def _python_store(address: Any, value: Any) -> None:
-    ffi.cast("double *", int(address))[0] = float(value)
+def _python_store(name: str, kind: Any) -> Any:
+    def write(address: Any, value: Any) -> None:
+        ffi.cast(f"{name} *", int(address))[0] = kind(value)
+
+    return write
 
 
 if config.DISABLE_JIT:
     number_at: Any = _python_load("double")
     address_at: Any = _python_load("uintptr_t")
     count_at: Any = _python_load("int")
-    store: Any = _python_store
+    store: Any = _python_store("double", float)
+    store_count: Any = _python_store("int", int)
 else:
     number_at, address_at, count_at = _load(types.float64), _load(types.uintp), _load(types.int32)
-    store = intrinsic(_store)
+    store, store_count = _store(types.float64), _store(types.int32)
 
 
 def record_reader(dtype: np.dtype) -> Any:
@@ -144,6 +152,7 @@ def _arbiter_fits() -> bool:
 def _bodies_fit() -> bool:
     """Compare things of known numbers with the offsets: a body, a motor, and two bodies that then touch."""
     space = pymunk.Space()
+    space.iterations = 37
     body, other = pymunk.Body(4.0, 8.0), pymunk.Body(4.0, 8.0)
     body.position, body.velocity, body.angle, body.angular_velocity = (1.25, -2.5), (3.5, -4.5), 0.5, 7.25
     other.position = body.position + (0.5, 0.25)
@@ -157,6 +166,8 @@ def _bodies_fit() -> bool:
     ]  # fmt: skip
     if any(_value(*place[:2], "d") != place[2] for place in places) or _value(body, BODY_ARBITERS, "Q") != 0:
         return False
+    if _value(space, SPACE_ROUNDS, "i") != 37:
+        return False
     space.step(1e-9)
     found = _value(body, BODY_ARBITERS, "Q")
     repair = _value(body, BODY_REPAIR_VX, "d"), _value(body, BODY_REPAIR_VY, "d")
@@ -167,4 +178,4 @@ def _bodies_fit() -> bool:
 
 
 def _value(thing: Any, offset: int, form: str) -> Any:
-    return struct.unpack(form, ffi.buffer(ffi.cast("char *", address_of(thing) + offset), 8))[0]
+    return struct.unpack(form, ffi.buffer(ffi.cast("char *", address_of(thing) + offset), struct.calcsize(form)))[0]

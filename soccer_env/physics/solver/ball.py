@@ -67,6 +67,15 @@ def look_at_ball(solver):
 
 
 @compiled
+def touches_of_ball(solver):
+    """Return how many things the ball touches in this substep."""
+    count = solver.ball_contact_count
+    for i in range(solver.contact_count):
+        count += contact_at(solver.contacts + i * CONTACT_BYTES).ball
+    return count
+
+
+@compiled
 def share_friction(solver, contact, arbiter, first):
     """Leave to Chipmunk the level share of a contact's friction."""
     level = slip_across(arbiter)

@@ -42,12 +42,29 @@ def solve_posts(solver):
         part(contact)
         vx, vy = slip_of(contact)
         along, across = vx * contact.nx + vy * contact.ny, vy * contact.nx - vx * contact.ny
-        push = max(contact.push + (contact.target - along) * contact.mass_along, 0.0)
-        most = contact.friction * contact.level * push + contact.grip
-        rub = clip(contact.rub - across * contact.mass_across, -most, most)
+        if contact.held == 1:
+            push, rub = hold(contact, along, across)
+        else:
+            push = max(contact.push + (contact.target - along) * contact.mass_along, 0.0)
+            most = contact.friction * contact.level * push
+            rub = clip(contact.rub - across * contact.mass_across, -most, most)
         give(contact, push - contact.push, rub - contact.rub)
         contact.push = push
         contact.rub = rub
+
+
+@compiled
+def hold(contact, along, across):
+    """Return the impulses by which a held leg moves straight out or not at all: both at once, as one turns the other.
+
+    Taken one after the other they would not agree within the rounds of a substep.
+    """
+    soft_along, soft_across = 1.0 / contact.mass_along, 1.0 / contact.mass_across
+    size = soft_along * soft_across - contact.skew * contact.skew
+    push = contact.push + (contact.skew * across - soft_across * along) / size
+    if push < 0.0:  # it moves out
+        return 0.0, contact.rub + (contact.skew * contact.push - across) * contact.mass_across
+    return push, contact.rub + (contact.skew * along - soft_along * across) / size
 
 
 @compiled

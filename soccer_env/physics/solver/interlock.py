@@ -14,11 +14,10 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame
 from soccer_env.physics.engine.memory import BODY_COS, BODY_SIN, BODY_X, BODY_Y, number_at
 from soccer_env.physics.gait import LEGS, stance
-from soccer_env.physics.solver.posts import add_contact, aim, contact_key
+from soccer_env.physics.solver.posts import add_contact, aim, contact_key, forget
 
 GAPS = 4  # between two neighbouring legs: the fore ones, the hind ones, the left, the right
 HOLD = 6  # in the place of the other robot's leg in a contact's key
-GRIP = 1e6  # [N s] what legs bear that hold each other: more than any robot pushes
 
 
 @compiled
@@ -76,27 +75,56 @@ def way_out(gap, handedness):
 @compiled
 def hold_caught(solver, k):
     """List the holds of a match: contacts that allow no motion but out of the gap, while the leg is near it."""
+    solver.holds = 0
     for r in range(solver.robots):
-        robot = solver.stances[r]
-        if robot.caught_by > 0:
-            hold_leg(solver, k, r, robot.caught_by - 1)
+        other = solver.stances[r].caught_by - 1
+        if other >= 0 and is_held(solver, k, r):
+            mutual = solver.stances[other].caught_by - 1 == r and is_held(solver, k, other)
+            if not mutual or r < other:
+                hold_leg(solver, k, r, other, mutual)
 
 
 @compiled
-def hold_leg(solver, k, r, other):
-    """List the hold of a caught leg of robot r, unless it has come a leg's width out of the gap."""
-    robot, holder = solver.stances[r], solver.stances[other]
-    body = holder.body
-    cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
+def is_held(solver, k, r):
+    """Tell whether the caught leg of a robot is still within a leg's width of the gap in which it was caught."""
+    robot = solver.stances[r]
+    body = solver.stances[robot.caught_by - 1].body
     leg = robot.posts[robot.caught_leg]
     x, y = leg.field_x - number_at(body + BODY_X), leg.field_y - number_at(body + BODY_Y)
-    ahead, left = into_frame(x, y, cosine, sine)
-    if gap_distance(k, robot.caught_gap, ahead, left, solver.handedness) > 2.0 * k.body_tip_radius:
-        return
+    ahead, left = into_frame(x, y, number_at(body + BODY_COS), number_at(body + BODY_SIN))
+    return gap_distance(k, robot.caught_gap, ahead, left, solver.handedness) <= 2.0 * k.body_tip_radius
+
+
+@compiled
+def hold_leg(solver, k, r, other, mutual):
+    """List the hold of robot r's leg between those of another.
+
+    Two robots that hold a leg of each other are held once, in the middle of the two and along the mean of both ways:
+    two holds that say nearly the same would take more rounds to agree than there are.
+    """
+    robot, holder = solver.stances[r], solver.stances[other]
+    solver.holds += 1
     robot.meets = 1
     holder.meets = 1
+    x, y, nx, ny = hold_at(solver, r)
+    if mutual:
+        its_x, its_y, its_nx, its_ny = hold_at(solver, other)
+        x, y = 0.5 * (x + its_x), 0.5 * (y + its_y)
+        size = length(nx - its_nx, ny - its_ny)
+        if size > 1e-6:
+            nx, ny = (nx - its_nx) / size, (ny - its_ny) / size
+    contact = add_contact(solver, contact_key(r, robot.caught_leg, other, HOLD), robot.body, holder.body)
+    contact.held = 1
+    forget(contact)
+    aim(solver, contact, nx, ny, x, y, 0.0, 0.0, 0.0)
+
+
+@compiled
+def hold_at(solver, r):
+    """Return where the leg of a robot is held [m, m], and the direction into the gap, field frame."""
+    robot = solver.stances[r]
+    body = solver.stances[robot.caught_by - 1].body
     out_x, out_y = way_out(robot.caught_gap, solver.handedness)
-    nx, ny = out_of_frame(-out_x, -out_y, cosine, sine)
-    contact = add_contact(solver, contact_key(r, robot.caught_leg, other, HOLD), robot.body, body)
-    contact.grip = GRIP
-    aim(solver, contact, nx, ny, leg.field_x, leg.field_y, 0.0, 0.0, 0.0)
+    nx, ny = out_of_frame(-out_x, -out_y, number_at(body + BODY_COS), number_at(body + BODY_SIN))
+    leg = robot.posts[robot.caught_leg]
+    return leg.field_x, leg.field_y, nx, ny

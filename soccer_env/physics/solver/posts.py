@@ -119,7 +119,21 @@ def touch_robot(solver, k, r, i, other, part, x, y, gap, reach):
     place_x, place_y = post.field_x + nx * k.body_tip_radius, post.field_y + ny * k.body_tip_radius
     key = contact_key(r, i, other, part)
     contact = add_contact(solver, key, solver.stances[r].body, solver.stances[other].body)
-    aim(solver, contact, nx, ny, place_x, place_y, gap - reach, solver.robot_elasticity, solver.robot_friction)
+    elasticity = solver.robot_elasticity
+    if solver.stances[r].caught_by == other + 1 or solver.stances[other].caught_by == r + 1:
+        elasticity = 0.0  # a bounce against a hold would give energy
+        forget(contact)
+    aim(solver, contact, nx, ny, place_x, place_y, gap - reach, elasticity, solver.robot_friction)
+
+
+@compiled
+def forget(contact):
+    """Begin a contact of robots that hold each other with no impulse.
+
+    Rounds that begin with none only take energy. Those of the last substep would give some, as what is held turns and
+    contacts that say nearly the same agree slowly.
+    """
+    contact.push = contact.rub = 0.0
 
 
 @compiled
@@ -184,7 +198,7 @@ def add_contact(solver, key, a, b):
     contact.push = contact.rub = contact.shift = contact.surface_x = contact.surface_y = 0.0
     contact.ball = 0
     contact.level = 1.0
-    contact.grip = 0.0
+    contact.held = 0
     for i in range(solver.last_count):
         last = contact_at(solver.last_contacts + i * CONTACT_BYTES)
         if last.key == key:
@@ -201,6 +215,7 @@ def aim(solver, contact, nx, ny, x, y, gap, elasticity, friction):
     contact.bx, contact.by = x - number_at(b + BODY_X), y - number_at(b + BODY_Y)
     contact.mass_along = 1.0 / softness(contact, nx, ny)
     contact.mass_across = 1.0 / softness(contact, -ny, nx)
+    contact.skew = skew(contact, nx, ny)
     vx, vy = slip_of(contact)
     contact.target = -elasticity * (vx * nx + vy * ny)
     contact.repair = -solver.repair * min(0.0, gap + solver.slop)
@@ -217,6 +232,15 @@ def softness(contact, x, y):
         + number_at(a + BODY_MOMENT_INVERSE) * turn_a * turn_a
         + number_at(b + BODY_MOMENT_INVERSE) * turn_b * turn_b
     )
+
+
+@compiled
+def skew(contact, nx, ny):
+    """Return the relative velocity across a normal that a unit of impulse along it brings about [1/kg]."""
+    along_a, across_a = contact.ax * ny - contact.ay * nx, contact.ax * nx + contact.ay * ny
+    along_b, across_b = contact.bx * ny - contact.by * nx, contact.bx * nx + contact.by * ny
+    ease_a, ease_b = number_at(contact.a + BODY_MOMENT_INVERSE), number_at(contact.b + BODY_MOMENT_INVERSE)
+    return ease_a * along_a * across_a + ease_b * along_b * across_b
 
 
 @compiled

@@ -65,10 +65,11 @@ POST_CONTACT = np.dtype(
         ("surface_y", "f8"),  # [m/s]
         ("mass_along", "f8"),  # [kg] that resists an impulse along the normal
         ("mass_across", "f8"),  # [kg] and across it
+        ("skew", "f8"),  # [1/kg] velocity across that a unit of impulse along brings about
         ("target", "f8"),  # [m/s] velocity along the normal after the blow
         ("repair", "f8"),  # [m/s] at which an overlap is undone
         ("friction", "f8"),  # [1] of the pair
-        ("grip", "f8"),  # [N s] friction that it has without any push, where legs hold each other
+        ("held", "i8"),  # 1: legs hold each other here
         ("level", "f8"),  # [1] share of the friction that acts level: less than 1 at a ball that rolls
         ("ball", "i8"),  # 1: B is the ball
         ("push", "f8"),  # [N s] impulse along the normal in this substep
@@ -80,6 +81,10 @@ SOLVER = np.dtype(
     [
         ("robots", "i8"),  # how many there are
         ("posts", "i8"),  # of a robot that this part of the solver lets touch things
+        ("space", "u8"),  # address of the match's cpSpace
+        ("rounds", "i8"),  # of impulses in a substep
+        ("jam_rounds", "i8"),  # the same while the ball touches two things or more, or legs hold each other
+        ("holds", "i8"),  # of legs, in this substep
         ("constants", "u8"),  # address of the league's constants
         ("handedness", "f8"),  # -1 in a mirrored match, whose legs are numbered the other way round
         ("time", "f8"),  # [s] since the beginning of the control step

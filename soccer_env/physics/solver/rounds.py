@@ -40,15 +40,17 @@ from soccer_env.physics.engine.memory import (
     BODY_Y,
     CONSTRAINT_CLASS,
     MOTOR_RATE,
+    SPACE_ROUNDS,
     address_at,
     address_of,
     layout_fits,
     number_at,
     record_reader,
     store,
+    store_count,
 )
 from soccer_env.physics.engine.space import loose_posts
-from soccer_env.physics.solver.ball import look_at_ball, take_roll
+from soccer_env.physics.solver.ball import look_at_ball, take_roll, touches_of_ball
 from soccer_env.physics.solver.impulses import resume_posts, solve_posts
 from soccer_env.physics.solver.interlock import hold_caught
 from soccer_env.physics.solver.posts import find_post_contacts
@@ -85,6 +87,8 @@ def prepare(constraint, dt):
             hold_ground(stance, dt)
     solver.touching_count = count
     look_at_ball(solver)
+    jammed = solver.holds > 0 or touches_of_ball(solver) > 1
+    store_count(solver.space + SPACE_ROUNDS, np.int32(solver.jam_rounds if jammed else solver.rounds))
 
 
 @callback("void", "address", "float64")
@@ -187,6 +191,8 @@ def attach(space: pymunk.Space, solver: np.ndarray, contacts: np.ndarray, league
     bodies = [address_of(body) for body in space.bodies]
     solver[0] = np.zeros((), SOLVER)
     solver["robots"], solver["posts"] = len(bodies) - 1, len(loose_posts(league.body))
+    solver["space"] = address_of(space)
+    solver["rounds"], solver["jam_rounds"] = league.substeps.iterations, league.substeps.jam_iterations
     solver["constants"], solver["slop"] = k.ctypes.data, league.substeps.slop
     solver["ground"], solver["ball"] = address_of(space.static_body), bodies[0]
     solver["spin_mass"] = league.ball.shell * league.ball.mass
