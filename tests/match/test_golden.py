@@ -14,12 +14,12 @@ from soccer_env import Match
 
 MADE_WITH = "pymunk 7.3.1, numba 0.68.1, numpy 2.4.6, Linux x86_64"
 GOLDEN = {
-    ("legged-2001", "actions"): "969f9dc514411adbf6a288defba244be",
-    ("legged-2001", "teams"): "08c13bcb8bd79686633e0cbda167028d",
-    ("legged-2001", "senses"): "031fb9a0b14fd7cbb4795eafefb12f5e",
-    ("middle-size-2006", "actions"): "06b6ae60dfddc389f23cb4e1338b903f",
-    ("middle-size-2006", "teams"): "5b1673ffb892495e0f1b8abeef29c67e",
-    ("middle-size-2006", "senses"): "409a581d0afa970dd5295d395a604eb0",
+    ("legged-2001", "actions"): "e9706f3c7ccfb2b654c5736a8bf3c579",
+    ("legged-2001", "teams"): "a1e7896e2f953358dadf299933743e92",
+    ("legged-2001", "senses"): "e7abd146ddf02ce898e8457ba1b9d4bf",
+    ("middle-size-2006", "actions"): "023ee5f0ef989538a943a24ffa8a795e",
+    ("middle-size-2006", "teams"): "6c95752d3d2426ce6faaf3e095a893dd",
+    ("middle-size-2006", "senses"): "ef8f53704c5353e327845a2e94f57a34",
 }
 
 
