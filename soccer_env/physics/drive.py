@@ -12,7 +12,7 @@ from math import atan2, cos, sin, sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, toward
-from soccer_env.leagues.robot import GAIT, WHEELS_DIFFERENTIAL
+from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL, WHEELS_OMNI
 from soccer_env.optics.head_camera import tilt_at
 from soccer_env.physics.paws import aim_paws, note_paws
 from soccer_env.random_numbers import normal
@@ -112,10 +112,13 @@ def stand_on_ground(robot, k, stance):
 
 @compiled
 def is_driven_back(robot, k, stance):
-    """Tell whether others push a robot against the way that its wheels drive, faster than they make good in a step."""
+    """Tell whether others push a robot against the way that its wheels drive, faster than they make good in a step.
+
+    A differential base, which turns to go elsewhere, keeps to what its motors give.
+    """
     wanted = length(stance.vx, stance.vy)
     along = stance.vx * robot.vx + stance.vy * robot.vy
-    return k.drive_kind != GAIT and along < -wanted * k.drive_thrust * k.dt
+    return k.drive_kind == WHEELS_OMNI and along < -wanted * k.drive_thrust * k.dt
 
 
 @compiled

@@ -45,7 +45,7 @@ def test_mh08_a_robot_that_was_told_its_pose_keeps_it_while_it_walks_about_and_s
 def test_mh08_without_particles_the_same_robot_drifts_and_its_confidence_falls_to_nothing(name: str) -> None:
     world = World(name, robots=40, particles=0)
     world.tell()
-    errors = world.walk(180.0)
+    errors = world.walk(240.0)
     assert np.median(errors[-100:]) > 2.0 * CLOSE[name]
     assert (world.own["confidence"] == 0.0).all()
 

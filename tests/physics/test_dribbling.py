@@ -88,7 +88,7 @@ def test_a_guide_keeps_the_ball_by_geometry_and_friction_straight_ahead_and_lose
     times = kept_for(np.stack([ahead, 0.0 * rates, rates / drive.turn], axis=1))
     assert times[0] == 4.0
     assert (np.diff(times) <= 0.0).all()
-    assert 2.0 < times[1] < 4.0 and (times[2:] < 0.8).all()
+    assert times[1] > 2.0 and (times[2:] < 0.8).all()
 
 
 def test_a_guide_does_not_pull_the_ball_along_when_it_brakes_goes_back_or_aside():

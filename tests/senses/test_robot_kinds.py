@@ -130,7 +130,8 @@ def test_a_new_kind_of_robot_plays_by_its_sensors(league: League) -> None:
     x, y = match.balls["x"][:, None] - match.robots["x"], match.balls["y"][:, None] - match.robots["y"]
     assert match.beliefs["ball"]["distance"] == pytest.approx(np.hypot(x, y), abs=0.15)
     observed = 10.0 * np.hypot(match.observations[..., 0], match.observations[..., 1])
-    assert observed == pytest.approx(np.hypot(x, y), abs=0.15)
+    near = np.hypot(x, y) < 9.0  # entries end at 10 m
+    assert near.sum() >= 4 and observed[near] == pytest.approx(np.hypot(x, y)[near], abs=0.15)
     assert (np.hypot(match.balls["x"], match.balls["y"]) > 0.3).all()  # the chasers found it and kicked off
     assert (match.beliefs["situation"]["teammates"] == 1).all()  # everybody is told how the match stands
 

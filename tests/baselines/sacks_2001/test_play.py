@@ -133,7 +133,7 @@ def test_two_steps_of_strength_win_goals() -> None:
     gaps = []
     for strength in (0.0, 1.0):
         teams = {"home": f"sacks-2001@{strength}", "away": "chaser"}
-        match = Match(LEAGUE, controllers=teams, matches=60, threads=2, seed=5, minutes=3)
+        match = Match(LEAGUE, controllers=teams, matches=128, threads=2, seed=5, minutes=4)
         while not match.terminated.all():
             match.step()
         gaps.append((match.matches["score"][:, 0] - match.matches["score"][:, 1]).mean())
