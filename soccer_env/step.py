@@ -27,6 +27,7 @@ from soccer_env.physics.engine.prefetch import fetch_row
 from soccer_env.physics.exchange import count_substeps, is_finite, read_records, weigh_ball, write_rows, write_twists
 from soccer_env.physics.kicker import holds_ball, work_kicker
 from soccer_env.physics.solver.interlock import catch_legs
+from soccer_env.physics.solver.posts import stance_of
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.separation import pull_apart, watch_contacts
@@ -181,7 +182,7 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
             steer_to_place(match, robot, k)
         if k.legs == 1 and robot.gait_phase % k.gait_steps == 0:
             catch_legs(robots, r, k, match.handedness)
-        drive(robot, k, match.step, match.handedness, solver.stances[r])
+        drive(robot, k, match.step, match.handedness, stance_of(solver, r))
         work_kicker(robots, r, robot_events[r], k, ball, match.handedness)
         move_head(robot, k, ball)
         robot.placed = 0

@@ -56,7 +56,7 @@ from soccer_env.physics.engine.pools import (
     TREE_SIZE,
     layout_fits,
 )
-from soccer_env.physics.solver.records import MOST_ROBOTS, SOLVER, STANCE
+from soccer_env.physics.solver.records import SOLVER, STANCE
 
 LINE = 64  # [B] a cache line
 MOST_SPANS = 254  # of a match; enough for 11 v 11, and more would not be noted
@@ -76,7 +76,8 @@ SPANS = np.dtype(
 )
 spans_at: Any = record_reader(SPANS)
 
-SOLVER_SIZE, STANCE_SIZE = SOLVER.itemsize, STANCE.itemsize  # its stances come last
+SOLVER_SIZE, STANCE_SIZE = SOLVER.itemsize, STANCE.itemsize
+SOLVER_STANCES = int((SOLVER.fields or {})["stances"][1])
 FEWEST_MATCHES = 96  # of a batch that gains by it; the Spaces of fewer stay in the cache by themselves, measured
 USUAL_ARBITERS = 8  # in use at the same time, of 3 v 3
 
@@ -152,7 +153,9 @@ def note_solver(spans, constraints, robots):
     note_items(spans, constraints, CONSTRAINT_SIZE)
     if count_at(constraints) == 1:
         constraint = pointer(pointer(constraints + ARRAY_ITEMS))
-        add(spans, pointer(constraint + MOTOR_RATE), SOLVER_SIZE - (MOST_ROBOTS - robots) * STANCE_SIZE)
+        solver = pointer(constraint + MOTOR_RATE)
+        add(spans, solver, SOLVER_SIZE)
+        add(spans, pointer(solver + SOLVER_STANCES), robots * STANCE_SIZE)
 
 
 @compiled

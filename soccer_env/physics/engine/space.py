@@ -25,9 +25,9 @@ from soccer_env.physics.engine.surfaces import (
     finish,
     surfaces_of,
 )
+from soccer_env.physics.solver.records import OVERLAP_LEFT
 
 BOARD = 0.5  # [m] thickness of boards, so that nothing passes through one within a substep
-OVERLAP_LEFT = 1e-12  # [1] share of an overlap left after 1 s, assumed; Chipmunk's 0.0018 buries a ball in a scrum
 PARKED_X = 50.0  # [m] where inactive robots stand, one beside the other
 PARKED_STEP = 2.0  # [m]
 

@@ -25,7 +25,7 @@ from soccer_env.leagues.league import League
 from soccer_env.physics.engine import chipmunk, prefetch
 from soccer_env.physics.engine.memory import address_of
 from soccer_env.physics.solver import rounds
-from soccer_env.physics.solver.records import POST_CONTACT, POST_CONTACTS, SOLVER
+from soccer_env.physics.solver.records import LAST_CONTACT, POST_CONTACT, POST_CONTACTS, SOLVER, STANCE
 
 Backend = Literal["c", "batch"]
 
@@ -55,8 +55,9 @@ class SpaceBatch:
         self.bodies = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 6))
         self.velocities = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 3))
         self.solvers = np.zeros(matches, SOLVER)
-        self._contacts = np.zeros((matches, 2, POST_CONTACTS * bodies), POST_CONTACT)
-        self.spans = np.zeros(matches, prefetch.SPANS)
+        room = matches, POST_CONTACTS * bodies
+        self._room = np.zeros((matches, bodies - 1), STANCE), np.zeros(room, POST_CONTACT), np.zeros(room, LAST_CONTACT)
+        self.spans = np.zeros(matches if prefetch.is_useful(matches) else 0, prefetch.SPANS)
         self.links = chipmunk.make_links(self.bodies, self.velocities) if self.backend == "c" else None
         self._read_buffer, self._write_buffer = pymunk_batch.Buffer(), pymunk_batch.Buffer()
         self._lock = threading.Lock()  # around the buffers
@@ -72,8 +73,9 @@ class SpaceBatch:
             link["space"], link["count"] = chipmunk.space_address(space), self.size
             link["solver"] = 0
             link["body"][0, : self.size] = [address_of(body) for body in space.bodies]
-            self.spans["steps"][m] = self.spans["count"][m] = 0
-            link["spans"] = self.spans[m : m + 1].ctypes.data if prefetch.is_useful(len(self.spaces)) else 0
+            if len(self.spans):
+                self.spans["steps"][m] = self.spans["count"][m] = 0
+                link["spans"] = self.spans[m : m + 1].ctypes.data
         self.spaces[m] = space
         self.bodies[m] = self.velocities[m] = 0.0
         self.read_bodies(m)
@@ -82,7 +84,8 @@ class SpaceBatch:
         """Let our part of the solver act in match m's Space; the caller keeps the league's constants (1,) in place."""
         if self.links is not None:
             self.links["solver"][m] = self.solvers[m : m + 1].ctypes.data
-        rounds.attach(self._space(m), self.solvers[m : m + 1], self._contacts[m], league, constants)
+        room = rounds.Room(*(array[m] for array in self._room))
+        rounds.attach(self._space(m), self.solvers[m : m + 1], room, league, constants)
 
     def step_all(self, dt: float, substeps: ArrayLike) -> None:
         """Write the velocities of all matches, move them on by dt [s] and read their bodies; `substeps` () or (M,)."""

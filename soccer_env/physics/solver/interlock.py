@@ -14,7 +14,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame
 from soccer_env.physics.engine.memory import BODY_COS, BODY_SIN, BODY_X, BODY_Y, number_at
 from soccer_env.physics.gait import LEGS, stance
-from soccer_env.physics.solver.posts import add_contact, aim, contact_key, forget
+from soccer_env.physics.solver.posts import add_contact, aim, contact_key, forget, place_posts, stance_of
 
 GAPS = 4  # between two neighbouring legs: the fore ones, the hind ones, the left, the right
 HOLD = 6  # in the place of the other robot's leg in a contact's key
@@ -77,9 +77,9 @@ def hold_caught(solver, k):
     """List the holds of a match: contacts that allow no motion but out of the gap, while the leg is near it."""
     solver.holds = 0
     for r in range(solver.robots):
-        other = solver.stances[r].caught_by - 1
+        other = stance_of(solver, r).caught_by - 1
         if other >= 0 and is_held(solver, k, r):
-            mutual = solver.stances[other].caught_by - 1 == r and is_held(solver, k, other)
+            mutual = stance_of(solver, other).caught_by - 1 == r and is_held(solver, k, other)
             if not mutual or r < other:
                 hold_leg(solver, k, r, other, mutual)
 
@@ -87,9 +87,10 @@ def hold_caught(solver, k):
 @compiled
 def is_held(solver, k, r):
     """Tell whether the caught leg of a robot is still within a leg's width of the gap in which it was caught."""
-    robot = solver.stances[r]
-    body = solver.stances[robot.caught_by - 1].body
+    robot = stance_of(solver, r)
+    body = stance_of(solver, robot.caught_by - 1).body
     leg = robot.posts[robot.caught_leg]
+    place_posts(solver, k, robot)
     x, y = leg.field_x - number_at(body + BODY_X), leg.field_y - number_at(body + BODY_Y)
     ahead, left = into_frame(x, y, number_at(body + BODY_COS), number_at(body + BODY_SIN))
     return gap_distance(k, robot.caught_gap, ahead, left, solver.handedness) <= 2.0 * k.body_tip_radius
@@ -102,7 +103,7 @@ def hold_leg(solver, k, r, other, mutual):
     Two robots that hold a leg of each other are held once, in the middle of the two and along the mean of both ways:
     two holds that say nearly the same would take more rounds to agree than there are.
     """
-    robot, holder = solver.stances[r], solver.stances[other]
+    robot, holder = stance_of(solver, r), stance_of(solver, other)
     solver.holds += 1
     robot.meets = 1
     holder.meets = 1
@@ -122,8 +123,8 @@ def hold_leg(solver, k, r, other, mutual):
 @compiled
 def hold_at(solver, r):
     """Return where the leg of a robot is held [m, m], and the direction into the gap, field frame."""
-    robot = solver.stances[r]
-    body = solver.stances[robot.caught_by - 1].body
+    robot = stance_of(solver, r)
+    body = stance_of(solver, robot.caught_by - 1).body
     out_x, out_y = way_out(robot.caught_gap, solver.handedness)
     nx, ny = out_of_frame(-out_x, -out_y, number_at(body + BODY_COS), number_at(body + BODY_SIN))
     leg = robot.posts[robot.caught_leg]

@@ -28,34 +28,39 @@ from soccer_env.physics.engine.memory import (
     number_at,
     record_reader,
 )
-from soccer_env.physics.solver.records import POST_CONTACT, POSTS
+from soccer_env.physics.solver.records import LAST_CONTACT, OVERLAP_LEFT, POST_CONTACT, POSTS, STANCE
 
-OVERLAP_LEFT = 1e-12  # [1] share of an overlap left after 1 s, assumed; Chipmunk's 0.0018 buries a ball in a scrum
 BALL = 30  # in the place of the other robot's row in a contact's key
 TRUNK = 4  # in the place of the other robot's post
 
 contact_at: Any = record_reader(POST_CONTACT)
-CONTACT_BYTES = int(POST_CONTACT.itemsize)
+last_at: Any = record_reader(LAST_CONTACT)
+stance_at: Any = record_reader(STANCE)
+CONTACT_BYTES, LAST_BYTES, STANCE_BYTES = (int(kind.itemsize) for kind in (POST_CONTACT, LAST_CONTACT, STANCE))
+
+
+@compiled
+def stance_of(solver, r):
+    """Return a robot's STANCE, to read and to write."""
+    return stance_at(solver.stances + r * STANCE_BYTES)
 
 
 @compiled
 def find_post_contacts(solver, k, dt):
     """List what the posts of a match touch of other robots and the ball, in this substep of dt [s]."""
-    solver.contacts, solver.last_contacts = solver.last_contacts, solver.contacts
-    solver.last_count = solver.contact_count
-    solver.contact_count = 0
+    keep_impulses(solver)
     solver.repair = (1.0 - exp(log(OVERLAP_LEFT) * dt)) / dt
     for r in range(solver.robots):
-        solver.stances[r].meets = 0
-        place_posts(solver, k, solver.stances[r])
+        stance = stance_of(solver, r)
+        stance.meets = stance.placed = 0
     near = 2.0 * k.body_reach
     for r in range(solver.robots):
-        if solver.stances[r].active == 0:
+        if stance_of(solver, r).active == 0:
             continue
-        body = solver.stances[r].body
+        body = stance_of(solver, r).body
         x, y = number_at(body + BODY_X), number_at(body + BODY_Y)
         for other in range(r + 1, solver.robots):
-            away = solver.stances[other].body
+            away = stance_of(solver, other).body
             away_x, away_y = number_at(away + BODY_X) - x, number_at(away + BODY_Y) - y
             if away_x * away_x + away_y * away_y < near * near:
                 meet_robot(solver, k, r, other)
@@ -63,8 +68,24 @@ def find_post_contacts(solver, k, dt):
 
 
 @compiled
+def keep_impulses(solver):
+    """Keep the impulses of the last substep's contacts, and forget these."""
+    for i in range(solver.contact_count):
+        contact, last = contact_at(solver.contacts + i * CONTACT_BYTES), last_at(solver.last_contacts + i * LAST_BYTES)
+        last.key, last.push, last.rub = contact.key, contact.push, contact.rub
+    solver.last_count = solver.contact_count
+    solver.contact_count = 0
+
+
+@compiled
 def place_posts(solver, k, stance):
-    """Say where the posts of a robot stand in the field; in a mirrored match those of the other side come first."""
+    """Say where the posts of a robot stand in the field, if nobody has asked for it in this substep.
+
+    In a mirrored match those of the other side come first.
+    """
+    if stance.placed == 1:
+        return
+    stance.placed = 1
     body = stance.body
     x, y = number_at(body + BODY_X), number_at(body + BODY_Y)
     cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
@@ -79,11 +100,13 @@ def place_posts(solver, k, stance):
 @compiled
 def meet_robot(solver, k, r, other):
     """List the contacts of two robots near each other: posts with posts, and of each with the trunk of the other."""
+    place_posts(solver, k, stance_of(solver, r))
+    place_posts(solver, k, stance_of(solver, other))
     both = 2.0 * k.body_tip_radius
     for i in range(solver.posts):
-        post = solver.stances[r].posts[i]
+        post = stance_of(solver, r).posts[i]
         for its in range(solver.posts):
-            across = solver.stances[other].posts[its]
+            across = stance_of(solver, other).posts[its]
             x, y = across.field_x - post.field_x, across.field_y - post.field_y
             if x * x + y * y < both * both:
                 gap = length(x, y)
@@ -96,8 +119,8 @@ def meet_robot(solver, k, r, other):
 @compiled
 def meet_trunk(solver, k, r, i, other):
     """List the contact of a post of robot r with the trunk of another robot, if they touch."""
-    post = solver.stances[r].posts[i]
-    body = solver.stances[other].body
+    post = stance_of(solver, r).posts[i]
+    body = stance_of(solver, other).body
     cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
     x, y = number_at(body + BODY_X) - post.field_x, number_at(body + BODY_Y) - post.field_y
     ahead, _ = into_frame(-x, -y, cosine, sine)
@@ -112,15 +135,15 @@ def meet_trunk(solver, k, r, i, other):
 @compiled
 def touch_robot(solver, k, r, i, other, part, x, y, gap, reach):
     """List a contact of robot r's post with a part of another robot whose axis is x, y [m] away; they reach so far."""
-    solver.stances[r].meets = 1
-    solver.stances[other].meets = 1
-    post = solver.stances[r].posts[i]
+    stance_of(solver, r).meets = 1
+    stance_of(solver, other).meets = 1
+    post = stance_of(solver, r).posts[i]
     nx, ny = normal(x, y, gap)
     place_x, place_y = post.field_x + nx * k.body_tip_radius, post.field_y + ny * k.body_tip_radius
     key = contact_key(r, i, other, part)
-    contact = add_contact(solver, key, solver.stances[r].body, solver.stances[other].body)
+    contact = add_contact(solver, key, stance_of(solver, r).body, stance_of(solver, other).body)
     elasticity = solver.robot_elasticity
-    if solver.stances[r].caught_by == other + 1 or solver.stances[other].caught_by == r + 1:
+    if stance_of(solver, r).caught_by == other + 1 or stance_of(solver, other).caught_by == r + 1:
         elasticity = 0.0  # a bounce against a hold would give energy
         forget(contact)
     aim(solver, contact, nx, ny, place_x, place_y, gap - reach, elasticity, solver.robot_friction)
@@ -142,10 +165,11 @@ def meet_ball(solver, k):
     x, y = number_at(solver.ball + BODY_X), number_at(solver.ball + BODY_Y)
     near = 1.5 * k.body_reach + k.ball_radius
     for r in range(solver.robots):
-        stance = solver.stances[r]
+        stance = stance_of(solver, r)
         body = stance.body
         away_x, away_y = x - number_at(body + BODY_X), y - number_at(body + BODY_Y)
         if away_x * away_x + away_y * away_y < near * near:
+            place_posts(solver, k, stance)
             cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
             ahead, left = into_frame(away_x, away_y, cosine, sine)
             for i in range(solver.posts):
@@ -155,7 +179,7 @@ def meet_ball(solver, k):
 @compiled
 def meet_paw(solver, k, r, i, ahead, left, cosine, sine):
     """List the contact of a post with the ball, which lies ahead and left [m] of its robot, if they touch."""
-    stance = solver.stances[r]
+    stance = stance_of(solver, r)
     paw = stance.posts[i]
     x, y = ahead - paw.x - solver.time * paw.vx, left - paw.y - solver.time * paw.vy
     reach = k.body_tip_radius + k.ball_radius
@@ -200,7 +224,7 @@ def add_contact(solver, key, a, b):
     contact.level = 1.0
     contact.held = 0
     for i in range(solver.last_count):
-        last = contact_at(solver.last_contacts + i * CONTACT_BYTES)
+        last = last_at(solver.last_contacts + i * LAST_BYTES)
         if last.key == key:
             contact.push, contact.rub = last.push, last.rub
     return contact

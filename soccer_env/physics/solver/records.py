@@ -7,9 +7,10 @@ import numpy as np
 from soccer_env.types import MAX_TEAM
 
 MOST_ROBOTS = 2 * MAX_TEAM
+OVERLAP_LEFT = 1e-12  # [1] share of an overlap left after 1 s, assumed; Chipmunk's 0.0018 buries a ball in a scrum
 POSTS = 4  # of a robot that there is room for: left fore, right fore, left hind, right hind
 MOST_CONTACTS = 8  # of the ball that are treated; more do not fit round it
-POST_CONTACTS = 8  # for each robot that there is room for in a match
+POST_CONTACTS = 4  # for each body of a match that there is room for: twice as many as scrums of 11 a side have
 
 POST = np.dtype(
     [  # a leg, or a tip of a guide
@@ -37,6 +38,7 @@ STANCE = np.dtype(
         ("given_turn", "f8"),  # [rad/s]
         ("active", "i8"),  # 0: parked off the pitch, where its posts touch nothing
         ("led", "i8"),  # 1: it touches nothing, and the ground has given all that it gives in this control step
+        ("placed", "i8"),  # 1: where its posts stand in this substep is known
         ("meets", "i8"),  # 1: its posts touch something in this substep
         ("caught_by", "i8"),  # as in the robot's record
         ("caught_leg", "i8"),
@@ -77,6 +79,7 @@ POST_CONTACT = np.dtype(
         ("shift", "f8"),  # [N s] impulse that undoes the overlap
     ]
 )
+LAST_CONTACT = np.dtype([("key", "i8"), ("push", "f8"), ("rub", "f8")])  # what the next substep begins with
 SOLVER = np.dtype(
     [
         ("robots", "i8"),  # how many there are
@@ -105,13 +108,13 @@ SOLVER = np.dtype(
         ("robot_friction", "f8"),  # [1]
         ("board_elasticity", "f8"),  # [1] of robot and board
         ("board_friction", "f8"),  # [1]
+        ("stances", "u8"),  # address of the first robot's STANCE
         ("contacts", "u8"),  # address of the first POST_CONTACT of this substep
         ("contact_count", "i8"),
-        ("last_contacts", "u8"),  # address of the first of the last substep
+        ("last_contacts", "u8"),  # address of the first LAST_CONTACT, of the last substep
         ("last_count", "i8"),
         ("contact_room", "i8"),  # how many fit
         ("touching", "i8", (MOST_ROBOTS,)),  # rows of those that touch something in this substep
         ("touching_count", "i8"),
-        ("stances", STANCE, (MOST_ROBOTS,)),
     ]
 )

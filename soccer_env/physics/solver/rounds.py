@@ -18,7 +18,7 @@ match's SOLVER record. Impulses of the ground are counted as changes of velocity
 from __future__ import annotations
 
 import functools
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pymunk
@@ -53,8 +53,8 @@ from soccer_env.physics.engine.space import loose_posts
 from soccer_env.physics.solver.ball import look_at_ball, take_roll, touches_of_ball
 from soccer_env.physics.solver.impulses import resume_posts, solve_posts
 from soccer_env.physics.solver.interlock import hold_caught
-from soccer_env.physics.solver.posts import find_post_contacts
-from soccer_env.physics.solver.records import SOLVER
+from soccer_env.physics.solver.posts import find_post_contacts, stance_of
+from soccer_env.physics.solver.records import SOLVER, STANCE
 from soccer_env.physics.solver.walls import meet_walls
 
 solver_at: Any = record_reader(SOLVER)
@@ -70,14 +70,14 @@ def prepare(constraint, dt):
         k = constants_at(solver.constants)
         find_post_contacts(solver, k, dt)
         for r in range(solver.robots):
-            stance = solver.stances[r]
+            stance = stance_of(solver, r)
             if stance.active == 1:
                 meet_walls(solver, k, r, number_at(stance.body + BODY_X), number_at(stance.body + BODY_Y))
         if k.legs == 1:
             hold_caught(solver, k)
     count = 0
     for r in range(solver.robots):
-        stance = solver.stances[r]
+        stance = stance_of(solver, r)
         if not is_free(stance):
             solver.touching[count] = r
             count += 1
@@ -97,7 +97,7 @@ def resume(constraint, share):
     solver = solver_at(address_at(constraint + MOTOR_RATE))
     resume_posts(solver, share)
     for i in range(solver.touching_count):
-        stance = solver.stances[solver.touching[i]]
+        stance = stance_of(solver, solver.touching[i])
         body = stance.body
         stance.given_x *= share
         stance.given_y *= share
@@ -113,7 +113,7 @@ def solve_round(constraint, dt):
     solver = solver_at(address_at(constraint + MOTOR_RATE))
     solve_posts(solver)
     for i in range(solver.touching_count):
-        hold_ground(solver.stances[solver.touching[i]], dt)
+        hold_ground(stance_of(solver, solver.touching[i]), dt)
 
 
 @callback("float64", "address")
@@ -135,7 +135,7 @@ def lead_off(solver, dt):
     Chipmunk moves bodies first and then changes their velocities: a walk would show a substep late.
     """
     for r in range(solver.robots):
-        stance = solver.stances[r]
+        stance = stance_of(solver, r)
         stance.led = 0
         if is_free(stance):
             stance.given_x = stance.given_y = stance.given_turn = 0.0
@@ -180,11 +180,19 @@ def hold_ground(stance, dt):
 # For the owner of the Spaces
 
 
-def attach(space: pymunk.Space, solver: np.ndarray, contacts: np.ndarray, league: League, k: np.ndarray) -> None:
+class Room(NamedTuple):
+    """What a match's SOLVER record points to."""
+
+    stances: np.ndarray  # (R,) STANCE
+    contacts: np.ndarray  # (n,) POST_CONTACT
+    last_contacts: np.ndarray  # (n,) LAST_CONTACT
+
+
+def attach(space: pymunk.Space, solver: np.ndarray, room: Room, league: League, k: np.ndarray) -> None:
     """Let our functions take part in solving a Space whose dynamic bodies are the ball and the robots, in this order.
 
-    They work on a SOLVER record (1,), on contacts (2, n) of POST_CONTACT, those of this substep and of the last, and on
-    the constants (1,) of the league. The caller keeps all of them alive and in place.
+    They work on a SOLVER record (1,), in the room of a match, and with the constants (1,) of the league. The caller
+    keeps all of them alive and in place.
     """
     if not layout_fits():
         raise RuntimeError(f"this package needs pymunk 7.3 on a 64-bit machine, found {pymunk.version}")
@@ -201,12 +209,13 @@ def attach(space: pymunk.Space, solver: np.ndarray, contacts: np.ndarray, league
     for name in ("ball", "robot", "board"):
         pair = league.materials.pairs()[{"ball": "ball_robot", "robot": "robot_robot", "board": "robot_board"}[name]]
         solver[f"{name}_elasticity"], solver[f"{name}_friction"] = pair.elasticity, pair.friction
-    solver["contacts"], solver["last_contacts"] = contacts[0].ctypes.data, contacts[1].ctypes.data
-    solver["contact_room"] = contacts.shape[1]
-    solver["stances"]["body"][0, : len(bodies) - 1] = bodies[1:]
+    for name, array in room._asdict().items():
+        solver[name] = array.ctypes.data
+    solver["contact_room"] = len(room.contacts)
+    room.stances[:] = np.zeros((), STANCE)
+    room.stances["body"] = bodies[1:]
     for i, (x, y) in enumerate(loose_posts(league.body)):
-        post = solver["stances"]["posts"][..., i]
-        post["stand_x"], post["stand_y"] = x, y
+        room.stances["posts"]["stand_x"][:, i], room.stances["posts"]["stand_y"][:, i] = x, y
     _add_constraint(space, solver.ctypes.data)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.physics.solver.posts import add_contact, aim, contact_key, normal
+from soccer_env.physics.solver.posts import add_contact, aim, contact_key, normal, place_posts, stance_of
 
 WALL = 31  # in the place of the other robot's row in a contact's key
 SIDE, BACK, END, GOAL_POST = 0, 1, 2, 3  # in the place of the other robot's post
@@ -23,8 +23,9 @@ def meet_walls(solver, k, r, x, y):
     reach = k.body_reach + k.pitch_board_foot
     if abs(x) + reach < 0.5 * k.pitch_length and abs(y) + reach < half_width:
         return
+    place_posts(solver, k, stance_of(solver, r))
     for i in range(solver.posts):
-        post = solver.stances[r].posts[i]
+        post = stance_of(solver, r).posts[i]
         room = half_width - k.pitch_board_foot - abs(post.field_y)
         if room < k.body_tip_radius:
             touch_wall(solver, k, r, i, SIDE, 0.0, 1.0 if post.field_y > 0.0 else -1.0, room)
@@ -43,7 +44,7 @@ def meet_walls(solver, k, r, x, y):
 def meet_end(solver, k, r, i, end, side, aside):
     """List the contact of a post with the boards beside a goal's mouth, or with their ends, which are its sides."""
     behind = 0.0 if k.walled == 1 else max(k.pitch_band_end, k.pitch_goal_depth)
-    past = abs(solver.stances[r].posts[i].field_x) - 0.5 * k.pitch_length - behind + k.pitch_board_foot
+    past = abs(stance_of(solver, r).posts[i].field_x) - 0.5 * k.pitch_length - behind + k.pitch_board_foot
     if past + k.body_tip_radius <= 0.0 or aside >= k.body_tip_radius:
         return
     if past <= 0.0 and aside > 0.0:  # before the mouth: the corner of the boards
@@ -60,7 +61,7 @@ def meet_end(solver, k, r, i, end, side, aside):
 @compiled
 def meet_goal_post(solver, k, r, i, end, side):
     """List the contact of a post with a goal post and the side net behind it."""
-    post = solver.stances[r].posts[i]
+    post = stance_of(solver, r).posts[i]
     line = 0.5 * k.pitch_length
     x = end * clip(abs(post.field_x), line + k.pitch_post_radius, line + k.pitch_goal_depth) - post.field_x
     y = side * (0.5 * k.pitch_goal_width + k.pitch_post_radius) - post.field_y
@@ -74,7 +75,7 @@ def meet_goal_post(solver, k, r, i, end, side):
 @compiled
 def touch_wall(solver, k, r, i, part, nx, ny, room):
     """List a contact of a robot's post with something that stands still, `room` [m] from the post's axis."""
-    stance = solver.stances[r]
+    stance = stance_of(solver, r)
     stance.meets = 1
     post = stance.posts[i]
     contact = add_contact(solver, contact_key(r, i, WALL, part), stance.body, solver.ground)
