@@ -20,7 +20,7 @@ class Batch:
     """One batch of a claim's samples: everything in it must follow from its seeds."""
 
     claim: str
-    seed: int  # of the whole run
+    seed: int  # one of those of the run
     index: int  # 0, 1, ...
     threads: int = 1  # that may share the work; no result depends on it
     pose: Pose = "particles"  # how robots know where they are: "particles" or "percept"
@@ -89,7 +89,8 @@ class Claim:
     """A claim and its measurement.
 
     `measure` returns the samples of one batch: arrays whose first axis are independent units (runs, matches), the same
-    number in each. Batches are taken until the verdict is decided, `least` to `batches` (--quick: `quick`) of them.
+    number in each. Batches are taken of every seed until the verdict on all of them together is decided, `least` to
+    `batches` (--quick: `quick`) of each.
     """
 
     id: str
@@ -100,9 +101,10 @@ class Claim:
     criteria: tuple[Criterion, ...]  # none that decides: context
     measure: Callable[[Batch], Samples]
     batches: int = 16
-    least: int = 1  # batches before the first verdict, where few of a batch's units count
+    least: int = 1  # batches of a seed before the first verdict, where few of a batch's units count
     quick: int = 1
     seconds: float = 3.0  # [s] of one batch on one core, compiled: from this --minutes finds the number of batches
+    changed: str = ""  # a criterion or scene that changed after a first look: what was asked before, and was read
     ingredients: tuple[str, ...] = ()  # settings and models that the result rests on
     without: Without | None = None  # by construction
     figures: Callable[[Samples], Sequence[Figure]] = no_figures

@@ -15,6 +15,7 @@ from soccer_env.train.written_settings import POSES
 if TYPE_CHECKING:
     from rich.table import Table
 
+COLUMNS = ("id", "claim", "verdict", "seeds", "estimate (95 % interval)", "n")
 DIGITS = 3  # significant digits of a number
 EXPLANATION = """\
 * `reproduced`: the whole 95 % interval satisfies the criterion. `not`: the whole interval violates it. `undecided`: \
@@ -22,7 +23,9 @@ neither, at the cap on samples.
 * `by construction`: satisfied because of something that was put in, which is named and switched off for comparison; \
 never counted as reproduced. `context`: nothing to decide.
 * A claim with several criteria needs all of them. Looks at growing samples share the 5 % of an interval. n counts \
-independent units (runs, matches)."""
+independent units (runs, matches) of all seeds together; "40 of 96": so many of them have a \
+value in the criterion that decides.
+* Seeds: what the samples of each seed say alone, r reproduced, n not, u undecided, c context."""
 
 
 def markdown(results: Sequence[ClaimResult], folder: ResultsFolder, plots: dict[str, list[str]], trouble: str) -> str:
@@ -39,7 +42,7 @@ def markdown(results: Sequence[ClaimResult], folder: ResultsFolder, plots: dict[
     lines = [
         "# Claims of the papers, measured",
         f"{len(results)} claims: {total}.{quick} {poses_of(results)}",
-        table(("id", "claim", "verdict", "estimate (95 % interval)", "n"), [row(result) for result in results]),
+        table(COLUMNS, [row(result) for result in results]),
         EXPLANATION,
         trouble and trouble[0].upper() + trouble[1:] + ". The same data stand here as tables.",
         *(section(result, plots.get(result.id, [])) for result in results),
@@ -64,21 +67,29 @@ def row(result: ClaimResult) -> tuple[str, ...]:
     unit = next((found["unit"] for found in result.findings if found["criterion"] == result.criterion), "")
     found = {"estimate": result.estimate, "low": result.low, "high": result.high, "unit": unit}
     shown = with_interval(found) if result.criterion else ""
-    return result.id, result.statement, result.marked, shown, f"{result.n}"
+    return result.id, result.statement, result.marked, result.alone, shown, units_of(result.n_used, result.n)
+
+
+def units_of(used: int, units: int) -> str:
+    """Return how many units have a value, of how many."""
+    return f"{used}" if used == units else f"{used} of {units}"
 
 
 def section(result: ClaimResult, plots: Sequence[str]) -> str:
     """Return what the report says about one claim."""
     n = f"n = {result.n}" + (f" (cap {result.cap})" if result.verdict == UNDECIDED else "")
+    seeds = ", ".join(f"{seed}: {verdict}" for seed, verdict in zip(result.seeds, result.by_seed, strict=True))
     source = f"{result.paper}, {result.section}" if result.section else result.paper
     parts = [
         f"## {result.id}: {result.marked}",
         f"{result.statement} [{source}]",
         f"Measured: {result.method} {n}. Own pose: {result.pose}.",
-        findings_table(result.findings),
+        f"Each seed alone: {seeds}.",
+        findings_table(result.findings, result.n),
         f"Rests on: {'; '.join(result.ingredients)}." if result.ingredients else "",
         f"With the ingredient off ({result.without}):" if result.without else "",
-        findings_table(result.without_findings),
+        findings_table(result.without_findings, result.n),
+        f"Changed after a first look. {result.changed}" if result.changed else "",
         result.note,
         *(f"![{figure['title']}]({file})" for figure, file in zip(result.figures, plots, strict=False)),
         *(figure_table(figure) for figure in ([] if plots else result.figures)),
@@ -87,13 +98,14 @@ def section(result: ClaimResult, plots: Sequence[str]) -> str:
     return "\n\n".join(part for part in parts if part)
 
 
-def findings_table(findings: Sequence[dict[str, Any]]) -> str:
-    """Return the criteria of a claim with what was found; "" without any."""
+def findings_table(findings: Sequence[dict[str, Any]], units: int) -> str:
+    """Return the criteria of a claim with what was found in so many units; "" without any."""
+    verdicts = ["reported" if found["verdict"] == CONTEXT else found["verdict"] for found in findings]
     cells = [
-        (found["criterion"], with_interval(found), "reported" if found["verdict"] == CONTEXT else found["verdict"])
-        for found in findings
+        (found["criterion"], with_interval(found), units_of(found["n"], units), verdict)
+        for found, verdict in zip(findings, verdicts, strict=True)
     ]
-    return table(("criterion", "estimate (95 % interval)", "verdict"), cells) if cells else ""
+    return table(("criterion", "estimate (95 % interval)", "n", "verdict"), cells) if cells else ""
 
 
 def figure_table(figure: dict[str, Any]) -> str:
@@ -128,7 +140,7 @@ def screen_table(results: Sequence[ClaimResult]) -> Table:
 
     title = f"Claims of the papers, measured. {poses_of(results)}"
     drawn = Table(title=title, title_justify="left")
-    for column in ("id", "claim", "verdict", "estimate (95 % interval)", "n"):
+    for column in COLUMNS:
         drawn.add_column(column, overflow="fold")
     for result in results:
         drawn.add_row(*row(result))

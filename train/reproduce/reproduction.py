@@ -2,16 +2,18 @@
 
     results = reproduce(ReproduceSettings(claims=("S05",), quick=True))
 
-Every batch follows from the run's seed, the claim's id and the batch's number alone, so that no result depends on
-threads, on other claims, or on where a stopped run went on. A claim is looked at after its least number of batches,
-twice that, four times that, and so on; the looks share the 5 % of the interval (Bonferroni), so that stopping early
-does not make verdicts bolder.
+Every batch follows from a seed, the claim's id and the batch's number alone, so that no result depends on threads, on
+other claims, or on where a stopped run went on. The verdict is that of the samples of all seeds together; what each
+seed's samples say alone stands beside it. A claim is looked at after its least number of batches of each seed, twice
+that, four times that, and so on; the looks share the 5 % of the interval (Bonferroni), so that stopping early does
+not make verdicts bolder.
 """
 
 from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from soccer_env.train.plots import draw_all
 from soccer_env.train.progress import Progress
@@ -47,7 +49,7 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
     claims = find_claims(asked, known)
     conditions = {
         "claims": [claim.id for claim in claims], "budget": settings.budget, "pose": settings.pose,
-        "seed": settings.seed,
+        "seeds": list(settings.seeds),
     }  # fmt: skip
     about = {"command": command_of(settings), **made_now()}
     folder = ResultsFolder(settings.out, REPRODUCTION, conditions, made_with(claims), about, settings.anew)
@@ -73,40 +75,58 @@ def measure_missing(claims: list[Claim], settings: ReproduceSettings, folder: Re
     done = folder.results(CLAIMS, ClaimResult, "id")
     missing = [claim for claim in claims if claim.id not in done]
     caps = {claim.id: settings.cap(claim.batches, claim.quick, claim.seconds, len(claims)) for claim in missing}
-    work = sum(caps[claim.id] * claim.seconds for claim in missing)
+    seeds = len(settings.seeds)
+    work = sum(caps[claim.id] * claim.seconds for claim in missing) * seeds
     with Progress("reproduce", work) as progress:
         for claim in missing:
             progress.note(f"{claim.id}, {len(done)} of {len(claims)} done")
             cap = caps[claim.id]
             taken, done[claim.id] = examine(claim, settings, cap, folder.settings, progress)
             folder.add(CLAIMS, [done[claim.id]])
-            progress.advance((cap - taken) * claim.seconds)
+            progress.advance((cap - taken) * claim.seconds * seeds)
     return done
 
 
 def examine(
     claim: Claim, settings: ReproduceSettings, cap: int, settings_hash: str, progress: Progress
 ) -> tuple[int, ClaimResult]:
-    """Take batches of a claim until it is decided; return how many were taken, and the result."""
+    """Take batches of a claim, of each seed in turn, until it is decided; return how many of a seed, and the result."""
     looks = looks_at(cap, claim.least)
     confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
-    pose = claim.pose or settings.pose
-    batches: list[Samples] = []
+    taken: list[list[Samples]] = [[] for _ in settings.seeds]
     findings: list[Finding] = []
     for index in range(cap):
-        batches.append(claim.measure(Batch(claim.id, settings.seed, index, settings.threads, pose)))
-        progress.advance(claim.seconds)
+        for batches, seed in zip(taken, settings.seeds, strict=True):
+            batches.append(claim.measure(batch_of(claim, settings, seed, index)))
+            progress.advance(claim.seconds)
         if index + 1 in looks:
-            findings = [find(criterion, joined(batches), confidence) for criterion in claim.criteria]
+            findings = find_all(claim, all_of(taken), confidence)
             if combine(findings) not in (UNDECIDED, CONTEXT):
                 break
+    count = len(taken[0])
     without: list[Finding] = []
     if claim.without is not None:
-        indices = range(len(batches))
-        off = [claim.without.measure(Batch(claim.id, settings.seed, i, settings.threads, pose)) for i in indices]
-        without = [find(criterion, joined(off), confidence) for criterion in claim.criteria]
-    share = cap / len(batches)
-    return len(batches), result_of(claim, settings, joined(batches), findings, without, share, settings_hash)
+        indices = ((seed, index) for seed in settings.seeds for index in range(count))
+        off = [claim.without.measure(batch_of(claim, settings, *where)) for where in indices]
+        without = find_all(claim, joined(off), confidence)
+    alone = [find_all(claim, joined(batches), confidence) for batches in taken]
+    found = Found(findings, without, alone, cap / count)
+    return count, result_of(claim, settings, all_of(taken), found, settings_hash)
+
+
+def batch_of(claim: Claim, settings: ReproduceSettings, seed: int, index: int) -> Batch:
+    """Return a batch of a claim."""
+    return Batch(claim.id, seed, index, settings.threads, claim.pose or settings.pose)
+
+
+def find_all(claim: Claim, samples: Samples, confidence: float) -> list[Finding]:
+    """Return what samples say about each criterion of a claim."""
+    return [find(criterion, samples, confidence) for criterion in claim.criteria]
+
+
+def all_of(taken: list[list[Samples]]) -> Samples:
+    """Return the samples of all seeds as one."""
+    return joined([batch for batches in taken for batch in batches])
 
 
 def looks_at(cap: int, least: int = 1) -> list[int]:
@@ -114,17 +134,20 @@ def looks_at(cap: int, least: int = 1) -> list[int]:
     return [*(least * 2**i for i in range(cap.bit_length()) if least * 2**i < cap), cap]
 
 
+class Found(NamedTuple):
+    """What the samples of a claim say about its criteria."""
+
+    findings: list[Finding]  # of the samples of all seeds
+    without: list[Finding]  # the same with the ingredient off
+    alone: list[list[Finding]]  # of each seed's samples by themselves
+    share: float  # of the cap to the batches that were taken
+
+
 def result_of(
-    claim: Claim,
-    settings: ReproduceSettings,
-    samples: Samples,
-    findings: list[Finding],
-    without: list[Finding],
-    share: float,  # of the cap to the batches that were taken
-    settings_hash: str,
+    claim: Claim, settings: ReproduceSettings, samples: Samples, found: Found, settings_hash: str
 ) -> ClaimResult:
     """Return the result of a claim from its samples and what they say about each criterion."""
-    verdict, main = combine(findings), deciding(findings)
+    verdict, main = combine(found.findings), deciding(found.findings)
     if claim.without is not None and verdict == REPRODUCED:
         verdict = BY_CONSTRUCTION
     units = len(next(iter(samples.values()))) if samples else 0
@@ -143,14 +166,17 @@ def result_of(
         high=none_or_float(main.high) if main else None,
         criterion=main.criterion if main else "",
         n=units,
-        cap=round(units * share),
-        seed=settings.seed,
+        n_used=main.n if main else units,
+        cap=round(units * found.share),
+        seeds=list(settings.seeds),
+        by_seed=[combine(findings) for findings in found.alone],
         command=command_of(settings, claim.id),
         ingredients=list(claim.ingredients),
         note=note,
-        findings=[as_record(finding) for finding in findings],
+        changed=claim.changed,
+        findings=[as_record(finding) for finding in found.findings],
         without=claim.without.ingredient if claim.without else "",
-        without_findings=[as_record(finding) for finding in without],
+        without_findings=[as_record(finding) for finding in found.without],
         figures=[as_plain(figure) for figure in claim.figures(samples)],
         settings=settings_hash,
     )

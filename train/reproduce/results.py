@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
 from soccer_env.train.reproduce.claim import none_or_float
-from soccer_env.train.reproduce.verdicts import Finding
+from soccer_env.train.reproduce.verdicts import NOT, REPRODUCED, Finding
 from soccer_env.train.results_folder import Kind
 
 
@@ -27,12 +28,15 @@ class ClaimResult:
     low: float | None
     high: float | None
     criterion: str
-    n: int  # independent units (runs, matches) that were reached
+    n: int  # independent units (runs, matches) that were reached, of all seeds
+    n_used: int  # of them with a value in that criterion
     cap: int  # units at which it would have been undecided
-    seed: int
+    seeds: list[int]
+    by_seed: list[str]  # the verdict from each seed's samples alone
     command: str
     ingredients: list[str]
     note: str
+    changed: str  # what was asked and read before a criterion or scene changed after a first look
     findings: list[dict[str, Any]]  # of every criterion
     without: str  # the ingredient that a by-construction claim rests on
     without_findings: list[dict[str, Any]]  # the same criteria with it off
@@ -44,6 +48,11 @@ class ClaimResult:
         """Return the verdict, marked if it comes from few samples."""
         return f"{self.verdict} (quick)" if self.quick else self.verdict
 
+    @property
+    def alone(self) -> str:
+        """Return what each seed says by itself: "r r u", or "r r n, they disagree"."""
+        return seeds_in_letters(self.by_seed)
+
     def as_dict(self) -> dict[str, Any]:
         """Return what results.json holds of it; beside the verdict stands how it is shown, marked if it is quick."""
         record: dict[str, Any] = {}
@@ -53,6 +62,12 @@ class ClaimResult:
             if name == "verdict":
                 record["shown"] = self.marked
         return record
+
+
+def seeds_in_letters(verdicts: Sequence[str]) -> str:
+    """Return the verdicts of single seeds by their first letters, and whether they contradict each other."""
+    letters = " ".join(verdict[0] for verdict in verdicts)
+    return f"{letters}, they disagree" if {REPRODUCED, NOT} <= set(verdicts) else letters
 
 
 def as_record(finding: Finding) -> dict[str, Any]:

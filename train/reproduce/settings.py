@@ -9,11 +9,11 @@ import shlex
 from dataclasses import dataclass
 from math import floor
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 import tyro
 
-from soccer_env.checking import Range
+from soccer_env.checking import Range, refuse, whole_number
 from soccer_env.train.written_settings import CommandSettings
 
 
@@ -21,8 +21,9 @@ from soccer_env.train.written_settings import CommandSettings
 class ReproduceSettings(CommandSettings):
     """Measure what the papers claim, and say of each claim whether it holds here.
 
-    Samples are taken in batches until the 95 % interval decides a claim or its cap is reached. The same claims, seed
-    and budget give the same results whatever --threads is. A run that was stopped goes on with the claims that are
+    Samples are taken in batches, the same number from every seed, until the 95 % interval of all of them together
+    decides a claim or its cap is reached; what each seed says by itself stands beside it. The same claims, seeds and
+    budget give the same results whatever --threads is. A run that was stopped goes on with the claims that are
     missing when the same command is given again.
     """
 
@@ -41,8 +42,8 @@ class ReproduceSettings(CommandSettings):
     pose: Literal["particles", "percept"] = "particles"
     """How robots know where they are: a particle filter, or a noisy pose that is given. The report and results.json
     name it for every claim; a claim about the particles (H27) is measured with them."""
-    seed: int = 0
-    """Seed from which all samples follow, 0 or more."""
+    seeds: Annotated[tuple[int, ...], tyro.conf.arg(aliases=("--seed",))] = (1, 2, 3)
+    """Seeds from which all samples follow, each 0 or more; their samples are put together."""
     threads: int = 1
     """Threads that share the matches of a batch; no result depends on them."""
     out: Path | None = None
@@ -53,6 +54,11 @@ class ReproduceSettings(CommandSettings):
     def __post_init__(self) -> None:
         super().__post_init__()
         object.__setattr__(self, "claims", tuple(self.claims))
+        object.__setattr__(self, "seeds", tuple(self.seeds))
+        for seed in self.seeds:
+            whole_number("seeds", seed, low=0)
+        if not self.seeds or len(set(self.seeds)) < len(self.seeds):
+            refuse("seeds", "whole numbers, at least one and each once", self.seeds)
         if bool(self.claims) == self.all:
             raise ValueError("give the ids of claims, or --all; `soccer list claims` names them")
         if self.quick and self.minutes is not None:
@@ -64,10 +70,11 @@ class ReproduceSettings(CommandSettings):
         return "quick" if self.quick else "default" if self.minutes is None else f"{self.minutes:g} minutes"
 
     def cap(self, batches: int, quick: int, seconds: float, claims: int) -> int:
-        """Return how many batches a claim may take of those that it allows, with so many claims in the run."""
+        """Return how many batches of a seed a claim may take of those it allows, with so many claims in the run."""
         if self.quick:
             return quick
-        return batches if self.minutes is None else max(1, floor(60.0 * self.minutes / claims / seconds))
+        runs = claims * len(self.seeds)
+        return batches if self.minutes is None else max(1, floor(60.0 * self.minutes / runs / seconds))
 
 
 def command_of(settings: ReproduceSettings, claim: str = "") -> str:
@@ -78,7 +85,7 @@ def command_of(settings: ReproduceSettings, claim: str = "") -> str:
     words += ["--quick"] if settings.quick else []
     words += ["--minutes", f"{settings.minutes:g}"] if settings.minutes is not None else []
     words += ["--pose", settings.pose] if settings.pose != ReproduceSettings.pose else []
-    words += ["--seed", f"{settings.seed}"]
+    words += ["--seeds", *(f"{seed}" for seed in settings.seeds)] if settings.seeds != ReproduceSettings.seeds else []
     if not claim:
         words += ["--threads", f"{settings.threads}"] if settings.threads != 1 else []
         words += ["--out", str(settings.out)] if settings.out is not None else []

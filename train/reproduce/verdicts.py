@@ -40,6 +40,7 @@ class Criterion:
     text: str
     unit: str  # of estimate and bounds: "%", "cm", "" for a plain number
     interval: Callable[[Samples, float], Interval]  # of samples and confidence
+    units: Callable[[Samples], int]  # how many units have a value in it
     low: float = -inf
     high: float = inf
     strict: bool = False  # the bounds themselves violate it
@@ -56,11 +57,12 @@ class Finding:
     low: float
     high: float
     verdict: str
+    n: int  # units with a value in it
 
 
 def measured(text: str, value: Callable[[Samples], float], *, unit: str = "", **bounds: float) -> Criterion:
     """Return a criterion on any quantity of the samples; its interval is a bootstrap over units."""
-    return Criterion(text, unit, bootstrapped(value), **_in(bounds))
+    return Criterion(text, unit, bootstrapped(value), units_used(value), **_in(bounds))
 
 
 def counted(text: str, hits: str, trials: str, **bounds: float) -> Criterion:
@@ -70,7 +72,7 @@ def counted(text: str, hits: str, trials: str, **bounds: float) -> Criterion:
         share, low, high = clustered_share(samples[hits], samples[trials], confidence=level)
         return 100.0 * share, 100.0 * low, 100.0 * high
 
-    return Criterion(text, "%", interval, **_in(bounds))
+    return Criterion(text, "%", interval, lambda samples: int((samples[trials] > 0).sum()), **_in(bounds))
 
 
 def exact(text: str, value: Callable[[Samples], float], *, unit: str = "", **bounds: float) -> Criterion:
@@ -80,17 +82,47 @@ def exact(text: str, value: Callable[[Samples], float], *, unit: str = "", **bou
         found = float(value(samples))
         return found, found, found
 
-    return Criterion(text, unit, interval, **_in(bounds))
+    return Criterion(text, unit, interval, units_used(value), **_in(bounds))
 
 
 def reported(text: str, value: Callable[[Samples], float], *, unit: str = "") -> Criterion:
     """Return a number that stands beside the criteria and decides nothing."""
-    return Criterion(text, unit, bootstrapped(value), decides=False)
+    return Criterion(text, unit, bootstrapped(value), units_used(value), decides=False)
 
 
 def bootstrapped(value: Callable[[Samples], float]) -> Callable[[Samples, float], Interval]:
     """Return the bootstrap interval of a quantity as a function of samples and confidence."""
     return lambda samples, level: unit_bootstrap(samples, value, confidence=level)
+
+
+class Watched(dict[str, np.ndarray]):
+    """Samples that note which of their arrays are read."""
+
+    def __init__(self, samples: Samples) -> None:
+        super().__init__(samples)
+        self.read: set[str] = set()
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        self.read.add(name)
+        return super().__getitem__(name)
+
+
+def units_used(value: Callable[[Samples], float]) -> Callable[[Samples], int]:
+    """Return how many units count in a quantity: those with a value in each array that it reads, the fewest of them."""
+
+    def count(samples: Samples) -> int:
+        watched = Watched(samples)
+        value(watched)
+        return min((units_with_value(samples[name]) for name in watched.read or samples), default=0)
+
+    return count
+
+
+def units_with_value(array: np.ndarray) -> int:
+    """Return how many units (first axis) have a value in an array: one that is not NaN."""
+    if array.dtype.kind != "f":
+        return len(array)
+    return int(np.isfinite(array.reshape(len(array), -1)).any(axis=1).sum())
 
 
 def _in(bounds: dict[str, float]) -> dict[str, Any]:
@@ -107,7 +139,8 @@ def _in(bounds: dict[str, float]) -> dict[str, Any]:
 def find(criterion: Criterion, samples: Samples, confidence: float = CONFIDENCE) -> Finding:
     """Return what samples say about a criterion, at a confidence."""
     estimate, low, high = criterion.interval(samples, confidence)
-    return Finding(criterion.text, criterion.unit, estimate, low, high, judge(criterion, low, high))
+    verdict = judge(criterion, low, high)
+    return Finding(criterion.text, criterion.unit, estimate, low, high, verdict, criterion.units(samples))
 
 
 def judge(criterion: Criterion, low: float, high: float) -> str:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from soccer_env.train.reproduce.report import with_interval
+from soccer_env.train.reproduce.report import units_of, with_interval
 from soccer_env.train.reproduce.reproduction import reproduce
 from soccer_env.train.reproduce.results import ClaimResult
 from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
 
-SEED = 1
 SENSING = (  # what robots see and believe; claims about what they do stand in baselines/sacks_2001/README.md
     *(f"S{n:02}" for n in (*range(5, 22), *range(32, 42), 61, 66, 69, 70, 72)), "H26", "H27",
 )  # fmt: skip
@@ -17,12 +16,12 @@ SENSING = (  # what robots see and believe; claims about what they do stand in b
 
 def sensor_settings() -> ReproduceSettings:
     """Return the run behind the table of the sensors' errors."""
-    return ReproduceSettings(claims=("sensors",), seed=SEED, threads=2)
+    return ReproduceSettings(claims=("sensors",), seeds=(1,), threads=2)
 
 
 def claim_settings() -> ReproduceSettings:
     """Return the run behind the table of claims."""
-    return ReproduceSettings(claims=SENSING, seed=SEED, threads=2)
+    return ReproduceSettings(claims=SENSING, threads=2)
 
 
 def measure_sensors() -> dict[str, Any]:
@@ -47,7 +46,8 @@ def row_of(result: ClaimResult) -> dict[str, Any]:
         "criterion": result.criterion,
         "estimate": with_interval(found) if found else "",
         "verdict": result.verdict,
-        "n": result.n,
+        "seeds": result.alone,
+        "n": units_of(result.n_used, result.n),
     }
 
 
@@ -59,11 +59,11 @@ def sensors_table(table: dict[str, Any]) -> str:
 def claims_table(table: dict[str, Any]) -> str:
     """Return the claims in Markdown."""
     lines = [
-        "| id | the paper says | deciding criterion | measured (95 % interval) | n | verdict |",
-        "|---|---|---|---|---|---|",
+        "| id | the paper says | deciding criterion | measured (95 % interval) | n | verdict | each seed |",
+        "|---|---|---|---|---|---|---|",
     ]
     for row in table["rows"]:
         verdict = f"**{row['verdict']}**" if row["verdict"] == "not" else row["verdict"]
-        cells = (row["id"], row["statement"], row["criterion"], row["estimate"], str(row["n"]), verdict)
+        cells = (row["id"], row["statement"], row["criterion"], row["estimate"], str(row["n"]), verdict, row["seeds"])
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return "\n".join([*lines, "", f"Command: `{table['command']}`."])

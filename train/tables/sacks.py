@@ -26,9 +26,9 @@ from soccer_env.train.evaluate.report import plain
 from soccer_env.train.files import read_lines
 from soccer_env.train.reproduce.claim import SACKS
 from soccer_env.train.reproduce.claims import all_claims
-from soccer_env.train.reproduce.report import with_interval
+from soccer_env.train.reproduce.report import units_of, with_interval
 from soccer_env.train.reproduce.reproduction import reproduce
-from soccer_env.train.reproduce.results import ClaimResult
+from soccer_env.train.reproduce.results import ClaimResult, seeds_in_letters
 from soccer_env.train.reproduce.settings import ReproduceSettings
 from soccer_env.train.reproduce.verdicts import CONTEXT, NOT, VERDICTS
 from soccer_env.train.results_folder import SETTINGS, read_settings
@@ -38,22 +38,32 @@ from soccer_env.whole_files import write_whole
 FOLDER = Path(sacks_settings.__file__).resolve().parent
 README, DATA = FOLDER / "README.md", FOLDER / "claims.json"
 RUN = Path("runs/sacks-claims")  # where the command measures, so that it can be stopped
-SEED, THREADS = 1, 2
+THREADS = 2
 CLAIMS = tuple(claim.id for claim in all_claims().values() if claim.paper == SACKS and not claim.study)
 NOT_MEASURED = "not measured"
-KEPT = ("id", "statement", "section", "verdict", "quick", "n", "command", "note", "without", "pose")  # of a result
+KEPT = (  # of a result
+    "id", "statement", "section", "verdict", "by_seed", "quick", "n", "n_used", "command", "note", "changed", "without",
+    "pose",
+)  # fmt: skip
 
 
 def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
     """Return what the table keeps of a claim's result, with the date and commit of its run."""
     record = asdict(result)
-    findings = [
-        {"criterion": one["criterion"], "verdict": one["verdict"], "shown": with_interval(one)}
-        for one in result.findings
-    ]
     kept = {name: record[name] for name in KEPT}
     run = {name: about.get(name, "") for name in ("date", "commit")}
-    return {**kept, "findings": findings, "criterion": result.criterion, "about": run}
+    return {
+        **kept,
+        "findings": [short(one) for one in result.findings],
+        "without_findings": [short(one) for one in result.without_findings],
+        "criterion": result.criterion,
+        "about": run,
+    }
+
+
+def short(found: Mapping[str, Any]) -> dict[str, str]:
+    """Return what the table keeps of a criterion."""
+    return {"criterion": found["criterion"], "verdict": found["verdict"], "shown": with_interval(found)}
 
 
 def take_folder(path: Path) -> dict[str, dict[str, Any]]:
@@ -68,17 +78,20 @@ def take_folder(path: Path) -> dict[str, dict[str, Any]]:
 
 def measure() -> dict[str, dict[str, Any]]:
     """Measure every claim of the paper, in RUN, and return them all."""
-    reproduce(ReproduceSettings(claims=CLAIMS, seed=SEED, threads=THREADS, out=RUN))
+    reproduce(ReproduceSettings(claims=CLAIMS, threads=THREADS, out=RUN))
     return take_folder(RUN)
 
 
 def claims_table(measured: Mapping[str, Mapping[str, Any]]) -> str:
     """Return every claim of the paper in Markdown: those without a result are shown as not measured."""
     says = {name: f"{claim.statement} [{claim.section}]" for name, claim in all_claims().items()}
-    lines = ["| id | the paper says | measured (95 % interval) | verdict | note |", "|---|---|---|---|---|"]
+    lines = [
+        "| id | the paper says | measured (95 % interval) | n | verdict | seeds | note |",
+        "|---|---|---|---|---|---|---|",
+    ]
     for name in CLAIMS:
         row = measured.get(name)
-        cells = (name, says.get(name, ""), "", NOT_MEASURED, "") if row is None else cells_of(row)
+        cells = (name, says.get(name, ""), "", "", NOT_MEASURED, "", "") if row is None else cells_of(row)
         lines.append("| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ") for cell in cells) + " |")
     return "\n".join([counted(measured), "", *lines, "", *sources(measured)])
 
@@ -87,12 +100,27 @@ def cells_of(row: Mapping[str, Any]) -> tuple[str, ...]:
     """Return a row of the table of claims: every criterion, what decides in bold, what is reported in the note."""
     deciding = [one for one in row["findings"] if one["verdict"] != CONTEXT]
     shown = "<br>".join(f"{one['criterion']}: **{one['shown']}**" for one in deciding or row["findings"])
-    beside = [f"{one['criterion']}: {one['shown']}" for one in row["findings"] if one["verdict"] == CONTEXT]
-    notes = [f"Rests on {row['without']}." if row["without"] else "", first_paragraph(row["note"])]
-    notes += ["Beside it: " + "; ".join(beside) + "."] if deciding and beside else []
     verdict = f"{row['verdict']} (quick)" if row["quick"] else row["verdict"]
     bold = f"**{verdict}**" if row["verdict"] == NOT else verdict
-    return row["id"], f"{row['statement']} [{row['section']}]", shown, bold, " ".join(note for note in notes if note)
+    marked = f"{bold} [changed]" if row["changed"] else bold
+    says, n = f"{row['statement']} [{row['section']}]", units_of(row["n_used"], row["n"])
+    return row["id"], says, shown, n, marked, seeds_in_letters(row["by_seed"]), " ".join(notes_of(row))
+
+
+def notes_of(row: Mapping[str, Any]) -> list[str]:
+    """Return what stands in the last column: what was put in, what changed, the note, what is reported beside it."""
+    decides = any(one["verdict"] != CONTEXT for one in row["findings"])
+    off = "; ".join(
+        f"{one['criterion']}: {one['shown']}" for one in row["without_findings"] if one["verdict"] != CONTEXT
+    )
+    beside = "; ".join(f"{one['criterion']}: {one['shown']}" for one in row["findings"] if one["verdict"] == CONTEXT)
+    notes = [
+        f"With {row['without']}: {off}." if row["without"] else "",
+        f"Changed: {row['changed']}" if row["changed"] else "",
+        first_paragraph(row["note"]),
+        f"Beside it: {beside}." if decides and beside else "",
+    ]
+    return [note for note in notes if note]
 
 
 def first_paragraph(note: str) -> str:
@@ -171,8 +199,12 @@ def stored() -> dict[str, dict[str, Any]]:
 
 def with_notes(measured: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """Return results with the notes that their claims have now: a note that is a text was never measured."""
-    notes = {name: claim.note for name, claim in all_claims().items() if isinstance(claim.note, str)}
-    return {name: {**row, "note": notes.get(name, row["note"])} for name, row in measured.items()}
+    claims = all_claims()
+    notes = {name: claim.note for name, claim in claims.items() if isinstance(claim.note, str)}
+    return {
+        name: {**row, "note": notes.get(name, row["note"]), "changed": claims[name].changed}
+        for name, row in measured.items()
+    }
 
 
 def write(measured: Mapping[str, Mapping[str, Any]]) -> None:

@@ -11,7 +11,7 @@ import pytest
 from rich.console import Console
 
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.reproduce.report import screen_table
+from soccer_env.train.reproduce.report import row, screen_table, section
 from soccer_env.train.reproduce.reproduction import looks_at, reproduce
 from soccer_env.train.reproduce.results import ClaimResult
 from soccer_env.train.reproduce.settings import ReproduceSettings
@@ -66,7 +66,7 @@ def no_calls() -> None:
 
 
 def run(*names: str, **settings: object) -> list[ClaimResult]:
-    return reproduce(ReproduceSettings(claims=names, **settings), known=KNOWN)  # type: ignore[arg-type]
+    return reproduce(ReproduceSettings(claims=names, **{"seeds": (0,), **settings}), known=KNOWN)  # type: ignore[arg-type]
 
 
 def test_sampling_stops_when_the_interval_decides() -> None:
@@ -102,6 +102,42 @@ def test_what_was_put_in_is_by_construction_and_is_shown_without_it() -> None:
     assert result.findings[0]["verdict"] == "reproduced"
 
 
+def test_three_seeds_are_put_together_and_each_speaks_for_itself(tmp_path: Path) -> None:
+    (result,) = run("A1", seeds=(4, 5, 6), out=tmp_path)
+    assert result.n == 60 and result.seeds == [4, 5, 6] and result.by_seed == ["reproduced"] * 3
+    assert [index for _, index in CALLS] == [0, 0, 0]
+    alone = [run("A1", seeds=(seed,))[0].estimate for seed in (4, 5, 6)]
+    assert result.estimate == pytest.approx(np.mean(alone))  # type: ignore[arg-type]
+    assert "| reproduced | r r r |" in (tmp_path / "report.md").read_text()
+
+
+def test_seeds_that_contradict_each_other_are_marked() -> None:
+    signs = claim("A7", 0.0, measure=lambda batch: draw(batch, {1: 3.0, 2: -3.0, 3: 0.0}[batch.seed]))
+    (result,) = reproduce(ReproduceSettings(claims=("A7",), seeds=(1, 2, 3)), known={"A7": signs})
+    assert result.by_seed == ["reproduced", "not", "undecided"] and result.verdict == "undecided"
+    assert result.alone == "r n u, they disagree"
+    assert run("A1", seeds=(1, 2))[0].alone == "r r"
+
+
+def test_units_without_a_value_do_not_count() -> None:
+    def few(batch: Batch) -> Samples:
+        x = draw(batch, 3.0)["x"]
+        return {"x": np.where(np.arange(20) < 7, x, np.nan), "y": x[:, None], "trials": np.arange(20) % 4}
+
+    criteria = (
+        measured("x", lambda samples: float(np.nanmean(samples["x"])), above=0.0),
+        reported("both", lambda samples: float(np.nanmean(samples["x"]) + samples["y"].mean())),
+        counted("share", "trials", "trials", at_least=50.0),
+        reported("all", lambda samples: float(samples["y"].mean())),
+    )
+    known = {"A8": claim("A8", 0.0, *criteria, measure=few, changed="Before: x above 9.")}
+    (result,) = reproduce(ReproduceSettings(claims=("A8",), seeds=(1, 2)), known=known)
+    assert [found["n"] for found in result.findings] == [14, 14, 30, 40]
+    assert (result.n, result.n_used) == (40, 14)
+    assert "Changed after a first look. Before: x above 9." in section(result, [])
+    assert row(result)[-1] == "14 of 40"
+
+
 def test_context_decides_nothing_but_shows_its_numbers() -> None:
     (result,) = run("A5")
     assert result.verdict == "context" and result.criterion == "mean"
@@ -118,7 +154,7 @@ def test_quick_takes_few_samples_and_marks_its_verdicts(tmp_path: Path) -> None:
     (result,) = run("A3", quick=True, out=tmp_path)
     assert result.n == 20 and result.quick and result.marked == "undecided (quick)"
     report = (tmp_path / "report.md").read_text()
-    assert "| undecided (quick) |" in report and "## A3: undecided (quick)" in report
+    assert "| undecided (quick) | u |" in report and "## A3: undecided (quick)" in report
     (record,) = json.loads((tmp_path / "results.json").read_text())
     names = list(record)
     assert (record["verdict"], record["shown"], record["quick"]) == ("undecided", "undecided (quick)", True)
@@ -143,7 +179,7 @@ def test_every_result_names_the_own_pose_that_it_was_measured_with(tmp_path: Pat
         assert [record["pose"] for record in records] == poses
         report = (tmp_path / name / "report.md").read_text()
         assert sentence in report and report.count(f"Own pose: {poses[0]}.\n") >= 1
-    assert records[0]["command"] == "soccer reproduce A1 --pose percept --seed 0"
+    assert records[0]["command"] == "soccer reproduce A1 --pose percept --seeds 0"
     with pytest.raises(ValueError, match="pose 'percept' there, 'particles' now"):
         run("A1", "lost", out=tmp_path / "b")
 
@@ -180,10 +216,10 @@ def test_minutes_choose_numbers_of_batches_not_times() -> None:
 
 def test_same_seed_same_results_another_seed_others(tmp_path: Path) -> None:
     for name, threads in (("a", 1), ("b", 4)):
-        run("A1", "A3", seed=5, threads=threads, out=tmp_path / name)
+        run("A1", "A3", seeds=(5,), threads=threads, out=tmp_path / name)
     one, two = ((tmp_path / name / "results.json").read_bytes() for name in ("a", "b"))
     assert one == two
-    alone, beside, other = run("A1", seed=5), run("A1", "A3", seed=5), run("A1", seed=6)
+    alone, beside, other = run("A1", seeds=(5,)), run("A1", "A3", seeds=(5,)), run("A1", seeds=(6,))
     assert alone[0].as_dict() == beside[0].as_dict() != other[0].as_dict()
 
 
@@ -199,7 +235,7 @@ def test_a_stopped_run_goes_on_where_it_was(tmp_path: Path) -> None:
     assert (torn / "results.json").read_bytes() == (tmp_path / "whole" / "results.json").read_bytes()
 
 
-@pytest.mark.parametrize("change", [{"seed": 1}, {"quick": True}, {"claims": ("A1", "A2")}])
+@pytest.mark.parametrize("change", [{"seeds": (1,)}, {"quick": True}, {"claims": ("A1", "A2")}])
 def test_another_run_is_refused_unless_anew(tmp_path: Path, change: dict[str, object]) -> None:
     settings = {"claims": ("A1",), "out": tmp_path}
     reproduce(ReproduceSettings(**settings), known=KNOWN)  # type: ignore[arg-type]
@@ -212,9 +248,9 @@ def test_results_hold_what_was_agreed(tmp_path: Path) -> None:
     run("A1", "A4", "A5", out=tmp_path)
     records = json.loads((tmp_path / "results.json").read_text())
     assert [record["id"] for record in records] == ["A1", "A4", "A5"]
-    fields = {"id", "paper", "verdict", "estimate", "low", "high", "criterion", "n", "seed", "command", "ingredients"}
+    fields = {"id", "paper", "verdict", "estimate", "low", "high", "criterion", "n", "seeds", "command", "ingredients"}
     assert all(fields | {"note"} <= set(record) for record in records)
-    assert records[0]["command"] == "soccer reproduce A1 --seed 0"
+    assert records[0]["command"] == "soccer reproduce A1 --seeds 0"
 
 
 def test_the_report_shows_each_claim_and_draws_its_figures(tmp_path: Path) -> None:
@@ -222,7 +258,7 @@ def test_the_report_shows_each_claim_and_draws_its_figures(tmp_path: Path) -> No
     run("A1", "A4", "A6", out=tmp_path)
     report = (tmp_path / "report.md").read_text()
     assert "3 claims: 1 reproduced, 1 not, 1 by construction." in report
-    assert "| A1 | What A1 says. | reproduced |" in report
+    assert "| A1 | What A1 says. | reproduced | r |" in report
     assert "With the ingredient off (the shift)" in report
     assert "![A title](plots/A1-1.png)" in report
     assert (tmp_path / "plots" / "A1-1.png").read_bytes().startswith(b"\x89PNG")

@@ -18,7 +18,8 @@ from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
         (["reproduce", "X99"], "unknown claim 'X99'; known: "),
         (["reproduce", "S05", "--minutes", "0"], "minutes must be a number above 0"),
         (["reproduce", "S05", "--minutes", "3", "--quick"], "give quick or minutes, not both"),
-        (["reproduce", "S05", "--seed", "-1"], "seed must be a whole number"),
+        (["reproduce", "S05", "--seed", "-1"], "seeds must be a whole number"),
+        (["reproduce", "S05", "--seeds", "1", "2", "1"], "seeds must be whole numbers, at least one and each once"),
         (["reproduce", "S05", "--pose", "compass"], "invalid choice 'compass'"),
     ],
 )
@@ -29,10 +30,10 @@ def test_a_mistake_is_one_line(words: list[str], complaint: str, capsys: pytest.
 
 
 def test_the_command_is_the_one_that_asks_for_the_same() -> None:
-    settings = ReproduceSettings(claims=("S05", "S06"), quick=True, seed=3, threads=2, out="runs/a")
-    assert command_of(settings) == "soccer reproduce S05 S06 --quick --seed 3 --threads 2 --out runs/a"
-    assert command_of(settings, "S06") == "soccer reproduce S06 --quick --seed 3"
-    assert command_of(ReproduceSettings(all=True, minutes=9.0), "S06") == "soccer reproduce --all --minutes 9 --seed 0"
+    settings = ReproduceSettings(claims=("S05", "S06"), quick=True, seeds=(3,), threads=2, out="runs/a")
+    assert command_of(settings) == "soccer reproduce S05 S06 --quick --seeds 3 --threads 2 --out runs/a"
+    assert command_of(settings, "S06") == "soccer reproduce S06 --quick --seeds 3"
+    assert command_of(ReproduceSettings(all=True, minutes=9.0), "S06") == "soccer reproduce --all --minutes 9"
 
 
 def test_every_built_claim_is_complete() -> None:

@@ -26,7 +26,7 @@ DRAWS = np.random.default_rng(3).normal(0.4, 1.5, 37)
 
 
 def finding(verdict: str) -> Finding:
-    return Finding(verdict, "", 0.0, 0.0, 0.0, verdict)
+    return Finding(verdict, "", 0.0, 0.0, 0.0, verdict, 1)
 
 
 @pytest.mark.parametrize(
@@ -151,5 +151,5 @@ def test_no_trials_mean_that_every_share_is_possible() -> None:
 
 
 def test_exact_numbers_have_no_width() -> None:
-    found = find(Criterion("", "cm", exact("", lambda samples: 3.0, at_most=3.0).interval, high=3.0), {})
+    found = find(exact("", lambda samples: 3.0, unit="cm", at_most=3.0), {})
     assert (found.low, found.high, found.verdict) == (3.0, 3.0, REPRODUCED)
