@@ -8,7 +8,6 @@ from soccer_env.train.reproduce.verdicts import (
     NOT,
     REPRODUCED,
     UNDECIDED,
-    Criterion,
     Finding,
     combine,
     counted,
