@@ -2,40 +2,26 @@
 
     results = reproduce(ReproduceSettings(claims=("S05",), quick=True))
 
-Every batch follows from a seed, the claim's id and the batch's number alone, so that no result depends on threads, on
-other claims, or on where a stopped run went on. The verdict is that of the samples of all seeds together; what each
-seed's samples say alone stands beside it. A claim is looked at after its least number of batches of each seed, twice
-that, four times that, and so on; the looks share the 5 % of the interval (Bonferroni), so that stopping early does
-not make verdicts bolder.
+How one claim is examined stands in `examination.py`; with several threads claims are measured in processes of their
+own, as most of a claim's time is spent in Python (`workers.py`).
 """
 
 from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from soccer_env.train.plots import draw_all
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import LIBRARIES, digest, made_now, module_hash, version_of
-from soccer_env.train.reproduce.claim import Batch, Claim, as_plain, joined, none_or_float
+from soccer_env.train.reproduce.claim import Claim
 from soccer_env.train.reproduce.claims import all_claims, find_claims
+from soccer_env.train.reproduce.examination import examine
 from soccer_env.train.reproduce.report import markdown
-from soccer_env.train.reproduce.results import CLAIMS, REPRODUCTION, ClaimResult, as_record
+from soccer_env.train.reproduce.results import CLAIMS, REPRODUCTION, ClaimResult
 from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
-from soccer_env.train.reproduce.verdicts import (
-    BY_CONSTRUCTION,
-    CONTEXT,
-    REPRODUCED,
-    UNDECIDED,
-    Finding,
-    Samples,
-    combine,
-    deciding,
-    find,
-)
+from soccer_env.train.reproduce.workers import examine_in_processes
 from soccer_env.train.results_folder import ResultsFolder
-from soccer_env.train.statistics import CONFIDENCE
 
 
 def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None = None) -> list[ClaimResult]:
@@ -44,6 +30,7 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
     `known` are a user's own claims instead of ours. Raises ValueError for an unknown id and for a folder
     that holds another run.
     """
+    ours = known is None
     known = all_claims() if known is None else known
     asked = settings.claims or [claim.id for claim in known.values() if not claim.study]
     claims = find_claims(asked, known)
@@ -53,7 +40,7 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
     }  # fmt: skip
     about = {"command": command_of(settings), **made_now()}
     folder = ResultsFolder(settings.out, REPRODUCTION, conditions, made_with(claims), about, settings.anew)
-    done = measure_missing(claims, settings, folder)
+    done = measure_missing(claims, settings, folder, ours)
     results = [done[claim.id] for claim in claims]
     folder.write("results.json", json.dumps([result.as_dict() for result in results], indent=2) + "\n")
     plots, trouble = draw_all(results, folder)
@@ -70,116 +57,32 @@ def made_with(claims: list[Claim]) -> dict[str, str]:
     return {name: version_of(name) for name in LIBRARIES} | code
 
 
-def measure_missing(claims: list[Claim], settings: ReproduceSettings, folder: ResultsFolder) -> dict[str, ClaimResult]:
-    """Measure every claim that the folder lacks; return the results of all by their ids."""
+def measure_missing(
+    claims: list[Claim], settings: ReproduceSettings, folder: ResultsFolder, ours: bool
+) -> dict[str, ClaimResult]:
+    """Measure every claim that the folder lacks; return the results of all by their ids.
+
+    Claims of `ours` are shared between processes; another's may be functions that no other process can find.
+    """
     done = folder.results(CLAIMS, ClaimResult, "id")
     missing = [claim for claim in claims if claim.id not in done]
     caps = {claim.id: settings.cap(claim.batches, claim.quick, claim.seconds, len(claims)) for claim in missing}
-    seeds = len(settings.seeds)
-    work = sum(caps[claim.id] * claim.seconds for claim in missing) * seeds
-    with Progress("reproduce", work) as progress:
-        for claim in missing:
-            progress.note(f"{claim.id}, {len(done)} of {len(claims)} done")
-            cap = caps[claim.id]
-            taken, done[claim.id] = examine(claim, settings, cap, folder.settings, progress)
-            folder.add(CLAIMS, [done[claim.id]])
-            progress.advance((cap - taken) * claim.seconds * seeds)
+    work = {claim.id: caps[claim.id] * claim.seconds * len(settings.seeds) for claim in missing}
+    with Progress("reproduce", sum(work.values())) as progress:
+        if ours and settings.threads > 1 and len(missing) > 1:
+            longest_first = {name: caps[name] for name in sorted(caps, key=lambda name: -work[name])}
+            found = examine_in_processes(
+                longest_first, settings, folder.settings, lambda name: progress.advance(work[name])
+            )
+        else:
+            advance = progress.advance
+            found = (examine(claim, settings, caps[claim.id], folder.settings, advance) for claim in missing)
+        progress.note(f"{len(done)} of {len(claims)} done")
+        for result in found:
+            done[result.id] = result
+            folder.add(CLAIMS, [result])
+            progress.note(f"{result.id}: {result.verdict}, {len(done)} of {len(claims)} done")
     return done
-
-
-def examine(
-    claim: Claim, settings: ReproduceSettings, cap: int, settings_hash: str, progress: Progress
-) -> tuple[int, ClaimResult]:
-    """Take batches of a claim, of each seed in turn, until it is decided; return how many of a seed, and the result."""
-    looks = looks_at(cap, claim.least)
-    confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
-    taken: list[list[Samples]] = [[] for _ in settings.seeds]
-    findings: list[Finding] = []
-    for index in range(cap):
-        for batches, seed in zip(taken, settings.seeds, strict=True):
-            batches.append(claim.measure(batch_of(claim, settings, seed, index)))
-            progress.advance(claim.seconds)
-        if index + 1 in looks:
-            findings = find_all(claim, all_of(taken), confidence)
-            if combine(findings) not in (UNDECIDED, CONTEXT):
-                break
-    count = len(taken[0])
-    without: list[Finding] = []
-    if claim.without is not None:
-        indices = ((seed, index) for seed in settings.seeds for index in range(count))
-        off = [claim.without.measure(batch_of(claim, settings, *where)) for where in indices]
-        without = find_all(claim, joined(off), confidence)
-    alone = [find_all(claim, joined(batches), confidence) for batches in taken]
-    found = Found(findings, without, alone, cap / count)
-    return count, result_of(claim, settings, all_of(taken), found, settings_hash)
-
-
-def batch_of(claim: Claim, settings: ReproduceSettings, seed: int, index: int) -> Batch:
-    """Return a batch of a claim."""
-    return Batch(claim.id, seed, index, settings.threads, claim.pose or settings.pose)
-
-
-def find_all(claim: Claim, samples: Samples, confidence: float) -> list[Finding]:
-    """Return what samples say about each criterion of a claim."""
-    return [find(criterion, samples, confidence) for criterion in claim.criteria]
-
-
-def all_of(taken: list[list[Samples]]) -> Samples:
-    """Return the samples of all seeds as one."""
-    return joined([batch for batches in taken for batch in batches])
-
-
-def looks_at(cap: int, least: int = 1) -> list[int]:
-    """Return after how many batches a claim is looked at: the least number, twice, four times ... that, and its cap."""
-    return [*(least * 2**i for i in range(cap.bit_length()) if least * 2**i < cap), cap]
-
-
-class Found(NamedTuple):
-    """What the samples of a claim say about its criteria."""
-
-    findings: list[Finding]  # of the samples of all seeds
-    without: list[Finding]  # the same with the ingredient off
-    alone: list[list[Finding]]  # of each seed's samples by themselves
-    share: float  # of the cap to the batches that were taken
-
-
-def result_of(
-    claim: Claim, settings: ReproduceSettings, samples: Samples, found: Found, settings_hash: str
-) -> ClaimResult:
-    """Return the result of a claim from its samples and what they say about each criterion."""
-    verdict, main = combine(found.findings), deciding(found.findings)
-    if claim.without is not None and verdict == REPRODUCED:
-        verdict = BY_CONSTRUCTION
-    units = len(next(iter(samples.values()))) if samples else 0
-    note = claim.note if isinstance(claim.note, str) else claim.note(samples)
-    return ClaimResult(
-        id=claim.id,
-        paper=claim.paper,
-        section=claim.section,
-        statement=claim.statement,
-        method=claim.method,
-        verdict=verdict,
-        quick=settings.quick,
-        pose=claim.pose or settings.pose,
-        estimate=none_or_float(main.estimate) if main else None,
-        low=none_or_float(main.low) if main else None,
-        high=none_or_float(main.high) if main else None,
-        criterion=main.criterion if main else "",
-        n=units,
-        n_used=main.n if main else units,
-        cap=round(units * found.share),
-        seeds=list(settings.seeds),
-        by_seed=[combine(findings) for findings in found.alone],
-        command=command_of(settings, claim.id),
-        ingredients=list(claim.ingredients),
-        note=note,
-        changed=claim.changed,
-        findings=[as_record(finding) for finding in found.findings],
-        without=claim.without.ingredient if claim.without else "",
-        without_findings=[as_record(finding) for finding in found.without],
-        figures=[as_plain(figure) for figure in claim.figures(samples)],
-        settings=settings_hash,
-    )
 
 
 __all__ = ["ReproduceSettings", "reproduce"]

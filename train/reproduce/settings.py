@@ -45,7 +45,8 @@ class ReproduceSettings(CommandSettings):
     seeds: Annotated[tuple[int, ...], tyro.conf.arg(aliases=("--seed",))] = (1, 2, 3)
     """Seeds from which all samples follow, each 0 or more; their samples are put together."""
     threads: int = 1
-    """Threads that share the matches of a batch; no result depends on them."""
+    """Cores that share the work: several claims are measured in processes of their own, the matches of a single one
+    are shared by threads. No result depends on them."""
     out: Path | None = None
     """Folder for claims.jsonl, results.json, report.md and plots; without it nothing is written."""
     anew: bool = False
