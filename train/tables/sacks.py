@@ -28,7 +28,7 @@ from soccer_env.train.reproduce.claim import SACKS
 from soccer_env.train.reproduce.claims import all_claims
 from soccer_env.train.reproduce.report import units_of, with_interval
 from soccer_env.train.reproduce.reproduction import reproduce
-from soccer_env.train.reproduce.results import ClaimResult, seeds_in_letters
+from soccer_env.train.reproduce.results import ClaimResult, plot_name, seeds_in_letters
 from soccer_env.train.reproduce.settings import ReproduceSettings
 from soccer_env.train.reproduce.verdicts import CONTEXT, NOT, VERDICTS
 from soccer_env.train.results_folder import SETTINGS, read_settings
@@ -37,6 +37,8 @@ from soccer_env.whole_files import write_whole
 
 FOLDER = Path(sacks_settings.__file__).resolve().parent
 README, DATA = FOLDER / "README.md", FOLDER / "claims.json"
+SHOWN = FOLDER.parents[1] / "soccer_env" / "pictures"
+PICTURES = {"S06": 1, "S22": 1, "S29": 1, "S35": 1, "S62": 1}  # of the page: a claim's figure, by its number
 RUN = Path("runs/sacks-claims")  # where the command measures, so that it can be stopped
 THREADS = 2
 CLAIMS = tuple(claim.id for claim in all_claims().values() if claim.paper == SACKS and not claim.study)
@@ -76,9 +78,18 @@ def take_folder(path: Path) -> dict[str, dict[str, Any]]:
     return found
 
 
+def take_pictures(path: Path) -> None:
+    """Copy the figures that the page shows from a run's folder; those of claims that the run lacks stay as they are."""
+    for claim, number in PICTURES.items():
+        drawn = path / plot_name(claim, number)
+        if drawn.exists():
+            write_whole(SHOWN / f"claim-{claim}.png", drawn.read_bytes())
+
+
 def measure() -> dict[str, dict[str, Any]]:
     """Measure every claim of the paper, in RUN, and return them all."""
     reproduce(ReproduceSettings(claims=CLAIMS, threads=THREADS, out=RUN))
+    take_pictures(RUN)
     return take_folder(RUN)
 
 
@@ -225,6 +236,7 @@ def main(arguments: Iterable[str]) -> int:
         measured = stored()
         for folder in words[1:]:
             measured |= take_folder(Path(folder))
+            take_pictures(Path(folder))
         write(measured)
     else:
         print("usage: python -m soccer_env.train.tables.sacks [run FOLDER ... | write]", file=sys.stderr)
