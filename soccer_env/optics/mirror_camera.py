@@ -1,15 +1,24 @@
-"""The curve of the hyperbolic mirror: which pixel shows which distance on the ground.  [Heinemann et al. 2006, 2]
+"""The hyperbolic mirror: which pixel shows which distance on the ground.  [Heinemann et al. 2006, 2]  MH02
 
-Robot and camera share it: the sensor draws its pictures by it, and the robot, whose mirror was measured once, reads
-them by it. Seen from above, directions are kept and distances shrink:
+    F1, h above the ground   inner focus of the hyperbola, behind the mirror: a ray from the ground towards it ...
+    mirror                   ... meets the hyperboloid, which reflects it into ...
+    F2, below it             ... the outer focus, where the perspective camera stands and looks up
 
-    radius in the image [px] = image / 2 * (d / (d + curve)) / (edge / (edge + curve))
+So there is one viewpoint, F1 [Baker, Nayar 1999]. With the hyperbola's eccentricity e, seen from above [Geyer,
+Daniilidis 2000], directions are kept and
 
-`s`: settings of the sensors.
+    radius in the image [px] = scale * d / (h + bend * sqrt(d^2 + h^2)),    bend = 2 e / (1 + e^2)    (1)
+
+where h is `camera_height`, and scale [px], the camera's focal length times (e^2 - 1) / (e^2 + 1), is such that the
+image's edge shows the ground at `mirror_edge`. Robot and camera share the curve: the sensor draws its pictures by it,
+and the robot, whose mirror was measured once, reads them by it.
+
+`s`: settings of the sensors; `mirror`: what mirror_of makes of them.
 """
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import Any
 
 from soccer_env.compiled import compiled
@@ -18,32 +27,36 @@ HORIZON = 0.98  # [1] of the radius at which the ground's horizon would lie; no 
 
 
 @compiled
-def horizon_radius(s: Any) -> Any:
-    """Return the radius [px] at which a point without end would lie; it lies outside the picture."""
-    return 0.5 * s.image * (s.mirror_edge + s.mirror_curve) / s.mirror_edge
+def mirror_of(s: Any) -> Any:
+    """Return scale [px], bend [1] and height of the viewpoint [m] of the settings' mirror."""
+    bend = 2.0 * s.mirror_eccentricity / (1.0 + s.mirror_eccentricity * s.mirror_eccentricity)
+    edge, height = s.mirror_edge, s.camera_height
+    return 0.5 * s.image * (height + bend * sqrt(edge * edge + height * height)) / edge, bend, height
 
 
 @compiled
-def image_radius(s: Any, distance: Any) -> Any:
+def image_radius(mirror: Any, distance: Any) -> Any:
     """Return the distance from the image's centre [px] of a point at a distance [m] on the ground.  MH02"""
-    return horizon_radius(s) * distance / (distance + s.mirror_curve)
+    scale, bend, height = mirror
+    return scale * distance / (height + bend * sqrt(distance * distance + height * height))  # (1)
 
 
 @compiled
-def ground_distance(s: Any, radius: Any) -> Any:
-    """Return the distance on the ground [m] that a radius in the image [px] shows.  MH02"""
-    share = min(radius / horizon_radius(s), HORIZON)
-    return s.mirror_curve * share / (1.0 - share)
+def ground_distance(mirror: Any, radius: Any) -> Any:
+    """Return the distance on the ground [m] that a radius in the image [px] shows: (1) solved for d.  MH02"""
+    scale, bend, height = mirror
+    share = min(radius / scale, HORIZON / bend)  # the horizon lies at scale / bend
+    root = sqrt(1.0 + (1.0 - bend * bend) * share * share)
+    return height * share * (bend + root) / (root - bend * share * share)
 
 
 @compiled
-def metres_across(s: Any, distance: Any) -> Any:
-    """Return how many metres a pixel spans across the line of sight [m/px] at a distance [m]."""
-    return (distance + s.mirror_curve) / horizon_radius(s)
+def metres_per_pixel(mirror: Any, distance: Any) -> Any:
+    """Return how many metres a pixel spans along and across the line of sight [m/px] at a distance [m].
 
-
-@compiled
-def metres_along(s: Any, distance: Any) -> Any:
-    """Return how many metres a pixel spans along the line of sight [m/px]: it grows with the distance's square."""
-    away = distance + s.mirror_curve
-    return away * away / (s.mirror_curve * horizon_radius(s))
+    Along it that is the inverse of the derivative of (1), and grows with the distance's square; across it d / radius.
+    """
+    scale, bend, height = mirror
+    ray = sqrt(distance * distance + height * height)  # [m] from the viewpoint
+    away = height + bend * ray
+    return ray * away * away / (scale * height * (ray + bend * height)), away / scale

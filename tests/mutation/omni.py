@@ -9,6 +9,7 @@ LIGHTING, KALMAN = "soccer_env/perception/omni/lighting.py", "soccer_env/belief/
 BALL, PLAYERS = "soccer_env/belief/omni/ball.py", "soccer_env/belief/omni/players.py"
 REPORTS, TALK = "soccer_env/belief/omni/reports.py", "soccer_env/belief/omni/radio.py"
 TEST_LEAGUE, TEST_LIGHT = "tests/repository/test_mechanisms.py::", "tests/perception/omni/test_lighting.py::"
+TEST_MIRROR = "tests/perception/omni/test_mirror_curve.py::"
 TEST_OMNI, TEST_TRACKING = "tests/perception/omni/test_omni.py::", "tests/belief/omni/test_tracking.py::"
 TEST_BALL, TEST_PLAYERS = "tests/belief/omni/test_ball.py::", "tests/belief/omni/test_players.py::"
 TEST_REPORTS, TEST_TALK = "tests/belief/omni/test_reports.py::", "tests/belief/test_talk.py::"
@@ -25,16 +26,30 @@ MUTANTS = [
     Mutant(
         "MH02",
         "soccer_env/optics/mirror_camera.py",
-        "horizon_radius(s) * distance / (distance + s.mirror_curve)",
-        "0.5 * s.image * distance / s.mirror_edge",
-        TEST_OMNI + "test_mh02_bearings_are_good_to_a_pixel_and_ranges_fail_with_the_mirrors_curve",
+        "scale * distance / (height + bend * sqrt(distance * distance + height * height))",
+        "scale * distance / (height + bend * distance)",
+        TEST_MIRROR + "test_mh02_every_ray_is_reflected_into_the_pixel_that_the_curve_names",
     ),
     Mutant(
         "MH02",
         "soccer_env/optics/mirror_camera.py",
-        "0.5 * s.image * (s.mirror_edge + s.mirror_curve) / s.mirror_edge",
+        "2.0 * s.mirror_eccentricity / (1.0 + s.mirror_eccentricity * s.mirror_eccentricity)",
+        "1.0",
+        TEST_MIRROR + "test_mh02_every_ray_is_reflected_into_the_pixel_that_the_curve_names",
+    ),
+    Mutant(
+        "MH02",
+        "soccer_env/optics/mirror_camera.py",
+        "0.5 * s.image * (height + bend * sqrt(edge * edge + height * height)) / edge",
         "0.5 * s.image",
-        TEST_OMNI + "test_mh02_the_mirror_shows_ten_metres_in_290_pixels",
+        TEST_MIRROR + "test_mh02_the_mirror_shows_ten_metres_in_290_pixels",
+    ),
+    Mutant(
+        "MH02",
+        "soccer_env/belief/omni/tracking.py",
+        "(pixels * along, pixels * across)",
+        "(pixels * across, pixels * across)",
+        TEST_TRACKING + "test_mh02_readings_are_trusted_as_the_mirrors_curve_allows",
     ),
     Mutant(
         "MH02",

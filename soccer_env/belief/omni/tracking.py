@@ -23,7 +23,7 @@ from soccer_env.belief.omni.kalman import (
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
 from soccer_env.leagues.omni_sensors import FILTERS
-from soccer_env.optics.mirror_camera import metres_across, metres_along
+from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_of
 
 KALMAN, LEAST_SQUARES = FILTERS["kalman"], FILTERS["least-squares"]
 DELAYS = 3  # frames that a picture may be late, at most
@@ -107,7 +107,8 @@ def start(thing, filter, x, y, speed, s):
 def reading_sd(distance, s):
     """Return the sd of a reading along and across the line of sight [m]: a pixel through the mirror's curve.  MH02"""
     pixels = sqrt(s.pixel_noise * s.pixel_noise + ROUNDING)
-    return pixels * metres_along(s, distance), pixels * metres_across(s, distance)
+    along, across = metres_per_pixel(mirror_of(s), distance)
+    return pixels * along, pixels * across
 
 
 @compiled

@@ -13,7 +13,7 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import out_of_frame
-from soccer_env.optics.mirror_camera import ground_distance, image_radius
+from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_of
 from soccer_env.percept_types import LINES
 from soccer_env.perception.omni.around import body_radius
 from soccer_env.perception.omni.sightings import CAMERA, to_pixel
@@ -58,7 +58,7 @@ def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour
     """Fill in the distance of the first white line in each direction, 0 where none is seen.  MH02, MH07, MH08"""
     see_how_far(map.free, around, count, k, s)
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    found = (1.0 - s.line_miss) * colour
+    found, mirror = (1.0 - s.line_miss) * colour, mirror_of(s)
     for step in range(s.lines):  # to the left or, in a mirrored match, to the right, for the same draws
         i = step if handedness > 0.0 else (s.lines - step) % s.lines
         dx, dy = out_of_frame(map.cosine[i], map.sine[i], cosine, sine)
@@ -69,8 +69,8 @@ def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour
                 noise, CAMERA
             )  # found if below `found`; its place below that, an even distribution, serves as the noise
             if draw < found:
-                radius = image_radius(s, distance) + s.pixel_noise * SPAN * (draw / found - 0.5)
-                lines[i] = ground_distance(s, max(to_pixel(radius), 0.0))
+                radius = image_radius(mirror, distance) + s.pixel_noise * SPAN * (draw / found - 0.5)
+                lines[i] = ground_distance(mirror, max(to_pixel(radius), 0.0))
 
 
 @compiled

@@ -12,7 +12,7 @@ from math import atan2, cos, exp, floor, inf, log, pi, sin, sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, direction_of, into_frame, length, wrap
-from soccer_env.optics.mirror_camera import ground_distance, image_radius
+from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_of
 from soccer_env.perception.omni.around import body_radius, half_angle, visible_part
 from soccer_env.random_numbers import uniform
 from soccer_env.types import RobotStream
@@ -42,7 +42,8 @@ def clear(sighting):
 @compiled
 def find(sighting, distance, bearing, farthest, s, noise, handedness):
     """Find a thing in the picture at a noisy, whole pixel; return whether it lies within `farthest` [px].  MH02"""
-    radius = image_radius(s, distance)
+    mirror = mirror_of(s)
+    radius = image_radius(mirror, distance)
     error = s.pixel_noise * sqrt(-2.0 * log(1.0 - uniform(noise, CAMERA)))  # Box-Muller: two normal draws from two
     turn = 2.0 * pi * uniform(noise, CAMERA)
     ahead = to_pixel(radius * cos(bearing) + error * cos(turn))
@@ -51,7 +52,7 @@ def find(sighting, distance, bearing, farthest, s, noise, handedness):
     radius = length(ahead, left)
     if radius > farthest:
         return False
-    sighting.distance, sighting.bearing = ground_distance(s, radius), atan2(left, ahead)
+    sighting.distance, sighting.bearing = ground_distance(mirror, radius), atan2(left, ahead)
     sighting.seen = 1
     return True
 
@@ -92,10 +93,11 @@ def mistake_for_ball(sighting, s, noise, handedness):
     rate = s.false_balls + (0.0 if s.ball_coloured == 1 else UNCOLOURED_FALSE)
     if rate <= 0.0 or uniform(noise, FALSE_BLOBS) >= rate:
         return
-    nearest = image_radius(s, s.hidden_radius)
+    mirror = mirror_of(s)
+    nearest = image_radius(mirror, s.hidden_radius)
     radius = nearest + (0.5 * s.image - nearest) * uniform(noise, FALSE_BLOBS)
     bearing = handedness * pi * (1.0 - 2.0 * uniform(noise, FALSE_BLOBS))
-    distance = ground_distance(s, radius)
+    distance = ground_distance(mirror, radius)
     if sighting.seen == 0 or distance < sighting.distance:
         sighting.distance = distance
         sighting.bearing = bearing

@@ -12,6 +12,7 @@ from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, correct, pre
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_of
 from soccer_env.percept_types import SIGHTING
 from tests.scenes.staging import MIDDLE
 
@@ -85,6 +86,17 @@ def noisy(places: np.ndarray, seed: int = 0) -> np.ndarray:
         line = np.array([x, y]) / distance
         found[i] = places[i] + along * rng.normal() * line + across * rng.normal() * np.array([-line[1], line[0]])
     return found
+
+
+@pytest.mark.parametrize("distance", [0.5, 2.0, 8.0])
+def test_mh02_readings_are_trusted_as_the_mirrors_curve_allows(distance: float) -> None:
+    """MH02: half a pixel of a whole one and the blob's own noise, through the slope of the curve."""
+    along, across = deviation(distance, S)
+    mirror = mirror_of(S.view(np.recarray)[0])
+    pixels = np.sqrt(LEAGUE.sensors.pixel_noise**2 + 1.0 / 12.0)
+    nearer, farther = (ground_distance(mirror, image_radius(mirror, distance) + step) for step in (-0.01, 0.01))
+    assert along == pytest.approx(pixels * (farther - nearer) / 0.02, rel=1e-3)
+    assert across == pytest.approx(pixels * distance / image_radius(mirror, distance), rel=1e-6)
 
 
 def test_mh06_the_filter_is_the_textbooks_kalman_filter() -> None:

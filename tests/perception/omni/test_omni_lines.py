@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.optics.mirror_camera import metres_along
+from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_of
 from soccer_env.perception.omni.lines import COLUMNS, ROWS, TABLES, line_tables, nearest_line
 from tests.perception.omni.staged_omni import NOW, SHARP, SURE, gather, look, watching
 from tests.scenes.staging import MIDDLE, put
@@ -78,7 +78,7 @@ def test_mh02_the_first_line_in_each_direction_is_seen_to_a_pixel() -> None:
     for m in range(40):
         for i in range(count):
             true = march(x[m], y[m], heading[m] + 2.0 * np.pi * i / count)
-            wrong += abs(lines[m, i] - true) > 0.6 * metres_along(S, true) + 0.004
+            wrong += abs(lines[m, i] - true) > 0.6 * metres_per_pixel(mirror_of(S), true)[0] + 0.004
     assert wrong < 0.01 * 40 * count and (lines[:, :count] > 0.0).mean() > 0.4
     assert not lines[:, count:].any()
 
@@ -90,7 +90,9 @@ def test_lines_are_missed_and_misjudged_like_all_things() -> None:
     seen = found > 0.0
     assert seen.mean() == pytest.approx(1.0 - S.line_miss, abs=0.02)
     error = found[seen] - 2.0
-    assert error.std() == pytest.approx(np.sqrt(S.pixel_noise**2 + 1 / 12) * metres_along(S, 2.0), rel=0.1)
+    assert error.std() == pytest.approx(
+        np.sqrt(S.pixel_noise**2 + 1 / 12) * metres_per_pixel(mirror_of(S), 2.0)[0], rel=0.1
+    )
     assert abs(error.mean()) < 0.2 * error.std()
 
 

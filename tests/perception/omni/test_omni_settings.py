@@ -21,7 +21,7 @@ LEAGUE = find_league(MIDDLE)
         ({"camera_delay": 4}, "camera_delay must be 0 to 3, got 4"),
         ({"ball_miss": 1.5}, "ball_miss must be 0 to 1, got 1.5"),
         ({"radio_loss": 1.1}, "radio_loss must be 0 to 1, got 1.1"),
-        ({"mirror_curve": 0.0}, "mirror_curve must be 0.001 to 1000, got 0"),
+        ({"mirror_eccentricity": 0.9}, "mirror_eccentricity must be 1 to 1000, got 0.9"),
         ({"mirror_edge": 0.0}, "mirror_edge must be 0.001 to 1000, got 0"),
         ({"detection_width": 0.0}, "detection_width must be 0.001 to 1000000, got 0"),
         ({"light_period": 0.0}, "light_period must be 0.001 to 1000000, got 0"),
