@@ -53,8 +53,8 @@ class OmniSensors(Options):
     ball_coloured: bool = True  # False: a plain ball, found half as often and mistaken more often, assumed  MH24
     light_drift: float = 0.0  # [1] amplitude of the change of light (1: from dark to glaring); 0: constant light  MH07
     light_period: float = 120.0  # [s] of that change, assumed
-    colour_table: str = "adaptive"  # fixed: the static look-up table of before  MH07
-    table_time: float = 2.0  # [s] in which the adapting table follows, assumed
+    colour_table: str = "adaptive"  # trained online by what stands at known places; fixed: a static one  MH07
+    table_time: float = 2.0  # [s] in which colours of now replace those of before in the adapting table, assumed
     table_width: float = 0.25  # [1] difference of light at which a table misses half of what it should see, assumed
     lines: int = 24  # directions in which white lines are looked for, assumed
     line_range: float = 4.0  # [m] assumed

@@ -194,9 +194,30 @@ MUTANTS = [
     Mutant(
         "MH07",
         LIGHTING,
-        "s.colour_table != ADAPTIVE",
-        "s.colour_table == ADAPTIVE",
+        "off * clip(dt / max(s.table_time, dt), 0.0, 1.0)",
+        "0.0",
         TEST_LIGHT + "test_mh07_the_adaptive_table_follows_the_light_and_the_fixed_one_does_not",
+    ),
+    Mutant(
+        "MH07",
+        LIGHTING,
+        "s.colour_table != ADAPTIVE or not placed or abs(off) > CLASS_SPREAD * s.table_width",
+        "s.colour_table != ADAPTIVE or not placed",
+        TEST_LIGHT + "test_mh07_light_that_jumps_leaves_the_table_behind",
+    ),
+    Mutant(
+        "MH07",
+        PICTURE,
+        "pose != NO_POSE or lines >= LEAST_LINES",
+        "True",
+        TEST_LIGHT + "test_mh07_who_cannot_know_its_place_learns_no_colours",
+    ),
+    Mutant(
+        "MH07",
+        PICTURE,
+        "match.step == 0 or pose == POSE_TOLD",
+        "match.step == 0",
+        TEST_LIGHT + "test_mh07_who_is_told_its_place_trains_a_table_anew",
     ),
     Mutant(
         "MH07",

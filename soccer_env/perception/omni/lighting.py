@@ -4,12 +4,23 @@ Brightness is given as the difference from the light for which the fixed table w
 the field's makes pixels drop out of their colour class: blobs are missed, and those that are found have lost their
 rim. Both laws are assumed.
 
+The adaptive table is trained online, as by ACT, automatic colour training [Heinemann, Sehnke, Zell 2006]: who knows
+its own pose knows which colour class each pixel of field, lines and goals must show, whatever its colour; what lies
+within the class's spread goes into the table, and what was there before fades out of it.
+
+    own pose told or sensed, or enough white lines in the picture to know it by     else: nothing is learned
+    colours within CLASS_SPREAD of the table                                         else: taken for something else
+    the table moves to the picture's colours with `table_time`
+
+So it follows light that changes, is left behind by light that jumps, and learns nothing where it recognises nothing.
+Unlike the method, of which we know no numbers, it learns one light for all colours, and its three numbers are assumed.
+
 `s`: settings of the sensors.
 """
 
 from __future__ import annotations
 
-from math import exp, log, pi, sin
+from math import exp, log, pi, sin, sqrt
 
 import numpy as np
 
@@ -22,6 +33,8 @@ from soccer_env.types import RobotStream
 LIGHT = int(RobotStream.LIGHT)
 ADAPTIVE = COLOUR_TABLES["adaptive"]
 LIGHT_NOISE = 0.01  # [1] sd of the brightness that the camera measures, assumed
+CLASS_SPREAD = 2.0 / sqrt(2.0 * log(2.0))  # [1] table widths: two standard deviations of a colour class, assumed
+LEAST_LINES = 3  # directions that show a line in a picture from which the own pose can be known, assumed
 DARKEST = 40.0  # [1] exponent beyond which nothing is recognised at all
 
 
@@ -42,17 +55,24 @@ def measure_light(light, s, noise):
 
 
 @compiled
-def adapt_table(table, measured, s, dt, first):
-    """Return the light that the colour table is made for after a frame [1].  MH07
+def begin_table(table, measured, s, told):
+    """Return the light that the colour table is made for before a picture [1].  MH07
 
-    The adaptive table follows the light with a time constant and has done so before the first frame; the fixed one
+    Who has just been told its pose needs no table to begin with: it trains one by the first picture. The fixed table
     stays as it was made.
     """
     if s.colour_table != ADAPTIVE:
         return 0.0
-    if first:
-        return measured
-    return table + (measured - table) * clip(dt / max(s.table_time, dt), 0.0, 1.0)
+    return measured if told else table
+
+
+@compiled
+def train_table(table, measured, s, dt, placed):
+    """Return the light that the colour table is made for after a picture [1]; `placed`: the pose is known.  MH07"""
+    off = measured - table
+    if s.colour_table != ADAPTIVE or not placed or abs(off) > CLASS_SPREAD * s.table_width:
+        return table
+    return table + off * clip(dt / max(s.table_time, dt), 0.0, 1.0)
 
 
 @compiled

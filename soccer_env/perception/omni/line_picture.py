@@ -55,22 +55,27 @@ def draw_map(map, k, s):
 
 @compiled
 def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour):
-    """Fill in the distance of the first white line in each direction, 0 where none is seen.  MH02, MH07, MH08"""
+    """Fill in the distance of the first white line in each direction, 0 where none; return how many are seen.
+
+    MH02, MH07, MH08
+    """
     see_how_far(map.free, around, count, k, s)
     cosine, sine = cos(robot.heading), sin(robot.heading)
     found, mirror = (1.0 - s.line_miss) * colour, mirror_of(s)
+    seen = 0
     for step in range(s.lines):  # to the left or, in a mirrored match, to the right, for the same draws
         i = step if handedness > 0.0 else (s.lines - step) % s.lines
         dx, dy = out_of_frame(map.cosine[i], map.sine[i], cosine, sine)
         distance = first_line(robot.x, robot.y, dx, dy, map, k.pitch_circle, s.hidden_radius, map.free[i])
         lines[i] = 0.0
         if distance < map.free[i]:
-            draw = uniform(
-                noise, CAMERA
-            )  # found if below `found`; its place below that, an even distribution, serves as the noise
+            # found if below `found`; its place below that, an even distribution, serves as the noise
+            draw = uniform(noise, CAMERA)
             if draw < found:
                 radius = image_radius(mirror, distance) + s.pixel_noise * SPAN * (draw / found - 0.5)
                 lines[i] = ground_distance(mirror, max(to_pixel(radius), 0.0))
+                seen += 1
+    return seen
 
 
 @compiled

@@ -12,9 +12,17 @@ from __future__ import annotations
 import numpy as np
 
 from soccer_env.compiled import compiled, records
+from soccer_env.percept_types import NO_POSE, POSE_TOLD
 from soccer_env.perception.body import light_barrier
 from soccer_env.perception.omni.around import AROUND, survey
-from soccer_env.perception.omni.lighting import adapt_table, brightness, measure_light, recognised
+from soccer_env.perception.omni.lighting import (
+    LEAST_LINES,
+    begin_table,
+    brightness,
+    measure_light,
+    recognised,
+    train_table,
+)
 from soccer_env.perception.omni.line_picture import LINE_MAP, draw_map, find_lines
 from soccer_env.perception.omni.lines import TABLES, line_tables
 from soccer_env.perception.omni.sightings import clear, find_ball, find_goals, find_players
@@ -27,7 +35,7 @@ __all__ = ["OMNI_SENSOR_STATE", "TABLES", "line_tables", "sense_slice"]
 OMNI_SENSOR_STATE = np.dtype(
     [  # what the sensors remember and do not deliver
         ("pose_error", POSE_ERROR),
-        ("table", "f4"),  # [1] the light that the camera's colour table is made for, after the latest picture
+        ("table", "f4"),  # [1] the light that the camera's colour table is made for, trained up to the latest picture
     ]
 )
 
@@ -54,7 +62,7 @@ def look(match, ball, robots, r, percept, state, pending, light, around, map, k,
     late, robot = pending.shape[0], robots[r]
     if late == 0:
         percept.age = 0.0
-        take_picture(match, ball, robots, r, percept, state, light, around, map, k, s)
+        take_picture(match, ball, robots, r, percept, state, percept.body.pose, light, around, map, k, s)
         return
     slot = pending[match.step % late]
     if robot.placed == 1:  # pictures on their way show the old place
@@ -63,7 +71,7 @@ def look(match, ball, robots, r, percept, state, pending, light, around, map, k,
     due = slot.body.active == 1 and slot.body.frame + late == match.step
     if due:
         hand_over(slot, percept)
-    take_picture(match, ball, robots, r, slot, state, light, around, map, k, s)
+    take_picture(match, ball, robots, r, slot, state, percept.body.pose, light, around, map, k, s)
     slot.body.frame, slot.body.active = match.step, robot.active
     percept.age = late * k.dt if due else 0.0
     if not due:
@@ -71,11 +79,11 @@ def look(match, ball, robots, r, percept, state, pending, light, around, map, k,
 
 
 @compiled
-def take_picture(match, ball, robots, r, picture, state, light, around, map, k, s):
-    """Fill in what the camera sees now; its colour table goes from picture to picture, delivered or not."""
+def take_picture(match, ball, robots, r, picture, state, pose, light, around, map, k, s):
+    """Fill in what the camera sees now; its colour table goes from picture to picture, delivered or not.  MH07"""
     robot, handedness = robots[r], match.handedness
     picture.light = measure_light(light, s, robot.noise)
-    state.table = adapt_table(state.table, picture.light, s, k.dt, match.step == 0)
+    state.table = begin_table(state.table, picture.light, s, match.step == 0 or pose == POSE_TOLD)
     if robot.active == 0:
         clear_picture(picture)
         return
@@ -84,7 +92,9 @@ def take_picture(match, ball, robots, r, picture, state, light, around, map, k, 
     find_ball(ball, robot, picture, around, count, k, s, robot.noise, handedness, colour)
     find_players(picture, around, count, k, s, robot.noise, handedness, colour)
     find_goals(match, robot, picture, around, count, k, s, robot.noise, handedness, colour)
-    find_lines(robot, picture.lines, around, count, map, k, s, robot.noise, handedness, colour)
+    lines = find_lines(robot, picture.lines, around, count, map, k, s, robot.noise, handedness, colour)
+    placed = pose != NO_POSE or lines >= LEAST_LINES
+    state.table = train_table(state.table, picture.light, s, k.dt, placed)
 
 
 @compiled

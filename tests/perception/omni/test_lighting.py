@@ -88,17 +88,46 @@ def test_in_constant_light_the_table_does_not_matter() -> None:
     assert percepts[0] == percepts[1]
 
 
-def test_the_table_takes_its_time() -> None:
-    """A time constant: after a sudden change a share of 1 - 1/e of it is made good in `table_time`."""
-    match = watching(sensors={**CHANGING, "light_period": 1e6, "table_time": 1.0})
+def table_after(off: float, seconds: float = 1.0, placed: bool = False, **settings: Any) -> float:
+    """Put the table of a robot on the centre spot off the still light; return by how much it is off afterwards [1]."""
+    sensors = {**CHANGING, "light_period": 1e6, "table_time": 1.0, **settings.pop("sensors", {})}
+    match = watching(sensors=sensors, pose="particles", **settings)
     seeing(match, 0.1)
     senses: Any = match.batch.senses
     light = float(senses.percepts["light"][0, 0])
-    senses.sensor_states["table"][0, 0] = light + 0.5
-    for step in range(50):
+    senses.sensor_states["table"][0, 0] = light + off
+    match.robots["placed"][0, 0] = placed
+    for step in range(round(seconds * 50)):
         match.matches["step"] = 5 + step
         senses.sense(0, 1)
-    assert senses.sensor_states["table"][0, 0] - light == pytest.approx(0.5 / np.e, abs=0.03)
+    return float(senses.sensor_states["table"][0, 0]) - light
+
+
+def test_the_table_takes_its_time() -> None:
+    """A time constant: after a sudden change a share of 1 - 1/e of it is made good in `table_time`."""
+    assert table_after(0.2, 1.0) == pytest.approx(0.2 / np.e, abs=0.02)
+
+
+def test_mh07_light_that_jumps_leaves_the_table_behind() -> None:
+    """MH07: colours beyond two standard deviations of their class are taken for something else."""
+    reach = 2.0 * S.table_width / np.sqrt(2.0 * np.log(2.0))
+    assert table_after(1.2 * reach, 4.0) == pytest.approx(1.2 * reach, abs=1e-6)
+    assert abs(table_after(0.8 * reach, 4.0)) < 0.1 * reach
+
+
+def test_mh07_who_cannot_know_its_place_learns_no_colours() -> None:
+    """MH07: which class a pixel must show follows from the own pose: by lines in the picture, or as it is sensed."""
+    blind = {"line_miss": 1.0}
+    assert table_after(0.2, sensors=blind) == pytest.approx(0.2, abs=1e-6)
+    match = watching(sensors={**CHANGING, **blind, "light_period": 60.0}, pose="percept", seed=6)
+    seen = seeing(match, 6.0)
+    assert abs(seen["light"] - seen["table"]).max() < 0.2 < np.ptp(seen["light"])
+
+
+def test_mh07_who_is_told_its_place_trains_a_table_anew() -> None:
+    """MH07: it needs no table to begin with, however far the light has gone meanwhile."""
+    assert abs(table_after(1.0, 0.1, placed=True)) < 0.05
+    assert table_after(1.0, 0.1) == pytest.approx(1.0, abs=1e-6)
 
 
 def test_delayed_pictures_keep_one_table() -> None:
