@@ -54,12 +54,13 @@ def watch_under(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarray]:
     return {name: np.stack(rows, axis=1) for name, rows in frames.items()}
 
 
-def compare_tables(batch: Batch, adaptive: str = "adaptive") -> Samples:
+def compare_tables(batch: Batch, **adaptive: Any) -> Samples:
     """Return counts, things found and squared errors (M, bins) of each variant, by the light of the changing runs.
 
-    All three see the same scenes; under constant light the same frames count as under the changing one.
+    All three see the same scenes; under constant light the same frames count as under the changing one. `adaptive`:
+    further settings of the sensors of the variant whose table adapts.
     """
-    seen = {name: watch_under(batch, VARIANTS[adaptive if name == "adaptive" else name]) for name in VARIANTS}
+    seen = {name: watch_under(batch, VARIANTS[name] | (adaptive if name == "adaptive" else {})) for name in VARIANTS}
     place = np.digitize(np.abs(seen["fixed"]["light"]), BINS[1:-1])
     samples: Samples = {}
     for name, frames in seen.items():
@@ -155,17 +156,19 @@ H26 = Claim(
     ),
     measure=compare_tables,
     without=Without(
-        "the law by which the adapting table follows the light, sensors.table_time: here it does not",
-        lambda batch: compare_tables(batch, adaptive="fixed"),
+        "the own pose, by which the table knows what a pixel must show: here no white line tells it",
+        lambda batch: compare_tables(batch, line_miss=1.0),
     ),
     figures=light_figures,
     ingredients=(
-        "sensors.table_width and the law of perception/omni/lighting.py",
+        "sensors.table_width and the laws of perception/omni/lighting.py",
         "sensors.table_time",
         "sensors.light_period",
     ),
-    note="How the paper's algorithm finds a new table in the picture is not built: a table that follows the light with "
-    "a time constant stands for it, so that the outcome is put in.",
+    pose="particles",
+    note="That light costs a table pixels, and that one which learns at known places follows, is put in; what is "
+    "measured is whether it follows fast enough, with what a robot sees of the white lines. The paper gives no numbers "
+    "of its algorithm: its speed and reach are assumed.",
 )
 
 CLAIMS = (H26,)
