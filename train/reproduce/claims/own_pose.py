@@ -159,10 +159,12 @@ H27 = Claim(
     ),
     measure=drive_and_carry,
     batches=12,
-    seconds=5.0,
+    seconds=2.7,
     figures=pose_figures,
     ingredients=("memory.particles = 96", "sensors.lines, line_range, goal_miss", "memory.pose_fresh"),
     pose="particles",
+    changed="Before: the median below 15 cm, which nothing could miss; read 1.49 cm (1.39 to 1.59). By how much it "
+    "errs in 95 % of the time was reported and decided nothing.",
 )
 
 CLAIMS = (H27,)
