@@ -26,8 +26,8 @@ from soccer_env.physics.engine.chipmunk import fetch, step_match, write_bodies
 from soccer_env.physics.engine.prefetch import fetch_row
 from soccer_env.physics.exchange import count_substeps, is_finite, read_records, weigh_ball, write_rows, write_twists
 from soccer_env.physics.kicker import holds_ball, work_kicker
+from soccer_env.physics.solver.contacts import stance_of
 from soccer_env.physics.solver.interlock import catch_legs
-from soccer_env.physics.solver.posts import stance_of
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.separation import pull_apart, watch_contacts

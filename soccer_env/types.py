@@ -154,8 +154,8 @@ ROBOT = np.dtype(
         ("tilt", "f8"),  # [rad] head, up positive
         ("senses", "i8"),  # 1: it uses its sensors, `gaze` comes from its belief; 0: the head follows the true ball
         ("gaze", GAZE),  # [rad] where the head looks unless the command says otherwise
-        ("kick_clock", "f8"),  # [s] left of a wind-up (negative: left of the recharge, as -s); 0 ready
-        ("kick_strength", "f8"),  # (0, 1] of the kick being wound up
+        ("kick_clock", "f8"),  # [s] left of a wind-up or a block (negative: left of the recharge, as -s); 0 ready
+        ("kick_strength", "f8"),  # (0, 1] of the kick being wound up; 0: what goes on is a block
         ("has_ball", "i8"),  # 1: the ball lies in the pocket or at the kicker
         ("stands", "i8"),  # 1: it has come to rest and holds with all paws or wheels; 0: it walks, drives or brakes
         ("caught_by", "i8"),  # 1 + row of the robot between whose legs one of its own is caught; 0: none is

@@ -1,7 +1,8 @@
 """The goalkeeper: meet a shot by the ball's angular velocity, clear what lies near, guard the line.  MS53
 
-The paper has the goalkeeper block balls (3.2) and react to their speed (5). What it does with a ball that it has is
-not said: that it kicks it clear is ours.
+The paper has the goalkeeper block balls (3.2) and react to their speed (5). How it blocks is not said: by a sidestep,
+or, in a league whose goalkeepers can, by lying down with its forelegs spread. What it does with a ball that it has is
+not said either: that it kicks it clear is ours.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -14,7 +15,7 @@ from soccer_env.baselines.skills import faces, go, turn_by, way_clear
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 
-FAST = 0.6  # [m/s] a ball that comes nearer faster is met without delay, assumed
+FAST = 0.6  # [m/s] a ball that comes nearer faster is met without delay, one of unknown speed so fast, assumed
 CLEAR_COSINE = 0.77  # [1] of the angle to the way clear of the goal within which it kicks, 40 degrees, assumed
 SLOW = 0.3  # [m/s] one that comes nearer more slowly is gone to, assumed
 
@@ -38,7 +39,7 @@ def passes_by(ball):
 
 @compiled
 def meet_shot(command, sight, ball, k, play):
-    """Step aside to where the ball will pass, and face it.  MS53
+    """Step aside to where the ball will pass, and face it; block it if it passes near enough.  MS53
 
     Without the angular velocity the goalkeeper goes by the bearing alone: it keeps the ball ahead.
     """
@@ -46,10 +47,27 @@ def meet_shot(command, sight, ball, k, play):
     within = play.settle
     if play.keeper_speed == 1 and ball.radial < -FAST:
         within = 0.25 * play.settle
+    if will_block(ball, aside, k, play):
+        command.kick = 1.0
     widest = 0.5 * k.pitch_goal_width
     aside = clip(sight.y + sight.cosine * aside, -widest, widest) - sight.y
     command.left = clip(aside / (within * max(k.drive_sideways, 1e-6)), -1.0, 1.0) * sight.pace
     turn_by(command, sight, k, play, 0.5 * ball.bearing)
+
+
+@compiled
+def will_block(ball, aside, k, play):
+    """Tell whether it is time to spread the forelegs for a ball that passes so far [m] to the left.  MS53
+
+    They reach it, and it comes before half of the time is over for which they stay spread. Where reactions do not
+    depend on how fast the ball comes, all balls count as fast.
+    """
+    if play.keeper_blocks == 0 or k.block_raise_time <= 0.0:
+        return False
+    speed = -ball.radial if play.keeper_speed == 1 else FAST
+    arrives = (ball.distance - k.block_paw_x) / speed
+    reach = k.block_paw_y + k.body_tip_radius + k.ball_radius
+    return abs(aside) < reach and arrives < k.block_raise_time + 0.5 * k.block_hold_time
 
 
 @compiled

@@ -110,6 +110,7 @@ class SacksSettings(Options):
     # the paper's future work, 5: sacks-2001-future
     passes: bool = False  # to a remembered team-mate when the goal is blocked  MS53
     keeper_speed: bool = False  # the goalkeeper's reaction depends on how fast the ball comes  MS53
+    keeper_blocks: bool = False  # the goalkeeper spreads its forelegs for a shot, in a league where it can  MS53
     free_side: bool = False  # sidesteps to the side with fewer players  3.4
     decisive: bool = False  # a side is kept until the other has clearly become better: a cure for indecision  5
 

@@ -19,7 +19,7 @@ from soccer_env.teams import CompiledTeam
 
 FAMILIES = ("legged",)
 TUNED = {"step_length": 0.06, "back_steps": 3, "side_steps": 3}
-FUTURE = {"passes": True, "keeper_speed": True, "free_side": True, "decisive": True}
+FUTURE = {"passes": True, "keeper_speed": True, "keeper_blocks": True, "free_side": True, "decisive": True}
 
 
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:

@@ -6,7 +6,7 @@ middle_size_2006.py   the middle-size league of 2006
 omni_sensors.py       the sensors of middle-size robots, and their memory
 league.py             what a league is, and a map of the pitch
 materials.py          what bounces and rubs how much: elasticity and friction of each pair that meets
-robot.py              what its robots are: body, drive, kicker, head
+robot.py              what its robots are: body, drive, kicker, block, head
 robot_kind.py         what a kind of robot is, and where each is declared
 constants.py          the numbers of a league as one record for kernels
 options.py            settings that are checked, changed by name and turned into a record
@@ -20,7 +20,7 @@ from soccer_env.checking import check_names
 from soccer_env.leagues import legged_2001, middle_size_2006
 from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
 from soccer_env.leagues.materials import Materials, Pair
-from soccer_env.leagues.robot import Body, Drive, Head, Kicker
+from soccer_env.leagues.robot import Block, Body, Drive, Head, Kicker
 
 LEAGUES: dict[str, League] = {
     league.name: league
@@ -29,6 +29,7 @@ LEAGUES: dict[str, League] = {
         middle_size_2006.LEAGUE,
         legged_2001.INNER,
         legged_2001.SMOOTH,
+        legged_2001.BLOCK,
         middle_size_2006.OLD_BASE,
     )
 }
@@ -50,6 +51,7 @@ def find_league(league: str | League) -> League:
 __all__ = [
     "LEAGUES",
     "BallModel",
+    "Block",
     "Body",
     "Drive",
     "Head",

@@ -32,7 +32,7 @@ from typing import Any, Literal
 from soccer_env.checking import ABOVE_ZERO, Range, refuse
 from soccer_env.leagues.checks import PYTHON_ONLY, Part, check_family
 from soccer_env.leagues.materials import Materials
-from soccer_env.leagues.robot import Body, Drive, Head, Kicker
+from soccer_env.leagues.robot import Block, Body, Drive, Head, Kicker
 from soccer_env.leagues.robot_kind import check_kind
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
 
@@ -156,6 +156,7 @@ class League(Part):
     evaluation_minutes: float  # [min] of play in an evaluation
     evaluation_placement: Literal["instant", "drive"] = "instant"
     source: str = ""
+    block: Block = Block()
     sensors: Any = None  # Options whose KIND says whose they are: a LeggedSensors, an OmniSensors, see robot_kind.py
     memory: Any = None  # Options, what goes with the sensors: a LeggedMemory, an OmniMemory
 
@@ -173,6 +174,8 @@ class League(Part):
             )
         if self.body.legs and self.drive.gait_steps % 2 != 0:
             raise ValueError(f"Drive.gait_steps must be even for a body with legs, got {self.drive.gait_steps}")
+        if self.block.raise_time > 0.0 and not self.body.legs:
+            raise ValueError("Block.raise_time must be 0 for a body without legs")
         if self.delay_steps >= MAX_DELAY_STEPS:
             raise ValueError(f"Drive.delay spans {self.delay_steps} control steps, at most {MAX_DELAY_STEPS - 1} fit")
         if 2.0 * self.body.reach > min(self.pitch.length, self.pitch.width) / 4:

@@ -18,7 +18,7 @@ from math import pi
 from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
 from soccer_env.leagues.legged_sensors import LeggedMemory, LeggedSensors
 from soccer_env.leagues.materials import Materials, Pair
-from soccer_env.leagues.robot import Body, Drive, Head, Kicker
+from soccer_env.leagues.robot import Block, Body, Drive, Head, Kicker
 
 PITCH = Pitch(
     length=3.0,  # [m] Sacks 2001, 1
@@ -128,6 +128,28 @@ KICKER = Kicker(
     keeper_kicks=True,
 )
 
+# The block of a goalkeeper, on in the variant legged-2001-block alone.  MS53
+#
+# The motion is the goalkeeper's block in the middle of CMPack'03, a team with the same robot: `b_gcntr.mot` in Tekkotsu
+# 4.0 (tools/convertmot/cmpack03-littleendian; its format is in tools/convertmot/convertmot.cc). The body is let down,
+# nose first, and both forepaws go to (120, +-170) mm from its centre, are left there for 500 ms and drawn in. With that
+# place out of reach the inverse kinematics of the robot (Motion/OldKinematics.cc) stretches the leg towards it: seen
+# from above a straight line from the shoulder through the knee at (91, 113) to the paw, aside the full 170 mm.
+#
+# The file asks for 200 ms to get there, which the joints cannot do: from the stance (angles by the same kinematics) the
+# rotator has to turn by 77.3 degrees, the shoulder by 57.6, the knee by 50.9, at 2.81, 2.50 and 2.84 rad/s
+# (Shared/ERS210Info.h): 0.48, 0.40 and 0.31 s. The dive to one side of the same team (`b_gdive.mot`) is left out: it
+# topples the robot, and how far it then lies aside follows from no kinematics.
+BLOCK_MOTION = Block(
+    raise_time=0.48,  # [s] the rotator's 77.3 degrees at 2.81 rad/s
+    hold_time=0.5,  # [s] b_gcntr.mot
+    recover_time=0.48,  # [s] the same way back
+    paw_x=0.12,  # [m] b_gcntr.mot
+    paw_y=0.17,  # [m] b_gcntr.mot
+    shoulder_x=0.0595,  # [m] ERS-210 kinematics
+    shoulder_y=0.0592,  # [m] ERS-210 kinematics
+)
+
 HEAD = Head(
     pan_limit=89.6 * pi / 180.0,  # [rad] ERS-210 joint table
     tilt_low=-82.0 * pi / 180.0,  # [rad] ERS-210 joint table
@@ -179,3 +201,4 @@ LEAGUE = League(  # MS56
 
 INNER = replace(LEAGUE, name="legged-2001-inner", pitch=replace(PITCH, length=2.8, width=1.8))  # the other reading
 SMOOTH = replace(LEAGUE, name="legged-2001-smooth", body=SMOOTH_BODY)  # a body of one piece, without legs
+BLOCK = replace(LEAGUE, name="legged-2001-block", block=BLOCK_MOTION)  # its goalkeepers can spread their forelegs

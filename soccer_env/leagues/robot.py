@@ -1,4 +1,4 @@
-"""What the robots of a league are: body, drive, kicker and head, checked on construction."""
+"""What the robots of a league are: body, drive, kicker, block and head, checked on construction."""
 
 from __future__ import annotations
 
@@ -126,6 +126,28 @@ class Kicker(Part):
     reach: float  # [m] how far ahead of the front the ball's near side may lie
     half_width: float  # [m] how far aside the ball's centre may lie
     keeper_kicks: bool  # False: a goalkeeper has no kicker
+
+
+@dataclass(frozen=True)
+class Block(Part):
+    """How a goalkeeper with legs blocks: it lies down on its chest, forelegs spread; all zero: it cannot.  MS53
+
+    The motion runs off once it is asked for: legs out, held there, and in again. Places are seen from above, as those
+    of `Body`.
+    """
+
+    raise_time: float = 0.0  # [s] from the stance to the spread forelegs
+    hold_time: float = 0.0  # [s] that they stay there
+    recover_time: float = 0.0  # [s] back to the stance
+    paw_x: float = 0.0  # [m] centres of the spread forepaws, at +-paw_y
+    paw_y: float = 0.0  # [m]
+    shoulder_x: float = 0.0  # [m] where the forelegs begin, at +-shoulder_y
+    shoulder_y: float = 0.0  # [m]
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.raise_time > 0.0 and min(self.recover_time, self.paw_y - self.shoulder_y) <= 0.0:
+            raise ValueError("Block needs a recover_time above zero and a paw_y above shoulder_y")
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,8 @@ from math import cos, sin
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, point_of_frame
-from soccer_env.physics.gait import LEGS, TIPS, most_swing, paw_offset, stance
+from soccer_env.physics.block import forelegs_gap, is_blocking, most_reach, most_reach_walking, paw_out, spread_of
+from soccer_env.physics.gait import LEGS, TIPS, paw_offset, stance
 
 TOUCH_GAP = 0.004  # [m] assumed: a ball this near touches
 KNOCK = 0.02  # [m/s] assumed: a change of velocity that friction does not explain
@@ -30,7 +31,10 @@ def paws_gap(robot, k, ball_x, ball_y, handedness):
         return ball_gap(robot, k, ball_x, ball_y)
     ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, cos(robot.heading), sin(robot.heading))
     gap = trunk_gap(k, ahead, left)
-    for leg in range(LEGS):
+    blocks = is_blocking(robot, k)
+    if blocks:
+        gap = min(gap, forelegs_gap(robot, k, ahead, left, handedness, 1))
+    for leg in range(TIPS if blocks else 0, LEGS):
         x, y = stance(k, leg, handedness)
         off_x, off_y = paw_offset(robot, k, leg, handedness)
         gap = min(gap, length(ahead - x - off_x, left - y - off_y) - k.body_tip_radius)
@@ -41,7 +45,11 @@ def paws_gap(robot, k, ball_x, ball_y, handedness):
 def outline_gap(robot, k, x, y):
     """Return the distance [m] of a point of the field from a robot's outline, its legs in mid-stroke."""
     ahead, left = into_frame(x - robot.x, y - robot.y, cos(robot.heading), sin(robot.heading))
-    gap = min(trunk_gap(k, ahead, left), length(ahead - k.body_tip_x, abs(left) - k.body_tip_y) - k.body_tip_radius)
+    gap = trunk_gap(k, ahead, left)
+    if is_blocking(robot, k):
+        gap = min(gap, forelegs_gap(robot, k, ahead, left, 1.0, 0))
+    else:
+        gap = min(gap, length(ahead - k.body_tip_x, abs(left) - k.body_tip_y) - k.body_tip_radius)
     if k.body_hind_y > 0.0:
         gap = min(gap, length(ahead - k.body_hind_x, abs(left) - k.body_hind_y) - k.body_tip_radius)
     return gap
@@ -82,7 +90,7 @@ def find_touches(ball, robots, robot_events, k, knock_x, knock_y, handedness):
     apart, touched it.
     """
     nearest, least = -1, 1e9
-    outline = k.body_reach + most_swing(k)
+    outline = most_reach_walking(k)
     knocked = knock_x * knock_x + knock_y * knock_y > KNOCK * KNOCK
     for r in range(robots.shape[0]):
         robot = robots[r]
@@ -109,7 +117,7 @@ def find_touches(ball, robots, robot_events, k, knock_x, knock_y, handedness):
 @compiled
 def find_collisions(robots, robot_events, k):
     """Mark the robots that touch another robot."""
-    near = 2.0 * k.body_reach + TOUCH_GAP
+    near = 2.0 * most_reach(k) + TOUCH_GAP
     for r in range(robots.shape[0]):
         for other in range(r + 1, robots.shape[0]):
             x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
@@ -131,9 +139,11 @@ def robots_touch(robot, other, k):
 def points_touch(robot, other, k):
     """Tell whether a post, a corner or an end of the trunk of one robot touches the outline of the other."""
     cosine, sine = cos(robot.heading), sin(robot.heading)
+    spread = spread_of(robot, k, 0.0)
     for leg in range(LEGS if k.body_hind_y > 0.0 else TIPS):
         x, y = stance(k, leg, 1.0)
-        if disc_touches(robot, other, k, x, y, k.body_tip_radius, cosine, sine):
+        out_x, out_y = paw_out(k, leg, spread, 1.0)
+        if disc_touches(robot, other, k, x + out_x, y + out_y, k.body_tip_radius, cosine, sine):
             return True
     for i in range(k.corners):
         if disc_touches(robot, other, k, k.corner_x[i], k.corner_y[i], 0.0, cosine, sine):

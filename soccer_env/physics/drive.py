@@ -25,7 +25,7 @@ SLIP = int(RobotStream.SLIP)
 def drive(robot, k, step, handedness, stance):
     """Turn a robot's command into what its legs or wheels want of the ground."""
     if k.legs == 1:
-        note_paws(robot, k, stance.posts, handedness)
+        note_paws(robot, k, stance, handedness)
     request_walk(robot, k, step)
     if robot.gait_phase % k.slip_steps == 0 and k.drive_slip > 0.0:
         draw_slip(robot, k, handedness)
@@ -36,7 +36,7 @@ def drive(robot, k, step, handedness, stance):
         robot.gait_phase = 0
     change_walk(robot, k)
     if k.legs == 1:
-        aim_paws(robot, k, stance.posts, handedness)
+        aim_paws(robot, k, stance, handedness)
     stand_on_ground(robot, k, stance)
 
 
@@ -76,7 +76,7 @@ def draw_slip(robot, k, handedness):
 def change_walk(robot, k):
     """Bring the walk towards its target as fast as gait or motors allow.  MH01
 
-    A robot that kicks, lies on the ground or is out stands.
+    A robot that kicks or blocks, lies on the ground or is out stands.
     """
     stands = robot.kick_clock > 0.0 or robot.fallen > 0.0 or robot.active == 0
     ahead = (0.0 if stands else robot.target.forward) - robot.walk.forward

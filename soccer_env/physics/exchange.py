@@ -9,6 +9,7 @@ from math import ceil
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
+from soccer_env.physics.block import most_reach
 from soccer_env.physics.engine.memory import BODY_MASS_INVERSE, BODY_MOMENT_INVERSE, store
 
 HELD = 1e-9  # [1] share of its lightness that a ball has which the referee holds
@@ -29,7 +30,7 @@ def count_substeps(ball, robots, k):
 @compiled
 def anyone_close(ball, robots, k):
     """Tell whether a robot is within reach of the ball or of another robot: where things press, overlaps grow."""
-    to_ball, to_robot = k.body_reach + k.ball_radius, 2.0 * k.body_reach
+    to_ball, to_robot = most_reach(k) + k.ball_radius, 2.0 * most_reach(k)
     for r in range(robots.shape[0]):
         robot = robots[r]
         if robot.active == 0:

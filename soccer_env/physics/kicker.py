@@ -13,8 +13,8 @@ from math import cos, sin
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame
+from soccer_env.physics.block import begin_block, is_blocking, may_block, most_reach_walking
 from soccer_env.physics.contacts import TOUCH_GAP, paws_gap
-from soccer_env.physics.gait import most_swing
 from soccer_env.random_numbers import normal, uniform
 from soccer_env.types import RobotStream
 
@@ -23,14 +23,17 @@ KICK = int(RobotStream.KICK)
 
 @compiled
 def work_kicker(robots, r, events, k, ball, handedness):
-    """Advance robot r's kicker by one control step: start a kick that is asked for, or finish one."""
+    """Advance robot r's kicker by one control step: start a kick or a block that is asked for, or finish one."""
     robot = robots[r]
     if robot.kick_clock < 0.0:
         robot.kick_clock = min(robot.kick_clock + k.dt, 0.0)
         return
     if robot.kick_clock > 0.0:
+        blocks = is_blocking(robot, k)
         robot.kick_clock -= k.dt
-        if robot.kick_clock <= 1e-9:
+        if blocks:
+            robot.kick_clock = max(robot.kick_clock, 0.0)
+        elif robot.kick_clock <= 1e-9:
             finish_kick(robots, r, events, k, ball, handedness)
         return
     if may_kick(robot, k):
@@ -39,6 +42,8 @@ def work_kicker(robots, r, events, k, ball, handedness):
             robot.kick_clock = k.kicker_wind_up
         else:
             finish_kick(robots, r, events, k, ball, handedness)
+    elif may_block(robot, k):
+        begin_block(robot, k)
 
 
 @compiled
@@ -99,7 +104,7 @@ def is_pinched(robots, r, k, ball, handedness):
     Its body takes its share when the contacts are solved: the ball bounces between the two. The kicker itself cannot
     swing through a ball that is held from behind, so that such a ball lies as badly as it can.
     """
-    near = k.body_reach + most_swing(k) + k.ball_radius + TOUCH_GAP
+    near = most_reach_walking(k) + k.ball_radius + TOUCH_GAP
     for other in range(robots.shape[0]):
         x, y = ball.x - robots[other].x, ball.y - robots[other].y
         if other == r or robots[other].active == 0 or x * x + y * y > near * near:

@@ -10,6 +10,7 @@ import numpy as np
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.robot import Body
+from soccer_env.physics.block import paw_out, spread_of
 from soccer_env.physics.gait import LEGS, TIPS, paw_offset
 from soccer_env.render import colours
 from soccer_env.render.canvas import FACTOR, Canvas, Point, new_surface
@@ -66,8 +67,15 @@ def figures_of(robots: np.ndarray, league: League, handedness: float = 1.0) -> l
         return [Figure(*row) for row in rows]
     k = constants_of(league)[0]
     legs = range(LEGS) if handedness > 0.0 else [leg ^ 1 for leg in range(LEGS)]  # numbered the other way round
-    paws = [tuple(paw_offset(robot, k, leg, handedness) for leg in legs) for robot in robots]
+    paws = [tuple(off_stance(robot, k, leg, handedness) for leg in legs) for robot in robots]
     return [Figure(*row)._replace(paws=swung) for row, swung in zip(rows, paws, strict=True)]
+
+
+def off_stance(robot: np.void, k: np.void, leg: int, handedness: float) -> Point:
+    """Return how far a paw is off its stance [m], by its stroke and by a block."""
+    x, y = paw_offset(robot, k, leg, handedness)
+    out_x, out_y = paw_out(k, leg, spread_of(robot, k, 0.0), handedness)
+    return x + out_x, y + out_y
 
 
 class Part(NamedTuple):

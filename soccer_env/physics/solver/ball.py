@@ -46,7 +46,7 @@ from soccer_env.physics.engine.memory import (
     number_at,
     store,
 )
-from soccer_env.physics.solver.posts import CONTACT_BYTES, contact_at
+from soccer_env.physics.solver.contacts import CONTACT_BYTES, contact_at
 from soccer_env.physics.solver.records import MOST_CONTACTS
 
 

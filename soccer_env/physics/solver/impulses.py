@@ -21,7 +21,7 @@ from soccer_env.physics.engine.memory import (
     number_at,
     store,
 )
-from soccer_env.physics.solver.posts import CONTACT_BYTES, contact_at, slip_of
+from soccer_env.physics.solver.contacts import CONTACT_BYTES, contact_at, slip_of
 
 
 @compiled

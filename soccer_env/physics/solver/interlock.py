@@ -12,9 +12,11 @@ from math import cos, sin
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame
+from soccer_env.physics.block import is_blocking
 from soccer_env.physics.engine.memory import BODY_COS, BODY_SIN, BODY_X, BODY_Y, number_at
 from soccer_env.physics.gait import LEGS, stance
-from soccer_env.physics.solver.posts import add_contact, aim, contact_key, forget, place_posts, stance_of
+from soccer_env.physics.solver.contacts import add_contact, aim, contact_key, forget, stance_of
+from soccer_env.physics.solver.posts import place_posts
 
 GAPS = 4  # between two neighbouring legs: the fore ones, the hind ones, the left, the right
 HOLD = 6  # in the place of the other robot's leg in a contact's key
@@ -22,16 +24,21 @@ HOLD = 6  # in the place of the other robot's leg in a contact's key
 
 @compiled
 def catch_legs(robots, r, k, handedness):
-    """Tell, as a gait step of a robot begins, whether one of its legs is caught between the legs of another."""
+    """Tell, as a gait step of a robot begins, whether one of its legs is caught between the legs of another.
+
+    Legs that are spread for a block neither catch nor are caught.
+    """
     robot = robots[r]
     robot.caught_by = 0
-    if robot.active == 0:
+    if robot.active == 0 or is_blocking(robot, k):
         return
     cosine, sine = cos(robot.heading), sin(robot.heading)
     near = 2.0 * k.body_reach
     for other in range(robots.shape[0]):
         away_x, away_y = robot.x - robots[other].x, robot.y - robots[other].y
         if other == r or robots[other].active == 0 or away_x * away_x + away_y * away_y > near * near:
+            continue
+        if is_blocking(robots[other], k):
             continue
         its_cosine, its_sine = cos(robots[other].heading), sin(robots[other].heading)
         for leg in range(LEGS):

@@ -22,6 +22,8 @@ POST = np.dtype(
         ("vy", "f8"),  # [m/s]
         ("field_x", "f8"),  # [m] field frame, where it stands in this substep
         ("field_y", "f8"),  # [m] field frame
+        ("root_x", "f8"),  # [m] field frame, the other end of a leg that is spread for a block; else the same place
+        ("root_y", "f8"),  # [m] field frame
     ]
 )
 STANCE = np.dtype(
@@ -43,6 +45,8 @@ STANCE = np.dtype(
         ("caught_by", "i8"),  # as in the robot's record
         ("caught_leg", "i8"),
         ("caught_gap", "i8"),
+        ("spread", "f8"),  # [1] of its forelegs in a block, at the beginning of the control step
+        ("spread_rate", "f8"),  # [1/s] at which they spread
         ("posts", POST, (POSTS,)),
     ]
 )

@@ -51,9 +51,10 @@ from soccer_env.physics.engine.memory import (
 )
 from soccer_env.physics.engine.space import loose_posts
 from soccer_env.physics.solver.ball import look_at_ball, take_roll, touches_of_ball
+from soccer_env.physics.solver.contacts import stance_of
 from soccer_env.physics.solver.impulses import resume_posts, solve_posts
 from soccer_env.physics.solver.interlock import hold_caught
-from soccer_env.physics.solver.posts import find_post_contacts, stance_of
+from soccer_env.physics.solver.posts import find_post_contacts
 from soccer_env.physics.solver.records import SOLVER, STANCE
 from soccer_env.physics.solver.walls import meet_walls
 

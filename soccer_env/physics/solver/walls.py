@@ -10,7 +10,9 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.physics.solver.posts import add_contact, aim, contact_key, normal, place_posts, stance_of
+from soccer_env.physics.block import most_reach
+from soccer_env.physics.solver.contacts import add_contact, aim, contact_key, normal, stance_of
+from soccer_env.physics.solver.posts import place_posts
 
 WALL = 31  # in the place of the other robot's row in a contact's key
 SIDE, BACK, END, GOAL_POST = 0, 1, 2, 3  # in the place of the other robot's post
@@ -20,7 +22,7 @@ SIDE, BACK, END, GOAL_POST = 0, 1, 2, 3  # in the place of the other robot's pos
 def meet_walls(solver, k, r, x, y):
     """List the contacts of a robot's posts with what stands still; x, y [m] its place.  MS51"""
     half_width = 0.5 * k.pitch_width + k.pitch_band_side
-    reach = k.body_reach + k.pitch_board_foot
+    reach = most_reach(k) + k.pitch_board_foot
     if abs(x) + reach < 0.5 * k.pitch_length and abs(y) + reach < half_width:
         return
     place_posts(solver, k, stance_of(solver, r))
