@@ -10,6 +10,7 @@ MEMORY, TALK, WORDS = (
     "soccer_env/ball_words.py",
 )
 GAIT, TEST_GAIT = "soccer_env/physics/gait.py", "tests/physics/test_gait.py::"
+TEST_BLOCK = "tests/physics/test_block.py::"
 INTERLOCK, TEST_INTERLOCK = "soccer_env/physics/solver/interlock.py", "tests/physics/test_interlock.py::"
 TEST_SWING = (
     "tests/physics/test_blow_energy.py::test_ms51_a_paw_that_swings_hits_the_ball_at_twice_the_speed_of_the_walk"
@@ -158,6 +159,27 @@ MUTANTS = [
         "contact.surface_x = -vx",
         "contact.surface_x = 0.0",
         TEST_SWING,
+    ),
+    Mutant(
+        "MS53",
+        "soccer_env/physics/solver/posts.py",
+        "share = share_along(x, y, leg_x, leg_y)",
+        "share = 0.0",
+        TEST_BLOCK + "test_ms53_spread_legs_stop_a_ball_as_far_aside_as_they_reach_and_none_a_centimetre_farther",
+    ),
+    Mutant(
+        "MS53",
+        "soccer_env/physics/block.py",
+        "robot.keeper == 1",
+        "robot.keeper < 2",
+        TEST_BLOCK + "test_ms53_only_a_goalkeeper_blocks_and_only_a_ball_out_of_its_kickers_reach",
+    ),
+    Mutant(
+        "MS53",
+        "soccer_env/physics/block.py",
+        "side = handedness if leg == 0 else -handedness\n    return spread * (k.block_paw_x",
+        "side = 1.0 if leg == 0 else -1.0\n    return spread * (k.block_paw_x",
+        TEST_BLOCK + "test_ms53_a_mirrored_block_is_the_mirror_of_a_block",
     ),
     Mutant(
         "MS51",

@@ -75,6 +75,20 @@ MUTANTS = [
     ),
     Mutant(
         "MS53",
+        GOALKEEPER,
+        "abs(aside) < reach",
+        "True",
+        TEST + "test_ms53_the_goalkeeper_blocks_what_passes_within_the_reach_of_its_legs",
+    ),
+    Mutant(
+        "MS53",
+        GOALKEEPER,
+        "-ball.radial if play.keeper_speed == 1 else FAST",
+        "FAST",
+        TEST + "test_ms53_the_goalkeeper_blocks_so_that_the_ball_comes_while_its_legs_are_spread",
+    ),
+    Mutant(
+        "MS53",
         PLANNER,
         "play.passes == 1",
         "play.passes == 2",

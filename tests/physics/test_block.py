@@ -115,9 +115,9 @@ def test_without_the_block_the_same_balls_pass():
     assert (rolled(aside, blocks=False).balls["vy"] == 0.0).all()
 
 
-@pytest.mark.parametrize("share", [0.25, 0.5, 0.75])
+@pytest.mark.parametrize("share", [0.5, 0.7, 0.9])
 def test_a_ball_bounces_off_a_leg_as_off_a_slanting_wall(share):
-    """A leg is a straight line from shoulder to paw: a ball leaves it by the law of reflection, slowed by elasticity."""
+    """A leg is a straight line from shoulder to paw: a ball leaves it by the law of reflection."""
     along = np.array([BLOCK.paw_x - BLOCK.shoulder_x, BLOCK.paw_y - BLOCK.shoulder_y])
     nx, ny = np.array([along[1], -along[0]]) / np.hypot(*along)
     aside = BLOCK.shoulder_y + share * along[1] + ny * (BODY.tip_radius + BALL.radius)
@@ -170,21 +170,20 @@ def test_ms53_a_blocked_ball_is_touched_and_lies_off_the_leg():
 
 
 def test_a_robot_that_walks_into_a_spread_leg_is_stopped_by_it():
-    league = LEAGUE
-    match = stage(league, 2)
+    """One that would walk past beside the goalkeeper; the other match shows it without the block."""
+    match = stage(LEAGUE, 2)
     put(match, 0, 0.0, 0.0, 0.0)
-    put(match, 1, 0.45, 0.13, np.pi)
+    put(match, 1, 0.275, 0.2, np.pi)
     put_ball(match, 5.0, 0.0)
     match.robots["keeper"][:, 0] = 1
     match.rebuild()
-    met = False
-    for _ in range(steps_in(match, 8.0)):
+    for _ in range(steps_in(match, 1.0)):
         actions = asking(match, r=1, forward=1.0)
         actions[0, 0, 3] = 1.0
         match.step(actions)
-        met |= bool(match.robot_events["collision"][0].all()) and spread(match)[0] == 1.0
-    assert met, "the two collide at the leg"
-    assert match.robots["x"][0, 1] > match.robots["x"][1, 1] + 0.03
+    assert match.robot_events["collision"].tolist() == [[1, 1], [0, 0]]
+    stopped, free = match.robots["x"][:, 1]
+    assert stopped > free + 0.015
 
 
 def test_ms53_a_mirrored_block_is_the_mirror_of_a_block():

@@ -19,6 +19,7 @@ class Mind:
     """One player, its beliefs and its memory; `think` lets it decide for a time, the beliefs unchanged."""
 
     def __init__(self, **settings: Any) -> None:
+        self.league = LEAGUE
         self.team = make_team("sacks-2001", **settings)
         self.beliefs = np.zeros((1, 1), BELIEF)
         self.tracks = np.zeros((1, 1, LEAGUE.slots.teammates + LEAGUE.slots.opponents), TRACK)
@@ -55,5 +56,5 @@ class Mind:
     def think(self, seconds: float = 1.0 / RATE) -> np.ndarray:
         """Return the commands (T, 7) of a time: forward, left, turn, kick, head, pan, tilt."""
         steps = max(1, round(seconds * RATE))
-        view = View(LEAGUE, self.beliefs, self.tracks)
+        view = View(self.league, self.beliefs, self.tracks)
         return np.array([self.team.act(view, self._memory, self._rng)[0, 0] for _ in range(steps)])

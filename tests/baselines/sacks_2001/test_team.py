@@ -7,6 +7,7 @@ import pytest
 
 from soccer_env import Match, make_team
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, GUARD, ORBIT, PASS, SEARCH, SHOOT
+from soccer_env.leagues import find_league
 from tests.scenes.sacks_mind import LEAGUE, Mind
 
 FORWARD, LEFT, TURN, KICK = range(4)
@@ -163,6 +164,48 @@ def test_ms53_the_goalkeeper_steps_to_where_the_ball_will_pass() -> None:
     assert mind.think()[-1, LEFT] > 0.5
     assert bearing.think()[-1, LEFT] == 0.0
     assert mind.memory["behaviour"] == bearing.memory["behaviour"] == GUARD
+
+
+BLOCKING = find_league("legged-2001-block")
+
+
+def shot_at(distance: float, aside: float, speed: float = 0.6, **settings: Any) -> bool:
+    """Tell whether a goalkeeper asks for a block for a ball that comes and will pass so far to its left [m]."""
+    mind = keeper(**{"keeper_blocks": True, "keeper_speed": True, **settings})
+    mind.league = BLOCKING
+    mind.see_ball(distance)
+    mind.belief["ball"]["vx"] = -speed
+    across = aside * speed / distance
+    mind.belief["ball"]["angular"] = across / distance
+    mind.belief["ball"]["radial"] = -np.sqrt(speed**2 - across**2)
+    return bool(mind.think()[-1, KICK] > 0.0)
+
+
+def test_ms53_the_goalkeeper_blocks_what_passes_within_the_reach_of_its_legs() -> None:
+    """MS53: where the ball will pass follows from its angular velocity; without it the bearing says that it comes."""
+    block = BLOCKING.block
+    reach = block.paw_y + BLOCKING.body.tip_radius + BLOCKING.ball.radius
+    for side in (1.0, -1.0):
+        assert shot_at(0.5, side * (reach - 0.01)) and not shot_at(0.5, side * (reach + 0.01))
+        assert shot_at(0.5, side * (reach + 0.01), angular_keeper=False)
+    assert not shot_at(0.5, 0.0, keeper_blocks=False)
+
+
+def test_ms53_the_goalkeeper_blocks_so_that_the_ball_comes_while_its_legs_are_spread() -> None:
+    """MS53: by the time in which it comes; by its distance alone where reactions do not depend on its speed."""
+    block = BLOCKING.block
+    time = block.raise_time + 0.5 * block.hold_time
+    for speed in (0.65, 0.95):
+        far = block.paw_x + speed * time
+        assert shot_at(far - 0.01, 0.0, speed) and not shot_at(far + 0.01, 0.0, speed)
+    assert shot_at(block.paw_x + 0.59 * time, 0.0, 0.4, keeper_speed=False)
+    assert not shot_at(block.paw_x + 0.61 * time, 0.0, 0.9, keeper_speed=False)
+
+
+def test_in_a_league_without_a_block_the_goalkeeper_asks_for_none() -> None:
+    mind = keeper(keeper_blocks=True)
+    mind.see_ball(0.4, radial=-0.8)
+    assert mind.think()[-1, KICK] == 0.0
 
 
 def before_a_wall(**settings: Any) -> Mind:

@@ -145,8 +145,8 @@ S67 = Claim(
     note="A shot is on its way for one to three seconds, and the velocity comes each 1/3 s with turns of the body in "
     "it. The block is the same to both sides, so that the angular velocity only tells whether a ball passes within its "
     "reach of 23 cm; a motion to one side, which would have to know the side, has no reach that a source gives.",
-    changed="before, with a goalkeeper that could only step aside, at 8 cm/s: -3.52 % (-6.64 to -1.17), not; and before "
-    "that with a goalkeeper right on the line from ball to goal, where it saved 92 to 96 % whatever it did",
+    changed="before, with a goalkeeper that could only step aside: -3.52 % (-6.64 to -1.17), not; and before that "
+    "with a goalkeeper right on the line from ball to goal, where it saved 92 to 96 % whatever it did",
     seconds=3.0,
     least=4,
     batches=20,
