@@ -170,6 +170,20 @@ MUTANTS = [
     Mutant(
         "MS53",
         "soccer_env/physics/block.py",
+        "left = robot.kick_clock - later",
+        "left = k.block_recover_time",
+        TEST_BLOCK + "test_ms53_a_block_takes_the_time_of_its_joints_and_stands_for_as_long_as_the_league_says",
+    ),
+    Mutant(
+        "MS53",
+        "soccer_env/physics/block.py",
+        "length(x - share * leg_x, y - share * leg_y)",
+        "length(x, y)",
+        TEST_BLOCK + "test_ms53_a_blocked_ball_is_touched_and_lies_off_the_leg",
+    ),
+    Mutant(
+        "MS53",
+        "soccer_env/physics/block.py",
         "robot.keeper == 1",
         "robot.keeper < 2",
         TEST_BLOCK + "test_ms53_only_a_goalkeeper_blocks_and_only_a_ball_out_of_its_kickers_reach",
@@ -177,9 +191,10 @@ MUTANTS = [
     Mutant(
         "MS53",
         "soccer_env/physics/block.py",
-        "side = handedness if leg == 0 else -handedness\n    return spread * (k.block_paw_x",
-        "side = 1.0 if leg == 0 else -1.0\n    return spread * (k.block_paw_x",
+        "side = handedness if leg == 0 else -handedness",
+        "side = 1.0 if leg == 0 else -1.0",
         TEST_BLOCK + "test_ms53_a_mirrored_block_is_the_mirror_of_a_block",
+        where="paw_out",
     ),
     Mutant(
         "MS51",
