@@ -120,7 +120,7 @@ class LeggedMemory(PoseMemory):
     under_head_tilt: float = 55.0 * DEGREE  # [rad] down to the ball from where that holds, assumed
     infrared_override: bool = True  # the ranger wins below a share of the size range  MS12
     infrared_share: float = 2.0 / 3.0  # [1] Sacks 2001, 3.1.1
-    centred: float = 3.0 * DEGREE  # [rad] beside the blob's edge at which the beam still counts as on it, assumed
+    centred: float = 0.0  # [rad] off the blob at which it is still "in the center of the camera image", 3.1.1  MS12
     horizon: bool = True  # what lies much above the horizontal is no ball  MS13
     horizon_angle: float = 5.0 * DEGREE  # [rad] "much above", assumed
     double_area: bool = True  # a larger least area after a near sighting  MS14

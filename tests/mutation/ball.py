@@ -89,6 +89,13 @@ MUTANTS = [
         TEST_BLOB + "test_ms12_the_beam_must_be_on_the_ball",
     ),
     Mutant(
+        "MS12",
+        "soccer_env/leagues/legged_sensors.py",
+        "centred: float = 0.0 ",
+        "centred: float = 0.05 ",
+        TEST_BLOB + "test_ms12_the_beam_must_be_on_the_ball",
+    ),
+    Mutant(
         "MS13",
         BLOB,
         "elevation > w.horizon_angle",

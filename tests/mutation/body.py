@@ -30,7 +30,7 @@ MUTANTS = [
     Mutant(
         "MS01",
         MEMORY,
-        "choose_gaze(percept, belief, memory.head, gaze, k, s, w)",
+        "choose_gaze(percept, belief, np.float64(memory.ball.height), memory.head, gaze, k, s, w)",
         "pass",
         TEST_FILLED,
     ),
@@ -103,6 +103,20 @@ MUTANTS = [
         "asin(clip(s.camera_up / away, -1.0, 1.0))",
         "0.0 * asin(clip(s.camera_up / away, -1.0, 1.0))",
         TEST_HEAD + "test_ms07_the_believed_ball_is_put_at_the_centre_of_the_picture",
+    ),
+    Mutant(
+        "MS07",
+        HEAD,
+        "height if ball.age == 0.0 else k.ball_radius",
+        "k.ball_radius",
+        TEST_HEAD + "test_ms07_a_blob_comes_to_the_middle_of_the_picture_however_far_it_seems",
+    ),
+    Mutant(
+        "MS07",
+        HEAD,
+        "height if ball.age == 0.0 else k.ball_radius",
+        "height",
+        TEST_HEAD + "test_a_ball_that_was_seen_a_moment_ago_is_still_looked_at",
     ),
     Mutant(
         "MS07",

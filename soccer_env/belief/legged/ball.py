@@ -48,6 +48,7 @@ BALL_MEMORY = np.dtype(
         ("seen", "i4"),  # frame of the last sighting
         ("x", "f4"),  # [m] robot frame: the last sighting, moved by odometry since
         ("y", "f4"),  # [m]
+        ("height", "f4"),  # [m] over the ground of the line of sight to it, there: the radius, if the range is right
         ("filtered_x", "f4"),  # [m] mean of the recent sightings, moved by odometry since
         ("filtered_y", "f4"),  # [m]
         ("recent", BALL_SIGHTING, (AVERAGED_MOST,)),  # newest first
@@ -76,8 +77,9 @@ def believe_ball(percept, own, ball, memory, k, s, w, table):
     if body.active == 1 and body.upright == 1:
         index = choose_blob(percept, was_near(memory, frame, k, w), s, w)
         if index >= 0:
-            x, y = place_of_ball(percept, percept.ball[index], k, s, w, table)
+            x, y, height = place_of_ball(percept, percept.ball[index], k, s, w, table)
             remember_sighting(memory, x, y, frame, w)
+            memory.height = height
     fill_belief(ball, memory, frame, k, w)
     update_velocity(ball, memory, frame, k.dt, w)
 

@@ -67,10 +67,10 @@ def middle_of(blob):
 
 @compiled
 def place_of_ball(percept, blob, k, s, w, table):
-    """Return x, y [m], robot frame, of the ball that a blob shows.
+    """Return x, y [m], robot frame, of the ball that a blob shows, and how high the line of sight to it passes there.
 
     The direction is head angles plus place in the picture (MS08). Its range counts from the camera, which the neck
-    carries about, and is brought to the body's origin here.
+    carries about, and is brought to the body's origin here. The height [m] is the ball's radius if the range is right.
     """
     pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
     u, v = middle_of(blob)
@@ -80,7 +80,7 @@ def place_of_ball(percept, blob, k, s, w, table):
         away = range_under_head(height, elevation, k)
     else:
         away = range_ahead(percept, blob, elevation, k, s, w, table)
-    return ahead + away * cos(bearing), left + away * sin(bearing)
+    return ahead + away * cos(bearing), left + away * sin(bearing), height + away * tan(elevation)
 
 
 @compiled
@@ -133,7 +133,7 @@ def read_table(ranges, size):
 
 @compiled
 def beam_is_on(blob, s, w):
-    """Tell whether the camera's axis, along which the ranger measures, passes within `centred` of a blob.  MS12"""
+    """Tell whether the axis, along which the ranger measures, meets a blob or passes within `centred` of it.  MS12"""
     edge = tan(w.centred)
     aside, above = edge * focal_x(s), edge * focal_y(s)
     return blob.right - aside <= 0.0 <= blob.left + aside and blob.low - above <= 0.0 <= blob.high + above

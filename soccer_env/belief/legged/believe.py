@@ -35,7 +35,7 @@ def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scrat
     believe_ball(percept, belief.own, belief.ball, memory.ball, k, s, w, table)
     believe_players(percept, belief.own, tracks, memory.players, k, s, w, table)
     believe_obstacle(percept, belief, tracks, k, s, w)
-    choose_gaze(percept, belief, memory.head, gaze, k, s, w)
+    choose_gaze(percept, belief, np.float64(memory.ball.height), memory.head, gaze, k, s, w)
 
 
 believe_slice = believe_kernel(make_scratch, believe_robot, exchange)

@@ -1,4 +1,4 @@
-"""Where the head looks by itself: at the ball while it is seen, else in search of it.  [Sacks 2001, 3]  MS07
+"""Where the head looks by itself: at the ball's blob while it is seen, else in search of it.  [Sacks 2001, 3]  MS07
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
@@ -32,12 +32,16 @@ HEAD_MEMORY = np.dtype(
 
 
 @compiled
-def choose_gaze(percept, belief, memory, gaze, k, s, w):
-    """Choose pan and tilt [rad] for the next step: at the believed ball, or in search of it.  [Sacks 2001, 3]  MS07
+def choose_gaze(percept, belief, height, memory, gaze, k, s, w):
+    """Choose pan and tilt [rad] for the next step: at the ball, or in search of it.  [Sacks 2001, 3]  MS07
 
-    A ball that was seen less than w.search_after ago is looked at where it is believed to be in the next picture, if
-    the robot moves on as it did in the last frame: otherwise the head would lag behind a turning body. A search goes on
-    where it was after a mere glimpse: a patch that is taken for the ball now and then must not keep it from the feet.
+    A ball in the picture is brought to its middle: the head is turned to a point on the line of sight to the blob,
+    `height` [m] over the ground at the believed distance. That is not the place on the ground that the ball is believed
+    to lie at: a half-hidden ball seems too far away, and who looks there looks over it. One that is no longer seen is
+    looked at where it is remembered, on the ground, for w.search_after. Either is taken to be where it will be in the
+    next picture if the robot moves on as it did in the last frame: otherwise the head would lag behind a turning body.
+    A search goes on where it was after a mere glimpse: a patch that is taken for the ball now and then must not keep it
+    from the feet.
     """
     ball = belief.ball
     if percept.body.pose == POSE_TOLD:  # the robot was carried: a search begins anew
@@ -53,7 +57,8 @@ def choose_gaze(percept, belief, memory, gaze, k, s, w):
             body = percept.body
             forward, aside, turn = motion_of(body)
             ahead, left = move_point(ahead, left, forward, aside, turn)
-        pan, tilt = gaze_at_point(ahead, left, k.ball_radius, s)
+        up = height if ball.age == 0.0 else k.ball_radius
+        pan, tilt = gaze_at_point(ahead, left, up, s)
     else:
         pan, tilt = search(ball, memory, np.float64(percept.body.handedness), k, w)
     gaze.pan = clip(pan, -k.head_pan_limit, k.head_pan_limit)

@@ -101,9 +101,9 @@ class Watcher:
         believe(percepts, self.beliefs, self.memories, self.constants, self.sensors, self.settings, self.tables)
         return self.ball
 
-    def see(self, x: float, y: float, **frame: Any) -> np.void:
-        """Believe a frame in which the ball lies at x, y [m], robot frame, after the motion."""
-        return self.look(self.blob(x, y), **frame)
+    def see(self, x: float, y: float, share: tuple[float, float] = (1.0, 1.0), **frame: Any) -> np.void:
+        """Believe a frame in which the ball lies at x, y [m], robot frame, after the motion; `share` of it shows."""
+        return self.look(self.blob(x, y, share), **frame)
 
     def miss(self, **frame: Any) -> np.void:
         """Believe a frame without a ball."""

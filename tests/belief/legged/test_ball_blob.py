@@ -146,10 +146,10 @@ def test_ms12_a_reading_above_two_thirds_changes_nothing() -> None:
 
 @pytest.mark.parametrize("aside", [-1, 1])
 def test_ms12_the_beam_must_be_on_the_ball(aside: int) -> None:
-    """MS12: within 3 degrees beside the blob counts, farther off the reading is of something else."""
+    """MS12: a reading beside the blob, "in the center of the camera image" or not, is of something else."""
     robot = Watcher()
     robot.head = 0.0, -0.3
-    for degrees, wins in ((2.5, True), (3.5, False)):
+    for degrees, wins in ((-0.1, True), (0.1, False), (2.5, False)):
         gap = round(robot.focal[0] * tan(radians(degrees)))
         left, right = (gap + 200, gap) if aside > 0 else (-gap, -gap - 200)
         robot.look((left, right, 100, -100, 9999), infrared=0.3)

@@ -16,6 +16,7 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.optics.head_camera import camera_place
 from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.types import BELIEF, GAZE
+from tests.belief.legged.staged_ball import Watcher
 from tests.scenes.projection import pixel_of_direction
 from tests.scenes.staging import LEGGED, asking, put, put_ball, stage, steady
 
@@ -26,9 +27,9 @@ PERIOD = LEAGUE.memory.search_period
 
 
 @compiled
-def choose(percepts, beliefs, memories, gazes, constants, sensors, settings):  # type: ignore[no-untyped-def]
+def choose(percepts, beliefs, height, memories, gazes, constants, sensors, settings):  # type: ignore[no-untyped-def]
     for i in range(beliefs.shape[0]):
-        choose_gaze(percepts[i], beliefs[i], memories[i], gazes[i], constants[0], sensors[0], settings[0])
+        choose_gaze(percepts[i], beliefs[i], height, memories[i], gazes[i], constants[0], sensors[0], settings[0])
 
 
 class Head:
@@ -40,6 +41,7 @@ class Head:
         self.percepts["body"]["handedness"] = hand
         self.settings = LEAGUE.memory.changed(memory).record()
         self.ball = self.beliefs["ball"]
+        self.height = RADIUS  # [m] of the line of sight to the blob at the ball's believed distance
 
     def believe(self, distance: float, bearing: float, age: float = 0.0, confidence: float = 100.0) -> None:
         """Set the belief about the ball."""
@@ -49,7 +51,7 @@ class Head:
     def gaze(self) -> tuple[float, float]:
         """Return the pan and tilt of the next frame [rad]."""
         choose(
-            self.percepts, self.beliefs, self.memories, self.gazes,
+            self.percepts, self.beliefs, self.height, self.memories, self.gazes,
             constants_of(LEAGUE), LEAGUE.sensors.record(), self.settings,
         )  # fmt: skip
         return float(self.gazes["pan"][0]), float(self.gazes["tilt"][0])
@@ -92,7 +94,25 @@ def test_the_gaze_stays_within_the_joint_limits(distance: float, bearing: float)
 def test_a_ball_that_was_seen_a_moment_ago_is_still_looked_at() -> None:
     head = Head()
     head.believe(0.6, 0.4, age=0.9, confidence=91.0)
+    head.height = 0.3  # of the line along which it was seen: where it lies now only the ground tells
     assert off_centre(*head.gaze(), 0.6 * cos(0.4), 0.6 * sin(0.4)) < 1e-6
+
+
+@pytest.mark.parametrize("share", [(1.0, 1.0), (0.4, 0.4), (0.2, 0.2)])
+@pytest.mark.parametrize(("x", "y"), [(0.35, 0.0), (0.5, -0.2), (0.7, 0.4)])
+def test_ms07_a_blob_comes_to_the_middle_of_the_picture_however_far_it_seems(
+    x: float, y: float, share: tuple[float, float]
+) -> None:
+    """MS07: a ball of which a fifth is seen in width and height seems five times as far away; its blob is centred."""
+    head, eye = Head(), Watcher(averaged=1, infrared_override=False, under_head=False)
+    for _ in range(4):  # the camera moves with the head, so that the first turn only comes near
+        eye.see(x, y, share=share)
+        head.believe(eye.ball["distance"], eye.ball["bearing"])
+        head.height = float(eye.memories["height"][0])
+        eye.head = head.gaze()
+    u, v, *_ = eye.project(x, y)
+    assert abs(u) < 0.01 * eye.focal[0] and abs(v) < 0.01 * eye.focal[1]  # half a degree
+    assert eye.ball["distance"] > 0.9 * np.hypot(x, y) / share[0] * (1.0 if share[0] == 1.0 else 0.6)
 
 
 # Searching
