@@ -41,7 +41,6 @@ BODY_PERCEPT = np.dtype(
         ("forward", "f4"),  # [m] odometry: own displacement since the last frame, in the last frame's axes
         ("left", "f4"),  # [m]
         ("turn", "f4"),  # [rad]
-        ("touch", "i1"),  # 1: a touch sensor or bumper is pressed
         ("upright", "i1"),  # 0: the accelerometer says that the robot lies on its side  MS06
         ("held", "i1"),  # 1: the light barrier at the kicker is broken (middle size)
         ("kicked", "i1"),  # 1: the kicker fired in this frame
@@ -53,9 +52,19 @@ BODY_PERCEPT = np.dtype(
     ]
 )
 
+TOUCH = np.dtype(
+    [  # switches of a legged robot  [Sacks 2001, 1]  MS06
+        ("head", "i1"),  # 1: the one on the head is pressed
+        ("chin", "i1"),  # 1: the one under the chin
+        ("back", "i1"),  # 1: the one on the back
+        ("feet", "i1"),  # how many of the four under the paws are: those of paws that stand
+    ]
+)
+
 LEGGED_PERCEPT = np.dtype(
     [
         ("body", BODY_PERCEPT),
+        ("touch", TOUCH),
         ("pan", "f4"),  # [rad] joint angles at the moment of the picture, left positive
         ("tilt", "f4"),  # [rad] up positive
         ("infrared", "f4"),  # [m] range along the camera's axis; 0: no valid reading  MS05

@@ -32,7 +32,8 @@ from soccer_env.geometry import into_frame, out_of_frame, wrap
 from soccer_env.percept_types import POSE_SENSED, POSE_TOLD
 
 SURE = 100.0  # confidence of a pose that is given
-HELD = 0.3  # [1] share of the particles that do not move with the odometry while something is touched, assumed
+HELD = 0.3  # [1] share of the particles that do not move with the odometry while others are near, assumed
+RECENT = 1.0  # [s] unseen after which a player that was near may have gone, assumed
 PATIENCE = 4  # [1] times `pose_every` without anything to see after which the particles move all the same, assumed
 
 POSE_MEMORY = np.dtype(
@@ -42,7 +43,7 @@ POSE_MEMORY = np.dtype(
         ("turn", "f8"),  # [rad]
         ("path", "f8"),  # [m] length of the way
         ("turned", "f8"),  # [rad] sum of the turns to either side
-        ("touched", "f8"),  # [s] of touching something
+        ("crowded", "f8"),  # [s] with a player so near that the two may touch
         ("fast", "f8"),  # [0, 1] short-term average of the fit of the particles to what is seen
         ("slow", "f8"),  # [0, 1] long-term average
         ("frames", "i4"),  # since the particles were moved
@@ -52,8 +53,24 @@ POSE_MEMORY = np.dtype(
 
 
 @compiled
-def particles_are_due(body, own, memory, particles, noise, k, s, w):
-    """Bring the own pose up to what the robot feels or is told; return whether its particles are due."""
+def is_crowded(tracks, k):
+    """Return 1 if another player is believed so near that the two may touch, else 0.
+
+    No sensor feels that a robot is pushed or held (MS06); that somebody stands there to do it can be seen.
+    """
+    for i in range(tracks.shape[0]):
+        track = tracks[i]
+        if track.present == 1 and track.age <= RECENT and track.distance < 2.0 * k.body_reach:
+            return 1
+    return 0
+
+
+@compiled
+def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
+    """Bring the own pose up to what the robot feels or is told; return whether its particles are due.
+
+    crowded: 1 while another player may be pushing or holding the robot, who cannot feel it.
+    """
     forward, left, turn = motion_of(body)
     own.forward, own.left, own.turn = forward / k.dt, left / k.dt, turn / k.dt
     if body.pose == POSE_SENSED or body.pose == POSE_TOLD:
@@ -81,13 +98,13 @@ def particles_are_due(body, own, memory, particles, noise, k, s, w):
         half_length, half_width = field_of(k)
         scatter_particles(particles, half_length, half_width, noise, np.float64(body.handedness))
         memory.begun = 1
-    add_motion(memory, forward, left, turn, k.dt if body.touch == 1 else 0.0)
+    add_motion(memory, forward, left, turn, crowded * k.dt)
     return memory.frames >= w.pose_every
 
 
 @compiled
-def add_motion(memory, forward, left, turn, touched):
-    """Add a frame's odometry [m, m, rad], and how long something was touched [s], since the particles were moved."""
+def add_motion(memory, forward, left, turn, crowded):
+    """Add a frame's odometry [m, m, rad], and how long others were near [s], since the particles were moved."""
     cosine, sine = cos(memory.turn), sin(memory.turn)
     ahead, aside = out_of_frame(forward, left, cosine, sine)
     memory.ahead += ahead
@@ -95,14 +112,14 @@ def add_motion(memory, forward, left, turn, touched):
     memory.turn += turn
     memory.path += sqrt(forward * forward + left * left)
     memory.turned += abs(turn)
-    memory.touched += touched
+    memory.crowded += crowded
     memory.frames += 1
 
 
 @compiled
 def forget_motion(memory):
     """Begin to add up the odometry anew."""
-    memory.ahead = memory.left = memory.turn = memory.path = memory.turned = memory.touched = 0.0
+    memory.ahead = memory.left = memory.turn = memory.path = memory.turned = memory.crowded = 0.0
     memory.frames = 0
 
 
@@ -110,15 +127,15 @@ def forget_motion(memory):
 def motion_since(memory, k, w):
     """Return the motion since the particles were moved, as `move_particle` wants it, and begin anew.
 
-    Its deviations grow with the way (feet and wheels slip), with time, and most of all while something is touched:
+    Its deviations grow with the way (feet and wheels slip), with time, and most of all while another player is near:
     legs and wheels do not feel that the body is pushed, turned or held.
     """
     cosine, sine = cos(memory.turn), sin(memory.turn)
     ahead, left = into_frame(memory.ahead, memory.left, cosine, sine)
     turn, passed = memory.turn, sqrt(memory.frames * k.dt)
-    spread = w.pose_slip * memory.path + w.pose_drift * passed + w.pose_push * memory.touched
-    turn_spread = w.pose_slip * memory.turned + w.pose_turn_drift * passed + w.pose_push_turn * memory.touched
-    stuck = w.pose_stuck if memory.touched == 0.0 else HELD
+    spread = w.pose_slip * memory.path + w.pose_drift * passed + w.pose_push * memory.crowded
+    turn_spread = w.pose_slip * memory.turned + w.pose_turn_drift * passed + w.pose_push_turn * memory.crowded
+    stuck = w.pose_stuck if memory.crowded == 0.0 else HELD
     forget_motion(memory)
     return ahead, left, turn, spread, turn_spread, stuck
 

@@ -31,7 +31,7 @@ class PoseMemory(Options):
     pose_stuck: float  # [1] share of particles that stay behind: a held robot walks on the spot, assumed
     pose_drift: float  # [m/s^0.5] sd that time adds: pushes are not felt, assumed
     pose_turn_drift: float  # [rad/s^0.5] the same
-    pose_push: float  # [m/s] sd that touching something adds, assumed
+    pose_push: float  # [m/s] sd that another player adds who is near enough to push, assumed
     pose_push_turn: float  # [rad/s] the same
     pose_radius: float  # [m] within which particles are one cluster, assumed
     pose_angle: float = 0.50  # [rad] the same

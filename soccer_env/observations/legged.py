@@ -22,6 +22,13 @@ RANGER = of_group(
     Entry("infrared_valid", "1: the infrared ranger gave a reading", "1", NONE),
     Entry("infrared", "its range", "its greatest valid range", NONE),
 )
+TOUCH = of_group(
+    "touch sensors",
+    Entry("touch_head", "1: the switch on the head is pressed", "1", NONE),
+    Entry("touch_chin", "1: the one under the chin", "1", NONE),
+    Entry("touch_back", "1: the one on the back", "1", NONE),
+    Entry("touch_feet", "paws that stand", "4", NONE),
+)
 BLOB = (
     Entry("seen", "1: there is such a blob; else its entries are 0", "1", NONE),
     Entry("x", "middle of the blob, to the left", "half the picture's width", CAMERA, Y),
@@ -31,14 +38,14 @@ BLOB = (
 )
 LANDMARK = tuple(replace(entry, frame=CAMERA, axis=SIDE) for entry in BLOB)  # some stand left, some right of the field
 COLOURS = ("ball", "teammates", "opponents", "own_goal", "opponent_goal")
-RANGER_ROW, BLOB_ROW = record_of(RANGER), record_of(BLOB)  # what the writers below fill
-RANGER_SIZE, BLOB_SIZE = len(RANGER), len(BLOB)
+RANGER_ROW, TOUCH_ROW, BLOB_ROW = record_of(RANGER), record_of(TOUCH), record_of(BLOB)  # what the writers below fill
+RANGER_SIZE, TOUCH_SIZE, BLOB_SIZE = len(RANGER), len(TOUCH), len(BLOB)
 
 
 def entries(league: League) -> list[Entry]:
     """Return the entries of a legged robot's observation, in order; the same in every league."""
     blobs = [entry for colour in COLOURS for entry in things(colour, BLOBS, BLOB)]
-    return [*BODY, *RANGER, *blobs, *things("landmarks", LANDMARKS, LANDMARK), *GAME]
+    return [*BODY, *RANGER, *TOUCH, *blobs, *things("landmarks", LANDMARKS, LANDMARK), *GAME]
 
 
 @compiled
@@ -50,7 +57,9 @@ def observe_slice(percepts, beliefs, robots, observations, constants, sensors, h
             percept, observation = percepts[m, r], observations[m, r]
             write_body(percept.body, robots[m, r], part(observation, 0, BODY_ROW), k)
             write_ranger(percept, part(observation, BODY_SIZE, RANGER_ROW), s)
-            at = write_blobs(percept.ball, observation, s, BODY_SIZE + RANGER_SIZE)
+            at = BODY_SIZE + RANGER_SIZE
+            write_touch(percept.touch, part(observation, at, TOUCH_ROW))
+            at = write_blobs(percept.ball, observation, s, at + TOUCH_SIZE)
             at = write_blobs(percept.teammates, observation, s, at)
             at = write_blobs(percept.opponents, observation, s, at)
             at = write_blobs(percept.own_goal, observation, s, at)
@@ -64,6 +73,13 @@ def write_ranger(percept, row, s):
     """Write what the infrared ranger says."""
     row.infrared_valid = 1.0 if percept.infrared > 0.0 else 0.0
     row.infrared = clip(percept.infrared / s.infrared_far, 0.0, 1.0)
+
+
+@compiled
+def write_touch(touch, row):
+    """Write which touch sensors are pressed."""
+    row.touch_head, row.touch_chin, row.touch_back = touch.head, touch.chin, touch.back
+    row.touch_feet = 0.25 * touch.feet
 
 
 @compiled

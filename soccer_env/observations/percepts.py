@@ -33,7 +33,6 @@ BODY = (
     *JOINTS,
     *of_group(
         "own body",
-        Entry("touch", "1: a touch sensor is pressed", "1", NONE),
         Entry("held", "1: the light barrier at the kicker is broken (middle size)", "1", NONE),
     ),
     *DUTY,
@@ -54,6 +53,6 @@ def write_body(body, robot, row, k):
     row.odometry_left = clip(body.left / (k.drive_forward * k.dt), -1.0, 1.0)
     row.odometry_turn = clip(body.turn / (k.drive_turn * k.dt), -1.0, 1.0)
     write_joints(robot, row, k)
-    row.touch, row.held = body.touch, body.held
+    row.held = body.held
     write_duty(body.upright, body.active, robot.keeper, row)
     write_command(robot, row)

@@ -1,4 +1,7 @@
-"""What a robot feels of itself: odometry, touch, the accelerometer, and a pose that it is given.  MS06
+"""What a robot feels of itself: odometry, the accelerometer, its kicker, and a pose that it is given.  MS06
+
+Nobody feels contacts: a legged robot's touch sensors are elsewhere (legged/touch.py), and Heinemann et al. 2006 tell of
+none.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
@@ -25,7 +28,6 @@ def sense_body(match, robot, events, body, pose_error, k, s, pose_sensed):
     body.frame = match.step
     body.handedness = match.handedness
     body.active = robot.active
-    body.touch = 1 if events.touch == 1 or events.collision == 1 else 0
     body.upright = 0 if robot.fallen > 0.0 else 1
     body.kicked = events.kick
     body.held = 0

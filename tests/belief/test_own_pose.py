@@ -14,9 +14,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from soccer_env.belief.own_pose import POSE_MEMORY, add_motion, motion_since
+from soccer_env.belief.own_pose import POSE_MEMORY, add_motion, is_crowded, motion_since
+from soccer_env.compiled import compiled
 from soccer_env.percept_types import POSE_SENSED
-from soccer_env.types import OWN_POSE
+from soccer_env.types import OWN_POSE, TRACK
 from tests.scenes.pose_worlds import World, believe_all
 from tests.scenes.staging import LEGGED, MIDDLE, each_league
 
@@ -115,15 +116,32 @@ def test_confidence_falls_when_what_is_seen_disagrees_and_comes_back(name: str) 
 
 
 @each_league
-def test_odometry_is_trusted_less_the_farther_the_way_and_while_something_is_touched(name: str) -> None:
+def test_odometry_is_trusted_less_the_farther_the_way_and_while_others_are_near(name: str) -> None:
     world, memory = World(name), np.zeros(1, POSE_MEMORY)
     spreads = []
-    for forward, touched in ((0.0, 0.0), (0.2, 0.0), (0.0, 0.2)):
-        add_motion(memory[0], forward, 0.0, 0.0, touched)
+    for forward, crowded in ((0.0, 0.0), (0.2, 0.0), (0.0, 0.2)):
+        add_motion(memory[0], forward, 0.0, 0.0, crowded)
         spreads.append(motion_since(memory[0], world.k[0], world.w[0])[3:])
-    (still, still_turn, few), (walking, _, _), (touching, touching_turn, many) = spreads
-    assert still < walking and still < touching and still_turn < touching_turn
+    (still, still_turn, few), (walking, _, _), (among, among_turn, many) = spreads
+    assert still < walking and still < among and still_turn < among_turn
     assert few == world.league.memory.pose_stuck < many
+
+
+@compiled
+def crowds(tracks, constants, found):  # type: ignore[no-untyped-def]
+    found[0] = is_crowded(tracks, constants[0])
+
+
+@each_league
+def test_ms06_that_somebody_may_push_is_seen_and_not_felt(name: str) -> None:
+    """MS06: a collision presses no sensor; a player who is believed near enough to touch may push."""
+    world, found = World(name), np.zeros(1, np.int64)
+    tracks = np.zeros(3, TRACK)
+    reach = 2.0 * world.league.body.reach
+    for present, distance, age, crowded in ((1, 0.99, 0.5, 1), (1, 1.01, 0.5, 0), (1, 0.99, 1.5, 0), (0, 0.0, 0.0, 0)):
+        tracks[1]["present"], tracks[1]["distance"], tracks[1]["age"] = present, distance * reach, age
+        crowds(tracks, world.k, found)
+        assert found[0] == crowded
 
 
 def test_steps_add_up_as_a_rigid_body_moves() -> None:

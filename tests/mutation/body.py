@@ -16,7 +16,8 @@ TEST_SWING = (
     "tests/physics/test_blow_energy.py::test_ms51_a_paw_that_swings_hits_the_ball_at_twice_the_speed_of_the_walk"
 )
 TEST_HEAD, TEST_TALK = "tests/belief/legged/test_head.py::", "tests/belief/test_talk.py::"
-TEST_FELT = "tests/perception/test_body.py::test_ms06_a_robot_feels_touch_and_whether_it_lies_on_its_side"
+TEST_FELT = "tests/perception/test_body.py::test_ms06_a_robot_feels_whether_it_lies_on_its_side"
+TOUCH, TEST_TOUCH = "soccer_env/perception/legged/touch.py", "tests/perception/legged/test_touch.py::"
 TEST_FILLED = "tests/senses/test_modules.py::test_ms01_memory_gets_percepts_alone_and_fills_the_shared_records"
 
 MUTANTS = [
@@ -50,10 +51,38 @@ MUTANTS = [
     ),
     Mutant(
         "MS06",
-        BODY,
-        "1 if events.touch == 1 or events.collision == 1 else 0",
-        "0",
-        TEST_FELT,
+        TOUCH,
+        "touch.back = robot.placed",
+        "touch.back = 1",
+        TEST_TOUCH + "test_ms06_a_collision_presses_no_touch_sensor",
+    ),
+    Mutant(
+        "MS06",
+        TOUCH,
+        "touch.back = robot.placed",
+        "touch.back = 0",
+        TEST_TOUCH + "test_ms06_who_puts_a_robot_down_starts_it_by_its_back",
+    ),
+    Mutant(
+        "MS06",
+        TOUCH,
+        "LEGS // 2 if walks else LEGS",
+        "LEGS",
+        TEST_TOUCH + "test_ms06_paws_feel_the_ground_and_not_what_stands_before_them",
+    ),
+    Mutant(
+        "MS06",
+        TOUCH,
+        "x * x + y * y + up * up <= reach * reach",
+        "False",
+        TEST_TOUCH + "test_ms06_a_ball_presses_the_chin_if_the_neck_lets_it_down",
+    ),
+    Mutant(
+        "MS06",
+        "soccer_env/belief/own_pose.py",
+        "track.distance < 2.0 * k.body_reach",
+        "track.distance < 0.0",
+        "tests/belief/test_own_pose.py::test_ms06_that_somebody_may_push_is_seen_and_not_felt",
     ),
     Mutant(
         "MS06",

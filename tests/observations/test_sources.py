@@ -57,7 +57,7 @@ TRACK = {
 BODY = {
     "body.pose": "pose_known own_x own_y own_cos own_sin", "body.x": "own_x", "body.y": "own_y",
     "body.heading": "own_cos own_sin", "body.forward": "odometry_forward", "body.left": "odometry_left",
-    "body.turn": "odometry_turn", "body.touch": "touch", "body.held": "held", "body.upright": "upright",
+    "body.turn": "odometry_turn", "body.held": "held", "body.upright": "upright",
     "body.active": "active",
 }  # fmt: skip
 BLOB = {
@@ -243,6 +243,7 @@ def test_each_number_of_a_percept_has_its_source(league: str, home: int, away: i
     sources = dict(BODY)
     if league == LEGGED:
         sources["infrared"] = "infrared"
+        sources |= {f"touch.{name}": f"touch_{name}" for name in ("head", "chin", "back", "feet")}
         for name, count in BLOBS.items():
             for i in range(count):
                 sources |= numbered(BLOB, f"{name}.{i}", f"{name}_{i}")

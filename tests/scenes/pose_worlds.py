@@ -35,6 +35,7 @@ from soccer_env.world import World as TrueWorld
 from tests.scenes.projection import pixel_of_direction
 
 CAMERA = int(RobotStream.CAMERA)
+NOBODY = 0  # is near enough to push
 
 
 class World:
@@ -184,7 +185,7 @@ def believe_all(percepts, own, memories, particles, noise, k, s, w, tables):
 def believe_legged(percepts, own, memories, particles, noise, constants, sensors, settings):
     for i in range(percepts.shape[0]):
         believe_pose_legged(
-            percepts[i], own[i], memories[i], particles[i], noise[i], constants[0], sensors[0], settings[0]
+            percepts[i], own[i], NOBODY, memories[i], particles[i], noise[i], constants[0], sensors[0], settings[0]
         )
 
 
@@ -192,7 +193,16 @@ def believe_legged(percepts, own, memories, particles, noise, constants, sensors
 def believe_omni(percepts, own, memories, particles, noise, constants, sensors, settings, tables):
     for i in range(percepts.shape[0]):
         believe_pose_omni(
-            percepts[i], own[i], memories[i], particles[i], noise[i], constants[0], sensors[0], settings[0], tables[0]
+            percepts[i],
+            own[i],
+            0,
+            memories[i],
+            particles[i],
+            noise[i],
+            constants[0],
+            sensors[0],
+            settings[0],
+            tables[0],
         )
 
 

@@ -14,7 +14,7 @@ from soccer_env.belief.legged.obstacle import believe_obstacle
 from soccer_env.belief.legged.own_pose import believe_pose_legged
 from soccer_env.belief.legged.players import PLAYERS_MEMORY, believe_players
 from soccer_env.belief.legged.talk import exchange
-from soccer_env.belief.own_pose import POSE_MEMORY
+from soccer_env.belief.own_pose import POSE_MEMORY, is_crowded
 from soccer_env.compiled import compiled
 
 LEGGED_MEMORY = np.dtype(
@@ -31,7 +31,7 @@ def make_scratch():
 @compiled
 def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scratch, k, s, w, table):
     """Bring what one robot believes and remembers up to its percept, and choose where its head looks next."""
-    believe_pose_legged(percept, belief.own, memory.pose, particles, noise, k, s, w)
+    believe_pose_legged(percept, belief.own, is_crowded(tracks, k), memory.pose, particles, noise, k, s, w)
     believe_ball(percept, belief.own, belief.ball, memory.ball, k, s, w, table)
     believe_players(percept, belief.own, tracks, memory.players, k, s, w, table)
     believe_obstacle(percept, belief, tracks, k, s, w)

@@ -13,9 +13,9 @@ from soccer_env.compiled import compiled, records
 
 
 @compiled
-def believe_pose_legged(percept, own, memory, particles, noise, k, s, w):
+def believe_pose_legged(percept, own, crowded, memory, particles, noise, k, s, w):
     """Bring the own pose of a legged robot up to the percept; its particles go by landmarks and goals.  MH08"""
-    if not particles_are_due(percept.body, own, memory, particles, noise, k, s, w):
+    if not particles_are_due(percept.body, own, crowded, memory, particles, noise, k, s, w):
         return
     view = records(1, LANDMARK_VIEW)[0]
     seen = look_at_landmarks(percept, view, k, s, w)

@@ -13,7 +13,7 @@ from soccer_env.belief.omni.own_pose import believe_pose_omni
 from soccer_env.belief.omni.players import READING, SLOTS, believe_players
 from soccer_env.belief.omni.radio import exchange_radio
 from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, note_motion
-from soccer_env.belief.own_pose import POSE_MEMORY
+from soccer_env.belief.own_pose import POSE_MEMORY, is_crowded
 from soccer_env.compiled import compiled, records
 from soccer_env.percept_types import OTHERS, POSE_TOLD
 from soccer_env.tracks import forget
@@ -38,7 +38,7 @@ def make_scratch():
 @compiled
 def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scratch, k, s, w, table):
     """Bring what one robot believes and remembers up to its percept; there is no head to turn."""
-    believe_pose_omni(percept, belief.own, memory.pose, particles, noise, k, s, w, table)
+    believe_pose_omni(percept, belief.own, is_crowded(tracks, k), memory.pose, particles, noise, k, s, w, table)
     track_things(percept, belief, tracks, memory, scratch, k, s, w)
     belief.obstacle.distance = belief.obstacle.bearing = 0.0  # there is no ranger
 

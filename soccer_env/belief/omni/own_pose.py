@@ -13,12 +13,12 @@ from soccer_env.compiled import compiled, records
 
 
 @compiled
-def believe_pose_omni(percept, own, memory, particles, noise, k, s, w, table):
+def believe_pose_omni(percept, own, crowded, memory, particles, noise, k, s, w, table):
     """Bring the own pose of a middle-size robot up to the percept; its particles go by white lines and goals.  MH08
 
     `table` is the record of `perception.omni.sense.line_tables`.
     """
-    if not particles_are_due(percept.body, own, memory, particles, noise, k, s, w):
+    if not particles_are_due(percept.body, own, crowded, memory, particles, noise, k, s, w):
         return
     view = records(1, LINE_VIEW)[0]
     seen = look_at_lines(percept, own, view, k, s, w)

@@ -13,6 +13,7 @@
     sense.py         What all sensors of a legged robot deliver; body and pose, every robot's, are felt in ../body.py.
     sketch.py        The sketch of a picture: where each coloured thing would be in it, in exact fractions of ...
     solids.py        How far a ray travels before it meets something: a ball, a box, a post, the boards, the carpet.
+    touch.py         The touch sensors of a legged robot: at head, chin, back and feet, and nowhere else.
 
 The way of a picture: bodies, jersey and scenery -> sketch (outlines, occlusion) -> blobs; `sense.py` calls them all.
 """

@@ -1,4 +1,4 @@
-"""What the sensors of a legged robot deliver: camera, infrared ranger, own body.  [Sacks 2001, 1, 2]  MS06
+"""What the sensors of a legged robot deliver: camera, infrared ranger, touch, own body.  [Sacks 2001, 1, 2]  MS06
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
@@ -11,6 +11,7 @@ from soccer_env.compiled import compiled
 from soccer_env.perception.legged.infrared import measure_range
 from soccer_env.perception.legged.picture import take_picture
 from soccer_env.perception.legged.sketch import make_sketch
+from soccer_env.perception.legged.touch import feel_touch
 from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.perception.sensing import sense_kernel
 
@@ -27,6 +28,7 @@ def sense_robot(match, ball, robots, r, percept, state, pending, sketches, k, s)
     """Fill in the percept of robot r; `pending`, for cameras that deliver late, is not used."""
     percept.pan, percept.tilt = robots[r].pan, robots[r].tilt
     take_picture(match, ball, robots, percept, state, k, s, r, sketches)
+    feel_touch(ball, robots[r], percept.touch, k, s)
     percept.infrared = measure_range(match, ball, robots, k, s, r)
 
 
