@@ -272,4 +272,4 @@ def test_no_stream_of_percepts_makes_a_number_that_is_none() -> None:
 
 
 def test_a_robot_remembers_little() -> None:
-    assert Watcher().memories.nbytes <= 120
+    assert Watcher().memories.nbytes <= 124

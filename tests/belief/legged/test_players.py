@@ -152,9 +152,9 @@ def test_ms35_a_player_in_the_beam_is_as_far_as_the_infrared_says() -> None:
 
 
 def test_ms35_the_infrared_tells_of_nobody_beside_the_beam() -> None:
-    """MS35: within 3 degrees, 4 px, beside the blob it still counts."""
+    """MS35: "if this player is centered": what is 6 px to either side is in the beam up to 6 px from the centre."""
     by_size, by_beam = FOCAL * STICKER_HEIGHT / 12, 0.3 + 0.105
-    for u, v, expected in ((10, 0, by_beam), (11, 0, by_size), (-10, 0, by_beam), (0, 10, by_beam), (0, -11, by_size)):
+    for u, v, expected in ((6, 0, by_beam), (7, 0, by_size), (-6, 0, by_beam), (0, 6, by_beam), (0, -7, by_size)):
         robot = Onlooker()
         robot.look([player(u, v, 12)], infrared=0.3)
         assert away(robot) == pytest.approx(expected, abs=1e-6)

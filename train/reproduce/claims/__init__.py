@@ -33,6 +33,7 @@ from soccer_env.train.reproduce.claim import Claim
 MODULES: tuple[str, ...] = (
     "ball.range",
     "ball.occlusion",
+    "ball.ranger",
     "ball.in_play",
     "ball.memory",
     "ball.filter",

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
-from soccer_env.train.reproduce.claims.ball.range import CAMERA_AHEAD, RANGE_LABEL
-from soccer_env.train.reproduce.staging import ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
+from soccer_env.leagues import find_league
+from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claims.ball.range import CAMERA_AHEAD, FIRST_SCENE, RANGE_LABEL
+from soccer_env.train.reproduce.staging import LEGGED, ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
 from soccer_env.train.reproduce.true_sight import look_first
 from soccer_env.train.reproduce.values import about_own_mean, in_bins, mean, middles_of, rms
 from soccer_env.train.reproduce.verdicts import Samples, exact, measured
+from soccer_env.types import RobotStream
 
 MATCHES = 128
+CAMERA = int(RobotStream.CAMERA)
+SLOW = 8  # frames: half a second
+LARGE = 0.11  # [m] radius of the middle-size league's ball
 SETTLE = 1.0  # [s]
 SECONDS = 2.0  # [s] measured
 NEAR, FAR = 0.20, 1.50  # [m] of the balls, along the ground from the camera
@@ -22,10 +28,16 @@ JUMP = 0.30  # [m] by which a ball is moved at once, to see when the filter has 
 BINS = (0.60, 0.75, 0.90, 1.05, 1.20, 1.50)  # [m] edges for bearing against range, from where the criterion begins
 
 
-def look_at_still_balls(batch: Batch) -> Samples:
-    """Return deviations (M, T) [m] of estimates from each robot's own mean, and the ball's range (M,) [m]."""
+def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None) -> Samples:
+    """Return deviations (M, T) [m] of estimates from each robot's own mean, and the ball's range (M,) [m].
+
+    hold: frames for which the camera flickers in the same way; radius: of the ball [m], None for the league's.
+    """
     rng = batch.rng()
-    match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0})
+    league = find_league(LEGGED)
+    if radius is not None:
+        league = replace(league, ball=replace(league.ball, radius=radius))
+    match = stage(batch, league, matches=MATCHES, actions="full", sensors={"patches": 0.0})
     put(match, 0, rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.2, 0.2, MATCHES), rng.choice([0.0, np.pi], MATCHES))
     place = rng.uniform(NEAR, FAR, MATCHES)
     put_ball(match, *ahead_of(match, 0, CAMERA_AHEAD + place, rng.uniform(-0.4, 0.4, MATCHES)))
@@ -33,7 +45,12 @@ def look_at_still_balls(batch: Batch) -> Samples:
     true, bearing = ball_from(match)
     look_first(match, SETTLE)
     frames = []
-    for _ in play(match, SECONDS):
+    draws = match.robots["noise"][:, 0, CAMERA]
+    before = draws.copy()
+    for step in play(match, SECONDS):
+        if (step + 1) % hold:
+            draws[:] = before  # the next frame flickers as this one did
+        before = draws.copy()
         ball = match.beliefs["ball"][:, 0]
         seen = ball["age"] < 0.5 * match.league.dt
         aside = true * wrapped(ball["bearing"] - bearing)
@@ -98,6 +115,11 @@ S16 = Claim(
         ),
     ),
     measure=look_at_still_balls,
+    without=Without(
+        f"flicker that is drawn anew in each frame: here every {SLOW} frames, a gait step of half a second",
+        lambda batch: look_at_still_balls(batch, hold=SLOW),
+    ),
+    changed=FIRST_SCENE,
     figures=filter_figure,
     ingredients=("memory.averaged = 4", "16 frames a second", "sensors.dither, drawn anew in each frame"),
     seconds=0.5,
@@ -119,6 +141,11 @@ S17 = Claim(
         ),
     ),
     measure=look_at_still_balls,
+    without=Without(
+        "a ball 84 mm across: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",
+        lambda batch: look_at_still_balls(batch, radius=LARGE),
+    ),
+    changed=FIRST_SCENE,
     figures=filter_figure,
     ingredients=("sensors.dither, the same for a blob's size and its place", "88x72 pixels over 57.6 degrees"),
     seconds=0.5,

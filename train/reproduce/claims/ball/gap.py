@@ -8,8 +8,9 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claims.ball.range import FIRST_SCENE
 from soccer_env.train.reproduce.claims.ball.velocity import true_radial
-from soccer_env.train.reproduce.staging import begin, play, put, put_ball, stage, standing
+from soccer_env.train.reproduce.staging import ball_from, begin, play, put, put_ball, stage, standing
 from soccer_env.train.reproduce.true_sight import blind, follow, see_again, stare
 from soccer_env.train.reproduce.values import least_rise, middles_of, rms
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
@@ -24,21 +25,25 @@ KICKS = 0.15  # [1/s] how often a ball changes its velocity by 10 cm/s and more 
 FASTEST = 0.8  # [m/s] of such a kick
 ROOM, MIDDLE = 0.35, 0.80  # [m] radius of the circle in which the ball is kept, and how far its middle is ahead
 KEPT = 0.5  # [m] from the ball, in play
-START = -0.5  # [m] where the robot stands
+NEAREST, FARTHEST = 0.45, 1.0  # [m] from the ball, where it turns round: backwards, ahead
+START = -0.5  # [m] where the robot begins
 CLEAN = {"patches": 0.0, "red_as_orange": 0.0}  # only the ball is orange
 
 Steer = Callable[[], None]
 
 
 def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
-    """Return matches in which a robot stares at a ball that is kicked about, their actions, and what steers them."""
+    """Return matches in which a robot walks to and fro before a ball that is kicked about, and stares at it.
+
+    With them their actions, and what steers them.
+    """
     match = stage(batch, matches=MATCHES, actions="full", sensors=CLEAN, memory={"velocity_gate": gate})
     put(match, 0, START, 0.0)
     put_ball(match, START + MIDDLE, 0.0)
     begin(match)
     actions = standing(match)
     rng = batch.rng(2)
-    ball = match.balls
+    ball, ahead = match.balls, np.ones(MATCHES)
 
     def steer() -> None:
         hit = rng.random(MATCHES) < KICKS * match.league.dt
@@ -49,6 +54,10 @@ def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
         for axis, part in (("x", x), ("y", y)):
             for name in (f"v{axis}", f"roll_{axis}"):
                 ball[name] = np.where(hit, speed * part / away, ball[name])
+        away = ball_from(match)[0]
+        ahead[away < NEAREST], ahead[away > FARTHEST] = -1.0, 1.0
+        actions[:, 0, :3] = follow(match)
+        actions[:, 0, 0] = ahead
         stare(match, actions)
 
     return match, actions, steer
@@ -148,11 +157,11 @@ S19 = Claim(
     paper=SACKS,
     section="3.2",
     statement="A velocity over more than 1.5 s without sight is likely to be wrong: the position is stored only.",
-    method=f"{MATCHES} robots a batch look for {SECONDS:g} s at a ball that is kicked about "
-    f"{100 * (MIDDLE - ROOM):.0f} to {100 * (MIDDLE + ROOM):.0f} cm ahead; now and then they see nothing for up to "
-    f"{LONGEST:g} s. Error of each radial velocity that is read, by the gap in sight before it, with the rule and "
-    "without. Beside it the same in play, where a robot follows at 50 cm a ball that three chasers have, and which "
-    "mostly creeps.",
+    method=f"{MATCHES} robots a batch look for {SECONDS:g} s at a ball that is kicked about in a circle of "
+    f"{100 * ROOM:.0f} cm while they walk to it and back, {100 * NEAREST:.0f} to {100 * FARTHEST:.0f} cm from it; now "
+    f"and then they see nothing for up to {LONGEST:g} s. Error of each radial velocity that is read, by the gap in "
+    "sight before it, with the rule and without. Beside it the same in play, where a robot follows at 50 cm a ball "
+    "that three chasers have, and which mostly creeps.",
     criteria=(
         measured(
             "without the rule: error after gaps above 1.5 s over that without a gap, above 1",
@@ -174,6 +183,9 @@ S19 = Claim(
         reported("in play, with the rule: the second ratio", lambda samples: long_over_none(samples, "play on")),
     ),
     measure=with_and_without_gate,
+    changed=f"{FIRST_SCENE} Then the ball was kicked more often and the error had to rise with every gap: reproduced. "
+    "With kicks as often as counted in play and the criterion of now it read 0.79 (0.599 to 0.985), not reproduced, "
+    "by a robot that stood.",
     figures=gap_figure,
     ingredients=("how often and how hard the ball is kicked", "memory.velocity_gap", "sensors.dither"),
     seconds=2.0,

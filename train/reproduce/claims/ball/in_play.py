@@ -22,8 +22,14 @@ MOVED = 0.2  # [m] a ball that moves farther in a frame was put elsewhere by the
 
 
 def heads_in_play(batch: Batch) -> Samples:
+    """Count what `heads_of` counts, of chasers, and beside it of the paper's team."""
+    found = heads_of(batch, "chaser")
+    return found | {f"{name} by the paper's team": counts for name, counts in heads_of(batch, "sacks-2001").items()}
+
+
+def heads_of(batch: Batch, team: str) -> Samples:
     """Count frames in which robots see the ball in 3 v 3 play, and those in which the camera's axis meets it (M,)."""
-    match = kick_off(batch, matches=MATCHES)
+    match = kick_off(batch, matches=MATCHES, team=team)
     on_ball, seen = np.zeros(MATCHES), np.zeros(MATCHES)
     for step in play(match, SETTLE + SECONDS):
         if (step + 1) * match.league.dt <= SETTLE:
@@ -104,10 +110,17 @@ S10 = Claim(
     statement="While robots track the ball it is often at the image's centre, where the infrared sensor measures.",
     method=f"{MATCHES} matches a batch of 3 v 3, chasers on their sensors, {SECONDS:g} s each: frames in which a robot "
     "sees the ball and the camera's axis meets it.",
-    criteria=(counted("frames with the axis on the ball: at least 60 %", "on ball", "seen", at_least=60.0),),
+    criteria=(
+        counted("frames with the axis on the ball: at least 60 %", "on ball", "seen", at_least=60.0),
+        reported(
+            "the same by sacks-2001, whose robots look up now and then while they dribble",
+            lambda s: float(100 * s["on ball by the paper's team"].sum() / max(s["seen by the paper's team"].sum(), 1)),
+            unit="%",
+        ),
+    ),
     measure=heads_in_play,
     ingredients=("speeds of neck joints", "belief/legged/head.py", "the chaser as the team that plays"),
-    seconds=1.2,
+    seconds=2.5,
     batches=32,
 )
 
@@ -135,6 +148,8 @@ S11 = Claim(
         reported("jumps a minute without the rules", lambda s: float(s["jumps none"].mean() * 60.0 / TIME)),
     ),
     measure=false_balls,
+    changed="The scene, after a first quick look: before, the robot ran into the ball instead of following it; and the "
+    "head looked at the believed place instead of the blob: 78.4 % (69.2 to 87.2) fewer jumps, undecided.",
     ingredients=("sensors.patches, patch_low, red_as_orange", "memory.horizon_angle, area_small, area_large"),
     seconds=4.0,
     batches=24,

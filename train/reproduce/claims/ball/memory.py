@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claims.ball.range import FIRST_SCENE
 from soccer_env.train.reproduce.staging import ahead_of, ball_from, begin, play, put, put_ball, stage, standing, wrapped
-from soccer_env.train.reproduce.true_sight import blind, look_first
+from soccer_env.train.reproduce.true_sight import blind, look_first, stare
 from soccer_env.train.reproduce.values import in_bins, least_rise, median, middles_of
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 
@@ -37,8 +38,8 @@ def misplaced(match: Match) -> np.ndarray:
     return gap
 
 
-def look_then_blind(batch: Batch, **memory: Any) -> Match:
-    """Return matches whose robots have seen a still ball beside their way for a while, and will not see it again."""
+def look_at_ball(batch: Batch, **memory: Any) -> Match:
+    """Return matches whose robots have seen a still ball beside their way for a while."""
     rng = batch.rng()
     match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
     put(match, 0, rng.uniform(-0.9, -0.6, MATCHES), rng.uniform(-0.1, 0.1, MATCHES), rng.uniform(-0.2, 0.2, MATCHES))
@@ -46,13 +47,13 @@ def look_then_blind(batch: Batch, **memory: Any) -> Match:
     put_ball(match, *ahead_of(match, 0, rng.uniform(0.5, 0.9, MATCHES), side * rng.uniform(0.6, 1.2, MATCHES)))
     begin(match)
     look_first(match, SEEN)
-    blind(match)
     return match
 
 
 def walk_unseeing(batch: Batch, odometry: str) -> Samples:
     """Walk 1 m on an arc of up to 90 degrees away from the ball's side, then compare memory and truth (M,)."""
-    match = look_then_blind(batch, odometry=odometry)
+    match = look_at_ball(batch, odometry=odometry)
+    blind(match)
     seconds = WAY / SPEED
     actions = standing(match)
     away = -np.sign(ball_from(match)[1])
@@ -75,10 +76,12 @@ def compare_updates(batch: Batch) -> Samples:
     }
 
 
-def ball_rolls_unseen(batch: Batch) -> Samples:
-    """Let unseen balls roll away at all speeds while the robot walks: their way and the memory's error (M, T) [m]."""
+def ball_rolls(batch: Batch, seen: bool) -> Samples:
+    """Let balls roll away at all speeds while the robot walks: their way and the error of their place (M, T) [m]."""
     rng = batch.rng(1)
-    match = look_then_blind(batch)
+    match = look_at_ball(batch)
+    if not seen:
+        blind(match)
     speed, course = rng.uniform(0.0, FASTEST, MATCHES), rng.uniform(-np.pi, np.pi, MATCHES)
     speed[: MATCHES // 6] = 0.0
     x, y = match.balls["x"].copy(), match.balls["y"].copy()
@@ -89,7 +92,8 @@ def ball_rolls_unseen(batch: Batch) -> Samples:
     before = 0.0
     for time in TIMES:
         for _ in play(match, time - before, actions):
-            pass
+            if seen:
+                stare(match, actions)
         before = time
         rows["way"].append(np.hypot(match.balls["x"] - x, match.balls["y"] - y))
         rows["error"].append(misplaced(match))
@@ -102,8 +106,8 @@ def error_by_way(samples: Samples) -> list[float]:
     return [100 * median(samples["error"][there]) for there in in_bins(samples["way"], BINS)]
 
 
-def push_unseen(batch: Batch, update: bool) -> np.ndarray:
-    """Dribble a ball that is seen no more, and return the error of its memory (M,) [m] after a while."""
+def push_unseen(batch: Batch, update: bool, turn: float) -> np.ndarray:
+    """Dribble a ball that is seen no more, turning by so much in [-1, 1]; return the error of its memory (M,) [m]."""
     rng = batch.rng()
     memory = {"odometry_while_dribbling": update}
     match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
@@ -113,7 +117,7 @@ def push_unseen(batch: Batch, update: bool) -> np.ndarray:
     look_first(match, SEEN)
     blind(match)
     actions = standing(match)
-    actions[:, 0, 0] = DRIBBLE / SPEED
+    actions[:, 0, 0], actions[:, 0, 2] = DRIBBLE / SPEED, turn
     for _ in play(match, PUSHED, actions):
         pass
     error = misplaced(match)
@@ -121,9 +125,9 @@ def push_unseen(batch: Batch, update: bool) -> np.ndarray:
     return error
 
 
-def compare_dribbling(batch: Batch) -> Samples:
+def compare_dribbling(batch: Batch, turn: float = 0.0) -> Samples:
     """Return the errors without and with an update by odometry."""
-    return {"off": push_unseen(batch, False), "on": push_unseen(batch, True)}
+    return {"off": push_unseen(batch, False, turn), "on": push_unseen(batch, True, turn)}
 
 
 def way_figure(samples: Samples) -> Sequence[Figure]:
@@ -169,6 +173,7 @@ S12 = Claim(
         reported("rotation only: the same", lambda samples: 100 * median(samples["place rotation"]), unit="cm"),
     ),
     measure=compare_updates,
+    changed=FIRST_SCENE,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
     seconds=1.5,
 )
@@ -188,7 +193,12 @@ S13 = Claim(
             above=0.0,
         ),
     ),
-    measure=ball_rolls_unseen,
+    measure=lambda batch: ball_rolls(batch, seen=False),
+    without=Without(
+        "a memory that leaves an unseen ball where it was: here it stays in sight",
+        lambda batch: ball_rolls(batch, seen=True),
+    ),
+    changed=FIRST_SCENE,
     figures=way_figure,
     ingredients=("memory.odometry = full",),
     seconds=0.5,
@@ -212,6 +222,11 @@ S14 = Claim(
         reported("with the update", lambda samples: 100 * median(samples["on"]), unit="cm"),
     ),
     measure=compare_dribbling,
+    without=Without(
+        f"a ball that stays between the paws: here they turn at {TURN:g} rad/s, and most balls are lost",
+        lambda batch: compare_dribbling(batch, turn=1.0),
+    ),
+    changed=FIRST_SCENE,
     ingredients=("memory.dribbling_distance", "contact of ball and paws"),
     seconds=0.8,
 )
