@@ -1,17 +1,20 @@
 """Artificial potential fields: the forces of Khatib and Sacks's changes to them.  [Sacks 2001, 4.2, 4.3]  MS38 to MS44
 
-Robot and players are points (MS44). Vectors are in metres of the team frame, the goal ahead; all forces have no unit.
+Robot and players are points (MS44), a distance is what the sensors gave: from the camera to a player's surface (MS42).
+Walls are not sensed: their distance is that of the own place. Vectors are in metres of the team frame, the goal ahead;
+all forces have no unit.
 
-`play`: the team's settings.
+`k`: the league's constants; `play`: the team's settings.
 """
 
 from __future__ import annotations
 
-from soccer_env.baselines.sacks_2001.settings import GOAL_FORCES
+from soccer_env.baselines.sacks_2001.settings import DISTANCES, GOAL_FORCES
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 
 PROPORTIONAL = GOAL_FORCES["proportional"]
+SURFACE = DISTANCES["surface"]
 NEAREST = 0.01  # [m] a player nearer than this repels as from there: no division by zero
 
 
@@ -39,8 +42,25 @@ def repulsion(distance, gain, far, play):
 
 
 @compiled
+def as_sensed(x, y, k, play):
+    """Return the vector [m], robot frame, to a player whose middle is believed at x, y: as the sensors gave it.  MS42
+
+    From the camera, head level, to the surface before it, half a body nearer than its middle (as in MS35): beliefs add
+    both to what jersey and ranger say. "middle" is from middle to middle, 25 cm more for one straight ahead.
+    """
+    if play.distance_from != SURFACE:
+        return x, y
+    x -= k.head_camera_ahead
+    away = length(x, y)
+    if away < NEAREST:
+        return NEAREST, 0.0
+    share = max(away - k.body_front, NEAREST) / away
+    return share * x, share * y
+
+
+@compiled
 def player_force(dx, dy, goal_x, goal_y, play):
-    """Return the force of a player at (dx, dy) [m] on one whose goal lies at (goal_x, goal_y).  MS41, MS42
+    """Return the force of a player at (dx, dy) [m] as sensed, the goal at (goal_x, goal_y).  MS41, MS42
 
     Times max(0, cos(angle to player - angle to goal)): nobody beside or behind it repels.
     """

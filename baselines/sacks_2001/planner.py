@@ -35,7 +35,7 @@ from soccer_env.baselines.sacks_2001.memory import (
 )
 from soccer_env.baselines.sacks_2001.positions import choose_role, go_home, support
 from soccer_env.baselines.sacks_2001.recovery import begin_recovery, go_on_recovering
-from soccer_env.baselines.sacks_2001.shooting import choose_target, find_pass, is_open
+from soccer_env.baselines.sacks_2001.shooting import choose_target, find_pass, may_shoot
 from soccer_env.baselines.sacks_2001.steering import choose_way, off_ahead, step_speed
 from soccer_env.baselines.sacks_2001.stuck import forget_approach, is_stuck, watch_approach
 from soccer_env.baselines.sacks_2001.xla import (
@@ -124,14 +124,17 @@ def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
         forget_approach(memory)
     memory.tries = 0
     off = wrap(aim(sight, memory, k, play) - sight.heading)
-    shoots = abs(off) < play.orbit_until and is_open(sight, memory, k, play)
-    if memory.foiled <= 0.0 and (shoots or can_clear(belief.situation, sight, k, play)):
+    shoots = may_shoot(belief, tracks, sight, memory, k, play)
+    if shoots and abs(off) < play.orbit_until:
+        return SHOOT
+    if memory.foiled <= 0.0 and can_clear(belief.situation, sight, k, play):
         return SHOOT
     if play.passes == 1 and memory.foiled <= 0.0 and find_pass(sight, k, play) >= 0:
         return PASS
     if memory.behaviour == ORBIT and abs(off) > play.orbit_until:
         return ORBIT
-    if play.avoidance == 0 and abs(off) > play.orbit_until:
+    faces_first = play.avoidance == 0 or (shoots and play.choose_shots == 0)
+    if faces_first and abs(off) > play.orbit_until:
         return ORBIT
     return ORBIT if abs(off) > play.orbit_beyond else DRIBBLE
 
@@ -229,7 +232,7 @@ def dribble(belief, tracks, memory, command, sight, k, play, elapsed):
         memory.replan += (
             play.replan if memory.clock > 0.0 and memory.replan > -play.replan else play.replan - memory.replan
         )
-    off = off_ahead(belief, tracks, memory, play)
+    off = off_ahead(belief, tracks, memory, k, play)
     goal = wrap(aim(sight, memory, k, play) - sight.heading)
     step_with_ball(command, sight, k, play, off, step_speed(k, play), goal)
     glance(command, memory, belief.own, k, play, off, elapsed)

@@ -13,6 +13,7 @@ from soccer_env.leagues.options import Options
 
 DEGREE = pi / 180.0
 GOAL_FORCES = {"unit": 0, "proportional": 1}
+DISTANCES = {"surface": 0, "middle": 1}
 SHARE = (0.0, 1.0)
 TIME = (0.01, 10.0)
 RANGE = (0.01, 100.0)
@@ -23,7 +24,7 @@ ANGLE = (0.0, pi)
 class SacksSettings(Options):
     """How sacks-2001 decides; `make_team("sacks-2001", recovery=False)` changes a switch by name."""
 
-    NAMES = {"goal_force": GOAL_FORCES}
+    NAMES = {"goal_force": GOAL_FORCES, "distance_from": DISTANCES}
     BOUNDS = {
         "strength": SHARE, "near_step": SHARE, "orbit_share": SHARE, "dribble_turn": SHARE, "weak_pace": SHARE,
         "settle": TIME, "replan": TIME, "player_range": RANGE, "wall_range": RANGE, "exponent": (1, 3),
@@ -58,6 +59,7 @@ class SacksSettings(Options):
     cosine_factor: bool = True  # nobody beside or behind repels  MS41
     player_gain: float = 0.8  # [m^exponent] k2: 800 for distances in mm, Sacks 2001, 4.3.2  MS42
     player_range: float = 1.0  # [m] x0, the same  MS42
+    distance_from: str = "surface"  # camera to surface, as sensed, 4.1.2; middle: of both  MS42, MS48, MS49
     walls: bool = True  # MS43
     wall_gain: float = 0.2  # [m^exponent] k2: 200 for distances in mm, the same  MS43
     wall_range: float = 0.35  # [m] the same  MS43
@@ -71,7 +73,7 @@ class SacksSettings(Options):
     body_limit: float = 45.0 * DEGREE  # [rad] greatest angle from straight ahead, the same  MS48
     body_clamp: bool = True  # False: no limit  MS48
     blocked_limit: float = 55.0 * DEGREE  # [rad] if another player stands right ahead, the same  MS48
-    blocked_range: float = 0.40  # [m] "directly in front": as near as this, assumed  MS48
+    blocked_range: float = 0.40  # [m] "directly in front": as near as the ranger reaches, 4.1.2, assumed  MS48
     blocked_angle: float = 20.0 * DEGREE  # [rad] and as little aside, assumed  MS48
     infrared_obstacle: bool = True  # the ranger's reading instead of one of the players  MS49
     player_age: float = 5.0  # [s] unseen after which a player repels no more, assumed
@@ -84,14 +86,15 @@ class SacksSettings(Options):
     possession_time: float = 2.0  # [s] for which a ball that was between the paws counts as there, assumed  MS27
     contested_range: float = 0.36  # [m] an opponent as near ahead has the ball as well: push on, assumed  MS27
     contested_angle: float = 50.0 * DEGREE  # [rad] and as little aside, assumed  MS27
-    foiled_time: float = 4.0  # [s] without another shot after one that something stopped at once, assumed  MS26
     orbit_beyond: float = 60.0 * DEGREE  # [rad] off the goal from which the robot orbits the ball, assumed  MS26
     orbit_until: float = 15.0 * DEGREE  # [rad] off the goal at which it has done so, assumed  MS26
     orbit_time: float = 6.0  # [s] after which it turns with the ball instead: a board is in the way, assumed
     orbit_share: float = 1.0  # [1] of the top speed sideways, assumed  MS26
-    shot_range: float = 1.5  # [m] from which it shoots, assumed  MS26
-    shot_room: float = 2.0 * DEGREE  # [rad] that a shot must leave beside posts and opponents, assumed  MS26
-    blind_shots: bool = False  # True: opponents in the way do not matter: "and then shoot"  MS26
+    shoots: bool = True  # facing the goal, nobody to dribble round; False: dribbles on, as in the tests of 4.3.4  MS26
+    choose_shots: bool = False  # ours: aims where the goal is open, shoots by the three settings below alone  MS26
+    shot_range: float = 1.5  # [m] from which it shoots then, assumed  MS26
+    shot_room: float = 2.0 * DEGREE  # [rad] that a shot must leave then beside posts and opponents, assumed  MS26
+    foiled_time: float = 4.0  # [s] without another shot then after one that something stopped at once, assumed  MS26
     dribble_turn: float = 0.4  # [1] of the top turn rate, towards the goal while dribbling, assumed
     glance_period: float = 2.0  # [s] of looking at the ball and up in turn while dribbling, assumed
     glance_time: float = 0.9  # [s] of it looking up; 0: the head stays on the ball, assumed

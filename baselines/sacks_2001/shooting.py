@@ -1,4 +1,9 @@
-"""Where to shoot, whether a shot is open, and whom to pass to.  [Sacks 2001, 4, 5]  MS26, MS53
+"""When to shoot, where, and whom to pass to.  [Sacks 2001, 4, 5]  MS26, MS53
+
+"Our strategy had essentially been to get to the ball, orbit to face the opponent's goal, and then shoot": without
+avoidance the team still does so, whoever stands in the way. Dribbling came in to get "around other players": while
+one of them repels (MS41) the robot dribbles, else it orbits and shoots as before. The paper gives no other rule for a
+dribbler's shots; `choose_shots` is ours.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -7,7 +12,8 @@ from __future__ import annotations
 
 from math import atan2
 
-from soccer_env.baselines.skills import choose_shot, goal_room, lane_room, shot_room, turned
+from soccer_env.baselines.sacks_2001.steering import direction_to_goal, force_of_players
+from soccer_env.baselines.skills import choose_shot, lane_room, shot_room, turned
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
 
@@ -17,13 +23,32 @@ WIDEST_PASS = 1.2  # [rad] beside straight ahead, assumed
 
 @compiled
 def choose_target(sight, k, play):
-    """Return the unit vector from the ball to where the goal is open, or to its middle."""
-    ux, uy, room = choose_shot(sight, k)
-    if room > play.shot_room:
-        return ux, uy
+    """Return the unit vector from the ball to the middle of the goal; who chooses shots aims where it is open."""
+    if play.choose_shots == 1:
+        ux, uy, room = choose_shot(sight, k)
+        if room > play.shot_room:
+            return ux, uy
     x, y = 0.5 * k.pitch_length + k.ball_radius - sight.ball_x, -sight.ball_y
     away = max(length(x, y), 1e-6)
     return x / away, y / away
+
+
+@compiled
+def may_shoot(belief, tracks, sight, memory, k, play):
+    """Tell whether the robot is to shoot as soon as it faces the goal: nobody is to be dribbled round.  MS26"""
+    if play.shoots == 0:
+        return False
+    if play.choose_shots == 1:
+        return memory.foiled <= 0.0 and is_open(sight, memory, k, play)
+    return play.avoidance == 0 or not is_somebody_in_way(belief, tracks, k, play)
+
+
+@compiled
+def is_somebody_in_way(belief, tracks, k, play):
+    """Tell whether any other player repels the robot on its way to the goal.  MS26, MS41"""
+    goal_x, goal_y = direction_to_goal(belief.own, k)
+    x, y = force_of_players(belief, tracks, goal_x, goal_y, k, play)
+    return x != 0.0 or y != 0.0
 
 
 @compiled
@@ -33,8 +58,7 @@ def is_open(sight, memory, k, play):
     if length(x, sight.ball_y) > play.shot_range:
         return False
     ux, uy = turned(sight.now_cosine, sight.now_sine, memory.aim_error)
-    room = goal_room(sight, k, ux, uy) if play.blind_shots == 1 else shot_room(sight, k, ux, uy)
-    return room > play.shot_room
+    return shot_room(sight, k, ux, uy) > play.shot_room
 
 
 @compiled

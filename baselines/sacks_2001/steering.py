@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from math import atan2, cos, sin
 
-from soccer_env.baselines.sacks_2001.forces import goal_force, player_force, repulsion, wall_force
+from soccer_env.baselines.sacks_2001.forces import as_sensed, goal_force, player_force, repulsion, wall_force
 from soccer_env.baselines.sight import side_of
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, out_of_frame, wrap
+from soccer_env.geometry import clip, length, out_of_frame, wrap
 
 SAME = 0.6  # [rad] within which the ranger's obstacle is taken to be one of the players, assumed  MS49
 BEHIND_LINE = 0.10  # [m] the goal that a dribbler makes for lies so far behind the line, assumed
@@ -32,42 +32,52 @@ def choose_way(belief, tracks, memory, k, play):
     own = belief.own
     goal_x, goal_y = direction_to_goal(own, k)
     pull_x, pull_y = goal_force(goal_x, goal_y, play)
-    push_x, push_y = force_of_players(belief, tracks, goal_x, goal_y, play)
+    push_x, push_y = force_of_players(belief, tracks, goal_x, goal_y, k, play)
     push_y += wall_force(own.y, 0.5 * k.pitch_width, play)
     off = limited(pull_x, pull_y, push_x, push_y, memory.way_side, play)
     if play.decisive == 1 and off * memory.way_side < 0.0:
-        off = abs(off) * better_side(belief, tracks, goal_x, goal_y, memory.way_side, play)
+        off = abs(off) * better_side(belief, tracks, goal_x, goal_y, memory.way_side, k, play)
     off = kept_longer(memory, off, play)
     memory.way = wrap(atan2(goal_y, goal_x) + off)
 
 
 @compiled
-def force_of_players(belief, tracks, goal_x, goal_y, play):
+def force_of_players(belief, tracks, goal_x, goal_y, k, play):
     """Return the sum of the players' forces, team frame; the ranger's obstacle stands in for one of them.  MS49"""
     cosine, sine = cos(belief.own.heading), sin(belief.own.heading)
-    replaced = player_behind(belief.obstacle, tracks, play)
+    replaced = player_behind(belief.obstacle, tracks, k, play)
     push_x = push_y = 0.0
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
         if track.present == 1 and track.age <= play.player_age and slot != replaced:
-            dx, dy = out_of_frame(track.x, track.y, cosine, sine)
+            x, y = as_sensed(track.x, track.y, k, play)
+            dx, dy = out_of_frame(x, y, cosine, sine)
             x, y = player_force(dx, dy, goal_x, goal_y, play)
             push_x, push_y = push_x + x, push_y + y
     if play.infrared_obstacle == 1 and belief.obstacle.distance > 0.0:
-        angle = belief.own.heading + belief.obstacle.bearing
-        x, y = belief.obstacle.distance * cos(angle), belief.obstacle.distance * sin(angle)
-        x, y = player_force(x, y, goal_x, goal_y, play)
+        x, y = obstacle_as_sensed(belief.obstacle, k, play)
+        dx, dy = out_of_frame(x, y, cosine, sine)
+        x, y = player_force(dx, dy, goal_x, goal_y, play)
         push_x, push_y = push_x + x, push_y + y
     return push_x, push_y
 
 
 @compiled
-def player_behind(obstacle, tracks, play):
+def obstacle_as_sensed(obstacle, k, play):
+    """Return the vector [m], robot frame, to the ranger's obstacle: as long as the reading itself.  MS42, MS49"""
+    x, y = obstacle.distance * cos(obstacle.bearing), obstacle.distance * sin(obstacle.bearing)
+    return as_sensed(x, y, k, play)
+
+
+@compiled
+def player_behind(obstacle, tracks, k, play):
     """Return the slot of the player that the ranger's obstacle must be, the nearest in bearing, or -1.  MS49"""
     best, nearest = -1, SAME
     if play.infrared_obstacle == 1 and obstacle.distance > 0.0:
+        to_x, to_y = obstacle_as_sensed(obstacle, k, play)
         for slot in range(tracks.shape[0]):
-            aside = abs(wrap(tracks[slot].bearing - obstacle.bearing))
+            x, y = as_sensed(tracks[slot].x, tracks[slot].y, k, play)
+            aside = abs(angle_between(to_x, to_y, x, y))
             if tracks[slot].present == 1 and tracks[slot].age <= play.player_age and aside < nearest:
                 best, nearest = slot, aside
     return best
@@ -109,15 +119,16 @@ def kept_longer(memory, off, play):
 
 
 @compiled
-def better_side(belief, tracks, goal_x, goal_y, side, play):
+def better_side(belief, tracks, goal_x, goal_y, side, k, play):
     """Return the side, +1 or -1, on which fewer and farther players stand; the present one unless clearly worse."""
     left = right = 1e-6
     goal = atan2(goal_y, goal_x)
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
         if track.present == 1 and track.age <= play.player_age:
-            off = wrap(belief.own.heading + track.bearing - goal)
-            force = repulsion(track.distance, play.player_gain, play.player_range, play)
+            x, y = as_sensed(track.x, track.y, k, play)
+            off = wrap(belief.own.heading + atan2(y, x) - goal)
+            force = repulsion(length(x, y), play.player_gain, play.player_range, play)
             left += force * max(cos(off - play.goal_limit), 0.0)
             right += force * max(cos(off + play.goal_limit), 0.0)
     if side > 0.0:
@@ -126,7 +137,7 @@ def better_side(belief, tracks, goal_x, goal_y, side, play):
 
 
 @compiled
-def off_ahead(belief, tracks, memory, play):
+def off_ahead(belief, tracks, memory, k, play):
     """Return the direction of the next step off straight ahead [rad], at most 45 degrees: the ball is there.  MS48
 
     55 if another player stands right ahead: with less the legs interlock.
@@ -134,23 +145,30 @@ def off_ahead(belief, tracks, memory, play):
     off = wrap(memory.way - belief.own.heading)
     if play.body_clamp == 0:
         return off
-    limit = play.blocked_limit if is_blocked(belief, tracks, play) else play.body_limit
+    limit = play.blocked_limit if is_blocked(belief, tracks, k, play) else play.body_limit
     return clip(off, -limit, limit)
 
 
 @compiled
-def is_blocked(belief, tracks, play):
+def is_blocked(belief, tracks, k, play):
     """Tell whether another player stands right ahead.  MS48"""
-    obstacle = belief.obstacle
-    in_beam = play.infrared_obstacle == 1 and 0.0 < obstacle.distance < play.blocked_range
-    if in_beam and abs(obstacle.bearing) < play.blocked_angle:
-        return True
+    if play.infrared_obstacle == 1 and belief.obstacle.distance > 0.0:
+        x, y = obstacle_as_sensed(belief.obstacle, k, play)
+        if is_right_ahead(x, y, play):
+            return True
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
-        near = track.present == 1 and track.age <= play.player_age and track.distance < play.blocked_range
-        if near and abs(track.bearing) < play.blocked_angle:
-            return True
+        if track.present == 1 and track.age <= play.player_age:
+            x, y = as_sensed(track.x, track.y, k, play)
+            if is_right_ahead(x, y, play):
+                return True
     return False
+
+
+@compiled
+def is_right_ahead(x, y, play):
+    """Tell whether x, y [m], robot frame, is near, and little aside of straight ahead.  MS48"""
+    return length(x, y) < play.blocked_range and abs(atan2(y, x)) < play.blocked_angle
 
 
 @compiled

@@ -122,9 +122,39 @@ MUTANTS = [
     Mutant(
         "MS48",
         STEERING,
-        "play.blocked_limit if is_blocked(belief, tracks, play) else play.body_limit",
+        "play.blocked_limit if is_blocked(belief, tracks, k, play) else play.body_limit",
         "play.body_limit",
         TEST + "test_ms48_at_most_45_degrees_off_the_body_or_55_past_a_player_ahead",
+    ),
+    Mutant(
+        "MS42",
+        FORCES,
+        "x -= k.head_camera_ahead",
+        "pass",
+        TEST + "test_ms42_distances_count_from_the_camera_to_the_surface_of_a_player",
+    ),
+    Mutant(
+        "MS42",
+        FORCES,
+        "max(away - k.body_front, NEAREST)",
+        "max(away, NEAREST)",
+        TEST + "test_ms42_distances_count_from_the_camera_to_the_surface_of_a_player",
+    ),
+    Mutant(
+        "MS48",
+        STEERING,
+        "as_sensed(track.x, track.y, k, play)",
+        "(track.x, track.y)",
+        TEST + "test_ms48_at_most_45_degrees_off_the_body_or_55_past_a_player_ahead",
+        where="is_blocked",
+    ),
+    Mutant(
+        "MS49",
+        STEERING,
+        "as_sensed(x, y, k, play)",
+        "(x, y)",
+        TEST + "test_ms49_the_obstacle_repels_by_the_reading_itself",
+        where="obstacle_as_sensed",
     ),
     Mutant(
         "MS49",
@@ -165,8 +195,8 @@ MUTANTS = [
     Mutant(
         "MS54",
         POINTS,
-        "if body:\n    way = own.heading + off_ahead(belief[0], tracks, memory[0], play)",
-        "if body and False:\n    way = own.heading + off_ahead(belief[0], tracks, memory[0], play)",
+        "if body:\n    way = own.heading + off_ahead(belief[0], tracks, memory[0], k, play)",
+        "if body and False:\n    way = own.heading + off_ahead(belief[0], tracks, memory[0], k, play)",
         TEST + "test_ms54_a_body_that_faces_the_goal_keeps_its_steps_within_the_bodys_limit",
     ),
 ]

@@ -139,8 +139,15 @@ MUTANTS = [
     Mutant(
         "MS49",
         OBSTACLE,
-        "w.obstacle_share * nearest_player(tracks, k)",
+        "w.obstacle_share * nearest_player(percept, tracks, k, s)",
         "inf",
+        TEST_OBSTACLE + "test_ms49_the_reading_must_be_significantly_closer_than_every_player",
+    ),
+    Mutant(
+        "MS49",
+        OBSTACLE,
+        "max(away - k.body_front, 0.0)",
+        "away",
         TEST_OBSTACLE + "test_ms49_the_reading_must_be_significantly_closer_than_every_player",
     ),
     Mutant(

@@ -24,9 +24,31 @@ MUTANTS = [
     Mutant(
         "MS26",
         PLANNER,
-        "abs(off) < play.orbit_until and is_open(sight, memory, k, play)",
+        "shoots and abs(off) < play.orbit_until",
+        "shoots",
+        TEST + "test_ms26_it_dribbles_round_who_is_in_the_way_and_shoots_where_nobody_is",
+    ),
+    Mutant(
+        "MS26",
+        SHOOTING,
+        "play.avoidance == 0 or not is_somebody_in_way(belief, tracks, k, play)",
         "True",
-        TEST + "test_ms26_it_does_not_shoot_while_it_faces_away_from_the_goal_or_is_far_from_it",
+        TEST + "test_ms26_it_dribbles_round_who_is_in_the_way_and_shoots_where_nobody_is",
+    ),
+    Mutant(
+        "MS26",
+        SHOOTING,
+        "play.shoots == 0",
+        "play.shoots == 2",
+        TEST + "test_ms26_a_team_that_shoots_not_at_all_dribbles_to_the_goal",
+    ),
+    Mutant(
+        "MS26",
+        SHOOTING,
+        "play.choose_shots == 1",
+        "play.choose_shots == 2",
+        TEST + "test_ms26_who_chooses_shots_does_not_shoot_while_it_faces_away_from_the_goal_or_is_far_from_it",
+        where="may_shoot",
     ),
     Mutant(
         "MS27",

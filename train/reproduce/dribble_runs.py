@@ -16,7 +16,7 @@ from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.staging import begin, put, put_ball, stage
 from soccer_env.train.reproduce.verdicts import Samples
 
-NO_SHOTS = {"shot_range": 0.0}  # a team that dribbles on instead of shooting
+NO_SHOTS = {"shoots": False}  # a team that dribbles on instead of shooting
 LOST = 0.10  # [m] between the ball and the chest from which it has been kicked away, assumed
 START = -1.2  # [m] x of the dribbler
 COUNTED = 1.0  # [m] over which a ball is to be kept

@@ -1,7 +1,8 @@
 """The obstacle that a legged robot makes of a reading of its infrared ranger.  [Sacks 2001, 4.3.3]  MS49
 
 The black head of a player that looks down hides its jersey: the player seems much farther than it is, or is not seen at
-all. A reading significantly closer than every player in memory tells of somebody whom the picture does not show:
+all. A reading significantly closer than every player in memory, both from the camera to the surface of a body, tells of
+somebody whom the picture does not show:
 
     distance, bearing    to the middle of that body, as if the beam met its chest (MS35); 0, 0: there is none
 
@@ -33,8 +34,9 @@ def believe_obstacle(percept, belief, tracks, k, s, w):
     obstacle, body = belief.obstacle, percept.body
     obstacle.distance = obstacle.bearing = 0.0
     if w.obstacle == 1 and body.active == 1 and body.upright == 1 and meets_somebody(percept, k, s, w):
-        x, y = place_in_beam(percept, k, s)
-        if length(x, y) < w.obstacle_share * nearest_player(tracks, k):
+        reading = range_by_infrared(percept, np.float64(percept.tilt), k) - k.body_front
+        if reading < w.obstacle_share * nearest_player(percept, tracks, k, s):
+            x, y = place_in_beam(percept, k, s)
             obstacle.distance, obstacle.bearing = length(x, y), atan2(y, x)
 
 
@@ -59,10 +61,12 @@ def place_in_beam(percept, k, s):
 
 
 @compiled
-def nearest_player(tracks, k):
-    """Return the distance [m] of the nearest player in memory, of either team; inf without any.  MS49"""
+def nearest_player(percept, tracks, k, s):
+    """Return the distance [m] from the camera to the surface of the nearest player in memory; inf without any.  MS49"""
+    ahead, left, _ = camera_place(np.float64(percept.pan), np.float64(percept.tilt), s)
     nearest = inf
     for slot in range(k.teammate_slots + k.opponent_slots):
         if tracks[slot].present == 1:
-            nearest = min(nearest, tracks[slot].distance)
+            away = length(tracks[slot].x - ahead, tracks[slot].y - left)
+            nearest = min(nearest, max(away - k.body_front, 0.0))
     return nearest

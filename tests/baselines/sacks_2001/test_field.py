@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.baselines.sacks_2001.forces import goal_force, player_force, repulsion, wall_force
+from soccer_env.baselines.sacks_2001.forces import as_sensed, goal_force, player_force, repulsion, wall_force
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE, MEMORY
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.steering import (
@@ -26,6 +26,7 @@ from tests.scenes.symmetry import mirrored_beliefs, mirrored_tracks
 
 K = constants_of(find_league("legged-2001"))[0]
 MIRROR = 1e-12
+EYE, CHEST = 0.142, 0.105  # [m] of the camera ahead of the middle, half of the other body
 THEORY = {"exponent": 3, "goal_force": "proportional", "cosine_factor": False}
 
 
@@ -100,6 +101,23 @@ def test_ms42_a_player_repels_as_much_as_the_goal_pulls_at_444_mm() -> None:
     assert player_force(1.0, 0.0, 1.0, 0.0, play) == (0.0, 0.0)
 
 
+def test_ms42_distances_count_from_the_camera_to_the_surface_of_a_player() -> None:
+    """A force of 1 at 444 mm of what the sensors measure, wherever the player is; nothing from 1 m on."""
+    unit = 1.0 / (1.0 / 0.8 + 1.0)
+    for angle in (0.0, 0.7, -1.2):
+        for sensed, force in ((unit, 1.0), (0.2, 3.2), (0.9999, 0.0)):
+            away = sensed + CHEST
+            belief, tracks, _ = scene((EYE + away * cos(angle), away * sin(angle)), heading=0.4)
+            goal = cos(0.4 + angle), sin(0.4 + angle)
+            push = force_of_players(belief[0], tracks, *goal, K, play_of())
+            assert push == pytest.approx((-force * goal[0], -force * goal[1]), abs=1e-4)
+    for place, middle in (((unit, 0.0), True), ((EYE + unit + CHEST, 0.0), False)):
+        belief, tracks, _ = scene(place)
+        push = force_of_players(belief[0], tracks, 1.0, 0.0, K, play_of(distance_from="middle"))
+        assert (hypot(*push) == pytest.approx(1.0)) is middle
+    assert hypot(*as_sensed(EYE, 0.0, K, play_of())) == hypot(*as_sensed(EYE, 0.1, K, play_of())) == 0.01
+
+
 def test_ms43_side_walls_push_straight_off_and_less_than_players() -> None:
     play = play_of()
     unit = 1.0 / (1.0 / 0.2 + 1.0 / 0.35)
@@ -140,14 +158,14 @@ def test_ms45_steps_of_3_5_cm_and_a_decision_each_half_second() -> None:
 
 
 def test_ms45_a_dribbler_decides_on_its_way_every_half_second_and_goes_at_that_pace() -> None:
-    mind = Mind(shot_range=0.01)
+    mind = Mind(shoots=False)
     mind.stand_at(0.0, 0.1)
     mind.see_ball(0.147, held=1)
     mind.tracks["present"][..., 0] = 1
     ways = []
     for step in range(40):  # a player drifts by: every decision is another one
         track = mind.tracks[0, 0, 0]
-        track["x"], track["y"] = 0.6, 0.3 - 0.004 * step
+        track["x"], track["y"] = 0.9, 0.3 - 0.004 * step
         track["distance"], track["bearing"] = hypot(track["x"], track["y"]), atan2(track["y"], track["x"])
         command = mind.think()[0]
         ways.append(float(mind.memory["way"]))
@@ -177,25 +195,41 @@ def test_ms47_pushed_mostly_back_it_stays_on_its_side() -> None:
 
 
 def test_ms48_at_most_45_degrees_off_the_body_or_55_past_a_player_ahead() -> None:
-    for place, limit in (((0.8, 0.1), 45.0), ((0.35, 0.05), 55.0), ((0.3, 0.25), 45.0)):
+    for place, limit, start in (
+        ((0.8, 0.1), 45.0, "surface"), ((0.35, 0.05), 55.0, "surface"), ((0.3, 0.25), 45.0, "surface"),
+        ((EYE + 0.39 + CHEST, 0.0), 55.0, "surface"), ((EYE + 0.41 + CHEST, 0.0), 45.0, "surface"),
+        ((0.39, 0.0), 55.0, "middle"), ((0.41, 0.0), 45.0, "middle"),
+    ):  # fmt: skip
         belief, tracks, memory = scene(place)
         for way, expected in ((1.2, limit), (-1.2, -limit), (0.5, np.degrees(0.5))):
             memory["way"] = way
-            assert np.degrees(off_ahead(belief[0], tracks, memory[0], play_of())) == pytest.approx(expected)
+            off = off_ahead(belief[0], tracks, memory[0], K, play_of(distance_from=start))
+            assert np.degrees(off) == pytest.approx(expected)
         memory["way"] = 1.2
-        assert off_ahead(belief[0], tracks, memory[0], play_of(body_clamp=False)) == pytest.approx(1.2)
+        assert off_ahead(belief[0], tracks, memory[0], K, play_of(body_clamp=False)) == pytest.approx(1.2)
 
 
 def test_ms49_the_rangers_obstacle_stands_in_for_one_player() -> None:
     """A player seen at 70 cm that is really at 30: its own force counts no more, another player's does."""
     belief, tracks, _ = scene((0.7, 0.0), (0.1, -0.6))
-    before = force_of_players(belief[0], tracks, 1.0, 0.0, play_of())
+    before = force_of_players(belief[0], tracks, 1.0, 0.0, K, play_of())
     belief["obstacle"]["distance"], belief["obstacle"]["bearing"] = 0.3, 0.05
-    after = force_of_players(belief[0], tracks, 1.0, 0.0, play_of())
-    near = player_force(float(np.float32(0.3)) * cos(0.05), 0.3 * sin(0.05), 1.0, 0.0, play_of())
-    other = player_force(0.1, -0.6, 1.0, 0.0, play_of())
-    assert after == pytest.approx((near[0] + other[0], near[1] + other[1]), rel=1e-6)
-    assert force_of_players(belief[0], tracks, 1.0, 0.0, play_of(infrared_obstacle=False)) == before
+    for start in ("surface", "middle"):
+        play = play_of(distance_from=start)
+        after = force_of_players(belief[0], tracks, 1.0, 0.0, K, play)
+        places = (float(np.float32(0.3)) * cos(0.05), 0.3 * sin(0.05)), (0.1, -0.6)
+        pushes = [player_force(*as_sensed(x, y, K, play), 1.0, 0.0, play) for x, y in places]
+        assert after == pytest.approx(tuple(np.sum(pushes, axis=0)), rel=1e-6)
+    assert force_of_players(belief[0], tracks, 1.0, 0.0, K, play_of(infrared_obstacle=False)) == before
+
+
+def test_ms49_the_obstacle_repels_by_the_reading_itself() -> None:
+    """The ranger reads 20 cm: 4/5 (1/0.2 - 1) = 3.2 times the goal's pull, and 55 degrees are allowed."""
+    belief, tracks, memory = scene()
+    belief["obstacle"]["distance"], belief["obstacle"]["bearing"] = EYE + 0.2 + CHEST, 0.0
+    assert force_of_players(belief[0], tracks, 1.0, 0.0, K, play_of())[0] == pytest.approx(-3.2, rel=1e-6)
+    memory["way"] = 1.2
+    assert np.degrees(off_ahead(belief[0], tracks, memory[0], K, play_of())) == pytest.approx(55.0)
 
 
 def test_ms54_points_go_as_the_teams_own_forces_say() -> None:
@@ -271,8 +305,8 @@ def test_the_way_is_the_same_in_the_mirror(changes: dict[str, Any]) -> None:
     for m in range(400):
         choose_way(beliefs[m], tracks[m], memories[0, m], K, play)
         choose_way(images[0][m], images[1][m], memories[1, m], K, play)
-        one = off_ahead(beliefs[m], tracks[m], memories[0, m], play)
-        assert abs(one + off_ahead(images[0][m], images[1][m], memories[1, m], play)) <= MIRROR
+        one = off_ahead(beliefs[m], tracks[m], memories[0, m], K, play)
+        assert abs(one + off_ahead(images[0][m], images[1][m], memories[1, m], K, play)) <= MIRROR
     for name in ("way", "way_side"):
         turn = memories[name][0] + memories[name][1]
         assert np.abs((turn + pi) % (2.0 * pi) - pi).max() <= MIRROR if name == "way" else not turn.any()

@@ -12,7 +12,7 @@ from tests.scenes.sacks_mind import LEAGUE, Mind
 
 FORWARD, LEFT, TURN, KICK = range(4)
 TOUCH = LEAGUE.body.front + LEAGUE.ball.radius  # [m] from a robot's middle to a ball between its paws
-OLD = {"avoidance": False, "blind_shots": True}  # orbit and shoot
+OLD = {"avoidance": False}  # orbit and shoot
 
 
 def believe_player(mind: Mind, slot: int, x: float, y: float, teammate: int = 0) -> None:
@@ -42,15 +42,37 @@ def test_ms26_it_goes_to_the_ball_orbits_it_to_face_the_goal_and_shoots() -> Non
     command = mind.think()[-1]
     assert mind.memory["behaviour"] == ORBIT
     assert command[TURN] < 0.0 < command[LEFT] and command[KICK] == 0.0  # round the ball, the goal lies to the right
-    mind.stand_at(0.3, 0.0, 0.05)
+    mind.stand_at(-0.9, 0.0, 0.05)  # from anywhere, whoever stands in the way
+    believe_player(mind, 2, 0.9, 0.05)
     command = mind.think()[-1]
     assert mind.memory["behaviour"] == SHOOT and command[KICK] == 1.0
 
 
-def test_ms26_it_does_not_shoot_while_it_faces_away_from_the_goal_or_is_far_from_it() -> None:
-    for mind in (holding(0.9), holding(0.0, -1.0)):
+def test_ms26_it_dribbles_round_who_is_in_the_way_and_shoots_where_nobody_is() -> None:
+    """Somebody 95 cm before its camera, or straight behind, repels; beyond a metre and behind nobody does."""
+    for x, expected in ((0.142 + 0.95 + 0.105, DRIBBLE), (0.142 + 1.01 + 0.105, SHOOT), (-0.5, SHOOT)):
+        mind = holding(0.0, -0.9)
+        believe_player(mind, 2, x, 0.0)
+        mind.think()
+        assert mind.memory["behaviour"] == expected
+    for heading, expected in ((0.5, ORBIT), (0.2, SHOOT)):  # it faces the goal first
+        mind = holding(heading, -0.5)
+        mind.think()
+        assert mind.memory["behaviour"] == expected
+
+
+def test_ms26_a_team_that_shoots_not_at_all_dribbles_to_the_goal() -> None:
+    for mind in (holding(0.0, shoots=False), holding(0.5, shoots=False)):
+        assert mind.think(1.0)[:, KICK].max() == 0.0
+        assert mind.memory["behaviour"] == DRIBBLE
+
+
+def test_ms26_who_chooses_shots_does_not_shoot_while_it_faces_away_from_the_goal_or_is_far_from_it() -> None:
+    for mind in (holding(0.9, choose_shots=True), holding(0.0, -1.0, choose_shots=True)):
         assert mind.think(1.0)[:, KICK].max() == 0.0
         assert mind.memory["behaviour"] != SHOOT
+    mind = holding(0.0, choose_shots=True)
+    assert mind.think()[-1, KICK] == 1.0
 
 
 def test_ms26_a_kick_that_the_leg_winds_up_for_is_seen_through() -> None:
@@ -98,7 +120,7 @@ def test_ms27_others_are_avoided_with_the_ball_alone() -> None:
 
 
 def test_ms27_a_ball_that_was_between_the_paws_counts_as_there_for_a_while() -> None:
-    mind = holding(0.0, -1.2, glance_time=0.0)
+    mind = holding(0.0, -1.2, glance_time=0.0, shoots=False)
     mind.think()
     assert mind.memory["behaviour"] == DRIBBLE
     mind.see_ball(0.6)
@@ -111,6 +133,7 @@ def test_ms27_a_ball_that_was_between_the_paws_counts_as_there_for_a_while() -> 
 @pytest.mark.parametrize("avoidance", [True, False])
 def test_ms52_without_avoidance_the_ball_is_orbited_instead_of_dribbled(avoidance: bool) -> None:
     mind = holding(0.7, -0.5, avoidance=avoidance)
+    believe_player(mind, 2, 0.6, 0.1)
     mind.think()
     assert mind.memory["behaviour"] == (DRIBBLE if avoidance else ORBIT)
 

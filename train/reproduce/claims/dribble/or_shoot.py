@@ -18,7 +18,7 @@ MATCHES, SECONDS = 32, 60.0  # [s] of a run, until the first goal
 SCENE = "dribble-past-three"  # three players who stand on the way to the goal
 STRATEGIES: dict[str, dict[str, Any]] = {
     "dribble": {},
-    "orbit and shoot": {"avoidance": False, "blind_shots": True, "shot_range": 10.0},  # the old team saw no blockers
+    "orbit and shoot": {"avoidance": False},
 }
 
 

@@ -12,7 +12,7 @@ nothing to bump into: "this model would not carry over well to the actual robots
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import atan2, cos, sin
 from typing import Any
 
@@ -63,7 +63,8 @@ class PointWorld:
         path, off = np.full((decisions + 1, m, 2), np.nan), np.full((decisions, m), np.nan)
         places = np.full((decisions + 1, m, p, 2), np.nan)
         constants = constants_of(find_league(self.league))
-        run_all(start, others, errors, blobs, constants, self.play.record(), self.body, path, off, places)
+        play = replace(self.play, distance_from="middle").record()  # points have neither camera nor surface
+        run_all(start, others, errors, blobs, constants, play, self.body, path, off, places)
         goal = 0.5 * float(constants["pitch_length"][0]) + BEHIND_LINE
         return PointRuns(path, off, places, goal, self.play.replan)
 
@@ -107,7 +108,7 @@ def run_all(start, others, errors, blobs, constants, settings, body, path, off, 
             choose_way(belief[0], tracks, memory[0], k, play)
             way = memory[0].way
             if body:
-                way = own.heading + off_ahead(belief[0], tracks, memory[0], play)
+                way = own.heading + off_ahead(belief[0], tracks, memory[0], k, play)
             off[t, m] = wrap(way - own.heading)
             move_players(crowd, own, play.replan)
             far = step_speed(k, play) * play.replan

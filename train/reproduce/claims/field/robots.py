@@ -13,10 +13,9 @@ from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims.field.point_runs import SIDE
 from soccer_env.train.reproduce.claims.field.points import SCENES
-from soccer_env.train.reproduce.dribble_runs import Way, place_with_ball, run
+from soccer_env.train.reproduce.dribble_runs import NO_SHOTS, Way, place_with_ball, run
 from soccer_env.train.reproduce.staging import put, stage, standing, wrapped
 
-SHOTS = {"shot_range": 0.01}  # [m] a team that dribbles on instead of shooting
 ROBOTS = 48  # runs of a batch
 SECONDS = 40.0  # [s] of a run: 1.5 m at 7 cm/s take 21
 PASSED = 0.55  # [m] x from which on a dribbler has passed the others, who stand before x = 0.3
@@ -83,7 +82,7 @@ def filled(values: np.ndarray) -> np.ndarray:
 def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str = "sensors", **play: Any) -> RobotRuns:
     """Let sacks-2001, with settings by name, dribble from start (M, 2) past a crowd (M, P) that stands or walks on."""
     count, others = crowd.shape
-    team = make_team("sacks-2001", **{**SHOTS, **play})
+    team = make_team("sacks-2001", **{**NO_SHOTS, **play})
     match = stage(batch, matches=count, away=others, controllers={"home": team}, keeper=0, senses=senses)
     place_with_ball(match, start[:, 0], start[:, 1], np.arctan2(-start[:, 1], GOAL_X - start[:, 0]))
     actions = standing(match)
