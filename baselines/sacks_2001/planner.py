@@ -125,9 +125,8 @@ def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
     memory.tries = 0
     off = wrap(aim(sight, memory, k, play) - sight.heading)
     shoots = may_shoot(belief, tracks, sight, memory, k, play)
-    if shoots and abs(off) < play.orbit_until:
-        return SHOOT
-    if memory.foiled <= 0.0 and can_clear(belief.situation, sight, k, play):
+    clears = memory.foiled <= 0.0 and can_clear(belief.situation, sight, k, play)
+    if clears or (shoots and abs(off) < play.orbit_until):
         return SHOOT
     if play.passes == 1 and memory.foiled <= 0.0 and find_pass(sight, k, play) >= 0:
         return PASS
