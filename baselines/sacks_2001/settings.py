@@ -73,7 +73,7 @@ class SacksSettings(Options):
     body_limit: float = 45.0 * DEGREE  # [rad] greatest angle from straight ahead, the same  MS48
     body_clamp: bool = True  # False: no limit  MS48
     blocked_limit: float = 55.0 * DEGREE  # [rad] if another player stands right ahead, the same  MS48
-    blocked_range: float = 0.40  # [m] "directly in front": as near as the ranger reaches, 4.1.2, assumed  MS48
+    blocked_range: float = 0.15  # [m] "directly in front": as near as this, 40 cm between two middles, assumed  MS48
     blocked_angle: float = 20.0 * DEGREE  # [rad] and as little aside, assumed  MS48
     infrared_obstacle: bool = True  # the ranger's reading instead of one of the players  MS49
     player_age: float = 5.0  # [s] unseen after which a player repels no more, assumed

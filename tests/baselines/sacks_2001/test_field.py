@@ -196,9 +196,9 @@ def test_ms47_pushed_mostly_back_it_stays_on_its_side() -> None:
 
 def test_ms48_at_most_45_degrees_off_the_body_or_55_past_a_player_ahead() -> None:
     for place, limit, start in (
-        ((0.8, 0.1), 45.0, "surface"), ((0.35, 0.05), 55.0, "surface"), ((0.3, 0.25), 45.0, "surface"),
-        ((EYE + 0.39 + CHEST, 0.0), 55.0, "surface"), ((EYE + 0.41 + CHEST, 0.0), 45.0, "surface"),
-        ((0.39, 0.0), 55.0, "middle"), ((0.41, 0.0), 45.0, "middle"),
+        ((0.8, 0.1), 45.0, "surface"), ((0.35, 0.03), 55.0, "surface"), ((0.3, 0.25), 45.0, "surface"),
+        ((EYE + 0.14 + CHEST, 0.0), 55.0, "surface"), ((EYE + 0.16 + CHEST, 0.0), 45.0, "surface"),
+        ((0.14, 0.0), 55.0, "middle"), ((0.16, 0.0), 45.0, "middle"),
     ):  # fmt: skip
         belief, tracks, memory = scene(place)
         for way, expected in ((1.2, limit), (-1.2, -limit), (0.5, np.degrees(0.5))):
@@ -224,10 +224,10 @@ def test_ms49_the_rangers_obstacle_stands_in_for_one_player() -> None:
 
 
 def test_ms49_the_obstacle_repels_by_the_reading_itself() -> None:
-    """The ranger reads 20 cm: 4/5 (1/0.2 - 1) = 3.2 times the goal's pull, and 55 degrees are allowed."""
+    """The ranger reads 12.5 cm: 4/5 (8 - 1) = 5.6 times the goal's pull, and 55 degrees are allowed."""
     belief, tracks, memory = scene()
-    belief["obstacle"]["distance"], belief["obstacle"]["bearing"] = EYE + 0.2 + CHEST, 0.0
-    assert force_of_players(belief[0], tracks, 1.0, 0.0, K, play_of())[0] == pytest.approx(-3.2, rel=1e-6)
+    belief["obstacle"]["distance"], belief["obstacle"]["bearing"] = EYE + 0.125 + CHEST, 0.0
+    assert force_of_players(belief[0], tracks, 1.0, 0.0, K, play_of())[0] == pytest.approx(-5.6, rel=1e-6)
     memory["way"] = 1.2
     assert np.degrees(off_ahead(belief[0], tracks, memory[0], K, play_of())) == pytest.approx(55.0)
 
