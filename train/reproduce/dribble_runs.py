@@ -17,6 +17,9 @@ from soccer_env.train.reproduce.staging import begin, put, put_ball, stage
 from soccer_env.train.reproduce.verdicts import Samples
 
 NO_SHOTS = {"shoots": False}  # a team that dribbles on instead of shooting
+# Distances to other players as in the first version here: from middle to middle, right ahead at the same place.
+FROM_MIDDLE = {"distance_from": "middle", "blocked_range": 0.40}  # [m]
+WAYS: dict[str, dict[str, Any]] = {"": {}, "middle ": FROM_MIDDLE}  # prefix of the samples: settings
 LOST = 0.10  # [m] between the ball and the chest from which it has been kicked away, assumed
 START = -1.2  # [m] x of the dribbler
 COUNTED = 1.0  # [m] over which a ball is to be kept

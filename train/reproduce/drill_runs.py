@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.match import Match
 from soccer_env.match_settings import Senses
 from soccer_env.scenes import Scene, find_scene
@@ -13,23 +15,37 @@ from soccer_env.scenes.judging import LOST, LOST_TIME, PAST
 from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.dribble_runs import NO_SHOTS, start_dribbling
-from soccer_env.train.reproduce.staging import LEGGED
+from soccer_env.train.reproduce.staging import LEGGED, wrapped
 from soccer_env.train.reproduce.verdicts import Samples
 from soccer_env.types import HOME
 
+STEP = SacksSettings().step_length  # [m] of a dribbler
 TOP = 0.12  # [m/s] of a walker at strength 1: the top speed ahead of the legged league
 PAPER = 0.06  # [m/s] of movers in the drills
 LONGEST = 40.0  # [s] of a run
+HELD = 0.5  # [1] of a full step: who makes less while it touches somebody is stopped by it, assumed
+TURNED = 0.09  # [rad] by which a contact turns another robot at least: 5 degrees, more than its gait does, assumed
 
 
 def start_drill(
-    batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float, senses: Senses = "sensors"
+    batch: Batch,
+    scene: str | Scene,
+    settings: dict[str, Any],
+    matches: int,
+    mover: float,
+    senses: Senses = "sensors",
+    opponents: str | None = None,
 ) -> Match:
-    """Return matches at the start of a drill's scene, with nobody to end them; movers walk at a speed [m/s]."""
+    """Return matches at the start of a drill's scene, with nobody to end them; movers walk at a speed [m/s].
+
+    `opponents`: a team that plays all of them instead.
+    """
     found = find_scene(scene)
     sides: dict[str, Any] = {"home": make_team("sacks-2001", **settings)}
     for row, name in enumerate(found.opponents):
         sides[f"away_{row}"] = "still" if name == "still" else f"walker@{mover / TOP:g}"
+    if opponents is not None:
+        sides = {"home": sides["home"], "away": opponents}
     match = Match(
         LEGGED, home=1, away=len(found.opponents), matches=matches, seeds=batch.seeds(matches), threads=batch.threads,
         scene=found, senses=senses, pose=batch.pose, controllers=sides,
@@ -45,6 +61,36 @@ def gap_to_others(match: Match) -> np.ndarray:
     return gap
 
 
+@dataclass
+class Contacts:
+    """What contacts with others do to the runs of a drill; arrays (M, ...)."""
+
+    step: int  # [control steps] of a gait step
+    headings: np.ndarray  # [rad] of the others at the start: nobody but the dribbler turns by himself
+    trail: list[tuple[np.ndarray, ...]]  # x, y [m] of robot 0 and whether it touches, over the last gait step
+    touched: np.ndarray  # bool: it touched somebody
+    hindered: np.ndarray  # bool: a contact stopped it for a gait step, or turned another
+
+    def note(self, match: Match, running: np.ndarray) -> None:
+        """Take in a control step of the runs that go on."""
+        robot, others = match.robots[:, 0], match.robots[:, 1:]
+        touches = match.robot_events["collision"][:, 0] == 1
+        self.touched |= running & touches
+        self.trail = [*self.trail[-self.step :], (robot["x"].copy(), robot["y"].copy(), touches)]
+        x, y, _ = self.trail[0]
+        touching = np.array([touch for _, _, touch in self.trail]).any(axis=0)
+        full = len(self.trail) > self.step
+        made = np.hypot(robot["x"] - x, robot["y"] - y) if full else np.inf
+        turned = np.abs(wrapped(others["heading"] - self.headings)).max(axis=1) > TURNED
+        self.hindered |= running & touching & (turned | (made < HELD * STEP))
+
+
+def contacts_of(match: Match) -> Contacts:
+    """Return the record of contacts of runs that begin."""
+    none = np.zeros((2, match.count), bool)
+    return Contacts(int(match.league.drive.gait_steps), match.robots["heading"][:, 1:].copy(), [], *none)
+
+
 def play_drill(
     batch: Batch,
     scene: str | Scene,
@@ -57,10 +103,11 @@ def play_drill(
 
     As the drill judges, but a touch ends nothing: "past": beyond everybody with the ball, or in the goal; "clean": that
     without a touch; "touched" before the end; "lost": the ball was far for a while. "seconds" until then; "nearest" [m]
-    that the middles of bodies came.
+    that the middles of bodies came; "free": past without a contact that stopped it or turned somebody.
     """
     match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
-    past, touched, lost = np.zeros((3, matches), bool)
+    past, lost = np.zeros((2, matches), bool)
+    contacts = contacts_of(match)
     away = np.zeros(matches)
     seconds = np.zeros(matches)
     nearest = np.full(matches, np.inf)
@@ -70,7 +117,7 @@ def play_drill(
             break
         match.step()
         robot, ball = match.robots[:, 0], match.balls
-        touched |= running & (match.robot_events["collision"][:, 0] == 1)
+        contacts.note(match, running)
         beyond = ball["x"] > match.robots["x"][:, 1:].max(axis=1) + PAST
         past |= running & ((beyond & (robot["has_ball"] == 1)) | (match.events["goal"] == HOME))
         near = np.hypot(ball["x"] - robot["x"], ball["y"] - robot["y"]) <= LOST
@@ -81,8 +128,9 @@ def play_drill(
     match.close()
     found = {
         "past": past,
-        "clean": past & ~touched,
-        "touched": touched,
+        "clean": past & ~contacts.touched,
+        "free": past & ~contacts.hindered,
+        "touched": contacts.touched,
         "lost": lost,
         "seconds": seconds,
         "nearest": nearest,

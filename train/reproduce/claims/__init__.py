@@ -64,6 +64,8 @@ MODULES: tuple[str, ...] = (
     "resolution",
     "dribble.dribbling",
     "dribble.past",
+    "dribble.classes",
+    "dribble.replanning",
     "dribble.or_shoot",
     "goalkeeper",
     "middle_size",
