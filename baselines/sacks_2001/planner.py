@@ -37,7 +37,7 @@ from soccer_env.baselines.sacks_2001.positions import choose_role, go_home, supp
 from soccer_env.baselines.sacks_2001.recovery import begin_recovery, go_on_recovering
 from soccer_env.baselines.sacks_2001.shooting import choose_target, find_pass, may_shoot
 from soccer_env.baselines.sacks_2001.steering import choose_way, off_ahead, step_speed
-from soccer_env.baselines.sacks_2001.stuck import forget_approach, is_stuck, watch_approach
+from soccer_env.baselines.sacks_2001.stuck import forget_approach, is_near, is_stuck, share_of_step, watch_approach
 from soccer_env.baselines.sacks_2001.xla import (
     glance,
     look_ahead,
@@ -96,13 +96,23 @@ def choose(belief, tracks, memory, sight, k, play, elapsed):
     if unseen and not has_ball and memory.kicked <= 0.0:
         return SEARCH
     choose_role(belief, memory, play, elapsed)
+    waits = wait_for_ball(situation, memory, sight, k, play, has_ball)
+    if waits != APPROACH:
+        forget_approach(memory)  # MS22
+        return waits
+    return choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed)
+
+
+@compiled
+def wait_for_ball(situation, memory, sight, k, play, has_ball):
+    """Return what a player does that leaves the ball to others, APPROACH for one that goes after it."""
     if situation.keeper == 1 and not (has_ball or may_clear(sight, play, k)):
         return GUARD
     if free_ring(situation, k) > 0.0:
         return YIELD
     if situation.keeper == 0 and memory.attacks == 0 and not has_ball:
         return SUPPORT
-    return choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed)
+    return APPROACH
 
 
 @compiled
@@ -115,8 +125,8 @@ def is_kicking(memory):
 def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
     """Return what an attacker does: approach and notice when it is stuck, or something with the ball.  MS22, MS26"""
     if not has_ball or is_contested(belief, tracks, play):
-        watch_approach(belief.ball, memory, play, elapsed)
-        if play.recovery == 1 and is_stuck(belief.ball, memory, play):
+        watch_approach(belief.ball, memory, k, play, elapsed)
+        if play.recovery == 1 and is_stuck(belief.ball, memory, k, play):
             begin_recovery(memory, k, play)
             return BACK
         return APPROACH
@@ -169,8 +179,8 @@ def act(belief, tracks, memory, command, sight, k, play, elapsed):
         look_ahead(command, k)
         command.forward = sight.pace
     elif chosen == APPROACH:
-        walks_on = belief.ball.distance >= play.near or memory.had_ball < play.possession_time
-        share = 1.0 if walks_on else play.near_step  # MS21
+        has_ball = memory.had_ball < play.possession_time
+        share = 1.0 if has_ball else share_of_step(belief.ball, k, play)  # MS21
         walk_to_ball(command, sight, k, play, share * k.drive_forward)
     elif chosen == BACK:
         walk_back(command, sight)
@@ -187,15 +197,15 @@ def act(belief, tracks, memory, command, sight, k, play, elapsed):
         support(command, sight, memory, belief.situation, k, play, free_ring(belief.situation, k))
     else:
         play_ball(belief, tracks, memory, command, sight, k, play, elapsed)
-    if has_time(belief, memory, play):
+    if has_time(belief, memory, k, play):
         look_around(command, memory, k, belief.ball.bearing, elapsed)
 
 
 @compiled
-def has_time(belief, memory, play):
+def has_time(belief, memory, k, play):
     """Tell whether a player that is not sure where it is may look for landmarks now: the ball is not near."""
     chosen = memory.behaviour
-    if belief.own.confidence > play.unsure or belief.ball.distance < play.near:
+    if belief.own.confidence > play.unsure or is_near(belief.ball, k, play):
         return False
     return chosen in (SUPPORT, YIELD, BACK, SIDESTEP, APPROACH)
 

@@ -36,13 +36,12 @@ class SacksSettings(Options):
     # stuck, 3.3
     recovery: bool = True  # the stuck counters and what follows from them; False: an attacker pushes on for ever
     stuck_count: int = 9  # readings, net, after which the robot is stuck: some seconds, assumed  MS19
-    near_zero: float = 0.03  # [m/s] a ball that comes nearer more slowly does not come nearer, assumed  MS19
-    clearly: float = 0.05  # [m/s] a ball that comes nearer faster clearly does, assumed  MS19
-    noise_share: float = 0.25  # [1] both bands widen by this share of the velocity's own error, assumed  MS19
+    near_zero: float = 0.03  # [m/s] "near zero": a ball that comes nearer more slowly does not, assumed  MS19
+    clearly: float = 0.05  # [m/s] "significantly less than zero": one that comes nearer faster does, assumed  MS19
     two_counters: bool = True  # the second counter near the ball; False: the first version of 3.3  MS20
-    near: float = 0.35  # [m] within which steps are shortened and both counters must agree, 3.3  MS20, MS21
-    near_time: float = 8.0  # [s] within that distance before the robot may think itself stuck, assumed  MS20
-    near_step: float = 0.9  # [1] share of a full step there, assumed  MS21
+    near: float = 0.35  # [m] from the camera, within which steps shrink and both counters must agree, 3.3  MS20, MS21
+    near_time: float = 8.0  # [s] there before it may think itself stuck: 7 s take it to the ball, assumed  MS20
+    near_step: float = 0.25  # [1] shortest share of a full step: 3 cm/s, a velocity "close to zero", assumed  MS21
 
     # recovery, 3.4
     back_steps: int = 10  # Sacks 2001, 3.4  MS23

@@ -2,46 +2,78 @@
 
 Tested only while it tries to get to the ball (MS22): whoever calls decides that.
 
-`play`: the team's settings.
+`k`: the league's constants; `play`: the team's settings.
 """
 
 from __future__ import annotations
 
+from math import cos, sin
+
 from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
 
 INTERVAL = 1.0 / 3.0  # [s] between two velocities of the ball, Sacks 2001, 3.2
-VELOCITY_NOISE = 0.21  # [1/(m s)] sd of the filtered radial velocity over distance squared, at 88x72, simulated
 ROUNDING = 1e-9
 
 
 @compiled
-def watch_approach(ball, memory, play, elapsed):
+def watch_approach(ball, memory, k, play, elapsed):
     """Move both counters by what the ball did in `elapsed` [s] of approach: net readings, time near the ball.
 
-    MS19: +1 if the radial velocity is near zero or positive, -1 if it is clearly negative, never below zero. Between
-    the two bands the counter rests. The lower one widens with the error of the velocity, which grows with the square
-    of the distance.
+    MS19: +1 if the radial velocity is near zero or positive, -1 if it is significantly less than zero, never below
+    zero; between the two the counter rests. The bands do not widen with the error of a velocity. However large that
+    is, the count then falls in the long run for a robot that nears the ball faster than the middle between the bands,
+    and rises for one that stands.
     """
-    memory.near = memory.near + elapsed if ball.distance < play.near else 0.0  # MS20
+    if is_near(ball, k, play):  # MS20
+        memory.near += elapsed
+    else:
+        memory.near = max(memory.near - elapsed, 0.0)
     memory.reading += elapsed
     if memory.reading < INTERVAL - ROUNDING:
         return
     memory.reading = max(memory.reading - INTERVAL, 0.0)
     if ball.age > INTERVAL:
         return
-    noise = VELOCITY_NOISE * ball.filtered_distance * ball.filtered_distance
     if ball.radial > -play.near_zero:
         memory.stuck += 1
-    elif ball.radial < -play.clearly - play.noise_share * noise:
+    elif ball.radial < -play.clearly:
         memory.stuck = max(memory.stuck - 1, 0)
 
 
 @compiled
-def is_stuck(ball, memory, play):
+def is_stuck(ball, memory, k, play):
     """Tell whether the robot is stuck: the first counter has tripped, and near the ball the second one too.  MS20"""
     if memory.stuck < play.stuck_count:
         return False
-    return play.two_counters == 0 or ball.distance >= play.near or memory.near >= play.near_time
+    return play.two_counters == 0 or not is_near(ball, k, play) or memory.near >= play.near_time
+
+
+@compiled
+def is_near(ball, k, play):
+    """Tell whether the ball is so near, by the steadier filtered estimate, that steps are shortened.  MS20"""
+    return from_camera(ball.filtered_distance, ball.filtered_bearing, k) < play.near
+
+
+@compiled
+def from_camera(distance, bearing, k):
+    """Return the distance [m] over the ground from the camera, level ahead, to a ball seen from the body's middle.
+
+    The ranges of the paper are readings, and those are taken where the camera is.
+    """
+    return length(distance * cos(bearing) - k.head_camera_ahead, distance * sin(bearing))
+
+
+@compiled
+def share_of_step(ball, k, play):
+    """Return the share [1] of a full step on the way to the ball: in proportion to its distance once it is near.
+
+    "our robots take smaller steps when they get close to the ball to avoid inadvertently kicking it away, and thus the
+    ball's relative velocity drops close to zero": 35 cm is where "its step size begins to decrease", `near_step` of a
+    full one where it has become as small as it gets.  MS21
+    """
+    gap = from_camera(ball.distance, ball.bearing, k)
+    return clip(gap / max(play.near, ROUNDING), play.near_step, 1.0)
 
 
 @compiled

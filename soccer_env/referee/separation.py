@@ -1,7 +1,8 @@
 """Pull apart opponents that have collided and do not come free.  [Sacks 2001, 1]  MS55
 
-"The referee can, in many circumstances, separate robots that have collided after a set time". The ball stays where it
-is and play goes on.
+"The referee can, in many circumstances, separate robots that have collided after a set time". Unlike there it is in all
+circumstances, for the paper does not say which, and the set time is assumed. The ball stays where it is and play goes
+on.
 
 `k`: the league's constants.
 """

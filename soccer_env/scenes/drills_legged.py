@@ -70,13 +70,13 @@ def place_head_on(league: League, ball: Any, robots: Any, draw: Draw) -> None:
 
 
 def place_facing_wall(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Let home's robot face the board on a touchline, its paws at it, the ball behind its back."""
+    """Let home's robot face the board on a touchline, a paw at its foot, the ball behind its back."""
     seeker = last_of(robots, HOME)
     send_away(league, robots, seeker)
     side, off = draw.side(), draw.between(-0.4, 0.4)
     body = league.body
     paws = body.tip_x * cos(off) + body.tip_y * abs(sin(off)) + body.tip_radius  # how far they reach to the board
-    x, y = draw.between(-0.2, 1.1), side * (league.pitch.width / 2 - league.foot - paws - ROOM)
+    x, y = draw.between(-0.2, 1.1), side * (league.pitch.width / 2 - league.foot - paws)
     put(robots[seeker], x, y, side * pi / 2 + off)
     away, behind = draw.between(0.35, 0.8), -side * pi / 2 + draw.between(-0.7, 0.7)
     ball["x"], ball["y"] = min(x + away * cos(behind), 1.3), y + away * sin(behind)

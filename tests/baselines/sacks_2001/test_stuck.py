@@ -1,14 +1,19 @@
 """How a player of sacks-2001 notices that it is stuck: by counting readings in which the ball does not come nearer."""
 
+from statistics import NormalDist
+
+import numpy as np
 import pytest
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, SUPPORT
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from tests.scenes.sacks_mind import Mind
+from tests.scenes.sacks_mind import LEAGUE, RATE, Mind
 
 COUNT = SacksSettings().stuck_count
 READING = 1.0 / 3.0  # [s] between two readings
-FAR = 0.5  # [m] from the ball, and not near it
+FAR = 0.6  # [m] from the ball, and not near it
+CAMERA = LEAGUE.head.camera_ahead  # [m] from which a ball is near or not
+NOISE = 0.21  # [1/(m s)] sd of the filtered radial velocity over distance squared, at 88x72, simulated
 
 
 @pytest.mark.parametrize("radial", [0.0, 0.1, -0.02])
@@ -45,6 +50,22 @@ def test_ms19_between_the_bands_the_count_rests() -> None:
     assert mind.memory["stuck"] == 3
 
 
+@pytest.mark.parametrize("distance", [0.6, 1.8, 2.5])
+def test_ms19_however_wrong_velocities_are_the_count_falls_for_who_walks_and_rises_for_who_stands(
+    distance: float,
+) -> None:
+    errors = [NOISE * distance**2 * NormalDist().inv_cdf((i + 0.5) / 400) for i in range(400)]
+    for speed, falls in ((LEAGUE.drive.forward, True), (0.0, False)):
+        mind = Mind(stuck_count=10_000)
+        mind.stand_at(-1.4, 0.0)
+        mind.memory["stuck"] = begun = 1000
+        for error in errors:
+            mind.see_ball(distance, radial=error - speed)
+            mind.memory["reading"] = READING
+            mind.think()
+        assert (mind.memory["stuck"] < begun) == falls
+
+
 def test_ms20_near_the_ball_both_counters_must_agree() -> None:
     one, two = Mind(two_counters=False), Mind()
     for mind in (one, two):
@@ -57,23 +78,48 @@ def test_ms20_near_the_ball_both_counters_must_agree() -> None:
     assert two.memory["behaviour"] == BACK
 
 
-def test_ms20_the_second_counter_begins_anew_at_35_cm() -> None:
+def test_ms20_the_second_counter_is_time_within_35_cm_of_the_camera_and_time_beyond_is_taken_off() -> None:
     mind = Mind(stuck_count=1000)
-    mind.see_ball(0.34)
+    mind.see_ball(CAMERA + 0.34)
     mind.think(3.0)
-    assert mind.memory["near"] == pytest.approx(3.0, abs=0.1)
-    mind.see_ball(0.36)
+    assert mind.memory["near"] == pytest.approx(3.0)
+    mind.see_ball(CAMERA + 0.36)
+    mind.think()
+    assert mind.memory["near"] == pytest.approx(3.0 - 1.0 / RATE)
+    mind.think(4.0)
+    assert mind.memory["near"] == 0.0
+    mind.see_ball(CAMERA + 0.34, bearing=0.5)  # aside it is farther from the camera than ahead
     mind.think()
     assert mind.memory["near"] == 0.0
 
 
-def test_ms21_steps_are_shorter_within_35_cm() -> None:
+def test_ms20_one_reading_beyond_35_cm_neither_ends_the_time_nor_makes_a_robot_think_itself_stuck() -> None:
     mind = Mind()
-    mind.see_ball(0.36)
-    far = mind.think()[0, 0]
-    mind.see_ball(0.34)
-    near = mind.think()[0, 0]
-    assert near == pytest.approx(SacksSettings().near_step * far) and near < far
+    mind.see_ball(CAMERA + 0.3)
+    mind.think(5.0)
+    mind.belief["ball"]["distance"] = CAMERA + 0.4  # one estimate; the mean of the last four is still near
+    mind.think()
+    assert mind.memory["near"] == pytest.approx(5.0 + 1.0 / RATE) and mind.memory["behaviour"] == APPROACH
+
+
+def test_ms21_within_35_cm_steps_shrink_with_the_distance_until_the_ball_hardly_comes_nearer() -> None:
+    speeds = []
+    for gap in (0.36, 0.349, 0.175, 0.05, 0.01):
+        mind = Mind()
+        mind.see_ball(CAMERA + gap)
+        speeds.append(mind.think()[0, 0])
+    share = np.array(speeds) / speeds[0]
+    least = SacksSettings().near_step
+    np.testing.assert_allclose(share, [1.0, 0.349 / 0.35, 0.5, least, least], rtol=1e-6)
+    assert speeds[-1] * LEAGUE.drive.forward <= SacksSettings().near_zero + 1e-9
+
+
+def test_ms21_who_has_just_had_the_ball_walks_on_at_full_pace() -> None:
+    mind = Mind()
+    mind.see_ball(CAMERA + 0.01)
+    mind.memory["begun"], mind.memory["had_ball"] = 1, 0.1
+    mind.belief["obstacle"]["distance"] = 0.2  # an opponent before it: the ball is contested
+    assert mind.think()[0, 0] == pytest.approx(1.0)
 
 
 def test_ms22_only_who_tries_to_get_to_the_ball_counts() -> None:
@@ -89,9 +135,14 @@ def test_ms22_only_who_tries_to_get_to_the_ball_counts() -> None:
 
 
 def test_ms22_who_went_on_to_something_else_begins_to_count_anew() -> None:
-    mind = Mind()
-    mind.see_ball(FAR)
-    mind.think(2.0)
-    mind.see_ball(0.147, held=1)
-    mind.think(0.5)
-    assert mind.memory["stuck"] == 0
+    for other in ("possession", "support"):
+        mind = Mind()
+        mind.see_ball(FAR)
+        mind.think(2.0)
+        assert mind.memory["stuck"] > 0
+        if other == "possession":
+            mind.see_ball(0.147, held=1)
+        else:
+            mind.belief["heard"]["distance"], mind.belief["heard"]["age"] = 0.2, 0.1
+        mind.think(2.0)
+        assert mind.memory["stuck"] == 0 and mind.memory["behaviour"] != APPROACH
