@@ -84,9 +84,9 @@ def behind_post(batch: Batch, matches: int, ways: float = 0.4, **settings: Any) 
     return match
 
 
-def recover(match: Match, rows: Any = slice(None)) -> None:
-    """Let the player of robot 0 begin a recovery now, as if it had noticed that it is stuck."""
-    memory, steps = memory_of(match), team_settings_of(match)["back_steps"][0]
+def recover(match: Match, rows: Any = slice(None), r: int = 0) -> None:
+    """Let the player of robot r begin a recovery now, as if it had noticed that it is stuck."""
+    memory, steps = memory_of(match, r), team_settings_of(match, r)["back_steps"][0]
     memory["behaviour"][rows] = BACK
     memory["clock"][rows] = 0.0
     memory["stuck"][rows] = 0
