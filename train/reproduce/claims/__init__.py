@@ -40,6 +40,7 @@ MODULES: tuple[str, ...] = (
     "ball.velocity",
     "ball.gap",
     "stuck.collisions",
+    "stuck.worth",
     "stuck.stealing",
     "stuck.detection",
     "stuck.false_alarms",

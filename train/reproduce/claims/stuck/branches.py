@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any
@@ -18,7 +19,7 @@ from soccer_env.train.reproduce.staging import play, wrapped
 from soccer_env.train.reproduce.verdicts import Samples
 from soccer_env.types import AWAY, HOME, NO_TEAM
 
-FUTURE = 20.0  # [s] of a branch
+FUTURE = 24.0  # [s] of a branch
 FREE_TIME = 1.0  # [s] of walking as asked, in contact with nobody, after which a robot is free; assumed
 AS_ASKED = 0.5  # [1] of the way that its legs walk, assumed
 NUMBERS = ("got", "freed", "began", "over", "again", "tries", "goals", "before", "after")
@@ -106,7 +107,7 @@ def follow(
     return _follow(alone, begun, kind, random_sides, tuple(sorted(settings.items())))
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=1024)
 def _follow(batch: Batch, begun: bool, kind: int, random_sides: bool, settings: tuple[tuple[str, Any], ...]) -> Samples:
     """Return the same of arguments that can be looked up."""
     moments = sample(batch)
@@ -149,3 +150,17 @@ def places(moments: Moments) -> np.ndarray:
     before = moments.match[:, None] == moments.match[None, :]
     found: np.ndarray = np.tril(before, -1).sum(axis=1)
     return found
+
+
+def chosen(found: Samples, **flags: float) -> np.ndarray:
+    """Return which moments (MATCHES, MOST) there are, of those whose flags are as asked: still=1.0, near=0.0."""
+    there: np.ndarray = np.isfinite(found["near"])
+    for name, value in flags.items():
+        there = there & (found[name] == value)
+    return there
+
+
+def shares_of(found: Samples, hit: Callable[[Samples], np.ndarray], **flags: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the numbers of moments and of hits among them in each match (MATCHES,), flags as asked."""
+    there = chosen(found, **flags)
+    return there.sum(axis=1).astype(float), (there & hit(found)).sum(axis=1).astype(float)

@@ -24,6 +24,7 @@ NO_GRIP = 1e-6  # [m/s2] traction of legs that slip on the spot
 ABREAST = 0.16  # [m] aside at which two robots just pass each other
 OVERLAP = 0.08  # [m] of bodies at most: with more the ball is hidden
 POST, BEYOND = (0.33, 0.4), (0.22, 0.35)  # [m] of the one in the way, and of the ball beyond it
+AHEAD, ANGLE = (0.5, 0.7), (np.pi / 6.0, 2.0 * np.pi / 3.0)  # [m] of the ball before a camera, [rad] between ways
 START = -0.9  # [m] x of the robot at the start
 
 
@@ -53,12 +54,32 @@ def anchor(match: Match, rows: Sequence[int]) -> None:
 
 
 def walk_up(batch: Batch, matches: int, nearest: float, farthest: float, **settings: Any) -> Match:
-    """Return matches in which robot 0 walks towards a still ball `nearest` to `farthest` [m] ahead."""
+    """Return matches in which robot 0 walks towards a still ball `nearest` to `farthest` [m] before its camera."""
     rng = batch.rng()
     match = seekers(batch, matches, **settings)
     heading = rng.uniform(-0.5, 0.5, matches)
     put(match, 0, START, rng.uniform(-0.3, 0.3, matches), heading, forward=match.league.drive.forward)
-    put_ball(match, *ahead_of(match, 0, rng.uniform(nearest, farthest, matches), rng.uniform(-0.3, 0.3, matches)))
+    far = rng.uniform(nearest, farthest, matches) + match.league.head.camera_ahead
+    put_ball(match, *ahead_of(match, 0, far, rng.uniform(-0.3, 0.3, matches)))
+    begin(match, placed=True)
+    return match
+
+
+def converge(batch: Batch, matches: int, **settings: Any) -> Match:
+    """Return matches in which two opponents walk to a still ball ahead of both, from ways that meet at an angle.
+
+    Both are sacks-2001, with settings by name.
+    """
+    rng = batch.rng(4)
+    team = make_team("sacks-2001", **settings)
+    match = stage(batch, LEGGED, matches=matches, controllers={"home": team, "away": team}, keeper=0)
+    x, y = rng.uniform(-0.5, 0.5, matches), rng.uniform(-0.3, 0.3, matches)
+    way, between = rng.uniform(-np.pi, np.pi, matches), rng.choice([-1.0, 1.0], matches) * rng.uniform(*ANGLE, matches)
+    for r, off in ((0, 0.0), (1, between)):
+        far = rng.uniform(*AHEAD, matches) + match.league.head.camera_ahead
+        place = x - far * np.cos(way + off), y - far * np.sin(way + off)
+        put(match, r, *place, way + off, forward=match.league.drive.forward)
+    put_ball(match, x, y)
     begin(match, placed=True)
     return match
 

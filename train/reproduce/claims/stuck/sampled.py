@@ -98,6 +98,17 @@ class Watch:
         found: np.ndarray = (self.mean(4) == 1.0) & self.touches() & (walked > ASKED) & gone
         return found
 
+    def short(self) -> np.ndarray:
+        """Return who went for the ball, in contact with somebody, and came much less nearer to it than its legs walked.
+
+        Unlike one that is held it may move: two that push the ball on before both of them come no nearer either.
+        """
+        first, last = (np.hypot(now[5] - now[0], now[6] - now[1]) for now in (self.rows[0], self.rows[-1]))
+        walked = self.mean(2) * self.size
+        nearer = first - last >= SHARE * walked
+        found: np.ndarray = (self.mean(4) == 1.0) & self.touches() & (walked > ASKED) & ~nearer
+        return found
+
     def still(self) -> np.ndarray:
         """Return where the ball lay still."""
         return self.path(5) < STILL
@@ -126,7 +137,7 @@ def tripped(match: Match) -> np.ndarray:
     return found
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=64)
 def sample(batch: Batch) -> Moments:
     """Watch a batch of matches and copy them where somebody is held, and where somebody's counters trip.
 
