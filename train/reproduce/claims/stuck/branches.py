@@ -14,7 +14,16 @@ from soccer_env.match import Match
 from soccer_env.staging import memory_of
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims.stuck.runs import recover
-from soccer_env.train.reproduce.claims.stuck.sampled import HELD, MATCHES, MOST, Moments, Watch, behaviours, branch, sample
+from soccer_env.train.reproduce.claims.stuck.sampled import (
+    HELD,
+    MATCHES,
+    MOST,
+    Moments,
+    Watch,
+    behaviours,
+    branch,
+    sample,
+)
 from soccer_env.train.reproduce.staging import play, wrapped
 from soccer_env.train.reproduce.verdicts import Samples
 from soccer_env.types import AWAY, HOME, NO_TEAM
@@ -112,7 +121,9 @@ def _follow(batch: Batch, begun: bool, kind: int, random_sides: bool, settings: 
     """Return the same of arguments that can be looked up."""
     moments = sample(batch)
     place = places(moments)
-    found = {name: np.full((MATCHES, MOST), np.nan) for name in (*NUMBERS, "near", "still", "touching", "theirs", "held")}
+    found = {
+        name: np.full((MATCHES, MOST), np.nan) for name in (*NUMBERS, "near", "still", "touching", "theirs", "held")
+    }
     for team in (HOME, AWAY):
         of_team = moments.team == team
         rows = np.flatnonzero((moments.kind == kind) & of_team)

@@ -116,7 +116,9 @@ def deadlock_figure(samples: Samples) -> Sequence[Figure]:
     for name, title in (("", "no detection"), (" on", "detection and recovery")):
         until = samples[f"until{name}"][samples[f"held{name}"] == 1.0]
         curves.append(Curve(title, grid.tolist(), [100.0 * mean(until > t) for t in grid]))
-    return (Figure("Two robots held short of a still ball", "time [s]", "without ball [%]", tuple(curves), rules=(80.0,)),)
+    return (
+        Figure("Two robots held short of a still ball", "time [s]", "without ball [%]", tuple(curves), rules=(80.0,)),
+    )
 
 
 S03 = Claim(
@@ -138,7 +140,9 @@ S03 = Claim(
             unit="s",
         ),
         reported(
-            "held pairs without the ball 20 s later, with recovery", lambda s: percent("without on", "held on", s), unit="%"
+            "held pairs without the ball 20 s later, with recovery",
+            lambda s: percent("without on", "held on", s),
+            unit="%",
         ),
         reported("robots held in play, not free 20 s later", lambda s: percent("play bound", "play", s), unit="%"),
         reported("the same where the ball lay still", lambda s: percent("lay bound", "lay", s), unit="%"),
@@ -146,8 +150,8 @@ S03 = Claim(
     measure=pairs,
     figures=deadlock_figure,
     ingredients=("friction of bodies and ball", "bodies are a trunk and four posts, which can interlock"),
-    changed="The scene: before, two robots face to face with the ball between the paws of both, who do not try to get to "
-    "it any more; still stuck at 20 s 78.7 % (75.8 to 81.3), the same with recovery.",
+    changed="The scene: before, two robots face to face with the ball between the paws of both, who do not try to get "
+    "to it any more; still stuck at 20 s 78.7 % (75.8 to 81.3), the same with recovery.",
     seconds=4.0,
     batches=12,
 )

@@ -7,7 +7,6 @@ bodies, noise and memories are the same in all branches, which pairs them. In br
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -56,11 +55,11 @@ class Moments:
 
 
 class Watch:
-    """What robots (M, R) did in the last WINDOW seconds."""
+    """What robots (M, R) did in the last WINDOW seconds, or as many as are asked for."""
 
-    def __init__(self, match: Match) -> None:
+    def __init__(self, match: Match, seconds: float = WINDOW) -> None:
         self.match = match
-        self.size = round(WINDOW * match.league.control_rate)
+        self.size = round(seconds * match.league.control_rate)
         self.rows: list[np.ndarray] = []
 
     def look(self) -> None:

@@ -13,7 +13,7 @@ from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.stuck.branches import follow
 from soccer_env.train.reproduce.claims.stuck.runs import behind_post, converge
-from soccer_env.train.reproduce.claims.stuck.sampled import MATCHES, MOST
+from soccer_env.train.reproduce.claims.stuck.sampled import MATCHES
 from soccer_env.train.reproduce.staging import LEGGED, kick_off, play
 from soccer_env.train.reproduce.values import mean
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
@@ -142,7 +142,8 @@ S02 = Claim(
         ),
         reported("held in play: success without", partial(success, word="off"), unit="%"),
         reported(
-            "held in play: goals in 100, with less without", lambda s: 100.0 * (mean(s["goals on"]) - mean(s["goals off"]))
+            "held in play: goals in 100, with less without",
+            lambda s: 100.0 * (mean(s["goals on"]) - mean(s["goals off"])),
         ),
         *(
             reported(f"success, {name}, recovery {word}", partial(success, word=word, task=name), unit="%")
