@@ -10,5 +10,6 @@ markers.py   where in a page a table stands
 teams.py     teams against teams      learned.py   the learned team, and how long its training takes
 headlines.py the few figures of the main README, picked out of the others
 claims.py    what `soccer reproduce` measures        sacks.py   the page of the team sacks-2001
+                                                     sacks_settings.py   what it says of its settings
 tables.json  what was measured
 """

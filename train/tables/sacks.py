@@ -14,15 +14,10 @@ import sys
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
-from math import pi
 from pathlib import Path
 from typing import Any
 
 from soccer_env.baselines.sacks_2001 import settings as sacks_settings
-from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.baselines.sacks_2001.team import FUTURE, TUNED
-from soccer_env.leagues.options import GREATEST
-from soccer_env.train.evaluate.report import plain
 from soccer_env.train.files import read_lines
 from soccer_env.train.reproduce.claim import SACKS
 from soccer_env.train.reproduce.claims import all_claims
@@ -33,6 +28,7 @@ from soccer_env.train.reproduce.settings import ReproduceSettings
 from soccer_env.train.reproduce.verdicts import CONTEXT, NOT, VERDICTS
 from soccer_env.train.results_folder import SETTINGS, read_settings
 from soccer_env.train.tables.markers import between_markers
+from soccer_env.train.tables.sacks_settings import constants_text, settings_table, variants_table
 from soccer_env.whole_files import write_whole
 
 FOLDER = Path(sacks_settings.__file__).resolve().parent
@@ -159,37 +155,9 @@ def sources(measured: Mapping[str, Mapping[str, Any]]) -> list[str]:
     return [f"Measured {run}: {', '.join(names)}." for run, names in runs.items()]
 
 
-def settings_table(_: object = None) -> str:
-    """Return every setting of the team in Markdown, with what may stand in it and where its value comes from."""
-    lines = ["| setting | value | allowed | what it is, source |", "|---|---|---|---|"]
-    for name, value, allowed, note in SacksSettings().rows():
-        unit, _, text = note.partition("] ") if note.startswith("[") else ("", "", note)
-        room = allowed.replace(f" to {GREATEST:.0f}", " or more")
-        lines.append(f"| `{name}` | {shown(value, unit)} | {room} | {text} |")
-    return "\n".join(lines)
-
-
-def shown(value: Any, unit: str) -> str:
-    """Return a setting's value with its unit; an angle in degrees too."""
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        return str(value)
-    number = plain(float(value), 3)
-    if unit == "[rad":
-        return f"{number} rad ({value * 180.0 / pi:.0f} degrees)"
-    return f"{number} {unit[1:]}" if unit not in ("", "[1") else number
-
-
-def variants_table(_: object = None) -> str:
-    """Return in Markdown what the variants of the team change."""
-    plain_team = asdict(SacksSettings())
-    lines = ["| team | setting | sacks-2001 | here |", "|---|---|---|---|"]
-    for name, changes in (("sacks-2001-tuned", TUNED), ("sacks-2001-future", FUTURE)):
-        lines += [f"| `{name}` | `{key}` | {plain_team[key]} | {value} |" for key, value in changes.items()]
-    return "\n".join(lines)
-
-
 PARTS: dict[str, Callable[[Mapping[str, Mapping[str, Any]]], str]] = {
     "claims": claims_table,
+    "constants": constants_text,
     "settings": settings_table,
     "variants": variants_table,
 }

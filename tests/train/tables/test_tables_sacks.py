@@ -1,6 +1,7 @@
 """The README of sacks-2001 is what the stored results and the settings say; what was not measured is shown so."""
 
 import json
+import re
 from dataclasses import fields
 from pathlib import Path
 
@@ -37,6 +38,15 @@ def test_every_setting_of_the_team_stands_in_its_table() -> None:
     assert {f"`{field.name}`" for field in fields(SacksSettings)} <= set(rows)
     assert rows["`player_range`"][1] == "1 m" and rows["`goal_limit`"][1] == "1.22 rad (70 degrees)"
     assert "4.3.2" in rows["`player_gain`"][3]
+
+
+def test_the_page_names_the_constants_of_the_paper_and_counts_the_assumed_ones() -> None:
+    text = " ".join(tables_sacks.PARTS["constants"]({}).split())
+    assert "`player_gain` 0.8 m^exponent, `player_range` 1 m, `wall_gain` 0.2 m^exponent, `wall_range` 0.35 m" in text
+    assert "`step_length` 0.035 m" in text and "`goal_limit` 1.22 rad (70 degrees)" in text
+    assert "stuck_count" not in text, "assumed"
+    settings, numbers, rules, assumed = (int(word) for word in re.findall(r"\b(\d+) (?:settings|are)", text))
+    assert settings == len(fields(SacksSettings)) == numbers + rules + 1 + assumed
 
 
 def test_a_note_that_was_written_anew_replaces_the_one_of_the_run() -> None:
