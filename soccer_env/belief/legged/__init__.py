@@ -10,6 +10,7 @@
     obstacle.py    The obstacle that a legged robot makes of a reading of its infrared ranger.
     own_pose.py    The own pose of a legged robot: its particles go by landmarks and goals.
     players.py     The other players that a legged robot believes in.
+    surface.py     From a player's middle to its surface, as the sensors measure it, and back.
     talk.py        Words of four bits by loudspeaker: how far the ball is, 1 to 15, or 0 "I do not see it".
     velocity.py    How fast the ball moves, from two of its places a third of a second apart.
 

@@ -18,6 +18,7 @@ import numpy as np
 
 from soccer_env.belief.legged.grouping import COMBINED, box_of_player, largest_left, player_of
 from soccer_env.belief.legged.matching import likeliest_slot
+from soccer_env.belief.legged.surface import half_a_body
 from soccer_env.belief.odometry import motion_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
@@ -188,7 +189,7 @@ def is_in_beam(percept, left, right, high, low, s, w):
 def range_by_infrared(percept, tilt, k):
     """Return the range [m] along the ground to the centre of a player whose surface the ranger meets.  MS35
 
-    Unlike the paper, which takes the reading itself, half a body is added: as much as the centre lies behind the chest,
-    the most common view; assumed. From the side it is 3 cm less, from behind 2 cm more.
+    The paper takes "the reading from the infrared distance sensor". It is what `surface_distance` of this player gives
+    back (surface.py); half a body is added because tracks hold middles, whatever they were measured by.
     """
-    return np.float64(percept.infrared) * cos(tilt) + k.body_front
+    return np.float64(percept.infrared) * cos(tilt) + half_a_body(k)
