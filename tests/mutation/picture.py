@@ -6,6 +6,7 @@ BLOBS, CAMERA = "soccer_env/perception/legged/blobs.py", "soccer_env/perception/
 JERSEY, TABLES = "soccer_env/perception/legged/jersey.py", "soccer_env/perception/legged/calibration.py"
 PICTURE = "soccer_env/perception/legged/picture.py"
 TEST_BLOBS, TEST_CAMERA = "tests/perception/legged/test_camera_blobs.py::", "tests/perception/legged/test_camera.py::"
+TEST_LOST = "tests/perception/legged/test_lost_blobs.py::"
 TEST_JERSEY, TEST_TABLES = (
     "tests/perception/legged/test_camera_jersey.py::",
     "tests/perception/legged/test_calibration.py::",
@@ -60,6 +61,48 @@ MUTANTS = [
         "np.interp(asked, sizes, ranges)",
         "14.0 / asked",
         TEST_TABLES + "test_ms09_a_noiseless_ball_is_where_the_table_says",
+    ),
+    Mutant(
+        "MS14",
+        BLOBS,
+        "blobs[kept].area < sketch.camera.least_area",
+        "False",
+        TEST_LOST + "test_ms14_regions_below_the_least_area_are_dropped_whatever_their_colour",
+    ),
+    Mutant(
+        "MS14",
+        BLOBS,
+        "blobs[index].area < sketch.camera.least_area",
+        "False",
+        TEST_LOST + "test_ms14_regions_below_the_least_area_are_dropped_whatever_their_colour",
+    ),
+    Mutant(
+        "MS14",
+        CAMERA,
+        "0.25 * s.least_area * (1 << (2 * s.resolution))",
+        "0.5",
+        TEST_LOST + "test_ms14_the_stickers_of_a_head_are_lost_from_afar",
+    ),
+    Mutant(
+        "MS37",
+        JERSEY,
+        "apart * (i - 0.5 * (s.trunk_stickers - 1))",
+        "0.0",
+        TEST_JERSEY + "test_ms37_each_side_of_the_trunk_has_two_stickers_of_one_height",
+    ),
+    Mutant(
+        "MS37",
+        BLOBS,
+        "uniform(noise, CAMERA_NOISE) < s.player_miss",
+        "False",
+        TEST_LOST + "test_ms37_a_frame_that_misses_a_player_misses_all_its_stickers_and_nobody_elses",
+    ),
+    Mutant(
+        "MS37",
+        BLOBS,
+        "miss(sketch, kind, noise, missed)",
+        "pass",
+        TEST_LOST + "test_ms37_a_single_sticker_that_is_missed_leaves_one_of_its_height",
     ),
     Mutant(
         "MS33",

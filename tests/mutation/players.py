@@ -116,6 +116,13 @@ MUTANTS = [
         TEST_PLAYERS + "test_ms35_the_infrared_tells_of_nobody_beside_the_beam",
     ),
     Mutant(
+        "MS35",
+        "soccer_env/belief/legged/surface.py",
+        "length(x - k.head_camera_ahead, y) - half_a_body(k)",
+        "length(x, y)",
+        "tests/belief/legged/test_surface.py::test_ms35_the_reading_is_the_distance_to_the_surface",
+    ),
+    Mutant(
         "MS36",
         PLAYERS,
         "put_at(tracks[slot], x, y)",

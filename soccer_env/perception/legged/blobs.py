@@ -40,9 +40,10 @@ def deliver(sketch, percept, state, noise, s):
     add_spots(sketch, TEAMMATES, noise, s)
     add_spots(sketch, OPPONENTS, noise, s)
     add_patches(sketch)
+    miss_players(sketch, noise, s)
     report(sketch, BALL, percept.ball, state.scale, noise, 0.0, s)
-    report(sketch, TEAMMATES, percept.teammates, state.scale, noise, s.player_miss, s)
-    report(sketch, OPPONENTS, percept.opponents, state.scale, noise, s.player_miss, s)
+    report(sketch, TEAMMATES, percept.teammates, state.scale, noise, s.sticker_miss, s)
+    report(sketch, OPPONENTS, percept.opponents, state.scale, noise, s.sticker_miss, s)
     report(sketch, OWN_GOAL, percept.own_goal, state.scale, noise, s.landmark_miss, s)
     report(sketch, OPPONENT_GOAL, percept.opponent_goal, state.scale, noise, s.landmark_miss, s)
     report_landmarks(sketch, percept.landmarks, state.scale, noise, s)
@@ -58,6 +59,28 @@ def miss(sketch, kind, noise, probability):
                 sketch.pieces[kind, kept] = sketch.pieces[kind, i]
             kept += 1
     sketch.found[kind] = kept
+
+
+@compiled
+def miss_players(sketch, noise, s):
+    """Take out all stickers of the players that this frame misses: one draw for each whose jersey it shows.  MS37"""
+    if s.player_miss <= 0.0:
+        return
+    kept_of_mates = kept_of_opponents = 0
+    for i in range(sketch.body_count):
+        body = sketch.bodies[i]
+        if body.pieces == 0 or uniform(noise, CAMERA_NOISE) < s.player_miss:
+            continue
+        kind, kept = (TEAMMATES, kept_of_mates) if body.teammate == 1 else (OPPONENTS, kept_of_opponents)
+        for j in range(body.first, body.first + body.pieces):
+            if kept < j:
+                sketch.pieces[kind, kept] = sketch.pieces[kind, j]
+            kept += 1
+        if body.teammate == 1:
+            kept_of_mates = kept
+        else:
+            kept_of_opponents = kept
+    sketch.found[TEAMMATES], sketch.found[OPPONENTS] = kept_of_mates, kept_of_opponents
 
 
 @compiled
@@ -90,7 +113,10 @@ def add_patches(sketch):
 
 @compiled
 def report(sketch, kind, blobs, scale, noise, missed, s):
-    """Fill in the four largest blobs of a kind, largest first; a share `missed` is left out.  [Sacks 2001, 2]  MS04"""
+    """Fill in the four largest blobs of a kind, largest first; a share `missed` is left out.  [Sacks 2001, 2]  MS04
+
+    Regions below the least area are dropped, of whatever colour they are, as vision libraries do.  MS14
+    """
     if sketch.found[kind] == 0 and blobs[0].area == 0:
         return  # there are none, and none are left from the frame before
     if missed > 0.0:
@@ -99,14 +125,17 @@ def report(sketch, kind, blobs, scale, noise, missed, s):
     if count > 1:
         count = merge(pieces, count)
         put_largest_first(pieces, count, sketch.spare_piece)
-    count = min(count, BLOBS)
-    for i in range(count):
-        measure(sketch.camera, pieces[i], blobs[i], scale, noise, s)
-        place = i
+    kept = 0
+    for i in range(min(count, BLOBS)):
+        measure(sketch.camera, pieces[i], blobs[kept], scale, noise, s)
+        if blobs[kept].area < sketch.camera.least_area:
+            continue
+        place = kept
         while place > 0 and blobs[place].area > blobs[place - 1].area:
             swap(blobs, place, place - 1, sketch.spare_blob)
             place -= 1
-    for i in range(count, BLOBS):
+        kept += 1
+    for i in range(kept, BLOBS):
         if blobs[i].area > 0:
             clear(blobs[i])
 
@@ -118,6 +147,8 @@ def report_landmarks(sketch, blobs, scale, noise, s):
         index = i if sketch.camera.handedness > 0.0 else i + 1 - 2 * (i % 2)
         if sketch.landmarks[index].area > 0.0 and uniform(noise, CAMERA_NOISE) >= s.landmark_miss:
             measure(sketch.camera, sketch.landmarks[index], blobs[index], scale, noise, s)
+            if blobs[index].area < sketch.camera.least_area:
+                clear(blobs[index])
         elif blobs[index].area > 0:
             clear(blobs[index])
 

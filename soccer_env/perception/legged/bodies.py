@@ -55,6 +55,8 @@ BODY = np.dtype(
         ("crown", "f8"),  # [m] height of the head stickers' middle
         ("crown_ahead", "f8"),  # [m] how far these stickers are ahead of the head's middle
         ("boxes", BOX, (2,)),
+        ("first", "i8"),  # piece of its team's colour that is a sticker of its jersey
+        ("pieces", "i8"),  # of its jersey, in a row
     ]
 )
 RECTANGLE = np.dtype(

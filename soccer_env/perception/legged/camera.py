@@ -47,6 +47,7 @@ CAMERA = np.dtype(
         ("focal_y", "f8"),  # [px]
         ("half_width", "f8"),  # [px] of the picture
         ("half_height", "f8"),  # [px]
+        ("least_area", "f8"),  # [px] of a region that its vision delivers
         ("side_cosine", "f8"),  # of half the view
         ("side_sine", "f8"),
         ("top_cosine", "f8"),
@@ -60,6 +61,7 @@ def open_camera(camera, s):
     """Fill in what does not change: focal lengths, size of the picture, edges of the view."""
     camera.focal_x, camera.focal_y = focal_x(s), focal_y(s)
     camera.half_width, camera.half_height = 0.5 * image_width(s), 0.5 * image_height(s)
+    camera.least_area = 0.25 * s.least_area * (1 << (2 * s.resolution))  # the setting is given at 88x72
     camera.side_cosine, camera.side_sine = cos(0.5 * s.view_width), sin(0.5 * s.view_width)
     camera.top_cosine, camera.top_sine = cos(0.5 * s.view_height), sin(0.5 * s.view_height)
 

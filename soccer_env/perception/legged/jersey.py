@@ -1,8 +1,11 @@
 """The jersey of a robot: coloured stickers on its trunk and head.  [Sacks 2001, 4.1.1, figure 4]  MS37, MS50
 
-Upright rectangles, one on each side of the trunk (chest, rump, two flanks) and of the head (brow, nape, two sides).
+"Multiple stickers attached to given parts of their bodies": upright rectangles, s.trunk_stickers side by side on each
+side of the trunk (chest, rump, two flanks), so that one that a frame misses, or that somebody hides, leaves others of
+its height; and one on each side of the head (brow, nape, two sides).
+
 Seen at an angle they are narrower and no lower: "the width of a player differs depending on the angle at which it is
-viewed, but its height remains constant" [Sacks 2001, 4.1.2]. The chest's sticker is a little smaller than those of the
+viewed, but its height remains constant" [Sacks 2001, 4.1.2]. Those of the chest are a little smaller than those of the
 flanks, which is why the robots "when viewed head-on appeared slightly smaller".
 
 A head that is lower than s.head_down hides its own stickers, and, being black, the part of the trunk's stickers that
@@ -26,22 +29,34 @@ def is_lowered(body, s):
 
 @compiled
 def put_trunk_stickers(body, s, stickers):
-    """Fill in the stickers of the trunk that face the camera, chest or rump first; return how many.  MS37"""
+    """Fill in the stickers of the trunk that face the camera, those of chest or rump first; return how many.  MS37"""
     trunk = body.boxes[TRUNK]
     middle = s.trunk_sticker_middle
     count = 0
     x, y = in_box_axes(trunk, 0.0, 0.0)
     if x > trunk.half_length:
         width, height = 0.5 * s.jersey * s.sticker_chest_width, 0.5 * s.jersey * s.sticker_chest_height
-        count = put_across(trunk, trunk.half_length, middle, width, height, stickers, count)
+        for i in range(s.trunk_stickers):
+            aside = place_in_row(i, s.sticker_chest_apart, s)
+            count = put_across(trunk, trunk.half_length, aside, middle, width, height, stickers, count)
     elif x < -trunk.half_length:
         width, height = 0.5 * s.jersey * s.sticker_rump_width, 0.5 * s.jersey * s.sticker_rump_height
-        count = put_across(trunk, -trunk.half_length, middle, width, height, stickers, count)
+        for i in range(s.trunk_stickers):
+            aside = place_in_row(i, s.sticker_rump_apart, s)
+            count = put_across(trunk, -trunk.half_length, aside, middle, width, height, stickers, count)
     if abs(y) > trunk.half_width:
         width, height = 0.5 * s.jersey * s.sticker_flank_width, 0.5 * s.jersey * s.sticker_flank_height
         side = trunk.half_width if y > 0.0 else -trunk.half_width
-        count = put_along(trunk, 0.0, side, middle, width, height, stickers, count)
+        for i in range(s.trunk_stickers):
+            ahead = place_in_row(i, s.sticker_flank_apart, s)
+            count = put_along(trunk, ahead, side, middle, width, height, stickers, count)
     return count
+
+
+@compiled
+def place_in_row(i, apart, s):
+    """Return where sticker i of a face lies along it [m], from its middle; neighbours are `apart` [m].  MS37"""
+    return apart * (i - 0.5 * (s.trunk_stickers - 1))
 
 
 @compiled
@@ -52,7 +67,7 @@ def put_head_stickers(body, s, stickers):
     x, y = in_box_axes(head, 0.0, 0.0)
     if abs(x) > head.half_length:
         face = head.half_length if x > 0.0 else -head.half_length
-        count = put_across(head, face, body.crown, width, height, stickers, count)
+        count = put_across(head, face, 0.0, body.crown, width, height, stickers, count)
     if abs(y) > head.half_width:
         side = head.half_width if y > 0.0 else -head.half_width
         count = put_along(head, body.crown_ahead, side, body.crown, width, height, stickers, count)
@@ -60,10 +75,10 @@ def put_head_stickers(body, s, stickers):
 
 
 @compiled
-def put_across(box, x, middle, half_width, half_height, stickers, count):
+def put_across(box, x, y, middle, half_width, half_height, stickers, count):
     """Put a sticker on the front or the back of a box; return how many there are."""
     sticker = stickers[count]
-    sticker.ahead, sticker.left = box.ahead + box.cosine * x, box.left + box.sine * x
+    sticker.ahead, sticker.left = point_of_frame(box.ahead, box.left, x, y, box.cosine, box.sine)
     sticker.across, sticker.aside = -box.sine * half_width, box.cosine * half_width
     sticker.low, sticker.high = middle - half_height, middle + half_height
     return count + 1

@@ -15,13 +15,13 @@ from soccer_env.geometry import into_frame, length
 from soccer_env.perception.legged.bodies import HEAD, TRUNK, in_box_axes, trace_box
 from soccer_env.perception.legged.outlines import OUTLINE, chain_at, piece_at
 
-PIECES = 96  # pieces of a kind that a sketch has room for: the stickers of 21 others, and some cuts
+PIECES = 96  # pieces of a kind that a sketch has room for: the stickers of 11 others, and some cuts
 COLUMNS = 176  # into which a thing is cut, at most
 COLUMNS_LEAST = 8  # at least
 COLUMN_MOST = 2.0  # [px] width of a column, at most
 SINKS = 0.008  # [m] by which bodies may overlap where they touch, far more than the physics lets them
 HIDDEN = -1  # returned in place of a number of hiders: all is hidden
-LEAST_AREA = 0.5  # [px] visible area below which a piece is not seen, assumed
+LEAST_AREA = 0.5  # [px] a thing that fills less than half of a pixel gives none its colour
 
 PIECE = np.dtype(
     [
@@ -88,14 +88,14 @@ def find_hiders(sketch, owner, own_head, apart):
     for i in range(sketch.body_count):
         for part in (TRUNK, HEAD):
             box, outline = sketch.bodies[i].boxes[part], sketch.outlines[2 * i + part]
+            if i == owner and not (own_head and part == HEAD):
+                continue
             if box.shown == 0 or box.distance - box.radius > distance + radius:
                 continue  # it stands behind, or out of the picture
             if box.high <= eye <= target.low or target.high <= eye <= box.low:
                 continue  # it stands below the height of the eye and the target above, or the other way round
             if abs(box.ahead * left - box.left * ahead) > box.radius * distance + radius * box.distance:
                 continue  # it stands aside: the sine of the angle between is more than what both fill
-            if i == owner and not (own_head and part == HEAD):
-                continue
             if not (apart or stands_before(camera, box, target)):
                 continue
             if box.traced == 0:

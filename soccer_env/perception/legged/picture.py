@@ -55,12 +55,14 @@ def draw_jersey(sketch, owner, s):
     """Draw the stickers of a body.  MS37, MS50"""
     body, stickers = sketch.bodies[owner], sketch.stickers
     kind, lowered = TEAMMATES if body.teammate == 1 else OPPONENTS, is_lowered(body, s)
+    body.first = sketch.found[kind]
     if body.boxes[TRUNK].shown == 1:
         for i in range(put_trunk_stickers(body, s, stickers)):
             draw_panel(sketch, stickers[i], kind, owner, lowered, False)
     if body.boxes[HEAD].shown == 1 and not lowered:
         for i in range(put_head_stickers(body, s, stickers)):
             draw_panel(sketch, stickers[i], kind, owner, False, False)
+    body.pieces = sketch.found[kind] - body.first
 
 
 @compiled

@@ -14,6 +14,7 @@ from math import inf, pi, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled, records
+from soccer_env.leagues.legged_sensors import STICKERS_MOST
 from soccer_env.percept_types import BLOB, LANDMARKS, OTHERS
 from soccer_env.perception.legged.bodies import BODY, RECTANGLE, measure_hull
 from soccer_env.perception.legged.camera import CAMERA, POSE, axes_of, face_ahead, in_view, open_camera, sphere_box
@@ -43,7 +44,7 @@ from soccer_env.types import MAX_TEAM
 
 BALL, TEAMMATES, OPPONENTS, OWN_GOAL, OPPONENT_GOAL, PATCHES, LANDMARK = range(7)  # kinds of pieces
 KINDS = 7
-STICKERS = 4  # of a body that are seen at once, at most
+STICKERS = 2 * STICKERS_MOST  # of a body that are put on at once, at most: two sides of its trunk
 NOBODY = -1
 
 PANEL = np.dtype(
@@ -100,7 +101,7 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
     """
     camera, target = sketch.camera, sketch.target
     outline = target.outline
-    if not trace_panel(camera, panel, sketch.tracing, outline) or is_outside(camera, outline):
+    if not box_panel(camera, panel, sketch.tracing, outline) or is_outside(camera, outline):
         return
     target.ahead, target.left, target.low, target.high = panel.ahead, panel.left, panel.low, panel.high
     target.across = panel.across
@@ -112,13 +113,17 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
     if hiders == 0 and is_inside(camera, outline):
         add_piece(sketch, kind, outline.left, outline.right, outline.high, outline.low, quadrangle(sketch.tracing))
         return
+    trace_panel(sketch.tracing, outline)
     target.is_round = 0
     cut_into_pieces(sketch, kind, hiders)
 
 
 @compiled
-def trace_panel(camera, panel, tracing, outline):
-    """Trace the outline of a panel; return whether any of it lies before the lens."""
+def box_panel(camera, panel, tracing, outline):
+    """Bring a panel into the picture and fill in the box round it; return whether any of it lies before the lens.
+
+    Chains are left to `trace_panel`, which few panels need, unless the panel is cut off at the lens.
+    """
     corners = tracing.corners
     nearest = inf
     farthest = -inf
@@ -132,13 +137,27 @@ def trace_panel(camera, panel, tracing, outline):
         return False
     if nearest < LENS:
         enclose(outline, tracing.points, project_rectangle(camera, tracing))
-    elif corners[0].u < corners[3].u:
+        return True
+    one, other = (0, 2) if corners[0].u < corners[3].u else (2, 0)  # at the right end and at the left one
+    outline.right = min(corners[one].u, corners[one + 1].u)
+    outline.left = max(corners[other].u, corners[other + 1].u)
+    outline.high = max(max(corners[0].v, corners[1].v), max(corners[2].v, corners[3].v))
+    outline.low = min(min(corners[0].v, corners[1].v), min(corners[2].v, corners[3].v))
+    return True
+
+
+@compiled
+def trace_panel(tracing, outline):
+    """Trace the chains of a panel that `box_panel` has brought into the picture."""
+    corners = tracing.corners
+    if min(min(corners[0].depth, corners[1].depth), min(corners[2].depth, corners[3].depth)) < LENS:
+        return  # it has them already
+    if corners[0].u < corners[3].u:
         begin_outline(outline, corners[1], corners[0])
         end_outline(outline, corners[2], corners[3])
     else:
         begin_outline(outline, corners[2], corners[3])
         end_outline(outline, corners[1], corners[0])
-    return True
 
 
 @compiled

@@ -28,8 +28,8 @@ from tests.scenes.staging import LEGGED
 
 FAR_AWAY = 50.0  # [m]
 SURE = {
-    "dither": 0.0, "scale_error": 0.0, "ball_miss": 0.0, "player_miss": 0.0, "landmark_miss": 0.0, "patches": 0.0,
-    "red_as_orange": 0.0,
+    "dither": 0.0, "scale_error": 0.0, "ball_miss": 0.0, "player_miss": 0.0, "sticker_miss": 0.0,
+    "landmark_miss": 0.0, "patches": 0.0, "red_as_orange": 0.0,
 }  # fmt: skip
 
 
@@ -211,7 +211,9 @@ def stickers_of(scene: Scene, m: int, r: int) -> tuple[list[Sticker], list[Stick
             trunk.half[1], "flank")  # fmt: skip
         middle = np.array([*(trunk.middle + reach * normal)[:2], s.trunk_sticker_middle])
         size = [0.5 * s.jersey * getattr(s, f"sticker_{part}_{name}") for name in ("width", "height")]
-        on_trunk.append(Sticker(middle, normal, *size))
+        along = getattr(s, f"sticker_{part}_apart") * np.array([-normal[1], normal[0], 0.0])
+        for place in np.arange(s.trunk_stickers) - 0.5 * (s.trunk_stickers - 1):
+            on_trunk.append(Sticker(middle + place * along, normal, *size))
     neck = np.array([robot["x"], robot["y"], s.neck_height]) + turn(trunk.heading) @ [s.neck_ahead, 0.0, 0.0]
     up = s.head_sticker_middle - s.neck_height
     crown = neck + turn(head.heading) @ raise_by(robot["tilt"]) @ [s.sticker_head_x, 0.0, up]

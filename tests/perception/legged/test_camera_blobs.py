@@ -18,8 +18,8 @@ from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_perce
 
 COLOURS = ("ball", "teammates", "opponents", "own_goal", "opponent_goal")
 NOISY = {
-    "dither": 0.6, "scale_error": 0.1, "ball_miss": 0.2, "player_miss": 0.2, "landmark_miss": 0.2, "patches": 6.0,
-    "red_as_orange": 0.4,
+    "dither": 0.6, "scale_error": 0.1, "ball_miss": 0.2, "player_miss": 0.2, "sticker_miss": 0.2, "landmark_miss": 0.2,
+    "patches": 6.0, "red_as_orange": 0.4,
 }  # fmt: skip
 
 
@@ -35,7 +35,7 @@ def arc(robots: int, away: float = 1.2, **sensors: float) -> Scene:
 
 
 def test_ms04_four_largest_blobs_of_each_colour_largest_first() -> None:
-    scene = arc(4, away=0.7)
+    scene = arc(4, away=0.7, jersey=0.8)  # small stickers do not touch
     scene.robots["heading"][0, 1:] += 0.9  # oblique: chest and flank of each, and the head's stickers
     found = scene.draw()[1][0, OPPONENTS]
     assert found > 4
@@ -107,7 +107,7 @@ def test_the_scale_of_sizes_is_drawn_once_for_each_robot() -> None:
     assert np.corrcoef(width, first)[0, 1] > 0.8
 
 
-@pytest.mark.parametrize("name", ["ball", "player", "landmark"])
+@pytest.mark.parametrize("name", ["ball", "player", "sticker", "landmark"])
 def test_frames_miss_their_share_of_each_kind(name: str) -> None:
     scene = Scene(1, **{f"{name}_miss": 0.3})
     scene.put_ball(0.8, 0.15)
@@ -118,24 +118,26 @@ def test_frames_miss_their_share_of_each_kind(name: str) -> None:
         percept = scene.look()[0, 0]
         for colour in seen:
             seen[colour] += int((percept[colour]["area"] > 0).any())
-    missed = {"ball": ["ball"], "player": [], "landmark": ["opponent_goal", "landmarks"]}[name]
-    for colour in ("ball", "opponent_goal", "landmarks"):
-        assert seen[colour] / 2000 == pytest.approx(0.7 if colour in missed else 1.0, abs=0.04)
+    missed = {"ball": ["ball"], "player": ["opponents"], "sticker": [], "landmark": ["opponent_goal", "landmarks"]}[
+        name
+    ]
     stickers = scene.draw()[1][0, OPPONENTS]
-    assert seen["opponents"] / 2000 == pytest.approx(1.0 - 0.3**stickers if name == "player" else 1.0, abs=0.03)
+    for colour in ("ball", "opponents", "opponent_goal", "landmarks"):
+        expected = 1.0 - 0.3**stickers if (colour, name) == ("opponents", "sticker") else 1.0
+        assert seen[colour] / 2000 == pytest.approx(0.7 if colour in missed else expected, abs=0.04)
 
 
-@pytest.mark.parametrize(("jersey", "blobs"), [(1.0, 2), (2.0, 1)])
+@pytest.mark.parametrize(("jersey", "blobs"), [(1.0, 3), (2.0, 1)])
 def test_stickers_that_touch_in_the_picture_are_one_blob(jersey: float, blobs: int) -> None:
     scene = Scene(1, jersey=jersey)
     scene.put(1, 1.0, -0.1, 0.5 * pi)  # flank and head from the side, 5 cm apart, or next to nothing
     pieces, found = scene.draw()
-    flank, head = pieces[0, OPPONENTS, : found[0, OPPONENTS]]
+    *flank, head = pieces[0, OPPONENTS, : found[0, OPPONENTS]]
     seen = scene.look()["opponents"][0, 0]
     assert (seen["area"] > 0).sum() == blobs
     if blobs == 1:
-        assert int(seen["high"][0]) - int(seen["low"][0]) == pytest.approx(head["high"] - flank["low"], abs=0.6)
-        assert seen["area"][0] == pytest.approx(flank["area"] + head["area"], rel=0.1)
+        assert int(seen["high"][0]) - int(seen["low"][0]) == pytest.approx(head["high"] - flank[0]["low"], abs=0.6)
+        assert seen["area"][0] == pytest.approx(sum(one["area"] for one in flank) + head["area"], rel=0.1)
 
 
 def panorama(scene: Scene) -> np.ndarray:
@@ -188,7 +190,7 @@ def test_stickers_show_orange_spots_in_their_share_of_frames() -> None:
     stickers = scene.draw()[1][0, OPPONENTS]
     frames = [scene.look()[0, 0].copy() for _ in range(3000)]
     spots = [frame["ball"].copy() for frame in frames if frame["ball"]["area"][0] > 0]
-    assert stickers == 2 and len(spots) / 3000 == pytest.approx(1.0 - 0.9**2, abs=0.025)
+    assert stickers == 3 and len(spots) / 3000 == pytest.approx(1.0 - 0.9**3, abs=0.025)
     box = scene.draw()[0][0, OPPONENTS, :stickers]
     for spot in spots[:50]:
         assert spot["left"][0] <= box["left"].max() + 1.0 and spot["right"][0] >= box["right"].min() - 1.0

@@ -13,6 +13,7 @@ from tests.perception.legged.staged_picture import Scene
 FRONT, SIDE, REAR = pi, 0.5 * pi, 0.0  # [rad] headings of a robot on the +x axis
 FLANK, CHEST = 0.06, 0.055  # [m] heights of the stickers
 FOCAL = 81.2  # [px] for heights, at 88x72
+FOCAL_X = 80.0  # [px] for widths
 
 
 def views(headings: np.ndarray, away: float = 1.0, **sensors: float) -> list[np.ndarray]:
@@ -52,7 +53,7 @@ def test_ms37_a_player_appears_slightly_smaller_head_on() -> None:
 
 @pytest.mark.parametrize(
     ("heading", "pan", "stickers"),
-    [(FRONT, 0.0, 2), (REAR, 0.0, 2), (FRONT + 0.8, 0.0, 4), (FRONT, 0.7, 3), (SIDE, -0.7, 3)],
+    [(FRONT, 0.0, 3), (REAR, 0.0, 3), (FRONT + 0.8, 0.0, 6), (FRONT, 0.7, 4), (SIDE, -0.7, 4)],
 )
 def test_ms37_several_stickers_are_seen_and_only_those_that_face_the_camera(
     heading: float, pan: float, stickers: int
@@ -60,6 +61,20 @@ def test_ms37_several_stickers_are_seen_and_only_those_that_face_the_camera(
     scene = Scene(1)
     scene.put(1, 1.0, 0.0, heading, pan)
     assert scene.draw()[1][0, OPPONENTS] == stickers
+
+
+@pytest.mark.parametrize(
+    ("heading", "apart", "side"), [(FRONT, 0.05, 0.105), (REAR, 0.05, 0.1245), (SIDE, 0.119, 0.0792)]
+)
+def test_ms37_each_side_of_the_trunk_has_two_stickers_of_one_height(heading: float, apart: float, side: float) -> None:
+    pieces = views(np.array([heading]), away=1.2)[0]
+    trunk = pieces[pieces["high"] < 0.0]
+    middles = 0.5 * (trunk["left"] + trunk["right"])
+    depth = 1.2 - 0.142 - side
+    assert len(trunk) == 2
+    assert abs(middles[0] - middles[1]) == pytest.approx(apart * FOCAL_X / depth, rel=0.01)
+    assert np.ptp(trunk["high"] - trunk["low"]) < 0.01
+    assert len(views(np.array([heading]), away=1.2, trunk_stickers=1)[0]) == len(pieces) - 1
 
 
 def test_ms37_the_scale_of_the_jersey_scales_all_stickers() -> None:
@@ -96,7 +111,7 @@ def front_of_a_head(tilt: np.ndarray, away: float = 0.5, **sensors: float) -> li
 
 def test_ms50_a_lowered_head_hides_a_part_of_the_jersey() -> None:
     up, level, down = front_of_a_head(np.array([0.2, 0.0, -0.6]))
-    assert len(up) == len(level) == 2 and len(down) == 1  # chest and brow; chest alone
+    assert len(up) == len(level) == 3 and len(down) == 2  # chest and brow; chest alone
     chest, part = (largest(row)[1] for row in (level, down))
     assert 0.2 * chest < part < 0.6 * chest  # it looks "much farther than it actually was"
     assert largest(up)[1] == pytest.approx(chest, rel=0.05)
@@ -104,14 +119,14 @@ def test_ms50_a_lowered_head_hides_a_part_of_the_jersey() -> None:
 
 def test_ms50_the_head_hides_stickers_from_a_set_angle_on() -> None:
     seen = front_of_a_head(np.radians([-29.0, -31.0]))
-    assert [len(row) for row in seen] == [2, 1]
+    assert [len(row) for row in seen] == [3, 2]
     low = front_of_a_head(np.radians([-31.0]), head_down=np.radians(60.0))[0]
-    assert len(low) == 2 and largest(low)[1] > largest(seen[1])[1]
+    assert len(low) == 3 and largest(low)[1] > largest(seen[1])[1]
 
 
 def test_ms50_from_the_side_a_lowered_head_hides_its_own_stickers_alone() -> None:
     scene = Scene(2)
     scene.put(1, 0.9, 0.0, SIDE, tilt=[0.0, -0.9])
     pieces, found = scene.draw()
-    assert found[0, OPPONENTS] > 1 and found[1, OPPONENTS] == 1
+    assert found[0, OPPONENTS] > 2 and found[1, OPPONENTS] == 2
     assert pieces[0, OPPONENTS, 0]["area"] == pytest.approx(pieces[1, OPPONENTS, 0]["area"])

@@ -117,7 +117,7 @@ def hiding(scenes: int, seed: int, **sensors: float) -> tuple[Scene, np.ndarray]
 
 
 def test_a_hidden_ball_is_never_seen_whatever_the_noise() -> None:
-    scene, hidden = hiding(150, seed=4, dither=2.0, scale_error=0.5, player_miss=0.5)
+    scene, hidden = hiding(150, seed=4, dither=2.0, scale_error=0.5, sticker_miss=0.5)
     assert 30 <= hidden.sum() <= 145
     shown = np.zeros(150, bool)
     for _ in range(200):
