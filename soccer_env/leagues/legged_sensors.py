@@ -162,9 +162,7 @@ class LeggedMemory(PoseMemory):
     player_infrared_far: float = 0.40  # [m] "its maximum reliable range", Sacks 2001, 4.1.2  MS35, MS49
     player_odometry: bool = True  # MS36
     obstacle: bool = True  # a reading significantly closer than every player is an obstacle  MS49
-    obstacle_share: float = (
-        2.0 / 3.0
-    )  # [1] of nearest player's range, to surfaces: "significantly", assumed as in MS12
+    obstacle_share: float = 2.0 / 3.0  # [1] of nearest player's range, to surfaces: "significantly", assumed as in MS12
     obstacle_margin: float = 0.02  # [m] above ball and boards, twice the error of a near reading's height, assumed
     ghost_time: float = 20.0  # [s] unseen after which a slot counts as empty, assumed
     dribbling_distance: float = 0.20  # [m] a ball nearer than this and ahead is being dribbled, assumed: chest and ball

@@ -153,7 +153,7 @@ S61 = Claim(
     note="In the criteria the reading replaces the player's range whenever there is one. The paper's rule, by which a "
     "reading significantly closer than every player in memory is an obstacle (MS49), is what the shares of frames are "
     "about in which the player is overlooked: neither it nor an obstacle is believed to be within 1.5 times its true "
-    "distance. In two frames of five the lowered head leaves nothing of the jersey to be seen.",
+    "distance. In the frames that do not show it the lowered head leaves nothing of the jersey to be seen.",
 )
 
 CLAIMS = (S61,)

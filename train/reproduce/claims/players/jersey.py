@@ -26,7 +26,8 @@ NEAR, FAR = 0.5, 1.0  # [m]
 SECTORS = 12  # of 30 degrees, the first one head-on
 FRONT, SIDES = (0,), (3, 9)  # sectors head-on and from the sides
 ALL, ASIDE = tuple(range(SECTORS)), tuple(range(1, SECTORS))  # all of them, and all but head-on
-FLANK = {"width": 0.10, "height": 0.06}  # [m] of the flank's stickers, for a jersey whose stickers are all alike
+# [m] of the flank's stickers, for a jersey whose stickers are all alike; on chest and rump side by side
+FLANK = {"width": 0.06, "height": 0.06, "apart": 0.062}
 ALIKE = {f"sticker_{place}_{name}": size for place in ("chest", "rump") for name, size in FLANK.items()}
 SIZES = {
     "width": "width of the largest blob",

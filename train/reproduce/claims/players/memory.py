@@ -1,8 +1,12 @@
-"""Whether one opponent fills the whole memory of opponents, by how they are matched.  [Sacks 2001, 4.1.1]"""
+"""Whether one opponent fills the whole memory of opponents, by how they are matched.  [Sacks 2001, 4.1.1]
+
+How often a frame misses a sticker, or a whole player, is a guess, so that S35 is judged over both: the worst counts.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -31,6 +35,12 @@ STEADY = 0.08  # [1] scatter of the range up to which the narrowed criterion ask
 ONE_PLAYER = 1e6  # grouping factor by which all blobs of a colour are one player
 EVERY = 8  # frames between two points of the figure
 FIRST, FINAL = "U/d", "U/(d^3 a)"  # what was tried first, and what was kept
+MISSES: dict[str, dict[str, float]] = {  # what frames miss
+    "nothing": {"sticker_miss": 0.0, "player_miss": 0.0},
+    "5 % of the stickers": {"sticker_miss": 0.05, "player_miss": 0.0},
+    "5 % of the players": {"sticker_miss": 0.0, "player_miss": 0.05},
+}
+ONE_STICKER = {"trunk_stickers": 1, "sticker_miss": 0.05, "player_miss": 0.0}  # on a side: what is lost then
 
 
 def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict[str, np.ndarray]:
@@ -74,21 +84,36 @@ def compare_likelihoods(batch: Batch) -> Samples:
         samples[name] = (found["filled"] >= 2).mean(axis=1)
         samples[f"all {name}"] = (found["filled"] >= 3).mean(axis=1)
         samples[f"course {name}"] = found["filled"][:, ::EVERY] >= 2
-    samples["range"] = found["range"]
     return samples
 
 
-def compare_causes(batch: Batch) -> Samples:
-    """Return the same, and what the final likelihood does in three cases.
+def compare_misses(batch: Batch) -> Samples:
+    """Return the share of time (M,) in which one opponent holds two slots or more, for all that frames may miss.
 
-    "steady": in runs with steady ranges; "grouped": with blobs grouped as usual; "whole": if no sticker is ever missed.
+    "steady": by the final likelihood in runs whose ranges hardly scatter; "grouped": with blobs grouped as usual;
+    "one sticker": with one sticker on a side of the trunk, and 5 % of the stickers missed.
     """
-    samples = compare_likelihoods(batch)
-    steady = np.array([rms(run) for run in samples["range"]]) <= STEADY
-    samples["steady"] = np.where(steady, samples[FINAL], np.nan)
+    samples: Samples = {}
+    for name in (FIRST, FINAL):
+        (distance, angle), courses, steady = POWERS[name], [], []
+        for missed, sensors in MISSES.items():
+            found = stare_at_one(batch, sensors, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
+            held = found["filled"] >= 2
+            samples[f"{name}, {missed}"] = held.mean(axis=1)
+            samples[f"range, {missed}"] = found["range"]
+            courses.append(held[:, ::EVERY])
+            scatter = np.array([rms(run) for run in found["range"]])
+            steady.append(np.where(scatter <= STEADY, held.mean(axis=1), np.nan))
+        samples[f"course {name}"], samples[f"steady {name}"] = np.stack(courses, axis=1), np.stack(steady, axis=1)
+    one = stare_at_one(batch, ONE_STICKER, grouping=ONE_PLAYER)
+    samples["one sticker"] = (one["filled"] >= 2).mean(axis=1)
     samples["grouped"] = (stare_at_one(batch, {})["filled"] >= 2).mean(axis=1)
-    whole = stare_at_one(batch, {"player_miss": 0.0}, grouping=ONE_PLAYER)
-    return samples | {"whole": (whole["filled"] >= 2).mean(axis=1), "whole range": whole["range"]}
+    return samples
+
+
+def by_misses(samples: Samples, name: str) -> list[float]:
+    """Return the share of time [%] by a likelihood in each case of MISSES."""
+    return [share(samples, f"{name}, {missed}") for missed in MISSES]
 
 
 def share(samples: Samples, name: str) -> float:
@@ -98,9 +123,11 @@ def share(samples: Samples, name: str) -> float:
 
 def slot_figure(samples: Samples) -> Sequence[Figure]:
     """Draw how many runs have a second slot filled against the time."""
-    steps = samples[f"course {FINAL}"].shape[1]
+    names = [name for name in POWERS if f"course {name}" in samples]
+    steps = samples[f"course {FINAL}"].shape[-1]
     times = [float(i * SECONDS / steps) for i in range(steps)]
-    curves = [Curve(name, times, list(100 * samples[f"course {name}"].mean(axis=0))) for name in POWERS]
+    courses = [samples[f"course {name}"].reshape(-1, steps) for name in names]
+    curves = [Curve(name, times, list(100 * course.mean(axis=0))) for name, course in zip(names, courses, strict=True)]
     return (Figure("One opponent in view: runs in which it holds two slots", "time [s]", "runs [%]", tuple(curves)),)
 
 
@@ -116,24 +143,44 @@ S35 = Claim(
     section="4.1.1",
     statement="Uncertainty over distance lets a single opponent fill all three slots; over the cube of the distance "
     "and the angle it usually does not.",
-    method=f"{HOW}: U/d first, U/(d^3 angle) at last.",
+    method=f"{HOW}: U/d first, U/(d^3 angle) at last; if frames miss nothing, 5 % of the stickers, or 5 % of the "
+    "players; the worst of them counts.",
     criteria=(
-        measured("U/d: two slots or more >= 80 % of the time", lambda s: share(s, FIRST), unit="%", at_least=80.0),
-        measured("U/(d^3 angle): two slots or more <= 10 %", lambda s: share(s, FINAL), unit="%", at_most=10.0),
-        reported("U/(d^3 angle), runs whose ranges scatter by 8 % or less", lambda s: share(s, "steady"), unit="%"),
-        reported("U/(d^3 angle), no sticker is ever missed", lambda samples: share(samples, "whole"), unit="%"),
-        reported("U/d: all three slots", lambda samples: share(samples, f"all {FIRST}"), unit="%"),
+        measured(
+            "U/d: two slots or more >= 80 % of the time, whatever is missed",
+            lambda samples: min(by_misses(samples, FIRST)),
+            unit="%",
+            at_least=80.0,
+        ),
+        measured(
+            "U/(d^3 angle): two slots or more <= 10 %, whatever is missed",
+            lambda samples: max(by_misses(samples, FINAL)),
+            unit="%",
+            at_most=10.0,
+        ),
+        *(
+            reported(f"U/(d^3 angle), missed: {missed}", partial(share, name=f"{FINAL}, {missed}"), unit="%")
+            for missed in MISSES
+        ),
+        reported(
+            "U/(d^3 angle), runs whose ranges scatter by 8 % or less", lambda s: share(s, f"steady {FINAL}"), unit="%"
+        ),
+        reported(
+            "U/(d^3 angle), one sticker on a side, 5 % missed", lambda samples: share(samples, "one sticker"), unit="%"
+        ),
         reported("U/(d^3 angle) with blobs grouped by factor 3", lambda samples: share(samples, "grouped"), unit="%"),
-        reported("scatter of a frame's range", lambda samples: 100 * rms(samples["range"]), unit="%"),
-        reported("the same, no sticker is ever missed", lambda s: 100 * rms(s["whole range"]), unit="%"),
+        reported("scatter of a frame's range", lambda s: 100 * rms(s["range, 5 % of the stickers"]), unit="%"),
+        reported("the same, nothing missed", lambda s: 100 * rms(s["range, nothing"]), unit="%"),
     ),
-    measure=compare_causes,
-    batches=16,
-    seconds=5.0,
+    measure=compare_misses,
+    batches=10,
+    seconds=6.0,
+    changed="Before: one sticker on a side of the trunk, 5 % of them missed; U/d 98.8 % (98.3 to 99.1), U/(d^3 angle) "
+    "43.5 % (31.3 to 54.6), and 4.19 % (0.55 to 9.16) with none missed: not.",
     figures=slot_figure,
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
-    note="Where a frame misses the trunk's sticker (5 %), the one of the head is the largest blob that is left, the "
-    "player seems nearly twice as far, and goes into another slot; without such frames the final likelihood holds.",
+    note="Where a frame misses all of the trunk's stickers, the one of the head is the largest blob that is left, the "
+    "player seems half as far again, and may go into another slot.",
 )
 
 
