@@ -86,7 +86,7 @@ def sweep_intervals(batch: Batch) -> Samples:
     for name, start in starts.items():
         pace = 1.0 if name == "walking" else 0.0
         for interval in INTERVALS:
-            memory = {"velocity_interval": interval}
+            memory: dict[str, Any] = {"velocity_interval": interval}
             seen = walk_to_ball(batch, start, 1.5, stuck=False, pace=pace, memory=memory)
             found[f"{name} {interval}"] = seen["radial"] - seen["rate"]
     for interval in INTERVALS[1:3]:
