@@ -173,7 +173,7 @@ def test_a_robot_that_walks_into_a_spread_leg_is_stopped_by_it():
     """One that would walk past beside the goalkeeper; the other match shows it without the block."""
     match = stage(LEAGUE, 2)
     put(match, 0, 0.0, 0.0, 0.0)
-    put(match, 1, 0.275, 0.2, np.pi)
+    put(match, 1, 0.26, 0.2, np.pi)
     put_ball(match, 5.0, 0.0)
     match.robots["keeper"][:, 0] = 1
     match.rebuild()
