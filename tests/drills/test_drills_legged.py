@@ -15,7 +15,6 @@ from tests.scenes.staging import LEGGED, deepest_overlaps, put_ball, stand
 from tests.scenes.symmetry import Records, mirrored, mirrored_actions
 
 MATCHES = 40
-DRIBBLES = [scene.name for scene in DRILLS_LEGGED if scene.success == "home gets past"]
 PAWS = 0.15  # [m] from a robot's centre to a ball between its paws
 each_drill = pytest.mark.parametrize("scene", [scene.name for scene in DRILLS_LEGGED])
 
@@ -63,37 +62,6 @@ def test_placement_follows_from_the_seed_and_differs_between_seeds(scene: str) -
     first, same, other = (drill(scene, seed=seed) for seed in (5, 5, 6))
     assert (first.robots == same.robots).all() and (first.balls == same.balls).all()
     assert (first.balls["x"] != other.balls["x"]).all()
-
-
-@pytest.mark.parametrize("scene", DRIBBLES)
-def test_the_dribbler_begins_with_the_ball_and_the_others_between_it_and_the_goal(scene: str) -> None:
-    match = drill(scene)
-    assert (match.robots["has_ball"][:, 0] == 1).all()
-    assert (match.robots["x"][:, 1:] > match.balls["x"][:, None] + 0.05).all()
-    assert (match.robots["x"][:, 1:].max(axis=1) + PAST < 1.5).all()
-
-
-def test_the_two_of_gap_500_stand_half_a_metre_apart() -> None:
-    robots = drill("gap-500").robots
-    apart = np.hypot(robots["x"][:, 1] - robots["x"][:, 2], robots["y"][:, 1] - robots["y"][:, 2])
-    np.testing.assert_allclose(apart, 0.5)
-
-
-def test_the_ball_lies_behind_the_still_opponent() -> None:
-    match = drill("ball-behind-robot")
-    seeker, blocker = match.robots[:, 0], match.robots[:, 1]
-    x, y = match.balls["x"] - seeker["x"], match.balls["y"] - seeker["y"]
-    to_x, to_y = blocker["x"] - seeker["x"], blocker["y"] - seeker["y"]
-    across = abs(x * to_y - y * to_x) / np.hypot(x, y)
-    assert (across < 0.06).all() and (np.hypot(to_x, to_y) < np.hypot(x, y)).all()
-
-
-def test_one_that_faces_the_wall_has_the_ball_behind_it() -> None:
-    match = drill("facing-wall")
-    robot = match.robots[:, 0]
-    ahead = np.cos(robot["heading"]) * (match.balls["x"] - robot["x"])
-    ahead += np.sin(robot["heading"]) * (match.balls["y"] - robot["y"])
-    assert (ahead < -0.1).all() and (abs(robot["y"]) > 0.75).all()
 
 
 def test_a_shot_at_the_far_post_that_nobody_stops_is_a_goal() -> None:

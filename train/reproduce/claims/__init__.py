@@ -45,6 +45,7 @@ MODULES: tuple[str, ...] = (
     "stuck.detection",
     "stuck.false_alarms",
     "stuck.recovery",
+    "stuck.wall",
     "sensors",
     "players.tracked",
     "players.grouping",

@@ -31,7 +31,7 @@ from soccer_env.types import AWAY, HOME, NO_TEAM
 FUTURE = 24.0  # [s] of a branch
 FREE_TIME = 1.0  # [s] of walking as asked, in contact with nobody, after which a robot is free; assumed
 AS_ASKED = 0.5  # [1] of the way that its legs walk, assumed
-NUMBERS = ("got", "freed", "began", "over", "again", "tries", "goals", "before", "after")
+NUMBERS = ("got", "freed", "began", "aside", "over", "again", "tries", "goals", "before", "after")
 
 
 class Fate:
@@ -55,7 +55,8 @@ class Fate:
         begins = (doing == BACK) & ~self.was_back & ~self.ended
         self.was_back = doing == BACK
         self.first("began", begins, now)
-        self.found["tries"] += begins & np.isnan(self.found["freed"])
+        self.found["tries"] += begins & np.isnan(self.found["got"])
+        self.first("aside", doing == SIDESTEP, now)
         self.first("over", ~recovers & ~np.isnan(self.found["began"]), now)
         fresh = self.found["over"] == now
         self.found["after"][fresh] = misalignment(match, self.robots)[fresh]
@@ -112,8 +113,7 @@ def follow(
     NaN: no such moment, or it did not happen. `begun`: they begin to recover at once, as if they had noticed;
     `random_sides`: they step aside to a side that is drawn.
     """
-    alone = replace(batch, claim="moments", threads=batch.threads)
-    return _follow(alone, begun, kind, random_sides, tuple(sorted(settings.items())))
+    return _follow(replace(batch, claim="moments"), begun, kind, random_sides, tuple(sorted(settings.items())))
 
 
 @lru_cache(maxsize=1024)

@@ -92,9 +92,9 @@ S22 = Claim(
     paper=SACKS,
     section="3.3",
     statement="Robots almost always determine that they are stuck within a few seconds of running into an obstacle.",
-    method=f"{HELD} robots a batch walk to a still ball for {WALK:g} s and are then held: their legs slip; time until "
+    method=f"{HELD} robots a batch walk to a still ball for {WALK:g} s and are then held, their legs slip; time until "
     f"the team begins its recovery, the ball {100 * NEAREST:.0f} to {100 * FARTHEST:.0f} cm from the camera. Beside "
-    "them robots that others hold in 3 v 3 play (contact, a quarter of the way that their legs walk or less for 1.5 s).",
+    "them robots that others hold in 3 v 3 play (contact, a quarter of the way that their legs walk for 1.5 s).",
     criteria=(
         counted("ball at 20 to 60 cm: noticed within 5 s", "in 60 cm", "trials 60 cm", at_least=95.0),
         counted("ball at 20 to 80 cm: noticed within 8 s", "in 80 cm", "trials 80 cm", at_least=90.0),
@@ -172,9 +172,9 @@ S04 = Claim(
     paper=SACKS,
     section="3",
     statement="If a robot is trying to move toward the ball, but the ball is not getting closer, it is probably stuck.",
-    method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, in which nobody recovers; windows of {WINDOW:g} s of "
-    f"robots that go for a ball nearer than {100 * FARTHEST:.0f} cm: mean of the filtered radial velocity of those that "
-    "others hold (contact, a quarter of the way that their legs walk or less) and of those that touch nobody.",
+    method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, in which nobody recovers; windows of {WINDOW:g} s "
+    f"of robots that go for a ball nearer than {100 * FARTHEST:.0f} cm: mean of the filtered radial velocity of those "
+    "that others hold (contact, a quarter of the way that their legs walk or less) and of those that touch nobody.",
     criteria=(
         measured("area under the ROC curve of the mean velocity", area, at_least=0.9),
         reported("median of free robots", lambda s: 100 * median(s["free"]), unit="cm/s"),

@@ -19,7 +19,11 @@ from soccer_env.train.reproduce.values import least_rise, mean
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
 
 COUNTS = (3, 6, 9, 12, 15)  # thresholds, S25
-LONG = 0.9  # [1] shortest share of a full step near the ball, beside the team's own
+VARIANTS = {  # beside the team's own settings: S23
+    "steps of 0.9 at least": {"near_step": 0.9},
+    "steps of 0.1 at least": {"near_step": 0.1},
+    "a threshold of 5 readings": {"stuck_count": 5},
+}
 ROLLS = (0.1, 0.5)  # [m/s] of a ball that rolls
 TRIES, TIME = 48, 20.0  # approaches of each kind a batch, [s] of each at most
 MATCHES, PLAY_TIME = 16, 60.0  # of 3 v 3, [s]
@@ -59,7 +63,8 @@ def one_and_two(batch: Batch) -> Samples:
     found = {}
     for n in (1, 2):
         found[f"counters {n}"] = approach(batch, rolls=False, two_counters=n == 2)
-        found[f"long {n}"] = approach(batch, rolls=False, two_counters=n == 2, near_step=LONG)
+        for name, settings in VARIANTS.items():
+            found[f"{name} {n}"] = approach(batch, rolls=False, two_counters=n == 2, **settings)
     return {**found, "approaches": np.ones(TRIES)}
 
 
@@ -67,6 +72,11 @@ def fewer(samples: Samples, name: str) -> float:
     """Return how many times fewer alarms there are with two counters; half an alarm stands for none; NaN: no alarm."""
     one, two = samples[f"{name} 1"].sum(), samples[f"{name} 2"].sum()
     return float(one / max(two, 0.5)) if one + two > 0.0 else float("nan")
+
+
+def rate(name: str, samples: Samples) -> float:
+    """Return the alarms in 100 approaches of a variant."""
+    return 100.0 * mean(samples[name])
 
 
 S23 = Claim(
@@ -81,8 +91,11 @@ S23 = Claim(
         counted("one counter: approaches with a false alarm (often)", "counters 1", "approaches", at_least=5.0),
         measured("alarms with one counter over those with two", lambda s: fewer(s, "counters"), at_least=5.0),
         reported("two counters: alarms in 100 approaches", lambda s: 100 * mean(s["counters 2"])),
-        reported("steps of nine tenths, one counter: alarms in 100 approaches", lambda s: 100 * mean(s["long 1"])),
-        reported("steps of nine tenths, two counters: alarms in 100 approaches", lambda s: 100 * mean(s["long 2"])),
+        *(
+            reported(f"{name}, {n} counter(s): alarms in 100 approaches", partial(rate, f"{name} {n}"))
+            for name in VARIANTS
+            for n in (1, 2)
+        ),
     ),
     measure=one_and_two,
     ingredients=("near_step 0.25 and near_time 8 s: assumed",),
@@ -94,7 +107,10 @@ S23 = Claim(
 
 
 def signs_of(match: Match, r: int) -> np.ndarray:
-    """Return the ball's own speed away from robot r [m/s], |bearing| [rad], |turn| [rad/s], distance from its camera [m]: (4, M)."""
+    """Return the ball's own speed away from robot r [m/s], |bearing| [rad], |turn| [rad/s], distance [m]: (4, M).
+
+    The distance is from the camera.
+    """
     distance, bearing = ball_from(match, r)
     angle = match.robots["heading"][:, r] + bearing
     away = match.balls["vx"] * np.cos(angle) + match.balls["vy"] * np.sin(angle)
@@ -186,8 +202,8 @@ S24 = Claim(
     method=f"{MATCHES} matches a batch of 3 v 3, {PLAY_TIME:g} s each: recoveries of robots that touched nobody for "
     f"most of the {BEFORE:g} s before are false alarms; their cause by that time: the ball moved away, else the "
     "robot turned or had the ball aside, else the ball was nearer than 35 cm, else none of these. The same told of "
-    f"{BEFORE:g} s of free approaches without an alarm. Beside it {TRIES} staged approaches a batch to a still ball 40 to "
-    "90 cm away in any direction, nothing in the way.",
+    f"{BEFORE:g} s of free approaches without an alarm. Beside it {TRIES} staged approaches a batch to a still ball 40 "
+    "to 90 cm away in any direction, nothing in the way.",
     criteria=(
         counted("approaches in play that end in a false alarm (infrequently)", "alarms", "approaches", at_most=5.0),
         measured("receding or turning: before false alarms less in free approaches", more_usual, unit="pp", above=0.0),

@@ -136,13 +136,18 @@ def tripped(match: Match) -> np.ndarray:
     return found
 
 
-@lru_cache(maxsize=64)
 def sample(batch: Batch) -> Moments:
     """Watch a batch of matches and copy them where somebody is held, and where somebody's counters trip.
 
     The same for all claims: of a batch only seed, index and pose count.
     """
-    match = kick_off(replace(batch, claim="moments"), matches=MATCHES, team=BASE)
+    return _sample(replace(batch, claim="moments"))
+
+
+@lru_cache(maxsize=64)
+def _sample(batch: Batch) -> Moments:
+    """Return the same of a batch that can be looked up."""
+    match = kick_off(batch, matches=MATCHES, team=BASE)
     watch = Watch(match)
     since = np.full((2, *match.robots.shape), np.inf)
     found: list[tuple[dict[str, np.ndarray], dict[str, Any]]] = []

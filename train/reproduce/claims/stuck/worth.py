@@ -122,11 +122,11 @@ S02 = Claim(
     section="1",
     statement="A robot that avoids collisions and recovers from them reaches the ball more quickly and more reliably; "
     "collisions slow the game down.",
-    method=f"Robots that others hold in 3 v 3 play, {MATCHES} matches a batch: from there on with the stuck counters and "
-    f"recovery and without, all else the same, ball got (no opponent has it) within {WITHIN:g} s. Referee's calls of a "
-    f"stuck ball in {MATCHES} matches of {PLAY:g} s, both sides with or without. Beside it, each by itself, "
+    method=f"Robots that others hold in 3 v 3 play, {MATCHES} matches a batch: from there on with the stuck counters "
+    f"and recovery and without, all else the same, ball got (no opponent has it) in {WITHIN:g} s. Referee's calls of "
+    f"a stuck ball in {MATCHES} matches of {PLAY:g} s, both sides with or without. Beside it, each by itself, "
     f"{RUNS} runs a batch of staged tasks, ball got within {LONGEST:g} s: blocker (drill ball-behind-robot), wall "
-    "(facing-wall), post (one in the way whom nobody pushes aside), pair (two that converge on a still ball, as in S03).",
+    "(facing-wall), post (one in the way whom nobody pushes aside), pair (two that converge on a still ball: S03).",
     criteria=(
         measured("held in play: success with recovery less without", gain, unit="pp", at_least=20.0),
         measured(
@@ -157,8 +157,8 @@ S02 = Claim(
     measure=on_and_off,
     figures=time_figure,
     ingredients=("opponents play sacks-2001 without the recovery", "where a robot stands between, it hides the ball"),
-    changed="The task: before, the three staged tasks blocker, wall and post pooled, two of which held nobody (the wall "
-    "was never touched); success 11.1 points higher with recovery (6.94 to 16).",
+    changed="The task: before, the three staged tasks blocker, wall and post pooled, two of which held nobody (the "
+    "wall was never touched); success 11.1 points higher with recovery (6.94 to 16).",
     seconds=12.0,
     batches=6,
 )

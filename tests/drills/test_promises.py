@@ -1,0 +1,183 @@
+"""Every drill keeps on its first frame what its docstring promises: who stands where, and faces what."""
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+from soccer_env.scenes import SCENES
+from soccer_env.scenes.drills_legged import DRILLS_LEGGED, GAP, KEEPER_OUT
+from soccer_env.scenes.judging import PAST
+from tests.scenes.staging import LEAGUES, LEGGED, each_league
+
+MATCHES = 60
+DRIBBLES = [scene.name for scene in DRILLS_LEGGED if scene.success == "home gets past"]
+HOLDS = 0.06  # [m] aside of a way at which a robot stands on it: less than half of its width
+
+
+def drill(scene: str, league: str = LEGGED) -> Match:
+    """Return a drill with as many opponents as it needs."""
+    away = max(len(SCENES[scene].opponents), 1)
+    return Match(league, home=1, away=away, matches=MATCHES, scene=scene, seed=7, episode="drill")
+
+
+def seen_from(match: Match, r: int, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return a point's distance [m] and bearing [rad] from robot r."""
+    robot = match.robots[:, r]
+    dx, dy = x - robot["x"], y - robot["y"]
+    return np.hypot(dx, dy), np.angle(np.exp(1j * (np.arctan2(dy, dx) - robot["heading"])))
+
+
+def ball_from(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """Return the ball's distance [m] and bearing [rad] from robot r."""
+    return seen_from(match, r, match.balls["x"], match.balls["y"])
+
+
+def off_the_way(match: Match, r: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return how far robot r is along and aside [m] of the dribbler's straight way to the middle of the goal."""
+    dribbler, other = match.robots[:, 0], match.robots[:, r]
+    way = np.arctan2(-match.balls["y"], match.league.pitch.length / 2 - match.balls["x"])
+    dx, dy = other["x"] - dribbler["x"], other["y"] - dribbler["y"]
+    return np.cos(way) * dx + np.sin(way) * dy, -np.sin(way) * dx + np.cos(way) * dy
+
+
+def meets_way(match: Match, r: int) -> np.ndarray:
+    """Return where [m] along the dribbler's way robot r crosses it if it walks straight ahead, NaN: never."""
+    along, aside = off_the_way(match, r)
+    way = np.arctan2(-match.balls["y"], match.league.pitch.length / 2 - match.balls["x"])
+    angle = match.robots["heading"][:, r] - way
+    until = -aside / np.sin(angle)
+    return np.where(until > 0.0, along + until * np.cos(angle), np.nan)
+
+
+@pytest.mark.parametrize("name", [LEGGED, "legged-2001-smooth"])
+def test_facing_wall_a_paw_touches_the_foot_of_the_board_and_the_ball_is_behind(name: str) -> None:
+    match = drill("facing-wall", name)
+    robot, league = match.robots[:, 0], find_league(name)
+    side, sine, cosine = np.sign(robot["y"]), np.sin(robot["heading"]), np.cos(robot["heading"])
+    paws = [robot["y"] + sine * league.body.tip_x + left * cosine * league.body.tip_y for left in (1.0, -1.0)]
+    reach = np.max([side * paw for paw in paws], axis=0) + league.body.tip_radius
+    np.testing.assert_allclose(reach, league.pitch.width / 2 - league.foot, atol=1e-9)
+    assert (np.abs(ball_from(match)[1]) > np.pi / 2).all() and (side * sine > 0.9).all()
+
+
+def test_facing_wall_a_robot_that_walks_on_gets_nowhere() -> None:
+    match = drill("facing-wall")
+    start = match.robots[:, 0].copy()
+    actions = np.zeros((*match.robots.shape, 4))
+    actions[:, 0, 0] = 1.0
+    for _ in range(16 * 3):
+        match.step(actions)
+    outwards = np.sign(start["y"]) * (match.robots["y"][:, 0] - start["y"])
+    turned = np.abs(np.sin(match.robots["heading"][:, 0] - start["heading"])) * match.league.body.tip_x
+    assert (outwards < 0.01 + turned).all()
+
+
+def test_ball_behind_robot_both_lie_ahead_and_the_opponent_between() -> None:
+    match = drill("ball-behind-robot")
+    far, bearing = ball_from(match)
+    near, aside = seen_from(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+    assert (np.abs(bearing) < 0.3).all() and (near < far).all()
+    assert (np.abs(near * np.sin(aside - bearing)) < HOLDS).all()
+
+
+def test_head_on_push_both_face_each_other_with_the_ball_between_their_paws() -> None:
+    match = drill("head-on-push")
+    for r in range(2):
+        far, bearing = ball_from(match, r)
+        other = match.robots[:, 1 - r]
+        assert (far < match.league.body.tip_x + match.league.ball.radius).all() and (np.abs(bearing) < 0.03).all()
+        assert (np.abs(seen_from(match, r, other["x"], other["y"])[1]) < 0.03).all()
+    assert (match.robots["has_ball"] == 1).all()
+
+
+@pytest.mark.parametrize("scene", DRIBBLES)
+def test_a_dribbler_begins_with_the_ball_and_the_others_between_it_and_the_goal(scene: str) -> None:
+    match = drill(scene)
+    assert (match.robots["has_ball"][:, 0] == 1).all()
+    assert (match.robots["x"][:, 1:] > match.balls["x"][:, None] + 0.05).all()
+    assert (match.robots["x"][:, 1:].max(axis=1) + PAST < 1.5).all()
+
+
+@pytest.mark.parametrize("scene", ["dribble-past-one", "dribble-past-two", "dribble-past-three"])
+def test_still_players_stand_on_the_way_one_behind_another(scene: str) -> None:
+    match = drill(scene)
+    places = [off_the_way(match, r) for r in range(1, match.robots.shape[1])]
+    for along, aside in places:
+        assert (along > 0.5).all() and (np.abs(aside) < 0.25).all()
+    for (near, _), (far, _) in zip(places, places[1:], strict=False):
+        assert (far > near + 0.2).all()
+
+
+@pytest.mark.parametrize(
+    ("scene", "near", "far", "aside", "meets"),
+    [
+        ("dribble-past-mover-near", 0.5, 0.7, 0.7, (0.2, 0.4)),
+        ("dribble-past-mover-far", 1.1, 1.5, 0.4, (0.3, 0.6)),
+        ("dribble-past-mover-head-on", 0.7, 1.3, 0.05, (-1e-6, 1e-5)),
+    ],
+)
+def test_a_mover_stands_where_its_drill_says_and_heads_for_the_way(
+    scene: str, near: float, far: float, aside: float, meets: tuple[float, float]
+) -> None:
+    match = drill(scene)
+    along, off = off_the_way(match, 1)
+    distance = np.hypot(along, off)
+    assert (distance > near - 1e-9).all() and (distance < far + 1e-9).all()
+    assert (np.abs(np.arctan2(off, along)) < aside + 1e-9).all()
+    crossing = meets_way(match, 1)
+    assert (crossing > meets[0] - 1e-9).all() and (crossing < meets[1] + 1e-6).all()
+
+
+def test_mover_and_still_stand_on_either_side_and_the_mover_comes_in() -> None:
+    match = drill("mover-and-still")
+    (_, still), (_, mover) = off_the_way(match, 1), off_the_way(match, 2)
+    assert (still * mover < 0.0).all()
+    crossing = meets_way(match, 2)
+    assert (crossing > 0.25 - 1e-9).all() and (crossing < 0.5 + 1e-9).all()
+
+
+def test_gap_500_the_two_stand_beside_each_other_half_a_metre_apart() -> None:
+    match = drill("gap-500")
+    (first, left), (second, right) = off_the_way(match, 1), off_the_way(match, 2)
+    np.testing.assert_allclose(np.hypot(first - second, left - right), GAP)
+    np.testing.assert_allclose(first, second, atol=1e-9)
+    assert (left * right < 0.0).all()
+
+
+def test_far_post_shots_go_inside_the_other_post_past_a_goalkeeper_on_the_line_to_the_ball() -> None:
+    match = drill("far-post-shots")
+    pitch, ball, keeper = match.league.pitch, match.balls, match.robots[:, 1]
+    at_goal = ball["y"] + (pitch.length / 2 - ball["x"]) * ball["vy"] / ball["vx"]
+    inside = pitch.goal_width / 2 - match.league.ball.radius - np.abs(at_goal)
+    assert (inside >= -1e-9).all() and (inside < 0.07).all() and (at_goal * ball["y"] < 0.0).all()
+    out = np.hypot(pitch.length / 2 - keeper["x"], keeper["y"])
+    np.testing.assert_allclose(out, KEEPER_OUT)
+    assert (np.abs(ball_from(match, 1)[1]) < 1e-9).all()
+
+
+@each_league
+def test_empty_goal_the_robot_is_behind_the_ball_and_nobody_before_it(name: str) -> None:
+    match = drill("empty-goal", name)
+    half = match.league.pitch.length / 2
+    assert (match.robots["x"][:, 0] < match.balls["x"]).all() and (np.abs(ball_from(match)[1]) < 0.51).all()
+    assert (match.balls["x"] > 0.3 * half).all() and (match.robots["x"][:, 1] < 0.0).all()
+
+
+@each_league
+def test_shot_at_keeper_is_on_target_from_4_m_or_a_third_of_the_pitch(name: str) -> None:
+    match = drill("shot-at-keeper", name)
+    league, ball = match.league, match.balls
+    half = league.pitch.length / 2
+    away = np.hypot(half - ball["x"], ball["y"])
+    np.testing.assert_allclose(away, min(4.0, league.pitch.length / 3))
+    at_goal = ball["y"] + (half - ball["x"]) * ball["vy"] / ball["vx"]
+    assert (np.abs(at_goal) < league.pitch.goal_width / 2 - league.ball.radius).all()
+    np.testing.assert_allclose(np.hypot(ball["vx"], ball["vy"]), min(4.0, 0.8 * league.kicker.fastest))
+    assert (np.abs(match.robots["y"][:, 1]) < 1e-9).all() and (match.robots["x"][:, 1] > 0.8 * half).all()
+
+
+def test_every_drill_is_told_of_here() -> None:
+    told = {*DRIBBLES, "facing-wall", "ball-behind-robot", "head-on-push", "far-post-shots"}
+    common = {"empty-goal", "shot-at-keeper"}
+    assert told | common == {name for name, scene in SCENES.items() if scene.success != "none"} and len(LEAGUES) == 2
