@@ -7,8 +7,8 @@ from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE
 from soccer_env.staging import memory_of
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims import all_claims, find_claims
+from soccer_env.train.reproduce.claims.stuck import alarms_in_play, false_alarms, stealing, wall
 from soccer_env.train.reproduce.claims.stuck import detection as stuck_detection
-from soccer_env.train.reproduce.claims.stuck import false_alarms, stealing, wall
 from soccer_env.train.reproduce.claims.stuck.branches import follow, shares_of
 from soccer_env.train.reproduce.claims.stuck.runs import (
     ABREAST,
@@ -146,7 +146,7 @@ def test_a_robot_at_the_wall_sees_the_ball_aside_and_cannot_turn_to_it_as_it_lik
     ],
 )
 def test_the_cause_of_a_false_alarm_is_the_first_that_holds(signs: tuple[float, ...], cause: str) -> None:
-    assert false_alarms.CAUSES[false_alarms.cause_of(np.array(signs))] == cause
+    assert alarms_in_play.CAUSES[alarms_in_play.cause_of(np.array(signs))] == cause
 
 
 def test_the_area_under_the_curve_is_one_for_what_is_apart_and_a_half_for_what_is_the_same() -> None:

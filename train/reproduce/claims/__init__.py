@@ -44,6 +44,7 @@ MODULES: tuple[str, ...] = (
     "stuck.stealing",
     "stuck.detection",
     "stuck.false_alarms",
+    "stuck.alarms_in_play",
     "stuck.recovery",
     "stuck.wall",
     "sensors",
