@@ -169,8 +169,8 @@ H26 = Claim(
     note="That light costs a table pixels, and that one which learns at known places follows, is put in; what is "
     "measured is whether it follows fast enough, with what a robot sees of the white lines. The paper gives no numbers "
     "of its algorithm: its speed and reach are assumed. Where light changes fastest the table lags by "
-    "2 pi table_time / light_period = 0.105, at which 88 % of the pixels keep their class: the first criterion hangs on "
-    "that.",
+    "2 pi table_time / light_period = 0.105, at which 88 % of the pixels keep their class: the first criterion "
+    "hangs on that.",
 )
 
 CLAIMS = (H26,)
