@@ -99,10 +99,11 @@ S31 = Claim(
     paper=SACKS,
     section="4, 4.3.4",
     statement="Dribbling round other players adds to the strategy of orbiting the ball and shooting.",
-    method=f"{MATCHES} runs a batch begin as the drill {SCENE}: ball between the paws, three players on the way, who go "
-    f"for the ball as the team chaser does; goals within {SECONDS:g} s, until the first of either side, by sacks-2001, "
-    "which dribbles round who is in its way and shoots where nobody is, against orbit and shoot (avoidance=False: from "
-    "anywhere, whoever stands there). Beside it against three who stand, and with nobody in the way.",
+    method=f"{MATCHES} runs a batch begin as the drill {SCENE}: ball between the paws, three players on the way, "
+    f"who go for the ball as the team chaser does; goals within {SECONDS:g} s, until the first of either side, by "
+    "sacks-2001, which dribbles round who is in its way and shoots where nobody is, against orbit and shoot "
+    "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody "
+    "there.",
     criteria=(
         measured("runs with a goal, dribbling less orbit and shoot, blockers that go for the ball",
                  lambda s: more(s, "goals"), unit="%", above=0.0),
@@ -120,8 +121,8 @@ S31 = Claim(
     measure=both_strategies,
     figures=goal_figure,
     ingredients=("the drill's places", "kicks of 0.8 to 1.5 m/s with a spread of 10 degrees"),
-    changed="Before: blockers who only stood, distances counted from middle to middle, and a team that shot by rules of "
-    "ours (0.521 %, -4.69 to 5.73: undecided).",
+    changed="Before: blockers who only stood, distances counted from middle to middle, and a team that shot by rules "
+    "of ours (0.521 %, -4.69 to 5.73: undecided).",
     note="Against players who only stand a blind shot that hits somebody is fetched and tried again, for nobody takes "
     "the ball away.",
     seconds=4.2,

@@ -24,6 +24,7 @@ from soccer_env.train.reproduce.claims.field.points import (
     run_points,
     starts,
 )
+from soccer_env.train.reproduce.staging import kick_off
 from soccer_env.train.reproduce.values import mean, median
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 
@@ -36,17 +37,23 @@ GOAL_X = 1.6  # [m] of the point that a dribbler makes for
 
 
 def time_decisions(batch: Batch) -> Samples:
-    """Return how long decisions take [us] in each of 32 repetitions, among five other players."""
+    """Return how long decisions among five others take [us] in each of 32 repetitions, and a robot's whole frame."""
     rng, repetitions = batch.rng(), 32
     start = starts(rng, 64)
     crowd = players(np.stack([rng.uniform(-0.8, 1.2, (64, OTHERS)), rng.uniform(-0.9, 0.9, (64, OTHERS))], axis=-1))
     run_points(rng, start, crowd)
-    times = []
+    match = kick_off(batch, matches=4, team="sacks-2001")
+    match.step()
+    times, frames = [], []
     for _ in range(repetitions):
         begun = perf_counter()
         steps = run_points(rng, start, crowd).steps.sum()
         times.append(1e6 * (perf_counter() - begun) / steps)
-    return {"time": np.array(times)}
+        begun = perf_counter()
+        match.step()
+        frames.append(1e6 * (perf_counter() - begun) / match.robots.size)
+    match.close()
+    return {"time": np.array(times), "frame": np.array(frames)}
 
 
 S42 = Claim(
@@ -55,11 +62,20 @@ S42 = Claim(
     section="4.2",
     statement="The method allows planning in real time: the direction of travel costs few calculations.",
     method=f"32 repetitions a batch of 64 runs of the point simulator with {OTHERS} other players: time of the whole "
-    "run over the number of decisions, on one core of the machine that runs this.",
+    "run over the number of decisions, on one core of the machine that runs this; against the time of a frame of 3 "
+    "against 3 over its robots: a robot's sensing, beliefs, plan and body.",
     criteria=(
-        measured("time for a decision, its point's motion included", lambda s: mean(s["time"]), unit="us", below=1e3),
-        reported("share of the 62.5 ms between two frames", lambda s: mean(s["time"]) / 625.0, unit="%"),
+        measured(
+            "a decision, its point's motion included, over a robot's whole frame (medians)",
+            lambda s: 100.0 * median(s["time"]) / median(s["frame"]),
+            unit="%",
+            below=10.0,
+        ),
+        reported("time for a decision, its point's motion included", lambda s: median(s["time"]), unit="us"),
+        reported("time for a robot's whole frame", lambda s: median(s["frame"]), unit="us"),
+        reported("share of the 62.5 ms between two frames", lambda s: median(s["time"]) / 625.0, unit="%"),
     ),
+    changed="Before: less than 1 ms, which nothing could have missed (0.871 us, 0.852 to 0.887).",
     measure=time_decisions,
     seconds=1.0,
     batches=4,

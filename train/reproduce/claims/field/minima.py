@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
-from soccer_env.train.reproduce.claims.field.paths import GAP, HARD_GAPS, hard_set
+from soccer_env.train.reproduce.claims.field.paths import GAP, HARD_GAPS, bounced, hard_set
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import (
     NOISE,
@@ -20,12 +20,14 @@ from soccer_env.train.reproduce.claims.field.points import (
     run_points,
     starts,
 )
-from soccer_env.train.reproduce.claims.field.robots import ROBOTS, SECONDS, filled, run_robots
+from soccer_env.train.reproduce.claims.field.robots import ROBOTS, SECONDS, filled, run_both_ways, run_robots
 from soccer_env.train.reproduce.values import mean
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 
 NO_LIMIT: dict[str, Any] = {"clamp": False, "body_clamp": False}
 STRAIGHT = 0.01  # [m] that a player right ahead stands off the way at most
+SOMETIMES = 10.0  # [%] of the runs, at least: "sometimes", assumed
+LEFT = 5.0  # [%] of the runs in which indecision remains, at least, assumed
 BACK = 0.07  # [m] farther from the goal than before: two steps, more than a body's sway
 DECISIONS: dict[str, dict[str, Any]] = {"all rules": {}, "decisive": {"decisive": True}}
 LIMITS: dict[str, dict[str, Any]] = {"off": NO_LIMIT, "on": {}}
@@ -51,9 +53,9 @@ def before_minima(batch: Batch) -> Samples:
             name = f"{scene}, limit {limit}"
             samples[f"points {name}: stalls"] = (~runs.arrived).astype(float)
             samples[f"points {name}: retreats"] = (runs.retreats > 0).astype(float)
-            robots = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], **play)
-            samples[f"robots {name}: stalls"] = filled(~robots.arrived)
-            samples[f"robots {name}: retreats"] = filled(robots.retreat > BACK)
+            for prefix, robots in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], **play):
+                samples[f"{prefix}robots {name}: stalls"] = filled(~robots.arrived)
+                samples[f"{prefix}robots {name}: retreats"] = filled(robots.retreat > BACK)
     return samples
 
 
@@ -100,9 +102,11 @@ S54 = Claim(
             "points without limits that stall or retreat",
             partial(share, who="points", limit="off"),
             unit="%",
-            above=0.0,
+            above=SOMETIMES,
         ),
-        measured("robots that do so: without limits less with them", partial(more, who="robots"), unit="pp", above=0.0),
+        measured(
+            "robots that do so: without limits less with them", partial(more, who="robots"), unit="pp", above=SOMETIMES
+        ),
         reported("points with the limits", partial(share, who="points", limit="on"), unit="%"),
         *(
             reported(f"{who} without limits, {scene}", partial(share, who=who, limit="off", scenes=(scene,)), unit="%")
@@ -115,7 +119,12 @@ S54 = Claim(
             )
             for scene in ("head-on", "gap")
         ),
+        reported(
+            "robots, distances from the middle: the same difference", partial(more, who="middle robots"), unit="pp"
+        ),
     ),
+    changed="Before: more than none of the points, which nothing could have missed (98.8 %, 97.7 to 99.8), and "
+    "distances from middle to middle for robots (52.1 pp, 38.9 to 63.5).",
     measure=before_minima,
     seconds=9.0,
     batches=6,
@@ -132,9 +141,9 @@ def hard_runs(batch: Batch) -> Samples:
     for name, play in DECISIONS.items():
         runs = run_points(batch.rng(1), start, crowd, {"range_noise": NOISE}, **play)
         samples[f"points {name}"] = runs.flips.astype(float)
-        robots = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], **play)
-        samples[f"robots {name}"] = filled(robots.flips)
-        samples[f"clean {name}"] = filled(robots.is_clean)
+        for prefix, robots in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], **play):
+            samples[f"{prefix}robots {name}"] = filled(robots.flips)
+            samples[f"{prefix}clean {name}"] = filled(robots.is_clean)
     ideal = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], senses="ideal")
     return samples | {"robots that see all": filled(ideal.flips)}
 
@@ -158,15 +167,28 @@ S68 = Claim(
     f"gap of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near it, all of the paper's "
     "rules on; changes between more than 20 degrees left of the goal and as much right of it.",
     criteria=(
-        measured("points: changes of side in a run (mean)", lambda s: mean(s["points all rules"]), above=0.0),
-        measured("robots: changes of side in a run (mean)", lambda s: mean(s["robots all rules"]), above=0.0),
-        reported("robots' runs with one or more", lambda s: 100 * mean(some(s["robots all rules"])), unit="%"),
+        measured("points: runs with a change of side", partial(bounced, name="points all rules"), unit="%", above=LEFT),
+        measured("robots: runs with a change of side", partial(bounced, name="robots all rules"), unit="%", above=LEFT),
+        reported("points: changes of side in a run (mean)", lambda s: mean(s["points all rules"])),
+        reported("robots: changes of side in a run (mean)", lambda s: mean(s["robots all rules"])),
         reported("points that are decisive (mean)", lambda s: mean(s["points decisive"])),
         reported("robots that are decisive (mean)", lambda s: mean(s["robots decisive"])),
         reported("robots that see all (ideal senses) (mean)", lambda s: mean(s["robots that see all"])),
         reported("robots that pass and touch nobody", lambda s: 100 * mean(s["clean all rules"]), unit="%"),
         reported("the same of decisive ones", lambda s: 100 * mean(s["clean decisive"]), unit="%"),
+        reported(
+            "robots, distances from the middle: runs with a change of side",
+            partial(bounced, name="middle robots all rules"),
+            unit="%",
+        ),
+        reported(
+            "robots, distances from the middle: that pass and touch nobody",
+            lambda s: 100 * mean(s["middle clean all rules"]),
+            unit="%",
+        ),
     ),
+    changed="Before: more than no change of side, which nothing could have missed (points 0.109, 0.0547 to 0.172; "
+    "robots 1.77, 1.33 to 2.18).",
     measure=hard_runs,
     seconds=7.0,
     batches=6,
@@ -175,11 +197,6 @@ S68 = Claim(
     "(sacks-2001-future), who leave a side only when the other has clearly become better, hardly ever change sides; "
     "decisive robots do as often as the others.",
 )
-
-
-def some(values: np.ndarray) -> np.ndarray:
-    """Return 1 where a count is above 0, NaN where there is none."""
-    return np.where(np.isfinite(values), values > 0.0, np.nan)
 
 
 CLAIMS = (S54, S68)

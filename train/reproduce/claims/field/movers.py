@@ -121,6 +121,8 @@ S58 = Claim(
             unit="pp",
         ),
     ),
+    changed="Before: a player who crosses instead of one that comes from one side while another stands on the other; "
+    "collisions did not rise (0 pp, which stands beside it).",
     measure=met,
     seconds=1.5,
     batches=16,

@@ -9,12 +9,19 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.baselines.sacks_2001.steering import force_of_players
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import FIELD, SCENES, START, TOUCH, is_clean, run_points
-from soccer_env.train.reproduce.claims.field.robots import ROBOTS, filled, run_robots
+from soccer_env.train.reproduce.claims.field.robots import ROBOTS, filled, run_both_ways
+from soccer_env.train.reproduce.staging import LEGGED
 from soccer_env.train.reproduce.values import mean, median
 from soccer_env.train.reproduce.verdicts import Samples, exact, measured, reported
+from soccer_env.types import BELIEF, TRACK
+
+K = constants_of(find_league(LEGGED))[0]
 
 
 def forces_aside(batch: Batch, **play: Any) -> Samples:
@@ -22,8 +29,18 @@ def forces_aside(batch: Batch, **play: Any) -> Samples:
     rng, record = batch.rng(), SacksSettings(**play).record()[0]
     distance, goal = rng.uniform(0.05, 0.99, SCENES), rng.uniform(-np.pi, np.pi, SCENES)
     angle = goal + np.radians(np.linspace(90.0, 270.0, SCENES))
-    places = zip(distance * np.cos(angle), distance * np.sin(angle), np.cos(goal), np.sin(goal), strict=True)
-    return {"force": np.array([np.hypot(*FIELD.player_force(*place, record)) for place in places])}
+    places = list(zip(distance * np.cos(angle), distance * np.sin(angle), np.cos(goal), np.sin(goal), strict=True))
+    return {
+        "force": np.array([np.hypot(*FIELD.player_force(*place, record)) for place in places]),
+        "middles": np.array([push_of(*place, record) for place in places]),
+    }
+
+
+def push_of(x: float, y: float, goal_x: float, goal_y: float, record: np.void) -> float:
+    """Return the force of a player whose middle a robot that heads along x knows to be at x, y [m]."""
+    belief, tracks = np.zeros(1, BELIEF), np.zeros(1, TRACK)
+    tracks["present"], tracks["x"], tracks["y"] = 1, x, y
+    return float(np.hypot(*force_of_players(belief[0], tracks, goal_x, goal_y, K, record)))
 
 
 S48 = Claim(
@@ -32,7 +49,14 @@ S48 = Claim(
     section="4.3.1",
     statement="A player beside or behind the dribbler exerts no force.",
     method=f"Force of {SCENES} players a batch that are 90 to 180 degrees off the goal's direction, 5 to 99 cm away.",
-    criteria=(exact("greatest force, in units of the goal's", lambda s: float(s["force"].max()), at_most=1e-12),),
+    criteria=(
+        exact("greatest force, in units of the goal's", lambda s: float(s["force"].max()), at_most=1e-12),
+        reported(
+            "players that are so seen from the robot's middle, and less than 90 degrees off from its camera",
+            lambda s: 100.0 * mean(s["middles"] > 1e-12),
+            unit="%",
+        ),
+    ),
     measure=forces_aside,
     batches=1,
     seconds=0.1,
@@ -41,14 +65,21 @@ S48 = Claim(
 
 
 def unit_distance(batch: Batch, **play: Any) -> Samples:
-    """Return the distance [m] at which a player's force is 1, found by bisection."""
-    record = SacksSettings(**play).record()[0]
-    near, far = 0.05, 1.0
-    while far - near > 1e-9:
-        middle = 0.5 * (near + far)
-        pushes = np.hypot(*FIELD.player_force(middle, 0.0, 1.0, 0.0, record)) > 1.0
-        near, far = (middle, far) if pushes else (near, middle)
-    return {"distance": np.array([near])}
+    """Return the distance [m] between middles at which a robot's force from a player straight ahead is 1.
+
+    Found by bisection: "middles" with the paper's distance, from camera to surface; "middle" with that between middles;
+    "distance" is the first as the sensors gave it.
+    """
+    found = {}
+    for name, way in (("middles", "surface"), ("middle", "middle")):
+        record = SacksSettings(distance_from=way, **play).record()[0]
+        near, far = 0.05, 2.0
+        while far - near > 1e-9:
+            half = 0.5 * (near + far)
+            pushes = push_of(half, 0.0, 1.0, 0.0, record) > 1.0
+            near, far = (half, far) if pushes else (near, half)
+        found[name] = np.array([near])
+    return found | {"distance": found["middles"] - K["head_camera_ahead"] - K["body_front"]}
 
 
 S49 = Claim(
@@ -56,8 +87,12 @@ S49 = Claim(
     paper=SACKS,
     section="4.3.2",
     statement="With k2 = 800 and x0 = 1000 mm a player about 45 cm away repels as strongly as the goal pulls.",
-    method="The distance at which the force of a player straight ahead is 1, by bisection.",
-    criteria=(exact("distance", lambda s: 1000 * float(s["distance"][0]), unit="mm", at_least=440.0, at_most=460.0),),
+    method="The distance from camera to surface at which the force of a player straight ahead is 1, by bisection.",
+    criteria=(
+        exact("distance", lambda s: 1000 * float(s["distance"][0]), unit="mm", at_least=440.0, at_most=460.0),
+        reported("between the middles of both then", lambda s: 1000 * float(s["middles"][0]), unit="mm"),
+        reported("between the middles, if that were the distance", lambda s: 1000 * float(s["middle"][0]), unit="mm"),
+    ),
     measure=unit_distance,
     batches=1,
     seconds=0.1,
@@ -91,8 +126,9 @@ def walls_with_robots(batch: Batch, **play: Any) -> Samples:
     """Return the same, and which robots come through cleanly in the first of the scenes."""
     start, crowd = along_wall(batch.rng())
     robots = {
-        f"robots {name}": filled(run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], **{"walls": walls, **play}).is_clean)
+        f"{prefix}robots {name}": filled(runs.is_clean)
         for name, walls in (("with", True), ("without", False))
+        for prefix, runs in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], **{"walls": walls, **play})
     }
     return walls_against_players(batch, **play) | robots
 
@@ -134,6 +170,8 @@ S50 = Claim(
         reported("distance kept without", lambda s: 100 * median(s["clearance without"]), unit="cm"),
         reported("robots that pass and touch nobody, with it", lambda s: 100 * mean(s["robots with"]), unit="%"),
         reported("robots that do so without", lambda s: 100 * mean(s["robots without"]), unit="%"),
+        reported("distances from the middle: with it", lambda s: 100 * mean(s["middle robots with"]), unit="%"),
+        reported("distances from the middle: without", lambda s: 100 * mean(s["middle robots without"]), unit="%"),
     ),
     measure=walls_with_robots,
     seconds=4.0,

@@ -26,6 +26,8 @@ ASIDE = 0.05  # [m] off the middle at which it starts, at most
 ASKEW = 0.35  # [rad] that a gap is at most: 20 degrees
 TOUCH = 0.23  # [m] between two middles at which bodies touch: 16 cm to the paws, 8 cm to a flank
 UNIT = 1.0 / (1.0 / 0.8 + 1.0 / 1.0)  # [m] where a player's force is 1 with the paper's constants
+WALL_UNIT = 1.0 / (1.0 / 0.2 + 1.0 / 0.35)  # [m] where a wall's is
+NO_CUT_OFF = {"cut_off": False, "player_gain": UNIT, "wall_gain": WALL_UNIT}  # k2/x is 1 where the paper's forces are
 NOISE = 0.08  # [1] of the range: as much as S35 is judged at
 BLOBS = 0.2  # [1] of the decisions see a player where there is none, assumed
 

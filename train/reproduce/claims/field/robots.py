@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,10 +14,10 @@ from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims.field.point_runs import SIDE
 from soccer_env.train.reproduce.claims.field.points import SCENES
-from soccer_env.train.reproduce.dribble_runs import NO_SHOTS, Way, place_with_ball, run
+from soccer_env.train.reproduce.dribble_runs import NO_SHOTS, WAYS, Way, place_with_ball, run
 from soccer_env.train.reproduce.staging import put, stage, standing, wrapped
 
-ROBOTS = 48  # runs of a batch
+ROBOTS = 24  # runs of a batch
 SECONDS = 40.0  # [s] of a run: 1.5 m at 7 cm/s take 21
 PASSED = 0.55  # [m] x from which on a dribbler has passed the others, who stand before x = 0.3
 GOAL_X = 1.6  # [m] of the point that a dribbler makes for
@@ -77,6 +78,12 @@ def filled(values: np.ndarray) -> np.ndarray:
     found = np.full(SCENES, np.nan)
     found[: len(values)] = values
     return found
+
+
+def run_both_ways(batch: Batch, start: np.ndarray, crowd: np.ndarray, **play: Any) -> Iterator[tuple[str, RobotRuns]]:
+    """Yield prefix and runs of `run_robots`: distances from camera to surface, "", and from the "middle "."""
+    for prefix, way in WAYS.items():
+        yield prefix, run_robots(batch, start, crowd, **way, **play)
 
 
 def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str = "sensors", **play: Any) -> RobotRuns:
