@@ -91,6 +91,28 @@ def contacts_of(match: Match) -> Contacts:
     return Contacts(int(match.league.drive.gait_steps), match.robots["heading"][:, 1:].copy(), [], *none)
 
 
+@dataclass
+class Ends:
+    """How the runs of a drill end; arrays (M,)."""
+
+    past: np.ndarray  # bool: beyond everybody with the ball, or in the goal
+    lost: np.ndarray  # bool: the ball was far for a while
+    away: np.ndarray  # [s] for which it has been far
+    seconds: np.ndarray  # [s] until the end
+    nearest: np.ndarray  # [m] that the middles of bodies came
+
+    def note(self, match: Match, running: np.ndarray) -> None:
+        """Take in a control step of the runs that go on."""
+        robot, ball = match.robots[:, 0], match.balls
+        beyond = ball["x"] > match.robots["x"][:, 1:].max(axis=1) + PAST
+        self.past |= running & ((beyond & (robot["has_ball"] == 1)) | (match.events["goal"] == HOME))
+        near = np.hypot(ball["x"] - robot["x"], ball["y"] - robot["y"]) <= LOST
+        self.away = np.where(near, 0.0, self.away + match.league.dt)
+        self.lost |= running & ~self.past & (self.away > LOST_TIME)
+        self.seconds += running * match.league.dt
+        self.nearest = np.where(running, np.minimum(self.nearest, gap_to_others(match)), self.nearest)
+
+
 def play_drill(
     batch: Batch,
     scene: str | Scene,
@@ -101,38 +123,27 @@ def play_drill(
 ) -> Samples:
     """Let sacks-2001, with settings by name and without shots, play a drill's scene; arrays (M,).
 
-    As the drill judges, but a touch ends nothing: "past": beyond everybody with the ball, or in the goal; "clean": that
-    without a touch; "touched" before the end; "lost": the ball was far for a while. "seconds" until then; "nearest" [m]
-    that the middles of bodies came; "free": past without a contact that stopped it or turned somebody.
+    As the drill judges, but a touch ends nothing: "past", "lost", "seconds" and "nearest" as in Ends; "clean": past
+    without a touch; "touched" before the end; "free": past without a contact that stopped it or turned somebody.
     """
     match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
-    past, lost = np.zeros((2, matches), bool)
+    ends = Ends(*np.zeros((2, matches), bool), *np.zeros((2, matches)), np.full(matches, np.inf))
     contacts = contacts_of(match)
-    away = np.zeros(matches)
-    seconds = np.zeros(matches)
-    nearest = np.full(matches, np.inf)
     for _ in range(round(LONGEST * match.league.control_rate)):
-        running = ~(past | lost)
+        running = ~(ends.past | ends.lost)
         if not running.any():
             break
         match.step()
-        robot, ball = match.robots[:, 0], match.balls
         contacts.note(match, running)
-        beyond = ball["x"] > match.robots["x"][:, 1:].max(axis=1) + PAST
-        past |= running & ((beyond & (robot["has_ball"] == 1)) | (match.events["goal"] == HOME))
-        near = np.hypot(ball["x"] - robot["x"], ball["y"] - robot["y"]) <= LOST
-        away = np.where(near, 0.0, away + match.league.dt)
-        lost |= running & ~past & (away > LOST_TIME)
-        seconds += running * match.league.dt
-        nearest = np.where(running, np.minimum(nearest, gap_to_others(match)), nearest)
+        ends.note(match, running)
     match.close()
     found = {
-        "past": past,
-        "clean": past & ~contacts.touched,
-        "free": past & ~contacts.hindered,
+        "past": ends.past,
+        "clean": ends.past & ~contacts.touched,
+        "free": ends.past & ~contacts.hindered,
         "touched": contacts.touched,
-        "lost": lost,
-        "seconds": seconds,
-        "nearest": nearest,
+        "lost": ends.lost,
+        "seconds": ends.seconds,
+        "nearest": ends.nearest,
     }
     return {name: values.astype(float) for name, values in found.items()}

@@ -111,8 +111,8 @@ S53 = Claim(
     f"to 25 cm beside their way, or comes straight for them at {100 * SPEEDS[0]:.0f} to {100 * SPEEDS[1]:.0f} cm/s, "
     f"{len(GAINS)} values of k2 and {len(RANGES)} of x0, the other one the paper's; {FEW} robots a batch with four "
     f"values of each. A polynomial in the logarithm of the constant, of half as many degrees as values, is fitted to "
-    f"the success (past it, nobody touched); the least value that suffices is where it comes within {NEARLY:.0f} points "
-    "of its best.",
+    "the success (past it, nobody touched); the least value that suffices is where it comes within "
+    f"{NEARLY:.0f} points of its best.",
     criteria=(
         *(
             measured(
