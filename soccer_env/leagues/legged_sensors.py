@@ -20,9 +20,10 @@ POSITIONS = {"filtered": 0, "raw": 1}
 SLOTS = {"all": 0, "nearest": 1}
 PLAYER_BLOBS = {"largest": 0, "combined": 1}
 PLAYER_VIEWS = {"front": 0, "side": 1}
-PROBABILITIES = ("ball_miss", "player_miss", "landmark_miss", "red_as_orange", "audio_loss")
+PROBABILITIES = ("ball_miss", "player_miss", "sticker_miss", "landmark_miss", "red_as_orange", "audio_loss")
 LENGTHS = ("patch_size", "goal_height", "landmark_radius", "head_size", "trunk_height", "infrared_far")
 PATCHES_MOST = 64  # that a sketch of the picture has room for, with all that is orange besides
+STICKERS_MOST = 3  # on a side of the trunk, that a sketch of the picture has room for
 AVERAGED_MOST = 6  # estimates of the ball's position that a robot's memory has room for
 
 
@@ -38,6 +39,7 @@ class LeggedSensors(Options):
         **dict.fromkeys(("view_width", "view_height"), (DEGREE, 179.0 * DEGREE)),
         **dict.fromkeys(("camera_up", "sticker_head_x"), SIGNED),
         "scale_error": (0.0, 0.5), "patches": (0.0, PATCHES_MOST),
+        "trunk_stickers": (1, STICKERS_MOST),
     }  # fmt: skip
     ORDER = (
         ("patch_low", "at most", "patch_high"), ("landmark_low", "at most", "landmark_high"),
@@ -55,8 +57,12 @@ class LeggedSensors(Options):
     dither: float = 0.45  # [px] sd of a blob's width, height and place: walk and threshold flicker, 0.3 to 0.6 assumed
     scale_error: float = 0.03  # [1] sd of a robot's own scale of sizes, drawn once an episode, assumed
     ball_miss: float = 0.02  # [1] probability that a frame misses the ball, assumed
-    player_miss: float = 0.05  # [1] the same for each sticker, assumed
+    player_miss: float = 0.02  # [1] the same for a whole player, all its stickers, assumed: as the ball  MS37
+    sticker_miss: float = 0.03  # [1] the same for a single sticker, assumed: either way 5 %, as a landmark  MS37
     landmark_miss: float = 0.05  # [1] the same for goals and landmarks, assumed
+    # [px] at 88x72, regions of any colour that are smaller are dropped, assumed: what counts as a ball at all, MS14.
+    # CMVision, the vision library of those years, drops those below CMV_MIN_AREA = 10 or 20 of 320x240: 0.8 or 1.7.
+    least_area: float = 2.0
     patches: float = 2.0  # orange patches round the field in each match, an even number: in pairs, assumed
     patch_size: float = 0.08  # [m] across, assumed
     patch_low: float = 0.3  # [m] lowest height of a patch: above the boards, assumed
@@ -72,12 +78,16 @@ class LeggedSensors(Options):
     trunk_low: float = 0.05  # [m] underside of the trunk between the legs, assumed
     head_size: float = 0.09  # [m] cube that stands for the head, assumed
     jersey: float = 1.0  # [1] scale of all stickers; S37 to S39 are run from 0.7 to 1.3
-    sticker_flank_width: float = 0.10  # [m] assumed
+    trunk_stickers: int = 2  # on each side: "multiple stickers attached to given parts", 4.1.1; how many: assumed  MS37
+    sticker_flank_width: float = 0.06  # [m] assumed
     sticker_flank_height: float = 0.06  # [m] assumed
-    sticker_chest_width: float = 0.07  # [m] assumed
+    sticker_flank_apart: float = 0.119  # [m] between middles: from shoulder to hip, CMPack'02 kinematics
+    sticker_chest_width: float = 0.045  # [m] assumed
     sticker_chest_height: float = 0.055  # [m] assumed: "slightly smaller", Sacks 2001, 4.1.2
-    sticker_rump_width: float = 0.07  # [m] assumed
+    sticker_chest_apart: float = 0.05  # [m] between middles, assumed: a lowered head hides both, Sacks 2001, 4.3.3
+    sticker_rump_width: float = 0.045  # [m] assumed
     sticker_rump_height: float = 0.055  # [m] assumed
+    sticker_rump_apart: float = 0.05  # [m] between middles, assumed
     sticker_head_width: float = 0.05  # [m] assumed
     sticker_head_height: float = 0.035  # [m] assumed
     sticker_head_x: float = 0.02  # [m] head stickers ahead of the neck pivot, assumed

@@ -124,8 +124,9 @@ S62 = Claim(
     changed=f"Before: {OLD_DISTANCES}, a body of one piece (39.6 %, 25.7 to 53.5); and before that runs that began "
     "with a search for the ball and ended in shots (3 % past one). The bound was 95 % throughout.",
     note=BODIES + "The drills begin about 60 cm from the first player, middle to middle: 35 cm from camera to "
-    "surface, where he pushes half as much again as the goal pulls before he has been seen. With ideal senses, or begun farther off, "
-    "nearly all runs past one player are clean; else the robot turns off at once by 45 degrees, and the ball slips.",
+    "surface, where he pushes half as much again as the goal pulls before he has been seen. With "
+    "ideal senses, or begun farther off, nearly all runs past one player are clean; else the robot turns off at once by "
+    "45 degrees, and the ball slips.",
     seconds=8.0,
     batches=8,
 )  # fmt: skip

@@ -25,10 +25,12 @@ from soccer_env.train.reproduce.claims.field.points import (
     starts,
 )
 from soccer_env.train.reproduce.staging import kick_off
-from soccer_env.train.reproduce.values import mean, median
+from soccer_env.train.reproduce.values import mean, median, quantile
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 
 EXPONENTS = (1, 2, 3)
+WARM = 64  # frames before: 4 s of play
+QUIET = 0.1  # [1] of the repetitions that nothing else on the machine disturbs, assumed
 STEPS = 8  # frames in a repetition: about as long as the runs of points
 REACTS = np.radians(5.0)  # [rad] off the goal's direction from which the robot has begun to go round, assumed
 DEGREES = 180.0 / np.pi
@@ -44,7 +46,8 @@ def time_decisions(batch: Batch) -> Samples:
     crowd = players(np.stack([rng.uniform(-0.8, 1.2, (64, OTHERS)), rng.uniform(-0.9, 0.9, (64, OTHERS))], axis=-1))
     run_points(rng, start, crowd)
     match = kick_off(batch, matches=4, team="sacks-2001")
-    match.step()
+    for _ in range(WARM):
+        match.step()
     times, frames = [], []
     for _ in range(repetitions):
         begun = perf_counter()
@@ -58,6 +61,11 @@ def time_decisions(batch: Batch) -> Samples:
     return {"time": np.array(times), "frame": np.array(frames)}
 
 
+def undisturbed(times: np.ndarray) -> float:
+    """Return how long something takes [us] where nothing else disturbs it."""
+    return quantile(times, QUIET)
+
+
 S42 = Claim(
     id="S42",
     paper=SACKS,
@@ -68,14 +76,14 @@ S42 = Claim(
     "against 3 over its robots: a robot's sensing, beliefs, plan and body.",
     criteria=(
         measured(
-            "a decision, its point's motion included, over a robot's whole frame (medians)",
-            lambda s: 100.0 * median(s["time"]) / median(s["frame"]),
+            "a decision, its point's motion included, over a robot's whole frame",
+            lambda s: 100.0 * undisturbed(s["time"]) / undisturbed(s["frame"]),
             unit="%",
             below=10.0,
         ),
-        reported("time for a decision, its point's motion included", lambda s: median(s["time"]), unit="us"),
-        reported("time for a robot's whole frame", lambda s: median(s["frame"]), unit="us"),
-        reported("share of the 62.5 ms between two frames", lambda s: median(s["time"]) / 625.0, unit="%"),
+        reported("time for a decision, its point's motion included", lambda s: undisturbed(s["time"]), unit="us"),
+        reported("time for a robot's whole frame", lambda s: undisturbed(s["frame"]), unit="us"),
+        reported("share of the 62.5 ms between two frames", lambda s: undisturbed(s["time"]) / 625.0, unit="%"),
     ),
     changed="Before: less than 1 ms, which nothing could have missed (0.871 us, 0.852 to 0.887).",
     measure=time_decisions,
