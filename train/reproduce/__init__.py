@@ -1,7 +1,9 @@
 """Measure what the two papers claim: `soccer reproduce`.
 
 settings.py       what the command line asks for
-reproduction.py   `reproduce`: batch by batch, until the interval decides or the cap is reached
+reproduction.py   `reproduce`: the claims that a folder lacks, one after another or in processes (workers.py)
+examination.py    one claim: batch by batch of each seed, until the interval decides or the cap is reached
+workers.py        processes that measure claims
 claim.py          what a claim is, and what its measurement hands over
 verdicts.py       what a criterion asks for, and what an interval says about it
 results.py        what was found of a claim, and what a run leaves in its folder

@@ -103,11 +103,7 @@ def result_of(
     units = len(next(iter(samples.values()))) if samples else 0
     note = claim.note if isinstance(claim.note, str) else claim.note(samples)
     return ClaimResult(
-        id=claim.id,
-        paper=claim.paper,
-        section=claim.section,
-        statement=claim.statement,
-        method=claim.method,
+        **{name: getattr(claim, name) for name in ("id", "paper", "section", "statement", "method", "changed")},
         verdict=verdict,
         quick=settings.quick,
         pose=claim.pose or settings.pose,
@@ -123,7 +119,6 @@ def result_of(
         command=command_of(settings, claim.id),
         ingredients=list(claim.ingredients),
         note=note,
-        changed=claim.changed,
         findings=[as_record(finding) for finding in found.findings],
         without=claim.without.ingredient if claim.without else "",
         without_findings=[as_record(finding) for finding in found.without],

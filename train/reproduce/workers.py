@@ -57,17 +57,22 @@ def examine_in_processes(
                 yield ClaimResult(**answer)
     finally:
         for worker, thread in zip(workers, threads, strict=True):
-            worker.kill()
-            if thread.is_alive():
-                thread.join()
-            with worker:  # closes its pipes
-                pass
+            end(worker, thread)
 
 
 def start_worker() -> subprocess.Popen[str]:
     """Start a process that examines claims."""
     command = [sys.executable, "-m", "soccer_env.train.reproduce.workers"]
     return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+
+def end(worker: subprocess.Popen[str], thread: threading.Thread) -> None:
+    """End a worker, whatever it does, and the thread that talks to it."""
+    worker.kill()
+    if thread.is_alive():
+        thread.join()
+    with worker:  # closes its pipes
+        pass
 
 
 def serve(

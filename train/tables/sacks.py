@@ -50,13 +50,13 @@ def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
     record = asdict(result)
     kept = {name: record[name] for name in KEPT}
     run = {name: about.get(name, "") for name in ("date", "commit")}
-    return {
-        **kept,
+    kept |= {
         "findings": [short(one) for one in result.findings],
         "without_findings": [short(one) for one in result.without_findings],
         "criterion": result.criterion,
         "about": run,
     }
+    return kept
 
 
 def short(found: Mapping[str, Any]) -> dict[str, str]:

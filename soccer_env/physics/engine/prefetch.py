@@ -77,7 +77,7 @@ SPANS = np.dtype(
 spans_at: Any = record_reader(SPANS)
 
 SOLVER_SIZE, STANCE_SIZE = SOLVER.itemsize, STANCE.itemsize
-SOLVER_STANCES = int((SOLVER.fields or {})["stances"][1])
+SOLVER_STANCES = int(SOLVER.fields["stances"][1])  # type: ignore[index]
 FEWEST_MATCHES = 96  # of a batch that gains by it; the Spaces of fewer stay in the cache by themselves, measured
 USUAL_ARBITERS = 8  # in use at the same time, of 3 v 3
 
