@@ -16,8 +16,6 @@ LONGER = {
     "agents/sb3_zip.py load_sb3": 43,
     "train/ppo/__init__.py train": 38,
     "train/ppo/vec_env.py __init__": 51,
-    "train/reproduce/drill_runs.py play_drill": 43,
-    "train/reproduce/reproduction.py result_of": 40,
 }
 
 
