@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 from soccer_env.train.reproduce.report import units_of, with_interval
@@ -9,6 +10,7 @@ from soccer_env.train.reproduce.reproduction import reproduce
 from soccer_env.train.reproduce.results import ClaimResult
 from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
 
+RUN = Path("runs/claims")  # where all claims are measured, so that it can be stopped
 SENSING = (  # what robots see and believe; claims about what they do stand in baselines/sacks_2001/README.md
     *(f"S{n:02}" for n in (*range(5, 22), *range(32, 42), 61, 66, 69, 70, 72)), "H26", "H27",
 )  # fmt: skip
@@ -19,9 +21,9 @@ def sensor_settings() -> ReproduceSettings:
     return ReproduceSettings(claims=("sensors",), seeds=(1,), threads=2)
 
 
-def claim_settings() -> ReproduceSettings:
-    """Return the run behind the table of claims."""
-    return ReproduceSettings(claims=SENSING, threads=2)
+def measure_all() -> list[ClaimResult]:
+    """Measure every claim in RUN, from where an earlier call stopped."""
+    return reproduce(ReproduceSettings(all=True, threads=2, out=RUN))
 
 
 def measure_sensors() -> dict[str, Any]:
@@ -32,9 +34,10 @@ def measure_sensors() -> dict[str, Any]:
 
 
 def measure_claims() -> dict[str, Any]:
-    """Measure the claims about sensing."""
-    settings = claim_settings()
-    return {"command": command_of(settings), "rows": [row_of(result) for result in reproduce(settings)]}
+    """Measure all claims and return those about sensing."""
+    results = {result.id: result for result in measure_all()}
+    settings = ReproduceSettings(claims=SENSING, threads=2)
+    return {"command": command_of(settings), "rows": [row_of(results[name]) for name in SENSING]}
 
 
 def row_of(result: ClaimResult) -> dict[str, Any]:

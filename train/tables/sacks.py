@@ -22,11 +22,10 @@ from soccer_env.train.files import read_lines
 from soccer_env.train.reproduce.claim import SACKS
 from soccer_env.train.reproduce.claims import all_claims
 from soccer_env.train.reproduce.report import units_of, with_interval
-from soccer_env.train.reproduce.reproduction import reproduce
 from soccer_env.train.reproduce.results import ClaimResult, plot_name, seeds_in_letters
-from soccer_env.train.reproduce.settings import ReproduceSettings
 from soccer_env.train.reproduce.verdicts import CONTEXT, NOT, VERDICTS
 from soccer_env.train.results_folder import SETTINGS, read_settings
+from soccer_env.train.tables.claims import RUN, measure_all
 from soccer_env.train.tables.markers import between_markers
 from soccer_env.train.tables.sacks_settings import constants_text, settings_table, variants_table
 from soccer_env.whole_files import write_whole
@@ -35,8 +34,6 @@ FOLDER = Path(sacks_settings.__file__).resolve().parent
 README, DATA = FOLDER / "README.md", FOLDER / "claims.json"
 SHOWN = FOLDER.parents[1] / "soccer_env" / "pictures"
 PICTURES = {"S06": 1, "S22": 1, "S29": 1, "S35": 1, "S62": 1}  # of the page: a claim's figure, by its number
-RUN = Path("runs/sacks-claims")  # where the command measures, so that it can be stopped
-THREADS = 2
 CLAIMS = tuple(claim.id for claim in all_claims().values() if claim.paper == SACKS and not claim.study)
 NOT_MEASURED = "not measured"
 KEPT = (  # of a result
@@ -59,7 +56,7 @@ def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
     return kept
 
 
-def short(found: Mapping[str, Any]) -> dict[str, str]:
+def short(found: dict[str, Any]) -> dict[str, str]:
     """Return what the table keeps of a criterion."""
     return {"criterion": found["criterion"], "verdict": found["verdict"], "shown": with_interval(found)}
 
@@ -83,8 +80,8 @@ def take_pictures(path: Path) -> None:
 
 
 def measure() -> dict[str, dict[str, Any]]:
-    """Measure every claim of the paper, in RUN, and return them all."""
-    reproduce(ReproduceSettings(claims=CLAIMS, threads=THREADS, out=RUN))
+    """Measure every claim, in RUN, and return those of the paper."""
+    measure_all()
     take_pictures(RUN)
     return take_folder(RUN)
 
