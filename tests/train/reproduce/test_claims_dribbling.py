@@ -21,7 +21,7 @@ from soccer_env.train.reproduce.dribble_runs import (
     place_with_ball,
     run,
 )
-from soccer_env.train.reproduce.drill_runs import play_drill
+from soccer_env.train.reproduce.drill_runs import contacts_of, play_drill
 from soccer_env.train.reproduce.staging import LEGGED, put, put_ball, stage
 
 BATCH = Batch("test", 0, 0)
@@ -74,6 +74,29 @@ def test_robots_that_walk_against_another_touch_it() -> None:
     found = run(match, 4.0, dribbling.walking(match, 0.035, np.zeros(2)))
     assert found.touches.any(axis=0).tolist() == [True, False]
     assert found.x[-1, 1] > found.x[-1, 0]
+
+
+def test_a_curve_tells_what_deciding_more_often_brings_and_costs() -> None:
+    """A parabola in the logarithm of the time is its own curve: highest at half a second, 8 points lower at a second."""
+    shares = 0.8 - 0.08 * np.log2(np.array(replanning.REPLANS) / 0.5) ** 2
+    samples = {"clean": np.tile(shares, (3, 1))}
+    assert replanning.worse(samples) == pytest.approx(8.0)
+    assert replanning.gained(samples) == pytest.approx(-8.0 * (1.0 + 4.0) / 2.0)
+
+
+def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
+    """Who walks into a standing robot is stopped by it; who walks by itself is not, nor is anybody that nobody touches."""
+    match = stage(BATCH, matches=3, senses="ideal")
+    put(match, 0, -0.3, 0.0, 0.0)
+    put(match, 1, [0.0, 0.9, 0.9], [0.0, 0.0, 0.6], np.pi)
+    put_ball(match, -1.0, 0.8)
+    begin_dribbling(match)
+    contacts, actions = contacts_of(match), dribbling.walking(match, 0.035, np.zeros(3))
+    actions[2] = 0.0
+    for _ in range(64):
+        match.step(actions)
+        contacts.note(match, np.ones(3, bool))
+    assert contacts.touched.tolist() == contacts.hindered.tolist() == [True, False, False]
 
 
 @pytest.mark.slow

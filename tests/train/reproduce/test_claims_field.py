@@ -3,11 +3,13 @@
 import numpy as np
 import pytest
 
+from soccer_env.baselines.sacks_2001.forces import repulsion
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.plots import draw
 from soccer_env.train.reproduce.claim import Batch, as_plain
 from soccer_env.train.reproduce.claims import all_claims
 from soccer_env.train.reproduce.claims.field import constants as field_constants
+from soccer_env.train.reproduce.claims.field import cost as field_cost
 from soccer_env.train.reproduce.claims.field import forces as field_forces
 from soccer_env.train.reproduce.claims.field import minima as field_minima
 from soccer_env.train.reproduce.claims.field import movers as field_movers
@@ -15,10 +17,12 @@ from soccer_env.train.reproduce.claims.field import numbers
 from soccer_env.train.reproduce.claims.field import paths as field_paths
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import (
+    NO_CUT_OFF,
     SCENES,
     START,
     TOUCH,
     UNIT,
+    WALL_UNIT,
     force_arrows,
     gap_ahead,
     one_ahead,
@@ -92,6 +96,20 @@ def test_what_became_of_robots_is_counted_until_they_have_passed() -> None:
     hit = runs_of([0.0, 0.2, 0.3], [np.nan, np.nan, np.nan], [0, 1, 0])
     assert hit.collided[0] and not hit.arrived[0] and not hit.is_clean[0] and hit.flips[0] == 0
     assert runs_of([0.0, 0.2], [0.0, 0.0], [0, 0], [0, 1]).arrived[0]
+    assert runs.deviation[0] == 0.0  # straight on
+
+
+def test_planning_is_weighed_by_one_decision_in_eight_frames() -> None:
+    samples = {"time": np.full(10, 2.0), "frame": np.full(10, 10.0)}
+    assert field_cost.planning(samples) == pytest.approx(2.5)
+    assert field_cost.planning(samples, 80.0) == pytest.approx(200.0)
+
+
+def test_a_force_without_cut_off_is_matched_where_the_papers_is_one() -> None:
+    for changes in ({}, NO_CUT_OFF):
+        play = SacksSettings(**changes).record()[0]
+        assert repulsion(UNIT, play["player_gain"], play["player_range"], play) == pytest.approx(1.0)
+        assert repulsion(WALL_UNIT, play["wall_gain"], play["wall_range"], play) == pytest.approx(1.0)
 
 
 def test_robots_play_the_scenes_that_points_play() -> None:
@@ -125,7 +143,7 @@ def test_trouble_is_a_stall_or_a_retreat() -> None:
 
 
 def test_the_claims_are_built() -> None:
-    modules = (field_forces, numbers, field_paths, field_movers, field_minima, field_constants)
+    modules = (field_cost, field_forces, numbers, field_paths, field_movers, field_minima, field_constants)
     built = {claim.id for module in modules for claim in module.CLAIMS}
     asked = {
         "S42",

@@ -57,6 +57,7 @@ MODULES: tuple[str, ...] = (
     "players.range",
     "players.moving",
     "players.head_down",
+    "field.cost",
     "field.forces",
     "field.numbers",
     "field.paths",

@@ -125,8 +125,8 @@ S62 = Claim(
     "with a search for the ball and ended in shots (3 % past one). The bound was 95 % throughout.",
     note=BODIES + "The drills begin about 60 cm from the first player, middle to middle: 35 cm from camera to "
     "surface, where he pushes half as much again as the goal pulls before he has been seen. With "
-    "ideal senses, or begun farther off, nearly all runs past one player are clean; else the robot turns off at once by "
-    "45 degrees, and the ball slips.",
+    "ideal senses, or begun farther off, nearly all runs past one player are clean; else the robot turns off at once "
+    "by 45 degrees, and the ball slips.",
     seconds=8.0,
     batches=8,
 )  # fmt: skip

@@ -1,6 +1,10 @@
 """The potential field that a dribbler follows, in a world of points and with robots.
 
+Points have neither camera nor surface: distances between them count from the middle (MS54). Robots' count from camera
+to surface, as the sensors gave them (MS42); beside it from middle to middle.
+
 constants.py     Which constants the potential field needs, and whether those of points serve robots.
+cost.py          What the field costs to compute.
 forces.py        The forces of the potential field: exponents, the goal's pull, the cosine, walls.
 minima.py        Local minima and what is left of indecision, in the point simulator and in the full one.
 movers.py        Keeping one's side more often, when others move.

@@ -65,6 +65,15 @@ class RobotRuns:
         return count
 
     @property
+    def deviation(self) -> np.ndarray:
+        """Return the greatest distance [m] from the straight way to the goal before the others are passed (M,)."""
+        x, y = self.way.x, self.way.y
+        to_x, to_y = GOAL_X - x[0], -y[0]
+        across = np.abs(to_x * (y - y[0]) - to_y * (x - x[0])) / np.hypot(to_x, to_y)
+        greatest: np.ndarray = np.where(self.passed, 0.0, across).max(axis=0)
+        return greatest
+
+    @property
     def retreat(self) -> np.ndarray:
         """Return by how much [m] the goal was farther away at worst than it had been before (M,)."""
         distance = np.hypot(GOAL_X - self.way.x, self.way.y)
