@@ -17,7 +17,7 @@ from soccer_env.baselines.sacks_2001.memory import (
 )
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.types import COMMAND, Phase
-from tests.scenes.staging import patient, put_ball, set_phase
+from tests.scenes.staging import patient, put_ball, send_off, set_phase
 
 LEAGUE = "legged-2001"
 TEAMS = ("sacks-2001", "sacks-2001-tuned", "sacks-2001-future")
@@ -89,11 +89,15 @@ def test_a_robot_without_team_mates_still_goes_for_the_ball() -> None:
 
 
 def test_a_robot_that_never_sees_the_ball_goes_on_searching_all_over_its_half() -> None:
-    """The ball lies out of sight for three minutes: it turns, goes home, turns again, and never stops or blows up."""
+    """The ball lies out of sight for three minutes: it turns, goes home, turns again, and never stops or blows up.
+
+    The opponent is off the field: legs that hold each other would stop a robot that turns beside him.
+    """
     teams = {"home": "sacks-2001", "away": "still"}
     match = Match(patient(LEAGUE), matches=8, home=2, away=1, seed=4, controllers=teams)
     set_phase(match, Phase.PLAY)
     put_ball(match, 50.0, 50.0)
+    send_off(match, [2])
     match.rebuild()
     turned, searching = np.zeros((8, 2)), 0.0
     for _ in range(16 * 180):

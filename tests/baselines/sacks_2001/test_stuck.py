@@ -123,7 +123,7 @@ def test_ms21_who_has_just_had_the_ball_walks_on_at_full_pace() -> None:
 
 
 def test_ms22_only_who_tries_to_get_to_the_ball_counts() -> None:
-    supporter, dribbler, attacker = Mind(), Mind(), Mind()
+    supporter, dribbler, attacker = Mind(), Mind(shoots=False), Mind()
     supporter.belief["heard"]["distance"], supporter.belief["heard"]["age"] = 0.2, 0.1
     dribbler.see_ball(0.147, held=1)
     for mind in (supporter, attacker):

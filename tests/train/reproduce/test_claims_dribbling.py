@@ -8,7 +8,7 @@ from soccer_env.leagues import find_league
 from soccer_env.staging import memory_of
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.claims import goalkeeper
-from soccer_env.train.reproduce.claims.dribble import classes, dribbling
+from soccer_env.train.reproduce.claims.dribble import classes, dribbling, replanning
 from soccer_env.train.reproduce.claims.dribble import or_shoot as dribble_or_shoot
 from soccer_env.train.reproduce.dribble_runs import (
     LOST,
