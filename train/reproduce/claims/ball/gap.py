@@ -196,7 +196,10 @@ S19 = Claim(
     "by a robot that stood.",
     figures=gap_figure,
     ingredients=("how often and how hard the ball is kicked", "memory.velocity_gap", "sensors.dither"),
-    seconds=2.0,
+    note="In play it is the other way round: a ball that creeps makes a velocity over a long gap better than one over "
+    "1/3 s, whose error the sensors make; and the first reading after the ball was found again is bad with the rule "
+    "too. Neither cause was tested.",
+    seconds=1.5,
     batches=24,
 )
 
