@@ -16,7 +16,7 @@ from soccer_env.train.reproduce.values import least_rise, mean
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
 
 COUNTS = (3, 6, 9, 12, 15)  # thresholds, S25
-VARIANTS = {  # beside the team's own settings: S23
+VARIANTS: dict[str, dict[str, Any]] = {  # beside the team's own settings: S23
     "steps of 0.9 at least": {"near_step": 0.9},
     "steps of 0.1 at least": {"near_step": 0.1},
     "a threshold of 5 readings": {"stuck_count": 5},
