@@ -156,6 +156,8 @@ S27 = Claim(
     ),
     measure=sides,
     ingredients=(HELD, "side_steps 5: assumed"),
+    note="A step aside to the paper's side leaves a robot better placed than one to a random side, but none undoes "
+    "what stepping back costs: while the robot retreats the others take the ball elsewhere.",
     changed=BEFORE + "cleared meant to have the ball within 15 s: 49.5 % (45.5 to 53.5), by symmetry; -7.5 deg.",
     seconds=3.0,
     batches=12,
@@ -241,6 +243,9 @@ S29 = Claim(
     measure=attempts,
     figures=tries_figure,
     ingredients=(HELD, "side_steps 5: assumed"),
+    note="A robot that backs off comes free more often than one that pushes on, most of all where the ball lies still. "
+    "It gets the ball less often, and concedes: those that hold it have the ball, or take it, while it is away. When "
+    "it has to notice by itself nothing is gained in 10 s (S02).",
     changed=BEFORE + "who got the ball in at most three tries: 79.7 % (64.3 to 89.5); 1.29 tries.",
     seconds=3.0,
     batches=12,

@@ -80,6 +80,9 @@ S28 = Claim(
     ),
     measure=walls,
     ingredients=("the counters run while the robot sees the ball and goes for it: what it searches for trips none",),
+    note="At the board a turn is blocked, and who recovers gets away. Whether it then turns or steps aside matters "
+    "little, for it turns to the ball on its way to it. Where the ball lies behind, a robot that has not seen it "
+    "searches for it and turns against the board; no counter runs in a search, and recovery never begins.",
     changed="The scene: before, paws stood 5 to 7 cm off the board and nobody touched it; the ball behind, 100 % got "
     "it with the rule and with sidesteps.",
     seconds=4.0,
