@@ -5,11 +5,12 @@ from statistics import NormalDist
 import numpy as np
 import pytest
 
-from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, SUPPORT
+from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, SHOOT, SUPPORT
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from tests.scenes.sacks_mind import LEAGUE, RATE, Mind
 
 COUNT = SacksSettings().stuck_count
+HAS_BALL = (DRIBBLE, SHOOT)  # what is done with a ball that is not gone for
 READING = 1.0 / 3.0  # [s] between two readings
 FAR = 0.6  # [m] from the ball, and not near it
 CAMERA = LEAGUE.head.camera_ahead  # [m] from which a ball is near or not
@@ -130,7 +131,7 @@ def test_ms22_only_who_tries_to_get_to_the_ball_counts() -> None:
         mind.see_ball(FAR)
     for mind in (supporter, dribbler, attacker):
         mind.think(2.0)
-    assert supporter.memory["behaviour"] == SUPPORT and dribbler.memory["behaviour"] == DRIBBLE
+    assert supporter.memory["behaviour"] == SUPPORT and dribbler.memory["behaviour"] in HAS_BALL
     assert supporter.memory["stuck"] == dribbler.memory["stuck"] == 0 < attacker.memory["stuck"]
 
 

@@ -116,9 +116,9 @@ S22 = Claim(
         "a held robot sees the ball throughout",
     ),
     note="Nine net readings at three a second take 3 s at least, and within 35 cm the second counter waits for its "
-    "8 s: there nobody notices within 5 s, and everybody within 10 s. Of robots that others hold in play a third notice "
-    "in 20 s: most stand within 35 cm, often before an opponent that has the ball, and the ball moves or they come "
-    "free before both counters have tripped.",
+    "8 s: there nobody notices within 5 s, and everybody within 10 s. Of robots that others hold in play a third "
+    "notice in 20 s: most stand within 35 cm, often before an opponent that has the ball, and the ball moves or they "
+    "come free before both counters have tripped.",
     changed="The range: before, balls at 35 to 60 and 35 to 80 cm alone, from the middle of the body; 98.1 % (95.7 to "
     "99.2) and 100 %, and 2.6 % at 20 to 35 cm.",
     seconds=3.0,
