@@ -60,9 +60,9 @@ class LeggedSensors(Options):
     player_miss: float = 0.02  # [1] the same for a whole player, all its stickers, assumed: as the ball  MS37
     sticker_miss: float = 0.03  # [1] the same for a single sticker, assumed: either way 5 %, as a landmark  MS37
     landmark_miss: float = 0.05  # [1] the same for goals and landmarks, assumed
-    # [px] at 88x72, regions of any colour that are smaller are dropped, assumed: what counts as a ball at all, MS14.
-    # CMVision, the vision library of those years, drops those below CMV_MIN_AREA = 10 or 20 of 320x240: 0.8 or 1.7.
-    least_area: float = 2.0
+    # CMVision, the vision library of those years, drops regions below CMV_MIN_AREA = 10 or 20 of 320x240 pixels: as
+    # shares of the picture 0.8 or 1.7 of 88x72.
+    least_area: float = 2.0  # [px] at 88x72, smaller regions of any colour are dropped, assumed: as `area_small`  MS14
     patches: float = 2.0  # orange patches round the field in each match, an even number: in pairs, assumed
     patch_size: float = 0.08  # [m] across, assumed
     patch_low: float = 0.3  # [m] lowest height of a patch: above the boards, assumed

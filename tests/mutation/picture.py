@@ -23,8 +23,8 @@ MUTANTS = [
     Mutant(
         "MS04",
         BLOBS,
-        "count = min(count, BLOBS)",
-        "count = min(count, BLOBS - 1)",
+        "min(count, BLOBS)",
+        "min(count, BLOBS - 1)",
         TEST_BLOBS + "test_ms04_four_largest_blobs_of_each_colour_largest_first",
     ),
     Mutant(

@@ -51,7 +51,7 @@ def deliver(sketch, percept, state, noise, s):
 
 @compiled
 def miss(sketch, kind, noise, probability):
-    """Take out the pieces that this frame misses."""
+    """Take out the pieces that this frame misses, one draw for each.  MS37"""
     kept, count = 0, sketch.found[kind]
     for i in range(count):
         if uniform(noise, CAMERA_NOISE) >= probability:

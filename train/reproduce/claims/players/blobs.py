@@ -6,6 +6,7 @@ Sizes of stickers are guesses, so that the claim is judged over jerseys of 0.7 t
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -137,6 +138,14 @@ S39 = Claim(
             "scatter of the largest blob's range over that of the combined < 1",
             lambda samples: scatter(samples, "largest") / max(scatter(samples, "combined"), 1e-9),
             below=1.0,
+        ),
+        *(
+            reported(
+                f"frames without a head sticker there, stickers {jersey:g} times as large",
+                partial(headless, j=j, i=len(BINS) - 2),
+                unit="%",
+            )
+            for j, jersey in enumerate(JERSEYS)
         ),
         reported("scatter, largest blob", lambda samples: scatter(samples, "largest"), unit="%"),
         reported("scatter, combined", lambda samples: scatter(samples, "combined"), unit="%"),
