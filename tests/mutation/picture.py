@@ -26,6 +26,7 @@ MUTANTS = [
         "min(count, BLOBS)",
         "min(count, BLOBS - 1)",
         TEST_BLOBS + "test_ms04_four_largest_blobs_of_each_colour_largest_first",
+        where="report",
     ),
     Mutant(
         "MS04",

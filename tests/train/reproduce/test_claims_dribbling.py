@@ -77,7 +77,7 @@ def test_robots_that_walk_against_another_touch_it() -> None:
 
 
 def test_a_curve_tells_what_deciding_more_often_brings_and_costs() -> None:
-    """A parabola in the logarithm of the time is its own curve: highest at half a second, 8 points lower at a second."""
+    """A parabola in the logarithm of the time is its own curve: 8 points lower at a second than at half a second."""
     shares = 0.8 - 0.08 * np.log2(np.array(replanning.REPLANS) / 0.5) ** 2
     samples = {"clean": np.tile(shares, (3, 1))}
     assert replanning.worse(samples) == pytest.approx(8.0)
@@ -85,7 +85,7 @@ def test_a_curve_tells_what_deciding_more_often_brings_and_costs() -> None:
 
 
 def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
-    """Who walks into a standing robot is stopped by it; who walks by itself is not, nor is anybody that nobody touches."""
+    """Who walks into a standing robot is stopped by it; who walks by itself is not, nor who stands alone."""
     match = stage(BATCH, matches=3, senses="ideal")
     put(match, 0, -0.3, 0.0, 0.0)
     put(match, 1, [0.0, 0.9, 0.9], [0.0, 0.0, 0.6], np.pi)

@@ -206,8 +206,8 @@ S47 = Claim(
     statement="Without the cosine factor robots steer farther aside than necessary, for players beside and behind them "
     "repel them as well.",
     method=f"{SCENES} points a batch pass a player that stands up to 40 cm beside their way, with the factor and "
-    f"without; greatest deviation from the straight way; a collision is a distance below {100 * TOUCH:.0f} cm. Beside it {ROBOTS} robots a "
-    "batch in the full simulator.",
+    f"without; greatest deviation from the straight way; a collision is a distance below {100 * TOUCH:.0f} cm. "
+    f"Beside it {ROBOTS} robots a batch in the full simulator.",
     criteria=(
         measured("deviation is less by (medians)", lambda s: saved(s, "deviation"), unit="%", at_least=20.0),
         measured(
