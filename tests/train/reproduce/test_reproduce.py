@@ -11,8 +11,9 @@ import pytest
 from rich.console import Console
 
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.examination import looks_at
 from soccer_env.train.reproduce.report import row, screen_table, section
-from soccer_env.train.reproduce.reproduction import looks_at, reproduce
+from soccer_env.train.reproduce.reproduction import reproduce
 from soccer_env.train.reproduce.results import ClaimResult
 from soccer_env.train.reproduce.settings import ReproduceSettings
 from soccer_env.train.reproduce.verdicts import Criterion, Samples, counted, measured, reported
