@@ -127,7 +127,8 @@ def play_drill(
     without a touch; "touched" before the end; "free": past without a contact that stopped it or turned somebody.
     """
     match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
-    ends = Ends(*np.zeros((2, matches), bool), *np.zeros((2, matches)), np.full(matches, np.inf))
+    (past, lost), (away, seconds) = np.zeros((2, matches), bool), np.zeros((2, matches))
+    ends = Ends(past, lost, away, seconds, nearest=np.full(matches, np.inf))
     contacts = contacts_of(match)
     for _ in range(round(LONGEST * match.league.control_rate)):
         running = ~(ends.past | ends.lost)

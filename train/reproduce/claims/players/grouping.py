@@ -107,7 +107,7 @@ def share(samples: Samples, name: str, factor: float, of: str = "visible") -> np
 
 def wrong(samples: Samples, factor: float) -> np.ndarray:
     """Return ghosts and missed players together of each jersey (jerseys,) [%] of the players that are visible."""
-    return share(samples, "ghosts", factor) + share(samples, "missed", factor)
+    return np.asarray(share(samples, "ghosts", factor) + share(samples, "missed", factor))
 
 
 def above_the_best(samples: Samples) -> np.ndarray:
