@@ -48,8 +48,9 @@ def along_lines(batch: Batch) -> Samples:
                 runs = run_points(batch.rng(1), start, crowd, {"body": True, "range_noise": NOISE}, **play)
                 samples[f"points {kind} {axis} {value:g}"] = is_clean(runs).astype(float)
             for value in TRIED[axis]:
-                at_value = at_paper if value in PAPER else robots_succeed(batch, start, crowd, setting(axis, value), FEW)
-                samples |= {f"{prefix}robots {kind} {axis} {value:g}": found for prefix, found in at_value.items()}
+                play = setting(axis, value)
+                robots = at_paper if value in PAPER else robots_succeed(batch, start, crowd, play, FEW)
+                samples |= {f"{prefix}robots {kind} {axis} {value:g}": found for prefix, found in robots.items()}
     return samples
 
 
