@@ -179,8 +179,9 @@ def act(belief, tracks, memory, command, sight, k, play, elapsed):
         look_ahead(command, k)
         command.forward = sight.pace
     elif chosen == APPROACH:
-        has_ball = memory.had_ball < play.possession_time
-        share = 1.0 if has_ball else share_of_step(belief.ball, k, play)  # MS21
+        share = share_of_step(belief.ball, k, play)  # MS21
+        if memory.had_ball < play.possession_time:
+            share = 1.0
         walk_to_ball(command, sight, k, play, share * k.drive_forward)
     elif chosen == BACK:
         walk_back(command, sight)

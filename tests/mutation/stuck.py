@@ -77,8 +77,8 @@ MUTANTS = [
     Mutant(
         "MS21",
         PLANNER,
-        "1.0 if has_ball else share_of_step(belief.ball, k, play)",
-        "share_of_step(belief.ball, k, play)",
+        "if memory.had_ball < play.possession_time:\n    share = 1.0",
+        "pass",
         TEST_STUCK + "test_ms21_who_has_just_had_the_ball_walks_on_at_full_pace",
     ),
     Mutant(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +19,7 @@ AGAIN = 5.0  # [s] "immediately", assumed: S26
 CLEAR = 10.0  # [s] after a recovery in which one that has cleared the way is not held again, assumed: S27
 FREE = 10.0  # [s] within which a robot is to be free: S29
 FEW = 3  # tries: S29
-QUICK = {"stuck_count": 5, "near_time": 1.0}  # readings, [s]: thresholds with which most notice in some seconds: S29
+QUICK: dict[str, Any] = {"stuck_count": 5, "near_time": 1.0}  # readings, [s]: with these most notice soon: S29
 SITUATIONS = {  # in which robots are held: S29
     "ball still, nearer than 35 cm": {"still": 1.0, "near": 1.0},
     "ball moved, nearer": {"still": 0.0, "near": 1.0},
