@@ -160,7 +160,7 @@ S25 = Claim(
     measure=sweep,
     figures=sweep_figure,
     ingredients=("the second counter stays at 8 s",),
-    seconds=8.0,
+    seconds=4.0,
     batches=6,
 )
 

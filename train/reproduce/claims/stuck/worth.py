@@ -164,7 +164,7 @@ S02 = Claim(
     "paper says.",
     changed="The task: before, the three staged tasks blocker, wall and post pooled, two of which held nobody (the "
     "wall was never touched); success 11.1 points higher with recovery (6.94 to 16).",
-    seconds=12.0,
+    seconds=5.0,
     batches=6,
 )
 
