@@ -253,9 +253,9 @@ S29 = Claim(
     figures=tries_figure,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="A robot that backs off comes free more often than one that pushes on, most of all where the ball lies still, "
-    "but gets the ball no more often: those that hold it have the ball, or take it, while it is away. When it has to "
-    "notice by itself nothing is gained in 10 s, for a quarter only notices within 5 s; with thresholds of 5 readings "
-    "and 1 s most do, and it comes free more often too.",
+    "but gets the ball less often: others are there first while it is away. When it has to notice by itself nothing is "
+    "gained in 10 s, for a quarter only notices within 5 s; with thresholds of 5 readings and 1 s most do, and it "
+    "comes free more often too.",
     changed=BEFORE + "who got the ball in at most three tries: 79.7 % (64.3 to 89.5); 1.29 tries.",
     seconds=3.0,
     batches=12,

@@ -159,9 +159,8 @@ S02 = Claim(
     ingredients=("opponents play sacks-2001 without the recovery", "where a robot stands between, it hides the ball"),
     note="Two causes were tried. Held robots notice late: a quarter within 5 s, for both counters have to trip; "
     "noticing after 5 readings and 1 s they come free more often than without (S29), which they do not here. And who "
-    "is free has not got the ball: backing off leaves it to those that held the robot, who often have it already; two "
-    "steps back instead of ten change nothing. Where somebody in the way stands fast (post) recovery does what the "
-    "paper says.",
+    "is free has not got the ball: others are there first while it is away, after two steps back as after ten. Where "
+    "somebody in the way stands fast (post) recovery does what the paper says.",
     changed="The task: before, the three staged tasks blocker, wall and post pooled, two of which held nobody (the "
     "wall was never touched); success 11.1 points higher with recovery (6.94 to 16).",
     seconds=5.0,
