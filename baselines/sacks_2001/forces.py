@@ -10,6 +10,7 @@ all forces have no unit.
 from __future__ import annotations
 
 from soccer_env.baselines.sacks_2001.settings import DISTANCES, GOAL_FORCES
+from soccer_env.belief.legged.surface import surface_distance
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 
@@ -50,12 +51,12 @@ def as_sensed(x, y, k, play):
     """
     if play.distance_from != SURFACE:
         return x, y
+    gap = max(surface_distance(x, y, k), NEAREST)
     x -= k.head_camera_ahead
     away = length(x, y)
     if away < NEAREST:
         return NEAREST, 0.0
-    share = max(away - k.body_front, NEAREST) / away
-    return share * x, share * y
+    return gap / away * x, gap / away * y
 
 
 @compiled

@@ -16,10 +16,10 @@ MADE_WITH = "pymunk 7.3.1, numba 0.68.1, numpy 2.4.6, Linux x86_64"
 GOLDEN = {
     ("legged-2001", "actions"): "e9706f3c7ccfb2b654c5736a8bf3c579",
     ("legged-2001", "teams"): "a1e7896e2f953358dadf299933743e92",
-    ("legged-2001", "senses"): "e7abd146ddf02ce898e8457ba1b9d4bf",
+    ("legged-2001", "senses"): "8319775a0725988e2b7ac3fb06b84ced",
     ("middle-size-2006", "actions"): "023ee5f0ef989538a943a24ffa8a795e",
     ("middle-size-2006", "teams"): "6c95752d3d2426ce6faaf3e095a893dd",
-    ("middle-size-2006", "senses"): "ef8f53704c5353e327845a2e94f57a34",
+    ("middle-size-2006", "senses"): "cbc8955b3ca0d49e36b8c361d9a3043e",
 }
 
 

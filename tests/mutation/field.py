@@ -136,8 +136,8 @@ MUTANTS = [
     Mutant(
         "MS42",
         FORCES,
-        "max(away - k.body_front, NEAREST)",
-        "max(away, NEAREST)",
+        "max(surface_distance(x, y, k), NEAREST)",
+        "max(length(x - k.head_camera_ahead, y), NEAREST)",
         TEST + "test_ms42_distances_count_from_the_camera_to_the_surface_of_a_player",
     ),
     Mutant(

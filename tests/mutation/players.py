@@ -153,7 +153,7 @@ MUTANTS = [
     Mutant(
         "MS49",
         OBSTACLE,
-        "max(away - k.body_front, 0.0)",
+        "max(away - half_a_body(k), 0.0)",
         "away",
         TEST_OBSTACLE + "test_ms49_the_reading_must_be_significantly_closer_than_every_player",
     ),

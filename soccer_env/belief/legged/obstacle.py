@@ -20,6 +20,7 @@ from math import atan2, cos, inf, sin
 import numpy as np
 
 from soccer_env.belief.legged.players import range_by_infrared
+from soccer_env.belief.legged.surface import half_a_body
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.optics.head_camera import camera_place
@@ -34,7 +35,7 @@ def believe_obstacle(percept, belief, tracks, k, s, w):
     obstacle, body = belief.obstacle, percept.body
     obstacle.distance = obstacle.bearing = 0.0
     if w.obstacle == 1 and body.active == 1 and body.upright == 1 and meets_somebody(percept, k, s, w):
-        reading = range_by_infrared(percept, np.float64(percept.tilt), k) - k.body_front
+        reading = range_by_infrared(percept, np.float64(percept.tilt), k) - half_a_body(k)
         if reading < w.obstacle_share * nearest_player(percept, tracks, k, s):
             x, y = place_in_beam(percept, k, s)
             obstacle.distance, obstacle.bearing = length(x, y), atan2(y, x)
@@ -68,5 +69,5 @@ def nearest_player(percept, tracks, k, s):
     for slot in range(k.teammate_slots + k.opponent_slots):
         if tracks[slot].present == 1:
             away = length(tracks[slot].x - ahead, tracks[slot].y - left)
-            nearest = min(nearest, max(away - k.body_front, 0.0))
+            nearest = min(nearest, max(away - half_a_body(k), 0.0))
     return nearest

@@ -113,6 +113,7 @@ S51 = Claim(
     measure=in_both_worlds(dribble_steps),
     figures=step_figure,
     ingredients=("the body's outline: the pocket between the paws", "the drive's acceleration", "the gait"),
+    changed="Before: robots began with a search for the ball, and shot; and the body of one piece decided.",
     note="A body of one piece that slides with a constant speed does not kick. A paw that swings goes at twice the "
     "speed of the walk and reaches half a stroke ahead of where it stands; geometry and gait say how often that kicks.",
     seconds=5.5,
@@ -191,6 +192,7 @@ S59 = Claim(
     measure=in_both_worlds(walk_aside),
     figures=angle_figure,
     ingredients=("the body's outline: how far the paws reach beside the ball", "the gait"),
+    changed="Before: the knee was where a fitted line begins (68 degrees), and the body of one piece decided.",
     note="The paws of a body of one piece hold the ball from both sides; it slips out under a paw only if the robot "
     "walks almost sideways. Legs that swing open the pocket by a stroke.",
     seconds=4.0,
