@@ -89,8 +89,8 @@ class Claim:
     """A claim and its measurement.
 
     `measure` returns the samples of one batch: arrays whose first axis are independent units (runs, matches), the same
-    number in each. Batches are taken of every seed until the verdict on all of them together is decided, `least` to
-    `batches` (--quick: `quick`) of each.
+    number in each. Batches are taken of every seed until the verdict on all of them together is decided, and that on
+    each alone if it comes early, `least` to `batches` (--quick: `quick`) of each.
     """
 
     id: str

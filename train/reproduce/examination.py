@@ -4,7 +4,8 @@ Every batch follows from a seed, the claim's id and the batch's number alone, so
 other claims, or on where a stopped run went on. The verdict is that of the samples of all seeds together; what each
 seed's samples say alone stands beside it. A claim is looked at after its least number of batches of each seed, twice
 that, four times that, and so on; the looks share the 5 % of the interval (Bonferroni), so that stopping early does
-not make verdicts bolder.
+not make verdicts bolder. It is done when all seeds together decide it and each of them alone does too; if some seed
+leaves it open, at a third of its cap, where all seeds have as many samples as one at its cap.
 """
 
 from __future__ import annotations
@@ -28,6 +29,8 @@ from soccer_env.train.reproduce.verdicts import (
 )
 from soccer_env.train.statistics import CONFIDENCE
 
+ENOUGH = 1.0 / 3.0  # of the cap, of samples where all seeds together decide a claim
+
 
 def examine(
     claim: Claim,
@@ -44,13 +47,15 @@ def examine(
     confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
     taken: list[list[Samples]] = [[] for _ in settings.seeds]
     findings: list[Finding] = []
+    alone: list[list[Finding]] = []
     for index in range(cap):
         for batches, seed in zip(taken, settings.seeds, strict=True):
             batches.append(claim.measure(batch_of(claim, settings, seed, index)))
             advance(claim.seconds)
         if index + 1 in looks:
             findings = find_all(claim, all_of(taken), confidence)
-            if combine(findings) not in (UNDECIDED, CONTEXT):
+            alone = [find_all(claim, joined(batches), confidence) for batches in taken]
+            if is_enough(findings, alone, (index + 1) / cap):
                 break
     count = len(taken[0])
     advance((cap - count) * claim.seconds * len(taken))
@@ -59,9 +64,15 @@ def examine(
         indices = ((seed, index) for seed in settings.seeds for index in range(count))
         off = [claim.without.measure(batch_of(claim, settings, *where)) for where in indices]
         without = find_all(claim, joined(off), confidence)
-    alone = [find_all(claim, joined(batches), confidence) for batches in taken]
     found = Found(findings, without, alone, cap / count)
     return result_of(claim, settings, all_of(taken), found, settings_hash)
+
+
+def is_enough(findings: list[Finding], alone: list[list[Finding]], share: float) -> bool:
+    """Tell whether a claim is decided, and by each seed alone too unless a good share of the cap is taken."""
+    if combine(findings) in (UNDECIDED, CONTEXT):
+        return False
+    return share >= ENOUGH or all(combine(found) != UNDECIDED for found in alone)
 
 
 def batch_of(claim: Claim, settings: ReproduceSettings, seed: int, index: int) -> Batch:

@@ -120,6 +120,17 @@ def test_seeds_that_contradict_each_other_are_marked() -> None:
     assert run("A1", seeds=(1, 2))[0].alone == "r r"
 
 
+def test_a_decided_claim_is_asked_on_until_each_seed_has_an_answer_or_a_third_of_the_cap_is_taken() -> None:
+    weak = claim("A9", 0.45, measure=lambda batch: draw(batch, 0.45), batches=32)
+    (result,) = reproduce(ReproduceSettings(claims=("A9",), seeds=(1, 2, 3)), known={"A9": weak})
+    assert result.verdict == "reproduced" and result.by_seed == ["reproduced"] * 3
+    assert 60 < result.n < 20 * 3 * 32 / 3, "it was decided by all seeds together before"
+    near = claim("A10", 0.12, measure=lambda batch: draw(batch, {1: 0.4, 2: 0.4, 3: 0.0}[batch.seed]), batches=32)
+    (result,) = reproduce(ReproduceSettings(claims=("A10",), seeds=(1, 2, 3)), known={"A10": near})
+    assert result.verdict == "reproduced" and result.by_seed == ["reproduced", "reproduced", "undecided"]
+    assert result.n == 20 * 3 * 16, "of the looks at 1, 2, 4, 8, 16, 32 batches 16 is the first beyond a third"
+
+
 def test_units_without_a_value_do_not_count() -> None:
     def few(batch: Batch) -> Samples:
         x = draw(batch, 3.0)["x"]
