@@ -23,10 +23,9 @@ OPPONENTS = {  # of the chaser, by what fills the beliefs of both teams
 LEAGUES = ("legged-2001", "middle-size-2006")
 SACKS_MATCHES, SACKS_MINUTES = 200, 4.0
 SACKS = (  # home, against the chaser
-    "sacks-2001@0", "sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75", "sacks-2001",
-    "sacks-2001:recovery=False", "sacks-2001:avoidance=False", "sacks-2001:step_length=0.06",
-    "sacks-2001-tuned", "sacks-2001-tuned:recovery=False", "sacks-2001-tuned:avoidance=False", "sacks-2001-future",
+    "sacks-2001@0", "sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75", "sacks-2001-tuned", "sacks-2001-future",
 )  # fmt: skip
+WITHOUT = ("recovery=False", "avoidance=False", "recovery=False,avoidance=False")  # avoidance: dribbling as well
 
 MEASURED = ("points", "goal difference a match", "goals a minute", "settings")  # columns of `measured`
 
@@ -40,10 +39,13 @@ def scripted_rows() -> Iterator[EvaluateSettings]:
 
 
 def sacks_rows() -> Iterator[EvaluateSettings]:
-    """Yield the evaluations of sacks-2001, its strengths, switches and variants."""
-    for home in SACKS:
-        yield row_settings("legged-2001", home, "chaser", "sensors", SACKS_MATCHES, SACKS_MINUTES)
-    yield row_settings("legged-2001", "sacks-2001-future", "sacks-2001", "sensors", SACKS_MATCHES, SACKS_MINUTES)
+    """Yield the evaluations of sacks-2001: against the chaser, against itself without a part, and of its variants."""
+    opponents = ("chaser", *(f"sacks-2001:{off}" for off in WITHOUT))
+    pairs = [("sacks-2001", away, 2 * SACKS_MATCHES) for away in opponents]
+    pairs += [(home, "chaser", SACKS_MATCHES) for home in SACKS]
+    pairs += [(home, "sacks-2001", SACKS_MATCHES) for home in ("sacks-2001-tuned", "sacks-2001-future")]
+    for home, away, matches in pairs:
+        yield row_settings("legged-2001", home, away, "sensors", matches, SACKS_MINUTES)
 
 
 def row_settings(
