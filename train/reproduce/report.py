@@ -25,6 +25,7 @@ never counted as reproduced. `context`: nothing to decide.
 * A claim with several criteria needs all of them. Looks at growing samples share the 5 % of an interval. n counts \
 independent units (runs, matches) of all seeds together; "40 of 96": so many of them have a \
 value in the criterion that decides.
+* [changed]: a criterion or scene was changed after a first look; what was asked and read before stands below.
 * Seeds: what the samples of each seed say alone, r reproduced, n not, u undecided, c context."""
 
 
@@ -67,7 +68,8 @@ def row(result: ClaimResult) -> tuple[str, ...]:
     unit = next((found["unit"] for found in result.findings if found["criterion"] == result.criterion), "")
     found = {"estimate": result.estimate, "low": result.low, "high": result.high, "unit": unit}
     shown = with_interval(found) if result.criterion else ""
-    return result.id, result.statement, result.marked, result.alone, shown, units_of(result.n_used, result.n)
+    marked = f"{result.marked} [changed]" if result.changed else result.marked
+    return result.id, result.statement, marked, result.alone, shown, units_of(result.n_used, result.n)
 
 
 def units_of(used: int, units: int) -> str:
@@ -102,10 +104,10 @@ def findings_table(findings: Sequence[dict[str, Any]], units: int) -> str:
     """Return the criteria of a claim with what was found in so many units; "" without any."""
     verdicts = ["reported" if found["verdict"] == CONTEXT else found["verdict"] for found in findings]
     cells = [
-        (found["criterion"], with_interval(found), units_of(found["n"], units), verdict)
+        (found["criterion"], found["asked"], with_interval(found), units_of(found["n"], units), verdict)
         for found, verdict in zip(findings, verdicts, strict=True)
     ]
-    return table(("criterion", "estimate (95 % interval)", "n", "verdict"), cells) if cells else ""
+    return table(("criterion", "asked", "estimate (95 % interval)", "n", "verdict"), cells) if cells else ""
 
 
 def figure_table(figure: dict[str, Any]) -> str:

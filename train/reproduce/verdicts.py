@@ -46,6 +46,14 @@ class Criterion:
     strict: bool = False  # the bounds themselves violate it
     decides: bool = True  # False: a number that is reported beside the criteria
 
+    @property
+    def asked(self) -> str:
+        """Return the region in a few words, as "at least 80" or "above 0"; "" for a number that is reported."""
+        low, high = (f"{bound:.3g}" for bound in (self.low, self.high))
+        parts = [f"{'above' if self.strict else 'at least'} {low}"] if self.low > -inf else []
+        parts += [f"{'below' if self.strict else 'at most'} {high}"] if self.high < inf else []
+        return " and ".join(parts)
+
 
 @dataclass(frozen=True)
 class Finding:
@@ -58,6 +66,7 @@ class Finding:
     high: float
     verdict: str
     n: int  # units with a value in it
+    asked: str = ""  # where it has to lie
 
 
 def measured(text: str, value: Callable[[Samples], float], *, unit: str = "", **bounds: float) -> Criterion:
@@ -140,7 +149,9 @@ def find(criterion: Criterion, samples: Samples, confidence: float = CONFIDENCE)
     """Return what samples say about a criterion, at a confidence."""
     estimate, low, high = criterion.interval(samples, confidence)
     verdict = judge(criterion, low, high)
-    return Finding(criterion.text, criterion.unit, estimate, low, high, verdict, criterion.units(samples))
+    return Finding(
+        criterion.text, criterion.unit, estimate, low, high, verdict, criterion.units(samples), criterion.asked
+    )
 
 
 def judge(criterion: Criterion, low: float, high: float) -> str:

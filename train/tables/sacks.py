@@ -103,12 +103,17 @@ def claims_table(measured: Mapping[str, Mapping[str, Any]]) -> str:
 def cells_of(row: Mapping[str, Any]) -> tuple[str, ...]:
     """Return a row of the table of claims: every criterion, what decides in bold, what is reported in the note."""
     deciding = [one for one in row["findings"] if one["verdict"] != CONTEXT]
-    shown = "<br>".join(f"{one['criterion']}: **{one['shown']}**" for one in deciding or row["findings"])
+    shown = "<br>".join(f"{one['criterion']}{asked(one)}: **{one['shown']}**" for one in deciding or row["findings"])
     verdict = f"{row['verdict']} (quick)" if row["quick"] else row["verdict"]
     bold = f"**{verdict}**" if row["verdict"] == NOT else verdict
     marked = f"{bold} [changed]" if row["changed"] else bold
     says, n = f"{row['statement']} [{row['section']}]", units_of(row["n_used"], row["n"])
     return row["id"], says, shown, n, marked, seeds_in_letters(row["by_seed"]), " ".join(notes_of(row))
+
+
+def asked(found: Mapping[str, Any]) -> str:
+    """Return where a criterion has to lie, in brackets."""
+    return f" [{found['asked']}]" if found["asked"] else ""
 
 
 def notes_of(row: Mapping[str, Any]) -> list[str]:
@@ -176,9 +181,19 @@ def stored() -> dict[str, dict[str, Any]]:
 def with_notes(measured: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """Return results with the notes that their claims have now: a note that is a text was never measured."""
     claims = all_claims()
+    bounds = {(name, one.text): one.asked for name, claim in claims.items() for one in claim.criteria}
     notes = {name: claim.note for name, claim in claims.items() if isinstance(claim.note, str)}
     return {
-        name: {**row, "note": notes.get(name, row["note"]), "changed": claims[name].changed}
+        name: {
+            **row,
+            "note": notes.get(name, row["note"]),
+            "statement": claims[name].statement,
+            "changed": claims[name].changed,
+            "findings": [
+                one | {"asked": bounds.get((name, one["criterion"]), "") if one["verdict"] != CONTEXT else ""}
+                for one in row["findings"]
+            ],
+        }
         for name, row in measured.items()
     }
 

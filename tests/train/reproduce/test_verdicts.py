@@ -149,6 +149,17 @@ def test_no_trials_mean_that_every_share_is_possible() -> None:
         clustered_share([2], [1])
 
 
+def test_a_criterion_says_in_words_where_it_has_to_lie() -> None:
+    def value(samples: dict[str, np.ndarray]) -> float:
+        return 3.0
+
+    assert measured("", value, at_least=80.0).asked == "at least 80"
+    assert measured("", value, above=0.0, below=0.125).asked == "above 0 and below 0.125"
+    assert counted("", "hits", "trials", at_most=5.0).asked == "at most 5"
+    assert reported("", value).asked == ""
+    assert find(exact("", value, at_least=35.0, at_most=55.0), {}).asked == "at least 35 and at most 55"
+
+
 def test_exact_numbers_have_no_width() -> None:
     found = find(exact("", lambda samples: 3.0, unit="cm", at_most=3.0), {})
     assert (found.low, found.high, found.verdict) == (3.0, 3.0, REPRODUCED)

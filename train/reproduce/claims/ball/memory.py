@@ -209,7 +209,7 @@ S14 = Claim(
     id="S14",
     paper=SACKS,
     section="footnote 2",
-    statement="The relative position of the ball is rightly not updated while the robot dribbles it.",
+    statement="The relative position of the ball is not updated, and need not be, while the robot dribbles it.",
     method=f"{MATCHES} robots a batch push a ball that they no longer see for {PUSHED:g} s at {100 * DRIBBLE:.0f} "
     "cm/s; error of the believed place at the end with the update and without, same seeds, lost balls included.",
     criteria=(

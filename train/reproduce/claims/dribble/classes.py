@@ -116,7 +116,7 @@ S43 = Claim(
     ),
     measure=pass_classes,
     ingredients=("the walker goes straight on and never gives way",),
-    note="A report, for the paper gives no measure; S61 to S64 judge. The field has positions alone, no velocities.",
+    note="A report, for the paper gives no measure; S62 to S64 judge. The field has positions alone, no velocities.",
     seconds=8.0,
     batches=2,
 )  # fmt: skip

@@ -185,8 +185,8 @@ S63 = Claim(
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),
     changed=f"Before: {OLD_DISTANCES}, and all speeds up to 12 cm/s decided (18.3 %, 15 to 21.7; at 3 and 6 cm/s "
     "35.8 %, 29.2 to 42.5, not); and before that the robot began with a search for the ball.",
-    note=BODIES + "A dribbler at 7 cm/s cannot get a body's width aside of one that comes as fast; the paper's movers "
-    "may have been slower, or stopped.",
+    note=BODIES + "A dribbler at 7 cm/s cannot get a body's width aside of one that comes as fast; that the "
+    "paper's movers were slower, or stopped, is a guess.",
     seconds=6.0,
     batches=8,
 )  # fmt: skip

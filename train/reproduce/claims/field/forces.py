@@ -207,7 +207,7 @@ S47 = Claim(
     "repel them as well.",
     method=f"{SCENES} points a batch pass a player that stands up to 40 cm beside their way, with the factor and "
     f"without; greatest deviation from the straight way; a collision is a distance below {100 * TOUCH:.0f} cm. "
-    f"Beside it {ROBOTS} robots a batch in the full simulator.",
+    f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of robots.",
     criteria=(
         measured("deviation is less by (medians)", lambda s: saved(s, "deviation"), unit="%", at_least=20.0),
         measured(
@@ -218,7 +218,9 @@ S47 = Claim(
         ),
         reported("deviation with the factor", lambda s: 100 * median(s["deviation with"]), unit="cm"),
         reported("deviation without", lambda s: 100 * median(s["deviation without"]), unit="cm"),
-        reported("robots: deviation is less by (medians)", lambda s: saved(s, "robots deviation"), unit="%"),
+        measured(
+            "robots: deviation is less by (medians)", lambda s: saved(s, "robots deviation"), unit="%", at_least=20.0
+        ),
         reported("robots: clean with the factor", lambda s: 100 * mean(s["robots clean with"]), unit="%"),
         reported("robots: clean without", lambda s: 100 * mean(s["robots clean without"]), unit="%"),
         reported(
@@ -232,7 +234,8 @@ S47 = Claim(
             unit="cm",
         ),
     ),
-    changed="Before: at most no more collisions with the factor, of which there were none either way.",
+    changed="Before: points alone decided (38.7 %, 37 to 39.7), and at most no more collisions with the factor, of "
+    "which there were none either way.",
     measure=with_and_without_cosine,
     seconds=4.0,
     batches=6,

@@ -53,7 +53,7 @@ S48 = Claim(
     criteria=(
         exact("greatest force, in units of the goal's", lambda s: float(s["force"].max()), at_most=1e-12),
         reported(
-            "players that are so seen from the robot's middle, and less than 90 degrees off from its camera",
+            "players that exert none as seen from the robot's middle, and some as seen from its camera",
             lambda s: 100.0 * mean(s["middles"] > 1e-12),
             unit="%",
         ),

@@ -230,7 +230,7 @@ S57 = Claim(
     "not all the time.",
     method=f"The runs of S56 with ranges that have an error of {100 * NOISE:.0f} %, with the rule and without; and a "
     f"harder set: gaps of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near them. "
-    f"Beside it {ROBOTS} robots a batch in the full simulator.",
+    f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of both.",
     criteria=(
         measured(
             "changes of side without the rule over those with it (means)",
@@ -247,7 +247,7 @@ S57 = Claim(
         ),
         reported("harder set: without the rule over with it", partial(fewer, seen=" hard")),
         reported("harder set: changes with the rule (mean)", lambda s: mean(s["rule hard"])),
-        reported("robots: without the rule over with it", partial(fewer, who="robots ")),
+        measured("robots: changes without the rule over those with it", partial(fewer, who="robots "), at_least=5.0),
         reported("robots: changes with the rule (mean)", lambda s: mean(s["robots rule"])),
         reported("robots that pass and touch nobody, with the rule", lambda s: 100 * mean(s["clean rule"]), unit="%"),
         reported("robots that do so without the rule", lambda s: 100 * mean(s["clean limit"]), unit="%"),
@@ -256,7 +256,8 @@ S57 = Claim(
             "robots, distances from the middle: clean with it", lambda s: 100 * mean(s["middle clean rule"]), unit="%"
         ),
     ),
-    changed="Before: more than no change of side left, which nothing could have missed (mean 0.641, 0.527 to 0.766).",
+    changed="Before: points alone decided (24.3 times fewer, 21.8 to 26.8), and more than no change of side left, "
+    "which nothing could have missed (mean 0.641, 0.527 to 0.766).",
     measure=gaps_with_robots,
     seconds=6.0,
     batches=6,

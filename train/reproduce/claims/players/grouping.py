@@ -257,7 +257,7 @@ S72 = Claim(
     measure=keep_one,
     batches=24,
     seconds=2.0,
-    changed="Before: not by construction, one sticker a side: 98.2 % (96.6 to 99): reproduced.",
+    changed="Before: counted as measured, not as by construction; one sticker a side, 98.2 % (96.6 to 99).",
     without=Without(
         "a nearer player's blobs are larger, and blobs are sorted by size; here both are as far", two_alike
     ),

@@ -99,12 +99,12 @@ def farther(samples: Samples) -> float:
 
 
 def left_over(samples: Samples) -> float:
-    """Return by how much farther than it is a player with its head down seems by infrared, over `farther` [%].
+    """Return how wrong a player with its head down seems by infrared, too far or too near, over `farther` [%].
 
     NaN where a lowered head makes nobody seem farther.
     """
     difference = farther(samples)
-    return 100 * hundred_times(samples, "down by infrared") / difference if difference > 0.0 else np.nan
+    return 100 * abs(hundred_times(samples, "down by infrared")) / difference if difference > 0.0 else np.nan
 
 
 def head_figure(samples: Samples) -> Sequence[Figure]:

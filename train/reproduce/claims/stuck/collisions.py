@@ -150,9 +150,9 @@ S03 = Claim(
     measure=pairs,
     figures=deadlock_figure,
     ingredients=("friction of bodies and ball", "bodies are a trunk and four posts, which can interlock"),
-    note="Bodies slide past each other: one in five pairs is held short of the ball at all, and half of these have it "
-    "a second later. Where they stay together they push the ball on before both of them, at 3 cm/s, and come no "
-    "nearer. Deadlocks last longer in play, where more robots press: see the robots that are held there.",
+    note="Bodies slide past each other: three in ten pairs are held short of the ball at all, and half of these have "
+    "it a second later. Where they stay together they push the ball on before both of them, and come no nearer. "
+    "Deadlocks last longer in play, where more robots press: see the robots that are held there.",
     changed="The scene: before, two robots face to face with the ball between the paws of both, who do not try to get "
     "to it any more; still stuck at 20 s 78.7 % (75.8 to 81.3), the same with recovery.",
     seconds=4.0,

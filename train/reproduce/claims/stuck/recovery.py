@@ -92,7 +92,7 @@ S26 = Claim(
         ),
     ),
     measure=stuck_again,
-    without=Without("the way back counts in the five seconds", partial(stuck_again, way_back=True)),
+    without=Without("the way back counted in the five seconds, as here it is not", partial(stuck_again, way_back=True)),
     figures=again_figure,
     ingredients=(HELD, "side_steps 5: assumed"),
     changed=BEFORE + "nobody of 64 was held again after ten steps, 15.6 % after two.",
@@ -212,6 +212,12 @@ def tries_figure(samples: Samples) -> Sequence[Figure]:
     return (Figure("Robots held in play: free by when", "time [s]", "robots [%]", tuple(curves)),)
 
 
+def several(samples: Samples) -> float:
+    """Return the share [%] of recoveries that begin again before the robot has the ball."""
+    tries = samples["tries begun"]
+    return 100.0 * mean(np.where(np.isnan(tries), np.nan, tries > 1.0))
+
+
 S29 = Claim(
     id="S29",
     paper=SACKS,
@@ -222,7 +228,7 @@ S29 = Claim(
     f"ball alone. Beside it the same when they notice by themselves, and the ball got within {FUTURE:g} s.",
     criteria=(
         counted("free after at most three tries", "few", "one", at_least=90.0),
-        measured("mean of the tries until it has the ball, 24 s at most", lambda s: mean(s["tries begun"]), above=1.0),
+        measured("cases that take more than one try, until it has the ball", several, unit="%", at_least=5.0),
         measured("free within 10 s: recovering less pushing on", gain, unit="pp", above=0.0),
         reported("free within 10 s, pushing on", partial(within, name="freed off", seconds=FREE, flags={}), unit="%"),
         reported(
@@ -256,7 +262,8 @@ S29 = Claim(
     "but gets the ball less often: others are there first while it is away. When it has to notice by itself nothing is "
     "gained in 10 s, for a quarter only notices within 5 s; with thresholds of 5 readings and 1 s most do, and it "
     "comes free more often too.",
-    changed=BEFORE + "who got the ball in at most three tries: 79.7 % (64.3 to 89.5); 1.29 tries.",
+    changed=BEFORE
+    + "who got the ball in at most three tries: 79.7 % (64.3 to 89.5); more than 1 try in the mean: 1.29.",
     seconds=3.0,
     batches=12,
     least=4,

@@ -99,10 +99,10 @@ def gain(samples: Samples, task: str = "play") -> float:
     return success(samples, "on", task) - success(samples, "off", task)
 
 
-def median_time(samples: Samples, word: str) -> float:
-    """Return the median time [s] to the ball of robots held in play, those without success last (at WITHIN)."""
+def mean_time(samples: Samples, word: str) -> float:
+    """Return the mean time [s] to the ball of robots held in play, WITHIN for those that do not get it by then."""
     times = samples[f"play {word}"]
-    return float(np.median(np.minimum(times[~np.isnan(times)], WITHIN)))
+    return mean(np.minimum(times, WITHIN))
 
 
 def time_figure(samples: Samples) -> Sequence[Figure]:
@@ -130,8 +130,8 @@ S02 = Claim(
     criteria=(
         measured("held in play: success with recovery less without", gain, unit="pp", at_least=20.0),
         measured(
-            "held in play: median time to the ball, with less without",
-            lambda s: median_time(s, "on") - median_time(s, "off"),
+            f"held in play: mean time to the ball ({WITHIN:g} s for who does not get it), with less without",
+            lambda s: mean_time(s, "on") - mean_time(s, "off"),
             unit="s",
             below=0.0,
         ),
@@ -157,12 +157,13 @@ S02 = Claim(
     measure=on_and_off,
     figures=time_figure,
     ingredients=("opponents play sacks-2001 without the recovery", "where a robot stands between, it hides the ball"),
-    note="Two causes were tried. Held robots notice late: a quarter within 5 s, for both counters have to trip; "
+    note="Two explanations were tested. Held robots notice late: a quarter within 5 s, for both counters have to trip; "
     "noticing after 5 readings and 1 s they come free more often than without (S29), which they do not here. And who "
     "is free has not got the ball: others are there first while it is away, after two steps back as after ten. Where "
     "somebody in the way stands fast (post) recovery does what the paper says.",
     changed="The task: before, the three staged tasks blocker, wall and post pooled, two of which held nobody (the "
-    "wall was never touched); success 11.1 points higher with recovery (6.94 to 16).",
+    "wall was never touched); success 11.1 points higher with recovery (6.94 to 16); and the median time, which is "
+    "20 s where most do not get the ball.",
     seconds=5.0,
     batches=6,
     least=2,  # few robots are held in a batch
