@@ -18,7 +18,7 @@ from soccer_env.team_kernels import per_player
 from soccer_env.teams import CompiledTeam
 
 FAMILIES = ("legged",)
-TUNED = {"step_length": 0.06, "choose_shots": True}
+TUNED = {"step_length": 0.06, "near_step": 1.0, "choose_shots": True}
 FUTURE = {"passes": True, "keeper_speed": True, "keeper_blocks": True, "free_side": True, "decisive": True}
 
 

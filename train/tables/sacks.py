@@ -33,7 +33,7 @@ from soccer_env.whole_files import write_whole
 FOLDER = Path(sacks_settings.__file__).resolve().parent
 README, DATA = FOLDER / "README.md", FOLDER / "claims.json"
 SHOWN = FOLDER.parents[1] / "soccer_env" / "pictures"
-PICTURES = {"S06": 1, "S22": 1, "S29": 1, "S35": 1, "S62": 1}  # of the page: a claim's figure, by its number
+PICTURES = {"S06": 1, "S29": 1, "S35": 1, "S47": 1, "S63": 1}  # of the page: a claim's figure, by its number
 CLAIMS = tuple(claim.id for claim in all_claims().values() if claim.paper == SACKS and not claim.study)
 NOT_MEASURED = "not measured"
 KEPT = (  # of a result

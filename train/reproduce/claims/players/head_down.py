@@ -150,6 +150,7 @@ S61 = Claim(
     without=Without("sensors.head_down, the angle from which a head hides stickers", heads_that_hide_nothing),
     figures=head_figure,
     ingredients=("sensors.head_down", "sensors.head_size", "stickers of the chest"),
+    changed="Before: a bias by infrared that is negative counted as none, so that -41 % of the difference passed.",
     note="In the criteria the reading replaces the player's range whenever there is one. The paper's rule, by which a "
     "reading significantly closer than every player in memory is an obstacle (MS49), is what the shares of frames are "
     "about in which the player is overlooked: neither it nor an obstacle is believed to be within 1.5 times its true "
