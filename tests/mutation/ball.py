@@ -35,8 +35,8 @@ MUTANTS = [
     Mutant(
         "MS08",
         BLOB,
-        "(ahead + away * cos(bearing), left + away * sin(bearing))",
-        "(away * cos(bearing), away * sin(bearing))",
+        "return ahead + away * cos(bearing), left + away * sin(bearing), height",
+        "return away * cos(bearing), away * sin(bearing), height",
         TEST_BLOB + "test_ms08_bearing_and_distance_count_from_the_body_not_from_the_camera",
     ),
     Mutant(

@@ -145,7 +145,7 @@ MUTANTS = [
         HEAD,
         "height if ball.age == 0.0 else k.ball_radius",
         "height",
-        TEST_HEAD + "test_a_ball_that_was_seen_a_moment_ago_is_still_looked_at",
+        TEST_HEAD + "test_ms07_a_ball_that_was_seen_a_moment_ago_is_still_looked_at",
     ),
     Mutant(
         "MS07",

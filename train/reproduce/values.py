@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import nan, sqrt
 from typing import Any
 
@@ -44,6 +44,12 @@ def quantile(values: Any, share: float) -> float:
     """Return the quantile, NaN of nothing."""
     found = known(values)
     return float(np.quantile(found, share)) if len(found) else nan
+
+
+def percent(hits: str, trials: str, samples: Mapping[str, np.ndarray]) -> float:
+    """Return the share [%] of hits in trials, counts by their names, NaN without a trial."""
+    total = samples[trials].sum()
+    return 100.0 * float(samples[hits].sum() / total) if total else nan
 
 
 def least_rise(values: Any) -> float:

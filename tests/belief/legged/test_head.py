@@ -91,7 +91,7 @@ def test_the_gaze_stays_within_the_joint_limits(distance: float, bearing: float)
     assert abs(pan) <= limits.pan_limit and limits.tilt_low <= tilt <= limits.tilt_high
 
 
-def test_a_ball_that_was_seen_a_moment_ago_is_still_looked_at() -> None:
+def test_ms07_a_ball_that_was_seen_a_moment_ago_is_still_looked_at() -> None:
     head = Head()
     head.believe(0.6, 0.4, age=0.9, confidence=91.0)
     head.height = 0.3  # of the line along which it was seen: where it lies now only the ground tells

@@ -127,4 +127,4 @@ def test_without_blockers_both_strategies_score() -> None:
     for settings in dribble_or_shoot.STRATEGIES.values():
         goals, against, progress, ended = dribble_or_shoot.play_to_goal(BATCH, settings, None)
         assert not against.any()
-        assert goals.mean() > 0.8 and progress[goals > 0].min() > 1.0 and ended[goals > 0].max() < 60.0
+        assert goals.mean() > 0.6 and progress[goals > 0].min() > 1.0 and ended[goals > 0].max() < 60.0

@@ -12,7 +12,7 @@ from soccer_env.train.reproduce.claims.stuck.branches import follow, shares_of
 from soccer_env.train.reproduce.claims.stuck.runs import converge
 from soccer_env.train.reproduce.claims.stuck.sampled import Watch, behaviours
 from soccer_env.train.reproduce.staging import kick_off, play
-from soccer_env.train.reproduce.values import mean, median
+from soccer_env.train.reproduce.values import mean, median, percent
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
 
 OFF = "sacks-2001:recovery=False,avoidance=False"  # "everything off": S01
@@ -101,12 +101,6 @@ def pairs(batch: Batch) -> Samples:
     play_of = {"play": held, "play bound": bound, "lay": lay, "lay bound": still}
     padded = {name: np.concatenate([v, np.zeros(PAIRS - len(v))]) for name, v in play_of.items()}
     return {**off, **{f"{name} on": values for name, values in on.items()}, **padded, "one": np.ones(PAIRS)}
-
-
-def percent(hits: str, trials: str, samples: Samples) -> float:
-    """Return a share [%] of counts, NaN of nothing."""
-    total = samples[trials].sum()
-    return 100.0 * float(samples[hits].sum() / total) if total else float("nan")
 
 
 def deadlock_figure(samples: Samples) -> Sequence[Figure]:

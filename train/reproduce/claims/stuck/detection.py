@@ -13,7 +13,7 @@ from soccer_env.train.reproduce.claims.stuck.branches import follow, shares_of
 from soccer_env.train.reproduce.claims.stuck.runs import hold, recovers, walk_up
 from soccer_env.train.reproduce.claims.stuck.sampled import BASE, MATCHES, SECONDS, Watch, of_camera
 from soccer_env.train.reproduce.staging import ball_from, kick_off, play
-from soccer_env.train.reproduce.values import in_bins, known, median, middles_of
+from soccer_env.train.reproduce.values import in_bins, known, median, middles_of, percent
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
 
 HELD = 64  # robots a batch that are held
@@ -69,12 +69,6 @@ def held(batch: Batch) -> Samples:
     return found
 
 
-def share_of(hits: str, trials: str, samples: Samples) -> float:
-    """Return a share [%] of counts, NaN of nothing."""
-    total = samples[trials].sum()
-    return 100.0 * float(samples[hits].sum() / total) if total else float("nan")
-
-
 def latency_figure(samples: Samples) -> Sequence[Figure]:
     """Draw quantiles of the latency against the ball's distance."""
     bins = [samples["after"][there & ~np.isnan(samples["after"])] for there in in_bins(samples["distance"], BINS)]
@@ -98,16 +92,16 @@ S22 = Claim(
     criteria=(
         counted("ball at 20 to 60 cm: noticed within 5 s", "in 60 cm", "trials 60 cm", at_least=95.0),
         counted("ball at 20 to 80 cm: noticed within 8 s", "in 80 cm", "trials 80 cm", at_least=90.0),
-        reported("ball at 20 to 35 cm: noticed within 5 s", partial(share_of, "in near", "trials near"), unit="%"),
+        reported("ball at 20 to 35 cm: noticed within 5 s", partial(percent, "in near", "trials near"), unit="%"),
         reported(
             "ball at 20 to 35 cm: noticed within 10 s",
-            partial(share_of, "in near, late", "trials near, late"),
+            partial(percent, "in near, late", "trials near, late"),
             unit="%",
         ),
-        reported("ball at 35 to 60 cm: noticed within 5 s", partial(share_of, "in middle", "trials middle"), unit="%"),
-        reported("ball at 60 to 80 cm: noticed within 5 s", partial(share_of, "in far", "trials far"), unit="%"),
-        reported("held in play: noticed within 5 s", partial(share_of, "known 5 s", "robots 5 s"), unit="%"),
-        reported("held in play: noticed within 20 s", partial(share_of, "known 20 s", "robots 20 s"), unit="%"),
+        reported("ball at 35 to 60 cm: noticed within 5 s", partial(percent, "in middle", "trials middle"), unit="%"),
+        reported("ball at 60 to 80 cm: noticed within 5 s", partial(percent, "in far", "trials far"), unit="%"),
+        reported("held in play: noticed within 5 s", partial(percent, "known 5 s", "robots 5 s"), unit="%"),
+        reported("held in play: noticed within 20 s", partial(percent, "known 20 s", "robots 20 s"), unit="%"),
     ),
     measure=held,
     figures=latency_figure,

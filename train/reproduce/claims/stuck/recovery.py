@@ -11,7 +11,7 @@ import numpy as np
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.stuck.branches import FUTURE, follow, shares_of
 from soccer_env.train.reproduce.claims.stuck.sampled import MATCHES, SECONDS
-from soccer_env.train.reproduce.values import mean
+from soccer_env.train.reproduce.values import mean, percent
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
 
 BACK_STEPS = (2, 5, 10, 15)  # S26
@@ -150,9 +150,7 @@ S27 = Claim(
             unit="deg",
             below=0.0,
         ),
-        reported(
-            "cleared with a random side", lambda s: 100.0 * s["clear either"].sum() / s["aside either"].sum(), unit="%"
-        ),
+        reported("cleared with a random side", partial(percent, "clear either", "aside either"), unit="%"),
         reported("change of the misalignment with a random side", lambda s: change(s, " either"), unit="deg"),
         reported("misalignment before", lambda s: mean(s["before"]), unit="deg"),
     ),
