@@ -35,8 +35,8 @@ MUTANTS = [
     Mutant(
         "MS08",
         BLOB,
-        "return ahead + away * cos(bearing), left + away * sin(bearing), height",
-        "return away * cos(bearing), away * sin(bearing), height",
+        "return ahead + away * cos(bearing), left + away * sin(bearing), height + away * tan(elevation)",
+        "return away * cos(bearing), away * sin(bearing), height + away * tan(elevation)",
         TEST_BLOB + "test_ms08_bearing_and_distance_count_from_the_body_not_from_the_camera",
     ),
     Mutant(
