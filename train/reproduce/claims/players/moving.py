@@ -30,7 +30,6 @@ LOOK = 1.0  # [s] in which the head finds the mover
 KEPT = 3.0  # [s] for which a mover keeps its turn, assumed
 TURN = 0.5  # [1] greatest of the top turn rate, assumed
 FAR_DRILL = "dribble-past-mover-far"  # its mover walks in from 110 to 150 cm
-HURTS = 10.0  # [pp] of clean runs that are lost to a cut-off that hurts
 RUNS = 24  # of the drill with each setting in a batch
 CUT_OFFS: dict[str, dict[str, Any]] = {"with": {}, "without": NO_CUT_OFF, "unmatched": {"cut_off": False}}
 
@@ -162,11 +161,11 @@ S70 = Claim(
             "past a far mover without a touch, with the cut-off", lambda s: 100.0 * mean(s["with clean"]), unit="%"
         ),
         measured(
-            f"past a far mover untouched, with the cut-off less without: not {HURTS:g} points worse",
+            "past a far mover untouched, with the cut-off less without",
             lambda s: gain(s, "clean"),
             unit="pp",
-            at_least=-HURTS,
-        ),  # fmt: skip
+            at_least=0.0,
+        ),
         reported("past it, touched or not, with the cut-off less without", lambda s: gain(s, "past"), unit="pp"),
         reported(
             "untouched, less with the same k2 and no cut-off", lambda s: gain(s, "clean", "", "unmatched"), unit="pp"
@@ -188,11 +187,11 @@ S70 = Claim(
     batches=10,
     figures=moved_figure,
     changed="Before: the same k2 with the cut-off and without, distances from middle to middle (-42.2 pp, -56.2 to "
-    "-26.6: not), and at least 0, which nothing that makes no difference can meet; at first nothing was asked of it.",
+    "-26.6: not); at first nothing was asked of it. A bound of -10, chosen after a look at -4 (-14 to 0), was taken back.",
     ingredients=("the movers' way: constant speed, turns that change every 3 s, boards",),
     note="The cut-off is judged by the team without shots that dribbles past the mover of a drill, who walks in at "
     "6 cm/s from beyond it; without the cut-off k2 is such that a force is 1 at 444 mm as well, but "
-    "weaker nearer than that.",
+    "weaker nearer than that. What is lost is small: bodies graze, hardly a run fails to get past.",
 )
 
 CLAIMS = (S70,)
