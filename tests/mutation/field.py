@@ -5,6 +5,7 @@ from tests.mutation.mutant import Mutant
 FORCES, STEERING = "baselines/sacks_2001/forces.py", "baselines/sacks_2001/steering.py"
 SETTINGS, POINTS = "baselines/sacks_2001/settings.py", "train/reproduce/claims/field/point_world.py"
 TEST = "tests/baselines/sacks_2001/test_field.py::"
+TEST_POINTS = "tests/train/reproduce/test_point_world.py::"
 
 MUTANTS = [
     Mutant(
@@ -176,27 +177,27 @@ MUTANTS = [
         POINTS,
         "choose_way(belief[0], tracks, memory[0], k, play)",
         "memory[0].way = own.heading",
-        TEST + "test_ms54_points_go_as_the_teams_own_forces_say",
+        TEST_POINTS + "test_ms54_points_go_as_the_teams_own_forces_say",
     ),
     Mutant(
         "MS54",
         POINTS,
         "move_players(crowd, own, play.replan)",
         "pass",
-        TEST + "test_ms54_players_move_straight_on_or_come_for_the_dribbler",
+        TEST_POINTS + "test_ms54_players_move_straight_on_or_come_for_the_dribbler",
     ),
     Mutant(
         "MS54",
         POINTS,
         "errors[p] * length(dx, dy)",
         "length(dx, dy)",
-        TEST + "test_ms54_noise_and_false_blobs_are_what_the_robot_sees_not_what_is_there",
+        TEST_POINTS + "test_ms54_noise_and_false_blobs_are_what_the_robot_sees_not_what_is_there",
     ),
     Mutant(
         "MS54",
         POINTS,
         "if body:\n    way = own.heading + off_ahead(belief[0], tracks, memory[0], k, play)",
         "if body and False:\n    way = own.heading + off_ahead(belief[0], tracks, memory[0], k, play)",
-        TEST + "test_ms54_a_body_that_faces_the_goal_keeps_its_steps_within_the_bodys_limit",
+        TEST_POINTS + "test_ms54_a_body_that_faces_the_goal_keeps_its_steps_within_the_bodys_limit",
     ),
 ]
