@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.physics.engine.space import parking_place
 from soccer_env.physics.kicker import holds_ball
+from soccer_env.physics.parking import parking_place
 from soccer_env.random_numbers import start_streams
 from soccer_env.referee.restarts import carry_out_restart
 from soccer_env.scenes import Draw
@@ -33,6 +33,7 @@ def begin_episode(match, ball, robots, k, seed, episode, half_length):
     match.restart_team = HOME
     match.kick_off_team = HOME
     match.last_touch_team, match.last_touch_robot = NO_TEAM, -1
+    match.whistled, match.taker = NO_TEAM, -1
     for r in range(robots.shape[0]):
         start_streams(robots[r].noise, seed, episode, 1 + 2 * robots[r].number + robots[r].team)
         robots[r].slip.forward = robots[r].slip.left = robots[r].slip.turn = 1.0

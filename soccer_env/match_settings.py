@@ -24,8 +24,9 @@ from soccer_env.types import MAX_TEAM
 
 if TYPE_CHECKING:
     from soccer_env.actions import ActionKind
-    from soccer_env.leagues.league import League, Rules
+    from soccer_env.leagues.league import League
     from soccer_env.leagues.options import Options
+    from soccer_env.leagues.rules import Rules
     from soccer_env.rewards import Rewards
     from soccer_env.scenes import Scene
 
@@ -89,7 +90,11 @@ class MatchSettings(Checked):
     episode: Literal["match", "goal", "drill"] = setting(
         "match", 'ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True
     )
-    rules: str | Rules = setting("league", '"league", or Rules', part="league")
+    rules: str | Rules | None = setting(
+        None,
+        '"league", "simple", "none", "league:pushing=False", or Rules; None: "league", or what a drill says',
+        part="league",
+    )
     rewards: str | Rewards = setting("default", "a name of `soccer list rewards`, or Rewards", free=True)
     placement: Placement = setting("instant", "how robots reach their places at a restart", replayed=True)
     keeper: int = setting(0, "number of the goalkeeper, in teams of two or more", replayed=True)

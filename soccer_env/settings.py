@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from soccer_env.actions import ActionKind
-from soccer_env.checking import check_names, one_of, refuse, whole_number
+from soccer_env.checking import one_of, refuse, whole_number
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.leagues.league import NEVER, League, Rules
+from soccer_env.leagues.league import League
+from soccer_env.leagues.rules import Rules, rule_set
 from soccer_env.match_settings import FREE, MatchSettings, Senses, part_of
 from soccer_env.observations import OBSERVE
 from soccer_env.rewards import Rewards, find_rewards
@@ -69,8 +70,6 @@ class Settings(MatchSettings):
         record["end_at_goal"] = self.episode == "goal"
         if self.episode == "drill":
             record["drill"], record["drill_time"] = SUCCESS[self.scene.success], self.scene.time_limit
-            if self.scene.patient:
-                record["rules_stuck_time"] = record["rules_contact_time"] = NEVER
         return record
 
     def describe(self) -> dict[str, Any]:
@@ -132,12 +131,13 @@ def with_sensors(league: League, sensors: Any, memory: Any) -> League:
     )
 
 
-def find_rules(league: League, rules: Any) -> League:
-    """Return the league with the rule set asked for."""
+def find_rules(league: League, rules: Any, scene: Scene, episode: str) -> League:
+    """Return the league with the rule set asked for; nothing asked: that of the drill, or the league's own."""
     if isinstance(rules, Rules):
         return replace(league, rules=rules)
-    check_names("rules", [rules], ["league"], more="a Rules object")
-    return league
+    if rules is None:
+        rules = scene.rules if episode == "drill" else "league"
+    return replace(league, rules=rule_set(league.rules, rules)) if rules != "league" else league
 
 
 def check_observe(observe: Any) -> Any:
@@ -157,7 +157,9 @@ def check_keeper(keeper: Any, home: int, away: int) -> int:
 
 def make_settings(asked: MatchSettings) -> Settings:
     """Return the settings with every name resolved; ValueError names the setting, the value and what is allowed."""
-    league = with_sensors(find_rules(find_league(asked.league), asked.rules), asked.sensors, asked.memory)
+    scene = find_scene(asked.scene)
+    league = find_rules(find_league(asked.league), asked.rules, scene, asked.episode)
+    league = with_sensors(league, asked.sensors, asked.memory)
     home = league.team_size if asked.home is None else asked.home
     away = league.team_size if asked.away is None else asked.away
     largest = max(home, away)
@@ -171,12 +173,12 @@ def make_settings(asked: MatchSettings) -> Settings:
         "observe": check_observe(asked.observe),
         "senses": check_senses(asked.senses),
         "actions": asked.actions if isinstance(asked.actions, ActionKind) else ActionKind(asked.actions),
-        "scene": find_scene(asked.scene),
+        "scene": scene,
         "rewards": find_rewards(asked.rewards),
         "keeper": check_keeper(asked.keeper, home, away),
     }
-    found["scene"].check(league, home, away)
-    check_drill(asked, found["scene"])
+    scene.check(league, home, away)
+    check_drill(asked, scene)
     return Settings(**{**part_of(asked, MatchSettings), **found})
 
 

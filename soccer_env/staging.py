@@ -16,9 +16,10 @@ from typing import Any
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.leagues.league import NEVER, League
+from soccer_env.leagues.league import League
+from soccer_env.leagues.rules import simple_of
 from soccer_env.match import Match
-from soccer_env.physics.engine.space import parking_place
+from soccer_env.physics.parking import parking_place
 from soccer_env.squads import Squad
 from soccer_env.types import NO_TEAM
 
@@ -26,7 +27,7 @@ from soccer_env.types import NO_TEAM
 def patient(league: str | League) -> League:
     """Return the league with a referee who never calls a stuck ball and pulls nobody apart."""
     found = find_league(league)
-    return replace(found, rules=replace(found.rules, stuck_time=NEVER, contact_time=NEVER))
+    return replace(found, rules=replace(simple_of(found.rules), dropped_ball=False, name="patient"))
 
 
 def set_phase(match: Match, phase: int) -> None:

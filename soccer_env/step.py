@@ -29,6 +29,8 @@ from soccer_env.physics.kicker import holds_ball, work_kicker
 from soccer_env.physics.solver.contacts import stance_of
 from soccer_env.physics.solver.interlock import catch_legs
 from soccer_env.referee.calls import judge
+from soccer_env.referee.fouls.judging import judge_fouls
+from soccer_env.referee.fouls.penalties import serve_penalties
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.separation import pull_apart, watch_contacts
 from soccer_env.referee.steering import steer_to_place
@@ -187,7 +189,6 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
         move_head(robot, k, ball)
         robot.placed = 0
         robot.fallen = max(robot.fallen - k.dt, 0.0)
-        robot.penalty = max(robot.penalty - k.dt, 0.0)
     limit_speed(ball, k)
     if match.placing == 1:
         hold(ball)
@@ -212,8 +213,11 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
     moved = dead
     if dead:
         end_placing(match, ball, robots, k)
+    moved = serve_penalties(match, ball, robots, robot_events, k) or moved
+    if not dead and match.over == 0:
+        moved = judge_fouls(match, ball, robots, events, robot_events, k) or moved
     judge(match, ball, robots, events, k, toucher if toucher >= 0 else kicked_by(ball, robots, robot_events))
-    if match.phase == PLAY and pull_apart(ball, robots, match, k):
+    if match.phase == PLAY and match.over == 0 and pull_apart(ball, robots, match, k):
         events.separated = 1
         moved = True
     judge_drill(match, ball, robots, robot_events, events, k)
@@ -249,13 +253,13 @@ def out_of_time(match, k):
 @compiled
 def clear_events(events, robot_events):
     """Forget the events of the last step."""
-    events.goal = events.restart_team = events.touch_team = NO_TEAM
+    events.goal = events.restart_team = events.touch_team = events.foul_team = NO_TEAM
     events.scorer = -1
     events.out = events.restart = events.in_play = events.stuck = events.separated = 0
-    events.half_time = events.final_whistle = events.drill = 0
+    events.half_time = events.final_whistle = events.drill = events.foul = events.annulled = 0
     for r in range(robot_events.shape[0]):
         event = robot_events[r]
-        event.touch = event.kick = event.possession = event.collision = 0
+        event.touch = event.kick = event.possession = event.collision = event.foul = event.returned = 0
 
 
 @compiled

@@ -34,15 +34,37 @@ class Phase(IntEnum):
     GOAL_KICK = 3
     CORNER_KICK = 4
     DROP_BALL = 5
-    FREE_KICK = 6  # filled by the foul rules of a later version
-    PENALTY_KICK = 7  # filled by the foul rules of a later version
+    FREE_KICK = 6
+    PENALTY_KICK = 7  # of a penalty shoot-out
     OVER = 8
+
+
+class Foul(IntEnum):
+    """What a referee whistles for; see `referee/fouls`."""
+
+    NONE = 0
+    PUSHING = 1
+    KEEPER_PUSHING = 2
+    HOLDING = 3
+    ILLEGAL_DEFENDER = 4
+    ILLEGAL_ATTACKER = 5
+    LEFT_FIELD = 6
+    FALLEN = 7
+    GAME_STUCK = 8
+    SECOND_TOUCH = 9
+    CHARGING = 10
+    KEEPER_CHARGE = 11
+    HANDLING = 12
+    DRIBBLE = 13
+    GOAL_AREA = 14
+    PENALTY_AREA = 15
 
 
 class MatchStream(IntEnum):
     """Named noise streams of a match record: a new one takes a free number and never shifts the others."""
 
     SCENE = 2  # where drills put ball and robots
+    KICK_OFF = 3  # who kicks off first
 
 
 class RobotStream(IntEnum):
@@ -113,6 +135,16 @@ MATCH = np.dtype(
         ("still_clock", "f8"),  # [s] that the ball has stayed near the still point
         ("still_x", "f8"),  # [m] field frame: the still point
         ("still_y", "f8"),  # [m] field frame
+        ("taker", "i8"),  # row of the robot that took the restart, until somebody else touches the ball, or -1
+        ("indirect", "i8"),  # 1: nobody but the taker has touched the ball since a restart that allows no direct goal
+        ("idle_clock", "f8"),  # [s] since somebody touched the ball
+        ("local_clock", "f8"),  # [s] since play moved on
+        ("local_x", "f8"),  # [m] field frame: where play has been since
+        ("local_y", "f8"),  # [m] field frame
+        ("whistled", "i8"),  # the team whose attack was whistled, or NO_TEAM
+        ("whistled_clock", "f8"),  # [s] since
+        ("shoot_out", "i8"),  # penalty kicks taken; 0 outside a shoot-out
+        ("shoot_out_score", "i8", (2,)),  # goals of home, of away in it
         ("drill_clock", "f8"),  # [s] for which a drill's dribbler has been far from the ball
         ("handedness", "f8"),  # +1; -1 mirrors each lateral noise draw (for symmetry tests)
         ("noise", "u8", (NOISE_STREAMS,)),  # state of each MatchStream
@@ -163,6 +195,15 @@ ROBOT = np.dtype(
         ("caught_gap", "i8"),  # between which of the other's: 0 the fore ones, 1 the hind ones, 2 the left, 3 the right
         ("fallen", "f8"),  # [s] left on the ground; 0 upright
         ("penalty", "f8"),  # [s] left of a penalty; 0 none
+        ("banned", "i8"),  # 1: out for good
+        ("yellow", "i8"),  # cards
+        ("pushing", "f8"),  # [s] that it has pushed an opponent
+        ("keeper_pushing", "f8"),  # [s] that it has pushed a goalkeeper in its area
+        ("holding", "f8"),  # [s] that it has held a trapped ball
+        ("carry_x", "f8"),  # [m] field frame: where it took up the ball that it carries
+        ("carry_y", "f8"),  # [m] field frame
+        ("trespass", "f8"),  # [s] in an area in which it may not stay
+        ("beyond", "f8"),  # [s] beyond a line that it may not leave
         ("locked", "f8"),  # [s] in contact with an opponent, less the time out of it, never below 0
         ("place_x", "f8"),  # [m] field frame: its place at the current restart
         ("place_y", "f8"),  # [m] field frame
@@ -273,6 +314,9 @@ EVENTS = np.dtype(
         ("in_play", "i8"),  # 1: a restart was taken or its time ran out
         ("stuck", "i8"),  # 1: the referee called a stuck ball
         ("separated", "i8"),  # 1: the referee pulled opponents apart
+        ("foul", "i8"),  # the Foul that was whistled, or 0; of several the first
+        ("foul_team", "i8"),  # the team that committed it, or NO_TEAM
+        ("annulled", "i8"),  # 1: the ball went in and the goal does not count
         ("half_time", "i8"),  # 1: the first half ended
         ("final_whistle", "i8"),  # 1: the match ended
         ("touch_team", "i8"),  # who touched the ball in this step, or NO_TEAM; both: the nearer
@@ -282,7 +326,7 @@ EVENTS = np.dtype(
     ]
 )
 QUIET = np.zeros((), EVENTS)  # the events of a step in which nothing happened
-for _name in ("goal", "scorer", "restart_team", "touch_team"):
+for _name in ("goal", "scorer", "restart_team", "touch_team", "foul_team"):
     QUIET[_name] = NO_TEAM
 
 ROBOT_EVENTS = np.dtype(
@@ -291,5 +335,7 @@ ROBOT_EVENTS = np.dtype(
         ("kick", "i2"),  # 1: a kick reached the ball
         ("possession", "i2"),  # 1: the ball lay in its pocket or at its kicker
         ("collision", "i2"),  # 1: touched another robot
+        ("foul", "i2"),  # the Foul that was whistled against it, or 0
+        ("returned", "i2"),  # 1: it came back from a penalty
     ]
 )

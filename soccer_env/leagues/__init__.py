@@ -5,6 +5,7 @@ legged_sensors.py     the sensors of legged robots, and their memory
 middle_size_2006.py   the middle-size league of 2006
 omni_sensors.py       the sensors of middle-size robots, and their memory
 league.py             what a league is, and a map of the pitch
+rules.py              which rules are called, their numbers, and sets of them
 materials.py          what bounces and rubs how much: elasticity and friction of each pair that meets
 robot.py              what its robots are: body, drive, kicker, block, head
 robot_kind.py         what a kind of robot is, and where each is declared
@@ -18,9 +19,10 @@ from __future__ import annotations
 
 from soccer_env.checking import check_names
 from soccer_env.leagues import legged_2001, middle_size_2006
-from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
+from soccer_env.leagues.league import BallModel, League, Pitch, Slots, Substeps
 from soccer_env.leagues.materials import Materials, Pair
 from soccer_env.leagues.robot import Block, Body, Drive, Head, Kicker
+from soccer_env.leagues.rules import Rules
 
 LEAGUES: dict[str, League] = {
     league.name: league

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import fields, is_dataclass
+from functools import partial
 from typing import get_type_hints
 
 import numpy as np
@@ -15,11 +16,17 @@ import numpy as np
 from soccer_env.leagues.checks import PYTHON_ONLY
 from soccer_env.leagues.league import League
 from soccer_env.leagues.robot import DRIVE_KINDS, MOST_CORNERS
+from soccer_env.leagues.rules import SWITCHES
 
 
 def has_ranger(league: League) -> bool:
     """Tell whether the robots of a league have an infrared ranger."""
     return bool(getattr(league.sensors, "HAS_RANGER", False))
+
+
+def switch_of(league: League, name: str) -> int:
+    """Return a switch of a league's rules."""
+    return int(getattr(league.rules, name))
 
 
 NUMBERS = {
@@ -44,6 +51,7 @@ WHOLE_NUMBERS: dict[str, Callable[[League], int]] = {
     "substeps_most": lambda league: league.substeps.most,
     "teammate_slots": lambda league: league.slots.teammates,
     "opponent_slots": lambda league: league.slots.opponents,
+    **{f"rules_{name}": partial(switch_of, name=name) for name in SWITCHES},  # 1: the rule is called
 }
 OF_THE_MATCH = [  # settings of a match, filled in by `Settings.constants`
     ("placement_by_driving", "i8"),  # 1: robots drive to their places at a restart; 0: they are put there

@@ -34,9 +34,9 @@ from soccer_env.leagues.checks import PYTHON_ONLY, Part, check_family
 from soccer_env.leagues.materials import Materials
 from soccer_env.leagues.robot import Block, Body, Drive, Head, Kicker
 from soccer_env.leagues.robot_kind import check_kind
+from soccer_env.leagues.rules import Rules
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
 
-NEVER = 1e9  # [s]
 MAX_RATE = 1000  # [1/s] control steps
 
 
@@ -77,29 +77,6 @@ class BallModel(Part):
     pivot: float  # [rad/s2] at which its spin about the vertical slows down
     shell: float  # [1] inertia over mass times radius squared: 2/5 solid, 2/3 a hollow shell
     top_speed: float  # [m/s] nothing moves it faster
-
-
-@dataclass(frozen=True)
-class Rules(Part):
-    """The rule set of a league. Fouls of later versions add their fields here."""
-
-    BOUNDS = dict.fromkeys(("half_minutes", "stuck_radius", "restart_time", "stuck_time", "contact_time"), ABOVE_ZERO)
-
-    half_minutes: float = field(metadata=PYTHON_ONLY)  # [min] length of a half
-    kick_off_distance: float  # [m] opponents' distance from the ball at a kick-off
-    restart_distance: float  # [m] opponents' distance from the ball at the other restarts
-    restart_time: float  # [s] after which the ball is in play although nobody took the restart
-    in_play_distance: float  # [m] that the ball must move to be in play
-    placing_time: float  # [s] that robots have to drive to their places
-    stuck_time: float  # [s] that the ball may stay near one point
-    stuck_radius: float  # [m] that counts as near
-    separation: float  # [m] to which robots are pulled away from a dropped ball, and opponents from each other
-    corner_offset: float  # [m] of the ball from the corner, along both lines
-    goal_kick_x: float  # [m] of the ball from the goal line at a goal kick
-    goal_kick_y: float  # [m] of the ball from the middle at a goal kick
-    drop_x: float  # [m] of the drop spots from the centre; belongs to the size of the pitch
-    drop_y: float  # [m]
-    contact_time: float = NEVER  # [s] in contact after which opponents are pulled apart
 
 
 @dataclass(frozen=True)

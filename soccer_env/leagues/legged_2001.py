@@ -15,10 +15,11 @@ from __future__ import annotations
 from dataclasses import replace
 from math import pi
 
-from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
+from soccer_env.leagues.league import BallModel, League, Pitch, Slots, Substeps
 from soccer_env.leagues.legged_sensors import LeggedMemory, LeggedSensors
 from soccer_env.leagues.materials import Materials, Pair
 from soccer_env.leagues.robot import Block, Body, Drive, Head, Kicker
+from soccer_env.leagues.rules import Rules
 
 PITCH = Pitch(
     length=3.0,  # [m] Sacks 2001, 1

@@ -15,10 +15,11 @@ from __future__ import annotations
 from dataclasses import replace
 from math import pi
 
-from soccer_env.leagues.league import BallModel, League, Pitch, Rules, Slots, Substeps
+from soccer_env.leagues.league import BallModel, League, Pitch, Slots, Substeps
 from soccer_env.leagues.materials import Materials, Pair
 from soccer_env.leagues.omni_sensors import OmniMemory, OmniSensors
 from soccer_env.leagues.robot import Body, Drive, Head, Kicker
+from soccer_env.leagues.rules import Rules
 
 PITCH = Pitch(  # MH23
     length=12.0,  # [m] Tribots 2005 field geometry

@@ -9,6 +9,7 @@ carried out by `referee.restarts`. Written for both teams at once through the di
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
+from soccer_env.referee.fouls.goals import goal_counts
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 PLAY = int(Phase.PLAY)
@@ -33,22 +34,25 @@ def judge(match, ball, robots, events, k, toucher):
         events.touch_team = robots[toucher].team
         match.last_touch_team = robots[toucher].team
         match.last_touch_robot = toucher
+        match.idle_clock = 0.0
+    else:
+        match.idle_clock += k.dt
     if match.placing == 0:
         if match.phase != PLAY:
             watch_restart(match, ball, events, k)
-        judge_ball(match, ball, events, k)
+        judge_ball(match, ball, robots, events, k)
     if match.over == 0 and match.clock >= match.half_length - 0.5 * k.dt:
         end_half(match, events, k)
 
 
 @compiled
-def judge_ball(match, ball, events, k):
+def judge_ball(match, ball, robots, events, k):
     """Look at the ball: a goal, out of play, stuck."""
     if goal_scored(ball, k):
-        give_goal(match, ball, events, k)
-    elif k.walled == 0 and out_of_play(ball, k):
+        judge_goal(match, ball, robots, events, k)
+    elif k.walled == 0 and k.rules_out_of_play == 1 and out_of_play(ball, k):
         give_restart_for_out(match, ball, events, k)
-    elif ball_stuck(match, ball, k):
+    elif k.rules_dropped_ball == 1 and ball_stuck(match, ball, k):
         events.stuck = 1
         drop_ball(match, ball, events, k)
 
@@ -66,9 +70,22 @@ def out_of_play(ball, k):
 
 
 @compiled
-def give_goal(match, ball, events, k):
-    """Count a goal for the team that attacks the side the ball is on; the other team kicks off."""
+def judge_goal(match, ball, robots, events, k):
+    """Count a goal for the team that attacks the side the ball is on, or annul it."""
     scorer = HOME if (ball.x > 0.0) == (match.home_direction > 0.0) else AWAY
+    if goal_counts(match, ball, robots, k, scorer):
+        give_goal(match, events, k, scorer)
+        return
+    events.annulled = 1
+    if k.walled == 1:
+        drop_ball(match, ball, events, k)
+    else:
+        give_goal_kick(match, ball, events, k, other_team(scorer))
+
+
+@compiled
+def give_goal(match, events, k, scorer):
+    """Count a goal of a team; the other team kicks off."""
     match.score[scorer] += 1
     events.goal = scorer
     events.scorer = match.last_touch_robot
@@ -95,8 +112,15 @@ def give_restart_for_out(match, ball, events, k):
         x, y = half_length - k.rules_corner_offset, half_width - k.rules_corner_offset
         call_restart(match, events, CORNER_KICK, other_team(defender), side_x * x, side_y * y)
     else:
-        x, y = half_length - k.rules_goal_kick_x, k.rules_goal_kick_y
-        call_restart(match, events, GOAL_KICK, defender, side_x * x, side_y * y)
+        give_goal_kick(match, ball, events, k, defender)
+
+
+@compiled
+def give_goal_kick(match, ball, events, k, defender):
+    """Call a goal kick on the side of the goal where the ball went over the line."""
+    x = 0.5 * k.pitch_length - k.rules_goal_kick_x
+    side_x, side_y = 1.0 if ball.x > 0.0 else -1.0, 1.0 if ball.y > 0.0 else -1.0
+    call_restart(match, events, GOAL_KICK, defender, side_x * x, side_y * k.rules_goal_kick_y)
 
 
 @compiled

@@ -6,7 +6,7 @@ from math import ceil, floor, isfinite
 
 import numpy as np
 
-from soccer_env.leagues.league import Rules
+from soccer_env.leagues.rules import Rules
 from soccer_env.render.colours import TEAM_NAMES
 from soccer_env.types import NO_TEAM, Phase
 

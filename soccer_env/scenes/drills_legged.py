@@ -25,6 +25,7 @@ from soccer_env.types import AWAY, HOME
 BETWEEN = 0.003  # [m] of the ball from the chest of a robot that has it between its paws
 ROOM = 0.01  # [m] left to a board
 GAP = 0.5  # [m] between the centres of two players, "gap-500"
+PATIENT = "simple:dropped_ball=False"  # nobody is whistled or pulled apart: it is the recovery that is looked at
 KEEPER_OUT = 0.30  # [m] of the goalkeeper from the middle of its goal
 
 
@@ -177,7 +178,7 @@ def drill(name: str, description: str, place: Callable[..., None], success: str,
     """Return a drill of a minute at most."""
     limit = 10.0 if success == "away saves" else 60.0  # [s] assumed; to the goal at 7 cm/s it is half a minute
     return Scene(
-        name, description, place, success, limit, True, opponents, most=3, families=("legged",), patient=True,
+        name, description, place, success, limit, True, opponents, most=3, families=("legged",), rules=PATIENT,
     )  # fmt: skip
 
 

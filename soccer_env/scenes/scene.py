@@ -51,7 +51,7 @@ class Scene:
     opponents: tuple[str, ...] = ()  # names of teams, with strengths
     most: int = MAX_TEAM  # players a side
     families: tuple[str, ...] = ()  # of leagues that it is for (`League.family`); empty: all
-    patient: bool = False  # True: in this drill the referee calls no stuck ball and pulls nobody apart
+    rules: str = "league"  # of its drill, unless others are asked for
 
     def __post_init__(self) -> None:
         if self.success not in SUCCESS:

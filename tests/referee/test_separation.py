@@ -7,7 +7,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from soccer_env.leagues.league import NEVER
+from soccer_env.leagues.rules import NEVER
 from tests.scenes.staging import LEGGED, MIDDLE, asking, deepest_overlaps, put, put_ball, stage, stand, steps_in
 from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_actions
 

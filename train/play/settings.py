@@ -8,7 +8,8 @@ from typing import Literal
 
 from soccer_env.checking import Range
 from soccer_env.leagues import find_league
-from soccer_env.leagues.league import NEVER, League
+from soccer_env.leagues.league import League
+from soccer_env.leagues.rules import NEVER
 from soccer_env.match_settings import Placement, Pose
 from soccer_env.train.written_settings import CommandSettings, split_players, split_senses
 

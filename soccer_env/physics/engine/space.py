@@ -8,7 +8,6 @@ A robot is a disc or capsule here; what its posts touch, legs or tips of a guide
 
 from __future__ import annotations
 
-from math import pi
 from typing import Any
 
 import pymunk
@@ -28,8 +27,6 @@ from soccer_env.physics.engine.surfaces import (
 from soccer_env.physics.solver.records import OVERLAP_LEFT
 
 BOARD = 0.5  # [m] thickness of boards, so that nothing passes through one within a substep
-PARKED_X = 50.0  # [m] where inactive robots stand, one beside the other
-PARKED_STEP = 2.0  # [m]
 
 
 def build_space(league: League, ball: Any, robots: Any) -> pymunk.Space:
@@ -144,8 +141,3 @@ def box(static: pymunk.Body, x1: float, x2: float, y1: float, y2: float) -> pymu
     """Return a static board that spans the two corners [m]."""
     left, right, low, high = min(x1, x2), max(x1, x2), min(y1, y2), max(y1, y2)
     return pymunk.Poly(static, [(left, low), (right, low), (right, high), (left, high)])
-
-
-def parking_place(row: int) -> tuple[float, float, float]:
-    """Return the pose [m, m, rad] of an inactive robot, well off the field."""
-    return PARKED_X + PARKED_STEP * row, PARKED_X, pi / 2

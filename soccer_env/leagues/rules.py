@@ -1,0 +1,134 @@
+"""The rules of a league: which are called (switches) and their numbers, and the sets `league`, `simple` and `none`.
+
+    league   the whole rule book of the league
+    simple   goals, restarts and dropped balls: nobody is whistled, nobody is pulled apart
+    none     goals alone: the ball is never out, never stuck
+
+A set is changed by name: "league:pushing=False,holding_time=5".
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields, replace
+from typing import Any
+
+from soccer_env.checking import ABOVE_ZERO, SHARE, check_names
+from soccer_env.leagues.checks import PYTHON_ONLY, Part
+
+NEVER = 1e9  # [s]
+
+
+@dataclass(frozen=True)
+class Rules(Part):
+    """The rules of a league: what is called, and the numbers of it. A switch that is off costs nothing."""
+
+    BOUNDS = {
+        **dict.fromkeys(("half_minutes", "stuck_radius", "restart_time", "stuck_time", "contact_time"), ABOVE_ZERO),
+        "handling_share": SHARE,
+    }
+
+    half_minutes: float = field(metadata=PYTHON_ONLY)  # [min] length of a half
+    kick_off_distance: float  # [m] opponents' distance from the ball at a kick-off
+    restart_distance: float  # [m] opponents' distance from the ball at the other restarts
+    restart_time: float  # [s] after which the ball is in play although nobody took the restart
+    in_play_distance: float  # [m] that the ball must move to be in play
+    placing_time: float  # [s] that robots have to drive to their places
+    stuck_time: float  # [s] that the ball may stay near one point
+    stuck_radius: float  # [m] that counts as near
+    separation: float  # [m] to which robots are pulled away from a dropped ball, and opponents from each other
+    corner_offset: float  # [m] of the ball from the corner, along both lines
+    goal_kick_x: float  # [m] of the ball from the goal line at a goal kick
+    goal_kick_y: float  # [m] of the ball from the middle at a goal kick
+    drop_x: float  # [m] of the drop spots from the centre; belongs to the size of the pitch
+    drop_y: float  # [m]
+    contact_time: float = NEVER  # [s] in contact after which opponents are pulled apart
+
+    # What keeps play going
+    out_of_play: bool = True  # a ball beyond the lines of a pitch without boards
+    dropped_ball: bool = True  # a ball that stays near one point for `stuck_time`
+
+    # What a goal may follow from: False, and it has to be touched by somebody but the taker first
+    direct_kick_off: bool = True
+    direct_throw_in: bool = True
+    direct_goal_kick: bool = True
+    direct_corner_kick: bool = True
+    direct_free_kick: bool = True
+
+    # Fouls of the legged league: the robot is taken out and comes back at the halfway line
+    removal_time: float = 30.0  # [s] that a robot is out
+    pushing: bool = False
+    pushing_time: float = 3.0  # [s] in contact
+    pushing_exempt: float = 0.5  # [m] the robot nearest to the ball may push for it within this distance
+    keeper_pushing: bool = False
+    keeper_pushing_time: float = 1.0  # [s] in contact
+    holding: bool = False
+    holding_time: float = 3.0  # [s]
+    keeper_holding_time: float = 5.0  # [s] in its own area
+    carrying: bool = False
+    carrying_distance: float = 0.5  # [m] that a ball may be carried
+    illegal_defender: bool = False
+    illegal_attacker: bool = False
+    leaving_field: bool = False
+    falling: bool = False
+    local_stuck: bool = False
+    local_stuck_time: float = 30.0  # [s]
+    global_stuck: bool = False
+    global_stuck_time: float = 30.0  # [s] that nobody touches the ball
+
+    # Fouls of the middle size: a free kick for the opponents
+    second_touch: bool = False
+    charging: bool = False  # robots that push, and that charge the goalkeeper in its area
+    handling: bool = False
+    handling_share: float = 1.0 / 3.0  # [1] of the ball's diameter that may lie within the hull of a robot
+    dribble_limit: bool = False
+    dribble_distance: float = 3.0  # [m]
+    goal_area: bool = False
+    penalty_area: bool = False
+    cards: bool = False
+    shoot_out: bool = False
+
+    name: str = field(default="league", metadata=PYTHON_ONLY)  # what reports call this set
+
+
+SWITCHES = tuple(item.name for item in fields(Rules) if str(item.type) == "bool")
+RESTARTS = tuple(name for name in SWITCHES if name in ("out_of_play", "dropped_ball") or name.startswith("direct_"))
+SETS = ("league", "simple", "none")
+
+
+def simple_of(rules: Rules) -> Rules:
+    """Return a league's rules without fouls: goals, restarts and dropped balls."""
+    switches = {name: name in RESTARTS for name in SWITCHES}
+    return replace(rules, **switches, contact_time=NEVER, name="simple")
+
+
+def none_of(rules: Rules) -> Rules:
+    """Return a league's rules with goals alone, each followed by a kick-off."""
+    return replace(simple_of(rules), out_of_play=False, dropped_ball=False, name="none")
+
+
+def rule_set(rules: Rules, text: str) -> Rules:
+    """Return a rule set of a league by name, changed by name: SET or SET:switch=value,...
+
+    ValueError for an unknown set or rule says what exists.
+    """
+    name, colon, changes = text.partition(":")
+    check_names("rules", [name], SETS, more="SET:rule=value,... or a Rules object")
+    found = {"league": rules, "simple": simple_of(rules), "none": none_of(rules)}[name]
+    if not colon:
+        return found
+    changed = dict(parse_rule(text, part) for part in changes.split(","))
+    check_names("rule", changed, [item.name for item in fields(Rules) if item.name != "name"])
+    return replace(found, **changed, name=text)
+
+
+def parse_rule(text: str, part: str) -> tuple[str, Any]:
+    """Split rule=value of a set's text; True, False and numbers become Python's own."""
+    name, equals, value = part.partition("=")
+    if not (name.isidentifier() and equals and value):
+        raise ValueError(f"rules {text!r} must be written as SET:rule=value,rule=value, got {part!r}")
+    if value in ("True", "False"):
+        return name, value == "True"
+    try:
+        return name, float(value)
+    except ValueError:
+        return name, value
