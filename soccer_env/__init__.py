@@ -14,6 +14,7 @@ What a match is made of:
 
     types.py             every record of a match, with units and frames
     percept_types.py     the records of percepts
+    belief_types.py      the records of beliefs
     match_settings.py    the settings of a match, each declared once
     settings.py          the settings of a match, every name resolved
     leagues/             the leagues, every number with unit and source
@@ -46,7 +47,6 @@ What all of it stands on:
 
     geometry.py          angles, vectors and frames
     random_numbers.py    the generator that lives in the records
-    tracks.py            slots for other players
     ball_words.py        words of four bits for a distance to the ball
     compiled.py          the decorator that compiles a function
     compiled_cache.py    machine code on disk

@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
+from soccer_env.belief_types import BELIEF, TRACK
 from soccer_env.episodes import start_match
 from soccer_env.observations.belief import observe_belief_slice
 from soccer_env.observations.truth import observe_slice
@@ -26,7 +27,7 @@ from soccer_env.rewards import COUNT, POTENTIALS
 from soccer_env.senses import UNUSED, Senses
 from soccer_env.settings import Settings
 from soccer_env.step import BROKEN, PUT_ELSEWHERE, Numbers, Outcome, Physics, begin_slice, finish_slice, step_slice
-from soccer_env.types import BELIEF, QUIET, ROBOT_EVENTS, TRACK
+from soccer_env.types import QUIET, ROBOT_EVENTS
 from soccer_env.world import World
 
 Advance = Callable[[float, np.ndarray, int, int], None]  # moves the Spaces on: dt [s], substeps (M,), first, last

@@ -4,6 +4,7 @@ drive.py     from commands to what legs or wheels want of the ground: delay, gai
 gait.py      where the paws of a walking robot are
 paws.py      how they move in a control step
 block.py     a goalkeeper's block: forelegs spread, and what of a robot they reach
+parking.py   where robots stand that do not play
 kicker.py    kicks, and whether the ball lies at the kicker
 ball.py      the ball on the carpet: it slides, then rolls
 contacts.py  who touched what

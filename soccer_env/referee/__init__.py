@@ -5,4 +5,5 @@ restarts.py     how a restart is carried out: the ball, places, distances
 formation.py    where robots stand at a restart
 steering.py     how robots drive there, round the held ball
 separation.py   opponents that hold each other are pulled apart
+fouls/          what is whistled, and what follows: penalties, free kicks, goals that do not count
 """

@@ -19,7 +19,7 @@ LAYERS = (
         "types",
         "checking",
         "percept_types",
-        "tracks",
+        "belief_types",
         "world",
         "geometry",
         "optics",

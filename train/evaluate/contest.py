@@ -55,6 +55,7 @@ class Contest:
             pose=asked.pose,
             controllers=dict(zip(sides, teams, strict=True)),
             scene=asked.scene,
+            rules=asked.rules,
             placement=asked.placement,
             minutes=asked.minutes,
         )

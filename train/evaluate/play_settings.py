@@ -25,6 +25,8 @@ class PlaySettings(CommandSettings):
     """Players a side, 1 to 11; 3v5 gives home 3 and away 5; None for the league's own number."""
     seed: int = 0
     """Seed of the match, 0 or more."""
+    rules: str = "league"
+    """Which rules are called: league, simple or none; league:pushing=False,holding_time=5 changes one by name."""
     placement: Literal["instant", "drive"] = "instant"
     """How robots reach their places at a restart."""
     senses: Literal["sensors", "ideal"] = "sensors"

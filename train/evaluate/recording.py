@@ -27,6 +27,7 @@ def start(settings: PlaySettings) -> Match:
         controllers={"home": settings.home, "away": settings.away},
         minutes=settings.minutes,
         seed=settings.seed,
+        rules=settings.rules,
         placement=settings.placement,
         senses=settings.senses,
         pose=settings.pose,

@@ -68,7 +68,7 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         ("players", conditions.sizes),
         ("minutes of play", f"{conditions.minutes:g}"),
         ("senses, pose", f"{conditions.senses_text}, {conditions.pose}"),
-        ("scene, placement", f"{conditions.scene}, {conditions.placement}"),
+        ("scene, rules, placement", f"{conditions.scene}, {conditions.rules}, {conditions.placement}"),
         ("seed", f"{conditions.seed}"),
         ("begun, commit", f"{about.get('date', '')}, {about.get('commit') or 'none'}"),
         ("settings hash", result.lines[0].settings),

@@ -51,6 +51,8 @@ class EvaluateSettings(CommandSettings):
     """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given."""
     scene: str = "kick-off"
     """Start of each match; `soccer list scenes` names them."""
+    rules: str = "league"
+    """Which rules are called: league, simple or none; league:pushing=False,holding_time=5 changes one by name."""
     placement: Literal["instant", "drive"] | None = None
     """How robots reach their places at a restart; None for the league's choice in evaluations."""
     out: Path | None = None
@@ -87,6 +89,7 @@ class Conditions:
     senses: tuple[str, str]  # of the first team, of the second
     pose: Pose  # of robots that use their sensors
     scene: str
+    rules: str
     placement: Placement
 
     @property
@@ -124,5 +127,6 @@ def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
         senses=split_senses(settings.senses),
         pose=settings.pose,
         scene=settings.scene,
+        rules=settings.rules,
         placement=settings.placement or league.evaluation_placement,
     )

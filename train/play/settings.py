@@ -9,7 +9,7 @@ from typing import Literal
 from soccer_env.checking import Range
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
-from soccer_env.leagues.rules import NEVER
+from soccer_env.leagues.rules import rule_set
 from soccer_env.match_settings import Placement, Pose
 from soccer_env.train.written_settings import CommandSettings, split_players, split_senses
 
@@ -44,8 +44,8 @@ class MeasureSettings(CommandSettings):
     """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given."""
     placement: Literal["instant", "drive"] | None = None
     """How robots reach their places at a restart; None for the league's choice in evaluations."""
-    no_separation: bool = False
-    """Let the referee pull nobody apart who stays in contact with an opponent."""
+    rules: str = "league"
+    """Which rules are called: league, simple or none; league:pushing=False,holding_time=5 changes one by name."""
     out: Path | None = None
     """File for the results (JSON)."""
     before: Path | None = None
@@ -77,9 +77,8 @@ class Conditions:
 def conditions_of(settings: MeasureSettings) -> Conditions:
     """Fill in what the settings leave to the league."""
     league = find_league(settings.league)
+    league = replace(league, rules=rule_set(league.rules, settings.rules))
     placement = settings.placement or league.evaluation_placement
-    if settings.no_separation:
-        league = replace(league, rules=replace(league.rules, contact_time=NEVER))
     home, away = split_senses(settings.senses)
     return Conditions(
         league=league,

@@ -14,10 +14,9 @@ from soccer_env.belief.omni.players import READING, SLOTS, believe_players
 from soccer_env.belief.omni.radio import exchange_radio
 from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, note_motion
 from soccer_env.belief.own_pose import POSE_MEMORY, is_crowded
+from soccer_env.belief_types import TRACK, forget
 from soccer_env.compiled import compiled, records
 from soccer_env.percept_types import OTHERS, POSE_TOLD
-from soccer_env.tracks import forget
-from soccer_env.types import TRACK
 
 OMNI_MEMORY = np.dtype(
     [

@@ -13,6 +13,7 @@ pytest.importorskip("PIL")
 from PIL import Image
 
 from soccer_env import Match
+from soccer_env.belief_types import TRACK
 from soccer_env.leagues import find_league
 from soccer_env.render import Area, Label, Picture, Points, Polyline
 from soccer_env.render.colours import BALL, BALL_SHINE, TEAMS_LIGHT
@@ -20,7 +21,7 @@ from soccer_env.train.pictures.animation import frames_of, scoring_ball, write_g
 from soccer_env.train.pictures.belief import belief_overlays, belief_picture, believed_player, field_of_view, to_board
 from soccer_env.train.pictures.frames import frames_picture
 from soccer_env.train.pictures.settings import FOLDER, PictureSettings
-from soccer_env.types import NO_TEAM, TRACK
+from soccer_env.types import NO_TEAM
 
 TINY = PictureSettings(home="chaser", away="still", seed=3, longest=1.0, width=240, still_width=240, belief_time=0.5)
 

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from soccer_env.leagues import find_league
 from soccer_env.train.play import measures
 from soccer_env.train.play.measures import MEASURES, measure
 from soccer_env.train.play.report import read, screen_table, write
@@ -49,9 +50,11 @@ def test_names_of_figures_are_all_different() -> None:
     assert len(names) == len(set(names))
 
 
-def test_without_separation_the_referee_never_pulls_apart() -> None:
-    league = conditions_of(MeasureSettings(no_separation=True)).league
-    assert league.rules.contact_time > 1e6 > conditions_of(MeasureSettings()).league.rules.contact_time
+def test_rules_are_those_asked_for() -> None:
+    assert conditions_of(MeasureSettings()).league == find_league("legged-2001")
+    assert conditions_of(MeasureSettings(rules="simple")).league.rules.name == "simple"
+    with pytest.raises(ValueError, match="known: league, simple, none"):
+        conditions_of(MeasureSettings(rules="simpel"))
 
 
 @pytest.mark.parametrize("wrong", [{"matches": 0}, {"minutes": 0.0}, {"goals": -1}, {"players": 12}])

@@ -10,6 +10,7 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.steering import force_of_players
+from soccer_env.belief_types import BELIEF, TRACK
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
@@ -19,7 +20,6 @@ from soccer_env.train.reproduce.claims.field.robots import ROBOTS, filled, run_b
 from soccer_env.train.reproduce.staging import LEGGED
 from soccer_env.train.reproduce.values import mean, median
 from soccer_env.train.reproduce.verdicts import Samples, exact, measured, reported
-from soccer_env.types import BELIEF, TRACK
 
 K = constants_of(find_league(LEGGED))[0]
 
