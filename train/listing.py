@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from math import isfinite
 from typing import TYPE_CHECKING, Literal
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from soccer_env.leagues.options import Options
     from soccer_env.observations import Entry
 
-What = Literal["leagues", "teams", "settings", "scenes", "observations", "sensors", "actions", "rewards", "claims"]
+What = Literal["leagues", "teams", "settings", "scenes", "observations", "sensors", "rules", "actions", "rewards", "claims"]
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class ListSettings:
     """Print what can be chosen."""
 
     league: str = "legged-2001"
-    """League whose observations or sensors are listed."""
+    """League whose observations, sensors or rules are listed."""
     observe: Literal["truth", "percepts", "belief"] = "truth"
     """What the listed observations are built from."""
 
@@ -39,7 +39,9 @@ def list_tables(what: What, settings: ListSettings) -> Iterator[Table]:
     }
     if what == "observations":
         return observations(settings.league, settings.observe)
-    return sensors(settings.league) if what == "sensors" else lists[what]()
+    if what in ("sensors", "rules"):
+        return {"sensors": sensors, "rules": rules}[what](settings.league)
+    return lists[what]()
 
 
 def leagues() -> Iterator[Table]:
@@ -170,6 +172,33 @@ def sensors(league: str) -> Iterator[Table]:
         rows = option_rows(options)
         title = f"{type(options).__name__} of {league}; changed by {name}={{name: value}}"
         yield table(title, ("name", "value", "allowed", "unit and source"), rows)
+
+
+def rules(league: str) -> Iterator[Table]:
+    """Yield the rules of a league: which are called in each set, and their numbers."""
+    from rich.markup import escape
+
+    from soccer_env.leagues import find_league
+    from soccer_env.leagues.options import own_notes
+    from soccer_env.leagues.rules import SETS, Rules, rule_set
+
+    sets = [rule_set(find_league(league).rules, name) for name in SETS]
+    notes = own_notes(Rules)
+    rows = [
+        (item.name, *(in_set(getattr(found, item.name)) for found in sets), escape(notes.get(item.name, "")))
+        for item in fields(Rules)
+        if item.name != "name"
+    ]
+    yield table(f"Rules of {league}; changed by rules=SET:rule=value,...", ("rule", *SETS, "unit and meaning"), rows)
+
+
+def in_set(value: bool | float) -> str:
+    """Return a rule or its number in a set, for a table."""
+    from soccer_env.leagues.rules import NEVER
+
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    return "never" if value >= NEVER else f"{value:g}"
 
 
 def actions() -> Iterator[Table]:

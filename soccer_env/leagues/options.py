@@ -75,10 +75,14 @@ def notes_of(kind: type[Options]) -> dict[str, str]:
     """Return the comment beside each field of a settings class, or else beside the field that it inherits."""
     notes: dict[str, str] = {}
     for parent in reversed(kinds_of(kind)):
-        lines = inspect.getsource(parent).splitlines()
-        found = (re.match(r"    (\w+): \w+(?: = .*?)?  # (.*)", line) for line in lines)
-        notes |= {match[1]: match[2] for match in found if match}
+        notes |= own_notes(parent)
     return notes
+
+
+def own_notes(kind: type) -> dict[str, str]:
+    """Return the comment beside each field that a settings class declares itself."""
+    found = (re.match(r"    (\w+): \w+(?: = .*?)?  # (.*)", line) for line in inspect.getsource(kind).splitlines())
+    return {match[1]: match[2] for match in found if match}
 
 
 def record_type(kind: type[Options]) -> np.dtype:

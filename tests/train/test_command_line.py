@@ -88,7 +88,7 @@ def test_a_folder_that_cannot_be_made_is_one_line(tmp_path: Path, capsys: pytest
     assert "Not a directory" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("what", ["leagues", "teams", "scenes", "observations", "actions", "rewards"])
+@pytest.mark.parametrize("what", ["leagues", "teams", "scenes", "observations", "rules", "actions", "rewards"])
 def test_lists_name_what_there_is(what: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["list", what]) == 0
     text = capsys.readouterr().out
@@ -97,6 +97,7 @@ def test_lists_name_what_there_is(what: str, capsys: pytest.CaptureFixture[str])
         "teams": ("random", "still", "NAME@0.5", "family"),
         "scenes": ("kick-off", "family"),
         "observations": ("own_x", "ball_x", "73 numbers"),
+        "rules": ("keeper_pushing", "simple"),
         "actions": ("forward", "discrete"),
         "rewards": ("progress", "sparse"),
     }[what]
