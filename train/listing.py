@@ -13,7 +13,9 @@ if TYPE_CHECKING:
     from soccer_env.leagues.options import Options
     from soccer_env.observations import Entry
 
-What = Literal["leagues", "teams", "settings", "scenes", "observations", "sensors", "rules", "actions", "rewards", "claims"]
+What = Literal[
+    "leagues", "teams", "settings", "scenes", "observations", "sensors", "rules", "actions", "rewards", "claims"
+]
 
 
 @dataclass(frozen=True)
