@@ -24,6 +24,7 @@ from soccer_env.perception.ideal import believe_truth_slice
 from soccer_env.physics.engine.space import build_space
 from soccer_env.physics.engine.space_batch import Backend, SpaceBatch
 from soccer_env.rewards import COUNT, POTENTIALS
+from soccer_env.scenes import Draw
 from soccer_env.senses import UNUSED, Senses
 from soccer_env.settings import Settings
 from soccer_env.step import BROKEN, PUT_ELSEWHERE, Numbers, Outcome, Physics, begin_slice, finish_slice, step_slice
@@ -89,8 +90,12 @@ class MatchBatch:
 
     def look_first(self, m: int) -> None:
         """Let the robots of a match that has just begun sense, believe and observe."""
+        ball, shows = self.balls[m].copy(), self.settings.scene.shows
+        if shows is not None:
+            shows(self.settings.league, self.balls[m], self.robots[m], Draw(self.matches[m]))
         if self.senses is not None:
             self.senses.step(m, m + 1)
+        self.balls[m] = ball
         self.observe_anew(m, m + 1)
 
     def build_spaces(self, rows: Iterable[int]) -> None:

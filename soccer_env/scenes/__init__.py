@@ -6,6 +6,7 @@ that need them.
     scene.py          what a scene is
     drills.py         drills of every league
     drills_legged.py  drills of the legged league
+    drills_alone.py   one legged robot, the ball and the goal
     judging.py        what counts as success
 """
 
@@ -13,11 +14,13 @@ from __future__ import annotations
 
 from soccer_env.checking import check_names
 from soccer_env.scenes.drills import DRILLS
+from soccer_env.scenes.drills_alone import DRILLS_ALONE
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED
 from soccer_env.scenes.judging import SUCCESS, judge_drill
 from soccer_env.scenes.scene import Draw, Place, Scene, put, send_away
 
-SCENES = {scene.name: scene for scene in (Scene("kick-off", "a match from the kick-off on"), *DRILLS, *DRILLS_LEGGED)}
+KICK_OFF = Scene("kick-off", "a match from the kick-off on")
+SCENES = {scene.name: scene for scene in (KICK_OFF, *DRILLS, *DRILLS_LEGGED, *DRILLS_ALONE)}
 
 
 def find_scene(scene: str | Scene) -> Scene:

@@ -52,6 +52,7 @@ class Scene:
     most: int = MAX_TEAM  # players a side
     families: tuple[str, ...] = ()  # of leagues that it is for (`League.family`); empty: all
     rules: str = "league"  # of its drill, unless others are asked for
+    shows: Place | None = None  # moves the ball to where robots see it in their first look; it is back at once
 
     def __post_init__(self) -> None:
         if self.success not in SUCCESS:

@@ -7,6 +7,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.scenes import SCENES, Scene
+from soccer_env.scenes.drills_alone import DRILLS_ALONE
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED
 from soccer_env.scenes.judging import LOST, LOST_TIME, PAST
 from soccer_env.staging import put
@@ -16,7 +17,7 @@ from tests.scenes.symmetry import Records, mirrored, mirrored_actions
 
 MATCHES = 40
 PAWS = 0.15  # [m] from a robot's centre to a ball between its paws
-each_drill = pytest.mark.parametrize("scene", [scene.name for scene in DRILLS_LEGGED])
+each_drill = pytest.mark.parametrize("scene", [scene.name for scene in (*DRILLS_LEGGED, *DRILLS_ALONE)])
 
 
 def drill(scene: str, matches: int = MATCHES, home: int = 1, away: int | None = None, **settings: Any) -> Match:

@@ -6,6 +6,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.scenes import SCENES
+from soccer_env.scenes.drills_alone import AT_BOARD, DRILLS_ALONE, IN_CORNER
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED, GAP, KEEPER_OUT
 from soccer_env.scenes.judging import PAST
 from tests.scenes.staging import LEAGUES, LEGGED, each_league
@@ -156,6 +157,52 @@ def test_far_post_shots_go_inside_the_other_post_past_a_goalkeeper_on_the_line_t
     assert (np.abs(ball_from(match, 1)[1]) < 1e-9).all()
 
 
+@pytest.mark.parametrize("senses", ["sensors", "ideal"])
+def test_lost_ball_behind_a_robot_that_saw_it_ahead(senses: str) -> None:
+    """By sensors the memory is wrong, as far ahead as the ball lies behind; ideal senses are not deceived."""
+    match = Match(
+        LEGGED, home=1, away=1, matches=MATCHES, scene="lost-ball-behind", seed=7, episode="drill",
+        controllers={"home": "chaser", "away": "still"}, senses=senses,
+    )  # fmt: skip
+    far, bearing = ball_from(match)
+    assert (far > 0.5 - 1e-9).all() and (far < 0.7 + 1e-9).all() and (np.abs(bearing) > np.pi - 0.36).all()
+    assert (np.abs(match.balls["y"]) < match.league.pitch.width / 2 - match.league.ball.radius).all()
+    believed = match.beliefs["ball"][:, 0]
+    told = np.cos(believed["bearing"] - bearing)
+    if senses == "ideal":
+        assert (told > 0.999).all()
+    else:
+        seen = believed["age"] == 0.0
+        assert seen.mean() > 0.9 and (told[seen] < -0.99).all()
+
+
+def test_ball_at_board_lies_within_reach_of_the_board_and_the_robot_faces_it() -> None:
+    match = drill("ball-at-board")
+    gap = match.league.pitch.width / 2 - match.league.ball.radius - np.abs(match.balls["y"])
+    assert (gap > -1e-9).all() and (gap < AT_BOARD).all() and gap.min() < 0.2 * AT_BOARD
+    assert (np.abs(match.balls["x"]) < 1.1).all() and {-1.0, 1.0} == set(np.sign(match.balls["y"]))
+    assert (np.abs(ball_from(match)[1]) < 0.31).all() and (ball_from(match)[0] < 0.81).all()
+
+
+def test_ball_in_corner_lies_within_a_quarter_metre_of_a_corner_beside_aways_goal() -> None:
+    match = drill("ball-in-corner")
+    pitch, ball = match.league.pitch, match.balls
+    aside, ahead = pitch.width / 2 - np.abs(ball["y"]), pitch.length / 2 - ball["x"]
+    for gap in (aside - match.league.ball.radius, ahead - match.league.ball.radius):
+        assert (gap > -1e-9).all() and (gap < IN_CORNER).all()
+    assert (np.hypot(aside, ahead) < 0.25).all() and {-1.0, 1.0} == set(np.sign(ball["y"]))
+    assert (np.abs(ball_from(match)[1]) < 0.31).all() and (ball_from(match)[0] < 0.81).all()
+
+
+@pytest.mark.parametrize("scene", [scene.name for scene in DRILLS_ALONE])
+def test_alone_is_alone(scene: str) -> None:
+    """The others stand at home's end, more than a metre from ball and robot, and no rule interferes."""
+    match = Match(LEGGED, home=3, away=3, matches=MATCHES, scene=scene, seed=7, episode="drill")
+    others = match.robots[:, [0, 1, 3, 4, 5]]
+    assert (np.hypot(others["x"] - match.balls["x"][:, None], others["y"] - match.balls["y"][:, None]) > 0.25).all()
+    assert (others["x"] < -0.8).all() and SCENES[scene].rules.startswith("simple:dropped_ball=False")
+
+
 @each_league
 def test_empty_goal_the_robot_is_behind_the_ball_and_nobody_before_it(name: str) -> None:
     match = drill("empty-goal", name)
@@ -179,5 +226,6 @@ def test_shot_at_keeper_is_on_target_from_4_m_or_a_third_of_the_pitch(name: str)
 
 def test_every_drill_is_told_of_here() -> None:
     told = {*DRIBBLES, "facing-wall", "ball-behind-robot", "head-on-push", "far-post-shots"}
+    told |= {"lost-ball-behind", "ball-at-board", "ball-in-corner"}
     common = {"empty-goal", "shot-at-keeper"}
     assert told | common == {name for name, scene in SCENES.items() if scene.success != "none"} and len(LEAGUES) == 2
