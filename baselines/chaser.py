@@ -5,6 +5,7 @@ Each player decides from its own belief and tracks. One ladder for each role:
     goalkeeper   meet a shot  >  clear the ball  >  guard the line from ball to goal            goalkeeping.py
     attacker     work a stuck ball out  >  turn with the ball  >  get behind it; shoot when it can  attacking.py
     supporter    keep the rules' distance  >  stand behind the ball, the next ones spread out   here
+    everybody    without a ball: turn round, then look from elsewhere                       searching.py
 
 Who attacks: the field player that believes itself nearest to the ball, counting the way round it. `strength` from 0 to
 1 scales the pace, how often a player decides, how straight it aims and how hard it kicks; at 1 nothing is drawn at
@@ -22,6 +23,7 @@ import numpy as np
 from soccer_env.baselines.attacking import attack
 from soccer_env.baselines.deciding import PLAY, TEAM, apply_strength, free_ring, keep_decision, must_decide
 from soccer_env.baselines.goalkeeping import keep_goal
+from soccer_env.baselines.searching import LOST, end_search, search
 from soccer_env.baselines.sight import SIGHT, look, side_of
 from soccer_env.baselines.skills import go
 from soccer_env.compiled import compiled
@@ -42,6 +44,10 @@ MEMORY = np.dtype(
         ("patience", "f8"),  # [s] of that until it is worked out
         ("wriggle", "f8"),  # [s] left of working it out
         ("wriggle_side", "f8"),  # +1 turning left, -1 right
+        ("search_side", "f8"),  # +1 searches turning left, -1 right, 0 knows the ball
+        ("turned", "f8"),  # [rad] since it began to turn on the spot
+        ("search_clock", "f8"),  # [s] on the way to a lookout
+        ("lookout", "f8"),  # [m] x of it, team frame
         ("forward", "f8"),  # the command that is repeated until the next decision
         ("aside", "f8"),
         ("turn", "f8"),
@@ -95,8 +101,6 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "crookedest": (0.3, 0.1, 0.1),  # [rad] deviation of the aim at strength 0
     "softest": (0.7, 0.7, 0.7),  # [1] strength of a kick at strength 0
 }
-LOST = 2.0  # [s] unseen for longer the ball has to be searched for, assumed
-SEARCH = 0.5  # [1] of the top turn rate while searching, assumed
 ROOM = 2.5  # [body reaches] between the first two players that keep away from the opponents' restart, assumed
 HOME_EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assumed
 SETTINGS = np.dtype([("strength", "f8"), *((name, "f8") for name in NUMBERS)])
@@ -126,8 +130,10 @@ def decide(belief, command, sight, memory, noise, k, play):
     """Play the role that the player has now."""
     situation = belief.situation
     if belief.ball.age > LOST:
-        command.turn = SEARCH * side_of(sight.bearing) * sight.pace
-    elif situation.keeper == 1:
+        search(belief, command, sight, memory, k, play)
+        return
+    end_search(memory)
+    if situation.keeper == 1:
         keep_goal(command, sight, memory, k, play)
     else:
         choose_rank(sight, memory, play)

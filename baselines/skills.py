@@ -18,6 +18,8 @@ from soccer_env.leagues.robot import GAIT, WHEELS_DIFFERENTIAL
 SIDESTEP_CONE = 1.2  # [rad] a base that cannot step aside drives only towards what lies within it ahead, assumed
 REVERSE_ROOM = 0.6  # [m] such a base backs up to what lies nearer than this behind it, assumed
 BRAKE_SHARE = 0.7  # [1] of the acceleration is counted on for braking, assumed
+LARGE_TURN = 0.7  # [rad] a turn beyond which paws at a board are in the way, assumed
+BOARD_ROOM = 0.03  # [m] more than the paws need that a walker keeps off a board before it turns, assumed
 AVOID_AHEAD = 4.0  # [body reaches] how far ahead other robots are looked for, assumed
 AVOID_ASIDE = 2.3  # [body reaches] how far aside of the way they are avoided, assumed
 AVOID_WEIGHT = 1.2  # [1] how far the way turns aside at most, assumed
@@ -84,8 +86,25 @@ def go(command, sight, k, play, x, y, facing, final):
 @compiled
 def walk_ahead(command, sight, k, play, ahead, left, speed):
     """Turn to the way and walk along it: a walk is faster ahead than aside."""
-    turn_by(command, sight, k, play, atan2(left, ahead))
+    bearing = atan2(left, ahead)
+    turn_by(command, sight, k, play, bearing)
     push(command, sight, k, max(ahead, 0.0) * max(ahead, 0.0), left * max(ahead, 0.0), speed)
+    if abs(bearing) > LARGE_TURN:
+        leave_boards(command, sight, k)
+
+
+@compiled
+def leave_boards(command, sight, k):
+    """Step away from a board that is so near that the paws would meet it in a turn on the spot, and be held there."""
+    if k.walled == 0:
+        return
+    room = k.body_reach + k.legs * k.pitch_board_foot + BOARD_ROOM
+    x = -side_of(sight.x) * max(abs(sight.x) - 0.5 * k.pitch_length + room, 0.0)
+    y = -side_of(sight.y) * max(abs(sight.y) - 0.5 * k.pitch_width + room, 0.0)
+    away = length(x, y)
+    if away > 0.0:
+        ahead, left = into_frame(x / away, y / away, sight.cosine, sight.sine)
+        push(command, sight, k, ahead, left, k.drive_forward)
 
 
 @compiled
