@@ -31,7 +31,9 @@ from soccer_env.user_code import OwnTerms, checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
-FINAL = ("observations", "matches", "balls", "robots", "events", "robot_events", "terms")  # kept of ended episodes
+FINAL = (  # kept of ended episodes
+    "observations", "matches", "balls", "robots", "events", "robot_events", "terms", "statistics",
+)  # fmt: skip
 
 
 class Match:
@@ -70,6 +72,7 @@ class Match:
         self.events, self.robot_events = batch.events, batch.robot_events
         self.rewards, self.terms = batch.rewards, batch.terms
         self.terminated, self.truncated = batch.terminated, batch.truncated
+        self.statistics = batch.statistics
         self.observations = np.zeros((count, robots, observed), np.float32) if own else batch.observations
 
     def _make_squads(self, who: dict[str, Any]) -> None:

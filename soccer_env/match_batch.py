@@ -27,6 +27,7 @@ from soccer_env.rewards import COUNT, POTENTIALS
 from soccer_env.scenes import Draw
 from soccer_env.senses import UNUSED, Senses
 from soccer_env.settings import Settings
+from soccer_env.statistics.records import FRESH
 from soccer_env.step import BROKEN, PUT_ELSEWHERE, Numbers, Outcome, Physics, begin_slice, finish_slice, step_slice
 from soccer_env.types import QUIET, ROBOT_EVENTS
 from soccer_env.world import World
@@ -58,9 +59,10 @@ class MatchBatch:
         self.rewards, self.terms = np.zeros((count, robots)), np.zeros((count, robots, terms))
         self.observations = np.zeros((count, robots, observed), np.float32)
         self.terminated, self.truncated = np.zeros(count, bool), np.zeros(count, bool)
+        self.statistics = np.full(count, FRESH)
         self._sees_truth = self.settings.observe == "truth"  # then the step itself observes
         seen = self.observations if self._sees_truth else np.zeros((count, robots, 0), np.float32)
-        outcome = Outcome(self.rewards, self.terms, seen, self.terminated, self.truncated)
+        outcome = Outcome(self.rewards, self.terms, seen, self.terminated, self.truncated, self.statistics)
         numbers = Numbers(self.constants, self.weights, self.settings.limit)
         physics = Physics(self.physics.bodies, self.physics.velocities, self.physics.solvers)
         self._truth = tuple(self.world)
@@ -84,7 +86,7 @@ class MatchBatch:
         if self.senses is not None:
             self.senses.start(m)
         self.build_spaces([m])
-        self.events[m] = QUIET
+        self.events[m], self.statistics[m] = QUIET, FRESH
         self.robot_events[m] = np.zeros((), ROBOT_EVENTS)
         self.terminated[m] = self.truncated[m] = False
 

@@ -45,9 +45,14 @@ def parts(match: Match, memory: bool = True) -> dict[str, np.ndarray]:
     return {**arrays, **memories, **chosen}
 
 
+def kept(match: Match, memory: bool) -> dict[str, np.ndarray]:
+    """Return the arrays that a save holds: what the future depends on, and the statistics of play so far."""
+    return parts(match, memory) | ({"statistics": match.statistics} if memory else {})
+
+
 def header_of(match: Match, memory: bool) -> dict[str, Any]:
     """Return what a save must agree with to be loaded."""
-    arrays = parts(match, memory)
+    arrays = kept(match, memory)
     return {
         "settings": match.settings.fingerprint() if memory else "",
         "teams": [squad.describe() for squad in match.squads] if memory else [],
@@ -58,7 +63,7 @@ def header_of(match: Match, memory: bool) -> dict[str, Any]:
 def dump(match: Match, memory: bool = True) -> bytes:
     """Return a match as bytes: magic, length of the header, header, arrays, sha256 of all before."""
     header = json.dumps(header_of(match, memory)).encode()
-    arrays = [array.tobytes() for array in parts(match, memory).values()]
+    arrays = [array.tobytes() for array in kept(match, memory).values()]
     body = b"".join([MAGIC, len(header).to_bytes(4, "little"), header, *arrays])
     return body + hashlib.sha256(body).digest()
 
@@ -71,7 +76,7 @@ def restore(match: Match, saved: Any, memory: bool = True) -> None:
         if header.get(name) != value:
             raise ValueError(f"this save does not fit the match: its {name} differ")
     found = {}
-    for name, array in parts(match, memory).items():
+    for name, array in kept(match, memory).items():
         if array.nbytes:  # a team may remember nothing
             found[name] = np.frombuffer(body, array.dtype, array.size, start).reshape(array.shape)
         start += array.nbytes
@@ -79,7 +84,7 @@ def restore(match: Match, saved: Any, memory: bool = True) -> None:
         raise ValueError("this save is damaged: something follows its end")
     check_numbers(match, found)
     for name, values in found.items():
-        parts(match, memory)[name][...] = values
+        kept(match, memory)[name][...] = values
 
 
 def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:
@@ -133,6 +138,19 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
         raise ValueError("this save is damaged: last_touch_robot of matches is out of range")
     if not (np.abs(arrays["matches"]["home_direction"]) == 1.0).all():
         raise ValueError("this save is damaged: home_direction of matches is neither 1 nor -1")
+    if "statistics" in arrays:
+        check_statistics(arrays["statistics"], len(match.agents))
+
+
+def check_statistics(statistics: np.ndarray, robots: int) -> None:
+    """Raise ValueError if the statistics of a save name a robot or a restart that there is not, or hold NaN."""
+    check_floats("statistics", statistics)
+    trail, last = statistics["trail"], robots - 1
+    for field, low, high in (
+        ("player", -1, last), ("flight", -1, last), ("flight_team", HOME, AWAY), ("kind", 0, max(Phase)),
+    ):  # fmt: skip
+        if not within(trail[field], low, high):
+            raise ValueError(f"this save is damaged: {field} of statistics is out of range")
 
 
 def check_sensed(name: str, array: np.ndarray, limits: Limits) -> None:

@@ -1,6 +1,6 @@
 """One control step of a slice of matches, from commands to observations, in compiled code.
 
-    commands -> drive -> physics -> referee -> restart -> rewards -> observe
+    commands -> drive -> physics -> referee -> restart -> statistics -> rewards -> observe
                 begin_match         finish_match
 
 Between the two `physics.engine.chipmunk` moves the Spaces on, in the same compiled loop, or Python does it for a whole
@@ -36,6 +36,7 @@ from soccer_env.referee.separation import pull_apart, watch_contacts
 from soccer_env.referee.steering import steer_to_place
 from soccer_env.rewards import POTENTIALS, measure_potentials, reward_robots
 from soccer_env.scenes import judge_drill
+from soccer_env.statistics.counting import count_step
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
 from soccer_env.world import World
 
@@ -59,6 +60,7 @@ class Outcome(NamedTuple):
     observations: np.ndarray  # (M, R, n) of the truth; n is 0 if somebody else writes them
     terminated: np.ndarray  # (M,)
     truncated: np.ndarray  # (M,)
+    statistics: np.ndarray  # (M,) STATISTICS
 
 
 class Numbers(NamedTuple):
@@ -92,7 +94,7 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
         step_match(links, m, substeps, k.dt)
         result = finish_match(
             match, ball, robots, events, robot_events, physics.bodies[m], velocities, solver, k, weights,
-            before, scratch, terms, rewards, outcome.observations[m],
+            before, scratch, terms, rewards, outcome.observations[m], outcome.statistics[m],
         )  # fmt: skip
         if result == PUT_ELSEWHERE:
             write_bodies(links, m)
@@ -129,7 +131,7 @@ def finish_slice(world, physics, outcome, numbers, before, results, first, last)
         results[m] = finish_match(
             match, world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
             physics.bodies[m], physics.velocities[m], physics.solvers[m], k, numbers.weights[0],
-            before[m], scratch, outcome.terms[m], outcome.rewards[m], outcome.observations[m],
+            before[m], scratch, outcome.terms[m], outcome.rewards[m], outcome.observations[m], outcome.statistics[m],
         )  # fmt: skip
         if results[m] != BROKEN:
             outcome.terminated[m] = match.over == 1
@@ -161,12 +163,12 @@ def begin_match(match, ball, robots, events, robot_events, velocities, solver, k
 @compiled
 def finish_match(
     match, ball, robots, events, robot_events, bodies, velocities, solver, k, weights,
-    before, scratch, terms, rewards, observations,
+    before, scratch, terms, rewards, observations, tally,
 ):  # fmt: skip
     """Do what comes after the physics; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
     if not is_finite(bodies, robots.shape[0] + 1):
         return BROKEN
-    moved = finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k)
+    moved = finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, tally)
     after, axes, rows, squares = scratch
     measure_potentials(match, ball, robots, k, after)
     reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards)
@@ -199,7 +201,7 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
 
 
 @compiled
-def finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k):
+def finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, tally):
     """Read back what the physics did, and let the referee judge it; return whether bodies were put elsewhere."""
     read_records(ball, robots, bodies, solver)
     knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
@@ -227,6 +229,7 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
     for r in range(robots.shape[0]):
         robots[r].has_ball = 1 if robots[r].active == 1 and holds_ball(robots[r], k, ball.x, ball.y) else 0
         robot_events[r].possession = robots[r].has_ball
+    count_step(match, ball, robots, events, robot_events, bodies, k, tally)
     if moved:
         write_rows(ball, robots, bodies)
     return moved

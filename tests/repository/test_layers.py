@@ -32,7 +32,7 @@ LAYERS = (
     ("leagues",),
     ("teams", "team_kernels"),  # the protocol, and names as strings
     ("physics", "perception", "belief", "referee"),
-    ("actions", "observations", "rewards", "scenes"),
+    ("actions", "observations", "rewards", "scenes", "statistics"),
     ("match_settings",),
     ("settings", "robot_kinds"),
     ("step", "episodes", "squads", "senses", "truth_state", "saving", "user_code"),  # the parts of a match

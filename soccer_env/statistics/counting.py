@@ -1,0 +1,88 @@
+"""Count one control step of a match, after the referee: time, restarts, whistles, and what the other modules count.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import direction_of, length
+from soccer_env.statistics.flights import end_flight, follow_ball
+from soccer_env.statistics.goals import count_goal
+from soccer_env.statistics.players import count_players
+from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
+
+PLAY, DROP_BALL, OVER = int(Phase.PLAY), int(Phase.DROP_BALL), int(Phase.OVER)
+STILL = 0.02  # [m/s] a slower ball lies still
+AT_LINE, IN_CORNER = 0.20, 0.25  # [m] of the ball's centre from a line, from two
+
+
+@compiled
+def count_step(match, ball, robots, events, robot_events, bodies, k, tally):
+    """Count a control step; `bodies` says where the robots were before the referee moved any."""
+    trail = tally.trail
+    tally.played += k.dt
+    in_play = match.phase == PLAY and match.placing == 0
+    if in_play:
+        count_ball(ball, k, tally)
+    follow_ball(match, ball, robots, events, robot_events, k, tally, trail)
+    if events.goal != NO_TEAM:
+        count_goal(match, robots, events, k, tally, trail)
+    count_players(match, ball, robots, robot_events, k, tally, trail, in_play)
+    if events.foul != 0 or events.annulled == 1:
+        count_whistles(match, robots, events, robot_events, tally)
+    if events.restart != 0 or events.separated == 1:
+        count_calls(robots, events, robot_events, bodies, tally, trail, match.step)
+    if events.in_play == 1:
+        trail.in_play = match.step
+    elif match.phase != PLAY and match.phase != OVER:
+        trail.kind = match.phase
+
+
+@compiled
+def count_ball(ball, k, tally):
+    """Count the time of a ball in play: where it is, and whether it lies still."""
+    tally.in_play += k.dt
+    if ball.vx * ball.vx + ball.vy * ball.vy < STILL * STILL:
+        tally.still += k.dt
+    along, aside = 0.5 * k.pitch_length - abs(ball.x), 0.5 * k.pitch_width - abs(ball.y)
+    if min(along, aside) < AT_LINE:
+        tally.at_boards += k.dt
+    if along < IN_CORNER and aside < IN_CORNER:
+        tally.in_corner += k.dt
+
+
+@compiled
+def count_calls(robots, events, robot_events, bodies, tally, trail, step):
+    """Count a restart or a separation, and how far it carried robots where it should not have to carry them far."""
+    if events.separated == 1:
+        tally.separations += 1
+        trail.separated = step
+    if events.restart != 0:
+        end_flight(tally, trail)
+        trail.player, trail.since_restart = -1, 0
+        if events.restart_team == NO_TEAM:
+            tally.drops += 1
+        else:
+            tally.restarts[events.restart_team, events.restart] += 1
+    if events.separated == 0 and events.restart != DROP_BALL:
+        return
+    for r in range(robots.shape[0]):
+        if robots[r].active == 1 and robot_events[r].returned == 0:
+            far = length(robots[r].x - bodies[r + 1, 0], robots[r].y - bodies[r + 1, 1])
+            tally.carried = max(tally.carried, far)
+
+
+@compiled
+def count_whistles(match, robots, events, robot_events, tally):
+    """Count the fouls of a step, one for each robot that is whistled or else one of the team, and annulled goals."""
+    found = 0
+    for r in range(robots.shape[0]):
+        if robot_events[r].foul != 0:
+            tally.fouls[robots[r].team, robot_events[r].foul] += 1
+            found += 1
+    if found == 0 and events.foul_team != NO_TEAM:
+        tally.fouls[events.foul_team, events.foul] += 1
+    if events.annulled == 1:
+        home_attacks = (events.ball_x > 0.0) == (direction_of(match, HOME) > 0.0)
+        tally.annulled[HOME if home_attacks else AWAY] += 1

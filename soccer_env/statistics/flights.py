@@ -1,0 +1,150 @@
+"""Follow the ball from robot to robot: shots, saves, passes, interceptions.
+
+A ball is on its way (in flight) from a kick, or from a push that leaves it free and faster than robots walk or drive,
+until somebody plays it anew.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import direction_of, length
+from soccer_env.leagues.robot import DRIVE_KINDS
+from soccer_env.statistics.records import LONG_AGO, Aim
+from soccer_env.types import NO_TEAM
+
+GAIT = DRIVE_KINDS["gait"]
+ELSEWHERE, AT_GOAL, ON_TARGET = int(Aim.ELSEWHERE), int(Aim.AT_GOAL), int(Aim.ON_TARGET)
+FREE = 0.25  # [s] untouched that make a ball free, assumed
+PASS_LEGS, PASS_WHEELS = 0.3, 1.0  # [m] that a pass goes at least
+BESIDE = 0.25  # [1] of the goal's width beside either post: a shot that misses by more is none, assumed
+SWING = 0.5  # [s] after a kick in which touches of the kicker belong to it, assumed
+DEFLECTED = 1.0  # [s] after the first touch of another robot in which a goal is still the kick's, assumed
+LONGEST = 5.0  # [s] that a ball is on its way at most, assumed
+
+
+@compiled
+def follow_ball(match, ball, robots, events, robot_events, k, tally, trail):
+    """Count what becomes of the ball in a control step."""
+    step, row = match.step, -1
+    if events.touch_team != NO_TEAM:
+        row = events.scorer if events.goal != NO_TEAM else match.last_touch_robot
+    if row >= 0:
+        touch(step, robots, row, events.ball_x, events.ball_y, k, tally, trail)
+        kicker = kicker_of(robot_events, row)
+        if kicker >= 0:
+            begin_flight(match, ball, robots, events, kicker, k, tally, trail)
+    elif trail.player >= 0 and trail.flight < 0 and step - trail.touched == steps_in(FREE, k):
+        if ball.vx * ball.vx + ball.vy * ball.vy > k.drive_forward * k.drive_forward:
+            begin_flight(match, ball, robots, events, trail.player, k, tally, trail)
+    if trail.flight >= 0 and is_over(step, k, trail):
+        end_flight(tally, trail)
+
+
+@compiled
+def steps_in(seconds, k):
+    """Return the control steps in a time [s]."""
+    return int(seconds / k.dt + 0.5)
+
+
+@compiled
+def is_over(step, k, trail):
+    """Tell whether a ball is no longer on its way, because of the time that has passed."""
+    return step - trail.flight_step > steps_in(LONGEST, k) or (
+        trail.deflected != LONG_AGO and step - trail.deflected > steps_in(DEFLECTED, k)
+    )
+
+
+@compiled
+def kicker_of(robot_events, row):
+    """Return the row of a robot that kicked in this step, the one that touched last before all others, or -1."""
+    if robot_events[row].kick == 1:
+        return row
+    for r in range(robot_events.shape[0]):
+        if robot_events[r].kick == 1:
+            return r
+    return -1
+
+
+@compiled
+def touch(step, robots, row, x, y, k, tally, trail):
+    """Note that a robot touches the ball at x, y [m, field frame], and count what it makes of another's play."""
+    if trail.player >= 0 and trail.player != row:
+        receive(step, robots, row, x, y, k, tally, trail)
+    if trail.flight >= 0 and row != trail.flight:
+        if trail.deflected == LONG_AGO:
+            trail.deflected = step
+            keeper = robots[row].keeper == 1 and robots[row].team != trail.flight_team
+            trail.saved = 1 if keeper and trail.aim == ON_TARGET else 0
+    elif trail.flight >= 0 and step - trail.flight_step > steps_in(SWING, k):
+        end_flight(tally, trail)
+    trail.player, trail.touched = row, step
+    trail.played_x, trail.played_y = x, y
+    trail.since_restart |= 1 << row
+
+
+@compiled
+def receive(step, robots, row, x, y, k, tally, trail):
+    """Count a pass that arrives, at a mate or at an opponent; a shot is none."""
+    least = PASS_LEGS if k.drive_kind == GAIT else PASS_WHEELS
+    x, y = x - trail.played_x, y - trail.played_y
+    shot = trail.flight == trail.player and trail.aim != ELSEWHERE
+    if shot or step - trail.touched < steps_in(FREE, k) or x * x + y * y <= least * least:
+        return
+    passer = robots[trail.player].team
+    tally.passes_tried[passer] += 1
+    if robots[row].team == passer:
+        tally.passes[passer] += 1
+    else:
+        tally.interceptions[robots[row].team] += 1
+
+
+@compiled
+def begin_flight(match, ball, robots, events, row, k, tally, trail):
+    """Note that a robot played the ball; count a shot, but one a time that the ball is on its way."""
+    if trail.flight >= 0:
+        end_flight(tally, trail)
+    team = robots[row].team
+    trail.flight, trail.flight_team, trail.flight_step = row, team, match.step
+    trail.deflected, trail.saved = LONG_AGO, 0
+    trail.aim = ELSEWHERE
+    if events.restart == 0:
+        trail.aim = aim_of(ball, direction_of(match, team), k)
+    if trail.aim != ELSEWHERE:
+        tally.shots[team] += 1
+    if trail.aim == ON_TARGET:
+        tally.on_target[team] += 1
+
+
+@compiled
+def end_flight(tally, trail):
+    """Note that the ball is no longer on its way; a shot that the goalkeeper touched first was saved."""
+    if trail.flight >= 0 and trail.saved == 1:
+        tally.saves[1 - trail.flight_team] += 1
+    trail.flight, trail.saved = -1, 0
+
+
+@compiled
+def aim_of(ball, direction, k):
+    """Return the Aim of a ball that rolls out untouched, for a team that attacks in a direction (+1 or -1 of x).
+
+    It slides at mu g until it rolls, at v less shell / (1 + shell) of its slip, and then slows down by the rolling
+    resistance; the path is taken as straight.
+    """
+    ahead = direction * ball.vx
+    if ahead <= 0.0:
+        return ELSEWHERE
+    way = 0.5 * k.pitch_length + k.ball_radius - direction * ball.x
+    share = k.ball_shell / (1.0 + k.ball_shell)
+    later_x = ball.vx - share * (ball.vx - ball.roll_x)
+    later_y = ball.vy - share * (ball.vy - ball.roll_y)
+    later = length(later_x, later_y)
+    squared = ball.vx * ball.vx + ball.vy * ball.vy
+    reach = max(squared - later * later, 0.0) / (2.0 * k.ball_sliding) + later * later / (2.0 * k.ball_rolling)
+    if way > reach * ahead / length(ball.vx, ball.vy):
+        return ELSEWHERE
+    y = abs(ball.y + way * ball.vy / ahead)
+    if y < 0.5 * k.pitch_goal_width:
+        return ON_TARGET
+    return AT_GOAL if y < (0.5 + BESIDE) * k.pitch_goal_width else ELSEWHERE

@@ -1,0 +1,113 @@
+"""The record of a match's statistics; `figures.py` says what each of them means.
+
+Two of a kind are home's and away's. Numbers of steps are control steps since the reset.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+import numpy as np
+
+from soccer_env.types import MAX_TEAM, Foul, Phase
+
+ROWS = 2 * MAX_TEAM  # robots that a record has room for
+BINS = 40  # of the lengths of spells
+SHORTEST, BINS_PER_OCTAVE = 0.02, 3.0  # [s] lower end of the first bin; the last one has no upper end
+LONG_AGO = -(1 << 40)  # [steps]
+
+
+class GoalKind(IntEnum):
+    """How a goal fell; each goal is of one kind."""
+
+    CLEAN_KICK = 0
+    DEFLECTED_KICK = 1
+    CLEAN_DRIBBLE = 2
+    PUSHED_IN = 3
+    SCRUM = 4
+    OWN_GOAL = 5
+
+
+class Aim(IntEnum):
+    """Where a played ball would roll."""
+
+    ELSEWHERE = 0
+    AT_GOAL = 1
+    ON_TARGET = 2
+
+
+TRAIL = np.dtype(
+    [  # what is remembered of the play
+        ("kind", "i8"),  # Phase of the last restart
+        ("in_play", "i8"),  # step in which the ball came into play after it
+        ("separated", "i8"),  # step of the last separation
+        ("crowded", "i8"),  # last step with a scrum
+        ("keeper_pushed", "i8", (2,)),  # last step in which a team's goalkeeper had been in contact for long
+        ("player", "i8"),  # row of the robot that touched the ball last since the restart, or -1
+        ("touched", "i8"),  # step of that touch
+        ("played_x", "f8"),  # [m] field frame: the ball at that touch
+        ("played_y", "f8"),  # [m] field frame
+        ("since_restart", "i8"),  # bit r: robot r has touched the ball since the restart
+        ("flight", "i8"),  # row of the robot that kicked or pushed the ball that is on its way, or -1
+        ("flight_team", "i8"),  # its team
+        ("flight_step", "i8"),  # when it did
+        ("aim", "i8"),  # Aim of that kick or push
+        ("deflected", "i8"),  # step in which another robot first touched it on its way, or LONG_AGO
+        ("saved", "i8"),  # 1: the goalkeeper touched a shot on target first
+        ("held_since", "i8", (ROWS,)),  # first step of a robot's spell with the ball, 0 without one
+        ("held_last", "i8", (ROWS,)),  # last step of it in which the robot had the ball
+        ("touched_by", "i8", (ROWS,)),  # last step in which a robot touched the ball in play
+        ("contact", "i8", (ROWS,)),  # last step in which a robot touched an opponent
+        ("locked", "f8", (ROWS,)),  # [s] its time in contact after the last step, see `separation.watch_contacts`
+        ("nearest", "f8", (2,)),  # [m2] squared distance of a team's nearest robot from the ball
+        ("nearest_counts", "i8", (2,)),  # 2: that robot is a field player and idle, 1: a field player, 0: neither
+    ]
+)
+
+STATISTICS = np.dtype(
+    [
+        ("played", "f8"),  # [s]
+        ("in_play", "f8"),  # [s]
+        ("both", "f8"),  # [s]
+        ("still", "f8"),  # [s]
+        ("at_boards", "f8"),  # [s]
+        ("in_corner", "f8"),  # [s]
+        ("scrum", "f8"),  # [s]
+        ("separations", "i8"),
+        ("drops", "i8"),
+        ("carried", "f8"),  # [m]
+        ("possession", "f8", (2,)),  # [s]
+        ("spells", "i8", (2,)),
+        ("spell_time", "f8", (2,)),  # [s]
+        ("longest_spell", "f8", (2,)),  # [s]
+        ("spell_lengths", "i4", (2, BINS)),
+        ("touches", "i8", (2,)),
+        ("kicks", "i8", (2,)),
+        ("shots", "i8", (2,)),
+        ("on_target", "i8", (2,)),
+        ("saves", "i8", (2,)),
+        ("passes_tried", "i8", (2,)),
+        ("passes", "i8", (2,)),
+        ("interceptions", "i8", (2,)),
+        ("annulled", "i8", (2,)),
+        ("out", "f8", (2,)),  # [s]
+        ("keeper_away", "f8", (2,)),  # [s]
+        ("keeper_in_goal", "f8", (2,)),  # [s]
+        ("mates", "f8", (2,)),  # [s]
+        ("idle", "f8", (2,)),  # [s]
+        ("goals", "i8", (2, len(GoalKind))),
+        ("after_separation", "i8", (2,)),
+        ("after_pushed_keeper", "i8", (2,)),
+        ("solo", "i8", (2,)),
+        ("after_restart", "i8", (2, len(Phase))),
+        ("restarts", "i8", (2, len(Phase))),
+        ("fouls", "i8", (2, len(Foul))),
+        ("trail", TRAIL),
+    ]
+)
+
+FRESH = np.zeros((), STATISTICS)  # of a match that begins
+for _name in ("in_play", "separated", "crowded", "touched", "deflected", "keeper_pushed", "touched_by", "contact"):
+    FRESH["trail"][_name] = LONG_AGO
+for _name in ("player", "flight"):
+    FRESH["trail"][_name] = -1
