@@ -17,17 +17,18 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
-from soccer_env.leagues.rules import simple_of
+from soccer_env.leagues.rules import rule_set
 from soccer_env.match import Match
 from soccer_env.physics.parking import parking_place
+from soccer_env.scenes.drills_legged import PATIENT as PATIENT
 from soccer_env.squads import Squad
 from soccer_env.types import NO_TEAM
 
 
 def patient(league: str | League) -> League:
-    """Return the league with a referee who never calls a stuck ball and pulls nobody apart."""
+    """Return the league with a referee who never calls a stuck ball, whistles for nothing and pulls nobody apart."""
     found = find_league(league)
-    return replace(found, rules=replace(simple_of(found.rules), dropped_ball=False, name="patient"))
+    return replace(found, rules=rule_set(found.rules, PATIENT))
 
 
 def set_phase(match: Match, phase: int) -> None:

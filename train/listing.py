@@ -135,11 +135,12 @@ def scenes() -> Iterator[Table]:
             x.success,
             f"{x.time_limit:g} s" if isfinite(x.time_limit) else "none",
             ", ".join(x.opponents),
+            x.rules,
             ", ".join(x.families) or "all",
         )
         for x in SCENES.values()
     ]
-    yield table("Scenes", ("name", "what it is", "success", "time limit", "opponents meant", "family"), rows)
+    yield table("Scenes", ("name", "what it is", "success", "time limit", "opponents meant", "rules", "family"), rows)
 
 
 def observations(league: str, observe: str) -> Iterator[Table]:
@@ -223,13 +224,22 @@ def rewards() -> Iterator[Table]:
 
 def claims() -> Iterator[Table]:
     """Yield the claims of the papers that `soccer reproduce` measures."""
+    from soccer_env.staging import PATIENT
     from soccer_env.train.reproduce.claims import all_claims
+    from soccer_env.train.reproduce.results import rules_in_words
 
     rows = [
-        (x.id, x.statement, f"{x.paper}, {x.section}".rstrip(", "), "\n".join(c.text for c in x.criteria if c.decides))
+        (
+            x.id,
+            x.statement,
+            f"{x.paper}, {x.section}".rstrip(", "),
+            rules_in_words(x.rules),
+            "\n".join(c.text for c in x.criteria if c.decides),
+        )
         for x in all_claims().values()
     ]
-    yield table("Claims", ("id", "what the paper says", "where", "counts as reproduced"), rows)
+    title = f"Claims; rules: of whole matches (`soccer reproduce --rules`), staged: {PATIENT}"
+    yield table(title, ("id", "what the paper says", "where", "rules", "counts as reproduced"), rows)
 
 
 def table(title: str, columns: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> Table:

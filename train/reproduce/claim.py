@@ -10,9 +10,13 @@ from typing import Any, Literal
 import numpy as np
 
 from soccer_env.match_settings import Pose
+from soccer_env.staging import PATIENT
 from soccer_env.train.reproduce.verdicts import Criterion, Samples
 
 SACKS, HEINEMANN = "Sacks 2001", "Heinemann et al. 2006"
+# Rule sets of the matches that a claim makes: it is judged from play, from play and staged scenes, or staged scenes
+LEAGUE = "league"
+PLAYED, PLAYED_AND_STAGED, STAGED, NO_MATCH = (LEAGUE,), (LEAGUE, PATIENT), (PATIENT,), ()
 
 
 @dataclass(frozen=True)
@@ -24,6 +28,15 @@ class Batch:
     index: int  # 0, 1, ...
     threads: int = 1  # that may share the work; no result depends on it
     pose: Pose = "particles"  # how robots know where they are: "particles" or "percept"
+    rules: tuple[str, ...] = PLAYED_AND_STAGED  # rule sets that its matches may be made with
+
+    @property
+    def play_rules(self) -> str:
+        """Return the rule set of play; ValueError for a claim that does not state any."""
+        for rules in self.rules:
+            if rules != PATIENT:
+                return rules
+        raise ValueError(f"claim {self.claim} is judged from play, and states no rules of play: {self.rules}")
 
     def sequence(self) -> np.random.SeedSequence:
         """Return the seed sequence of this batch, which no other batch or claim shares."""
@@ -99,6 +112,7 @@ class Claim:
     statement: str  # what the paper says
     method: str  # how it is measured
     criteria: tuple[Criterion, ...]  # none that decides: context
+    rules: tuple[str, ...]  # rule sets of its matches: PLAYED, PLAYED_AND_STAGED, STAGED or NO_MATCH
     measure: Callable[[Batch], Samples]
     batches: int = 16
     least: int = 1  # batches of a seed before the first verdict, where few of a batch's units count

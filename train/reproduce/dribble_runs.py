@@ -1,4 +1,7 @@
-"""Runs of a robot that dribbles with the ball between its paws, and what became of the ball.  [Sacks 2001, 4.3]"""
+"""Runs of a robot that dribbles with the ball between its paws, and what became of the ball.  [Sacks 2001, 4.3]
+
+All are staged: the referee calls goals alone (PATIENT), nobody is whistled for holding a ball or pulled apart.
+"""
 
 from __future__ import annotations
 

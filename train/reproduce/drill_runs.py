@@ -1,4 +1,8 @@
-"""Runs of the legged dribbling drills: who plays them, how they end."""
+"""Runs of the legged dribbling drills: who plays them, under which rules, how they end.
+
+They are under the drill's own rules, PATIENT: nobody is whistled or pulled apart, and no stuck ball is called. Only
+where opponents play for the ball until a goal (S31) it is play, under the rules of play.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +19,7 @@ from soccer_env.scenes.judging import LOST, LOST_TIME, PAST
 from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import Batch
 from soccer_env.train.reproduce.dribble_runs import NO_SHOTS, start_dribbling
-from soccer_env.train.reproduce.staging import LEGGED, wrapped
+from soccer_env.train.reproduce.staging import LEGGED, make, wrapped
 from soccer_env.train.reproduce.verdicts import Samples
 from soccer_env.types import HOME
 
@@ -35,10 +39,11 @@ def start_drill(
     mover: float,
     senses: Senses = "sensors",
     opponents: str | None = None,
+    rules: str | None = None,
 ) -> Match:
     """Return matches at the start of a drill's scene, with nobody to end them; movers walk at a speed [m/s].
 
-    `opponents`: a team that plays all of them instead.
+    `opponents`: a team that plays all of them instead; `rules`: others than the drill's.
     """
     found = find_scene(scene)
     sides: dict[str, Any] = {"home": make_team("sacks-2001", **settings)}
@@ -46,9 +51,9 @@ def start_drill(
         sides[f"away_{row}"] = "still" if name == "still" else f"walker@{mover / TOP:g}"
     if opponents is not None:
         sides = {"home": sides["home"], "away": opponents}
-    match = Match(
-        LEGGED, home=1, away=len(found.opponents), matches=matches, seeds=batch.seeds(matches), threads=batch.threads,
-        scene=found, senses=senses, pose=batch.pose, controllers=sides,
+    match = make(
+        batch, LEGGED, rules or found.rules, matches=matches, home=1, away=len(found.opponents), scene=found,
+        senses=senses, controllers=sides,
     )  # fmt: skip
     start_dribbling(match)
     return match

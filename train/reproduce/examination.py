@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-from soccer_env.train.reproduce.claim import Batch, Claim, as_plain, joined, none_or_float
+from soccer_env.train.reproduce.claim import LEAGUE, Batch, Claim, as_plain, joined, none_or_float
 from soccer_env.train.reproduce.results import ClaimResult, as_record
 from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
 from soccer_env.train.reproduce.verdicts import (
@@ -77,7 +77,12 @@ def is_enough(findings: list[Finding], alone: list[list[Finding]], share: float)
 
 def batch_of(claim: Claim, settings: ReproduceSettings, seed: int, index: int) -> Batch:
     """Return a batch of a claim."""
-    return Batch(claim.id, seed, index, settings.threads, claim.pose or settings.pose)
+    return Batch(claim.id, seed, index, settings.threads, claim.pose or settings.pose, rules_of(claim, settings))
+
+
+def rules_of(claim: Claim, settings: ReproduceSettings) -> tuple[str, ...]:
+    """Return the rule sets of a claim's matches: those that a run asks for instead of the league's."""
+    return tuple(settings.rules if rules == LEAGUE else rules for rules in claim.rules)
 
 
 def find_all(claim: Claim, samples: Samples, confidence: float) -> list[Finding]:
@@ -118,6 +123,7 @@ def result_of(
         verdict=verdict,
         quick=settings.quick,
         pose=claim.pose or settings.pose,
+        rules=list(rules_of(claim, settings)),
         estimate=none_or_float(main.estimate) if main else None,
         low=none_or_float(main.low) if main else None,
         high=none_or_float(main.high) if main else None,

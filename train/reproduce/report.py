@@ -6,8 +6,9 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from soccer_env.staging import PATIENT
 from soccer_env.train.evaluate.report import plain, table
-from soccer_env.train.reproduce.results import ClaimResult
+from soccer_env.train.reproduce.results import ClaimResult, rules_in_words
 from soccer_env.train.reproduce.verdicts import CONTEXT, UNDECIDED, VERDICTS
 from soccer_env.train.results_folder import ResultsFolder
 from soccer_env.train.written_settings import POSES
@@ -15,9 +16,9 @@ from soccer_env.train.written_settings import POSES
 if TYPE_CHECKING:
     from rich.table import Table
 
-COLUMNS = ("id", "claim", "verdict", "seeds", "estimate (95 % interval)", "n")
+COLUMNS = ("id", "claim", "rules", "verdict", "seeds", "estimate (95 % interval)", "n")
 DIGITS = 3  # significant digits of a number
-EXPLANATION = """\
+EXPLANATION = f"""\
 * `reproduced`: the whole 95 % interval satisfies the criterion. `not`: the whole interval violates it. `undecided`: \
 neither, at the cap on samples.
 * `by construction`: satisfied because of something that was put in, which is named and switched off for comparison; \
@@ -26,6 +27,8 @@ never counted as reproduced. `context`: nothing to decide.
 independent units (runs, matches) of all seeds together; "40 of 96": so many of them have a \
 value in the criterion that decides.
 * [changed]: a criterion or scene was changed after a first look; what was asked and read before stands below.
+* Rules: the set under which whole matches were played; staged scenes are under `{PATIENT}`, where nobody is \
+whistled, pulled apart or given a dropped ball, whatever `--rules` asks for.
 * Seeds: what the samples of each seed say alone, r reproduced, n not, u undecided, c context."""
 
 
@@ -63,13 +66,23 @@ def poses_of(results: Sequence[ClaimResult]) -> str:
     return f"Own pose: {'; '.join([most, *others])}."
 
 
+def rules_of(result: ClaimResult) -> str:
+    """Return in a sentence under which rules a claim was measured, and whether --rules can change it."""
+    played = [name for name in result.rules if name != PATIENT]
+    if played:
+        return f"Rules of play: {played[0]}{f'; of staged scenes: {PATIENT}' if PATIENT in result.rules else ''}."
+    stated = f"staged scenes alone, {PATIENT}" if result.rules else "it makes no match"
+    return f"Rules: {stated}; --rules changes nothing."
+
+
 def row(result: ClaimResult) -> tuple[str, ...]:
     """Return a claim as a row of the table at the head."""
     unit = next((found["unit"] for found in result.findings if found["criterion"] == result.criterion), "")
     found = {"estimate": result.estimate, "low": result.low, "high": result.high, "unit": unit}
     shown = with_interval(found) if result.criterion else ""
     marked = f"{result.marked} [changed]" if result.changed else result.marked
-    return result.id, result.statement, marked, result.alone, shown, units_of(result.n_used, result.n)
+    rules, n = rules_in_words(result.rules), units_of(result.n_used, result.n)
+    return result.id, result.statement, rules, marked, result.alone, shown, n
 
 
 def units_of(used: int, units: int) -> str:
@@ -85,7 +98,7 @@ def section(result: ClaimResult, plots: Sequence[str]) -> str:
     parts = [
         f"## {result.id}: {result.marked}",
         f"{result.statement} [{source}]",
-        f"Measured: {result.method} {n}. Own pose: {result.pose}.",
+        f"Measured: {result.method} {n}. Own pose: {result.pose}. {rules_of(result)}",
         f"Each seed alone: {seeds}.",
         findings_table(result.findings, result.n),
         f"Rests on: {'; '.join(result.ingredients)}." if result.ingredients else "",
@@ -140,7 +153,7 @@ def screen_table(results: Sequence[ClaimResult]) -> Table:
     """Return the verdicts as a table for the terminal."""
     from rich.table import Table
 
-    title = f"Claims of the papers, measured. {poses_of(results)}"
+    title = f"Claims of the papers, measured. {poses_of(results)} Staged: under {PATIENT}."
     drawn = Table(title=title, title_justify="left")
     for column in COLUMNS:
         drawn.add_column(column, overflow="fold")

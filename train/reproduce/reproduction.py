@@ -36,7 +36,7 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
     claims = find_claims(asked, known)
     conditions = {
         "claims": [claim.id for claim in claims], "budget": settings.budget, "pose": settings.pose,
-        "seeds": list(settings.seeds),
+        "rules": settings.rules, "seeds": list(settings.seeds),
     }  # fmt: skip
     about = {"command": command_of(settings), **made_now()}
     folder = ResultsFolder(settings.out, REPRODUCTION, conditions, made_with(claims), about, settings.anew)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from soccer_env.staging import PATIENT
 from soccer_env.train.reproduce.claim import none_or_float
 from soccer_env.train.reproduce.verdicts import NOT, REPRODUCED, Finding
 from soccer_env.train.results_folder import Kind
@@ -24,6 +25,7 @@ class ClaimResult:
     verdict: str
     quick: bool  # few samples were taken
     pose: str  # how robots knew where they are: "particles" or "percept"
+    rules: list[str]  # rule sets of its matches, that of play first; none: it makes no match
     estimate: float | None  # of the criterion that decides
     low: float | None
     high: float | None
@@ -68,6 +70,11 @@ def seeds_in_letters(verdicts: Sequence[str]) -> str:
     """Return the verdicts of single seeds by their first letters, and whether they contradict each other."""
     letters = " ".join(verdict[0] for verdict in verdicts)
     return f"{letters}, they disagree" if {REPRODUCED, NOT} <= set(verdicts) else letters
+
+
+def rules_in_words(rules: Sequence[str]) -> str:
+    """Return the rule sets of a claim for a table: "league", "simple, staged", "staged" or "no match"."""
+    return ", ".join("staged" if name == PATIENT else name for name in rules) or "no match"
 
 
 def as_record(finding: Finding) -> dict[str, Any]:

@@ -42,6 +42,9 @@ class ReproduceSettings(CommandSettings):
     pose: Literal["particles", "percept"] = "particles"
     """How robots know where they are: a particle filter, or a noisy pose that is given. The report and results.json
     name it for every claim; a claim about the particles (H27) is measured with them."""
+    rules: Literal["league", "simple"] = "league"
+    """Rules of the claims that are judged from play: the league's whole rule book, or goals, restarts and dropped balls
+    alone. Staged scenes, where nobody is whistled, and claims without matches do not depend on it and say so."""
     seeds: Annotated[tuple[int, ...], tyro.conf.arg(aliases=("--seed",))] = (1, 2, 3)
     """Seeds from which all samples follow, each 0 or more; their samples are put together."""
     threads: int = 1
@@ -86,6 +89,7 @@ def command_of(settings: ReproduceSettings, claim: str = "") -> str:
     words += ["--quick"] if settings.quick else []
     words += ["--minutes", f"{settings.minutes:g}"] if settings.minutes is not None else []
     words += ["--pose", settings.pose] if settings.pose != ReproduceSettings.pose else []
+    words += ["--rules", settings.rules] if settings.rules != ReproduceSettings.rules else []
     words += ["--seeds", *(f"{seed}" for seed in settings.seeds)] if settings.seeds != ReproduceSettings.seeds else []
     if not claim:
         words += ["--threads", f"{settings.threads}"] if settings.threads != 1 else []

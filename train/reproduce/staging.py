@@ -6,7 +6,12 @@
     begin(match)
     for _ in play(match, seconds=2.0): ...   # match.percepts, match.beliefs, match.tracks against the truth
 
-Nobody is on the field until `put` brings him on, and the referee calls nothing.
+Nobody is on the field until `put` brings him on, and the referee calls goals and the ball out of play alone (PATIENT).
+
+    stage      scenes of our own          drill     a drill of the package as it is judged
+    kick_off   whole matches, under the rules of play that the claim states
+
+All matches of claims are made here (`make`), so that none is played under rules that its claim does not state.
 """
 
 from __future__ import annotations
@@ -16,11 +21,11 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
+from soccer_env.scenes import find_scene
+from soccer_env.staging import PATIENT, send_off, set_phase
 from soccer_env.staging import begin as begin
-from soccer_env.staging import patient, send_off, set_phase
 from soccer_env.staging import put as put
 from soccer_env.staging import put_ball as put_ball
 from soccer_env.train.reproduce.claim import Batch
@@ -29,30 +34,47 @@ from soccer_env.types import Phase
 LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
 
 
+def make(batch: Batch, league: str | League, rules: str, *, matches: int, **settings: Any) -> Match:
+    """Return matches under a rule set, with the batch's seeds and threads; ValueError for one that is not stated."""
+    if rules not in batch.rules:
+        raise ValueError(f"claim {batch.claim} states the rules {batch.rules}, its matches are made with {rules!r}")
+    asked = {"pose": batch.pose, **settings}
+    return Match(league, matches=matches, seeds=batch.seeds(matches), threads=batch.threads, rules=rules, **asked)
+
+
 def stage(
-    batch: Batch, league: str | League = LEGGED, *, matches: int = 128, home: int = 1, away: int = 1, **settings: Any
-) -> Match:
+    batch: Batch, league: str | League = LEGGED, *, matches: int = 128, home: int = 1, away: int = 1,
+    rules: str = PATIENT, **settings: Any,
+) -> Match:  # fmt: skip
     """Return matches in play whose robots use their sensors, all parked off the field, the ball at the centre.
 
     `settings` are those of a Match: sensors={...}, memory={...}; the batch says how robots know where they are. Every
     variant of a batch has the same seeds.
     """
-    asked = {"observe": "belief", "senses": "sensors", "pose": batch.pose, **settings}
-    match = Match(
-        patient(league), matches=matches, home=home, away=away, seeds=batch.seeds(matches), threads=batch.threads,
-        **asked,
-    )  # fmt: skip
+    asked = {"observe": "belief", "senses": "sensors", **settings}
+    match = make(batch, league, rules, matches=matches, home=home, away=away, **asked)
     set_phase(match, Phase.PLAY)
     send_off(match, range(home + away))
     return match
 
 
 def kick_off(
-    batch: Batch, league: str | League = LEGGED, *, matches: int = 32, team: str = "chaser", **settings: Any
+    batch: Batch, *, matches: int = 32, team: str = "chaser", rules: str | None = None, **settings: Any
 ) -> Match:
-    """Return matches of the league's own team sizes from the kick-off, both sides played by a team on its sensors."""
-    asked = {"senses": "sensors", "pose": batch.pose, "controllers": {"home": team, "away": team}, **settings}
-    return Match(find_league(league), matches=matches, seeds=batch.seeds(matches), threads=batch.threads, **asked)
+    """Return legged matches of the usual team sizes from the kick-off, both sides played by a team on its sensors.
+
+    Under the rules of play of the batch, unless others are given.
+    """
+    asked = {"senses": "sensors", "controllers": {"home": team, "away": team}, **settings}
+    return make(batch, LEGGED, rules or batch.play_rules, matches=matches, **asked)
+
+
+def drill(batch: Batch, scene: str, team: Any, *, matches: int) -> Match:
+    """Return a legged drill for one robot of a team against one that stands, under the drill's own rules."""
+    return make(
+        batch, LEGGED, find_scene(scene).rules, matches=matches, home=1, away=1, keeper=0, scene=scene,
+        episode="drill", controllers={"home": team, "away": "still"},
+    )  # fmt: skip
 
 
 def hide_ball(match: Match, rows: Any = slice(None)) -> None:

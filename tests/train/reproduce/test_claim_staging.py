@@ -151,10 +151,10 @@ def test_teams_play_from_the_kick_off() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", list(all_claims()))
-def test_every_claim_can_be_measured(name: str) -> None:
-    """A look at each: the verdict is a matter of `soccer reproduce`, but there must be one."""
+def test_every_claim_can_be_measured(name: str, made: set[str]) -> None:
+    """A look at each: the verdict is a matter of `soccer reproduce`, but there must be one, under the stated rules."""
     (result,) = reproduce(ReproduceSettings(claims=(name,), quick=True))
-    assert result.n > 0
+    assert result.n > 0 and made == set(result.rules) == set(all_claims()[name].rules)
     for found in result.findings:
         nothing_to_compare = found["criterion"].endswith("alarms with one counter over those with two")  # in 48 runs
         assert found["estimate"] is not None or nothing_to_compare, found

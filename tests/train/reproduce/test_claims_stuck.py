@@ -164,8 +164,9 @@ def test_how_many_times_fewer_alarms_there_are_is_unknown_without_any() -> None:
 
 
 def test_a_ball_is_won_now_and_then_and_now_and_then_by_contact() -> None:
-    won, by_contact = stealing.steal(BATCH, avoid=False)
+    won, by_contact, called = stealing.steal(BATCH, avoid=False)
     assert 0.2 < won.mean() <= 1.0 and (by_contact <= won).all() and by_contact.mean() < won.mean()
+    assert (won + called <= 1.0).all(), "who has won has done so before the referee ends the scene"
 
 
 @pytest.mark.slow

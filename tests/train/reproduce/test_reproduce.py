@@ -10,7 +10,18 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import (
+    NO_MATCH,
+    PLAYED,
+    PLAYED_AND_STAGED,
+    SACKS,
+    STAGED,
+    Batch,
+    Claim,
+    Curve,
+    Figure,
+    Without,
+)
 from soccer_env.train.reproduce.examination import looks_at
 from soccer_env.train.reproduce.report import row, screen_table, section
 from soccer_env.train.reproduce.reproduction import reproduce
@@ -39,7 +50,7 @@ def plot(samples: Samples) -> tuple[Figure, ...]:
 def claim(name: str, expected: float, *criteria: Criterion, **changes: object) -> Claim:
     made = Claim(
         id=name, paper=SACKS, section="0", statement=f"What {name} says.", method="Draws.",
-        criteria=criteria or (measured("mean above 0", mean, unit="cm", above=0.0),),
+        rules=NO_MATCH, criteria=criteria or (measured("mean above 0", mean, unit="cm", above=0.0),),
         measure=lambda batch: draw(batch, expected), batches=8, figures=plot,
     )  # fmt: skip
     return dataclasses.replace(made, **changes)  # type: ignore[arg-type]
@@ -190,10 +201,34 @@ def test_every_result_names_the_own_pose_that_it_was_measured_with(tmp_path: Pat
         records = json.loads((tmp_path / name / "results.json").read_text())
         assert [record["pose"] for record in records] == poses
         report = (tmp_path / name / "report.md").read_text()
-        assert sentence in report and report.count(f"Own pose: {poses[0]}.\n") >= 1
+        assert sentence in report and report.count(f"Own pose: {poses[0]}. Rules: ") >= 1
     assert records[0]["command"] == "soccer reproduce A1 --pose percept --seeds 0"
     with pytest.raises(ValueError, match="pose 'percept' there, 'particles' now"):
         run("A1", "lost", out=tmp_path / "b")
+
+
+def test_every_result_states_its_rules_and_whether_others_can_be_asked_for(tmp_path: Path) -> None:
+    rules = {"play": PLAYED, "both": PLAYED_AND_STAGED, "staged": STAGED, "none": NO_MATCH}
+    told: dict[str, tuple[str, ...]] = {}
+
+    def measure(batch: Batch) -> Samples:
+        told[batch.claim] = batch.rules
+        return draw(batch, 3.0)
+
+    known = {name: claim(name, 3.0, rules=stated, measure=measure) for name, stated in rules.items()}
+    asked = ReproduceSettings(claims=tuple(known), seeds=(0,), rules="simple", out=tmp_path)
+    results = reproduce(asked, known=known)
+    staged = "simple:dropped_ball=False"
+    assert told == {"play": ("simple",), "both": ("simple", staged), "staged": (staged,), "none": ()}
+    assert [result.rules for result in results] == [list(told[name]) for name in known]
+    assert [row(result)[2] for result in results] == ["simple", "simple, staged", "staged", "no match"]
+    report = (tmp_path / "report.md").read_text()
+    assert "Rules of play: simple.\n" in report and f"Rules of play: simple; of staged scenes: {staged}.\n" in report
+    assert f"Rules: staged scenes alone, {staged}; --rules changes nothing.\n" in report
+    assert "Rules: it makes no match; --rules changes nothing.\n" in report
+    assert results[0].command == "soccer reproduce play --rules simple --seeds 0"
+    with pytest.raises(ValueError, match="rules 'simple' there, 'league' now"):
+        reproduce(dataclasses.replace(asked, rules="league"), known=known)
 
 
 @pytest.mark.parametrize(
@@ -270,7 +305,7 @@ def test_the_report_shows_each_claim_and_draws_its_figures(tmp_path: Path) -> No
     run("A1", "A4", "A6", out=tmp_path)
     report = (tmp_path / "report.md").read_text()
     assert "3 claims: 1 reproduced, 1 not, 1 by construction." in report
-    assert "| A1 | What A1 says. | reproduced | r |" in report
+    assert "| A1 | What A1 says. | no match | reproduced | r |" in report
     assert "With the ingredient off (the shift)" in report
     assert "![A title](plots/A1-1.png)" in report
     assert (tmp_path / "plots" / "A1-1.png").read_bytes().startswith(b"\x89PNG")

@@ -21,6 +21,7 @@ from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
         (["reproduce", "S05", "--seed", "-1"], "seeds must be a whole number"),
         (["reproduce", "S05", "--seeds", "1", "2", "1"], "seeds must be whole numbers, at least one and each once"),
         (["reproduce", "S05", "--pose", "compass"], "invalid choice 'compass'"),
+        (["reproduce", "S05", "--rules", "street"], "invalid choice 'street'"),
     ],
 )
 def test_a_mistake_is_one_line(words: list[str], complaint: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -54,7 +55,7 @@ def test_every_built_claim_is_complete() -> None:
 def test_claims_can_be_listed(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["list", "claims"]) == 0
     printed = capsys.readouterr().out
-    assert "S05" in printed and "median range error" in printed
+    assert "S05" in printed and "median range error" in printed and "league, staged" in printed
 
 
 def test_settings_import_nothing_heavy() -> None:

@@ -4,15 +4,17 @@ To add a claim:
 
 1. Write a module in the folder of its theme (or extend one) with `CLAIMS = (Claim(...), ...)`, and name it in MODULES
    below; a module without CLAIMS serves the others of its folder.
-2. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin, play), plays them, and
+2. `rules` states under which rules its matches are made: PLAYED (`kick_off`), STAGED (`stage`, `drill`), both, or
+   NO_MATCH; a match under others is refused. What reads robots skips those that are sent off (`active`).
+3. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin, play), plays them, and
    returns arrays whose first axis are independent units (normally the matches); NaN stands for "no value". All
    randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
-3. Criteria (`../verdicts.py`): `measured` (any quantity of the samples, bootstrap over units), `counted` (share of hits
+4. Criteria (`../verdicts.py`): `measured` (any quantity of the samples, bootstrap over units), `counted` (share of hits
    among trials in each unit), `exact` (arithmetic), `reported` (a number that decides nothing). All must hold.
-4. `without=Without(ingredient, measure)` makes it by construction: the same criteria with the ingredient off.
-5. One batch should take 2 to 3 s compiled on one core; write what it takes into `seconds`, the cap into `batches`
+5. `without=Without(ingredient, measure)` makes it by construction: the same criteria with the ingredient off.
+6. One batch should take 2 to 3 s compiled on one core; write what it takes into `seconds`, the cap into `batches`
    (default run: at most about 2 minutes a claim). `figures(samples)` returns plain data; the report draws it.
-6. `soccer reproduce ID --quick`; a test in tests/train/reproduce holds every module to these rules.
+7. `soccer reproduce ID --quick`; a test in tests/train/reproduce holds every module to these rules.
 
 Measure what the paper's words say over the range they speak of; a claim that does not hold is a finding.
 

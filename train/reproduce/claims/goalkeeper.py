@@ -13,7 +13,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.teams import make_team
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.resolution import LAYERS
 from soccer_env.train.reproduce.staging import LEGGED, begin, put, put_ball, stage
 from soccer_env.train.reproduce.values import in_bins, mean, middles_of
@@ -142,6 +142,7 @@ S67 = Claim(
         reported("no block: by the bearing alone", lambda s: saved(s, "step off"), unit="%"),
         reported("no block: guarding the line, no reaction", lambda s: saved(s, "step guards"), unit="%"),
     ),
+    rules=STAGED,
     measure=angular_on_and_off,
     figures=angular_figure,
     ingredients=(
@@ -204,6 +205,7 @@ S71 = Claim(
         reported("saved at 88x72, one reaction", lambda s: saved(s, "off 88x72"), unit="%"),
         reported("saved at 176x144, one reaction", lambda s: saved(s, "off 176x144"), unit="%"),
     ),
+    rules=STAGED,
     measure=speeds_and_layers,
     figures=layer_figure,
     ingredients=(

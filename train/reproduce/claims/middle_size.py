@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import HEINEMANN, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import HEINEMANN, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.staging import MIDDLE, from_robot, play, put, put_ball, stage
 from soccer_env.train.reproduce.values import middles_of, rms
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
@@ -154,6 +154,7 @@ H26 = Claim(
         ),
         reported("range error under constant light", lambda samples: 100 * rms(errors(samples, "constant")), unit="cm"),
     ),
+    rules=STAGED,
     measure=compare_tables,
     without=Without(
         "the own pose, by which the table knows what a pixel must show: here no white line tells it",

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import HEINEMANN, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import HEINEMANN, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.staging import MIDDLE, begin, play, put, put_ball, stage, standing, wrapped
 from soccer_env.train.reproduce.values import median, quantile
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
@@ -157,6 +157,7 @@ H27 = Claim(
         reported("median error of the heading", lambda samples: median(samples["heading"]), unit="deg"),
         reported("median time to recover", lambda samples: median(samples["time"]), unit="s"),
     ),
+    rules=STAGED,
     measure=drive_and_carry,
     batches=12,
     seconds=2.7,

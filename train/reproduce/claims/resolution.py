@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.players.seen import watchers
 from soccer_env.train.reproduce.staging import ahead_of, ball_from, begin, play, put_ball, standing
 from soccer_env.train.reproduce.true_sight import stare
@@ -111,6 +111,7 @@ S66 = Claim(
         reported("velocity at 88x72", lambda samples: 100 * rms(samples["velocity 88x72"]), unit="cm/s"),
         reported("velocity at 176x144", lambda samples: 100 * rms(samples["velocity 176x144"]), unit="cm/s"),
     ),
+    rules=STAGED,
     measure=compare_layers,
     seconds=1.5,
     batches=32,

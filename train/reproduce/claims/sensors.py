@@ -10,7 +10,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.evaluate.report import plain, table
-from soccer_env.train.reproduce.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.staging import (
     LEGGED,
     MIDDLE,
@@ -200,6 +200,7 @@ CLAIMS = (
         statement="Error against range for every sensor and estimate.",
         method=f"{MATCHES} robots a batch stand and look at a still ball, or at an opponent who stands any way round.",
         criteria=(),
+        rules=STAGED,
         measure=look_at_things,
         batches=4,
         seconds=4.0,

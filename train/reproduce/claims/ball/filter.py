@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.ball.range import CAMERA_AHEAD, FIRST_SCENE, RANGE_LABEL
 from soccer_env.train.reproduce.staging import LEGGED, ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
 from soccer_env.train.reproduce.true_sight import look_first
@@ -114,6 +114,7 @@ S16 = Claim(
             "the average spans 0.2 to 0.3 s", lambda samples: mean(samples["span"]), unit="s", at_least=0.2, at_most=0.3
         ),
     ),
+    rules=STAGED,
     measure=look_at_still_balls,
     without=Without(
         f"flicker that is drawn anew in each frame: here every {SLOW} frames, a gait step of half a second",
@@ -140,6 +141,7 @@ S17 = Claim(
             at_least=3.0,
         ),
     ),
+    rules=STAGED,
     measure=look_at_still_balls,
     without=Without(
         "a ball 84 mm across: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim
+from soccer_env.train.reproduce.claim import PLAYED, SACKS, STAGED, Batch, Claim
 from soccer_env.train.reproduce.staging import ball_from, kick_off, play, stage, standing
 from soccer_env.train.reproduce.true_sight import ball_angle, ball_in_sight, follow
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
@@ -118,6 +118,7 @@ S10 = Claim(
             unit="%",
         ),
     ),
+    rules=PLAYED,
     measure=heads_in_play,
     ingredients=("speeds of neck joints", "belief/legged/head.py", "the chaser as the team that plays"),
     seconds=2.5,
@@ -147,6 +148,7 @@ S11 = Claim(
         reported("fewer jumps by the area thresholds alone", lambda s: fewer_jumps(s, "area"), unit="%"),
         reported("jumps a minute without the rules", lambda s: float(s["jumps none"].mean() * 60.0 / TIME)),
     ),
+    rules=STAGED,
     measure=false_balls,
     changed="The scene, after a first quick look: before, the robot ran into the ball instead of following it; and the "
     "head looked at the believed place instead of the blob: 78.4 % (69.2 to 87.2) fewer jumps, undecided.",

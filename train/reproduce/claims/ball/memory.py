@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.ball.range import FIRST_SCENE
 from soccer_env.train.reproduce.staging import ahead_of, ball_from, begin, play, put, put_ball, stage, standing, wrapped
 from soccer_env.train.reproduce.true_sight import blind, look_first, stare
@@ -172,6 +172,7 @@ S12 = Claim(
         ),
         reported("rotation only: the same", lambda samples: 100 * median(samples["place rotation"]), unit="cm"),
     ),
+    rules=STAGED,
     measure=compare_updates,
     changed=FIRST_SCENE,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
@@ -193,6 +194,7 @@ S13 = Claim(
             above=0.0,
         ),
     ),
+    rules=STAGED,
     measure=lambda batch: ball_rolls(batch, seen=False),
     without=Without(
         "a memory that leaves an unseen ball where it was: here it stays in sight",
@@ -221,6 +223,7 @@ S14 = Claim(
         reported("without the update", lambda samples: 100 * median(samples["off"]), unit="cm"),
         reported("with the update", lambda samples: 100 * median(samples["on"]), unit="cm"),
     ),
+    rules=STAGED,
     measure=compare_dribbling,
     without=Without(
         f"a ball that stays between the paws: here they turn at {TURN:g} rad/s, and most balls are lost",

@@ -13,7 +13,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.ball.range import OLD
 from soccer_env.train.reproduce.staging import (
     LEGGED,
@@ -211,6 +211,7 @@ S07 = Claim(
         ),
         measured("it is above 0 once 5 % are hidden", lambda samples: bias_by_share(samples)[1], unit="%", above=0.0),
     ),
+    rules=STAGED,
     measure=by_dimension,
     without=Without(
         "ranges read from the blob's size, and a smaller blob reads farther: with the ranger's reading instead",
@@ -248,6 +249,7 @@ S08 = Claim(
             unit="%",
         ),
     ),
+    rules=STAGED,
     measure=by_dimension,
     changed=f"{SCENE_CHANGED} the reading of then was not kept.",
     figures=hidden_figure,

@@ -14,7 +14,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.perception.legged.calibration import calibrate
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import NO_MATCH, SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.staging import LEGGED, ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
 from soccer_env.train.reproduce.true_sight import camera_of, look_first
 from soccer_env.train.reproduce.values import in_bins, median, middles_of, quantile, rms
@@ -109,6 +109,7 @@ S05 = Claim(
             at_most=2.0,
         ),
     ),
+    rules=STAGED,
     measure=old_system,
     changed=FIRST_SCENE,
     figures=range_figure,
@@ -203,6 +204,7 @@ S06 = Claim(
             "rms error of infrared over that of size above 1 in each bin from 45 to 80 cm", least_ratio, above=1.0
         ),
     ),
+    rules=STAGED,
     measure=size_and_infrared,
     changed=FIRST_SCENE,
     figures=crossing_figure,
@@ -234,6 +236,7 @@ S15 = Claim(
         )
         for step, low, high in STEPS
     ),
+    rules=NO_MATCH,
     measure=lambda batch: table_steps("88x72"),
     figures=step_figure,
     without=Without("88x72 pixels: with 176x144 instead", lambda batch: table_steps("176x144")),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim
 from soccer_env.train.reproduce.claims.ball.occlusion import (
     CUT,
     SCENE_CHANGED,
@@ -78,6 +78,7 @@ S09 = Claim(
         ),
         reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
     ),
+    rules=STAGED,
     measure=with_and_without_infrared,
     changed=f"{SCENE_CHANGED} then balls cut below 90 % counted, and the head looked at the believed place instead of "
     "the blob: the first ratio read 1.37 (1.13 to 1.74).",

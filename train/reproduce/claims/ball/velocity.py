@@ -10,7 +10,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.ball.range import CAMERA_AHEAD, FIRST_SCENE
 from soccer_env.train.reproduce.staging import LEGGED, ahead_of, begin, play, put, put_ball, stage, standing
 from soccer_env.train.reproduce.true_sight import camera_of, stare
@@ -187,6 +187,7 @@ S18 = Claim(
         ),
         reported("walking: the same at 0.33 s", lambda samples: interval_errors(samples, "walking")[2], unit="cm/s"),
     ),
+    rules=STAGED,
     measure=sweep_intervals,
     changed=f"{FIRST_SCENE} The error at 0.17 s had to be at least twice that at 0.33 s, which independent errors "
     "cannot give (1.94): 1.48 (1.31 to 1.72), not reproduced; and robots only walked.",
@@ -209,6 +210,7 @@ S20 = Claim(
         exact("5 cm in 1/3 s over the top speed", lambda samples: PIXEL_JUMP / READING / TOP_SPEED, above=1.0),
         counted("single readings at 60 cm that misjudge: at least 10 %", "wrong", "judged", at_least=10.0),
     ),
+    rules=STAGED,
     measure=readings_at_60,
     changed="The scene, after a first quick look: heads had to find the ball themselves, and 60 cm counted from the "
     "body's middle instead of the camera: 5.5 % of single readings misjudged, not reproduced.",
@@ -229,6 +231,7 @@ S21 = Claim(
     f"{100 * PLACE:.0f} cm from the ball, counted from the camera; the mean of the first 1 to {READINGS} readings "
     "against half the top speed.",
     criteria=(counted(f"wrong after {READINGS} readings: at most 5 %", "wrong at last", "judged", at_most=5.0),),
+    rules=STAGED,
     measure=series_of_readings,
     changed=FIRST_SCENE,
     figures=readings_figure,

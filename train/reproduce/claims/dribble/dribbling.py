@@ -12,7 +12,7 @@ from math import pi
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.dribble_runs import (
     COUNTED,
     LOST,
@@ -110,6 +110,7 @@ S51 = Claim(
         reported("body of one piece: losses per metre at 4 cm", lambda s: per_metre(s, "smooth ")[2]),
         reported("body of one piece: at 4 cm less twice those at 3.5 cm", lambda s: rise(s, "smooth ")),
     ),
+    rules=STAGED,
     measure=in_both_worlds(dribble_steps),
     figures=step_figure,
     ingredients=("the body's outline: the pocket between the paws", "the drive's acceleration", "the gait"),
@@ -190,6 +191,7 @@ S59 = Claim(
                  unit="%"),
         reported("body of one piece: the knee", lambda s: knee(s, "smooth "), unit="degrees"),
     ),
+    rules=STAGED,
     measure=in_both_worlds(walk_aside),
     figures=angle_figure,
     ingredients=("the body's outline: how far the paws reach beside the ball", "the gait"),
@@ -260,6 +262,7 @@ S60 = Claim(
         reported("body of one piece: caught at 55 degrees", lambda s: caught_at(s, 1, "smooth "), unit="%"),
         reported("body of one piece: the difference", lambda s: caught_more(s, "smooth "), unit="%"),
     ),
+    rules=STAGED,
     measure=in_both_worlds(push_on),
     ingredients=("the robots' outlines and their friction", "traction and thrust"),
     note="The body of one piece shows the paper's effect, at its outline and not at legs. Legs that swing are caught "

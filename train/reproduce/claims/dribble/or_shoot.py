@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.staging import send_off
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import PLAYED, SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.dribble_runs import FROM_MIDDLE
 from soccer_env.train.reproduce.drill_runs import start_drill
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
@@ -34,7 +34,7 @@ def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -
 
     Return goals and goals against (M,), the ball's progress [m] towards the goal, and when it ended.
     """
-    match = start_drill(batch, SCENE, settings, MATCHES, 0.0, opponents=blockers)
+    match = start_drill(batch, SCENE, settings, MATCHES, 0.0, opponents=blockers, rules=batch.play_rules)
     if blockers is None:
         send_off(match, range(1, match.robots.shape[1]))
         match.rebuild()
@@ -118,6 +118,7 @@ S31 = Claim(
         reported("nobody in the way: goals, dribbling less orbit and shoot", lambda s: more(s, "goals", " alone"),
                  unit="%"),
     ),
+    rules=PLAYED,
     measure=both_strategies,
     figures=goal_figure,
     ingredients=("the drill's places", "kicks of 0.8 to 1.5 m/s with a spread of 10 degrees"),

@@ -15,7 +15,7 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.match_settings import Senses
 from soccer_env.scenes import Scene
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.field.points import one_ahead, starts
 from soccer_env.train.reproduce.claims.field.robots import run_both_ways
 from soccer_env.train.reproduce.dribble_runs import FROM_MIDDLE, WAYS
@@ -118,6 +118,7 @@ S62 = Claim(
         reported("from the middle, ideal senses: clean, one",
                  lambda s: 100.0 * float(s["clean middle ideal"].mean()), unit="%"),
     ),
+    rules=STAGED,
     measure=pass_still,
     figures=still_figure,
     ingredients=("the drills' places", "bodies with paws, not points", "the head that glances up"),
@@ -180,6 +181,7 @@ S63 = Claim(
         reported("past with the ball, touched or not, all speeds", lambda s: clean(s, "past"), unit="%"),
         reported("from the middle: clean at 3 and 6 cm/s", lambda s: clean(s, "middle clean"), unit="%"),
     ),
+    rules=STAGED,
     measure=pass_mover,
     figures=mover_figure,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),

@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.dribble.past import FEWER, OLD_DISTANCES, RULES, Plan, clean, play_both_ways
 from soccer_env.train.reproduce.drill_runs import PAPER
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
@@ -73,6 +73,7 @@ S52 = Claim(
                  unit="%"),
         reported("from the middle: curve at 0.5 s less at 1 s", partial(worse, name="middle clean"), unit="%"),
     ),
+    rules=STAGED,
     measure=pass_by_replan,
     figures=replan_figure,
     ingredients=("gait steps of half a second: a decision takes effect when one begins",),

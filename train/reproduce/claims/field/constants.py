@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.field.movers import SPEEDS, one_comes
 from soccer_env.train.reproduce.claims.field.points import NOISE, SCENES, is_clean, one_ahead, run_points, starts
 from soccer_env.train.reproduce.claims.field.robots import ROBOTS, filled, run_both_ways
@@ -144,6 +144,7 @@ S53 = Claim(
             for axis in AXES
         ),
     ),
+    rules=STAGED,
     measure=along_lines,
     seconds=12.0,
     least=2,
@@ -243,6 +244,7 @@ S65 = Claim(
             for kind in KINDS
         ),
     ),
+    rules=STAGED,
     measure=tuned_in_points,
     seconds=8.0,
     least=3,

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import NO_MATCH, SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import (
     FIELD,
@@ -114,6 +114,7 @@ S44 = Claim(
             for n in EXPONENTS
         ),
     ),
+    rules=NO_MATCH,
     measure=matched_exponents,
     seconds=0.5,
     batches=8,
@@ -157,6 +158,7 @@ S46 = Claim(
         reported("proportional, near: mean size", lambda s: mean(np.abs(s["proportional near"])), unit="deg"),
         reported("proportional, far: mean size", lambda s: mean(np.abs(s["proportional far"])), unit="deg"),
     ),
+    rules=NO_MATCH,
     measure=reactions,
     seconds=0.5,
     batches=4,
@@ -236,6 +238,7 @@ S47 = Claim(
     ),
     changed="Before: points alone decided (38.7 %, 37 to 39.7), and at most no more collisions with the factor, of "
     "which there were none either way.",
+    rules=STAGED,
     measure=with_and_without_cosine,
     seconds=4.0,
     batches=6,

@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import NO_MATCH, SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import NOISE, SCENES, START, collided, run_points, starts
 from soccer_env.train.reproduce.values import mean
@@ -123,6 +123,7 @@ S58 = Claim(
     ),
     changed="Before: a player who crosses instead of one that comes from one side while another stands on the other; "
     "collisions did not rise (0 pp, which stands beside it).",
+    rules=NO_MATCH,
     measure=met,
     seconds=1.5,
     batches=16,

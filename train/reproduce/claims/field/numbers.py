@@ -13,7 +13,7 @@ from soccer_env.baselines.sacks_2001.steering import force_of_players
 from soccer_env.belief_types import BELIEF, TRACK
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import NO_MATCH, SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import FIELD, SCENES, START, TOUCH, is_clean, run_points
 from soccer_env.train.reproduce.claims.field.robots import ROBOTS, filled, run_both_ways
@@ -58,6 +58,7 @@ S48 = Claim(
             unit="%",
         ),
     ),
+    rules=NO_MATCH,
     measure=forces_aside,
     batches=1,
     seconds=0.1,
@@ -94,6 +95,7 @@ S49 = Claim(
         reported("between the middles of both then", lambda s: 1000 * float(s["middles"][0]), unit="mm"),
         reported("between the middles, if that were the distance", lambda s: 1000 * float(s["middle"][0]), unit="mm"),
     ),
+    rules=NO_MATCH,
     measure=unit_distance,
     batches=1,
     seconds=0.1,
@@ -174,6 +176,7 @@ S50 = Claim(
         reported("distances from the middle: with it", lambda s: 100 * mean(s["middle robots with"]), unit="%"),
         reported("distances from the middle: without", lambda s: 100 * mean(s["middle robots without"]), unit="%"),
     ),
+    rules=STAGED,
     measure=walls_with_robots,
     seconds=4.0,
     batches=6,

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import NO_MATCH, SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import (
     BLOBS,
@@ -79,6 +79,7 @@ S45 = Claim(
     ),
     changed="Before: the same k2 with the cut-off and without, which changes strength and reach at once (69.6 %, 66.7 "
     "to 72).",
+    rules=NO_MATCH,
     measure=far_players,
     seconds=0.8,
     batches=8,
@@ -111,6 +112,7 @@ S55 = Claim(
         measured("steps away from the goal", lambda s: float(s["away"].sum()), at_most=0.0),
         reported("runs that arrive", lambda s: 100 * mean(s["arrived"]), unit="%"),
     ),
+    rules=NO_MATCH,
     measure=steps_away,
     seconds=0.3,
     batches=8,
@@ -214,6 +216,7 @@ S56 = Claim(
         reported("gap askew: runs with 10 or more", lambda s: 100 * mean(s["limit askew"] >= 10), unit="%"),
     ),
     changed="Before: gaps up to 20 degrees askew and the median, which read 0 (not); their mean stands beside it.",
+    rules=NO_MATCH,
     measure=through_gaps,
     seconds=0.8,
     batches=8,
@@ -258,6 +261,7 @@ S57 = Claim(
     ),
     changed="Before: points alone decided (24.3 times fewer, 21.8 to 26.8), and more than no change of side left, "
     "which nothing could have missed (mean 0.641, 0.527 to 0.766).",
+    rules=STAGED,
     measure=gaps_with_robots,
     seconds=6.0,
     batches=6,

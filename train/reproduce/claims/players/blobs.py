@@ -10,7 +10,7 @@ from functools import partial
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.jersey import JERSEYS
 from soccer_env.train.reproduce.claims.players.seen import blob_heights, look_at, nearest_seen, put_facing, watchers
 from soccer_env.train.reproduce.staging import begin, from_robot, play, put, standing
@@ -144,6 +144,7 @@ S39 = Claim(
         reported("scatter, largest blob", lambda samples: scatter(samples, "largest"), unit="%"),
         reported("scatter, combined", lambda samples: scatter(samples, "combined"), unit="%"),
     ),
+    rules=STAGED,
     measure=compare_blobs,
     seconds=2.0,
     changed="Before: players' blobs had a least area of half a pixel, one sticker on a side, and half of the frames "

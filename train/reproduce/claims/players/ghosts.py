@@ -12,7 +12,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.staging import memory_settings_of
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.grouping import (
     TILT,
     ghosts_and_misses,
@@ -129,6 +129,7 @@ S34 = Claim(
         reported("share of events that make a ghost", lambda s: 100 * float(np.isfinite(s["ghost"]).mean()), unit="%"),
         reported("share of events that make a miss", lambda s: 100 * float(np.isfinite(s["miss"]).mean()), unit="%"),
     ),
+    rules=STAGED,
     measure=compare_errors,
     seconds=5.0,
     figures=ghost_figure,

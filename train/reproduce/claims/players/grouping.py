@@ -12,7 +12,7 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.players.jersey import JERSEYS
 from soccer_env.train.reproduce.claims.players.seen import (
     from_camera,
@@ -185,6 +185,7 @@ S33 = Claim(
             for factor in FACTORS
         ),
     ),
+    rules=STAGED,
     measure=try_factors,
     seconds=5.0,
     changed="Before: one sticker a side, at its own size alone; ghosts 1.03 % (0.58 to 1.81), missed less ghosts "
@@ -254,6 +255,7 @@ S72 = Claim(
             unit="%",
         ),
     ),
+    rules=STAGED,
     measure=keep_one,
     batches=24,
     seconds=2.0,

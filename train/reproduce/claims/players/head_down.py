@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.players.seen import look_at, nearest_seen, put_facing, watchers
 from soccer_env.train.reproduce.staging import begin, from_robot, play, standing
 from soccer_env.train.reproduce.true_sight import camera_of, turn_head
@@ -145,6 +145,7 @@ S61 = Claim(
             for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")
         ),
     ),
+    rules=STAGED,
     measure=look_at_heads,
     seconds=1.5,
     without=Without("sensors.head_down, the angle from which a head hides stickers", heads_that_hide_nothing),

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.players.seen import look_at, nearest_seen, put_facing, view_of, watchers
 from soccer_env.train.reproduce.staging import begin, from_robot, play, standing
 from soccer_env.train.reproduce.values import mean
@@ -171,6 +171,7 @@ S37 = Claim(
         reported("largest sticker: variation of width over that of height", width_over_height),
         reported("player: height head-on over that from the side", lambda s: float(front_over_side(s, "all ").mean())),
     ),
+    rules=STAGED,
     measure=jerseys_from_all_sides,
     seconds=1.5,
     changed="Before: one sticker on each side of the trunk; 3.93 times (3.45 to 4.38), head-on over side 0.975 (0.959 "
@@ -208,6 +209,7 @@ S38 = Claim(
         reported("side table: mean error head-on", lambda s: float(bias(s, "side", FRONT).mean()), unit="%"),
         reported("side table: mean error in the other views", lambda s: float(bias(s, "side", ASIDE).mean()), unit="%"),
     ),
+    rules=STAGED,
     measure=jerseys_from_all_sides,
     seconds=1.5,
     changed="Before: one sticker on each side of the trunk; -4.6 % (-5.37 to -3.7), -1.66 % (-2.19 to -1.12): by "

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.grouping import TILT
 from soccer_env.train.reproduce.claims.players.seen import is_fresh, put_facing, slots_of, watchers
 from soccer_env.train.reproduce.staging import begin, play, standing
@@ -172,6 +172,7 @@ S35 = Claim(
         reported("scatter of a frame's range", lambda s: 100 * rms(s["range, 5 % of the stickers"]), unit="%"),
         reported("the same, nothing missed", lambda s: 100 * rms(s["range, nothing"]), unit="%"),
     ),
+    rules=STAGED,
     measure=compare_misses,
     batches=10,
     seconds=6.0,
@@ -201,6 +202,7 @@ S36 = Claim(
             unit="%",
         ),
     ),
+    rules=STAGED,
     measure=compare_likelihoods,
     batches=4,
     seconds=5.0,

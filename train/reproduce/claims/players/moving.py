@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.field.points import NO_CUT_OFF
 from soccer_env.train.reproduce.claims.players.seen import look_at, nearest_seen, watchers
 from soccer_env.train.reproduce.dribble_runs import WAYS
@@ -182,6 +182,7 @@ S70 = Claim(
             unit="pp",
         ),
     ),
+    rules=STAGED,
     measure=leave_and_pass,
     seconds=6.0,
     batches=10,

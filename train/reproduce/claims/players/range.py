@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.seen import look_at, nearest_seen, put_facing, view_of, watchers
 from soccer_env.train.reproduce.staging import ahead_of, ball_from, begin, from_robot, play, put_ball, standing
 from soccer_env.train.reproduce.true_sight import stare
@@ -140,6 +140,7 @@ S40 = Claim(
         reported("relative error, player (root mean square)", lambda samples: 100 * rms(samples["player"]), unit="%"),
         reported("relative error, ball", lambda samples: 100 * rms(samples["ball"]), unit="%"),
     ),
+    rules=STAGED,
     measure=player_and_ball,
     batches=32,
     seconds=1.0,
@@ -162,6 +163,7 @@ S41 = Claim(
         reported("frames with a reading under 40 cm", lambda samples: 100 * float(np.mean(samples["near"])), unit="%"),
         reported("frames in which the rule takes it", lambda samples: 100 * float(np.mean(samples["taken"])), unit="%"),
     ),
+    rules=STAGED,
     measure=with_and_without_ranger,
     seconds=1.0,
     figures=ranger_figure,

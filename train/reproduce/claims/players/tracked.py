@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.seen import (
     from_camera,
     gaps_to,
@@ -153,6 +153,7 @@ S32 = Claim(
         ),
         *(reported(f"range error, {name}", partial(error, name=name), unit="cm") for name in ("new", "old")),
     ),
+    rules=STAGED,
     measure=compare_systems,
     seconds=5.0,
     figures=tracked_figure,

@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import PLAYED, SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.staging import kick_off, wrapped
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 
@@ -103,6 +103,7 @@ S69 = Claim(
         *(reported(f"share {name}", partial(share_of, third=i), unit="%") for i, name in enumerate(THIRDS)),
         reported("the lead where robots know the truth", lambda s: lead_of_front(s["ideal"]), unit="%"),
     ),
+    rules=PLAYED,
     measure=meet_in_play,
     seconds=4.0,
     figures=view_figure,

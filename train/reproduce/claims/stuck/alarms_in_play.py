@@ -8,10 +8,10 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, SEARCH
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim
+from soccer_env.train.reproduce.claim import PLAYED_AND_STAGED, SACKS, Batch, Claim
 from soccer_env.train.reproduce.claims.stuck.detection import NEAR
 from soccer_env.train.reproduce.claims.stuck.false_alarms import TRIES, approach
-from soccer_env.train.reproduce.claims.stuck.sampled import Watch, behaviours, of_camera
+from soccer_env.train.reproduce.claims.stuck.sampled import OUT, Watch, behaviours, of_camera
 from soccer_env.train.reproduce.staging import ball_from, kick_off, play
 from soccer_env.train.reproduce.values import mean
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
@@ -62,12 +62,12 @@ class Approaches:
         self.watch.look()
         self.signs = [*self.signs[1 - self.watch.size :], np.stack([signs_of(match, r) for r in rows], axis=-1)]
         now = behaviours(match)
-        begins = (now == BACK) & (self.was != BACK)
+        begins = (now == BACK) & (self.was != BACK) & (self.was != OUT)  # who comes back goes on with what it did
         self.found["approaches"] += ((now == APPROACH) & ~self.goes).sum(axis=1)
         self.goes = (now == APPROACH) | (self.goes & (now == SEARCH))
         self.found["recoveries"] += begins.sum(axis=1)
         self.was = now
-        alone = self.watch.mean(3) < FREE
+        alone = (self.watch.mean(3) < FREE) & self.watch.there()
         for m, r in np.argwhere(begins & alone):
             self.causes[m, self.cause(m, r)] += 1.0
         if step % self.watch.size == 0 and self.watch.full():  # free approaches, whether there is an alarm or not
@@ -147,6 +147,7 @@ S24 = Claim(
             "staged approaches with a false alarm", lambda s: 100.0 * s["false"].sum() / s["staged"].sum(), unit="%"
         ),
     ),
+    rules=PLAYED_AND_STAGED,
     measure=causes,
     ingredients=("stuck_count, near_zero, clearly, near_time: assumed",),
     changed="The criteria: before, at least half of the false alarms while the ball recedes or the robot turns, 98.9 % "

@@ -80,7 +80,7 @@ class Fate:
         robot = match.robots[at]
         asked = np.hypot(robot["walk"]["forward"], robot["walk"]["left"])
         goes = np.hypot(robot["vx"], robot["vy"]) >= AS_ASKED * asked
-        free = goes & ~recovers & (match.robot_events["collision"][at] == 0)
+        free = goes & ~recovers & (match.robot_events["collision"][at] == 0) & (robot["active"] == 1)
         self.clear = np.where(free, self.clear + match.league.dt, 0.0)
         found: np.ndarray = self.clear >= FREE_TIME
         return found

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.match import Match
+from soccer_env.train.reproduce.claim import PLAYED, PLAYED_AND_STAGED, SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.stuck.branches import follow, shares_of
 from soccer_env.train.reproduce.claims.stuck.runs import converge
 from soccer_env.train.reproduce.claims.stuck.sampled import Watch, behaviours
@@ -23,6 +24,14 @@ MOVED = 0.1  # [m] by which a ball that lies still moves at most, assumed: S03
 PAIRS, COME, DEADLOCK = 64, 12.0, 20.0  # pairs a batch, [s] in which they come to hold each other, [s] then: S03
 
 
+def near_ball(match: Match) -> np.ndarray:
+    """Return how many robots (M,) on the field are nearer to the ball than NEAR."""
+    robots, ball = match.robots, match.balls
+    away = np.hypot(robots["x"] - ball["x"][:, None], robots["y"] - ball["y"][:, None])
+    found: np.ndarray = ((away < NEAR) & (robots["active"] == 1)).sum(axis=1)
+    return found
+
+
 def contacts(batch: Batch) -> Samples:
     """Count contact episodes (M,), the time with a crowd at the ball (M,) [s], approaches and those with a contact."""
     match = kick_off(batch, matches=MATCHES, team=OFF)
@@ -33,8 +42,7 @@ def contacts(batch: Batch) -> Samples:
         touch = match.robot_events["collision"] == 1
         episodes += (touch & (since > PART)).sum(axis=1)
         since = np.where(touch, 0.0, since + match.league.dt)
-        x, y = match.robots["x"] - match.balls["x"][:, None], match.robots["y"] - match.balls["y"][:, None]
-        crowded += (np.hypot(x, y) < NEAR).sum(axis=1) >= CROWD
+        crowded += near_ball(match) >= CROWD
         touching += touch.any(axis=1)
         goes = behaviours(match) == APPROACH
         approaches += (goes & ~was).sum(axis=1)
@@ -65,6 +73,7 @@ S01 = Claim(
         counted("approaches in which the robot touches another (common)", "met", "approaches", at_least=20.0),
         reported("time with some robots in contact", lambda s: 100.0 * mean(s["touching"]) / SECONDS, unit="%"),
     ),
+    rules=PLAYED,
     measure=contacts,
     ingredients=("sacks-2001: one attacker, the others support", "recovery=False, avoidance=False"),
     changed="The share of approaches with a contact was added: one contact a minute (7.4 were read) is hardly missed.",
@@ -141,6 +150,7 @@ S03 = Claim(
         reported("robots held in play, not free 20 s later", lambda s: percent("play bound", "play", s), unit="%"),
         reported("the same where the ball lay still", lambda s: percent("lay bound", "lay", s), unit="%"),
     ),
+    rules=PLAYED_AND_STAGED,
     measure=pairs,
     figures=deadlock_figure,
     ingredients=("friction of bodies and ball", "bodies are a trunk and four posts, which can interlock"),

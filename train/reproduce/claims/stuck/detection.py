@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import PLAYED, PLAYED_AND_STAGED, SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.stuck.branches import follow, shares_of
 from soccer_env.train.reproduce.claims.stuck.runs import hold, recovers, walk_up
 from soccer_env.train.reproduce.claims.stuck.sampled import BASE, MATCHES, SECONDS, Watch, of_camera
@@ -103,6 +103,7 @@ S22 = Claim(
         reported("held in play: noticed within 5 s", partial(percent, "known 5 s", "robots 5 s"), unit="%"),
         reported("held in play: noticed within 20 s", partial(percent, "known 20 s", "robots 20 s"), unit="%"),
     ),
+    rules=PLAYED_AND_STAGED,
     measure=held,
     figures=latency_figure,
     ingredients=(
@@ -178,6 +179,7 @@ S04 = Claim(
         reported("median of free robots", lambda s: 100 * median(s["free"]), unit="cm/s"),
         reported("median of held robots", lambda s: 100 * median(s["stuck"]), unit="cm/s"),
     ),
+    rules=PLAYED,
     measure=windows,
     figures=velocity_figure,
     ingredients=("sensors.dither", "memory.filter_length"),

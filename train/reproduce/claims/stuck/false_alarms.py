@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.stuck.detection import NEAR, latencies
 from soccer_env.train.reproduce.claims.stuck.runs import recovers, seekers
 from soccer_env.train.reproduce.staging import ahead_of, begin, play, put, put_ball
@@ -86,6 +86,7 @@ S23 = Claim(
             for n in (1, 2)
         ),
     ),
+    rules=STAGED,
     measure=one_and_two,
     ingredients=("near_step 0.25 and near_time 8 s: assumed",),
     note="With the paper's smaller steps the ball's velocity drops to 3 cm/s, but the ball is reached before nine "
@@ -157,6 +158,7 @@ S25 = Claim(
         reported("least threshold: delay", lambda s: delays(s)[0], unit="s"),
         reported("greatest threshold: delay", lambda s: delays(s)[-1], unit="s"),
     ),
+    rules=STAGED,
     measure=sweep,
     figures=sweep_figure,
     ingredients=("the second counter stays at 8 s",),

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import PLAYED_AND_STAGED, SACKS, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.stuck.branches import FUTURE, follow, shares_of
 from soccer_env.train.reproduce.claims.stuck.sampled import MATCHES, SECONDS
 from soccer_env.train.reproduce.values import mean, percent
@@ -91,6 +91,7 @@ S26 = Claim(
             for i, steps in enumerate(BACK_STEPS)
         ),
     ),
+    rules=PLAYED_AND_STAGED,
     measure=stuck_again,
     without=Without("the way back counted in the five seconds, as here it is not", partial(stuck_again, way_back=True)),
     figures=again_figure,
@@ -154,6 +155,7 @@ S27 = Claim(
         reported("change of the misalignment with a random side", lambda s: change(s, " either"), unit="deg"),
         reported("misalignment before", lambda s: mean(s["before"]), unit="deg"),
     ),
+    rules=PLAYED_AND_STAGED,
     measure=sides,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="A step aside to the paper's side leaves a robot better placed than one to a random side, but none undoes "
@@ -253,6 +255,7 @@ S29 = Claim(
             lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"])),
         ),
     ),
+    rules=PLAYED_AND_STAGED,
     measure=attempts,
     figures=tries_figure,
     ingredients=(HELD, "side_steps 5: assumed"),

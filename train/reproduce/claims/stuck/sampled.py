@@ -2,12 +2,13 @@
 
 Matches of 3 v 3 in which nobody recovers are watched; where a robot that goes for the ball is held by others, and where
 its counters trip, the whole match is copied. A branch goes on from there with other settings for that robot's team:
-bodies, noise and memories are the same in all branches, which pairs them. In branches the referee pulls nobody apart.
+bodies, noise and memories are the same in all branches, which pairs them. In branches the referee whistles for nothing
+and pulls nobody apart; penalties that had begun before run off. Who is sent off is neither held nor free.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import lru_cache
 from typing import Any
 
@@ -17,10 +18,10 @@ from soccer_env.baselines.sacks_2001.memory import APPROACH
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.match import Match
 from soccer_env.saving import parts
-from soccer_env.staging import memory_of, patient
+from soccer_env.staging import PATIENT, memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import Batch
-from soccer_env.train.reproduce.staging import LEGGED, kick_off, play
+from soccer_env.train.reproduce.staging import kick_off, play
 from soccer_env.types import HOME, Phase
 
 BASE = "sacks-2001:recovery=False"  # who plays, and goes on playing against the team of a branch
@@ -33,6 +34,7 @@ STILL = 0.03  # [m] that a still ball moves at most in that time
 AGAIN = 10.0  # [s] after which the same robot may be sampled once more
 MOST = 12  # moments of a match at most
 HELD, TRIPPED = 0, 1  # kinds of moments
+OUT = -1  # what a player does who is sent off
 
 
 @dataclass(frozen=True)
@@ -66,9 +68,9 @@ class Watch:
         """Note where everybody is after a control step."""
         match, robots = self.match, self.match.robots
         walk = np.hypot(robots["walk"]["forward"], robots["walk"]["left"]) * match.league.dt
-        touch = (match.robot_events["collision"] == 1).astype(float)
+        touch, here = match.robot_events["collision"] == 1, robots["active"] == 1
         ball_x, ball_y = (np.broadcast_to(match.balls[name][:, None], robots.shape) for name in ("x", "y"))
-        now = np.stack([robots["x"], robots["y"], walk, touch, behaviours(match) == APPROACH, ball_x, ball_y])
+        now = np.stack([robots["x"], robots["y"], walk, touch, behaviours(match) == APPROACH, ball_x, ball_y, here])
         self.rows = [*self.rows[1 - self.size :], now]
 
     def full(self) -> bool:
@@ -89,6 +91,11 @@ class Watch:
     def touches(self) -> np.ndarray:
         """Return who was in contact for most of the window."""
         return self.mean(3) >= TOUCHING
+
+    def there(self) -> np.ndarray:
+        """Return who was on the field throughout."""
+        found: np.ndarray = self.mean(7) == 1.0
+        return found
 
     def held(self) -> np.ndarray:
         """Return who went for the ball, in contact with somebody, and got on much less than its legs walked."""
@@ -114,8 +121,12 @@ class Watch:
 
 
 def behaviours(match: Match) -> np.ndarray:
-    """Return what all players (M, R) of teams of this package do."""
-    return np.stack([memory_of(match, r)["behaviour"] for r in range(match.robots.shape[1])], axis=1)
+    """Return what all players (M, R) of teams of this package do; OUT of those that are sent off.
+
+    A player that is out remembers what it did, and goes on with it when it comes back.
+    """
+    doing = np.stack([memory_of(match, r)["behaviour"] for r in range(match.robots.shape[1])], axis=1)
+    return np.where(match.robots["active"] == 1, doing, OUT)
 
 
 def of_camera(match: Match, distance: np.ndarray, bearing: np.ndarray) -> np.ndarray:
@@ -132,7 +143,7 @@ def tripped(match: Match) -> np.ndarray:
     ball = match.beliefs["ball"]
     near = of_camera(match, ball["filtered_distance"], ball["filtered_bearing"]) < team.near
     both = ~near | (memory["near"] >= team.near_time)
-    found: np.ndarray = (memory["behaviour"] == APPROACH) & (memory["stuck"] >= team.stuck_count) & both
+    found: np.ndarray = (behaviours(match) == APPROACH) & (memory["stuck"] >= team.stuck_count) & both
     return found
 
 
@@ -164,10 +175,16 @@ def _sample(batch: Batch) -> Moments:
             taken[m] += 1
             found.append(copy_moment(match, watch, int(kind), int(m), int(r)))
     match.close()
-    return Moments(
-        {name: np.stack([one[0][name] for one in found]) for name in found[0][0]},
-        *(np.array([one[1][name] for one in found]) for name in found[0][1]),
-    )
+    return gathered(match, found)
+
+
+def gathered(match: Match, found: list[tuple[dict[str, np.ndarray], dict[str, Any]]]) -> Moments:
+    """Return what was copied of matches such as this one; no moments, of nothing."""
+    copies = {
+        name: np.stack([saved[name] for saved, _ in found]) if found else array[:0]
+        for name, array in parts(match).items()
+    }
+    return Moments(copies, *(np.array([words[item.name] for _, words in found]) for item in fields(Moments)[1:]))
 
 
 def copy_moment(match: Match, watch: Watch, kind: int, m: int, r: int) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
@@ -194,7 +211,7 @@ def branch(batch: Batch, moments: Moments, chosen: np.ndarray, team: int, settin
     """Return matches that go on from the chosen moments (mask or rows), one team with settings by name."""
     sides: dict[str, Any] = {"home": BASE, "away": BASE}
     sides["home" if team == HOME else "away"] = make_team("sacks-2001", **settings)
-    match = kick_off(batch, patient(LEGGED), matches=len(moments.match[chosen]), controllers=sides)
+    match = kick_off(batch, rules=PATIENT, matches=len(moments.match[chosen]), controllers=sides)
     for name, array in parts(match).items():
         array[...] = moments.parts[name][chosen]
     match.rebuild()

@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.match import Match
 from soccer_env.staging import memory_of, put_ball
 from soccer_env.teams import make_team
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim
-from soccer_env.train.reproduce.staging import LEGGED, ahead_of, begin, play
+from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim
+from soccer_env.train.reproduce.staging import ahead_of, begin, drill, play
 from soccer_env.train.reproduce.values import mean
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
 
@@ -25,10 +24,7 @@ def face_wall(batch: Batch, seen: bool, **settings: Any) -> tuple[np.ndarray, np
     `seen`: the ball lies aside, where the robot sees it, not behind.
     """
     team, rng = make_team("sacks-2001", **settings), batch.rng()
-    match = Match(
-        LEGGED, matches=RUNS, seeds=batch.seeds(RUNS), threads=batch.threads, home=1, away=1, keeper=0,
-        scene="facing-wall", episode="drill", pose=batch.pose, controllers={"home": team, "away": "still"},
-    )  # fmt: skip
+    match = drill(batch, "facing-wall", team, matches=RUNS)
     if seen:
         inwards = rng.choice([-1.0, 1.0], RUNS)
         place = ahead_of(match, 0, rng.uniform(*AWAY, RUNS), inwards * np.radians(rng.uniform(*ASIDE, RUNS)))
@@ -78,6 +74,7 @@ S28 = Claim(
         reported("ball behind: got without any recovery", lambda s: 100.0 * mean(s["behind none"]), unit="%"),
         reported("ball behind: robots that recovered at all", lambda s: 100.0 * mean(s["behind tries"] > 0), unit="%"),
     ),
+    rules=STAGED,
     measure=walls,
     ingredients=("the counters run while the robot sees the ball and goes for it: what it searches for trips none",),
     note="At the board a turn is blocked, and who recovers gets away. Whether it then turns or steps aside matters "

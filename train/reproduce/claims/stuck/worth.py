@@ -10,11 +10,11 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.teams import make_team
-from soccer_env.train.reproduce.claim import SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import PLAYED_AND_STAGED, SACKS, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.stuck.branches import follow
 from soccer_env.train.reproduce.claims.stuck.runs import behind_post, converge
 from soccer_env.train.reproduce.claims.stuck.sampled import MATCHES
-from soccer_env.train.reproduce.staging import LEGGED, kick_off, play
+from soccer_env.train.reproduce.staging import drill, kick_off, play
 from soccer_env.train.reproduce.values import mean
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 
@@ -24,13 +24,9 @@ PLAY = 60.0  # [s] of 3 v 3
 WAYS = {"on": True, "off": False}
 
 
-def drill(batch: Batch, scene: str, recovery: bool) -> Match:
+def task(batch: Batch, scene: str, recovery: bool) -> Match:
     """Return a drill of robot 0."""
-    return Match(
-        LEGGED, matches=RUNS, seeds=batch.seeds(RUNS), threads=batch.threads, home=1, away=1, keeper=0, scene=scene,
-        episode="drill", pose=batch.pose,
-        controllers={"home": make_team("sacks-2001", recovery=recovery), "away": "still"},
-    )  # fmt: skip
+    return drill(batch, scene, make_team("sacks-2001", recovery=recovery), matches=RUNS)
 
 
 def past_post(batch: Batch, recovery: bool) -> Match:
@@ -43,9 +39,9 @@ def meeting(batch: Batch, recovery: bool) -> Match:
     return converge(batch, RUNS, recovery=recovery)
 
 
-STAGED: dict[str, Callable[..., Match]] = {
-    "blocker": partial(drill, scene="ball-behind-robot"),
-    "wall": partial(drill, scene="facing-wall"),
+TASKS: dict[str, Callable[..., Match]] = {
+    "blocker": partial(task, scene="ball-behind-robot"),
+    "wall": partial(task, scene="facing-wall"),
     "post": past_post,
     "pair": meeting,
 }
@@ -82,8 +78,8 @@ def on_and_off(batch: Batch) -> Samples:
         late = np.where(fate["got"] <= WITHIN, fate["got"], np.inf)
         found[f"play {word}"] = np.where(np.isfinite(fate["near"]), late, np.nan)
         found[f"goals {word}"] = fate["goals"]
-        for name, task in STAGED.items():
-            found[f"{name} {word}"] = until_got(task(batch, recovery=recovery)).reshape(MATCHES, -1)
+        for name, begun in TASKS.items():
+            found[f"{name} {word}"] = until_got(begun(batch, recovery=recovery)).reshape(MATCHES, -1)
         found[f"calls {word}"], found[f"apart {word}"] = calls(batch, recovery)
     return found
 
@@ -108,7 +104,7 @@ def mean_time(samples: Samples, word: str) -> float:
 def time_figure(samples: Samples) -> Sequence[Figure]:
     """Draw how many have the ball by when."""
     grid, curves = np.linspace(0.0, LONGEST, 41), []
-    for name in ("play", *STAGED):
+    for name in ("play", *TASKS):
         for word in WAYS:
             times = samples[f"{name} {word}"]
             share = [100.0 * float((times[~np.isnan(times)] <= t).mean()) for t in grid]
@@ -147,13 +143,14 @@ S02 = Claim(
         ),
         *(
             reported(f"success, {name}, recovery {word}", partial(success, word=word, task=name), unit="%")
-            for name in STAGED
+            for name in TASKS
             for word in WAYS
         ),
         reported("stuck balls a minute without recovery", lambda s: mean(s["calls off"]) * 60.0 / PLAY),
         reported("robots pulled apart a minute, with recovery", lambda s: mean(s["apart on"]) * 60.0 / PLAY),
         reported("robots pulled apart a minute, without", lambda s: mean(s["apart off"]) * 60.0 / PLAY),
     ),
+    rules=PLAYED_AND_STAGED,
     measure=on_and_off,
     figures=time_figure,
     ingredients=("opponents play sacks-2001 without the recovery", "where a robot stands between, it hides the ball"),
