@@ -11,5 +11,6 @@ teams.py     teams against teams      learned.py   the learned team, and how lon
 headlines.py the few figures of the main README, picked out of the others
 claims.py    what `soccer reproduce` measures        sacks.py   the page of the team sacks-2001
                                                      sacks_settings.py   what it says of its settings
-tables.json  what was measured
+                                                     rule_sets.py        its claims of play under both rule sets
+tables.json, rule_sets.json  what was measured
 """

@@ -2,7 +2,11 @@
 
     python -m soccer_env.train.tables.sacks                 measure every claim of the paper (goes on where it stopped)
     python -m soccer_env.train.tables.sacks run FOLDER ...  take in what runs of `soccer reproduce` found
+    python -m soccer_env.train.tables.sacks rules           measure the claims judged from play under league and simple
+    python -m soccer_env.train.tables.sacks before FILE     print verdicts of an earlier claims.json beside both of now
     python -m soccer_env.train.tables.sacks write           write README.md again from claims.json and the claims' notes
+
+`rules --quick` takes few samples.
 
 Measurements are kept in baselines/sacks_2001/claims.json; README.md beside it shows them between markers.
 """
@@ -22,9 +26,10 @@ from soccer_env.train.files import read_lines
 from soccer_env.train.reproduce.claim import SACKS
 from soccer_env.train.reproduce.claims import all_claims
 from soccer_env.train.reproduce.report import units_of, with_interval
-from soccer_env.train.reproduce.results import ClaimResult, plot_name, seeds_in_letters
+from soccer_env.train.reproduce.results import ClaimResult, plot_name, rules_in_words, seeds_in_letters
 from soccer_env.train.reproduce.verdicts import CONTEXT, NOT, VERDICTS
 from soccer_env.train.results_folder import SETTINGS, read_settings
+from soccer_env.train.tables import rule_sets
 from soccer_env.train.tables.claims import RUN, measure_all
 from soccer_env.train.tables.markers import between_markers
 from soccer_env.train.tables.sacks_settings import constants_text, settings_table, variants_table
@@ -38,7 +43,7 @@ CLAIMS = tuple(claim.id for claim in all_claims().values() if claim.paper == SAC
 NOT_MEASURED = "not measured"
 KEPT = (  # of a result
     "id", "statement", "section", "verdict", "by_seed", "quick", "n", "n_used", "command", "note", "changed", "without",
-    "pose",
+    "pose", "rules",
 )  # fmt: skip
 
 
@@ -90,12 +95,12 @@ def claims_table(measured: Mapping[str, Mapping[str, Any]]) -> str:
     """Return every claim of the paper in Markdown: those without a result are shown as not measured."""
     says = {name: f"{claim.statement} [{claim.section}]" for name, claim in all_claims().items()}
     lines = [
-        "| id | the paper says | measured (95 % interval) | n | verdict | seeds | note |",
-        "|---|---|---|---|---|---|---|",
+        "| id | the paper says | measured (95 % interval) | n | verdict | seeds | rules | note |",
+        "|---|---|---|---|---|---|---|---|",
     ]
     for name in CLAIMS:
         row = measured.get(name)
-        cells = (name, says.get(name, ""), "", "", NOT_MEASURED, "", "") if row is None else cells_of(row)
+        cells = (name, says.get(name, ""), "", "", NOT_MEASURED, "", "", "") if row is None else cells_of(row)
         lines.append("| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ") for cell in cells) + " |")
     return "\n".join([counted(measured), "", *lines, "", *sources(measured)])
 
@@ -108,7 +113,8 @@ def cells_of(row: Mapping[str, Any]) -> tuple[str, ...]:
     bold = f"**{verdict}**" if row["verdict"] == NOT else verdict
     marked = f"{bold} [changed]" if row["changed"] else bold
     says, n = f"{row['statement']} [{row['section']}]", units_of(row["n_used"], row["n"])
-    return row["id"], says, shown, n, marked, seeds_in_letters(row["by_seed"]), " ".join(notes_of(row))
+    seeds, rules = seeds_in_letters(row["by_seed"]), rules_in_words(row["rules"])
+    return row["id"], says, shown, n, marked, seeds, rules, " ".join(notes_of(row))
 
 
 def asked(found: Mapping[str, Any]) -> str:
@@ -159,6 +165,7 @@ def sources(measured: Mapping[str, Mapping[str, Any]]) -> list[str]:
 
 PARTS: dict[str, Callable[[Mapping[str, Mapping[str, Any]]], str]] = {
     "claims": claims_table,
+    "rules": lambda _: rule_sets.shown(rule_sets.stored()),
     "constants": constants_text,
     "settings": settings_table,
     "variants": variants_table,
@@ -212,6 +219,11 @@ def main(arguments: Iterable[str]) -> int:
         write(measure())
     elif words == ["write"]:
         write(stored())
+    elif words in (["rules"], ["rules", "--quick"]):
+        rule_sets.measure(quick="--quick" in words)
+        write(stored())
+    elif words[0] == "before" and len(words) == 2:
+        print(rule_sets.beside(json.loads(Path(words[1]).read_text(encoding="utf-8")), rule_sets.stored()))
     elif words[0] == "run" and len(words) > 1:
         measured = stored()
         for folder in words[1:]:
@@ -219,7 +231,8 @@ def main(arguments: Iterable[str]) -> int:
             take_pictures(Path(folder))
         write(measured)
     else:
-        print("usage: python -m soccer_env.train.tables.sacks [run FOLDER ... | write]", file=sys.stderr)
+        choices = "[run FOLDER ... | rules [--quick] | before FILE | write]"
+        print(f"usage: python -m soccer_env.train.tables.sacks {choices}", file=sys.stderr)
         return 2
     return 0
 

@@ -11,6 +11,7 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.reproduce.claims import all_claims
 from soccer_env.train.reproduce.reproduction import reproduce
 from soccer_env.train.reproduce.settings import ReproduceSettings
+from soccer_env.train.tables import rule_sets
 from soccer_env.train.tables import sacks as tables_sacks
 
 
@@ -73,6 +74,32 @@ def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path, monkeyp
     with pytest.raises(ValueError, match="holds no"):
         tables_sacks.take_folder(empty_run(tmp_path))
     assert tables_sacks.main(["nonsense"]) == 2
+
+
+def test_claims_judged_from_play_stand_side_by_side_under_both_rule_sets(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(rule_sets, "DATA", tmp_path / "rule_sets.json")
+    monkeypatch.setattr(rule_sets, "PLAY", ("S04",))
+    assert rule_sets.stored() == {} and rows_of(rule_sets.shown({}))["S04"][2:4] == ["not measured"] * 2
+    rule_sets.measure(quick=True)
+    found = rule_sets.stored()
+    assert {rules: list(rows) for rules, rows in found.items()} == {"league": ["S04"], "simple": ["S04"]}
+    page = rule_sets.shown(found)
+    for column, rules in ((2, "league"), (3, "simple")):
+        row = found[rules]["S04"]
+        (one,) = row["criteria"].values()
+        assert rows_of(page)["S04"][column] == rule_sets.verdict_of(row) and "(quick)" in rows_of(page)["S04"][column]
+        assert rows_of(page)["S04"][column + 2].strip(" |") == f"**{one['shown']}**"
+    assert "`soccer reproduce S04 --quick --rules simple --threads 2 --out runs/claims-simple-quick`" in page
+    before = tables_sacks.stored()
+    cells = rows_of(rule_sets.beside(before, found))["S04"]
+    assert cells[1] == "undecided (u u u)" and "(quick)" in cells[2] and "(quick)" in cells[3]
+
+
+def test_the_claims_of_the_table_are_those_that_play() -> None:
+    assert set(rule_sets.PLAY) == {name for name, claim in all_claims().items() if "league" in claim.rules}
 
 
 def empty_run(path: Path) -> Path:
