@@ -119,6 +119,8 @@ def test_robots_that_begin_to_recover_at_once_are_through_with_it_after_their_st
     assert there.sum() >= 3 and (fate["began"][there] < 0.1).all()
     over = fate["over"][there & np.isfinite(fate["aside"])]
     assert np.median(over) == pytest.approx(7.5, abs=0.3)  # ten steps back, five aside
+    assert (np.isfinite(fate["at ball"]) == np.isfinite(fate["got"])).all()
+    assert (fate["at ball"][np.isfinite(fate["got"])] <= 180.0).all()
     never = follow(BATCH, recovery=False)
     assert np.isnan(never["began"]).all() and (never["tries"][there] == 0.0).all()
 
@@ -131,8 +133,11 @@ def test_moments_without_the_flags_that_are_asked_for_do_not_count() -> None:
 
 
 def test_a_robot_at_the_wall_sees_the_ball_aside_and_cannot_turn_to_it_as_it_likes() -> None:
-    got, _ = wall.face_wall(BATCH, seen=True)
+    got, tries = wall.face_wall(BATCH, seen=True)
     assert 0.5 < got.mean() <= 1.0
+    _, with_sidesteps = wall.face_wall(BATCH, seen=True, rotate_beyond=np.pi)
+    assert 0.1 < (tries > 0).mean() < 0.9
+    np.testing.assert_array_equal(tries > 0, with_sidesteps > 0)  # the rule matters after the first way back alone
 
 
 @pytest.mark.parametrize(

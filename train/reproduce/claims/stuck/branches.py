@@ -31,7 +31,7 @@ from soccer_env.types import AWAY, HOME, NO_TEAM
 FUTURE = 24.0  # [s] of a branch
 FREE_TIME = 1.0  # [s] of walking as asked, in contact with nobody, after which a robot is free; assumed
 AS_ASKED = 0.5  # [1] of the way that its legs walk, assumed
-NUMBERS = ("got", "freed", "began", "aside", "over", "again", "tries", "goals", "before", "after")
+NUMBERS = ("got", "freed", "began", "aside", "over", "again", "tries", "goals", "before", "after", "at ball")
 
 
 class Fate:
@@ -62,6 +62,8 @@ class Fate:
         self.found["after"][fresh] = misalignment(match, self.robots)[fresh]
         alone = has_alone(match, self.robots)
         self.first("got", alone, now)
+        fresh = self.found["got"] == now
+        self.found["at ball"][fresh] = misalignment(match, self.robots)[fresh]
         self.first("freed", self.goes_freely(recovers) | alone, now)
         if self.watch.full():
             self.first("again", self.watch.held()[at] & (self.found["over"] + 1.0 <= now), now)
