@@ -5,8 +5,9 @@
 
 from __future__ import annotations
 
-from math import acos, atan2
+from math import acos, atan2, cos, sin
 
+from soccer_env.baselines.boards import begin_sweep, corner_ways, lies_in_corner, sweep
 from soccer_env.baselines.sight import rolls_to, side_of
 from soccer_env.baselines.skills import choose_shot, choose_way, go, push, shot_room, turned
 from soccer_env.compiled import compiled
@@ -18,7 +19,11 @@ def attack(command, sight, memory, k, play):
     """Bring the ball to the goal, with the first skill of the ladder that applies."""
     ux, uy = choose_aim(sight, k, play)
     ux, uy = turned(ux, uy, memory.aim_error)
-    if memory.wriggle > 0.0:
+    if memory.sweep <= 0.0:
+        begin_sweep(sight, memory, k)
+    if memory.sweep > 0.0:
+        sweep(command, sight, memory, k)
+    elif memory.wriggle > 0.0:
         wriggle(command, sight, memory, k, play)
     elif sight.held == 1:
         turn_to_goal(command, sight, k, play, ux, uy)
@@ -67,10 +72,21 @@ def approach(command, sight, memory, k, play, ux, uy):
     away_x, away_y = sight.x - x, sight.y - y
     away = max(length(away_x, away_y), 1e-6)
     behind = -(away_x * ux + away_y * uy) / away
-    if behind > play.run_in_cosine or (away < play.near * sight.touch and behind > play.near_cosine):
+    if lies_in_corner(sight.ball_x, sight.ball_y, k):
+        go_into_corner(command, sight, k, play, ux, uy)
+    elif behind > play.run_in_cosine or (away < play.near * sight.touch and behind > play.near_cosine):
         run_in(command, sight, k, play, x, y, ux, uy)
     else:
         go_round(command, sight, memory, k, play, x, y, ux, uy)
+
+
+@compiled
+def go_into_corner(command, sight, k, play, ux, uy):
+    """Go to the ball in a corner along (ux, uy): to that line first, a step before the ball, then on."""
+    x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
+    along, across = ux * x + uy * y, ux * y - uy * x
+    back = sight.touch + (0.12 if abs(across) > 0.03 and along > 0.0 else -0.03)
+    go(command, sight, k, play, sight.ball_x - back * ux, sight.ball_y - back * uy, atan2(uy, ux), play.bump)
 
 
 @compiled
@@ -103,6 +119,9 @@ def clear_of_boards(x, y, ux, uy, sight, k):
     """
     if k.walled == 0:
         return ux, uy
+    if lies_in_corner(sight.ball_x, sight.ball_y, k):
+        way, _ = corner_ways(sight.ball_x, sight.ball_y)
+        return cos(way), sin(way)
     room = k.body_tip_y + k.body_tip_radius
     edge_x, edge_y = 0.5 * k.pitch_length - room, 0.5 * k.pitch_width - room
     back_x = x - clip(x - sight.touch * ux, -edge_x, edge_x)

@@ -44,6 +44,9 @@ MEMORY = np.dtype(
         ("patience", "f8"),  # [s] of that until it is worked out
         ("wriggle", "f8"),  # [s] left of working it out
         ("wriggle_side", "f8"),  # +1 turning left, -1 right
+        ("sweep", "f8"),  # [s] left of sweeping it out of a corner
+        ("sweep_way", "f8"),  # [rad] in which it is swept, team frame
+        ("sweep_side", "f8"),  # +1 turning left, -1 right
         ("search_side", "f8"),  # +1 searches turning left, -1 right, 0 knows the ball
         ("turned", "f8"),  # [rad] since it began to turn on the spot
         ("search_clock", "f8"),  # [s] on the way to a lookout
