@@ -9,7 +9,8 @@
 | state | the whole truth of the match in [-1, 1], see `soccer_env.truth_state` |
 
 `infos[agent]` holds "active" (False for a robot sent off), "score" (own goals, the opponents'), "phase", "rewards"
-(term -> weighted reward) and "events": only what happened in this step, in words. Finite actions outside [-1, 1] are
+(term -> weighted reward) and "events": only what happened in this step, in words; at the end of an episode also
+"statistics", from the side of the agent's team (`soccer list statistics`). Finite actions outside [-1, 1] are
 clipped.
 
 Version history: v0, the first.

@@ -130,10 +130,11 @@ def run_evaluate(words: list[str]) -> int:
 
     settings = read_settings(EvaluateSettings, words, "evaluate")
     from soccer_env.train.evaluate.evaluation import evaluate
-    from soccer_env.train.evaluate.report import screen_table
+    from soccer_env.train.evaluate.report import screen_tables
 
     result = evaluate(settings)
-    console().print(screen_table(result))
+    for table in screen_tables(result):
+        console().print(table)
     if settings.out is not None:
         files = [settings.out / name for name in ("result.json", "report.md", "match.png")]
         print(f"written: {', '.join(str(file) for file in files if file.exists())}")

@@ -14,8 +14,9 @@ if TYPE_CHECKING:
     from soccer_env.observations import Entry
 
 What = Literal[
-    "leagues", "teams", "settings", "scenes", "observations", "sensors", "rules", "actions", "rewards", "claims"
-]
+    "leagues", "teams", "settings", "scenes", "observations", "sensors", "rules", "actions", "rewards", "statistics",
+    "claims",
+]  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,7 @@ def list_tables(what: What, settings: ListSettings) -> Iterator[Table]:
         "scenes": scenes,
         "actions": actions,
         "rewards": rewards,
+        "statistics": statistics,
         "claims": claims,
     }
     if what == "observations":
@@ -220,6 +222,23 @@ def rewards() -> Iterator[Table]:
 
     rows = [(x.name, x.kind, x.text, *(f"{getattr(y, x.name):g}" for y in PRESETS.values())) for x in TERMS]
     yield table("Reward terms and their weights", ("term", "kind", "meaning", *PRESETS), rows)
+
+
+def statistics() -> Iterator[Table]:
+    """Yield the statistics of play with their definitions."""
+    from soccer_env.statistics.figures import FIGURES, SHARE
+
+    rows = [
+        (
+            f"{x.name}_for, _against" if x.team else x.name,
+            x.unit,
+            f"share of {x.whole}" if x.kind == SHARE else {"rate": "a minute"}.get(x.kind, x.kind),
+            x.text,
+        )
+        for x in FIGURES
+    ]
+    title = "Statistics of play: matches.jsonl and infos hold each match's, reports put matches together"
+    yield table(title, ("name", "unit", "in reports", "definition"), rows)
 
 
 def claims() -> Iterator[Table]:

@@ -97,6 +97,21 @@ def unit_bootstrap(
     return found, float(low), float(high)
 
 
+def ratio_bootstrap(
+    parts: np.ndarray, wholes: np.ndarray, *, resamples: int = 1000, confidence: float = CONFIDENCE, seed: int = 0
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return N ratios sum(parts) / sum(wholes), low and high, by resampling units with replacement, the same for all.
+
+    parts, wholes: (U, N), a row for each independent unit. A ratio of nothing is NaN, and its interval with it.
+    """
+    weights = np.random.default_rng(seed).multinomial(len(parts), [1.0 / len(parts)] * len(parts), size=resamples)
+    tail = 50.0 * (1.0 - _fraction(confidence))  # [%]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        drawn = (weights @ parts) / (weights @ wholes)
+        low, high = np.percentile(drawn, [tail, 100.0 - tail], axis=0)
+        return parts.sum(axis=0) / wholes.sum(axis=0), low, high
+
+
 def interquartile_mean(values: ArrayLike) -> float:
     """Return the mean without the lowest and the highest quarter (each rounded down to whole values)."""
     ordered = np.sort(_numbers(values, "values"))

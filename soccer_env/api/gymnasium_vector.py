@@ -14,6 +14,8 @@ from soccer_env.api.report import NO_EVENTS, PHASES, Report, Screen, check_optio
 from soccer_env.gymnasium_envs import choose_learner
 from soccer_env.match import Match
 from soccer_env.match_settings import VectorArguments, made_from
+from soccer_env.statistics.figures import numbers_of
+from soccer_env.types import AWAY, HOME
 
 MODES: dict[AutoresetMode, Literal["next_step", "same_step"]] = {
     AutoresetMode.NEXT_STEP: "next_step",
@@ -26,7 +28,8 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
     """One learner in each of `num_envs` matches, straight over the batched core.
 
     Its settings are the fields of `VectorArguments`, `help(SoccerVectorEnv.__init__)` explains them. Infos are
-    Gymnasium's: an array for each key, and a mask `_key` of the matches that have it; "score" is (num_envs, 2).
+    Gymnasium's: an array for each key, and a mask `_key` of the matches that have it; "score" is (num_envs, 2),
+    "statistics" are of episodes that have just ended (with SameStep in "final_info").
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"]}
@@ -81,8 +84,10 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
         self._actions[:, self._row] = self._check(actions)
         _, rewards, terminated, truncated = self.match.step(self._actions)
         infos = self._infos()
-        if self.metadata["autoreset_mode"] is AutoresetMode.SAME_STEP and (terminated | truncated).any():
-            infos = self._add_final(infos)
+        ended = terminated | truncated
+        if ended.any():
+            same_step = self.metadata["autoreset_mode"] is AutoresetMode.SAME_STEP
+            infos = self._add_final(infos) if same_step else self._add_statistics(infos, ended)
         return self._observations(), rewards[:, self._row].copy(), terminated.copy(), truncated.copy(), infos
 
     def _check(self, actions: Any) -> np.ndarray:
@@ -141,12 +146,19 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
                 found[name], found[f"_{name}"] = mask.copy(), mask
         return found
 
+    def _add_statistics(self, infos: dict[str, Any], ended: np.ndarray) -> dict[str, Any]:
+        """Add the statistics of the matches that ended, from the learner's side; zeros elsewhere."""
+        numbers = numbers_of(self.match.statistics, HOME if self.agent.startswith("home") else AWAY)
+        masked = {name: np.where(ended, values, 0) for name, values in numbers.items()}
+        both = {key: item for name, values in masked.items() for key, item in ((name, values), (f"_{name}", ended))}
+        return {**infos, "statistics": both, "_statistics": ended}
+
     def _add_final(self, infos: dict[str, Any]) -> dict[str, Any]:
         """Add the last observation and info of the matches that ended, and take their reward terms to that info."""
         match, final = self.match, self.match.final
         for index, m in enumerate(match.ended):
             records = (final[name][index] for name in ("matches", "robots", "events", "robot_events", "terms"))
-            info = self._report.of(*records)[self.agent]
+            info = self._report.add_statistics(self._report.of(*records), final["statistics"][index])[self.agent]
             info["score"] = np.array(info["score"])
             last = final["observations"][index, self._row].copy()
             infos = self._add_info(infos, {"final_obs": last, "final_info": info}, int(m))

@@ -9,6 +9,7 @@ import numpy as np
 
 from soccer_env.checking import check_names, one_of, refuse
 from soccer_env.match import Match
+from soccer_env.statistics.figures import flat
 from soccer_env.types import QUIET, ROBOT_EVENTS, Phase
 
 RENDER_MODES = ("rgb_array", "human")
@@ -44,9 +45,16 @@ class Report:
         self._robot_quiet = (0,) * len(self._robot_events)
 
     def infos(self) -> Infos:
-        """Return the infos of the first match, by agent."""
+        """Return the infos of the first match, by agent; at the end of an episode with its statistics."""
         match = self._match
-        return self.of(match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
+        found = self.of(match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
+        return self.add_statistics(found, match.statistics[0]) if match.terminated[0] or match.truncated[0] else found
+
+    def add_statistics(self, infos: Infos, statistics: Any) -> Infos:
+        """Add the statistics of the episode to the infos of its agents, each from its team's side."""
+        for agent, _, team in self._robots:
+            infos[agent]["statistics"] = flat(statistics, team)
+        return infos
 
     def of(self, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray) -> Infos:
         """Return the infos that follow from the records of one match, by agent."""

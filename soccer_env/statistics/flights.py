@@ -35,11 +35,17 @@ def follow_ball(match, ball, robots, events, robot_events, k, tally, trail):
         kicker = kicker_of(robot_events, row)
         if kicker >= 0:
             begin_flight(match, ball, robots, events, kicker, k, tally, trail)
-    elif trail.player >= 0 and trail.flight < 0 and step - trail.touched == steps_in(FREE, k):
-        if ball.vx * ball.vx + ball.vy * ball.vy > k.drive_forward * k.drive_forward:
-            begin_flight(match, ball, robots, events, trail.player, k, tally, trail)
+    elif trail.player >= 0 and trail.flight < 0 and is_pushed(step, ball, k, trail):
+        begin_flight(match, ball, robots, events, trail.player, k, tally, trail)
     if trail.flight >= 0 and is_over(step, k, trail):
         end_flight(tally, trail)
+
+
+@compiled
+def is_pushed(step, ball, k, trail):
+    """Tell whether a ball has just come free from a push that makes it faster than robots go."""
+    fast = ball.vx * ball.vx + ball.vy * ball.vy > k.drive_forward * k.drive_forward
+    return fast and step - trail.touched == steps_in(FREE, k)
 
 
 @compiled

@@ -4,6 +4,7 @@ settings.py        what the command line asks for, and the conditions that follo
 evaluation.py      `evaluate`: the matches that a folder lacks are played, the result of all is returned
 contest.py         the matches: pairs from the same seeds with sides swapped, many at once
 results.py         one line for each match; the result that follows from the lines
+statistics.py      statistics of play: of a line, totals with intervals, tables
 report.py          the result in Markdown and on the screen
 pictures.py        a sheet of pictures of one match
 recording.py       a match into a replay file, out of it again, and into a window

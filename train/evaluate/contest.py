@@ -19,6 +19,7 @@ from soccer_env.scenes import find_scene
 from soccer_env.teams import CompiledTeam, ObservingTeam, Team, make_team, registered
 from soccer_env.train.evaluate.results import MatchLine
 from soccer_env.train.evaluate.settings import Conditions
+from soccer_env.train.evaluate.statistics import line_of_statistics
 
 BATCH = 32  # matches side by side for each thread; more gain little, and a run that is killed loses the batch
 REPORT_EVERY = 50  # steps between two movements of the progress bar
@@ -167,4 +168,5 @@ def line_of_match(match: Match, m: int, number: int, settings: str) -> MatchLine
         steps=int(record["step"]),
         state=match.state_hash(m),
         settings=settings,
+        statistics=line_of_statistics(match.statistics[m], ours),
     )

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import isfinite
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from soccer_env.train.evaluate.results import HALF_WIDTH, EvaluationResult
+from soccer_env.train.evaluate.statistics import goal_rows, play_rows
 from soccer_env.train.statistics import interquartile_mean, wilson_interval
 
 if TYPE_CHECKING:
@@ -79,6 +80,7 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         f"{sentence(result)} Results are {conditions.home}'s; intervals are 95 % bootstraps over pairs.",
         table(("", "value", "95 % interval"), rows(result)),
         needed(result),
+        *play_tables(result),
         "## Conditions",
         table(("", ""), settings),
         "This command plays what is missing and writes this report again:",
@@ -98,6 +100,20 @@ def needed(result: EvaluationResult) -> str:
         f"For an interval of ±{HALF_WIDTH:g} goals a match, {result.matches_needed} matches are needed "
         f"if further ones scatter as these do."
     )
+
+
+def play_tables(result: EvaluationResult) -> list[str]:
+    """Return how play went and how goals fell, in Markdown; nothing if lines lack statistics."""
+    if not result.statistics:
+        return []
+    head = ("", result.conditions.home, result.conditions.away)
+    return [
+        "## Play",
+        "One value is of both teams together. `soccer list statistics` says what each of them is; result.json has all.",
+        table(head, play_rows(result.statistics)),
+        "How goals fell:",
+        table(head, goal_rows(result.statistics)),
+    ]
 
 
 def pairs(result: EvaluationResult) -> list[str]:
@@ -125,6 +141,22 @@ def plain(value: float, digits: int) -> str:
     if abs(value) >= 10**digits or not isfinite(value):
         return f"{value:.0f}"
     return np.format_float_positional(value, precision=digits, unique=False, fractional=False, trim="-")
+
+
+def screen_tables(result: EvaluationResult) -> Iterator[Table]:
+    """Yield the numbers of a result, how play went and how goals fell as tables for the terminal."""
+    from rich.table import Table
+
+    yield screen_table(result)
+    parts = (("Play", play_rows), ("How goals fell", goal_rows)) if result.statistics else ()
+    for title, rows_of in parts:
+        drawn = Table(title=title)
+        drawn.add_column("")
+        for team in (result.conditions.home, result.conditions.away):
+            drawn.add_column(team, justify="right")
+        for row in rows_of(result.statistics):
+            drawn.add_row(*row)
+        yield drawn
 
 
 def screen_table(result: EvaluationResult) -> Table:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from soccer_env.train.evaluate.settings import Conditions
+from soccer_env.train.evaluate.statistics import Total, totals
 from soccer_env.train.results_folder import Kind
 from soccer_env.train.statistics import paired_bootstrap, required_matches
 
@@ -15,6 +16,7 @@ LEAST_PAIRS = 5  # fewer say nothing about how results scatter: no verdict
 MIRRORED = "no verdict: a team against itself plays each match of a pair twice, which says nothing"
 MATCHES = "matches.jsonl"  # of a folder: a line for each finished match
 EVALUATION = Kind("an evaluation", ("home", "away", "scene"), (MATCHES, "result.json", "report.md", "match.png"))
+LEFT_OUT = ("settings", "statistics")  # of a line in result.json: matches.jsonl has them
 HALF_WIDTH = 0.25  # [goals a match] for which the number of matches is worked out
 
 
@@ -31,6 +33,7 @@ class MatchLine:
     steps: int  # control steps
     state: str  # hash of the last state: the same match again has the same
     settings: str  # hash of the conditions and of what the match was made with
+    statistics: dict[str, Any] = field(default_factory=dict)  # of the match, see `soccer list statistics`
 
     @property
     def points(self) -> float:
@@ -63,6 +66,7 @@ class EvaluationResult:
     points: Estimate  # share: a draw counts half
     matches_needed: int | None  # for +-HALF_WIDTH goals a match; None if pairs do not scatter
     verdict: str
+    statistics: dict[str, Total]  # of play, by name; nothing if lines lack them
     lines: tuple[MatchLine, ...]  # sorted
 
     def as_dict(self) -> dict[str, Any]:
@@ -72,7 +76,7 @@ class EvaluationResult:
         conditions |= {"players": self.conditions.sizes, "senses": self.conditions.senses_text}
         record["settings_hash"] = self.lines[0].settings
         record["version"] = self.made_with.get("soccer_env", "")
-        record["results"] = [{name: line[name] for name in line if name != "settings"} for line in lines]
+        record["results"] = [{name: line[name] for name in line if name not in LEFT_OUT} for line in lines]
         return {**conditions, **record}
 
 
@@ -97,6 +101,7 @@ def summarise(conditions: Conditions, made_with: dict[str, str], lines: Sequence
         points=points,
         matches_needed=required_matches(differences, HALF_WIDTH) if len(set(differences)) > 1 else None,
         verdict=MIRRORED if is_mirrored(conditions) else judge(difference, points, len(differences)),
+        statistics=totals([line.statistics for line in ordered]),
         lines=ordered,
     )
 

@@ -1,0 +1,170 @@
+"""Every statistic with its unit and definition, and the statistics of matches as plain numbers from a team's side.
+
+A number of a team comes twice: `shots_for` is its own, `shots_against` its opponents'.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from soccer_env.statistics.records import BINS_PER_OCTAVE, SHORTEST, STATISTICS, GoalKind
+from soccer_env.types import Foul, Phase
+
+PLAYED, IN_PLAY, MATES = "played", "in_play", "mates"
+RATE, SHARE, MOST, LENGTH = "rate", "share", "most", "length"
+SIDES = ("for", "against")
+RESTARTS = tuple(p for p in Phase if p not in (Phase.PLAY, Phase.OVER))
+PERCENTS = {"spell_median": 0.5, "spell_90": 0.9}
+LENGTHS = "spell_lengths"
+
+
+@dataclass(frozen=True)
+class Statistic:
+    """One number about play: of a match, or of each team."""
+
+    name: str
+    unit: str  # of one match; reports give counts a minute and times as shares
+    text: str  # its definition, a sentence
+    team: bool
+    kind: str = RATE  # how matches are put together: RATE a minute, SHARE of `whole`, the MOST, a LENGTH of spells
+    whole: str = PLAYED
+    field: str = ""  # of the record
+    column: int | None = None  # of the field
+
+
+def of_match(name: str, unit: str, text: str, kind: str = RATE, whole: str = PLAYED, field: str = "") -> Statistic:
+    """Return a statistic of a match."""
+    return Statistic(name, unit, text, False, kind, whole, field or name)
+
+
+def of_team(name: str, unit: str, text: str, kind: str = RATE, whole: str = PLAYED, field: str = "") -> Statistic:
+    """Return a statistic of each team."""
+    return Statistic(name, unit, text, True, kind, whole, field or name)
+
+
+def by_code(prefix: str, codes: Any, text: str, field: str) -> tuple[Statistic, ...]:
+    """Return a statistic of each team for each of some codes; {} in the text is its name in words."""
+    return tuple(
+        Statistic(
+            f"{prefix}_{code.name.lower()}", "", text.format(code.name.lower().replace("_", " ")), True,
+            field=field, column=int(code),
+        )
+        for code in codes
+    )  # fmt: skip
+
+
+GOAL_TEXTS = {
+    GoalKind.CLEAN_KICK: "by a kick, or a push that leaves the ball faster than robots go, that nobody else touched",
+    GoalKind.DEFLECTED_KICK: "by a kick or such a push that another robot touched within the last 1 s",
+    GoalKind.CLEAN_DRIBBLE: "carried or pushed in by a robot that touched no opponent in the last 3 s",
+    GoalKind.PUSHED_IN: "carried or pushed in by a robot that touched an opponent in the last 3 s",
+    GoalKind.SCRUM: "bumped in out of a scrum by a robot that had not kept the ball for 1 s",
+    GoalKind.OWN_GOAL: "last touched by an opponent, and no kick of the scorers before that",
+}
+FIGURES: tuple[Statistic, ...] = (
+    of_match("played", "s", "Time of the match.", SHARE),
+    of_match("in_play", "s", "Time with the ball in play: no restart is being placed or waited for.", SHARE),
+    of_match("still", "s", "Time in play with the ball slower than 2 cm/s.", SHARE, IN_PLAY),
+    of_match("at_boards", "s", "Time in play with the ball within 20 cm of a goal line or touchline.", SHARE, IN_PLAY),
+    of_match("in_corner", "s", "Time in play with the ball within 25 cm of two such lines.", SHARE, IN_PLAY),
+    of_match(
+        "scrum", "s",
+        "Time in play with three robots or more whose centres are within 30 cm (middle size: 50 cm) of the ball.",
+        SHARE, IN_PLAY,
+    ),
+    of_match("possession_both", "s", "Time in play with the ball at robots of both teams.", SHARE, IN_PLAY, "both"),
+    of_match("separations", "", "How often the referee pulls opponents apart."),
+    of_match("drops", "", "How often the referee drops the ball."),
+    of_match("carried", "m", "Greatest distance that a drop or a separation moved a robot.", MOST),
+    of_team(
+        "possession", "s", "Time in play with the ball in the pocket or at the kicker of this team alone.",
+        SHARE, IN_PLAY,
+    ),
+    of_team("spells", "", "How often a robot gets the ball; breaks of up to 0.5 s do not count."),
+    of_team("spell_time", "s", "Time of all spells, of several robots at once as well.", SHARE, IN_PLAY),
+    of_team("longest_spell", "s", "Longest spell of one robot.", MOST),
+    of_team("spell_median", "s", "Median length of a spell, to 12 %.", LENGTH, field=LENGTHS),
+    of_team("spell_90", "s", "Length that 90 % of the spells stay below, to 12 %.", LENGTH, field=LENGTHS),
+    of_team("touches", "", "Touches of the ball in play by a robot that has not touched it for 1 s."),
+    of_team("kicks", "", "Kicks that reach the ball."),
+    of_team(
+        "shots", "",
+        "Kicks, and pushes that leave the ball free and faster than robots go, after which the ball would roll over "
+        "the opponents' goal line between the posts or at most a quarter of the goal's width beside one.",
+    ),
+    of_team("on_target", "", "Shots that would roll between the posts, or do so."),
+    of_team("saves", "", "Opponents' shots on target that this goalkeeper touches first and that are no goals."),
+    of_team(
+        "passes_tried", "",
+        "Balls, no shots, that are free for 0.25 s and that another robot then touches more than 0.3 m (middle size: "
+        "1 m) from where they were played.",
+    ),
+    of_team("passes", "", "Such balls that a mate touches: completed passes."),
+    of_team("interceptions", "", "Such balls of the opponents that this team touches."),
+    of_team(
+        "mates", "s", "Time in play of field players that are not nearest to the ball in their team.", SHARE, IN_PLAY
+    ),
+    of_team("idle", "s", "Time of those that move slower than 1 cm/s (middle size: 5 cm/s).", SHARE, MATES),
+    of_team(
+        "keeper_away", "s", "Time in play with the goalkeeper a quarter of the pitch from its goal.", SHARE, IN_PLAY
+    ),
+    of_team("keeper_in_goal", "s", "Time in play with the goalkeeper behind its goal line.", SHARE, IN_PLAY),
+    of_team("out", "s", "Time of penalties, of all robots together.", SHARE),
+    of_team("annulled", "", "Goals that the referee annuls."),
+    Statistic("goals", "", "Goals.", True),
+    *(
+        Statistic(f"goals_{kind.name.lower()}", "", f"Goals {text}.", True, field="goals", column=int(kind))
+        for kind, text in GOAL_TEXTS.items()
+    ),
+    of_team("goals_after_separation", "", "Goals within 6 s of a separation.", field="after_separation"),
+    of_team(
+        "goals_after_pushed_keeper", "",
+        "Goals within 10 s of a time in which the goalkeeper had been in contact with opponents for 1 s.",
+        field="after_pushed_keeper",
+    ),
+    of_team("goals_solo", "", "Goals of which one robot of the scorers alone touched the ball since the restart.",
+            field="solo"),
+    *by_code("goals_after", RESTARTS, "Goals within 10 s of the ball coming into play by a {}.", "after_restart"),
+    *by_code("restarts", RESTARTS, "Restarts for this team by a {}; the first kick-off is not called.", "restarts"),
+    *by_code("fouls", [f for f in Foul if f != Foul.NONE], "Whistles against this team for {}.", "fouls"),
+)  # fmt: skip
+
+
+def numbers_of(statistics: np.ndarray, team: int) -> dict[str, np.ndarray]:
+    """Return the numbers (M,) of the statistics of matches (M,) by name, from the side of a team (HOME or AWAY)."""
+    found: dict[str, np.ndarray] = {}
+    for figure in FIGURES:
+        values = column_of(statistics, figure)
+        if not figure.team:
+            found[figure.name] = values
+            continue
+        for side, of in zip(SIDES, (team, 1 - team), strict=True):
+            found[f"{figure.name}_{side}"] = values[:, of]
+    return found
+
+
+def column_of(statistics: np.ndarray, figure: Statistic) -> np.ndarray:
+    """Return a statistic of matches: (M,), or of a team (M, 2)."""
+    if figure.name == "goals":
+        return np.asarray(statistics["goals"].sum(axis=-1))
+    values = statistics[figure.field]
+    if figure.kind == LENGTH:
+        return length_of(values, PERCENTS[figure.name])
+    return np.asarray(values if figure.column is None else values[..., figure.column])
+
+
+def length_of(counts: np.ndarray, share: float) -> np.ndarray:
+    """Return below which length [s] a share of spells stays, from counts (..., BINS) of lengths; 0 of none."""
+    total = np.cumsum(counts, axis=-1)
+    place = (total >= share * total[..., -1:]).argmax(axis=-1)
+    middle = SHORTEST * 2.0 ** ((place + 0.5) / BINS_PER_OCTAVE)
+    return np.where(total[..., -1] > 0, middle, 0.0)
+
+
+def flat(record: Any, team: int) -> dict[str, float]:
+    """Return the statistics of one match (a record) by name, from the side of a team: counts and times [s]."""
+    one = np.array([record], STATISTICS)
+    return {name: values.item() for name, values in numbers_of(one, team).items()}

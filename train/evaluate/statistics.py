@@ -1,0 +1,170 @@
+"""Statistics of play in evaluations: what a match's line holds, totals with intervals, and their tables.
+
+`soccer list statistics` says what each of them means.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from soccer_env.statistics.figures import (
+    FIGURES,
+    LENGTH,
+    LENGTHS,
+    MOST,
+    PERCENTS,
+    RATE,
+    SHARE,
+    SIDES,
+    Statistic,
+    flat,
+    length_of,
+)
+from soccer_env.statistics.records import GoalKind
+from soccer_env.train.statistics import ratio_bootstrap
+
+UNITS = {(RATE, ""): "/min", (RATE, "s"): "s/min", (SHARE, "s"): "%"}
+
+
+@dataclass(frozen=True)
+class Total:
+    """A statistic of all matches: its sum (largest, or length), and what reports give of it with its 95 % interval."""
+
+    total: float
+    value: float | None  # a minute of the match or a share; None of nothing
+    low: float | None
+    high: float | None
+    unit: str
+
+
+def line_of_statistics(record: Any, team: int) -> dict[str, Any]:
+    """Return what the line of a match holds: its statistics from a team's side, and how many spells were how long."""
+    lengths = {
+        f"{LENGTHS}_{side}": record[LENGTHS][of].tolist() for side, of in zip(SIDES, (team, 1 - team), strict=True)
+    }
+    return flat(record, team) | lengths
+
+
+def totals(lines: Sequence[dict[str, Any]]) -> dict[str, Total]:
+    """Return the statistics of matches, given in pairs, by name; nothing if a match has none."""
+    if not lines or not all(lines):
+        return {}
+    found: dict[str, Total] = {}
+    rated = [(name, figure) for name, figure in named() if figure.kind in (RATE, SHARE)]
+    parts = in_pairs([[line[name] for name, _ in rated] for line in lines])
+    wholes = in_pairs([[line[whole_of(name, figure)] for name, figure in rated] for line in lines])
+    for (name, figure), total, *numbers in zip(rated, parts.sum(axis=0), *ratio_bootstrap(parts, wholes), strict=True):
+        scale = 100.0 if figure.kind == SHARE else 60.0
+        found[name] = Total(float(total), *(finite(scale * x) for x in numbers), unit_of(figure))
+    for name, figure in named():
+        if figure.kind == MOST:
+            most = max(line[name] for line in lines)
+            found[name] = Total(most, most, None, None, figure.unit)
+        elif figure.kind == LENGTH:
+            found[name] = spell_length(lines, name, figure)
+    return {name: found[name] for name, _ in named()}
+
+
+def named() -> list[tuple[str, Statistic]]:
+    """Return the names that a line has, each with its statistic."""
+    return [(f"{x.name}_{side}" if x.team else x.name, x) for x in FIGURES for side in (SIDES if x.team else SIDES[:1])]
+
+
+def whole_of(name: str, figure: Statistic) -> str:
+    """Return the name of what a statistic is a share of."""
+    whole = next(x for x in FIGURES if x.name == figure.whole)
+    return f"{figure.whole}_{name.rpartition('_')[2]}" if whole.team else figure.whole
+
+
+def unit_of(figure: Statistic) -> str:
+    """Return the unit in which reports give a statistic."""
+    return UNITS.get((figure.kind, figure.unit), figure.unit)
+
+
+def in_pairs(rows: list[list[float]]) -> np.ndarray:
+    """Return rows of matches added up over the two of each pair; one that is left over stands alone."""
+    numbers = np.array(rows, np.float64)
+    return np.add.reduceat(numbers, np.arange(0, len(numbers), 2), axis=0)
+
+
+def spell_length(lines: Sequence[dict[str, Any]], name: str, figure: Statistic) -> Total:
+    """Return a length of the spells of all matches together, with its interval by resampling pairs."""
+    counts = in_pairs([line[f"{LENGTHS}_{name.rpartition('_')[2]}"] for line in lines])
+    weights = np.random.default_rng(0).multinomial(len(counts), [1.0 / len(counts)] * len(counts), size=1000)
+    share = PERCENTS[figure.name]
+    value = float(length_of(counts.sum(axis=0), share))
+    low, high = np.percentile(length_of(weights @ counts, share), [2.5, 97.5])
+    return Total(value, value, float(low), float(high), figure.unit)
+
+
+def finite(number: float) -> float | None:
+    """Return a number, or None for one that JSON cannot hold."""
+    return float(number) if isfinite(number) else None
+
+
+# Tables
+
+TELLING = (  # name, in words: a short table
+    ("in_play", "ball in play"),
+    ("possession", "ball at this team alone"),
+    ("spell_median", "one robot's spell with the ball, median"),
+    ("longest_spell", "the longest"),
+    ("touches", "touches"),
+    ("kicks", "kicks"),
+    ("shots", "shots"),
+    ("on_target", "shots on target"),
+    ("saves", "saves"),
+    ("passes", "passes completed"),
+    ("idle", "mates idle"),
+    ("keeper_away", "goalkeeper away from its goal"),
+    ("fouls", "whistles"),
+    ("separations", "separations"),
+    ("drops", "dropped balls"),
+    ("at_boards", "ball at a board or line"),
+    ("scrum", "scrum"),
+)
+GOALS = (
+    *((f"goals_{kind.name.lower()}", kind.name.lower().replace("_", " ")) for kind in GoalKind),
+    ("goals_after_separation", "of these within 6 s of a separation"),
+    ("goals_after_pushed_keeper", "of these within 10 s of a pushed goalkeeper"),
+    ("goals_solo", "of these by one robot alone since the restart"),
+)
+
+
+def play_rows(found: dict[str, Total]) -> list[tuple[str, str, str]]:
+    """Return the most telling statistics as rows of name, first team and second team, or of both together."""
+    rows = []
+    for name, words in TELLING:
+        if name in found:
+            rows.append((words, told(found[name]), ""))
+        elif name == "fouls":
+            rows.append((words, *(whistles(found, side) for side in SIDES)))
+        else:
+            rows.append((words, *(told(found[f"{name}_{side}"]) for side in SIDES)))
+    return rows
+
+
+def goal_rows(found: dict[str, Total]) -> list[tuple[str, str, str]]:
+    """Return how many goals of both teams fell in which way."""
+    return [(words, *(f"{found[f'{name}_{side}'].total:g}" for side in SIDES)) for name, words in GOALS]
+
+
+def whistles(found: dict[str, Total], side: str) -> str:
+    """Return the whistles against a team a minute."""
+    rates = [total.value or 0.0 for name, total in found.items() if name.startswith("fouls_") and name.endswith(side)]
+    return f"{sum(rates):.2g}/min"
+
+
+def told(total: Total) -> str:
+    """Return a statistic with unit and interval."""
+    if total.value is None:
+        return "-"
+    unit = total.unit if total.unit.startswith("/") else f" {total.unit}".rstrip()
+    if total.low is None or total.high is None:
+        return f"{total.value:.3g}{unit}"
+    return f"{total.value:.3g}{unit} ({total.low:.3g} to {total.high:.3g})"
