@@ -33,7 +33,8 @@ def begin_episode(match, ball, robots, k, seed, episode, half_length):
     match.restart_team = HOME
     match.kick_off_team = HOME
     match.last_touch_team, match.last_touch_robot = NO_TEAM, -1
-    match.whistled, match.taker = NO_TEAM, -1
+    match.whistled = match.kick_off_shot = NO_TEAM
+    match.taker = -1
     for r in range(robots.shape[0]):
         start_streams(robots[r].noise, seed, episode, 1 + 2 * robots[r].number + robots[r].team)
         robots[r].slip.forward = robots[r].slip.left = robots[r].slip.turn = 1.0

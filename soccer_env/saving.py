@@ -18,7 +18,7 @@ from soccer_env.types import AWAY, GAZE, HOME, NO_TEAM, Phase, RobotStream
 Match = Any  # soccer_env.match.Match, which stands above this file
 
 # Streams that physics and the referee draw from: the play itself. Teams and senses draw from the others.
-PLAYED = (RobotStream.SLIP, RobotStream.KICK, RobotStream.PLACEMENT)
+PLAYED = (RobotStream.SLIP, RobotStream.KICK, RobotStream.PLACEMENT, RobotStream.FALL)
 THOUGHT = [int(stream) for stream in RobotStream if stream not in PLAYED]
 
 MAGIC = b"soccer_env save 1\n"
@@ -109,6 +109,7 @@ def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:
 RANGES = {  # of whole numbers in matches and robots, both ends allowed
     "half": (0, 1), "over": (0, 1), "phase": (0, max(Phase)), "placing": (0, 1), "restart_team": (NO_TEAM, AWAY),
     "kick_off_team": (HOME, AWAY), "last_touch_team": (NO_TEAM, AWAY), "active": (0, 1), "has_ball": (0, 1),
+    "whistled": (NO_TEAM, AWAY), "kick_off_shot": (NO_TEAM, AWAY),
     "step": (0, 1 << 60), "episode": (0, 1 << 60), "gait_phase": (0, 1 << 20), "score": (0, 1 << 31),
 }  # fmt: skip
 SENSED = ("percepts", "sensor_states", "pending", "beliefs", "tracks", "memories", "messages", "particles")

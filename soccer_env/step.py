@@ -30,7 +30,7 @@ from soccer_env.physics.solver.contacts import stance_of
 from soccer_env.physics.solver.interlock import catch_legs
 from soccer_env.referee.calls import judge
 from soccer_env.referee.fouls.judging import judge_fouls
-from soccer_env.referee.fouls.penalties import serve_penalties
+from soccer_env.referee.fouls.penalties import pardon, serve_penalties
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.separation import pull_apart, watch_contacts
 from soccer_env.referee.steering import steer_to_place
@@ -224,6 +224,7 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
         moved = True
     judge_drill(match, ball, robots, robot_events, events, k)
     if events.restart != 0 and match.over == 0:
+        pardon(match, ball, robots, events, robot_events, k)
         carry_out_restart(match, ball, robots, k, k.placement_by_driving)
         moved = True
     for r in range(robots.shape[0]):
@@ -262,7 +263,8 @@ def clear_events(events, robot_events):
     events.half_time = events.final_whistle = events.drill = events.foul = events.annulled = 0
     for r in range(robot_events.shape[0]):
         event = robot_events[r]
-        event.touch = event.kick = event.possession = event.collision = event.foul = event.returned = 0
+        event.touch = event.kick = event.possession = event.collision = 0
+        event.pushes = event.pushed = event.foul = event.returned = 0
 
 
 @compiled

@@ -83,6 +83,7 @@ class RobotStream(IntEnum):
     RADIO = 10  # loss of messages
     LIGHT = 11
     BARRIER = 12  # errors of the light barrier
+    FALL = 13  # robots that are pushed over
 
 
 COMMAND = np.dtype(
@@ -141,8 +142,9 @@ MATCH = np.dtype(
         ("local_clock", "f8"),  # [s] since play moved on
         ("local_x", "f8"),  # [m] field frame: where play has been since
         ("local_y", "f8"),  # [m] field frame
-        ("whistled", "i8"),  # the team whose attack was whistled, or NO_TEAM
+        ("whistled", "i8"),  # the team whose attack was whistled a moment ago, or NO_TEAM
         ("whistled_clock", "f8"),  # [s] since
+        ("kick_off_shot", "i8"),  # the team that cannot score before it touches its kick-off again, or NO_TEAM
         ("shoot_out", "i8"),  # penalty kicks taken; 0 outside a shoot-out
         ("shoot_out_score", "i8", (2,)),  # goals of home, of away in it
         ("drill_clock", "f8"),  # [s] for which a drill's dribbler has been far from the ball
@@ -202,7 +204,7 @@ ROBOT = np.dtype(
         ("holding", "f8"),  # [s] that it has held a trapped ball
         ("carry_x", "f8"),  # [m] field frame: where it took up the ball that it carries
         ("carry_y", "f8"),  # [m] field frame
-        ("trespass", "f8"),  # [s] in an area in which it may not stay
+        ("trespass", "f8"),  # [s] in an area in which it may not stay; below 0: it has that long to walk out
         ("beyond", "f8"),  # [s] beyond a line that it may not leave
         ("locked", "f8"),  # [s] in contact with an opponent, less the time out of it, never below 0
         ("place_x", "f8"),  # [m] field frame: its place at the current restart
@@ -244,6 +246,8 @@ ROBOT_EVENTS = np.dtype(
         ("kick", "i2"),  # 1: a kick reached the ball
         ("possession", "i2"),  # 1: the ball lay in its pocket or at its kicker
         ("collision", "i2"),  # 1: touched another robot
+        ("pushes", "i2"),  # it walks into an opponent: 1 any, 2 a goalkeeper in its own area; 0: it does not
+        ("pushed", "i2"),  # 1: an opponent walks into it
         ("foul", "i2"),  # the Foul that was whistled against it, or 0
         ("returned", "i2"),  # 1: it came back from a penalty
     ]

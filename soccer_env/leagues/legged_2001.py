@@ -111,7 +111,7 @@ DRIVE = Drive(
     gait_steps=8,  # half a second, Sacks 2001, 4.3.2
     slip=0.08,  # 8 %, assumed
     slip_time=0.5,  # [s] a gait step
-    fall=0.0,  # off until the foul rules use it
+    fall=0.0,  # off: no source says how often a robot on four paws fell
     fall_time=3.0,  # [s] assumed
 )
 
@@ -177,6 +177,16 @@ RULES = Rules(
     drop_x=0.75,  # [m] a quarter of the length, assumed
     drop_y=0.5,  # [m] a quarter of the width, assumed
     contact_time=15.0,  # [s] "after a set time", Sacks 2001, 1; as a stuck ball, assumed  MS55
+    pardon=True,
+    pushing=True,
+    keeper_pushing=True,
+    holding=True,
+    illegal_defender=True,
+    leaving_field=True,
+    falling=True,
+    kick_off_shot=True,
+    local_stuck=True,
+    global_stuck=True,
 )
 
 LEAGUE = League(  # MS56

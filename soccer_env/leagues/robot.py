@@ -104,8 +104,8 @@ class Drive(Part):
     gait_steps: int  # control steps of a gait step, in which the walk cannot change; 1 for wheels
     slip: float  # [1] deviation of a walk from its command
     slip_time: float = field(metadata=PYTHON_ONLY)  # [s] for which a drawn slip holds
-    fall: float = field(metadata=PYTHON_ONLY)  # [1/(N s)] probability of a fall for each unit of pushing impulse; 0 off
-    fall_time: float = field(metadata=PYTHON_ONLY)  # [s] on the ground
+    fall: float  # [1/(N s)] probability of a fall for each unit of pushing impulse; 0 off
+    fall_time: float  # [s] on the ground
 
 
 @dataclass(frozen=True)

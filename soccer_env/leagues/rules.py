@@ -56,22 +56,31 @@ class Rules(Part):
 
     # Fouls of the legged league: the robot is taken out and comes back at the halfway line
     removal_time: float = 30.0  # [s] that a robot is out
+    pardon: bool = False  # a kick-off ends all penalties that run
     pushing: bool = False
     pushing_time: float = 3.0  # [s] in contact
     pushing_exempt: float = 0.5  # [m] the robot nearest to the ball may push for it within this distance
     keeper_pushing: bool = False
     keeper_pushing_time: float = 1.0  # [s] in contact
+    annulled_push: float = 0.5  # [s] of a push or hold that is not yet a foul, after which a goal by it does not count
+    annulled_time: float = 3.0  # [s] after the whistle for which the attack cannot score
     holding: bool = False
     holding_time: float = 3.0  # [s]
     keeper_holding_time: float = 5.0  # [s] in its own area
     carrying: bool = False
     carrying_distance: float = 0.5  # [m] that a ball may be carried
     illegal_defender: bool = False
+    illegal_defender_time: float = 1.0  # [s] in its own penalty area
     illegal_attacker: bool = False
+    illegal_attacker_time: float = 10.0  # [s] in the opponents' penalty area while the ball is elsewhere
     leaving_field: bool = False
+    leaving_time: float = 5.0  # [s] in a goal
     falling: bool = False
+    fallen_time: float = 5.0  # [s] on the ground
+    kick_off_shot: bool = False  # a kick-off scores once its team touches it again, out of the centre circle
     local_stuck: bool = False
     local_stuck_time: float = 30.0  # [s]
+    local_stuck_radius: float = 0.5  # [m] within which play does not move on
     global_stuck: bool = False
     global_stuck_time: float = 30.0  # [s] that nobody touches the ball
 

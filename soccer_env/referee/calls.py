@@ -9,7 +9,7 @@ carried out by `referee.restarts`. Written for both teams at once through the di
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.referee.fouls.goals import goal_counts
+from soccer_env.referee.fouls.goals import goal_counts, is_kick_off_shot
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 PLAY = int(Phase.PLAY)
@@ -32,6 +32,9 @@ def judge(match, ball, robots, events, k, toucher):
     match.phase_clock += k.dt
     if toucher >= 0:
         events.touch_team = robots[toucher].team
+    if events.restart != 0:  # a foul was whistled: the ball is dead
+        return
+    if toucher >= 0:
         match.last_touch_team = robots[toucher].team
         match.last_touch_robot = toucher
         match.idle_clock = 0.0
@@ -77,8 +80,10 @@ def judge_goal(match, ball, robots, events, k):
         give_goal(match, events, k, scorer)
         return
     events.annulled = 1
-    if k.walled == 1:
-        drop_ball(match, ball, events, k)
+    if is_kick_off_shot(match, k, scorer):
+        call_restart(match, events, KICK_OFF, other_team(scorer), 0.0, 0.0)
+    elif k.walled == 1:  # as a ball that is out, on the halfway line: none of both gains by it
+        call_restart(match, events, DROP_BALL, NO_TEAM, 0.0, k.rules_drop_y if ball.y > 0.0 else -k.rules_drop_y)
     else:
         give_goal_kick(match, ball, events, k, other_team(scorer))
 

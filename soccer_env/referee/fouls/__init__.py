@@ -3,4 +3,5 @@
 judging.py      all rules in their order, once a control step
 penalties.py    the whistle; robots that are taken out, and that come back
 goals.py        whether a goal counts
+legged/         the rules of the legged league
 """

@@ -6,12 +6,10 @@
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.types import Phase
-
-PLAY = int(Phase.PLAY)
+from soccer_env.referee.fouls.legged.book import judge_legged
 
 
 @compiled
 def judge_fouls(match, ball, robots, events, robot_events, k):
     """Whistle for the fouls of a step; tell whether robots were moved."""
-    return False
+    return judge_legged(match, ball, robots, events, robot_events, k)

@@ -1,8 +1,12 @@
 """The whistle, and robots that are taken out for a time and come back at the halfway line.
 
+The book [RoboCup-SPL/Rules, NaoRules2008.tex, standard removal penalty]: the robot is placed outside the field; when
+its time is over, on the halfway line as close to the sideline as possible, on the side farther from the ball, facing
+the opposite sideline; if somebody stands there, at a place nearby along the sideline, rather away from the ball. Times
+that run are over whenever the game stops: for goals, half-time and game stuck.
+
 A robot that is out is parked beside the pitch, stays an agent and stands still; its clock runs while the ball is in
-play or waits for a restart. It comes back on the touchline at the halfway line, on the side that is farther from the
-ball, facing the pitch, and is told where it stands.
+play or waits for a restart. When it comes back it is told where it stands.
 
 `k`: the league's constants.
 """
@@ -12,25 +16,37 @@ from __future__ import annotations
 from math import inf, pi
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import direction_of, length
 from soccer_env.physics.parking import parking_place
 from soccer_env.referee.restarts import MARGIN, put_robot, stop
+from soccer_env.types import Phase
 
+KICK_OFF = int(Phase.KICK_OFF)
 STEP_ASIDE = 0.05  # [m] by which the place of a return is moved along the touchline until it is free
 
 
 @compiled
 def whistle(match, robots, events, robot_events, r, foul):
-    """Note a foul of robot r."""
-    robot_events[r].foul = foul
+    """Note a foul of robot r; of several in one step the first."""
+    if robot_events[r].foul == 0:
+        robot_events[r].foul = foul
     if events.foul == 0:
         events.foul = foul
         events.foul_team = robots[r].team
 
 
 @compiled
+def take_out(match, ball, robots, robot_events, r, seconds, k):
+    """Take a robot out for a time [s]; 0: it is put on the halfway line at once."""
+    send_off(robots, r, seconds)
+    if seconds <= 0.0:
+        come_back(match, ball, robots, r, k)
+        robot_events[r].returned = 1
+
+
+@compiled
 def send_off(robots, r, seconds):
-    """Take a robot out for a time [s]; inf: for good."""
+    """Take a robot out for a time [s]; inf: for good. Legs that were caught in each other come free."""
     robot = robots[r]
     robot.active = 0
     robot.banned = 1 if seconds == inf else 0
@@ -39,6 +55,10 @@ def send_off(robots, r, seconds):
     robot.pushing = robot.keeper_pushing = robot.holding = robot.trespass = robot.beyond = robot.fallen = 0.0
     robot.x, robot.y, robot.heading = robot.place_x, robot.place_y, robot.place_heading
     stop(robot)
+    robot.caught_by = 0
+    for other in range(robots.shape[0]):
+        if robots[other].caught_by == r + 1:
+            robots[other].caught_by = 0
 
 
 @compiled
@@ -48,9 +68,8 @@ def serve_penalties(match, ball, robots, robot_events, k):
     for r in range(robots.shape[0]):
         if robots[r].penalty <= 0.0:
             continue
-        robots[r].penalty = max(robots[r].penalty - k.dt, 0.0)
+        robots[r].penalty -= k.dt
         if robots[r].penalty < 0.5 * k.dt:
-            robots[r].penalty = 0.0
             come_back(match, ball, robots, r, k)
             robot_events[r].returned = 1
             moved = True
@@ -58,24 +77,45 @@ def serve_penalties(match, ball, robots, robot_events, k):
 
 
 @compiled
-def come_back(match, ball, robots, r, k):
-    """Put a robot back on the touchline at the halfway line, away from the ball and free of others."""
-    side = 1.0 if ball.y <= 0.0 else -1.0
-    back = -1.0 if (robots[r].team == 0) == (match.home_direction > 0.0) else 1.0
-    y = side * (0.5 * k.pitch_width - k.body_reach - k.legs * k.pitch_board_foot - MARGIN)
-    x = 0.0
-    for _ in range(int(0.5 * k.pitch_length / STEP_ASIDE)):
-        if is_free(robots, r, x, y, k):
-            break
-        x += back * STEP_ASIDE  # towards its own goal
-    robots[r].active = 1
-    robots[r].place_x, robots[r].place_y, robots[r].place_heading = x, y, -side * 0.5 * pi
-    put_robot(robots[r])
+def pardon(match, ball, robots, events, robot_events, k):
+    """End all penalties that run if there is a kick-off: the robots take their places in it."""
+    if k.rules_pardon == 0 or events.restart != KICK_OFF:
+        return
+    for r in range(robots.shape[0]):
+        if robots[r].penalty > 0.0:
+            come_back(match, ball, robots, r, k)
+            robot_events[r].returned = 1
 
 
 @compiled
-def is_free(robots, r, x, y, k):
-    """Tell whether robot r could stand at a place [m, m] without touching another."""
+def come_back(match, ball, robots, r, k):
+    """Put a robot back on the touchline at the halfway line, away from the ball and free of others."""
+    robot, ahead = robots[r], direction_of(match, robots[r].team)
+    side = -1.0 if ball.y > 0.0 else (1.0 if ball.y < 0.0 else ahead * match.handedness)
+    edge = 0.5 * k.pitch_width - k.body_reach - k.legs * k.pitch_board_foot - MARGIN
+    aside = nearest_free(ball, robots, r, ahead, side * edge, k)
+    if aside < 0.0:  # no room on that side
+        side = -side
+        aside = max(nearest_free(ball, robots, r, ahead, side * edge, k), 0.0)
+    robot.active, robot.penalty = 1, 0.0
+    robot.place_x, robot.place_y, robot.place_heading = -ahead * aside, side * edge, -side * 0.5 * pi
+    put_robot(robot)
+
+
+@compiled
+def nearest_free(ball, robots, r, ahead, y, k):
+    """Return how far from the halfway line towards its own goal robot r finds room beside a touchline [m], or -1."""
+    for step in range(int((0.5 * k.pitch_length - k.body_reach) / STEP_ASIDE)):
+        if is_free(ball, robots, r, -ahead * step * STEP_ASIDE, y, k):
+            return step * STEP_ASIDE
+    return -1.0
+
+
+@compiled
+def is_free(ball, robots, r, x, y, k):
+    """Tell whether robot r could stand at a place [m, m] without touching another, or the ball."""
+    if length(ball.x - x, ball.y - y) < k.body_reach + k.ball_radius + MARGIN:
+        return False
     for other in range(robots.shape[0]):
         far = length(robots[other].x - x, robots[other].y - y)
         if other != r and robots[other].active == 1 and far < 2.0 * k.body_reach + MARGIN:

@@ -1,0 +1,81 @@
+"""All rules of the legged league in their order, and what becomes of those who are guilty.
+
+All is judged before anybody is moved, so that nobody is favoured by its number.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.referee.calls import call_restart
+from soccer_env.referee.fouls.goals import note_whistled_attack
+from soccer_env.referee.fouls.legged.areas import judge_areas
+from soccer_env.referee.fouls.legged.contact import note_pushes
+from soccer_env.referee.fouls.legged.falling import judge_falling
+from soccer_env.referee.fouls.legged.holding import judge_holding
+from soccer_env.referee.fouls.legged.keeper_pushing import judge_keeper_pushing
+from soccer_env.referee.fouls.legged.kick_off_shot import watch_kick_off
+from soccer_env.referee.fouls.legged.leaving import judge_leaving
+from soccer_env.referee.fouls.legged.pushing import judge_pushing
+from soccer_env.referee.fouls.legged.stuck import GLOBAL, TO_CENTRE, defender_at, judge_stuck
+from soccer_env.referee.fouls.penalties import take_out
+from soccer_env.types import NO_TEAM, Foul, Phase
+
+HOLDING, FALLEN, GAME_STUCK = int(Foul.HOLDING), int(Foul.FALLEN), int(Foul.GAME_STUCK)
+KICK_OFF, DROP_BALL = int(Phase.KICK_OFF), int(Phase.DROP_BALL)
+
+
+@compiled
+def judge_legged(match, ball, robots, events, robot_events, k):
+    """Whistle for the fouls of a step; tell whether robots were moved."""
+    if k.rules_kick_off_shot == 1:
+        watch_kick_off(match, ball, robots, robot_events, k)
+    if k.rules_pushing + k.rules_keeper_pushing + k.rules_illegal_defender + k.rules_falling > 0:
+        note_pushes(match, ball, robots, robot_events, k)
+    if k.rules_keeper_pushing == 1:
+        judge_keeper_pushing(match, robots, events, robot_events, k)
+    if k.rules_holding + k.rules_carrying > 0:
+        judge_holding(match, ball, robots, events, robot_events, k)
+    if k.rules_pushing == 1:
+        judge_pushing(match, ball, robots, events, robot_events, k)
+    if k.rules_illegal_defender + k.rules_illegal_attacker > 0:
+        judge_areas(match, ball, robots, events, robot_events, k)
+    if k.rules_leaving_field == 1:
+        judge_leaving(match, robots, events, robot_events, k)
+    if k.rules_falling == 1:
+        judge_falling(match, robots, events, robot_events, k)
+    if k.rules_local_stuck + k.rules_global_stuck > 0:
+        restart_if_stuck(match, ball, robots, events, robot_events, k)
+    if k.rules_keeper_pushing + k.rules_holding > 0:
+        note_whistled_attack(match, robots, robot_events, k)
+    return events.foul != 0 and take_out_guilty(match, ball, robots, robot_events, k)
+
+
+@compiled
+def restart_if_stuck(match, ball, robots, events, robot_events, k):
+    """Call the restart of a game that is stuck, if it needs one."""
+    found = judge_stuck(match, ball, robots, events, robot_events, k)
+    if found == GLOBAL:
+        events.stuck = 1
+        call_restart(match, events, KICK_OFF, defender_at(match, ball.x), 0.0, 0.0)
+    elif found == TO_CENTRE:
+        events.stuck = 1
+        call_restart(match, events, DROP_BALL, NO_TEAM, 0.0, 0.0)
+
+
+@compiled
+def take_out_guilty(match, ball, robots, robot_events, k):
+    """Take those out who were whistled; tell whether there are any.
+
+    Who lay for too long, was in the way of a stuck game or is a goalkeeper that held the ball comes back at once.
+    """
+    found = False
+    for r in range(robots.shape[0]):
+        foul = robot_events[r].foul
+        if foul == 0:
+            continue
+        at_once = foul in (FALLEN, GAME_STUCK) or (foul == HOLDING and robots[r].keeper == 1)
+        take_out(match, ball, robots, robot_events, r, 0.0 if at_once else k.rules_removal_time, k)
+        found = True
+    return found

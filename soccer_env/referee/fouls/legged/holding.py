@@ -1,0 +1,114 @@
+"""Ball holding: a ball that is trapped for longer than 3 s, by a goalkeeper in its own area 5 s.
+
+The book: a robot that leaves not enough open space round the ball for more than 3 s is removed for 30 s; a goalkeeper
+may hold it for 5 s with a foot in its own area, and is put on the halfway line at once; who lets go for about as long
+as it held starts anew, without it all counts as one hold. Enough is half of the ball outside the robot's hull, which
+a ball between the forepaws of an ERS-210 always has. We count while the ball is trapped:
+
+* it lies between the forepaws and goes along although the robot does not walk ahead but turns, steps aside or goes
+  back. A robot that stands, to kick for instance, neither holds on nor lets go;
+* or no paw of an opponent could reach it: robot and boards cover it on all sides. It does not matter whether the
+  robot touches it, as the book says too.
+
+A ball that is pushed ahead is free to roll away, as the paper dribbles [Sacks 2001, 3.3], and one that an opponent
+touches is not trapped. The 50 cm that a ball may be carried in the book are a rule of their own (`carrying`).
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.physics.contacts import outline_gap
+from soccer_env.referee.fouls.legged.areas import in_own_area
+from soccer_env.referee.fouls.legged.pushing import square_to_ball
+from soccer_env.referee.fouls.penalties import whistle
+from soccer_env.types import Foul
+
+HOLDING = int(Foul.HOLDING)
+FREE, KEPT, TRAPPED = -1.0, 0.0, 1.0  # which way the clock runs
+WALKS = 0.25  # [1] of a top speed, below which a robot stands, assumed
+SIDES = 16  # directions from which a paw may come
+
+
+@compiled
+def judge_holding(match, ball, robots, events, robot_events, k):
+    """Whistle robots that have held the ball for too long, or carried it too far."""
+    reach = k.body_reach + k.ball_radius + 2.0 * k.body_tip_radius  # as near as no paw fits between
+    for r in range(robots.shape[0]):
+        robot = robots[r]
+        near = robot.active == 1 and square_to_ball(ball, robot) < reach * reach
+        if k.rules_carrying == 1 and carries_too_far(robot, k):
+            whistle(match, robots, events, robot_events, r, HOLDING)
+        if not near and robot.holding == 0.0:
+            continue
+        way = way_of_ball(ball, robots, r, robot_events, k) if near else FREE
+        robot.holding = max(robot.holding + way * k.dt, 0.0)
+        if way == TRAPPED and k.rules_holding == 1 and robot.holding > time_to_hold(match, robot, k) + 0.5 * k.dt:
+            whistle(match, robots, events, robot_events, r, HOLDING)
+
+
+@compiled
+def time_to_hold(match, robot, k):
+    """Return how long a robot may hold the ball where it is [s]."""
+    keeps = robot.keeper == 1 and in_own_area(match, robot, k, 1)
+    return k.rules_keeper_holding_time if keeps else k.rules_holding_time
+
+
+@compiled
+def way_of_ball(ball, robots, r, robot_events, k):
+    """Tell whether the ball at a robot is trapped by it, free, or neither."""
+    for other in range(robots.shape[0]):
+        if robots[other].team != robots[r].team and robot_events[other].touch == 1:
+            return FREE
+    robot = robots[r]
+    ahead = robot.walk.forward > WALKS * k.drive_forward
+    if robot.has_ball == 1 and not ahead and moves(robot, k):
+        return TRAPPED
+    if is_covered(robot, ball, k):
+        return TRAPPED
+    return KEPT if robot.has_ball == 1 and not ahead else FREE
+
+
+@compiled
+def moves(robot, k):
+    """Tell whether a robot turns, steps aside or goes back."""
+    back = robot.walk.forward < -WALKS * k.drive_backward
+    aside = abs(robot.walk.left) > WALKS * k.drive_sideways
+    return back or aside or abs(robot.walk.turn) > WALKS * k.drive_turn
+
+
+@compiled
+def is_covered(robot, ball, k):
+    """Tell whether a robot and the boards leave no side of the ball to the paw of another robot."""
+    room = k.body_tip_radius + k.legs * k.pitch_board_foot
+    far = k.ball_radius + k.body_tip_radius
+    x, y = 0.5 * k.pitch_length - room - far, 0.5 * k.pitch_width - room - far
+    if abs(ball.x) < x and abs(ball.y) < y:
+        return False  # no board is near, and a robot alone cannot cover it
+    for side in range(SIDES):
+        angle = robot.heading + (side + 0.5) * 2.0 * pi / SIDES
+        x, y = ball.x + far * cos(angle), ball.y + far * sin(angle)
+        if has_room(x, y, room, k) and outline_gap(robot, k, x, y) >= k.body_tip_radius:
+            return False
+    return True
+
+
+@compiled
+def has_room(x, y, room, k):
+    """Tell whether a place is at least `room` [m] from all boards."""
+    if abs(x) <= 0.5 * k.pitch_length - room:
+        return abs(y) <= 0.5 * k.pitch_width - room
+    return abs(y) <= 0.5 * k.pitch_goal_width - room and abs(x) <= 0.5 * k.pitch_length + k.pitch_goal_depth - room
+
+
+@compiled
+def carries_too_far(robot, k):
+    """Tell whether a robot has carried the ball between its paws too far, from where it took it up."""
+    if robot.active == 0 or robot.has_ball == 0:
+        robot.carry_x, robot.carry_y = robot.x, robot.y
+        return False
+    return length(robot.x - robot.carry_x, robot.y - robot.carry_y) > k.rules_carrying_distance

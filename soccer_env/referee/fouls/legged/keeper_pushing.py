@@ -1,0 +1,46 @@
+"""Goalkeeper pushing: an attacker that walks into a goalkeeper in its own area for longer than 1 s is taken out.
+
+The book, in the legged book's words: while the goalkeeper has a foot on or inside the line of its area, no attacker
+may be in contact with it, or push it through the ball, for more than a second; of two at once the second is removed
+immediately; short pushes count as one, unless the attacker backs off for as long as it pushed. Unlike there the
+attacker has to walk into the goalkeeper: a goalkeeper that runs into a standing robot gets nobody removed. Nobody is
+exempt.
+
+What becomes of the goal: `referee.fouls.goals`.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.referee.fouls.legged.contact import KEEPER, run_clock
+from soccer_env.referee.fouls.penalties import whistle
+from soccer_env.types import Foul
+
+KEEPER_PUSHING = int(Foul.KEEPER_PUSHING)
+
+
+@compiled
+def judge_keeper_pushing(match, robots, events, robot_events, k):
+    """Whistle attackers that have pushed the goalkeeper for too long, and those that join another."""
+    for r in range(robots.shape[0]):
+        pushes = robot_events[r].pushes == KEEPER
+        if pushes or robots[r].keeper_pushing > 0.0:
+            robots[r].keeper_pushing = run_clock(robots[r].keeper_pushing, pushes, k.dt)
+    for r in range(robots.shape[0]):
+        if robot_events[r].pushes != KEEPER:
+            continue
+        if robots[r].keeper_pushing > k.rules_keeper_pushing_time + 0.5 * k.dt or joins(robots, robot_events, r, k):
+            whistle(match, robots, events, robot_events, r, KEEPER_PUSHING)
+
+
+@compiled
+def joins(robots, robot_events, r, k):
+    """Tell whether a mate of robot r pushes the goalkeeper already, and for longer; of two equals neither joins."""
+    for mate in range(robots.shape[0]):
+        if mate == r or robots[mate].team != robots[r].team or robot_events[mate].pushes != KEEPER:
+            continue
+        if robots[mate].keeper_pushing > robots[r].keeper_pushing + 0.5 * k.dt:
+            return True
+    return False

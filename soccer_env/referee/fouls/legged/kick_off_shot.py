@@ -1,0 +1,31 @@
+"""No goal straight from the kick-off.
+
+The book: a kick-off shot never scores. The whole ball must have left the centre circle, and then a player of the team
+that kicked off must touch it, before that team can score, whoever else it touches on its way; otherwise the defenders
+kick off.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.types import NO_TEAM, Phase
+
+KICK_OFF = int(Phase.KICK_OFF)
+
+
+@compiled
+def watch_kick_off(match, ball, robots, robot_events, k):
+    """Note whose kick-off it is, until that team touches the ball beyond the centre circle."""
+    if match.phase == KICK_OFF:
+        match.kick_off_shot = match.restart_team
+    if match.kick_off_shot == NO_TEAM:
+        return
+    far = k.pitch_circle + k.ball_radius
+    if ball.x * ball.x + ball.y * ball.y <= far * far:
+        return
+    for r in range(robots.shape[0]):
+        if robots[r].team == match.kick_off_shot and robot_events[r].touch == 1:
+            match.kick_off_shot = NO_TEAM
+            return

@@ -1,0 +1,78 @@
+"""Game stuck: local, where play does not move on, and global, where nobody touches the ball.
+
+The book: if nothing substantial changes for 30 s, the robot nearest to the ball is carried to the halfway line and the
+ball stays; if that is a goalkeeper with a foot in its own half, the ball is put on the centre spot instead. If nobody
+touches the ball for 30 s there is a kick-off, by the team in whose half the ball lies.
+
+The book of 2008 has no dropped ball after 15 s, which is remembered of 2001. The three go together as steps:
+
+* 15 s within 10 cm: a dropped ball, which takes it out of the scrum or off the board;
+* 30 s within 50 cm of one point, dropped balls in between or not: local game stuck. Somebody has to have touched the
+  ball in the last 15 s, else nobody is in its way;
+* 30 s without a touch: global game stuck. A dropped ball that nobody comes for does not stop that clock.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import direction_of
+from soccer_env.referee.fouls.legged.pushing import square_to_ball
+from soccer_env.referee.fouls.penalties import whistle
+from soccer_env.types import AWAY, HOME, Foul, Phase
+
+GAME_STUCK = int(Foul.GAME_STUCK)
+KICK_OFF, DROP_BALL, PLAY = int(Phase.KICK_OFF), int(Phase.DROP_BALL), int(Phase.PLAY)
+NOBODY, STUCK, GLOBAL, TO_CENTRE = 0, 1, 2, 3  # what a step of the game is, and how it goes on
+
+
+@compiled
+def judge_stuck(match, ball, robots, events, robot_events, k):
+    """Whistle a game that is stuck; return GLOBAL or TO_CENTRE if the ball is to be put elsewhere, else NOBODY."""
+    if match.phase != PLAY and match.phase != DROP_BALL:
+        match.idle_clock = 0.0
+        start_anew(match, ball)
+        return NOBODY
+    if k.rules_global_stuck == 1 and match.idle_clock > k.rules_global_stuck_time - 0.5 * k.dt:
+        return GLOBAL
+    if k.rules_local_stuck == 0:
+        return NOBODY
+    x, y, far = ball.x - match.local_x, ball.y - match.local_y, k.rules_local_stuck_radius
+    if x * x + y * y > far * far:
+        start_anew(match, ball)
+        return NOBODY
+    match.local_clock += k.dt
+    if match.local_clock < k.rules_local_stuck_time - 0.5 * k.dt or match.idle_clock > k.rules_stuck_time:
+        return NOBODY
+    start_anew(match, ball)
+    r = nearest_robot(ball, robots)
+    if r < 0:
+        return NOBODY
+    if robots[r].keeper == 1 and robots[r].x * direction_of(match, robots[r].team) < k.body_reach:
+        return TO_CENTRE
+    whistle(match, robots, events, robot_events, r, GAME_STUCK)
+    return STUCK
+
+
+@compiled
+def start_anew(match, ball):
+    """Begin to watch where play is now."""
+    match.local_x, match.local_y, match.local_clock = ball.x, ball.y, 0.0
+
+
+@compiled
+def nearest_robot(ball, robots):
+    """Return the row of the robot nearest to the ball, or -1."""
+    nearest, least = -1, 0.0
+    for r in range(robots.shape[0]):
+        square = square_to_ball(ball, robots[r])
+        if robots[r].active == 1 and (nearest < 0 or square < least):
+            nearest, least = r, square
+    return nearest
+
+
+@compiled
+def defender_at(match, x):
+    """Return the team in whose half a place lies."""
+    return HOME if x * match.home_direction < 0.0 else AWAY

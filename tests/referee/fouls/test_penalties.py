@@ -1,0 +1,195 @@
+"""Robots that are taken out for 30 s and come back at the halfway line."""
+
+from math import pi
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.types import Phase
+from tests.scenes.fouls import NOSES, asks, court, face, fouls, rows
+from tests.scenes.staging import LEGGED, deepest_overlaps, put, put_ball, stage, stand
+
+RULE = "pushing=True,pardon=True"
+STEP = 1.0 / 16.0
+PARKED = 50.0  # [m]
+
+
+def penalised(r=1, ball=-0.9, matches=1, rules=RULE, **settings):
+    """Return matches in which robot r has just been taken out for pushing, and its actions."""
+    match = court(rules, matches, **settings)
+    face(match, r, (r + 3) % 6, 0.3)
+    put_ball(match, 0.0, ball)
+    match.robots["pushing"][:, r] = 2.9
+    match.rebuild()
+    actions = asks(match, **{f"r{r}": 1.0})
+    for _ in range(60):
+        match.step(actions)
+        if match.robot_events["foul"][0, r]:
+            return match, actions
+    raise AssertionError("no whistle")
+
+
+def back_after(match, actions, r=1, seconds=31.0):
+    """Return after how many seconds robot r comes back, or None."""
+    for step in range(round(seconds / STEP)):
+        match.step(actions)
+        if match.robot_events["returned"][0, r]:
+            return (step + 1) * STEP
+    return None
+
+
+@pytest.mark.parametrize(("r", "ball"), [(1, -0.9), (1, 0.9), (4, -0.9), (4, 0.9)])
+def test_it_is_parked_for_30_s_and_comes_back_at_the_halfway_line_away_from_the_ball(r, ball):
+    match, actions = penalised(r, ball)
+    assert match.robots["x"][0, r] >= PARKED and match.robots["placed"][0, r] == 0
+    assert back_after(match, actions, r) == 30.0
+    robot, side = match.robots[0, r], -np.sign(ball)
+    assert robot["x"] == 0.0 and robot["active"] == 1 and robot["placed"] == 1 and robot["penalty"] == 0.0
+    edge = match.league.pitch.width / 2 - abs(robot["y"])
+    assert np.sign(robot["y"]) == side and 0.15 < edge < 0.21
+    assert robot["heading"] == pytest.approx(-side * pi / 2)
+    assert robot["vx"] == robot["vy"] == 0.0
+
+
+def test_out_it_does_not_move_touch_or_push_and_its_clock_is_told():
+    match, actions = penalised()
+    for _ in range(40):
+        match.step(actions)
+        assert match.robots["x"][0, 1] == PARKED + 2.0 and match.robots["vx"][0, 1] == 0.0
+        assert match.robot_events["touch"][0, 1] == match.robot_events["collision"][0, 1] == 0
+    assert match.robots["penalty"][0, 1] == 27.5
+
+
+def test_where_somebody_stands_or_the_ball_lies_it_comes_back_beside_towards_its_own_goal():
+    match, actions = penalised()
+    place = match.league.pitch.width / 2 - 0.2
+    put(match, 5, 0.0, place, 0.0)
+    put(match, 4, 1.0, 0.0, 0.0)
+    put(match, 2, -0.35, place, 0.0)
+    match.rebuild()
+    assert back_after(match, actions) == 30.0
+    assert -1.0 < match.robots["x"][0, 1] < -0.5 and match.robots["y"][0, 1] > 0.7
+    assert deepest_overlaps(match)["robot robot"] == 0.0
+    match, actions = penalised(4)
+    put_ball(match, 0.0, -0.001)
+    put(match, 1, 0.0, place, 0.0)
+    match.rebuild()
+    assert back_after(match, actions, 4) == 30.0 and match.robots["x"][0, 4] > 0.25
+
+
+def test_with_no_room_on_that_side_it_comes_back_on_the_other():
+    match = stage(LEGGED, 1, 11, 11, rules=f"simple:dropped_ball=False,{RULE}")
+    place = match.league.pitch.width / 2 - 0.2
+    for index, r in enumerate((1, 2, 3, 4, 5, 6)):
+        put(match, r, -1.3 + 0.25 * index, place, 0.0)
+    put_ball(match, 0.9, -0.8)
+    match.robots["penalty"][0, 8] = 0.1
+    match.rebuild()
+    assert back_after(match, stand(match), 8, 1.0) == 0.125
+    assert match.robots["y"][0, 8] < -0.7
+
+
+def test_a_kick_off_ends_penalties_and_the_robot_takes_part():
+    match, actions = penalised()
+    put_ball(match, 1.53, 0.0, 0.5)
+    match.rebuild()
+    for _ in range(8):
+        match.step(actions)
+        if match.events["restart"][0] == Phase.KICK_OFF:
+            break
+    robot = match.robots[0, 1]
+    assert match.robot_events["returned"][0, 1] == 1 and robot["active"] == 1 and robot["penalty"] == 0.0
+    assert -1.5 < robot["x"] < 0.0 and robot["placed"] == 1
+    assert deepest_overlaps(match)["robot robot"] == 0.0
+
+
+def test_half_time_ends_penalties_too_and_a_dropped_ball_does_not():
+    match, actions = penalised()
+    match.matches["half_length"] = match.matches["clock"] + 1.0
+    assert back_after(match, actions, seconds=2.0) == 1.0 and match.matches["home_direction"][0] == -1.0
+    match, actions = penalised()
+    match.batch.constants["rules_dropped_ball"] = 1
+    assert back_after(match, stand(match), seconds=29.9) is None
+
+
+def test_without_pardon_the_clock_runs_on_through_a_kick_off():
+    match, actions = penalised(rules="pushing=True")
+    match.matches["half_length"] = match.matches["clock"] + 1.0
+    assert back_after(match, stand(match), seconds=1.0) is None and match.events["half_time"][0] == 1
+    match.matches["half_length"] = np.inf
+    assert back_after(match, stand(match)) == 29.0
+
+
+def test_a_whole_team_may_be_out_and_come_back():
+    match = court(RULE)
+    match.robots["penalty"][0, 3:] = [5.0, 5.0, 6.0]
+    put(match, 0, -1.2, 0.0)
+    match.rebuild()
+    fouls(match, stand(match), 4.9)
+    assert match.robots["active"][0, 3:].sum() == 0
+    fouls(match, stand(match), 1.2)
+    assert match.robots["active"][0, 3:].sum() == 3 and deepest_overlaps(match)["robot robot"] == 0.0
+
+
+def test_padding_never_comes_on():
+    match = Match(LEGGED, home=2, away=2, max_players=4, seed=3, rules="league")
+    match.robots["penalty"][0, 1] = 0.5
+    match.robots["active"][0, 1] = 0
+    fouls(match, np.zeros((1, 8, 4)), 2.0)
+    assert match.robots["active"][0].tolist() == [1, 1, 0, 0, 1, 1, 0, 0]
+
+
+def test_a_match_saved_in_mid_penalty_goes_on_alike():
+    match, actions = penalised()
+    for _ in range(50):
+        match.step(actions)
+    saved = match.save()
+    hashes = []
+    for _ in range(2):
+        match.load(saved)
+        second = back_after(match, actions)
+        hashes.append((second, match.state_hash()))
+    assert hashes[0] == hashes[1] and hashes[0][0] is not None
+
+
+@pytest.mark.parametrize("kick_clock", [0.3, -0.3])
+def test_a_robot_that_is_taken_out_while_it_kicks_forgets_the_kick(kick_clock):
+    match = court(RULE)
+    face(match, 1, 4, 0.3)
+    match.robots["pushing"][0, 1] = 3.0
+    match.robots["walk"]["forward"][0, 1] = match.robots["target"]["forward"][0, 1] = 0.12
+    match.robots["kick_clock"][0, 1] = kick_clock
+    match.rebuild()
+    assert rows(fouls(match, asks(match, r1=1.0), 0.2)) == [1]
+    assert match.robots["kick_clock"][0, 1] == 0.0 and match.robots["active"][0, 1] == 0
+
+
+def test_legs_that_were_caught_come_free():
+    match = court(RULE)
+    put(match, 1, 0.3, 0.4, 0.0)
+    put(match, 4, 0.3 + NOSES - 0.05, 0.4 + 0.05, pi)  # a paw between the other's forepaws
+    match.robots["pushing"][0, 1] = 3.2
+    match.robots["walk"]["forward"][0, 1] = match.robots["target"]["forward"][0, 1] = 0.12
+    match.rebuild()
+    match.robots["caught_by"][0, 4] = 2
+    match.robots["gait_phase"][0] = 1
+    found = fouls(match, asks(match, r1=1.0), STEP)
+    assert rows(found) == [1] and (match.robots["caught_by"] == 0).all()
+    fouls(match, stand(match), 1.0)
+    assert abs(match.robots["x"][0, 4] - 0.3 - NOSES) < 0.1 and abs(match.robots["vx"][0, 4]) < 0.05
+
+
+def test_both_backends_agree():
+    hashes = set()
+    for backend in ("c", "batch"):
+        match, actions = penalised(backend=backend)
+        assert back_after(match, actions) == 30.0
+        hashes.add(match.state_hash())
+    assert len(hashes) == 1
+
+
+def test_removal_time_zero_puts_it_back_at_once():
+    match, _ = penalised(rules=f"{RULE},removal_time=0")
+    assert match.robots["active"][0, 1] == 1 and match.robots["x"][0, 1] == 0.0
+    assert match.robot_events["returned"][0, 1] == 1

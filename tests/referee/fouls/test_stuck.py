@@ -1,0 +1,105 @@
+"""Local and global game stuck, and how they go together with dropped balls."""
+
+from math import pi
+
+import pytest
+
+from soccer_env.types import Foul, Phase
+from tests.scenes.fouls import KEEPER, POCKET, court, fouls, rows
+from tests.scenes.staging import put, put_ball, stand
+
+STEP = 1.0 / 16.0
+
+
+def until_restart(match, seconds, actions=None):
+    """Play on until a restart; return at which second and what it is, or None."""
+    for step in range(round(seconds / STEP)):
+        match.step(stand(match) if actions is None else actions)
+        if match.events["restart"][0]:
+            return (step + 1) * STEP, Phase(match.events["restart"][0]), int(match.events["restart_team"][0])
+    return None
+
+
+@pytest.mark.parametrize(("x", "team"), [(-0.9, 0), (0.9, 1)])
+@pytest.mark.parametrize("direction", [1.0, -1.0])
+def test_a_ball_that_nobody_touches_for_30_s_gives_a_kick_off_to_those_in_whose_half_it_lies(x, team, direction):
+    match = court("global_stuck=True")
+    match.matches["home_direction"] = direction
+    put_ball(match, x, 0.3)
+    match.rebuild()
+    assert until_restart(match, 31.0) == (30.0 + STEP, Phase.KICK_OFF, team if direction > 0.0 else 1 - team)
+    assert match.events["stuck"][0] == 1 and match.balls["x"][0] == 0.0
+
+
+def test_a_touch_begins_the_30_s_anew_and_the_switch_off_ends_them():
+    match = court("global_stuck=True")
+    put_ball(match, -0.9, 0.3)
+    put(match, 1, -0.9 - POCKET, 0.3)
+    match.rebuild()
+    assert until_restart(match, 33.0) is None
+    match = court("global_stuck=False")
+    put_ball(match, -0.9, 0.3)
+    match.rebuild()
+    assert until_restart(match, 33.0) is None
+
+
+def test_a_dropped_ball_that_nobody_comes_for_does_not_stop_the_clock():
+    match = court("global_stuck=True")
+    match.batch.constants["rules_dropped_ball"] = 1
+    put_ball(match, -0.9, 0.3)
+    match.rebuild()
+    second, phase, _ = until_restart(match, 16.0)
+    assert phase == Phase.DROP_BALL and second == 15.0
+    second, phase, team = until_restart(match, 16.0)
+    assert phase == Phase.KICK_OFF and team == 0 and second == pytest.approx(15.0, abs=2 * STEP)
+
+
+def scrum(rules="local_stuck=True", x=-0.5, r=1):
+    """Return a match in which robot r and, a little farther away, robot 4 stand at the ball."""
+    match = court(rules)
+    put_ball(match, x, 0.3)
+    put(match, r, x - POCKET, 0.3)
+    put(match, 4, x + POCKET + 0.001, 0.3, pi)
+    match.rebuild()
+    return match
+
+
+def test_after_30_s_at_one_place_the_nearest_robot_goes_to_the_halfway_line_and_the_ball_stays():
+    match = scrum()
+    assert fouls(match, stand(match), 29.9) == []
+    found = fouls(match, stand(match), 0.2)  # the first step finds where play is
+    assert found == [(3 * STEP, 1, Foul.GAME_STUCK)]
+    assert match.robots["x"][0, 1] == 0.0 and match.robots["active"][0, 1] == 1
+    assert abs(match.balls["x"][0] + 0.5) < 0.01 and match.matches["phase"][0] == Phase.PLAY
+    assert rows(fouls(match, stand(match), 31.0)) == [4]
+
+
+def test_with_the_switch_off_nobody_is_moved():
+    match = scrum("local_stuck=False")
+    assert fouls(match, stand(match), 31.0) == []
+
+
+@pytest.mark.parametrize(("moved", "guilty"), [(0.49, [1]), (0.51, [])])
+def test_play_that_moves_on_by_half_a_metre_is_not_stuck(moved, guilty):
+    match = scrum()
+    fouls(match, stand(match), 20.0)
+    put(match, 1, -0.5 + moved - POCKET, 0.3)
+    put(match, 4, 1.2, 0.8)
+    put_ball(match, -0.5 + moved, 0.3)
+    match.rebuild()
+    assert rows(fouls(match, stand(match), 11.0)) == guilty
+
+
+def test_of_a_goalkeeper_in_its_own_half_the_ball_is_taken_to_the_centre_spot_instead():
+    match = scrum(x=-1.2, r=KEEPER)
+    assert until_restart(match, 31.0)[1:] == (Phase.DROP_BALL, -1)
+    assert (match.balls["x"][0], match.balls["y"][0]) == (0.0, 0.0) and match.robots["active"][0, KEEPER] == 1
+    assert match.robots["x"][0, KEEPER] < -1.0
+
+
+def test_a_robot_near_a_ball_that_nobody_touches_is_left_alone():
+    match = court("local_stuck=True")
+    put_ball(match, -0.5, 0.3)
+    put(match, 1, -0.9, 0.3)
+    match.rebuild()
+    assert fouls(match, stand(match), 60.0) == []
