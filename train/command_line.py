@@ -27,7 +27,8 @@ WIDTH = 120  # columns of a table that does not go to a terminal
 
 SUMMARIES = {
     "evaluate": "play one team against another and say how sure the result is",
-    "list": "print the leagues, teams, settings, scenes, observations, sensors, rules, actions, rewards, statistics or claims",
+    "list": "print the leagues, teams, settings, scenes, observations, sensors, rules, actions, rewards, statistics or "
+    "claims",
     "bench": "measure the speed against the bare physics",
     "record": "play a match into a replay file",
     "replay": "play a replay file again and check every step",
