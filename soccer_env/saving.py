@@ -111,6 +111,8 @@ RANGES = {  # of whole numbers in matches and robots, both ends allowed
     "kick_off_team": (HOME, AWAY), "last_touch_team": (NO_TEAM, AWAY), "active": (0, 1), "has_ball": (0, 1),
     "whistled": (NO_TEAM, AWAY), "kick_off_shot": (NO_TEAM, AWAY),
     "step": (0, 1 << 60), "episode": (0, 1 << 60), "gait_phase": (0, 1 << 20), "score": (0, 1 << 31),
+    "indirect": (0, 1), "shoot_out": (0, 1 << 20), "shoot_out_score": (0, 1 << 20), "banned": (0, 1),
+    "yellow": (0, 1 << 20), "fouls": (0, 1 << 20),
 }  # fmt: skip
 SENSED = ("percepts", "sensor_states", "pending", "beliefs", "tracks", "memories", "messages", "particles")
 COMMON = Limits(  # of what all kinds of robots sense, believe and say
@@ -135,8 +137,9 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
     for field in FIXED:
         if not np.array_equal(arrays["robots"][field], match.robots[field]):
             raise ValueError(f"this save is damaged: {field} of robots is not that of the match")
-    if not within(arrays["matches"]["last_touch_robot"], -1, len(match.agents) - 1):
-        raise ValueError("this save is damaged: last_touch_robot of matches is out of range")
+    for field in ("last_touch_robot", "taker"):
+        if not within(arrays["matches"][field], -1, len(match.agents) - 1):
+            raise ValueError(f"this save is damaged: {field} of matches is out of range")
     if not (np.abs(arrays["matches"]["home_direction"]) == 1.0).all():
         raise ValueError("this save is damaged: home_direction of matches is neither 1 nor -1")
     if "statistics" in arrays:

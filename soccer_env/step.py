@@ -29,6 +29,7 @@ from soccer_env.physics.kicker import holds_ball, work_kicker
 from soccer_env.physics.solver.contacts import stance_of
 from soccer_env.physics.solver.interlock import catch_legs
 from soccer_env.referee.calls import judge
+from soccer_env.referee.formation import looks_on
 from soccer_env.referee.fouls.judging import judge_fouls
 from soccer_env.referee.fouls.penalties import pardon, serve_penalties
 from soccer_env.referee.restarts import carry_out_restart, end_placing
@@ -182,7 +183,7 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
     """Let robots drive, kick and turn their heads, and the ball roll; return the number of substeps."""
     for r in range(robots.shape[0]):
         robot = robots[r]
-        if match.placing == 1:
+        if match.placing == 1 or (match.shoot_out > 0 and looks_on(match, robots, r)):
             steer_to_place(match, robot, k)
         if k.legs == 1 and robot.gait_phase % k.gait_steps == 0:
             catch_legs(robots, r, k, match.handedness)
@@ -261,10 +262,11 @@ def clear_events(events, robot_events):
     events.scorer = -1
     events.out = events.restart = events.in_play = events.stuck = events.separated = 0
     events.half_time = events.final_whistle = events.drill = events.foul = events.annulled = 0
+    events.penalty = 0
     for r in range(robot_events.shape[0]):
         event = robot_events[r]
         event.touch = event.kick = event.possession = event.collision = 0
-        event.pushes = event.pushed = event.foul = event.returned = 0
+        event.pushes = event.pushed = event.foul = event.card = event.returned = 0
 
 
 @compiled

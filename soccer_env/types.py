@@ -58,6 +58,7 @@ class Foul(IntEnum):
     DRIBBLE = 13
     GOAL_AREA = 14
     PENALTY_AREA = 15
+    DISTANCE = 16
 
 
 class MatchStream(IntEnum):
@@ -137,6 +138,7 @@ MATCH = np.dtype(
         ("still_x", "f8"),  # [m] field frame: the still point
         ("still_y", "f8"),  # [m] field frame
         ("taker", "i8"),  # row of the robot that took the restart, until somebody else touches the ball, or -1
+        ("taker_clock", "f8"),  # [s] since the taker touched the ball
         ("indirect", "i8"),  # 1: nobody but the taker has touched the ball since a restart that allows no direct goal
         ("idle_clock", "f8"),  # [s] since somebody touched the ball
         ("local_clock", "f8"),  # [s] since play moved on
@@ -199,6 +201,14 @@ ROBOT = np.dtype(
         ("penalty", "f8"),  # [s] left of a penalty; 0 none
         ("banned", "i8"),  # 1: out for good
         ("yellow", "i8"),  # cards
+        ("fouls", "i8"),  # that count for cards
+        ("charging", "f8"),  # [s] that it has driven into an opponent off the ball
+        ("handling", "f8"),  # [s] that the ball has lain too far within its hull
+        ("backed", "f8"),  # [m] that it has gone back with the ball
+        ("dribbled", "f8"),  # [m] that it has gone with the ball
+        ("area_clock", "f8"),  # [s] in a goal area
+        ("crowd_clock", "f8"),  # [s] in its own penalty area beside another field player
+        ("near_clock", "f8"),  # [s] too near to the opponents' restart
         ("pushing", "f8"),  # [s] that it has pushed an opponent
         ("keeper_pushing", "f8"),  # [s] that it has pushed a goalkeeper in its area
         ("holding", "f8"),  # [s] that it has held a trapped ball
@@ -227,6 +237,7 @@ EVENTS = np.dtype(
         ("separated", "i8"),  # 1: the referee pulled opponents apart
         ("foul", "i8"),  # the Foul that was whistled, or 0; of several the first
         ("foul_team", "i8"),  # the team that committed it, or NO_TEAM
+        ("penalty", "i8"),  # a kick of a shoot-out: 1 scored, 2 missed, 0 none
         ("annulled", "i8"),  # 1: the ball went in and the goal does not count
         ("half_time", "i8"),  # 1: the first half ended
         ("final_whistle", "i8"),  # 1: the match ended
@@ -249,6 +260,7 @@ ROBOT_EVENTS = np.dtype(
         ("pushes", "i2"),  # it walks into an opponent: 1 any, 2 a goalkeeper in its own area; 0: it does not
         ("pushed", "i2"),  # 1: an opponent walks into it
         ("foul", "i2"),  # the Foul that was whistled against it, or 0
+        ("card", "i2"),  # 1 yellow, 2 the second one: out
         ("returned", "i2"),  # 1: it came back from a penalty
     ]
 )

@@ -141,6 +141,19 @@ RULES = Rules(
     goal_kick_y=1.5,  # [m] assumed
     drop_x=3.0,  # [m] assumed
     drop_y=2.0,  # [m] assumed
+    direct_kick_off=False,  # remembered, as all of them: the middle size knew indirect restarts alone
+    direct_throw_in=False,
+    direct_goal_kick=False,
+    direct_corner_kick=False,
+    direct_free_kick=False,
+    second_touch=True,  # FIFA 2005, Laws 8 and 13 to 17
+    distances=True,  # FIFA 2005, Laws 8 and 13 to 17
+    charging=True,  # FIFA 2005, Law 12; its numbers are assumed
+    keeper_charge=True,  # FIFA 2005, Law 12
+    handling=True,  # remembered
+    goal_area=True,  # remembered
+    penalty_area=True,  # remembered
+    cards=True,  # FIFA 2005, Law 12; after how many fouls is assumed
 )
 
 LEAGUE = League(

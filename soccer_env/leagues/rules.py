@@ -86,15 +86,35 @@ class Rules(Part):
 
     # Fouls of the middle size: a free kick for the opponents
     second_touch: bool = False
-    charging: bool = False  # robots that push, and that charge the goalkeeper in its area
+    touch_break: float = 0.2  # [s] without contact after which the taker of a restart has left the ball
+    taking_distance: float = 0.5  # [m] that the taker may push the ball from its spot in one touch
+    distances: bool = False  # opponents keep off a restart until the ball is in play
+    distance_time: float = 1.0  # [s] that an opponent may be too near
+    distance_slack: float = 0.2  # [m] that an opponent may be too near for good
+    charging: bool = False
+    charging_time: float = 2.0  # [s] of driving into an opponent
+    charging_speed: float = 0.3  # [m/s] at which a robot drives into another
+    charging_hard: float = 2.0  # [m/s] at which a blow is a foul by itself
+    charging_exempt: float = 0.6  # [m] the robot of a team nearest to the ball may fight for it within this distance
+    keeper_charge: bool = False
     handling: bool = False
     handling_share: float = 1.0 / 3.0  # [1] of the ball's diameter that may lie within the hull of a robot
+    handling_time: float = 0.5  # [s] for which more may, to stop it
+    handling_back: float = 0.5  # [m] that a robot may go back with the ball
     dribble_limit: bool = False
     dribble_distance: float = 3.0  # [m]
     goal_area: bool = False
     penalty_area: bool = False
+    area_time: float = 10.0  # [s] that robots may be where they may not stay
     cards: bool = False
+    card_fouls: float = 3.0  # [1] fouls for a yellow card
+    timed_cards: bool = False  # two yellow cards: out for `card_time`, not for good
+    card_time: float = 90.0  # [s]
     shoot_out: bool = False
+    shoot_out_kicks: float = 5.0  # [1] of each team, before single pairs decide
+    shoot_out_most: float = 10.0  # [1] of each team, after which it is a draw
+    shoot_out_time: float = 10.0  # [s] until a kick is taken, and again until it is over
+    penalty_mark: float = 2.0  # [m] from the goal line
 
     name: str = field(default="league", metadata=PYTHON_ONLY)  # what reports call this set
 

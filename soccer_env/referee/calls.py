@@ -9,7 +9,9 @@ carried out by `referee.restarts`. Written for both teams at once through the di
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.referee.fouls.goals import goal_counts, is_kick_off_shot
+from soccer_env.referee.calling import call_restart, other_team
+from soccer_env.referee.fouls.goals import goal_counts, is_kick_off_shot, is_own_goal
+from soccer_env.referee.shoot_out import begin_shoot_out, end_match, is_shoot_out_due, judge_penalty
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 PLAY = int(Phase.PLAY)
@@ -28,7 +30,7 @@ def judge(match, ball, robots, events, k, toucher):
     `toucher` is the row that touched the ball, or -1.
     """
     events.ball_x, events.ball_y = ball.x, ball.y
-    match.clock += k.dt
+    match.clock += k.dt if match.shoot_out == 0 else 0.0
     match.phase_clock += k.dt
     if toucher >= 0:
         events.touch_team = robots[toucher].team
@@ -43,8 +45,12 @@ def judge(match, ball, robots, events, k, toucher):
     if match.placing == 0:
         if match.phase != PLAY:
             watch_restart(match, ball, events, k)
-        judge_ball(match, ball, robots, events, k)
-    if match.over == 0 and match.clock >= match.half_length - 0.5 * k.dt:
+        if match.shoot_out > 0:
+            in_goal, out = goal_scored(ball, k), out_of_play(ball, k)
+            judge_penalty(match, ball, events, k, in_goal, out)
+        else:
+            judge_ball(match, ball, robots, events, k)
+    if match.over == 0 and match.shoot_out == 0 and match.clock >= match.half_length - 0.5 * k.dt:
         end_half(match, events, k)
 
 
@@ -84,6 +90,8 @@ def judge_goal(match, ball, robots, events, k):
         call_restart(match, events, KICK_OFF, other_team(scorer), 0.0, 0.0)
     elif k.walled == 1:  # as a ball that is out, on the halfway line: none of both gains by it
         call_restart(match, events, DROP_BALL, NO_TEAM, 0.0, k.rules_drop_y if ball.y > 0.0 else -k.rules_drop_y)
+    elif is_own_goal(match, robots, scorer):
+        give_corner(match, ball, events, k, scorer)
     else:
         give_goal_kick(match, ball, events, k, other_team(scorer))
 
@@ -114,8 +122,7 @@ def give_restart_for_out(match, ball, events, k):
         x = min(max(ball.x, -half_length + k.rules_corner_offset), half_length - k.rules_corner_offset)
         call_restart(match, events, THROW_IN, taker, x, side_y * half_width)
     elif last == defender:
-        x, y = half_length - k.rules_corner_offset, half_width - k.rules_corner_offset
-        call_restart(match, events, CORNER_KICK, other_team(defender), side_x * x, side_y * y)
+        give_corner(match, ball, events, k, other_team(defender))
     else:
         give_goal_kick(match, ball, events, k, defender)
 
@@ -126,6 +133,14 @@ def give_goal_kick(match, ball, events, k, defender):
     x = 0.5 * k.pitch_length - k.rules_goal_kick_x
     side_x, side_y = 1.0 if ball.x > 0.0 else -1.0, 1.0 if ball.y > 0.0 else -1.0
     call_restart(match, events, GOAL_KICK, defender, side_x * x, side_y * k.rules_goal_kick_y)
+
+
+@compiled
+def give_corner(match, ball, events, k, attacker):
+    """Call a corner kick on the side of the goal where the ball went over the line."""
+    x, y = 0.5 * k.pitch_length - k.rules_corner_offset, 0.5 * k.pitch_width - k.rules_corner_offset
+    side_x, side_y = 1.0 if ball.x > 0.0 else -1.0, 1.0 if ball.y > 0.0 else -1.0
+    call_restart(match, events, CORNER_KICK, attacker, side_x * x, side_y * y)
 
 
 @compiled
@@ -173,32 +188,7 @@ def end_half(match, events, k):
         match.home_direction = -match.home_direction
         events.half_time = 1
         call_restart(match, events, KICK_OFF, other_team(match.kick_off_team), 0.0, 0.0)
+    elif is_shoot_out_due(match, k):
+        begin_shoot_out(match, events, k)
     else:
-        match.over = 1
-        match.phase = OVER
-        match.restart_team = NO_TEAM
-        events.final_whistle = 1
-        events.restart = 0
-        events.restart_team = NO_TEAM
-
-
-@compiled
-def call_restart(match, events, phase, team, x, y):
-    """Note a restart: what it is, who takes it and where the ball goes [m, field frame]."""
-    match.phase = phase
-    match.phase_clock = 0.0
-    match.restart_team = team
-    match.restart_x, match.restart_y = x, y
-    match.still_x = x
-    match.still_y = y
-    match.still_clock = 0.0
-    match.last_touch_team = NO_TEAM
-    match.last_touch_robot = -1
-    events.restart = phase
-    events.restart_team = team
-
-
-@compiled
-def other_team(team):
-    """Return the opponents of a team."""
-    return AWAY if team == HOME else HOME
+        end_match(match, events)

@@ -13,6 +13,7 @@ from soccer_env.random_numbers import uniform
 from soccer_env.types import NO_TEAM, Phase, RobotStream
 
 KICK_OFF = int(Phase.KICK_OFF)
+PENALTY_KICK = int(Phase.PENALTY_KICK)
 PLACEMENT = int(RobotStream.PLACEMENT)
 ROW = 4  # field players side by side
 DEPTH = 0.14  # [1] of the pitch's length between rows, assumed
@@ -68,6 +69,14 @@ def is_taker(match, robots, r):
 
 
 @compiled
+def looks_on(match, robots, r):
+    """Tell whether robot r has no part in the penalty kick that goes on: it neither takes it nor keeps the goal."""
+    if is_taker(match, robots, r) or r == match.taker:
+        return False
+    return robots[r].keeper == 0 or robots[r].x * (match.restart_x) < 0.0
+
+
+@compiled
 def keeper_place(k, spot_x, spot_y):
     """Return the goalkeeper's place [m, m, rad]: in its goal, on the ball's side."""
     x = -0.5 * k.pitch_length + k.body_reach + 0.05
@@ -90,6 +99,8 @@ def field_place(match, k, index, count, spot_x, spot_y):
 
     They follow only as far as the rearmost row stays on the pitch, so that no two rows are held at its edge.
     """
+    if match.phase == PENALTY_KICK:  # beyond the halfway line, whoever kicks
+        return onlooker_place(k, index, count, spot_x, spot_y)
     row = index // ROW
     columns = min(ROW, count - ROW * row)
     step = DEPTH * k.pitch_length
@@ -98,4 +109,13 @@ def field_place(match, k, index, count, spot_x, spot_y):
     y = SPREAD * k.pitch_width * ((index - ROW * row + 0.5) / columns - 0.5)
     if match.phase == KICK_OFF:
         x = min(x, -k.body_reach - JITTER)
+    return x, y, atan2(spot_y - y, spot_x - x)
+
+
+@compiled
+def onlooker_place(k, index, count, spot_x, spot_y):
+    """Return the place of a field player that has no part in a penalty kick: in a row beyond the halfway line."""
+    team_row = 1.0 if spot_x > 0.0 else 2.0
+    x = -team_row * DEPTH * k.pitch_length * (1.0 if spot_x > 0.0 else -1.0)
+    y = SPREAD * k.pitch_width * ((index + 0.5) / count - 0.5)
     return x, y, atan2(spot_y - y, spot_x - x)

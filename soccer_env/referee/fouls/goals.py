@@ -10,6 +10,9 @@ kick-off shot gives the defenders a kick-off. Here a robot is taken out at once,
   that long. Unlike in the book, where the second has to be full: an attacker could shove goalkeeper and ball over the
   line together in less. A shorter contact is a gait step, which a walking robot cannot break off.
 
+In the middle size a goal from an indirect restart counts once somebody but the taker has touched the ball
+(`taking.py`).
+
 `k`: the league's constants.
 """
 
@@ -24,7 +27,7 @@ KEEPER_PUSHING, HOLDING = int(Foul.KEEPER_PUSHING), int(Foul.HOLDING)
 @compiled
 def goal_counts(match, ball, robots, k, scorer):
     """Tell whether a goal of a team counts."""
-    if match.whistled == scorer or is_kick_off_shot(match, k, scorer):
+    if match.indirect == 1 or match.whistled == scorer or is_kick_off_shot(match, k, scorer):
         return False
     for r in range(robots.shape[0]):
         robot = robots[r]
@@ -54,3 +57,9 @@ def note_whistled_attack(match, robots, robot_events, k):
         if robot_events[r].foul == KEEPER_PUSHING or robot_events[r].foul == HOLDING:
             match.whistled = robots[r].team
             match.whistled_clock = 0.0
+
+
+@compiled
+def is_own_goal(match, robots, scorer):
+    """Tell whether the taker of a restart has put the ball into its own goal, untouched by anybody else."""
+    return match.taker >= 0 and robots[match.taker].team != scorer

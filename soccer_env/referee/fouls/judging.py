@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.referee.fouls.legged.book import judge_legged
+from soccer_env.referee.fouls.middle_size import judge_middle_size
 
 
 @compiled
 def judge_fouls(match, ball, robots, events, robot_events, k):
     """Whistle for the fouls of a step; tell whether robots were moved."""
-    return judge_legged(match, ball, robots, events, robot_events, k)
+    moved = judge_legged(match, ball, robots, events, robot_events, k)
+    return judge_middle_size(match, ball, robots, events, robot_events, k) or moved

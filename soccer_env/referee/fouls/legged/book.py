@@ -8,7 +8,7 @@ All is judged before anybody is moved, so that nobody is favoured by its number.
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.referee.calls import call_restart
+from soccer_env.referee.calling import call_restart
 from soccer_env.referee.fouls.goals import note_whistled_attack
 from soccer_env.referee.fouls.legged.areas import judge_areas
 from soccer_env.referee.fouls.legged.contact import note_pushes

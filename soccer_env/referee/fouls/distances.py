@@ -1,0 +1,56 @@
+"""Opponents keep off a restart until the ball is in play.
+
+FIFA's Laws 8 and 13 to 17: a player who is too near is put back and cautioned; one that plays the ball too early has
+the restart taken again. How long and how far a robot that knows its place only roughly may be too near is assumed.
+The goalkeeper may stay in its goal area.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+from soccer_env.referee.fouls.places import in_goal_area
+from soccer_env.referee.fouls.taking import touches
+from soccer_env.referee.restarts import distance_from_ball, keep_distances, put_robot, stay
+from soccer_env.types import NO_TEAM, Phase
+
+PLAY = int(Phase.PLAY)
+FAIR, TOO_NEAR, TOUCHED = 0, 1, 2
+
+
+@compiled
+def find_encroaching(match, robots, robot_events, k):
+    """Return the row of an opponent that does not keep off a restart, or -1, and what it did.
+
+    The clocks of those who are too near run on the way.
+    """
+    if k.rules_distances == 0 or match.phase == PLAY or match.restart_team == NO_TEAM:
+        return -1, FAIR
+    row, what = -1, FAIR
+    for r in range(robots.shape[0]):
+        robot = robots[r]
+        if robot.team == match.restart_team or robot.active == 0:
+            continue
+        if touches(robot_events[r]):
+            return r, TOUCHED
+        far = distance_from_ball(match, robot, k) - k.rules_distance_slack
+        near = length(robot.x - match.restart_x, robot.y - match.restart_y) < far
+        if not near or (robot.keeper == 1 and in_goal_area(match, robot, robot.team, k)):
+            robot.near_clock = 0.0
+            continue
+        robot.near_clock += k.dt
+        if robot.near_clock >= k.rules_distance_time - 0.5 * k.dt:
+            row, what = r, TOO_NEAR
+    return row, what
+
+
+@compiled
+def put_back(match, robots, r, k):
+    """Put robot r back to where it may stand at the restart."""
+    for other in range(robots.shape[0]):
+        stay(robots[other])
+    keep_distances(match, robots, k)
+    put_robot(robots[r])
+    robots[r].near_clock = 0.0

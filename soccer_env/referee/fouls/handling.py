@@ -1,0 +1,67 @@
+"""What a robot may do with the ball: it does not surround it, go back with it, or dribble it without end.
+
+The rules of the middle size, remembered: at most a third of the ball's diameter lies within the convex hull of a
+robot, but for a moment to stop it; a robot does not go back with the ball more than 0.5 m. The limit of 3 m for
+dribbling came later. For how long more of the ball may lie within the hull is assumed.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import into_frame, length
+
+FAIR, SURROUNDS, DRIBBLES = 0, 1, 2
+FREE = 2.0  # [ball radii] between robot and ball after which it has lost the ball, assumed
+
+
+@compiled
+def find_handling(ball, robots, k):
+    """Return the row of a robot that does what it may not with the ball, or -1, and what; clocks run on the way."""
+    row, what = -1, FAIR
+    if k.rules_handling == 0 and k.rules_dribble_limit == 0:
+        return row, what
+    near = k.body_reach + (1.0 + FREE) * k.ball_radius
+    for r in range(robots.shape[0]):
+        x, y = ball.x - robots[r].x, ball.y - robots[r].y
+        if robots[r].active == 0 or x * x + y * y > near * near:
+            robots[r].handling = robots[r].backed = robots[r].dribbled = 0.0
+            continue
+        found = judge_handler(robots[r], k, x, y)
+        if found != FAIR:
+            row, what = r, found
+    return row, what
+
+
+@compiled
+def judge_handler(robot, k, x, y):
+    """Let the clocks of a robot near the ball run; return what it does that it may not."""
+    cosine, sine = cos(robot.heading), sin(robot.heading)
+    ahead, left = into_frame(x, y, cosine, sine)
+    deep = share_within(k, ahead, left) > k.rules_handling_share
+    robot.handling = robot.handling + k.dt if deep else 0.0
+    if robot.has_ball == 1:
+        speed, _ = into_frame(robot.vx, robot.vy, cosine, sine)
+        robot.backed += k.dt * max(-speed, 0.0)
+        robot.dribbled += k.dt * length(robot.vx, robot.vy)
+    late = robot.handling >= k.rules_handling_time - 0.5 * k.dt
+    if k.rules_handling == 1 and (late or robot.backed > k.rules_handling_back):
+        return SURROUNDS
+    if k.rules_dribble_limit == 1 and robot.dribbled > k.rules_dribble_distance:
+        return DRIBBLES
+    return FAIR
+
+
+@compiled
+def share_within(k, ahead, left):
+    """Return the share of the ball's diameter that lies within a robot's convex hull, seen from its front.
+
+    The hull ends ahead at the line that touches both tips of the guide; only between them can a ball lie within it.
+    """
+    if abs(left) > k.body_tip_y or ahead < k.body_disc_x:
+        return 0.0
+    depth = k.body_tip_x + k.body_tip_radius - (ahead - k.ball_radius)
+    return max(depth, 0.0) / (2.0 * k.ball_radius)

@@ -1,0 +1,117 @@
+"""Who drives into an opponent off the ball, or into a goalkeeper, commits a foul; who stands never does."""
+
+from math import pi
+
+import pytest
+
+from soccer_env.staging import put_ball
+from soccer_env.types import AWAY, HOME, Foul, Phase
+from tests.referee.fouls.referee import Referee
+from tests.scenes.staging import asking
+
+CONTACT = 0.448  # [m] between robots, the tips of one at the back of the other
+each_team = pytest.mark.parametrize("team", [HOME, AWAY])
+
+
+def behind(speed, away=0.0, **changes):
+    """Return a referee before whom robot 1 drives into the back of robot 4, which drives away."""
+    referee = Referee(**changes)
+    put_ball(referee.match, -2.0, -2.0)
+    referee.put(1, 1.0, 0.0, 0.0, speed)
+    referee.put(4, 1.0 + CONTACT - 0.005, 0.0, 0.0, away)
+    return referee
+
+
+@each_team
+@pytest.mark.parametrize(("speed", "foul"), [(0.29, 0), (0.31, Foul.CHARGING)])
+def test_driving_into_an_opponent_for_two_seconds_is_a_foul(speed, foul, team):
+    referee = behind(speed, team=team)
+    fouls = referee.wait(1.98, collides=(1, 4)) + [referee.look(collides=(1, 4))]
+    assert fouls == [0] * 99 + [foul]
+    assert referee.deeds["foul"][referee.rows[4]] == 0
+    if foul:
+        assert referee.events["foul_team"] == team and referee.record["restart_team"] == 1 - team
+
+
+@pytest.mark.parametrize(("speed", "away", "foul"), [(1.99, 0.0, 0), (2.01, 0.0, 1), (2.5, 0.6, 0), (2.5, 0.4, 1)])
+def test_a_hard_blow_is_a_foul_at_once_and_who_drives_away_softens_it(speed, away, foul):
+    referee = behind(speed, away)
+    assert (referee.look(collides=(1, 4)) == Foul.CHARGING) == bool(foul)
+
+
+def test_a_robot_that_stands_is_never_guilty_and_of_two_that_drive_each_is_judged_by_its_own_speed():
+    referee = behind(0.0)
+    referee.put(4, 1.0 + CONTACT - 0.005, 0.0, pi, 1.0)
+    fouls = referee.wait(3.0, collides=(1, 4))
+    assert Foul.CHARGING in fouls and referee.robots["charging"][referee.rows[1]] == 0.0
+
+
+def test_the_robot_nearest_to_the_ball_may_fight_for_it():
+    referee = behind(2.5)
+    put_ball(referee.match, 1.0, 0.59)
+    assert not any(referee.wait(3.0, collides=(1, 4)))
+    referee.put(2, 1.0, 1.0)  # a mate is nearer
+    assert referee.look(collides=(1, 4)) == Foul.CHARGING
+    referee = behind(2.5)
+    put_ball(referee.match, 1.0, 0.61)
+    assert referee.look(collides=(1, 4)) == Foul.CHARGING
+
+
+def test_time_out_of_contact_is_taken_off():
+    referee = behind(1.0)
+    for _ in range(3):
+        assert not any(referee.wait(1.5, collides=(1, 4)))
+        referee.wait(1.5)
+    assert referee.robots["charging"][referee.rows[1]] == 0.0
+
+
+def test_mates_may_push_each_other():
+    referee = behind(2.5)
+    referee.put(4, 4.0, 0.0)
+    referee.put(2, 1.0 + CONTACT - 0.005, 0.0)
+    assert not any(referee.wait(3.0, collides=(1, 2)))
+
+
+def before_keeper(x, speed=1.0, **changes):
+    """Return a referee before whom robot 1 is in contact with the others' goalkeeper, which stands at x."""
+    referee = Referee(**changes)
+    referee.put(3, x, 0.0)
+    referee.put(1, x - CONTACT + 0.005, 0.0, 0.0, speed)
+    put_ball(referee.match, x - 0.3, 0.3)
+    return referee
+
+
+@each_team
+@pytest.mark.parametrize(("x", "foul"), [(5.49, 0), (5.51, Foul.KEEPER_CHARGE)])
+def test_driving_into_the_goalkeeper_in_its_goal_area_is_a_foul_at_once_even_for_the_ball(x, foul, team):
+    referee = before_keeper(x, team=team)
+    assert referee.look(collides=(1, 3)) == foul
+
+
+def test_a_goal_in_the_same_step_is_annulled():
+    referee = before_keeper(5.7)
+    put_ball(referee.match, 6.2, 0.5)
+    assert referee.look(collides=(1, 3)) == Foul.KEEPER_CHARGE and referee.events["annulled"] == 1
+    assert referee.record["phase"] == Phase.FREE_KICK and referee.record["restart_team"] == AWAY
+
+
+def test_an_attacker_that_stands_is_not_guilty_of_a_keeper_that_drives_into_it():
+    referee = before_keeper(5.6, speed=0.0)
+    referee.put(3, 5.6, 0.0, pi, 2.0)
+    assert not any(foul == Foul.KEEPER_CHARGE for foul in referee.wait(2.0, collides=(1, 3)))
+
+
+def test_both_can_be_switched_off():
+    assert before_keeper(5.7, keeper_charge=False).look(collides=(1, 3)) == 0
+    assert not any(behind(2.5, charging=False).wait(3.0, collides=(1, 4)))
+
+
+def test_a_robot_that_runs_into_another_is_seen_by_a_whole_step():
+    referee = behind(0.0)
+    referee.put(1, 0.0, 0.0, 0.0, 2.6)
+    referee.match.rebuild()
+    fouls = []
+    for _ in range(25):
+        referee.match.step(asking(referee.match, referee.rows[1], 1.0))
+        fouls.append(int(referee.events["foul"]))
+    assert Foul.CHARGING in fouls
