@@ -89,7 +89,7 @@ def test_without_a_clock_a_match_goes_on(name):
 
 @each_league
 def test_a_goal_in_the_last_moment_of_a_half_counts(name):
-    match = Match(name, minutes=MINUTES, seed=1)
+    match = Match(name, minutes=MINUTES, seed=1, rules="simple")
     for _ in range(steps_in(match, 6.0) - 1):
         match.step(stand(match))
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
