@@ -103,3 +103,14 @@ def test_a_robot_near_a_ball_that_nobody_touches_is_left_alone():
     put(match, 1, -0.9, 0.3)
     match.rebuild()
     assert fouls(match, stand(match), 60.0) == []
+
+
+def test_a_robot_that_comes_to_a_ball_that_lay_there_is_not_in_its_way():
+    match = court("local_stuck=True")
+    put_ball(match, -0.5, 0.3)
+    match.rebuild()
+    assert fouls(match, stand(match), 40.0) == []
+    put(match, 1, -0.5 - POCKET, 0.3)
+    match.rebuild()
+    assert fouls(match, stand(match), 29.9) == []
+    assert rows(fouls(match, stand(match), 0.3)) == [1]

@@ -7,8 +7,8 @@ touches the ball for 30 s there is a kick-off, by the team in whose half the bal
 The book of 2008 has no dropped ball after 15 s, which is remembered of 2001. The three go together as steps:
 
 * 15 s within 10 cm: a dropped ball, which takes it out of the scrum or off the board;
-* 30 s within 50 cm of one point, dropped balls in between or not: local game stuck. Somebody has to have touched the
-  ball in the last 15 s, else nobody is in its way;
+* 30 s within 50 cm of one point, dropped balls in between or not: local game stuck. Seconds in which nobody is at the
+  ball do not count, and after 15 s of them it is not robots that are stuck;
 * 30 s without a touch: global game stuck. A dropped ball that nobody comes for does not stop that clock.
 
 `k`: the league's constants.
@@ -24,6 +24,7 @@ from soccer_env.types import AWAY, HOME, Foul, Phase
 
 GAME_STUCK = int(Foul.GAME_STUCK)
 KICK_OFF, DROP_BALL, PLAY = int(Phase.KICK_OFF), int(Phase.DROP_BALL), int(Phase.PLAY)
+AT_BALL = 5.0  # [s] since a touch, for which play is at the ball, assumed
 NOBODY, STUCK, GLOBAL, TO_CENTRE = 0, 1, 2, 3  # what a step of the game is, and how it goes on
 
 
@@ -42,8 +43,11 @@ def judge_stuck(match, ball, robots, events, robot_events, k):
     if x * x + y * y > far * far:
         start_anew(match, ball)
         return NOBODY
-    match.local_clock += k.dt
-    if match.local_clock < k.rules_local_stuck_time - 0.5 * k.dt or match.idle_clock > k.rules_stuck_time:
+    if match.idle_clock < AT_BALL:
+        match.local_clock += k.dt
+    elif match.idle_clock > k.rules_stuck_time:
+        match.local_clock = 0.0
+    if match.local_clock < k.rules_local_stuck_time - 0.5 * k.dt:
         return NOBODY
     start_anew(match, ball)
     r = nearest_robot(ball, robots)
