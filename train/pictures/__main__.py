@@ -5,18 +5,21 @@ from __future__ import annotations
 import tyro
 
 from soccer_env.render import save_png
+from soccer_env.train.pictures import rules_legged
 from soccer_env.train.pictures.animation import frames_of, write_gif
 from soccer_env.train.pictures.belief import belief_picture
 from soccer_env.train.pictures.frames import frames_picture
+from soccer_env.train.pictures.rules import rules_sheet
 from soccer_env.train.pictures.settings import PictureSettings
 
 
 def make_pictures(settings: PictureSettings) -> None:
-    """Write match.gif, belief.png and frames.png into the folder."""
+    """Write match.gif, belief.png, frames.png and rules-legged.png into the folder."""
     settings.out.mkdir(parents=True, exist_ok=True)
     write_gif(frames_of(settings), settings.out / "match.gif", settings.frame_time, settings.last_time)
     save_png(belief_picture(settings), settings.out / "belief.png")
     save_png(frames_picture(settings), settings.out / "frames.png")
+    save_png(rules_sheet(rules_legged.RULINGS, settings.ruling_width), settings.out / "rules-legged.png")
 
 
 if __name__ == "__main__":

@@ -10,10 +10,10 @@ FOLDER = Path(__file__).resolve().parents[2] / "soccer_env" / "pictures"
 
 @dataclass(frozen=True)
 class PictureSettings:
-    """Draw the pictures of the pages anew: the animation of a match, what a robot believes, and the frames."""
+    """Draw the pictures of the pages anew: an animation, what a robot believes, the frames, and the rules."""
 
     out: Path = FOLDER
-    """Folder to write match.gif, belief.png and frames.png into."""
+    """Folder to write match.gif, belief.png, frames.png and the sheets of rules into."""
     league: str = "legged-2001"
     """League of all pictures."""
     home: str = "learned"
@@ -38,5 +38,7 @@ class PictureSettings:
     """[s] of play after which it is drawn."""
     belief_robot: int = 1
     """Row of the robot whose belief is drawn."""
+    ruling_width: int = 360
+    """[px] width of a frame in the sheets of rules."""
     still_width: int = 1280
     """[px] width of the pictures that do not move."""

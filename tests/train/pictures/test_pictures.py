@@ -17,11 +17,13 @@ from soccer_env.belief_types import TRACK
 from soccer_env.leagues import find_league
 from soccer_env.render import Area, Label, Picture, Points, Polyline
 from soccer_env.render.colours import BALL, BALL_SHINE, TEAMS_LIGHT
+from soccer_env.train.pictures import rules_legged
 from soccer_env.train.pictures.animation import frames_of, scoring_ball, write_gif
 from soccer_env.train.pictures.belief import belief_overlays, belief_picture, believed_player, field_of_view, to_board
 from soccer_env.train.pictures.frames import frames_picture
+from soccer_env.train.pictures.rules import play_to_whistle
 from soccer_env.train.pictures.settings import FOLDER, PictureSettings
-from soccer_env.types import NO_TEAM
+from soccer_env.types import NO_TEAM, Foul
 
 TINY = PictureSettings(home="chaser", away="still", seed=3, longest=1.0, width=240, still_width=240, belief_time=0.5)
 
@@ -111,8 +113,25 @@ def test_still_pictures_have_the_width_asked_for_and_a_legend() -> None:
     assert not np.array_equal(wide, belief_picture(TINY))
 
 
+@pytest.mark.parametrize("ruling", rules_legged.RULINGS, ids=lambda ruling: ruling.rule)
+def test_each_rule_of_the_legged_league_is_whistled_in_its_picture(ruling) -> None:
+    match, before = play_to_whistle(ruling)
+    assert ruling.stage()[0].settings.league.rules == find_league("legged-2001").rules
+    moved = np.hypot(match.robots["x"] - before[2]["x"], match.robots["y"] - before[2]["y"])[0]
+    goes_out = ruling.foul in (Foul.PUSHING, Foul.KEEPER_PUSHING, Foul.ILLEGAL_DEFENDER, Foul.LEFT_FIELD)
+    assert match.robots["penalty"].max() == (30.0 if goes_out or ruling.rule == "ball holding" else 0.0)
+    assert moved.max() > 0.2  # somebody was taken out, put back, or lined up anew
+
+
+def test_a_situation_in_which_nobody_whistles_is_an_error() -> None:
+    ruling = rules_legged.RULINGS[0]._replace(longest=0.5)
+    with pytest.raises(ValueError, match="nobody whistled for pushing"):
+        play_to_whistle(ruling)
+
+
 def test_the_pictures_of_the_pages_are_there_and_the_animation_is_small() -> None:
     if not FOLDER.exists():
         pytest.skip("installed without the pictures")
-    assert {"match.gif", "belief.png", "frames.png"} <= {file.name for file in FOLDER.iterdir()}
+    assert {"match.gif", "belief.png", "frames.png", "rules-legged.png"} <= {file.name for file in FOLDER.iterdir()}
     assert (FOLDER / "match.gif").stat().st_size < 3_000_000
+    assert (FOLDER / "rules-legged.png").stat().st_size < 150_000
