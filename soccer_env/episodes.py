@@ -1,5 +1,9 @@
 """How an episode of one match begins: empty records, noise streams, the kick-off formation, then the scene.
 
+The seed chooses which side kicks off first, and the other one kicks off the second half. In a drill home does, whose
+last robot has to do it. Two matches of one seed with the teams' sides swapped begin with a kick-off by the same side,
+so that each team kicks off first in one of the two.
+
 `k`: the league's constants.
 """
 
@@ -12,26 +16,27 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.physics.kicker import holds_ball
 from soccer_env.physics.parking import parking_place
-from soccer_env.random_numbers import start_streams
+from soccer_env.random_numbers import start_streams, uniform
 from soccer_env.referee.restarts import carry_out_restart
 from soccer_env.scenes import Draw
 from soccer_env.settings import Settings
-from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
+from soccer_env.types import AWAY, HOME, NO_TEAM, MatchStream, Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
+WHO_KICKS_OFF = int(MatchStream.KICK_OFF)
 PLAY = int(Phase.PLAY)
 
 
 @compiled
-def begin_episode(match, ball, robots, k, seed, episode, half_length):
-    """Fill the records of one match (robots (R,) with team, number, keeper and active set) for a kick-off by home."""
+def begin_episode(match, ball, robots, k, seed, episode, half_length, drill):
+    """Fill the records of one match (robots (R,) with team, number, keeper and active set) for the first kick-off."""
     match.seed, match.episode = seed, episode
     start_streams(match.noise, seed, episode, 0)
     match.handedness = match.home_direction = 1.0
     match.half_length = half_length
     match.phase = KICK_OFF
-    match.restart_team = HOME
-    match.kick_off_team = HOME
+    match.kick_off_team = HOME if drill == 1 or uniform(match.noise, WHO_KICKS_OFF) < 0.5 else AWAY
+    match.restart_team = match.kick_off_team
     match.last_touch_team, match.last_touch_robot = NO_TEAM, -1
     match.whistled = match.kick_off_shot = NO_TEAM
     match.taker = -1
@@ -69,7 +74,8 @@ def start_match(
     for record in (match, ball, robots):
         record[...] = np.zeros((), record.dtype)
     line_up(settings, robots[0])
-    begin_episode_of(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length)
+    drill = int(settings.scene.place is not None)
+    begin_episode_of(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length, drill)
     if settings.scene.place is not None:
         settings.scene.place(settings.league, ball[0], robots[0], Draw(match[0]))
     if settings.scene.in_play:
@@ -81,9 +87,9 @@ def start_match(
 
 
 @compiled
-def begin_episode_of(matches, balls, robots, constants, seed, episode, half_length):
+def begin_episode_of(matches, balls, robots, constants, seed, episode, half_length, drill):
     """Call `begin_episode` for the one match of (1,) arrays."""
-    begin_episode(matches[0], balls[0], robots[0], constants[0], seed, episode, half_length)
+    begin_episode(matches[0], balls[0], robots[0], constants[0], seed, episode, half_length, drill)
 
 
 @compiled

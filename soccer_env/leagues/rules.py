@@ -39,8 +39,7 @@ class Rules(Part):
     corner_offset: float  # [m] of the ball from the corner, along both lines
     goal_kick_x: float  # [m] of the ball from the goal line at a goal kick
     goal_kick_y: float  # [m] of the ball from the middle at a goal kick
-    drop_x: float  # [m] of the drop spots from the centre; belongs to the size of the pitch
-    drop_y: float  # [m]
+    drop_way: float  # [m] that a dropped ball is taken out from boards, at most
     contact_time: float = NEVER  # [s] in contact after which opponents are pulled apart
 
     # What keeps play going

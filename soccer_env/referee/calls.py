@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.referee.calling import call_restart, other_team
+from soccer_env.referee.dropping import drop_place
 from soccer_env.referee.fouls.goals import goal_counts, is_kick_off_shot, is_own_goal
 from soccer_env.referee.shoot_out import begin_shoot_out, end_match, is_shoot_out_due, judge_penalty
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
@@ -159,11 +160,8 @@ def ball_stuck(match, ball, k):
 
 @compiled
 def drop_ball(match, ball, events, k):
-    """Call a dropped ball at the nearest drop spot (the ball's own side, or the right one on a middle line)."""
-    x = k.rules_drop_x if ball.x >= 0.0 else -k.rules_drop_x
-    y = k.rules_drop_y if ball.y >= 0.0 else -k.rules_drop_y
-    if abs(ball.x) < 0.5 * k.rules_drop_x and abs(ball.y) < 0.5 * k.rules_drop_y:
-        x = y = 0.0
+    """Call a dropped ball near where it is."""
+    x, y = drop_place(ball, k)
     call_restart(match, events, DROP_BALL, NO_TEAM, x, y)
 
 

@@ -2,8 +2,8 @@
 
 Under instant placement the robots stand at their places at once. Under drive placement the referee steers them for up
 to the league's placing time (steering.py), while the ball lies still, an obstacle to all, and the clock runs. Then the
-taker is put at its place, and whoever stands too near the ball, in the wrong half or in another robot is moved as far
-as it must be.
+taker is put at its place, and whoever stands too near the ball, in the wrong half or in another robot is moved to the
+nearest place where it may stand; nobody else is touched. A dropped ball is the same without a formation.
 
 `k`: the league's constants.
 """
@@ -17,15 +17,12 @@ from soccer_env.geometry import clip, direction_of, length
 from soccer_env.physics.ball import hold
 from soccer_env.physics.contacts import robots_touch
 from soccer_env.referee.formation import choose_places, is_taker
+from soccer_env.referee.places import MARGIN, in_own_area, is_allowed, is_clear, is_free, new_bans, settle
 from soccer_env.referee.steering import ARRIVED, keep_off
 from soccer_env.types import Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
 DROP_BALL = int(Phase.DROP_BALL)
-PASSES = 200  # over the robots, to pull overlapping places apart
-STIR = 20  # passes between two changes: straight out of the ring round the ball, or also along it, out of dead ends
-SWIRL = 3.0  # [1] length of the move along the ring over that of the move out of it
-MARGIN = 0.02  # [m] between robots, assumed
 STEP_ASIDE, STEPS_ASIDE = 0.01, 60  # [m] by which, and how often, a robot makes room for one that is carried, assumed
 CARRIED = 0.03  # [m] a robot that is moved farther was carried, assumed
 
@@ -129,51 +126,76 @@ def stop(robot):
 
 @compiled
 def keep_distances(match, robots, k):
-    """Move places until nobody overlaps, opponents keep their distance from the ball and all stand on the pitch.
+    """Move places until opponents keep their distance from the ball, all are in their half, and nobody is in anybody.
 
-    All moves of a pass are made at once, so that no robot is favoured by its number.
+    Takers and goalkeepers that may stay stand first, then all who may stand where they are, those nearer to the ball
+    first; the others are sent the shortest way to where they may.
     """
     count = robots.shape[0]
-    move_x, move_y = np.zeros(count), np.zeros(count)
-    for number in range(PASSES):
-        busy = False
-        swirl = SWIRL * match.handedness if number // STIR % 2 == 1 else 0.0
-        for r in range(count):
-            move_x[r], move_y[r] = push_of_others(robots, r, k)
-            busy = busy or move_x[r] != 0.0 or move_y[r] != 0.0
-        for r in range(count):
-            if robots[r].active == 1 and not is_taker(match, robots, r):
-                robots[r].place_x += move_x[r]
-                robots[r].place_y += move_y[r]
-                busy = leave_ball(match, robots[r], k, swirl) or busy
-                stay_on_pitch(match, robots[r], k)
-        if not busy:
-            return
+    bans, settled, goal_gap = new_bans(count, 1)
+    for r in range(count):
+        ball_gap = gap_to_keep(match, robots, r, k)
+        bans[r, 0, 0], bans[r, 0, 1], bans[r, 0, 2] = match.restart_x, match.restart_y, ball_gap
+        settled[r] = robots[r].active == 0 or is_taker(match, robots, r)
+    for keepers in range(2):
+        for _ in range(count):
+            r = nearest_waiting(match, robots, settled, goal_gap, keepers == 0)
+            if r < 0:
+                break
+            goal_gap[r] = 1.0  # looked at
+            settled[r] = may_stay(match, robots, settled, r, bans[r], k)
+    goal_gap[:] = 0.0
+    settle(match, robots, settled, bans, goal_gap, k)
 
 
 @compiled
-def push_of_others(robots, r, k):
-    """Return how far the places that overlap with robot r's push it [m, m]."""
-    push_x = push_y = 0.0
-    if robots[r].active == 0:
-        return push_x, push_y
-    apart = 2.0 * k.body_reach + MARGIN
+def nearest_waiting(match, robots, settled, seen, keepers):
+    """Return the robot nearest to the ball that is neither settled nor seen, of goalkeepers or of all; -1: none."""
+    nearest, least = -1, 1e9
+    for r in range(robots.shape[0]):
+        if settled[r] or seen[r] > 0.0 or (keepers and robots[r].keeper == 0):
+            continue
+        away = length(robots[r].place_x - match.restart_x, robots[r].place_y - match.restart_y)
+        if away < least:
+            nearest, least = r, away
+    return nearest
+
+
+@compiled
+def may_stay(match, robots, settled, r, bans, k):
+    """Tell whether robot r may stand at its place.
+
+    Of those that are not carried it may stand close to others, but at a restart with a taker it must not touch them.
+    """
+    robot = robots[r]
+    x, y = robot.place_x, robot.place_y
+    if is_carried(robot):
+        return is_allowed(match, robot, x, y, bans, 0.0, k) and is_free(robots, settled, r, x, y, k)
+    if not is_clear(x, y, bans) or (match.phase == KICK_OFF and direction_of(match, robot.team) * x > -k.body_reach):
+        return False
+    carried = np.zeros(robots.shape[0], np.bool_)
     for other in range(robots.shape[0]):
-        if other == r or robots[other].active == 0:
-            continue
-        x, y = robots[r].place_x - robots[other].place_x, robots[r].place_y - robots[other].place_y
-        gap = length(x, y)
-        if gap >= apart:
-            continue
-        if gap < 1e-6:
-            x = 0.0
-            y = 1.0 if r > other else -1.0
-            gap = 1.0
-            push_y += 0.5 * apart * y
-        else:
-            push_x += 0.55 * (apart - gap) * x / gap
-            push_y += 0.55 * (apart - gap) * y / gap
-    return push_x, push_y
+        carried[other] = settled[other] and is_carried(robots[other])
+        near = settled[other] and not carried[other] and match.phase != DROP_BALL and robots[other].active == 1
+        if near and other != r and robots_touch(robot, robots[other], k):
+            return False
+    return is_free(robots, carried, r, x, y, k)
+
+
+@compiled
+def is_carried(robot):
+    """Tell whether a robot's place is not where it stands."""
+    return robot.place_x != robot.x or robot.place_y != robot.y
+
+
+@compiled
+def gap_to_keep(match, robots, r, k):
+    """Return how far the centre of robot r has to be from the ball [m]: no farther than out of it, if it may stay."""
+    robot = robots[r]
+    gap = distance_from_ball(match, robot, k) + k.body_reach
+    if robot.keeper == 1 and (match.phase != DROP_BALL or in_own_area(match, robot, robot.place_x, robot.place_y, k)):
+        return min(gap, k.body_reach + k.ball_radius + MARGIN)
+    return gap
 
 
 @compiled
@@ -184,41 +206,6 @@ def distance_from_ball(match, robot, k):
     if robot.team == match.restart_team:
         return k.body_reach + k.ball_radius + 2.0 * MARGIN
     return k.rules_kick_off_distance if match.phase == KICK_OFF else k.rules_restart_distance
-
-
-@compiled
-def leave_ball(match, robot, k, swirl):
-    """Move a place out of the ring round the ball that is forbidden; return whether it had to.
-
-    It also moves along the ring, `swirl` times as far as out of it, so that two robots that block each other get free.
-    """
-    far = distance_from_ball(match, robot, k) + k.body_reach
-    x, y = robot.place_x - match.restart_x, robot.place_y - match.restart_y
-    gap = length(x, y)
-    if gap >= far:
-        return False
-    if robot.keeper == 1 and match.phase != DROP_BALL and gap >= k.body_reach + k.ball_radius:
-        return False  # the goalkeeper may stand on its goal line
-    if gap < 1e-6:
-        x = -direction_of(match, robot.team)
-        y = 0.0
-        gap = 1.0
-    along = swirl * (far - gap)
-    robot.place_x = match.restart_x + (x * far - y * along) / gap
-    robot.place_y = match.restart_y + (y * far + x * along) / gap
-    return True
-
-
-@compiled
-def stay_on_pitch(match, robot, k):
-    """Hold a place on the pitch, and in the own half at a kick-off."""
-    room = k.body_reach + k.legs * k.pitch_board_foot + MARGIN
-    edge_x, edge_y = 0.5 * k.pitch_length - room, 0.5 * k.pitch_width - room
-    robot.place_x = clip(robot.place_x, -edge_x, edge_x)
-    robot.place_y = clip(robot.place_y, -edge_y, edge_y)
-    if match.phase == KICK_OFF:
-        side = direction_of(match, robot.team)
-        robot.place_x = side * min(side * robot.place_x, -k.body_reach)
 
 
 @compiled

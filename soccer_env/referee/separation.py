@@ -1,33 +1,41 @@
-"""Pull apart opponents that have collided and do not come free.  [Sacks 2001, 1]  MS55
+"""Pull apart robots that have collided and do not come free, so that neither side gains.  [Sacks 2001, 1]  MS55
 
 "The referee can, in many circumstances, separate robots that have collided after a set time". Unlike there it is in all
 circumstances, for the paper does not say which, and the set time is assumed. The ball stays where it is and play goes
 on.
+
+Who is moved: of two opponents the attacker, whose team attacks the goal of the half in which the ball lies. There the
+defender alone could lose a goal by being moved, and a goalkeeper in its own penalty area is never moved: then it is
+the other, wherever the ball lies. Who has the ball does not count: an attack that got nowhere for so long has no claim
+to go on, and a defender that stands in its way keeps its place.
+
+Where to: the nearest free place at the rules' distance from the opponent, no nearer to the goal that the robot attacks
+and no nearer to the ball, unless that is out of its reach already. Nobody else is touched.
+
+Of two team-mates whose legs hold each other the one farther from the ball is set free likewise, as near as it can be;
+team-mates that merely push each other are left alone.
 
 `k`: the league's constants.
 """
 
 from __future__ import annotations
 
-import numpy as np
-
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import direction_of, length
 from soccer_env.physics.contacts import robots_touch
-from soccer_env.referee.restarts import MARGIN, PASSES, STIR, SWIRL, push_of_others, put_robot, stay, stay_on_pitch
-
-MOVED = 1e-6  # [m] a shorter move does not count
+from soccer_env.referee.places import HAIR, MARGIN, in_own_area, new_bans, settle
+from soccer_env.referee.restarts import put_robot, stay
 
 
 @compiled
 def watch_contacts(robots, robot_events, k):
-    """Count for how long each robot has been in contact with an opponent; time out of contact is taken off.
+    """Count for how long each robot has been in contact with an opponent or in the legs of a mate, less the time out.
 
     Robots that push against each other lose contact for moments, which does not free them.
     """
     for r in range(robots.shape[0]):
         robot = robots[r]
-        if robot_events[r].collision == 1 and touches_opponent(robots, r, k):
+        if robot_events[r].collision == 1 and (touches_opponent(robots, r, k) or in_legs_of_mate(robots, r)):
             robot.locked += k.dt
         elif robot.locked > 0.0:
             robot.locked = max(robot.locked - k.dt, 0.0)
@@ -44,93 +52,122 @@ def touches_opponent(robots, r, k):
 
 
 @compiled
+def in_legs_of_mate(robots, r):
+    """Tell whether robot r and a team-mate hold each other by the legs."""
+    for other in range(robots.shape[0]):
+        if other != r and robots[other].team == robots[r].team and legs_hold(robots, r, other):
+            return True
+    return False
+
+
+@compiled
+def legs_hold(robots, r, other):
+    """Tell whether a leg of one of two robots is caught between the legs of the other."""
+    caught = robots[r].caught_by == other + 1 or robots[other].caught_by == r + 1
+    return caught and robots[r].active == 1 and robots[other].active == 1
+
+
+@compiled
 def is_near(robot, other, k):
     """Tell whether two robots stand so near that they may touch."""
     x, y = other.x - robot.x, other.y - robot.y
     near = 2.0 * k.body_reach + MARGIN
-    return other.active == 1 and x * x + y * y < near * near
+    return other.active == 1 and robot.active == 1 and x * x + y * y < near * near
 
 
 @compiled
 def is_overdue(robot, k):
     """Tell whether a robot has been in contact for too long."""
-    return robot.locked >= k.rules_contact_time - 0.5 * k.dt
+    return robot.active == 1 and robot.locked >= k.rules_contact_time - 0.5 * k.dt
 
 
 @compiled
-def is_locked(robot, other, k):
-    """Tell whether two opponents hold each other for too long."""
-    return robot.team != other.team and is_overdue(robot, k) and is_overdue(other, k) and is_near(robot, other, k)
+def are_locked(robots, r, other, k):
+    """Tell whether two robots hold each other for too long."""
+    if r == other or not (is_overdue(robots[r], k) and is_overdue(robots[other], k)):
+        return False
+    if robots[r].team == robots[other].team:
+        return legs_hold(robots, r, other)
+    return is_near(robots[r], robots[other], k)
 
 
 @compiled
 def pull_apart(ball, robots, match, k):
-    """Pull opponents in contact for too long apart, to the rules' distance; tell whether anybody was moved.  MS55"""
+    """Pull robots in contact for too long apart, to the rules' distance; tell whether anybody was moved.  MS55"""
     count, found = robots.shape[0], False
     for r in range(count):
         found = found or is_overdue(robots[r], k)
     if not found:
         return False
-    locked = np.zeros((count, count), np.bool_)
-    found = False
+    bans, settled, goal_gap = new_bans(count, count + 1)
+    settled[:] = True
     for r in range(count):
         stay(robots[r])
         for other in range(count):
-            locked[r, other] = is_locked(robots[r], robots[other], k)
-            found = found or locked[r, other]
-    if found:
-        spread_places(ball, robots, match, locked, k)
-        for r in range(count):
-            x, y = robots[r].place_x - robots[r].x, robots[r].place_y - robots[r].y
-            if robots[r].active == 1 and length(x, y) > MOVED:
-                put_robot(robots[r])
+            if are_locked(robots, r, other, k) and has_to_go(match, ball, robots, r, other, k):
+                settled[r] = False
+                ban_other(robots, bans, r, other, k)
+    moved = settled.copy()
+    for r in range(count):
+        if not settled[r]:
+            ban_ball(ball, robots[r], bans[r], k)
+            side = direction_of(match, robots[r].team)
+            goal_gap[r] = length(robots[r].x - side * 0.5 * k.pitch_length, robots[r].y)
+    settle(match, robots, settled, bans, goal_gap, k)
+    found = False
+    for r in range(count):
+        if not moved[r]:
+            found = True
+            release(robots, r, k)
     return found
 
 
 @compiled
-def spread_places(ball, robots, match, locked, k):
-    """Move places until locked pairs stand apart, nobody in anybody, in the ball or off the pitch.
+def has_to_go(match, ball, robots, r, other, k):
+    """Tell whether it is robot r of two that hold each other that has to go."""
+    robot, its = robots[r], robots[other]
+    if robot.keeper == 1 and in_own_area(match, robot, robot.x, robot.y, k):
+        return False
+    if its.keeper == 1 and in_own_area(match, its, its.x, its.y, k):
+        return True
+    away, its_away = length(robot.x - ball.x, robot.y - ball.y), length(its.x - ball.x, its.y - ball.y)
+    if robot.team == its.team:
+        return away > its_away or (away == its_away and r > other)
+    attack = direction_of(match, robot.team) * ball.x
+    if attack == 0.0:  # on the halfway line: the one that is farther from its own goal
+        attack = direction_of(match, robot.team) * (robot.x + its.x)
+    return attack > 0.0
 
-    All moves of a pass are made at once, so that no robot is favoured by its number.
+
+@compiled
+def ban_other(robots, bans, r, other, k):
+    """Keep robot r from where it would stand too near to the one that it was pulled from.
+
+    Of team-mates, who hold each other by the legs, so much is asked as sets them free.
     """
-    count = robots.shape[0]
-    move_x, move_y = np.zeros(count), np.zeros(count)
-    for number in range(PASSES):
-        busy = False
-        swirl = SWIRL * match.handedness if number // STIR % 2 == 1 else 0.0
-        for r in range(count):
-            move_x[r], move_y[r] = push_of_others(robots, r, k)
-            for other in range(count):
-                if locked[r, other]:
-                    x, y = push_from(robots[r], robots[other], k)
-                    move_x[r], move_y[r] = move_x[r] + x, move_y[r] + y
-            busy = busy or move_x[r] != 0.0 or move_y[r] != 0.0
-        for r in range(count):
-            if robots[r].active == 1 and (move_x[r] != 0.0 or move_y[r] != 0.0):
-                robots[r].place_x += move_x[r]
-                robots[r].place_y += move_y[r]
-                leave_alone(ball, robots[r], k, swirl)
-                stay_on_pitch(match, robots[r], k)
-        if not busy:
-            return
+    bans[r, other, 0], bans[r, other, 1] = robots[other].x, robots[other].y
+    if robots[r].team == robots[other].team:
+        bans[r, other, 2] = 2.0 * k.body_reach + MARGIN
+    else:
+        bans[r, other, 2] = k.rules_separation + k.body_reach
 
 
 @compiled
-def push_from(robot, other, k):
-    """Return how far a robot's place has to move from that of the opponent it is locked with [m, m]."""
-    apart = k.rules_separation + k.body_reach
-    x, y = robot.place_x - other.place_x, robot.place_y - other.place_y
-    gap = max(length(x, y), 1e-6)
-    move = 0.5 * (apart - gap) if gap < apart - MOVED else 0.0
-    return move * x / gap, move * y / gap
+def ban_ball(ball, robot, bans, k):
+    """Keep a robot from coming nearer to the ball than it was, within the distance that the rules ask of a drop."""
+    ball_row = bans.shape[0] - 1
+    clear = k.body_reach + k.ball_radius + MARGIN
+    away = min(length(robot.x - ball.x, robot.y - ball.y) - HAIR, k.rules_separation + k.body_reach)
+    bans[ball_row, 0], bans[ball_row, 1], bans[ball_row, 2] = ball.x, ball.y, max(away, clear)
 
 
 @compiled
-def leave_alone(ball, robot, k, swirl):
-    """Move a place that overlaps the ball away from it, and `swirl` times as far round it."""
-    x, y = robot.place_x - ball.x, robot.place_y - ball.y
-    gap, far = max(length(x, y), 1e-6), k.body_reach + k.ball_radius + MARGIN
-    if gap < far:
-        along = swirl * (far - gap)
-        robot.place_x = ball.x + (x * far - y * along) / gap
-        robot.place_y = ball.y + (y * far + x * along) / gap
+def release(robots, r, k):
+    """Put robot r at its new place, and forget for how long it and those that it was pulled from have been in contact.
+
+    The others stay as they are: the referee has not touched them.
+    """
+    for other in range(robots.shape[0]):
+        if are_locked(robots, r, other, k):
+            robots[other].locked = 0.0
+    put_robot(robots[r])

@@ -4,12 +4,10 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.leagues import find_league
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
 from tests.scenes.staging import (
     LEAGUES,
     LEGGED,
-    MIDDLE,
     deepest_overlaps,
     distance,
     each_league,
@@ -85,26 +83,6 @@ def test_a_restart_that_nobody_takes_is_no_stuck_ball(name, phase):
     assert match.matches["still_clock"][0] < 1.0
 
 
-@each_league
-def test_a_stuck_ball_is_dropped_at_the_spot_on_its_own_side(name):
-    league = find_league(name)
-    rules = league.rules
-    x = np.array([1.2, 1.2, -1.2, -1.2, 0.1, -0.1])
-    y = np.array([0.9, -0.9, 0.9, -0.9, 0.1, -0.1]) * league.pitch.width / 2
-    match = stage(league, 6)
-    put_ball(match, x, y)
-    match.matches["still_clock"] = rules.stuck_time
-    match.rebuild()
-    match.step(stand(match))
-    assert (match.events["stuck"] == 1).all()
-    middle = np.array([1, 1, 1, 1, 0, 0])
-    if name == MIDDLE:  # 1.2 m is within half a spot's distance of the middle, but not so far out as y
-        assert rules.drop_x > 2.0 * 1.2
-    np.testing.assert_allclose(match.balls["x"], np.sign(x) * rules.drop_x * middle)
-    np.testing.assert_allclose(match.balls["y"], np.sign(y) * rules.drop_y * middle)
-    assert not speed(match.balls).any()
-
-
 @pytest.mark.parametrize("placement", ["instant", "drive"])
 @pytest.mark.parametrize("name", LEAGUES)
 @pytest.mark.parametrize("size", [1, 3, 5, MAX_TEAM])
@@ -125,23 +103,6 @@ def test_at_a_dropped_ball_the_robots_are_pulled_apart_and_away_from_it(name, si
     assert not speed(match.robots).any() and not match.robots["omega"].any()
     found = deepest_overlaps(match)
     assert found["robot robot"] < 0.001 and found["robot wall"] < 0.001
-
-
-def test_robots_crowded_into_a_corner_behind_a_dropped_ball_find_a_way_out():
-    """A trap: the ring round the ball leaves room for one robot there, and they pushed each other to and fro."""
-    match, rng = stage(LEGGED, 60, home=2, away=1), np.random.default_rng(0)
-    end, side = rng.choice([-1, 1], (2, 60))
-    put(match, 0, end * rng.uniform(1.2, 1.33, 60), side * rng.uniform(0.75, 0.83, 60), np.pi / 2)
-    put(match, 1, end * rng.uniform(0.9, 1.1, 60), side * rng.uniform(0.75, 0.83, 60), 0.0)
-    put(match, 2, end * rng.uniform(1.2, 1.33, 60), side * rng.uniform(0.35, 0.5, 60), 0.0)
-    put_ball(match, end * 0.7, side * 0.55)
-    match.matches["still_clock"] = match.league.rules.stuck_time
-    match.rebuild()
-    match.step(stand(match))
-    assert (match.events["stuck"] == 1).all()
-    assert deepest_overlaps(match)["robot robot"] < 0.001
-    far = distance(match.robots, match.balls["x"][:, None], match.balls["y"][:, None])
-    assert (far >= match.league.rules.separation).all()
 
 
 @each_league

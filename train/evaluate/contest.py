@@ -1,6 +1,7 @@
 """The matches of one team against another: pairs from the same seeds with sides swapped, many at once.
 
 Every match follows from its own seed alone, so that no result depends on threads or on who else is played beside it.
+The seed says which side kicks off first: in a pair each team does so once.
 """
 
 from __future__ import annotations

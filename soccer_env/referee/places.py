@@ -1,0 +1,203 @@
+"""Free places: where the referee puts robots that must move, each the nearest place that is allowed and free.
+
+Every referee's hand that moves a robot while others stand (a restart, a dropped ball, two that are pulled apart) looks
+for places here. Whoever need not move is not moved. The robot with the longest way chooses first; ways and distances
+know no team and no number, so that neither team is favoured, and which side of a straight way is tried first follows
+the handedness of the match.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, pi, sin, sqrt
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, direction_of, length
+from soccer_env.types import Phase
+
+PLAY, KICK_OFF = int(Phase.PLAY), int(Phase.KICK_OFF)
+MARGIN = 0.02  # [m] between robots, assumed
+STEP = 0.125  # [1] of a robot's reach between the circles on which places are tried, assumed
+DIRECTIONS = 48  # places on each circle, assumed
+FARTHER = 0.28  # [m] beyond the rules' distance that a robot may be sent, assumed
+HAIR = 1e-9  # [m] that rounding may take
+
+
+@compiled
+def settle(match, robots, settled, bans, goal_gap, k):
+    """Give all robots that are not settled (R,) the nearest free place, the one with the longest way first.
+
+    Discs that a robot has to stay out of: bans (R, N, 3) of x, y and radius [m]; 0: none. It comes no nearer to the
+    goal that it attacks than goal_gap (R,) [m], unless there is no such place near by.
+    """
+    for _ in range(robots.shape[0]):
+        worst, longest, place_x, place_y = -1, -1.0, 0.0, 0.0
+        for r in range(robots.shape[0]):
+            if not settled[r]:
+                x, y, way = find_place(match, robots, settled, r, bans[r], goal_gap[r], k)
+                if way > longest:
+                    worst, longest, place_x, place_y = r, way, x, y
+        if worst < 0:
+            return
+        robots[worst].place_x, robots[worst].place_y = place_x, place_y
+        settled[worst] = True
+
+
+@compiled
+def find_place(match, robots, settled, r, bans, goal_gap, k):
+    """Return the free place nearest to that of robot r, and how far it is [m, m, m]; its own if there is none.
+
+    It is sent at most FARTHER beyond the rules' distance. Where boards or others leave no such place it may come nearer
+    to a goal; where there is none still, a body's reach nearer to what it has to keep from, and in play, where nothing
+    but getting free is at stake, two. Only then it is sent farther.
+    """
+    most = most_way(bans, k)
+    if goal_gap > 0.0:
+        x, y, way = search(match, robots, settled, r, bans, goal_gap, most, k)
+        if way >= 0.0:
+            return x, y, way
+    x, y, way = search(match, robots, settled, r, bans, 0.0, most, k)
+    fewer = bans
+    for _ in range(2 if match.phase == PLAY else 1):
+        if way < 0.0:
+            fewer = nearer(fewer, k)
+            x, y, way = search(match, robots, settled, r, fewer, 0.0, most, k)
+    if way < 0.0:
+        x, y, way = search(match, robots, settled, r, bans, 0.0, k.pitch_length + k.pitch_width, k)
+    return x, y, max(way, 0.0)
+
+
+@compiled
+def most_way(bans, k):
+    """Return how far a robot may be sent [m] that has to leave some discs."""
+    distance = k.rules_separation
+    for i in range(bans.shape[0]):
+        distance = max(distance, bans[i, 2] - k.body_reach)
+    return distance + FARTHER
+
+
+@compiled
+def nearer(bans, k):
+    """Return discs (N, 3) that are smaller by a body's reach, but still keep a robot out of the ball."""
+    found = bans.copy()
+    for i in range(bans.shape[0]):
+        found[i, 2] = max(bans[i, 2] - k.body_reach, min(bans[i, 2], k.body_reach + k.ball_radius + MARGIN))
+    return found
+
+
+@compiled
+def search(match, robots, settled, r, bans, goal_gap, most, k):
+    """Return the nearest place at most so far away [m] that is allowed and free, and how far it is; -1: none is."""
+    robot = robots[r]
+    ahead = way_out(match, robot, bans)
+    step = STEP * k.body_reach
+    for number in range(int(most / step) + 1):
+        for i in range(DIRECTIONS if number > 0 else 1):
+            turn = (i + 1) // 2 * (1.0 if i % 2 == 1 else -1.0) * match.handedness * 2.0 * pi / DIRECTIONS
+            x = robot.place_x + number * step * cos(ahead + turn)
+            y = robot.place_y + number * step * sin(ahead + turn)
+            if is_allowed(match, robot, x, y, bans, goal_gap, k) and is_free(robots, settled, r, x, y, k):
+                return x, y, number * step
+    return robot.place_x, robot.place_y, -1.0
+
+
+@compiled
+def way_out(match, robot, bans):
+    """Return the direction [rad] straight out of what a robot has to leave, towards its own goal if that is nothing."""
+    x = y = 0.0
+    for i in range(bans.shape[0]):
+        away_x, away_y = robot.place_x - bans[i, 0], robot.place_y - bans[i, 1]
+        away = length(away_x, away_y)
+        if 1e-6 < away < bans[i, 2]:
+            x, y = x + (bans[i, 2] - away) * away_x / away, y + (bans[i, 2] - away) * away_y / away
+    if length(x, y) < 1e-6:
+        x, y = -direction_of(match, robot.team), 0.0
+    return atan2(y, x)
+
+
+@compiled
+def is_allowed(match, robot, x, y, bans, goal_gap, k):
+    """Tell whether a robot may stand at a place [m, m], whoever else stands there."""
+    room = k.body_reach + k.legs * k.pitch_board_foot + MARGIN
+    if abs(x) > 0.5 * k.pitch_length - room + HAIR or abs(y) > 0.5 * k.pitch_width - room + HAIR:
+        return False
+    side = direction_of(match, robot.team)
+    if match.phase == KICK_OFF and side * x > -k.body_reach + HAIR:
+        return False
+    if length(x - side * 0.5 * k.pitch_length, y) < goal_gap - HAIR:
+        return False
+    return is_clear(x, y, bans)
+
+
+@compiled
+def is_clear(x, y, bans):
+    """Tell whether a place [m, m] lies in none of the discs (N, 3)."""
+    clear = True
+    for i in range(bans.shape[0]):
+        clear = clear and length(x - bans[i, 0], y - bans[i, 1]) >= bans[i, 2] - HAIR
+    return clear
+
+
+@compiled
+def is_free(robots, settled, r, x, y, k):
+    """Tell whether robot r can stand at a place [m, m] as it is turned, clear of all that are settled."""
+    heading = robots[r].place_heading
+    for other in range(robots.shape[0]):
+        if other != r and settled[other] and robots[other].active == 1:
+            there = robots[other]
+            if in_the_way(k, x, y, heading, there.place_x, there.place_y, there.place_heading):
+                return False
+    return True
+
+
+@compiled
+def in_the_way(k, x, y, heading, other_x, other_y, other_heading):
+    """Tell whether two robots at poses [m, m, rad] stand nearer than the margin, each taken as a capsule about it."""
+    away = length(x - other_x, y - other_y)
+    if away >= 2.0 * k.body_reach + MARGIN:
+        return False
+    half, radius = capsule(k)
+    near = 2.0 * radius + MARGIN
+    for i in range(3):
+        along = (i - 1) * half
+        if spine_gap(x + along * cos(heading), y + along * sin(heading), other_x, other_y, other_heading, half) < near:
+            return True
+        there_x, there_y = other_x + along * cos(other_heading), other_y + along * sin(other_heading)
+        if spine_gap(there_x, there_y, x, y, heading, half) < near:
+            return True
+    return False
+
+
+@compiled
+def capsule(k):
+    """Return half the length of the spine and the radius [m, m] of the capsule that holds all of a robot."""
+    width = max(k.body_disc_radius, k.body_tip_y + k.body_tip_radius, k.body_hind_y + k.body_tip_radius)
+    for i in range(k.corners):
+        width = max(width, abs(k.corner_y[i]))
+    half = max(k.body_reach - width, 0.0)
+    ahead = sqrt(max(k.body_reach * k.body_reach - width * width, 0.0))
+    return half, length(ahead - half, width)
+
+
+@compiled
+def spine_gap(x, y, other_x, other_y, heading, half):
+    """Return the distance [m] of a point from the spine of a robot."""
+    ahead_x, ahead_y = cos(heading), sin(heading)
+    along = clip((x - other_x) * ahead_x + (y - other_y) * ahead_y, -half, half)
+    return length(x - other_x - along * ahead_x, y - other_y - along * ahead_y)
+
+
+@compiled
+def in_own_area(match, robot, x, y, k):
+    """Tell whether a place [m, m] lies in the penalty area that a robot's team defends."""
+    ahead = direction_of(match, robot.team) * x + 0.5 * k.pitch_length
+    return ahead <= k.pitch_penalty_depth and abs(y) <= 0.5 * k.pitch_penalty_width
+
+
+@compiled
+def new_bans(count, each):
+    """Return discs (count, each, 3) that ban nothing, settled (count,) with nobody settled, and goal gaps (count,)."""
+    return np.zeros((count, each, 3)), np.zeros(count, np.bool_), np.zeros(count)
