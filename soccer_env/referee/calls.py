@@ -22,6 +22,9 @@ GOAL_KICK = int(Phase.GOAL_KICK)
 CORNER_KICK = int(Phase.CORNER_KICK)
 DROP_BALL = int(Phase.DROP_BALL)
 OVER = int(Phase.OVER)
+ASIDE = (
+    0.25  # [1] of the pitch's width from the middle at which a ball is dropped after a goal that is annulled, assumed
+)
 
 
 @compiled
@@ -90,7 +93,7 @@ def judge_goal(match, ball, robots, events, k):
     if is_kick_off_shot(match, k, scorer):
         call_restart(match, events, KICK_OFF, other_team(scorer), 0.0, 0.0)
     elif k.walled == 1:  # as a ball that is out, on the halfway line: none of both gains by it
-        call_restart(match, events, DROP_BALL, NO_TEAM, 0.0, k.rules_drop_y if ball.y > 0.0 else -k.rules_drop_y)
+        call_restart(match, events, DROP_BALL, NO_TEAM, 0.0, (ASIDE if ball.y > 0.0 else -ASIDE) * k.pitch_width)
     elif is_own_goal(match, robots, scorer):
         give_corner(match, ball, events, k, scorer)
     else:

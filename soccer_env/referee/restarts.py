@@ -149,6 +149,16 @@ def keep_distances(match, robots, k):
 
 
 @compiled
+def send_back(match, robots, r, k):
+    """Move the place of robot r alone to the nearest one at its distance from the ball where nobody stands."""
+    bans, settled, goal_gap = new_bans(robots.shape[0], 1)
+    settled[:] = True
+    settled[r] = False
+    bans[r, 0, 0], bans[r, 0, 1], bans[r, 0, 2] = match.restart_x, match.restart_y, gap_to_keep(match, robots, r, k)
+    settle(match, robots, settled, bans, goal_gap, k)
+
+
+@compiled
 def nearest_waiting(match, robots, settled, seen, keepers):
     """Return the robot nearest to the ball that is neither settled nor seen, of goalkeepers or of all; -1: none."""
     nearest, least = -1, 1e9

@@ -9,7 +9,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
-from soccer_env.train.play import ball, possession, scrums, stuck
+from soccer_env.train.play import ball, possession, referee, scrums, stuck
 from soccer_env.train.play.figures import Found, Samples, work_out
 from soccer_env.train.play.recording import Recording, record
 from soccer_env.train.play.settings import Conditions, MeasureSettings, conditions_of
@@ -17,7 +17,7 @@ from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import made_now, made_with
 
 BLOCK = 16  # matches side by side; their recording has to fit into memory
-MEASURES = (*ball.MEASURES, *possession.MEASURES, *stuck.MEASURES, *scrums.MEASURES)
+MEASURES = (*ball.MEASURES, *possession.MEASURES, *stuck.MEASURES, *scrums.MEASURES, *referee.MEASURES)
 
 
 @dataclass(frozen=True)

@@ -25,10 +25,24 @@ def part_of(record: np.dtype, *names: str) -> np.dtype:
 MOMENT = part_of(MATCH, "phase", "placing", "last_touch_robot")
 BALL_MOMENT = part_of(BALL, "x", "y", "vx", "vy")
 ROBOT_MOMENT = part_of(
-    ROBOT, "x", "y", "heading", "vx", "vy", "active", "target", "walk", "gait_phase", "kick_clock", "fallen", "has_ball"
+    ROBOT,
+    "x",
+    "y",
+    "heading",
+    "vx",
+    "vy",
+    "team",
+    "keeper",
+    "active",
+    "target",
+    "walk",
+    "gait_phase",
+    "kick_clock",
+    "fallen",
+    "has_ball",
 )
 WHISTLES = part_of(EVENTS, "goal", "separated", "restart")
-DEEDS = part_of(ROBOT_EVENTS, "touch", "kick")
+DEEDS = part_of(ROBOT_EVENTS, "touch", "kick", "returned")
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.referee.fouls.places import in_goal_area
 from soccer_env.referee.fouls.taking import touches
-from soccer_env.referee.restarts import distance_from_ball, keep_distances, put_robot, stay
+from soccer_env.referee.restarts import distance_from_ball, put_robot, send_back, stay
 from soccer_env.types import NO_TEAM, Phase
 
 PLAY = int(Phase.PLAY)
@@ -51,6 +51,6 @@ def put_back(match, robots, r, k):
     """Put robot r back to where it may stand at the restart."""
     for other in range(robots.shape[0]):
         stay(robots[other])
-    keep_distances(match, robots, k)
+    send_back(match, robots, r, k)
     put_robot(robots[r])
     robots[r].near_clock = 0.0
