@@ -6,6 +6,8 @@ shoot_out.py    penalty kicks after a drawn match
 restarts.py     how a restart is carried out: the ball, places, distances
 formation.py    where robots stand at a restart
 steering.py     how robots drive there, round the held ball
-separation.py   opponents that hold each other are pulled apart
+places.py       the nearest free place for whoever has to move
+dropping.py     where a stuck ball is dropped
+separation.py   robots that hold each other are pulled apart
 fouls/          what is whistled, and what follows: penalties, free kicks, goals that do not count
 """

@@ -191,13 +191,6 @@ def spine_gap(x, y, other_x, other_y, heading, half):
 
 
 @compiled
-def in_own_area(match, robot, x, y, k):
-    """Tell whether a place [m, m] lies in the penalty area that a robot's team defends."""
-    ahead = direction_of(match, robot.team) * x + 0.5 * k.pitch_length
-    return ahead <= k.pitch_penalty_depth and abs(y) <= 0.5 * k.pitch_penalty_width
-
-
-@compiled
 def new_bans(count, each):
     """Return discs (count, each, 3) that ban nothing, settled (count,) with nobody settled, and goal gaps (count,)."""
     return np.zeros((count, each, 3)), np.zeros(count, np.bool_), np.zeros(count)

@@ -17,7 +17,8 @@ from soccer_env.geometry import clip, direction_of, length
 from soccer_env.physics.ball import hold
 from soccer_env.physics.contacts import robots_touch
 from soccer_env.referee.formation import choose_places, is_taker
-from soccer_env.referee.places import MARGIN, in_own_area, is_allowed, is_clear, is_free, new_bans, settle
+from soccer_env.referee.fouls.places import in_penalty_area
+from soccer_env.referee.places import MARGIN, is_allowed, is_clear, is_free, new_bans, settle
 from soccer_env.referee.steering import ARRIVED, keep_off
 from soccer_env.types import Phase
 
@@ -203,7 +204,7 @@ def gap_to_keep(match, robots, r, k):
     """Return how far the centre of robot r has to be from the ball [m]: no farther than out of it, if it may stay."""
     robot = robots[r]
     gap = distance_from_ball(match, robot, k) + k.body_reach
-    if robot.keeper == 1 and (match.phase != DROP_BALL or in_own_area(match, robot, robot.place_x, robot.place_y, k)):
+    if robot.keeper == 1 and (match.phase != DROP_BALL or in_penalty_area(match, robot, robot.team, k)):
         return min(gap, k.body_reach + k.ball_radius + MARGIN)
     return gap
 

@@ -23,7 +23,8 @@ from __future__ import annotations
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, length
 from soccer_env.physics.contacts import robots_touch
-from soccer_env.referee.places import HAIR, MARGIN, in_own_area, new_bans, settle
+from soccer_env.referee.fouls.places import in_penalty_area
+from soccer_env.referee.places import HAIR, MARGIN, new_bans, settle
 from soccer_env.referee.restarts import put_robot, stay
 
 
@@ -126,9 +127,9 @@ def pull_apart(ball, robots, match, k):
 def has_to_go(match, ball, robots, r, other, k):
     """Tell whether it is robot r of two that hold each other that has to go."""
     robot, its = robots[r], robots[other]
-    if robot.keeper == 1 and in_own_area(match, robot, robot.x, robot.y, k):
+    if robot.keeper == 1 and in_penalty_area(match, robot, robot.team, k):
         return False
-    if its.keeper == 1 and in_own_area(match, its, its.x, its.y, k):
+    if its.keeper == 1 and in_penalty_area(match, its, its.team, k):
         return True
     away, its_away = length(robot.x - ball.x, robot.y - ball.y), length(its.x - ball.x, its.y - ball.y)
     if robot.team == its.team:
