@@ -151,7 +151,8 @@ def check_statistics(statistics: np.ndarray, robots: int) -> None:
     check_floats("statistics", statistics)
     trail, last = statistics["trail"], robots - 1
     for field, low, high in (
-        ("player", -1, last), ("flight", -1, last), ("flight_team", HOME, AWAY), ("kind", 0, max(Phase)),
+        ("player", -1, last), ("player_team", HOME, AWAY), ("flight", -1, last), ("flight_team", HOME, AWAY),
+        ("kicker", -1, last), ("kicker_team", HOME, AWAY), ("kind", 0, max(Phase)),
     ):  # fmt: skip
         if not within(trail[field], low, high):
             raise ValueError(f"this save is damaged: {field} of statistics is out of range")

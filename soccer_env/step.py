@@ -37,7 +37,8 @@ from soccer_env.referee.separation import pull_apart, watch_contacts
 from soccer_env.referee.steering import steer_to_place
 from soccer_env.rewards import POTENTIALS, measure_potentials, reward_robots
 from soccer_env.scenes import judge_drill
-from soccer_env.statistics.counting import count_step
+from soccer_env.statistics.counting import count_calls, count_step, is_notable
+from soccer_env.statistics.players import count_player
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
 from soccer_env.world import World
 
@@ -231,7 +232,10 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
     for r in range(robots.shape[0]):
         robots[r].has_ball = 1 if robots[r].active == 1 and holds_ball(robots[r], k, ball.x, ball.y) else 0
         robot_events[r].possession = robots[r].has_ball
-    count_step(match, ball, robots, events, robot_events, bodies, k, tally)
+        count_player(match, ball, robots[r], robot_events[r], r, k, tally)
+    count_step(match, ball, robots, events, k, tally)
+    if is_notable(events):
+        count_calls(match, robots, events, robot_events, bodies, tally)
     if moved:
         write_rows(ball, robots, bodies)
     return moved

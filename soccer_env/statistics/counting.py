@@ -9,7 +9,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, length
 from soccer_env.statistics.flights import end_flight, follow_ball
 from soccer_env.statistics.goals import count_goal
-from soccer_env.statistics.players import count_players
+from soccer_env.statistics.players import share_out
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 PLAY, DROP_BALL, OVER = int(Phase.PLAY), int(Phase.DROP_BALL), int(Phase.OVER)
@@ -18,25 +18,46 @@ AT_LINE, IN_CORNER = 0.20, 0.25  # [m] of the ball's centre from a line, from tw
 
 
 @compiled
-def count_step(match, ball, robots, events, robot_events, bodies, k, tally):
-    """Count a control step; `bodies` says where the robots were before the referee moved any."""
+def count_step(match, ball, robots, events, k, tally):
+    """Count a control step, after `count_player` of every robot."""
     trail = tally.trail
     tally.played += k.dt
-    in_play = match.phase == PLAY and match.placing == 0
-    if in_play:
+    if match.phase == PLAY and match.placing == 0:
         count_ball(ball, k, tally)
-    follow_ball(match, ball, robots, events, robot_events, k, tally, trail)
+        share_out(match.step, k, tally, trail)
+    row = -1
+    if events.touch_team != NO_TEAM:
+        row = events.scorer if events.goal != NO_TEAM else match.last_touch_robot
+    follow_ball(match, ball, robots[max(row, 0)], row, events, k, tally, trail)
     if events.goal != NO_TEAM:
-        count_goal(match, robots, events, k, tally, trail)
-    count_players(match, ball, robots, robot_events, k, tally, trail, in_play)
-    if events.foul != 0 or events.annulled == 1:
-        count_whistles(match, robots, events, robot_events, tally)
-    if events.restart != 0 or events.separated == 1:
-        count_calls(robots, events, robot_events, bodies, tally, trail, match.step)
+        count_goal(match.step, events, k, tally, trail)
     if events.in_play == 1:
         trail.in_play = match.step
     elif match.phase != PLAY and match.phase != OVER:
         trail.kind = match.phase
+
+
+@compiled
+def is_notable(events):
+    """Tell whether something happened in a step that `count_calls` counts."""
+    return events.restart != 0 or events.separated == 1 or events.foul != 0 or events.annulled == 1
+
+
+@compiled
+def count_calls(match, robots, events, robot_events, bodies, tally):
+    """Count what the referee called; `bodies` says where the robots were before he moved any."""
+    if events.foul != 0 or events.annulled == 1:
+        count_whistles(match, robots, events, robot_events, tally)
+    if events.separated == 1:
+        tally.separations += 1
+        tally.trail.separated = match.step
+    if events.restart != 0:
+        count_restart(events, tally, tally.trail)
+    if events.separated == 1 or events.restart == DROP_BALL:
+        for r in range(robots.shape[0]):
+            if robots[r].active == 1 and robot_events[r].returned == 0:
+                far = length(robots[r].x - bodies[r + 1, 0], robots[r].y - bodies[r + 1, 1])
+                tally.carried = max(tally.carried, far)
 
 
 @compiled
@@ -53,24 +74,15 @@ def count_ball(ball, k, tally):
 
 
 @compiled
-def count_calls(robots, events, robot_events, bodies, tally, trail, step):
-    """Count a restart or a separation, and how far it carried robots where it should not have to carry them far."""
-    if events.separated == 1:
-        tally.separations += 1
-        trail.separated = step
-    if events.restart != 0:
-        end_flight(tally, trail)
-        trail.player, trail.since_restart = -1, 0
-        if events.restart_team == NO_TEAM:
-            tally.drops += 1
-        else:
-            tally.restarts[events.restart_team, events.restart] += 1
-    if events.separated == 0 and events.restart != DROP_BALL:
-        return
-    for r in range(robots.shape[0]):
-        if robots[r].active == 1 and robot_events[r].returned == 0:
-            far = length(robots[r].x - bodies[r + 1, 0], robots[r].y - bodies[r + 1, 1])
-            tally.carried = max(tally.carried, far)
+def count_restart(events, tally, trail):
+    """Count a restart, and forget who played the ball before it."""
+    end_flight(tally, trail)
+    trail.player = trail.kicker = -1
+    trail.since_restart[HOME] = trail.since_restart[AWAY] = 0
+    if events.restart_team == NO_TEAM:
+        tally.drops += 1
+    else:
+        tally.restarts[events.restart_team, events.restart] += 1
 
 
 @compiled

@@ -12,7 +12,6 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, length
 from soccer_env.leagues.robot import DRIVE_KINDS
 from soccer_env.statistics.records import LONG_AGO, Aim
-from soccer_env.types import NO_TEAM
 
 GAIT = DRIVE_KINDS["gait"]
 ELSEWHERE, AT_GOAL, ON_TARGET = int(Aim.ELSEWHERE), int(Aim.AT_GOAL), int(Aim.ON_TARGET)
@@ -25,18 +24,16 @@ LONGEST = 5.0  # [s] that a ball is on its way at most, assumed
 
 
 @compiled
-def follow_ball(match, ball, robots, events, robot_events, k, tally, trail):
-    """Count what becomes of the ball in a control step."""
-    step, row = match.step, -1
-    if events.touch_team != NO_TEAM:
-        row = events.scorer if events.goal != NO_TEAM else match.last_touch_robot
+def follow_ball(match, ball, robot, row, events, k, tally, trail):
+    """Count what becomes of the ball in a control step; `robot` is the one in `row` that touched it, -1: nobody did."""
+    step = match.step
     if row >= 0:
-        touch(step, robots, row, events.ball_x, events.ball_y, k, tally, trail)
-        kicker = kicker_of(robot_events, row)
-        if kicker >= 0:
-            begin_flight(match, ball, robots, events, kicker, k, tally, trail)
+        touch(step, robot, row, events.ball_x, events.ball_y, k, tally, trail)
+        if trail.kicker >= 0:
+            begin_flight(match, ball, trail.kicker, trail.kicker_team, events, k, tally, trail)
+            trail.kicker = -1
     elif trail.player >= 0 and trail.flight < 0 and is_pushed(step, ball, k, trail):
-        begin_flight(match, ball, robots, events, trail.player, k, tally, trail)
+        begin_flight(match, ball, trail.player, trail.player_team, events, k, tally, trail)
     if trail.flight >= 0 and is_over(step, k, trail):
         end_flight(tally, trail)
 
@@ -63,55 +60,42 @@ def is_over(step, k, trail):
 
 
 @compiled
-def kicker_of(robot_events, row):
-    """Return the row of a robot that kicked in this step, the one that touched last before all others, or -1."""
-    if robot_events[row].kick == 1:
-        return row
-    for r in range(robot_events.shape[0]):
-        if robot_events[r].kick == 1:
-            return r
-    return -1
-
-
-@compiled
-def touch(step, robots, row, x, y, k, tally, trail):
+def touch(step, robot, row, x, y, k, tally, trail):
     """Note that a robot touches the ball at x, y [m, field frame], and count what it makes of another's play."""
     if trail.player >= 0 and trail.player != row:
-        receive(step, robots, row, x, y, k, tally, trail)
+        receive(step, robot.team, x, y, k, tally, trail)
     if trail.flight >= 0 and row != trail.flight:
         if trail.deflected == LONG_AGO:
             trail.deflected = step
-            keeper = robots[row].keeper == 1 and robots[row].team != trail.flight_team
+            keeper = robot.keeper == 1 and robot.team != trail.flight_team
             trail.saved = 1 if keeper and trail.aim == ON_TARGET else 0
     elif trail.flight >= 0 and step - trail.flight_step > steps_in(SWING, k):
         end_flight(tally, trail)
-    trail.player, trail.touched = row, step
+    trail.player, trail.player_team, trail.touched = row, robot.team, step
     trail.played_x, trail.played_y = x, y
-    trail.since_restart |= 1 << row
+    trail.since_restart[robot.team] |= 1 << row
 
 
 @compiled
-def receive(step, robots, row, x, y, k, tally, trail):
-    """Count a pass that arrives, at a mate or at an opponent; a shot is none."""
+def receive(step, team, x, y, k, tally, trail):
+    """Count a pass that arrives at a robot of a team, a mate or an opponent; a shot is none."""
     least = PASS_LEGS if k.drive_kind == GAIT else PASS_WHEELS
     x, y = x - trail.played_x, y - trail.played_y
     shot = trail.flight == trail.player and trail.aim != ELSEWHERE
     if shot or step - trail.touched < steps_in(FREE, k) or x * x + y * y <= least * least:
         return
-    passer = robots[trail.player].team
-    tally.passes_tried[passer] += 1
-    if robots[row].team == passer:
-        tally.passes[passer] += 1
+    tally.passes_tried[trail.player_team] += 1
+    if team == trail.player_team:
+        tally.passes[team] += 1
     else:
-        tally.interceptions[robots[row].team] += 1
+        tally.interceptions[team] += 1
 
 
 @compiled
-def begin_flight(match, ball, robots, events, row, k, tally, trail):
+def begin_flight(match, ball, row, team, events, k, tally, trail):
     """Note that a robot played the ball; count a shot, but one a time that the ball is on its way."""
     if trail.flight >= 0:
         end_flight(tally, trail)
-    team = robots[row].team
     trail.flight, trail.flight_team, trail.flight_step = row, team, match.step
     trail.deflected, trail.saved = LONG_AGO, 0
     trail.aim = ELSEWHERE

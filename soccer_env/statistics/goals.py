@@ -7,23 +7,23 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.statistics.flights import steps_in
-from soccer_env.statistics.records import LONG_AGO, Aim, GoalKind
+from soccer_env.statistics.records import LONG_AGO, ROWS, Aim, GoalKind
 
 CLEAN_KICK, DEFLECTED_KICK = int(GoalKind.CLEAN_KICK), int(GoalKind.DEFLECTED_KICK)
 CLEAN_DRIBBLE, PUSHED_IN = int(GoalKind.CLEAN_DRIBBLE), int(GoalKind.PUSHED_IN)
 SCRUM, OWN_GOAL = int(GoalKind.SCRUM), int(GoalKind.OWN_GOAL)
 ELSEWHERE, ON_TARGET = int(Aim.ELSEWHERE), int(Aim.ON_TARGET)
 KEPT = 1.0  # [s] with the ball after which a robot carried it, whoever stands around, assumed
-JUST = 0.5  # [s] before the goal in which there was a scrum, assumed
+JUST = 0.5  # [s] before the goal in which there was a scrum, or its scorer still had the ball, assumed
 CONTACT = 3.0  # [s] before the goal in which the scorer touched an opponent, assumed
 SEPARATION, RESTART, PUSHED_KEEPER = 6.0, 10.0, 10.0  # [s] before the goal
 
 
 @compiled
-def count_goal(match, robots, events, k, tally, trail):
+def count_goal(step, events, k, tally, trail):
     """Count a goal; a clean kick that is in before it could be judged is a shot on target all the same."""
-    team, step = events.goal, match.step
-    kind = kind_of(step, robots, team, events.scorer, k, trail)
+    team = events.goal
+    kind = kind_of(step, team, events.scorer, k, trail)
     tally.goals[team, kind] += 1
     if kind == CLEAN_KICK and trail.aim != ON_TARGET:
         tally.shots[team] += trail.aim == ELSEWHERE
@@ -35,30 +35,32 @@ def count_goal(match, robots, events, k, tally, trail):
         tally.after_restart[team, trail.kind] += 1
     if step - trail.keeper_pushed[1 - team] <= steps_in(PUSHED_KEEPER, k):
         tally.after_pushed_keeper[team] += 1
-    if scorers_of(robots, team, trail) == 1:
+    if bits_of(trail.since_restart[team]) == 1:
         tally.solo[team] += 1
 
 
 @compiled
-def kind_of(step, robots, team, scorer, k, trail):
+def kind_of(step, team, scorer, k, trail):
     """Return the kind of a goal for a team; `scorer` is the row that touched the ball last, or -1."""
     if trail.flight >= 0 and trail.flight_team == team:
         return CLEAN_KICK if trail.deflected == LONG_AGO else DEFLECTED_KICK
-    if scorer < 0:
+    if scorer < 0 or trail.player != scorer:
         return SCRUM
-    if robots[scorer].team != team:
+    if trail.player_team != team:
         return OWN_GOAL
-    kept = trail.held_since[scorer] > 0 and trail.held_last[scorer] - trail.held_since[scorer] >= steps_in(KEPT, k)
-    if not kept and step - trail.crowded <= steps_in(JUST, k):
+    player = trail.players[scorer]
+    kept = player.held_steps if player.held_since == 0 else player.held_last - player.held_since + 1
+    if step - player.held_last > steps_in(JUST, k):
+        kept = 0
+    if kept < steps_in(KEPT, k) and step - trail.crowded <= steps_in(JUST, k):
         return SCRUM
-    return PUSHED_IN if step - trail.contact[scorer] <= steps_in(CONTACT, k) else CLEAN_DRIBBLE
+    return PUSHED_IN if step - player.contact <= steps_in(CONTACT, k) else CLEAN_DRIBBLE
 
 
 @compiled
-def scorers_of(robots, team, trail):
-    """Return how many robots of a team have touched the ball since the restart."""
+def bits_of(number):
+    """Return how many bits of a number are set."""
     count = 0
-    for r in range(robots.shape[0]):
-        if robots[r].team == team:
-            count += (trail.since_restart >> r) & 1
+    for bit in range(ROWS):
+        count += (number >> bit) & 1
     return count

@@ -10,9 +10,10 @@ from math import log2
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of
 from soccer_env.leagues.robot import DRIVE_KINDS
-from soccer_env.statistics.records import BINS, BINS_PER_OCTAVE, SHORTEST
-from soccer_env.types import AWAY, HOME
+from soccer_env.statistics.records import BINS, BINS_PER_OCTAVE, NOBODY, SHORTEST
+from soccer_env.types import AWAY, HOME, Phase
 
+PLAY = int(Phase.PLAY)
 GAIT = DRIVE_KINDS["gait"]
 LOST = 0.5  # [s] without the ball that end a spell
 AGAIN = 1.0  # [s] without a touch after which the next one counts anew
@@ -24,68 +25,58 @@ FAR = 0.25  # [1] of the pitch's length from its goal: the goalkeeper is away
 
 
 @compiled
-def count_players(match, ball, robots, robot_events, k, tally, trail, in_play):
-    """Count what all robots do; a spell ends with the play."""
-    near = k.body_reach + k.ball_radius + MARGIN
-    crowd = has_home = has_away = 0
-    for team in range(2):
-        trail.nearest[team], trail.nearest_counts[team] = 1e5, 0
-    for r in range(robots.shape[0]):
-        robot = robots[r]
-        if robot.active == 0:
-            count_absent(robot, r, k, tally, trail)
-            continue
-        if robot.locked > trail.locked[r]:
-            trail.contact[r] = match.step
-        trail.locked[r] = robot.locked
-        tally.kicks[robot.team] += robot_events[r].kick
-        if not in_play:
-            if trail.held_since[r] > 0:
-                end_spell(robot.team, r, k, tally, trail)
-            continue
-        x, y = robot.x - ball.x, robot.y - ball.y
-        squared = x * x + y * y
-        crowd += squared < near * near
-        if robot.team == HOME:
-            has_home |= robot.has_ball
-        else:
-            has_away |= robot.has_ball
-        note_touch(robot, r, robot_events[r].touch, match.step, k, tally, trail)
-        count_standing(match, robot, squared, k, tally, trail)
-    if in_play:
-        share_out(match, crowd, has_home, has_away, k, tally, trail)
+def count_player(match, ball, robot, events, r, k, tally):
+    """Count what robot r does; a spell ends with the play."""
+    trail = tally.trail
+    player = trail.players[r]
+    if robot.active == 0:
+        if robot.penalty > 0.0 or robot.banned == 1:
+            tally.out[robot.team] += k.dt
+        player.locked = 0.0
+    elif robot.locked != player.locked:
+        if robot.locked > player.locked:
+            player.contact = match.step
+        player.locked = robot.locked
+    if events.kick == 1:
+        tally.kicks[robot.team] += 1
+        trail.kicker, trail.kicker_team = r, robot.team
+    if match.phase == PLAY and match.placing == 0 and robot.active == 1:
+        if events.touch == 1:
+            count_touch(robot.team, player, match.step, k, tally)
+        if robot.has_ball == 1 or player.held_since > 0:
+            count_possession(robot, player, match.step, k, tally, trail)
+        count_standing(match, ball, robot, k, tally, trail)
+    elif player.held_since > 0:
+        end_spell(robot.team, player, k, tally)
 
 
 @compiled
-def count_absent(robot, r, k, tally, trail):
-    """Count the penalty of a robot that is out, which ends its spell; it has never been in contact."""
-    if robot.penalty > 0.0 or robot.banned == 1:
-        tally.out[robot.team] += k.dt
-    if trail.held_since[r] > 0:
-        end_spell(robot.team, r, k, tally, trail)
-    trail.locked[r] = 0.0
+def count_touch(team, player, step, k, tally):
+    """Count a touch, unless the robot touched the ball shortly before."""
+    if (step - player.touched - 1) * k.dt > AGAIN + 0.5 * k.dt:
+        tally.touches[team] += 1
+    player.touched = step
 
 
 @compiled
-def note_touch(robot, r, touch, step, k, tally, trail):
-    """Count a touch, and begin, go on with or end the spell of a robot."""
-    if touch == 1:
-        if (step - trail.touched_by[r] - 1) * k.dt > AGAIN + 0.5 * k.dt:
-            tally.touches[robot.team] += 1
-        trail.touched_by[r] = step
-    if trail.held_since[r] > 0 and (step - trail.held_last[r] - robot.has_ball) * k.dt > LOST + 0.5 * k.dt:
-        end_spell(robot.team, r, k, tally, trail)
-    if robot.has_ball == 1:
-        if trail.held_since[r] == 0:
-            trail.held_since[r] = step
-        trail.held_last[r] = step
+def count_possession(robot, player, step, k, tally, trail):
+    """Begin, go on with or end the spell of a robot."""
+    if robot.has_ball == 0:
+        if (step - player.held_last) * k.dt > LOST + 0.5 * k.dt:
+            end_spell(robot.team, player, k, tally)
+        return
+    trail.has_ball |= 1 << robot.team
+    if player.held_since == 0:
+        player.held_since = step
+    player.held_last = step
 
 
 @compiled
-def end_spell(team, r, k, tally, trail):
+def end_spell(team, player, k, tally):
     """Count the spell of a robot that has lost the ball."""
-    seconds = (trail.held_last[r] - trail.held_since[r] + 1) * k.dt
-    trail.held_since[r] = 0
+    player.held_steps = player.held_last - player.held_since + 1
+    player.held_since = 0
+    seconds = player.held_steps * k.dt
     tally.spells[team] += 1
     tally.spell_time[team] += seconds
     tally.longest_spell[team] = max(tally.longest_spell[team], seconds)
@@ -94,9 +85,13 @@ def end_spell(team, r, k, tally, trail):
 
 
 @compiled
-def count_standing(match, robot, squared, k, tally, trail):
-    """Count where a goalkeeper stands, and whether a field player moves; note who is its team's nearest to the ball."""
+def count_standing(match, ball, robot, k, tally, trail):
+    """Count where a robot stands: about the ball, idle, or as a goalkeeper; note its team's nearest to the ball."""
     team, counts = robot.team, 0
+    x, y, near = robot.x - ball.x, robot.y - ball.y, k.body_reach + k.ball_radius + MARGIN
+    squared = x * x + y * y
+    if squared < near * near:
+        trail.crowd += 1
     if robot.keeper == 1:
         count_keeper(match, robot, k, tally, trail)
     else:
@@ -123,19 +118,19 @@ def count_keeper(match, robot, k, tally, trail):
 
 
 @compiled
-def share_out(match, crowd, has_home, has_away, k, tally, trail):
-    """Count possession and scrums; a team's nearest robot is no idle mate, whatever it does."""
-    if has_home == 1 and has_away == 1:
+def share_out(step, k, tally, trail):
+    """Count possession and scrums of a step in play; a team's nearest robot is no idle mate, whatever it does."""
+    if trail.has_ball == 3:
         tally.both += k.dt
-    elif has_home == 1:
-        tally.possession[HOME] += k.dt
-    elif has_away == 1:
-        tally.possession[AWAY] += k.dt
-    if crowd >= CROWD:
+    elif trail.has_ball > 0:
+        tally.possession[HOME if trail.has_ball == 1 else AWAY] += k.dt
+    if trail.crowd >= CROWD:
         tally.scrum += k.dt
-        trail.crowded = match.step
+        trail.crowded = step
     for team in range(2):
         if trail.nearest_counts[team] >= 1:
             tally.mates[team] -= k.dt
         if trail.nearest_counts[team] == 2:
             tally.idle[team] -= k.dt
+        trail.nearest[team], trail.nearest_counts[team] = NOBODY, 0
+    trail.crowd = trail.has_ball = 0

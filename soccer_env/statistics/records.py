@@ -14,7 +14,8 @@ from soccer_env.types import MAX_TEAM, Foul, Phase
 ROWS = 2 * MAX_TEAM  # robots that a record has room for
 BINS = 40  # of the lengths of spells
 SHORTEST, BINS_PER_OCTAVE = 0.02, 3.0  # [s] lower end of the first bin; the last one has no upper end
-LONG_AGO = -(1 << 40)  # [steps]
+NOBODY = 1e5  # [m2]
+LONG_AGO = -(1 << 30)  # [steps]
 
 
 class GoalKind(IntEnum):
@@ -36,6 +37,17 @@ class Aim(IntEnum):
     ON_TARGET = 2
 
 
+PLAYER = np.dtype(
+    [  # what is remembered of a robot
+        ("held_since", "i4"),  # first step of its spell with the ball, 0 without one
+        ("held_last", "i4"),  # last step of its latest spell in which it had the ball
+        ("held_steps", "i4"),  # that its last finished spell took
+        ("touched", "i4"),  # last step in which it touched the ball in play
+        ("contact", "i8"),  # last step in which it touched an opponent
+        ("locked", "f8"),  # [s] its time in contact after the last step, see `separation.watch_contacts`
+    ]
+)
+
 TRAIL = np.dtype(
     [  # what is remembered of the play
         ("kind", "i8"),  # Phase of the last restart
@@ -44,21 +56,23 @@ TRAIL = np.dtype(
         ("crowded", "i8"),  # last step with a scrum
         ("keeper_pushed", "i8", (2,)),  # last step in which a team's goalkeeper had been in contact for long
         ("player", "i8"),  # row of the robot that touched the ball last since the restart, or -1
+        ("player_team", "i8"),  # its team
         ("touched", "i8"),  # step of that touch
         ("played_x", "f8"),  # [m] field frame: the ball at that touch
         ("played_y", "f8"),  # [m] field frame
-        ("since_restart", "i8"),  # bit r: robot r has touched the ball since the restart
+        ("since_restart", "i8", (2,)),  # bit r: robot r of that team has touched the ball since the restart
         ("flight", "i8"),  # row of the robot that kicked or pushed the ball that is on its way, or -1
         ("flight_team", "i8"),  # its team
         ("flight_step", "i8"),  # when it did
         ("aim", "i8"),  # Aim of that kick or push
         ("deflected", "i8"),  # step in which another robot first touched it on its way, or LONG_AGO
         ("saved", "i8"),  # 1: the goalkeeper touched a shot on target first
-        ("held_since", "i8", (ROWS,)),  # first step of a robot's spell with the ball, 0 without one
-        ("held_last", "i8", (ROWS,)),  # last step of it in which the robot had the ball
-        ("touched_by", "i8", (ROWS,)),  # last step in which a robot touched the ball in play
-        ("contact", "i8", (ROWS,)),  # last step in which a robot touched an opponent
-        ("locked", "f8", (ROWS,)),  # [s] its time in contact after the last step, see `separation.watch_contacts`
+        ("players", PLAYER, (ROWS,)),
+        # Found out in one control step, robot by robot
+        ("crowd", "i8"),  # robots about the ball
+        ("has_ball", "i8"),  # 1: home has it, 2: away has it, 3: both
+        ("kicker", "i8"),  # row of a robot that kicked, or -1
+        ("kicker_team", "i8"),
         ("nearest", "f8", (2,)),  # [m2] squared distance of a team's nearest robot from the ball
         ("nearest_counts", "i8", (2,)),  # 2: that robot is a field player and idle, 1: a field player, 0: neither
     ]
@@ -107,7 +121,10 @@ STATISTICS = np.dtype(
 )
 
 FRESH = np.zeros((), STATISTICS)  # of a match that begins
-for _name in ("in_play", "separated", "crowded", "touched", "deflected", "keeper_pushed", "touched_by", "contact"):
+for _name in ("in_play", "separated", "crowded", "touched", "deflected", "keeper_pushed"):
     FRESH["trail"][_name] = LONG_AGO
-for _name in ("player", "flight"):
+for _name in ("held_last", "touched", "contact"):
+    FRESH["trail"]["players"][_name] = LONG_AGO
+for _name in ("player", "flight", "kicker"):
     FRESH["trail"][_name] = -1
+FRESH["trail"]["nearest"] = NOBODY
