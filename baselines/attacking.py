@@ -5,9 +5,9 @@
 
 from __future__ import annotations
 
-from math import acos, atan2, cos, sin
+from math import acos, atan2
 
-from soccer_env.baselines.boards import begin_sweep, corner_ways, lies_in_corner, sweep
+from soccer_env.baselines.boards import go_into_corner, lies_in_trouble, sweep
 from soccer_env.baselines.sight import rolls_to, side_of
 from soccer_env.baselines.skills import choose_shot, choose_way, go, push, shot_room, turned
 from soccer_env.compiled import compiled
@@ -19,10 +19,10 @@ def attack(command, sight, memory, k, play):
     """Bring the ball to the goal, with the first skill of the ladder that applies."""
     ux, uy = choose_aim(sight, k, play)
     ux, uy = turned(ux, uy, memory.aim_error)
-    if memory.sweep <= 0.0:
-        begin_sweep(sight, memory, k)
     if memory.sweep > 0.0:
         sweep(command, sight, memory, k)
+    elif lies_in_trouble(sight.ball_x, sight.ball_y, k):
+        free_from_corner(command, sight, memory, k, play)
     elif memory.wriggle > 0.0:
         wriggle(command, sight, memory, k, play)
     elif sight.held == 1:
@@ -72,21 +72,10 @@ def approach(command, sight, memory, k, play, ux, uy):
     away_x, away_y = sight.x - x, sight.y - y
     away = max(length(away_x, away_y), 1e-6)
     behind = -(away_x * ux + away_y * uy) / away
-    if lies_in_corner(sight.ball_x, sight.ball_y, k):
-        go_into_corner(command, sight, k, play, ux, uy)
-    elif behind > play.run_in_cosine or (away < play.near * sight.touch and behind > play.near_cosine):
+    if behind > play.run_in_cosine or (away < play.near * sight.touch and behind > play.near_cosine):
         run_in(command, sight, k, play, x, y, ux, uy)
     else:
         go_round(command, sight, memory, k, play, x, y, ux, uy)
-
-
-@compiled
-def go_into_corner(command, sight, k, play, ux, uy):
-    """Go to the ball in a corner along (ux, uy): to that line first, a step before the ball, then on."""
-    x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
-    along, across = ux * x + uy * y, ux * y - uy * x
-    back = sight.touch + (0.12 if abs(across) > 0.03 and along > 0.0 else -0.03)
-    go(command, sight, k, play, sight.ball_x - back * ux, sight.ball_y - back * uy, atan2(uy, ux), play.bump)
 
 
 @compiled
@@ -119,9 +108,6 @@ def clear_of_boards(x, y, ux, uy, sight, k):
     """
     if k.walled == 0:
         return ux, uy
-    if lies_in_corner(sight.ball_x, sight.ball_y, k):
-        way, _ = corner_ways(sight.ball_x, sight.ball_y)
-        return cos(way), sin(way)
     room = k.body_tip_y + k.body_tip_radius
     edge_x, edge_y = 0.5 * k.pitch_length - room, 0.5 * k.pitch_width - room
     back_x = x - clip(x - sight.touch * ux, -edge_x, edge_x)
@@ -160,6 +146,15 @@ def side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
         way = memory.way
     memory.way = way
     return way
+
+
+@compiled
+def free_from_corner(command, sight, memory, k, play):
+    """Get the ball out of a corner; step back from it first after a try that failed."""
+    if memory.wriggle > 0.0:
+        command.forward = -sight.pace
+    else:
+        go_into_corner(command, sight, memory, k, play)
 
 
 @compiled

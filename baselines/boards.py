@@ -10,44 +10,74 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import cos, pi, sin
 
 from soccer_env.baselines.sight import side_of
+from soccer_env.baselines.skills import LARGE_TURN, go, leave_boards
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
 
-CORNER = 0.1  # [m] between ball and both boards: it lies in the corner, assumed
-SLANT = 1.05  # [rad] between the board along which the ball is to go, square on, and the way to the ball, assumed
-ALIGNED = 0.25  # [rad] off that way at which the sweep may begin, assumed
+CORNER = 0.1  # [m] between ball and board, less counts as at the board, assumed
+SLANT, SQUARE = (
+    1.05,
+    0.26,
+)  # [rad] off square to the end board at which a ball is met in the corner, and outside, assumed
+ALIGNED = 0.3  # [rad] off that way at which the sweep may begin, assumed
+ON_LINE = 0.03  # [m] off it, assumed
 TOUCHING = 0.04  # [m] between front and ball at which it may begin, assumed
+RUN_UP = 0.12  # [m] from which it goes to the ball, assumed
 OUTWARD = 0.4  # [1] of the top speed aside while turning, assumed
 LONGEST = 7.0  # [s] of a sweep, assumed
 AWAY = 0.35  # [m] from the corner at which the ball is out of it, assumed
 
 
 @compiled
-def lies_in_corner(x, y, k):
-    """Tell whether a ball at (x, y) lies in a corner between two boards."""
-    room = k.ball_radius + CORNER
-    return k.walled == 1 and abs(x) > 0.5 * k.pitch_length - room and abs(y) > 0.5 * k.pitch_width - room
+def lies_in_trouble(x, y, k):
+    """Tell whether a ball at (x, y) lies in an own corner, or at the opponents' end board beside the goal."""
+    if k.walled == 0:
+        return False
+    end, aside = end_gap(x, k), side_gap(y, k)
+    if x > 0.0:
+        return end < CORNER and abs(y) > 0.5 * k.pitch_goal_width
+    return end < CORNER and aside < CORNER
 
 
 @compiled
-def corner_ways(x, y):
-    """Return the direction of the way to a ball in a corner, and that in which it is to be swept [rad], team frame."""
+def end_gap(x, k):
+    """Return the room between a ball and the nearer end board [m]."""
+    return 0.5 * k.pitch_length - k.ball_radius - abs(x)
+
+
+@compiled
+def side_gap(y, k):
+    """Return the room between a ball and the board of the nearer touchline [m]."""
+    return 0.5 * k.pitch_width - k.ball_radius - abs(y)
+
+
+@compiled
+def ways_of_sweep(x, y, k):
+    """Return the direction of the way to such a ball, and that in which it is to be swept [rad], team frame."""
     side = side_of(y)
     if x > 0.0:
-        return side * SLANT, -side * 0.5 * pi
+        slant = SLANT + (SQUARE - SLANT) * clip(side_gap(y, k) / CORNER, 0.0, 1.0)
+        return side * slant, -side * 0.5 * pi
     return wrap(side * (0.5 * pi + SLANT)), 0.0
 
 
 @compiled
-def begin_sweep(sight, memory, k):
-    """Begin to sweep a ball in a corner that the robot touches and faces as it must."""
-    if not lies_in_corner(sight.ball_x, sight.ball_y, k) or sight.distance > sight.touch + TOUCHING:
-        return
-    way, out = corner_ways(sight.ball_x, sight.ball_y)
-    if abs(wrap(sight.heading - way)) < ALIGNED or memory.stuck > memory.patience:
+def go_into_corner(command, sight, memory, k, play):
+    """Go to the ball along its way: to that line first, a step before the ball, then on; sweep as soon as it touches."""
+    way, out = ways_of_sweep(sight.ball_x, sight.ball_y, k)
+    ux, uy = cos(way), sin(way)
+    x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
+    off = wrap(way - sight.heading)
+    touching = sight.distance < sight.touch + TOUCHING
+    ready = (touching or abs(ux * y - uy * x) < ON_LINE) and abs(off) < ALIGNED
+    back = sight.touch + (-ON_LINE if ready else RUN_UP)
+    go(command, sight, k, play, sight.ball_x - back * ux, sight.ball_y - back * uy, way, play.bump)
+    if abs(off) > LARGE_TURN:
+        leave_boards(command, sight, k)
+    if ready and touching:
         memory.sweep, memory.sweep_way = LONGEST, out
         memory.sweep_side = side_of(wrap(out - way))
 
@@ -65,5 +95,5 @@ def sweep(command, sight, memory, k):
     else:
         command.turn = clip(error, -1.0, 1.0) * sight.pace
     gap = length(0.5 * k.pitch_length - abs(sight.ball_x), 0.5 * k.pitch_width - abs(sight.ball_y))
-    if gap > AWAY or sight.distance > 2.0 * sight.touch:
+    if gap > AWAY and not lies_in_trouble(sight.ball_x, sight.ball_y, k) or sight.distance > 2.0 * sight.touch:
         memory.sweep = 0.0
