@@ -66,7 +66,7 @@ def ways_of_sweep(x, y, k):
 
 @compiled
 def go_into_corner(command, sight, memory, k, play):
-    """Go to the ball along its way: to that line first, a step before the ball, then on; sweep as soon as it touches."""
+    """Go to the ball along its way: to that line first, a step before the ball, then on; touching it, sweep."""
     way, out = ways_of_sweep(sight.ball_x, sight.ball_y, k)
     ux, uy = cos(way), sin(way)
     x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
