@@ -25,7 +25,7 @@ from soccer_env.train.reproduce.drill_runs import PAPER, start_drill
 from soccer_env.train.reproduce.reproduction import reproduce
 from soccer_env.train.reproduce.settings import ReproduceSettings
 from soccer_env.train.reproduce.staging import begin, drill, kick_off, play, put, put_ball, stage
-from soccer_env.types import Phase
+from soccer_env.types import Foul, Phase
 
 BATCH = Batch("test", 0, 0)
 TEAM = "sacks-2001"
@@ -124,6 +124,15 @@ def test_who_is_sent_off_is_not_held() -> None:
     assert not watch.held()[0, 1], "it was out a moment ago"
 
 
+def test_who_was_put_elsewhere_by_a_whistle_was_not_there_throughout() -> None:
+    match = two()
+    watch = Watch(match)
+    watch.look()
+    match.robot_events["returned"][:, 1] = 1
+    watch.look()
+    assert watch.there().tolist() == [[True, False]]
+
+
 def test_who_is_sent_off_is_not_free() -> None:
     match = two(2)
     match.robot_events["collision"] = 0
@@ -163,20 +172,19 @@ def test_who_is_sent_off_is_not_in_a_crowd() -> None:
     assert near_ball(match).tolist() == [1]
 
 
-@pytest.mark.parametrize("call", ["out", "drop", "apart", "goal", "nothing"])
+@pytest.mark.parametrize("call", ["foul", "drop", "apart", "goal", "nothing"])
 def test_the_referee_ends_a_contest_but_a_goal_does(call: str) -> None:
     match = two()
-    for _ in play(match, 0.1):
-        pass
-    if call == "out":
-        match.robots["active"][:, 1] = 0
+    next(iter(play(match, 0.1)))  # events of a step in which nothing was called
+    if call == "foul":
+        match.events["foul"] = int(Foul.PUSHING)
     elif call == "drop":
         match.events["restart"] = int(Phase.DROP_BALL)
     elif call == "apart":
         match.events["separated"] = 1
     elif call == "goal":
         match.events["restart"], match.events["goal"] = int(Phase.KICK_OFF), 0
-    assert ended_by_referee(match).tolist() == [call in ("out", "drop", "apart")]
+    assert ended_by_referee(match).tolist() == [call in ("foul", "drop", "apart")]
 
 
 def test_matches_in_which_nobody_is_held_have_no_fate(monkeypatch: pytest.MonkeyPatch) -> None:

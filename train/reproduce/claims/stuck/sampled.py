@@ -68,7 +68,8 @@ class Watch:
         """Note where everybody is after a control step."""
         match, robots = self.match, self.match.robots
         walk = np.hypot(robots["walk"]["forward"], robots["walk"]["left"]) * match.league.dt
-        touch, here = match.robot_events["collision"] == 1, robots["active"] == 1
+        touch = match.robot_events["collision"] == 1
+        here = (robots["active"] == 1) & (match.robot_events["returned"] == 0)
         ball_x, ball_y = (np.broadcast_to(match.balls[name][:, None], robots.shape) for name in ("x", "y"))
         now = np.stack([robots["x"], robots["y"], walk, touch, behaviours(match) == APPROACH, ball_x, ball_y, here])
         self.rows = [*self.rows[1 - self.size :], now]
@@ -93,7 +94,7 @@ class Watch:
         return self.mean(3) >= TOUCHING
 
     def there(self) -> np.ndarray:
-        """Return who was on the field throughout."""
+        """Return who was on the field throughout, and was not put somewhere else by a whistle."""
         found: np.ndarray = self.mean(7) == 1.0
         return found
 

@@ -21,7 +21,7 @@ def steal(batch: Batch, avoid: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray
     """Let a robot chase an opponent that has the ball; return who won it within STEAL_TIME (M,), and who by contact.
 
     By contact: the opponent loses the ball while the two touch, or just after, and the robot is the next to have it.
-    A referee who sends one of them off, or puts the ball elsewhere, ends the scene: the last that is returned.
+    A referee who whistles, or puts the ball elsewhere, ends the scene: the last that is returned.
     """
     rng = batch.rng()
     sides: dict[str, Any] = {"home": make_team("sacks-2001", avoid_chasing=avoid), "away": make_team("sacks-2001")}
@@ -53,9 +53,9 @@ def steal(batch: Batch, avoid: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray
 
 
 def ended_by_referee(match: Match) -> np.ndarray:
-    """Return in which scenes (M,) somebody is sent off, the ball is put elsewhere or opponents are pulled apart."""
-    out = (match.robots["active"] == 0).any(axis=1)
-    found: np.ndarray = out | (match.events["restart"] != 0) | (match.events["separated"] == 1)
+    """Return in which scenes (M,) there is a whistle, the ball is put elsewhere or opponents are pulled apart."""
+    events = match.events
+    found: np.ndarray = (events["foul"] != 0) | (events["restart"] != 0) | (events["separated"] == 1)
     return found & (match.events["goal"] < 0)
 
 
@@ -74,7 +74,7 @@ S30 = Claim(
     "others are avoided only in possession of the ball.",
     method=f"{STEALS} scenes a batch: an opponent (sacks-2001) has the ball between its paws, a robot 50 to 80 cm "
     f"before it goes for it, walking round others or not; who has the ball alone within {STEAL_TIME:g} s, and who "
-    "because the opponent lost it in contact with the robot. A whistle that sends one of them off, a dropped ball and "
+    "because the opponent lost it in contact with the robot. A whistle against one of them, a dropped ball and "
     "being pulled apart end a scene that nobody has won.",
     criteria=(
         counted("not avoiding: balls won by contact (can sometimes be helpful)", "contact", "one", at_least=1.0),
