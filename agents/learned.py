@@ -35,8 +35,9 @@ class LearnedTeam(ObservingTeam):
     policy: Policy
 
     def check_league(self, league: League) -> None:
-        """Raise ValueError, with the reason, if the policy does not play this league."""
+        """Raise ValueError, with the reason, if the policy does not play this league; warn of rules unknown to it."""
         self.policy.check_plays(league)
+        self.policy.tell_of_rules(league)
 
 
 def team_of(policy: Policy, at_once: bool = False) -> LearnedTeam:

@@ -14,13 +14,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from soccer_env.actions import BOX, FULL
 from soccer_env.agents.attention import TENSORS, layout_of
+from soccer_env.agents.rules_known import check_recorded, recorded, tell_of_rules
 from soccer_env.checking import brief, one_of, refuse
 from soccer_env.leagues.checks import check_family
 from soccer_env.leagues.league import MAX_RATE, League
@@ -65,6 +66,7 @@ class Policy:
     biases: tuple[np.ndarray, ...]  # (out,) float32 of each layer
     made: Mapping[str, str]  # where it comes from: command, date, commit, seed, versions ... plain text
     attention: tuple[np.ndarray, ...] = ()  # float32, as `attention.TENSORS` names them; () for kind "slots"
+    rules: Mapping[str, Any] = field(default_factory=dict)  # it was trained under, by name; {}: nothing is known
 
     def __post_init__(self) -> None:
         _check_text("name", self.name, NAME)
@@ -82,6 +84,7 @@ class Policy:
         _check_whole("action_repeat", self.action_repeat, MAX_REPEAT)
         _check_inputs(self.inputs)
         _check_made(self.made)
+        check_recorded(self.rules)
         if self.mirror:
             observation_signs(self.entries)
         features = _check_attention(self.kind, self.attention, self.entries)
@@ -92,11 +95,16 @@ class Policy:
         for name in ("weights", "biases", "attention"):
             object.__setattr__(self, name, tuple(_frozen(array) for array in getattr(self, name)))
         object.__setattr__(self, "made", dict(self.made))
+        object.__setattr__(self, "rules", dict(self.rules))
 
     @property
     def entries(self) -> list[Entry]:
         """Return what each of the inputs means, as far as its name says."""
         return entries_named(self.observe, self.inputs)
+
+    def tell_of_rules(self, league: League) -> None:
+        """Warn, once in a process, if a league's rules are not those that the policy was trained under."""
+        tell_of_rules(self.name, self.rules, league.rules)
 
     def check_plays(self, league: League) -> None:
         """Raise ValueError unless a league's family, control rate and layout are those that the policy knows.
@@ -126,7 +134,12 @@ class Policy:
 
 
 def trained_in(league: League) -> dict[str, Any]:
-    """Return the fields of a policy that say which league it was trained in."""
+    """Return the fields of a policy that say in which league, and under which rules, it was trained."""
+    return {**league_of(league), "rules": recorded(league.rules)}
+
+
+def league_of(league: League) -> dict[str, Any]:
+    """Return the fields of a policy that say which league it plays."""
     return {"league": league.name, "family": league.family, "control_rate": league.control_rate}
 
 

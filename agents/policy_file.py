@@ -4,10 +4,10 @@
     header     JSON: {"__metadata__": {"soccer_env.policy": TEXT}, "layer0.weight": {"dtype": "F32", "shape": ...}, ...}
     tensors    float32, little-endian, one after the other without gaps
 
-TEXT is JSON again: the fields of `Policy` without its arrays, and "version" (2). The schema is strict: exactly these
-keys, each once, with these types; anything else is a ValueError in one line that names the file. Version 1 said
-nothing of the league but its name: family and control rate are those of our own league of that name. The kind
-"attention" has six tensors more, "teammate.weight" and so on (`attention.TENSORS`).
+TEXT is JSON again: the fields of `Policy` without its arrays, and "version" (3). The schema is strict: exactly these
+keys, each once, with these types; anything else is a ValueError in one line that names the file. Versions 1 and 2 said
+nothing of the rules; version 1 said nothing of the league but its name: family and control rate are those of our own
+league of that name. The kind "attention" has six tensors more, "teammate.weight" and so on (`attention.TENSORS`).
 
 The safetensors library checks that the header fits into the file and is JSON, that sizes agree with shapes, and that
 the tensors cover the file without holes and overlaps. It lets duplicate names, unknown fields of a tensor and any
@@ -29,11 +29,11 @@ from safetensors.numpy import load as tensors_of
 from safetensors.numpy import save
 
 from soccer_env.agents.attention import TENSORS
-from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, trained_in
+from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, league_of
 from soccer_env.checking import brief
 from soccer_env.leagues import LEAGUES
 
-VERSION = 2
+VERSION = 3
 KEY = "soccer_env.policy"
 MAX_FILE = 16 * 2**20  # [bytes]
 MAX_HEADER = 2**20  # [bytes] the largest policy needs about 0.8 MiB
@@ -53,15 +53,18 @@ SCHEMA: dict[str, type] = {
     "activation": str,
     "mirror": bool,
     "made": dict,
+    "rules": dict,
 }
-SINCE_2 = ("family", "control_rate")  # keys that version 1 lacks
+LACKS = {1: ("family", "control_rate", "rules"), 2: ("rules",)}  # keys, by version
+TABLES = ("made", "rules")
 TENSOR = {"dtype", "shape", "data_offsets"}
 
 
 def dump(policy: Policy) -> bytes:
     """Return the content of a policy's file; the same policy gives the same bytes."""
-    fields = {key: getattr(policy, key) for key in SCHEMA if key not in ("version", "inputs", "made")}
-    table = {"version": VERSION, **fields, "inputs": list(policy.inputs), "made": dict(policy.made)}
+    fields = {key: getattr(policy, key) for key in SCHEMA if key not in ("version", "inputs", *TABLES)}
+    tables = {key: dict(getattr(policy, key)) for key in TABLES}
+    table = {"version": VERSION, **fields, "inputs": list(policy.inputs), **tables}
     text = json.dumps(table, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
     tensors = dict(zip(TENSORS, policy.attention))
     for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases)):
@@ -186,7 +189,7 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
     version = table.get("version")
     if type(version) is not int or not 1 <= version <= VERSION:
         raise ValueError(f"is of format version {brief(version)}; this soccer_env reads versions 1 to {VERSION}")
-    fields: dict[str, Any] = _of_version_1(table) if version == 1 else table
+    fields: dict[str, Any] = table if version == VERSION else _of_older(table, version)
     missing = [key for key in SCHEMA if key not in fields]
     unknown = [key for key in fields if key not in SCHEMA]
     if missing:
@@ -199,15 +202,17 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
     return fields
 
 
-def _of_version_1(table: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of a file of version 1 with those that it lacks, by the name of its league."""
-    said = [key for key in SINCE_2 if key in table]
+def _of_older(table: dict[str, Any], version: int) -> dict[str, Any]:
+    """Return the fields of a file of version 1 or 2 with those that it lacks: no rules, its league by its name."""
+    said = [key for key in LACKS[version] if key in table]
     if said:
-        raise ValueError(f"{KEY} has an unknown key {said[0]!r} for version 1")
+        raise ValueError(f"{KEY} has an unknown key {said[0]!r} for version {version}")
+    if version == 2:
+        return {**table, "rules": {}}
     known = LEAGUES.get(table["league"]) if isinstance(table.get("league"), str) else None
     if known is None:
         raise ValueError(f"is of version 1, which says nothing of leagues of one's own: {brief(table.get('league'))}")
-    return {**table, **trained_in(known)}
+    return {**table, **league_of(known), "rules": {}}
 
 
 def _more(table: Mapping[str, Any]) -> tuple[str, ...]:

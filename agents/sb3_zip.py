@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, MAX_INPUTS, Policy, trained_in
+from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, MAX_INPUTS, Policy, league_of
 from soccer_env.agents.policy_file import file_name, one_line, read_plain, strict_json
 from soccer_env.checking import brief
 from soccer_env.leagues import League, find_league
@@ -87,7 +87,7 @@ def load_sb3(
             raise ValueError(f"takes {weights[0].shape[1]} inputs, {observe!r} of {preset.name!r} has {len(inputs)}")
         return Policy(
             name=_stem(path) if name is None else name,
-            **trained_in(preset),
+            **league_of(preset),
             observe=observe,
             inputs=tuple(inputs),
             actions=_actions(len(biases[-1])),

@@ -52,7 +52,7 @@ def test_its_tensors_have_names_and_the_version_is_that_of_all() -> None:
     assert HEADER.keys() - {"__metadata__"} == {f"layer{n}.{part}" for n in (0, 1) for part in ("weight", "bias")} | {
         *TENSORS
     }
-    assert TABLE["kind"] == "attention" and TABLE["version"] == 2
+    assert TABLE["kind"] == "attention" and TABLE["version"] == 3
     assert dump(parse(with_fields(), WHERE)) == GOOD
 
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from soccer_env.agents import policy as limits
 from soccer_env.agents.policy import Policy, trained_in
-from soccer_env.agents.policy_file import MAX_FILE, MAX_HEADER, dump, load, parse
+from soccer_env.agents.policy_file import LACKS, MAX_FILE, MAX_HEADER, dump, load, parse
 from soccer_env.leagues import LEAGUES, Slots, find_league
 from soccer_env.observations import names_of
 from tests.agents.staged_files import TABLE, WHERE, refused, with_fields, with_table, without
@@ -221,16 +221,19 @@ def test_a_league_is_known_by_what_it_is_and_not_by_its_name() -> None:
 
 
 def test_a_file_of_version_1_takes_family_and_rate_from_our_league_of_that_name() -> None:
-    old = with_table({**without(without(TABLE, "family"), "control_rate"), "version": 1})
-    read = parse(old, WHERE)
-    assert (read.league, read.family, read.control_rate) == ("legged-2001", "legged", 16)
-    middle = {**TABLE, "version": 1, "league": "middle-size-2006-differential"}
-    read = parse(with_table(without(without(middle, "family"), "control_rate")), WHERE)
+    first = {key: value for key, value in TABLE.items() if key not in LACKS[1]} | {"version": 1}
+    read = parse(with_table(first), WHERE)
+    assert (read.league, read.family, read.control_rate, read.rules) == ("legged-2001", "legged", 16, {})
+    read = parse(with_table({**first, "league": "middle-size-2006-differential"}), WHERE)
     assert (read.family, read.control_rate) == ("middle-size", 50)
     refused(with_fields(version=1), "unknown key 'family' for version 1")
     for league in ("icy", ["legged-2001"], None):
-        table = {**without(without(TABLE, "family"), "control_rate"), "version": 1, "league": league}
-        refused(with_table(table), "is of version 1, which says nothing of leagues of one's own")
+        refused(with_table({**first, "league": league}), "is of version 1, which says nothing of leagues of one's own")
+
+
+def test_a_file_of_version_2_says_nothing_of_rules() -> None:
+    assert parse(with_table({**without(TABLE, "rules"), "version": 2}), WHERE).rules == {}
+    refused(with_fields(version=2), "unknown key 'rules' for version 2")
 
 
 def test_another_layout_is_refused_with_the_entry_that_differs() -> None:

@@ -11,7 +11,6 @@ from itertools import product
 from math import ceil
 from typing import Any
 
-from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.rewards import NAMES, Rewards
@@ -30,7 +29,7 @@ TRAINING_SEED = 3_000_017  # added to the run's seed: a policy is not evaluated 
 def check_playable(settings: TrainSettings) -> None:
     """Raise ValueError, with the setting's name, for teams, sizes and times that cannot be played or written down."""
     check_device(settings.device)
-    league = find_league(settings.league)
+    league = settings.played
     policy = replace(blank_policy(settings, league), made=made_by(settings, 0))
     with said_by("opponents"):
         curriculum = make_curriculum(settings)
@@ -79,7 +78,7 @@ def lesson(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, st
     """Return a match that the teacher plays, with the settings of those that are recorded."""
     players = {"home": settings.teacher, "away": settings.opponent_names[0]}
     return Match(
-        settings.league, home=sizes[0], away=sizes[1], controllers=players,
+        settings.played, home=sizes[0], away=sizes[1], controllers=players, scene=settings.scene,
         observe=settings.observe, senses=senses, pose=settings.pose, seed=0,
     )  # fmt: skip
 
@@ -101,7 +100,7 @@ def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
 
 def make_curriculum(settings: TrainSettings) -> Curriculum:
     """Return the opponents of a run, its past selves among them, which stand still until there are any."""
-    blank = blank_policy(settings, find_league(settings.league))
+    blank = blank_policy(settings, settings.played)
     return Curriculum(settings.opponent_names, settings.past, blank, settings.curriculum)
 
 
@@ -109,7 +108,8 @@ def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEn
     """Return the environment of a run."""
     weights = Rewards(**{name: getattr(settings, name) for name in NAMES})
     return SoccerVecEnv(
-        settings.league, players=settings.sizes, matches=settings.matches, ideal_share=settings.ideal_share,
+        settings.played, scene=settings.scene, players=settings.sizes, matches=settings.matches,
+        ideal_share=settings.ideal_share,
         opponents=curriculum.lineup, action_repeat=settings.action_repeat, rewards=weights, gamma=settings.gamma,
         state=settings.central_critic, stagger=True, seed=settings.seed + TRAINING_SEED, threads=settings.threads,
         observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, minutes=settings.minutes,

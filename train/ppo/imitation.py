@@ -15,7 +15,6 @@ import numpy as np
 import torch
 
 from soccer_env.agents.learned import first_decision
-from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.observations.entry import OWN_COMMAND, Entry
 from soccer_env.train.ppo.networks import SoccerPolicy
@@ -23,7 +22,7 @@ from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.progress import Progress
 
 WALK = ("forward", "left", "turn")
-NO_KICK = -1.0
+NO_KICK = -0.4  # so near a kick (0.3) that the noise of a learner finds one now and then; at -1 it never did
 TEACHER_SEED = 2_000_003  # added to the run's seed: the teacher plays other matches than the learner
 
 
@@ -82,8 +81,8 @@ def fit(
 def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
     """Record the teacher of a run in all kinds of matches that it has, and fit the actor; return the errors."""
     cases = list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
-    rate = find_league(settings.league).control_rate
-    decisions = max(1, round(60.0 * settings.minutes * rate / settings.action_repeat))
+    league = settings.played
+    decisions = max(1, round(60.0 * settings.minutes * league.control_rate / settings.action_repeat))
     parts = []
     with Progress(f"learning from {settings.teacher}", len(cases) + settings.teacher_epochs / 2) as progress:
         for index, (players, opponent, (weight, senses)) in enumerate(cases):
@@ -92,7 +91,8 @@ def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
             parts.append(
                 record(
                     settings.teacher, opponent, players, min(decisions, max(1, round(share / count))),
-                    settings.action_repeat, league=settings.league, matches=count, minutes=settings.minutes,
+                    settings.action_repeat, league=league, scene=settings.scene, matches=count,
+                    minutes=settings.minutes,
                     seed=settings.seed + TEACHER_SEED + 1009 * index, observe=settings.observe,
                     senses=senses, pose=settings.pose, threads=settings.threads,
                 )

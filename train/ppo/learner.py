@@ -15,7 +15,6 @@ from stable_baselines3.common.callbacks import ConvertCallback
 from stable_baselines3.common.logger import Logger
 from stable_baselines3.common.vec_env import VecNormalize
 
-from soccer_env.leagues import find_league
 from soccer_env.observations import Entry, layout
 from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings
@@ -37,7 +36,7 @@ class Learner:
 
     def __init__(self, settings: TrainSettings, matches: SoccerVecEnv) -> None:
         torch.set_num_threads(settings.torch_threads)
-        self.settings, self.league = settings, find_league(settings.league)
+        self.settings, self.league = settings, settings.played
         self.rewards = make_rewards(settings, matches)
         self.model = make_model(settings, self.rewards, layout(self.league, settings.observe))
         self.model.ep_info_buffer = deque(maxlen=RECENT)

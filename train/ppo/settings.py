@@ -5,14 +5,18 @@ The help of `soccer train` is the text beside each field here.
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, make_dataclass
+from dataclasses import asdict, dataclass, make_dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import tyro
 
 from soccer_env.checking import ABOVE_ZERO, FROM_ZERO, Range, refuse
+from soccer_env.leagues import find_league
+from soccer_env.leagues.league import League
+from soccer_env.leagues.rules import rule_set
 from soccer_env.rewards import NAMES, PRESETS, TERMS
+from soccer_env.scenes import Scene, mixture
 from soccer_env.train.written_settings import CommandSettings, command_with, split_players, split_senses
 
 FREE = ("out", "threads", "torch_threads", "steps", "anew", "tensorboard", "device")  # may differ when a run goes on
@@ -43,6 +47,8 @@ class PlainSettings:
 
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
+    rules: str = "league"
+    """Rules to play by: league, simple, none, or a set changed by name: league:pushing=False."""
     name: str = "policy"
     """What the policy calls itself."""
     out: Path = Path("runs/train")
@@ -55,6 +61,8 @@ class PlainSettings:
     """Matches side by side, shared among the team sizes."""
     minutes: float = 2.0
     """Minutes of play in a training episode, both halves together."""
+    scenes: str = "kick-off"
+    """How episodes begin; several with their shares: kick-off:0.6,scattered:0.4. Play goes on from a drill's start."""
     opponents: str = "still,chaser@0.5,chaser"
     """Teams that play away, with commas between them: names of `soccer list teams`, or policy files."""
     past: int = 0
@@ -191,11 +199,23 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
                 "observe='truth' needs senses='ideal', as the policy will when it plays: give --senses ideal"
             )
         self.sizes, self.hidden_sizes, self.critic_sizes, self.opponent_names, self.judges  # noqa: B018  # check texts
+        mixture(self.scenes)
 
     @property
     def sizes(self) -> tuple[tuple[int, int], ...]:
         """Return the team sizes (home, away)."""
         return tuple(split_players(part, 3) for part in different("players", self.players))
+
+    @property
+    def played(self) -> League:
+        """Return the league with the rules that are played by."""
+        league = find_league(self.league)
+        return replace(league, rules=rule_set(league.rules, self.rules))
+
+    @property
+    def scene(self) -> Scene:
+        """Return how episodes begin."""
+        return mixture(self.scenes)
 
     @property
     def kinds_of_senses(self) -> list[tuple[float, dict[str, str]]]:

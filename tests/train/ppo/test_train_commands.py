@@ -27,7 +27,7 @@ def test_a_file_gives_settings_and_flags_overrule_it(tmp_path: Path) -> None:
     ("content", "message"),
     [
         ("", None),
-        ("step = 3\n", "unknown setting 'step', did you mean 'steps'\\? known: league, name, out, steps"),
+        ("step = 3\n", "unknown setting 'step', did you mean 'steps'\\? known: league, rules, name, out"),
         ("[training]\nsteps = 3\n", "unknown setting 'training'"),
         ('steps = "many"\n', "steps must be a whole number of at least 1, got 'many'"),
         ("steps = 3.0\n", "steps must be a whole number of at least 1, got 3.0"),

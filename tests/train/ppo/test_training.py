@@ -16,10 +16,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+from soccer_env.agents.learned import BUNDLED
 from soccer_env.agents.policy_file import load
+from soccer_env.agents.rules_known import recorded
 from soccer_env.checking import Range
+from soccer_env.leagues import find_league
+from soccer_env.leagues.rules import rule_set
 from soccer_env.train.ppo import imitation, reports, train, training
-from soccer_env.train.ppo.reports import Board, learning_curve, rounded, scale
+from soccer_env.train.ppo.checks import lesson, make_curriculum, make_matches
+from soccer_env.train.ppo.reports import Board, evaluation_of, learning_curve, rounded, scale
 from soccer_env.train.ppo.settings import BOUNDS, TrainSettings, command_of
 from soccer_env.train.progress import Progress
 from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
@@ -44,12 +49,35 @@ def test_another_seed_gives_other_weights(tmp_path: Path, whole: Path) -> None:
     assert weights(tmp_path / "run" / "last.safetensors") != weights(whole / "last.safetensors")
 
 
+def test_policies_and_settings_say_by_which_rules_they_were_trained(tmp_path: Path, whole: Path) -> None:
+    assert load(whole / "last.safetensors").rules == recorded(find_league("legged-2001").rules)
+    rules = "simple:pushing=True"
+    plainly(tiny(tmp_path / "run", steps=1, past=0, teacher="", rules=rules))
+    policy = load(tmp_path / "run" / "last.safetensors")
+    assert policy.rules == recorded(rule_set(find_league("legged-2001").rules, rules))
+    assert json.loads(policy.made["settings"])["rules"] == rules
+    assert json.loads((tmp_path / "run" / "settings.json").read_text())["conditions"]["rules"] == rules
+
+
+def test_matches_teacher_and_evaluations_are_played_by_the_rules_asked_for(tmp_path: Path) -> None:
+    settings = tiny(tmp_path / "run", rules="simple:pushing=True", scenes="scattered")
+    matches = make_matches(settings, make_curriculum(settings))
+    teacher = lesson(settings, (1, 1), {"home": "sensors", "away": "sensors"})
+    judged = evaluation_of(load(BUNDLED), "still", settings).start("home", [1])
+    for match in (*matches.matches, teacher, judged):
+        assert match.league.rules.name == "simple:pushing=True" and match.league.rules.pushing
+    assert {match.settings.scene.name for match in (*matches.matches, teacher)} == {"scattered"}
+    assert judged.settings.scene.name == "kick-off"
+    matches.close()
+
+
 @pytest.mark.parametrize(
     "change",
     [
         {"mirror": False, "central_critic": False, "normalise_rewards": False, "curriculum": False, "decay": False},
         {"observe": "truth", "senses": "ideal", "teacher": "", "past": 0, "critic_first": 0, "activation": "relu"},
         {"ideal_share": 0.5},
+        {"scenes": "kick-off:2,scattered,lost-ball-behind", "rules": "simple", "players": "1v3,3v1,2v3"},
         {"observe": "percepts", "mirror": False, "target_kl": 1e-9, "entropy": 0.01, "pose": "particles"},
     ],
 )

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Rewards
-from soccer_env.scenes import SCENES
+from soccer_env.scenes import SCENES, mixture
 from tests.train.evaluate.staged_rows import MIXED, play, rows
 
 pytest.importorskip("stable_baselines3")
@@ -78,3 +78,5 @@ def test_code_of_a_user_is_never_called_by_two_threads_at_once(kind: type[Watch]
 
 def test_compiled_code_is_played_by_all_threads() -> None:
     assert rows(players=MIXED, matches=8, threads=2)._pool._max_workers == 2
+    scene = mixture("kick-off,scattered")
+    assert rows(players=MIXED, matches=8, threads=2, scene=scene)._pool._max_workers == 2

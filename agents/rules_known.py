@@ -1,0 +1,82 @@
+"""The rules that a policy was trained under, kept in its file, and what is said where it plays under others.
+
+A policy plays on under other rules: it then does what paid where it was trained, such as holding a ball that may not be
+held here. Who lets it play is told so once, by a warning of the logger `soccer_env.agents`.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Mapping
+from dataclasses import fields
+from functools import cache
+from math import isfinite
+from typing import Any
+
+from soccer_env.checking import brief, refuse
+from soccer_env.leagues.rules import SWITCHES, Rules
+
+MAX_RULES = 200  # entries of a policy file
+MAX_NAME = 500  # characters of the name of a rule set
+NOT_RULES = ("name", "half_minutes")  # how long a match lasts is a setting of its own
+LOG = logging.getLogger("soccer_env.agents")
+
+
+def recorded(rules: Rules) -> dict[str, Any]:
+    """Return what a policy file keeps of rules: every switch and number by name, and the set's name."""
+    return {item.name: getattr(rules, item.name) for item in fields(Rules) if item.name != "half_minutes"}
+
+
+def check_recorded(rules: object) -> None:
+    """Raise ValueError unless rules are a table of switches and finite numbers with a name, or empty."""
+    if not isinstance(rules, Mapping) or len(rules) > MAX_RULES:
+        refuse("rules", f"a table of at most {MAX_RULES} entries", rules)
+    if rules and not (isinstance(rules.get("name"), str) and len(rules["name"]) <= MAX_NAME):
+        refuse("rules['name']", f"a text of at most {MAX_NAME} characters", rules.get("name"))
+    if rules and not rules["name"].isprintable():
+        refuse("rules['name']", "plain text", rules["name"])
+    for name, value in rules.items():
+        if not (isinstance(name, str) and name.isidentifier() and len(name) <= 64):
+            refuse("a key of rules", "the name of a rule", name)
+        if name != "name" and not (type(value) in (bool, int, float) and isfinite(value)):
+            raise ValueError(f"rules[{name!r}] must be True, False or a finite number, got {brief(value)}")
+
+
+def differences(known: Mapping[str, Any], rules: Rules) -> list[str]:
+    """Return each rule that differs as "pushing (on, off)": as a policy knows it and as it is here; switches first."""
+    here = {name: value for name, value in recorded(rules).items() if name not in NOT_RULES}
+    names = [*SWITCHES, *(name for name in here if name not in SWITCHES), *(name for name in known if name not in here)]
+    return [
+        f"{name} ({written(known.get(name))}, {written(here.get(name))})"
+        for name in names
+        if name not in NOT_RULES and known.get(name) != here.get(name)
+    ]
+
+
+def written(value: Any) -> str:
+    """Return the value of a rule in words."""
+    if value is None:
+        return "not there"
+    return {True: "on", False: "off"}[value] if isinstance(value, bool) else f"{value:g}"
+
+
+def tell_of_rules(name: str, known: Mapping[str, Any], rules: Rules) -> None:
+    """Warn, once in a process, if the policy of a name does not know the rules under which it is to play."""
+    if not known:
+        warn_once(
+            f"policy {name!r} was made before rules were recorded, or elsewhere: "
+            f"nothing says whether it knows the rules {rules.name!r} under which it plays"
+        )
+        return
+    differing = differences(known, rules)
+    if differing:
+        warn_once(
+            f"policy {name!r} was trained under the rules {known['name']!r} and plays under {rules.name!r}; "
+            f"what differs (there, here): {', '.join(differing)}"
+        )
+
+
+@cache
+def warn_once(text: str) -> None:
+    """Log a warning, the first time that it is asked for."""
+    LOG.warning(text)
