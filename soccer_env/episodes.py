@@ -74,11 +74,12 @@ def start_match(
     for record in (match, ball, robots):
         record[...] = np.zeros((), record.dtype)
     line_up(settings, robots[0])
-    drill = int(settings.scene.place is not None)
+    scene = settings.scene.of_episode(seed, episode)
+    drill = int(scene.place is not None)
     begin_episode_of(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length, drill)
-    if settings.scene.place is not None:
-        settings.scene.place(settings.league, ball[0], robots[0], Draw(match[0]))
-    if settings.scene.in_play:
+    if scene.place is not None:
+        scene.place(settings.league, ball[0], robots[0], Draw(match[0]))
+    if scene.in_play:
         match["phase"], match["restart_team"] = PLAY, NO_TEAM
         match["restart_x"], match["restart_y"] = ball["x"], ball["y"]
     match["still_x"], match["still_y"] = ball["x"], ball["y"]

@@ -92,9 +92,10 @@ class MatchBatch:
 
     def look_first(self, m: int) -> None:
         """Let the robots of a match that has just begun sense, believe and observe."""
-        ball, shows = self.balls[m].copy(), self.settings.scene.shows
+        record, ball = self.matches[m], self.balls[m].copy()
+        shows = self.settings.scene.of_episode(int(record["seed"]), int(record["episode"])).shows
         if shows is not None:
-            shows(self.settings.league, self.balls[m], self.robots[m], Draw(self.matches[m]))
+            shows(self.settings.league, self.balls[m], self.robots[m], Draw(record))
         if self.senses is not None:
             self.senses.step(m, m + 1)
         self.balls[m] = ball

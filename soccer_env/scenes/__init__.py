@@ -7,6 +7,8 @@ that need them.
     drills.py         drills of every league
     drills_legged.py  drills of the legged league
     drills_alone.py   one legged robot, the ball and the goal
+    scattered.py      a start in the middle of play
+    mixture.py        a scene drawn for each episode
     judging.py        what counts as success
 """
 
@@ -17,10 +19,12 @@ from soccer_env.scenes.drills import DRILLS
 from soccer_env.scenes.drills_alone import DRILLS_ALONE
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED
 from soccer_env.scenes.judging import SUCCESS, judge_drill
+from soccer_env.scenes.mixture import Mixture
+from soccer_env.scenes.scattered import SCATTERED
 from soccer_env.scenes.scene import Draw, Place, Scene, put, send_away
 
 KICK_OFF = Scene("kick-off", "a match from the kick-off on")
-SCENES = {scene.name: scene for scene in (KICK_OFF, *DRILLS, *DRILLS_LEGGED, *DRILLS_ALONE)}
+SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_LEGGED, *DRILLS_ALONE)}
 
 
 def find_scene(scene: str | Scene) -> Scene:
@@ -31,4 +35,21 @@ def find_scene(scene: str | Scene) -> Scene:
     return SCENES[scene]
 
 
-__all__ = ["SCENES", "SUCCESS", "Draw", "Place", "Scene", "find_scene", "judge_drill", "put", "send_away"]
+def mixture(text: str) -> Scene:
+    """Return the scenes of "kick-off:0.6,scattered:0.4" as one; a scene without a share has 1."""
+    parts = [part.strip().partition(":") for part in text.split(",")]
+    check_names("scene", [name for name, _, _ in parts], SCENES)
+    if len({name for name, _, _ in parts}) < len(parts):
+        raise ValueError(f"scenes must be different, got {text!r}")
+    try:
+        shares = tuple(float(share) if colon else 1.0 for _, colon, share in parts)
+    except ValueError:
+        raise ValueError(f"scenes must be written as NAME:share,NAME:share, got {text!r}") from None
+    scenes = tuple(SCENES[name] for name, _, _ in parts)
+    return scenes[0] if len(scenes) == 1 else Mixture(text, "one of several scenes", parts=scenes, shares=shares)
+
+
+__all__ = [
+    "SCENES", "SUCCESS", "Draw", "Mixture", "Place", "Scene", "find_scene", "judge_drill", "mixture", "put",
+    "send_away",
+]  # fmt: skip

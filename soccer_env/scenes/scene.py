@@ -60,6 +60,10 @@ class Scene:
         if not self.time_limit > 0.0:
             raise ValueError(f"Scene.time_limit must be above zero, got {self.time_limit}")
 
+    def of_episode(self, seed: int, episode: int) -> Scene:
+        """Return the scene in which an episode begins: this one, unless it is a mixture."""
+        return self
+
     def check(self, league: League, home: int, away: int) -> None:
         """Raise ValueError if the scene is not for this league, or not for so many players a side."""
         league.must_be_of(self.families, f"scene {self.name!r}")

@@ -1,0 +1,44 @@
+"""A mixture of scenes: each episode begins in one of them, drawn by their shares."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import isfinite
+
+import numpy as np
+
+from soccer_env.leagues.league import League
+from soccer_env.random_numbers import start_streams, uniform
+from soccer_env.scenes.scene import Scene
+from soccer_env.types import NOISE_STREAMS
+
+CHOOSER = (1 << 20) + 2  # owner of the stream that it draws from; those before are `squads.CHOOSER`'s
+
+
+@dataclass(frozen=True)
+class Mixture(Scene):
+    """Several scenes as one: which one follows from the match's seed and the number of the episode."""
+
+    parts: tuple[Scene, ...] = ()
+    shares: tuple[float, ...] = field(default=())  # relative frequencies of the parts
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not self.parts or len(self.shares) != len(self.parts):
+            raise ValueError(f"a Mixture needs a share for each of its scenes, got {len(self.shares)} and {self.parts}")
+        if not all(share > 0.0 and isfinite(share) for share in self.shares):
+            raise ValueError(f"shares of a Mixture must be above 0, got {self.shares}")
+
+    def of_episode(self, seed: int, episode: int) -> Scene:
+        """Return the scene in which an episode begins."""
+        noise = np.zeros(NOISE_STREAMS, np.uint64)
+        with np.errstate(over="ignore"):
+            start_streams(noise, np.uint64(seed), episode, CHOOSER)
+            drawn = uniform(noise, 0)
+        edges = np.cumsum(self.shares)
+        return self.parts[min(int(np.searchsorted(edges, drawn * edges[-1], side="right")), len(self.parts) - 1)]
+
+    def check(self, league: League, home: int, away: int) -> None:
+        """Raise ValueError if one of the scenes is not for this league, or not for so many players a side."""
+        for part in self.parts:
+            part.check(league, home, away)

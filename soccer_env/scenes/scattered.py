@@ -1,0 +1,57 @@
+"""A start in the middle of play: ball and robots anywhere, and what is remembered of the ball may be wrong.
+
+It is what dropped balls and scrums leave behind; a match from its kick-off on shows it too seldom to be learned from.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Any
+
+from soccer_env.geometry import length
+from soccer_env.leagues.league import League
+from soccer_env.scenes.scene import Draw, Scene, put
+
+TRIES = 200  # places that are drawn for a robot, until one is free
+MISLED = 0.5  # [1] of the episodes in which robots first see the ball elsewhere, assumed
+KEEPERS_ROOM = 0.5  # [m] in front of the goal line in which goalkeepers stand, assumed
+
+
+def place_anywhere(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+    """Put the ball anywhere, robots anywhere clear of it and of each other, goalkeepers before their goals."""
+    draw_ball(league, ball, draw)
+    taken = [(float(ball["x"]), float(ball["y"]))]
+    for robot in robots:
+        if robot["active"]:
+            x, y = draw_place(league, robot, draw, taken)
+            put(robot, x, y, draw.between(-pi, pi))
+            taken.append((x, y))
+
+
+def draw_ball(league: League, ball: Any, draw: Draw) -> None:
+    """Put the ball anywhere on the pitch, at rest."""
+    room_x, room_y = (0.5 * side - league.ball.radius for side in (league.pitch.length, league.pitch.width))
+    ball["x"], ball["y"] = draw.between(-room_x, room_x), draw.between(-room_y, room_y)
+
+
+def draw_place(league: League, robot: Any, draw: Draw, taken: list[tuple[float, float]]) -> tuple[float, float]:
+    """Return a place [m] for a robot, clear of what is taken."""
+    room = league.body.reach + league.foot
+    edge_x, edge_y = 0.5 * league.pitch.length - room, 0.5 * league.pitch.width - room
+    for _ in range(TRIES):
+        x, y = draw.between(-edge_x, edge_x), draw.between(-edge_y, edge_y)
+        if robot["keeper"]:
+            own = -1.0 if robot["team"] == 0 else 1.0
+            x, y = own * (edge_x - draw.between(0.0, KEEPERS_ROOM)), 0.5 * y
+        if all(length(x - other_x, y - other_y) > 2.0 * room for other_x, other_y in taken):
+            return x, y
+    return float(robot["x"]), float(robot["y"])  # where the kick-off put it
+
+
+def mislead(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+    """Show the ball elsewhere in half of the episodes."""
+    if draw.between(0.0, 1.0) < MISLED:
+        draw_ball(league, ball, draw)
+
+
+SCATTERED = Scene("scattered", "in play: ball and robots anywhere", place_anywhere, in_play=True, most=5, shows=mislead)
