@@ -22,7 +22,7 @@ What a match is made of:
     team_kernels.py      the kernel of a team, made from what one player does
     actions.py           what learners may do
     observations/        what learners see
-    rewards.py           what learners are paid for
+    rewards/             what learners are paid for
     scenes/              how an episode begins: kick-off and drills
     physics/             bodies, wheels, legs and ball; the only user of pymunk
     referee/             goals, restarts and the other rules

@@ -82,7 +82,7 @@ QUICK = [
     ),
     Mutant(
         "wrong sign of a reward",
-        "soccer_env/rewards.py",
+        "soccer_env/rewards/terms.py",
         "weight if events.goal == robots[r].team else -weight",
         "-weight if events.goal == robots[r].team else weight",
         "tests/rewards/test_rewards.py::test_a_goal_pays_one_to_every_robot_of_the_team_and_costs_the_others_one_once",

@@ -1,0 +1,129 @@
+"""The table of reward terms, and the weights of them: one row of TERMS each, from which all else follows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields, make_dataclass
+from typing import Any
+
+import numpy as np
+
+from soccer_env.checking import SHARE, check_names, number, one_of, refuse
+from soccer_env.rewards.terms import approach, cover, crowding, effort, foul, progress, score, strength
+
+KINDS = ("potential", "event", "cost")
+
+
+@dataclass(frozen=True)
+class Term:
+    """A reward term of every match."""
+
+    name: str
+    text: str  # what it pays, for lists
+    function: Callable[..., Any]  # a kernel as its kind asks for, see above
+    kind: str  # "potential", "event" or "cost"
+    weight: float  # unless Rewards say otherwise
+
+
+@dataclass(frozen=True)
+class OwnTerm:
+    """A user's own reward term: a function of the Match that returns (M, R) numbers, and how they are paid."""
+
+    function: Callable[[Any], Any]
+    kind: str = "event"  # "event" and "cost" pay and charge the numbers, "potential" shapes by them
+    weight: float = 1.0
+
+    def __post_init__(self) -> None:
+        if not callable(self.function):
+            refuse("OwnTerm.function", "a function of the Match", self.function)
+        one_of("OwnTerm.kind", self.kind, KINDS)
+        number("OwnTerm.weight", self.weight)
+
+
+TERMS = (
+    Term("goal", "+1 when the own team scores, -1 when the opponents do", score, "event", 1.0),
+    Term(
+        "progress",
+        "how much nearer the ball is to the opponent's goal than to the own, over twice the length",
+        progress, "potential", 0.5,
+    ),
+    Term(
+        "approach",
+        "minus the distance of the team's nearest active robot from the ball, over the diagonal",
+        approach, "potential", 0.1,
+    ),
+    Term(
+        "effort", "minus the mean square of forward, left and turn of the robot's command, at each step",
+        effort, "cost", 0.001,
+    ),
+    Term(
+        "cover",
+        "minus the distance of the nearest mate from halfway between ball and own goal, over the diagonal",
+        cover, "potential", 0.0,
+    ),
+    Term("crowding", "minus how near the ball a second robot of the team is", crowding, "potential", 0.0),
+    Term("strength", "minus the share of the team that serves a penalty", strength, "potential", 0.0),
+    Term("foul", "minus one for a foul that is whistled against the robot", foul, "cost", 0.0),
+)  # fmt: skip
+
+# What follows from the table
+
+NAMES = tuple(term.name for term in TERMS)
+COUNT = len(TERMS)
+POTENTIALS = (2, sum(term.kind == "potential" for term in TERMS))  # shape (teams, potentials) of what is measured
+WEIGHTS = np.dtype([("term", "f8", (COUNT,)), ("gamma", "f8")])
+Weights: Any = make_dataclass(
+    "Weights", [(term.name, float, term.weight) for term in TERMS], frozen=True, kw_only=True
+)  # the weights of the terms, by name
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the table
+    """Weights of the reward terms by name, such as Rewards(progress=0.0); `soccer list rewards` shows all."""
+
+    gamma: float = 0.99  # [1] discount of the shaping, for one action
+    extra: dict[str, OwnTerm | Callable[[Any], Any]] = field(default_factory=dict)
+    """Terms of one's own by name: an OwnTerm, or just its function, which then is an event of weight 1."""
+
+    def __new__(cls, **values: Any) -> Rewards:
+        """Raise ValueError for a term that does not exist."""
+        check_names("reward term", values, [item.name for item in fields(cls)])
+        made: Rewards = super().__new__(cls)
+        return made
+
+    def __post_init__(self) -> None:
+        for name in NAMES:
+            number(f"Rewards.{name}", getattr(self, name))
+        number("Rewards.gamma", self.gamma, SHARE)
+        own = {}
+        for name, term in self.extra.items():
+            if not (callable(term) or isinstance(term, OwnTerm)) or name in NAMES:
+                raise ValueError(f"Rewards.extra[{name!r}] must be a function or OwnTerm under a name of its own")
+            own[name] = term if isinstance(term, OwnTerm) else OwnTerm(term)
+        object.__setattr__(self, "extra", own)
+
+    @staticmethod
+    def only(**values: Any) -> Rewards:
+        """Return rewards in which the terms that are not named weigh nothing."""
+        return Rewards(**{**dict.fromkeys(NAMES, 0.0), **values})
+
+    def weights(self) -> np.ndarray:
+        """Return the (1,) record of weights for compiled code."""
+        return np.array([(tuple(float(getattr(self, name)) for name in NAMES), self.gamma)], WEIGHTS)
+
+
+PRESETS = {
+    "default": Rewards(),
+    "sparse": Rewards.only(**{term.name: term.weight for term in TERMS if term.kind == "event"}),
+    "training": Rewards(  # of `soccer train`
+        progress=2.0, approach=0.2, cover=0.2, crowding=0.1, strength=0.3, foul=0.1
+    ),  # fmt: skip
+}
+
+
+def find_rewards(rewards: str | Rewards) -> Rewards:
+    """Return the reward preset of that name, or the object itself; ValueError says which names exist."""
+    if isinstance(rewards, Rewards):
+        return rewards
+    check_names("rewards", [rewards], PRESETS, more="a Rewards object")
+    return PRESETS[rewards]

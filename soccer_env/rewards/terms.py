@@ -1,0 +1,119 @@
+"""What reward terms measure: potentials of a team, and events and costs of a robot; `rewards.TERMS` is the table.
+
+`k`: the league's constants.
+"""
+
+from __future__ import annotations
+
+from math import inf, sqrt
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import direction_of, length
+from soccer_env.types import NO_TEAM
+
+CROWD = 3.0  # [reaches of a body] from the ball within which a second robot is in its mate's way, assumed
+
+
+@compiled
+def score(match, ball, robots, events, robot_events, k, r, weight):
+    """Return the weight for an own goal scored, minus the weight for one of the opponents."""
+    if events.goal == NO_TEAM:
+        return 0.0
+    return weight if events.goal == robots[r].team else -weight
+
+
+@compiled
+def progress(match, ball, robots, k, team):
+    """Return how much nearer the ball is to the opponents' goal than to the own, over twice the pitch's length."""
+    half = 0.5 * k.pitch_length
+    left, right = length(ball.x + half, ball.y), length(ball.x - half, ball.y)
+    return direction_of(match, team) * (left - right) / (2.0 * k.pitch_length)
+
+
+@compiled
+def approach(match, ball, robots, k, team):
+    """Return minus the distance of the team's nearest active robot from the ball, over the pitch's diagonal."""
+    diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
+    square = nearest_square(ball, robots, team)
+    return -(0.0 if square == inf else sqrt(square)) / diagonal
+
+
+@compiled
+def nearest_square(ball, robots, team):
+    """Return the square of the distance [m2] of a team's nearest active robot from the ball, inf if it has none."""
+    least = inf
+    for r in range(robots.shape[0]):
+        if robots[r].team == team and robots[r].active == 1:
+            x, y = robots[r].x - ball.x, robots[r].y - ball.y
+            least = min(least, x * x + y * y)
+    return least
+
+
+@compiled
+def cover(match, ball, robots, k, team):
+    """Return minus how far the best placed mate of the robot at the ball is from covering it, over the diagonal.
+
+    It covers where it stands halfway between the ball and the own goal. Mates that are out are as far as can be; a team
+    of one has nobody to cover it.
+    """
+    first, mates = at_ball(ball, robots, team), 0
+    goal = -0.5 * k.pitch_length * direction_of(match, team)
+    x, y = 0.5 * (ball.x + goal), 0.5 * ball.y
+    diagonal = length(k.pitch_length, k.pitch_width)
+    least = diagonal
+    for r in range(robots.shape[0]):
+        if robots[r].team == team and r != first:
+            mates += 1
+            if robots[r].active == 1:
+                least = min(least, length(robots[r].x - x, robots[r].y - y))
+    return -least / diagonal if mates > 0 else 0.0
+
+
+@compiled
+def crowding(match, ball, robots, k, team):
+    """Return minus how near the ball a mate of the robot at the ball is: 0 from a few body lengths on, -1 at it."""
+    first, far = at_ball(ball, robots, team), CROWD * k.body_reach
+    least = far
+    for r in range(robots.shape[0]):
+        if robots[r].team == team and r != first and robots[r].active == 1:
+            least = min(least, length(robots[r].x - ball.x, robots[r].y - ball.y))
+    return least / far - 1.0
+
+
+@compiled
+def at_ball(ball, robots, team):
+    """Return the row of a team's active robot that is nearest to the ball, -1 if it has none."""
+    first, least = -1, inf
+    for r in range(robots.shape[0]):
+        if robots[r].team == team and robots[r].active == 1:
+            x, y = robots[r].x - ball.x, robots[r].y - ball.y
+            if x * x + y * y < least:
+                first, least = r, x * x + y * y
+    return first
+
+
+@compiled
+def strength(match, ball, robots, k, team):
+    """Return minus the share of a team that serves a penalty."""
+    out, all_of_it = 0, 0
+    for r in range(robots.shape[0]):
+        if robots[r].team == team:
+            out += 1 if robots[r].penalty > 0.0 or robots[r].banned == 1 else 0
+            all_of_it += 1
+    return -out / max(all_of_it, 1)
+
+
+@compiled
+def foul(match, ball, robots, events, robot_events, k, r, weight):
+    """Return the weight for a foul that was whistled against the robot."""
+    return weight if robot_events[r].foul != 0 else 0.0
+
+
+@compiled
+def effort(match, ball, robots, events, robot_events, k, r, weight):
+    """Return the weighted mean square of the walk that a robot asks for; the referee's steering costs it nothing."""
+    if match.placing == 1:
+        return 0.0
+    command = robots[r].command
+    square = command.forward * command.forward + command.left * command.left + command.turn * command.turn
+    return weight * square / 3.0

@@ -1,0 +1,110 @@
+"""Rewards in which mates matter: covering, not crowding, keeping everybody on the pitch; and what a foul costs."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match, Rewards
+from soccer_env.rewards import NAMES, PRESETS
+from soccer_env.rewards.terms import at_ball, cover, crowding, foul, strength
+from soccer_env.types import AWAY, HOME, Foul, Phase
+from tests.scenes.staging import LEAGUES, put, put_ball, set_phase, stage, stand
+
+MATES = ("cover", "crowding", "strength", "foul")
+
+
+def scene(places: dict[int, tuple[float, float]], home: int = 3, away: int = 1) -> Match:
+    """Return a legged match with the ball at (0.5, 0.2) and these robots; the others are off the pitch."""
+    match = stage("legged-2001", home=home, away=away)
+    put_ball(match, 0.5, 0.2)
+    for r, (x, y) in places.items():
+        put(match, r, x, y)
+    return match
+
+
+def phi(function: Any, match: Match, team: int = HOME) -> float:
+    """Return a potential of a team."""
+    records = match.matches[0], match.balls[0], match.robots[0]
+    return float(function(*records, match.settings.constants()[0], team))
+
+
+def test_a_mate_halfway_between_ball_and_own_goal_covers_best() -> None:
+    diagonal = float(np.hypot(3.0, 2.0))
+    at_place = scene({0: (0.3, 0.2), 1: (-0.5, 0.1), 2: (-1.0, -0.5)})
+    assert phi(cover, at_place) == pytest.approx(0.0)
+    beside = scene({0: (0.3, 0.2), 1: (-0.5, 0.5), 2: (-1.4, -0.9)})
+    assert phi(cover, beside) == pytest.approx(-0.4 / diagonal)
+
+
+def test_the_robot_at_the_ball_covers_nobody_and_mates_that_are_out_are_far() -> None:
+    assert phi(cover, scene({0: (-0.5, 0.1)})) == -1.0, "its mates are out"
+    assert phi(cover, scene({0: (-0.5, 0.1)}, home=1)) == 0.0, "it has none"
+
+
+def test_cover_and_crowding_are_the_same_for_the_team_that_attacks_the_other_way() -> None:
+    match = scene({3: (0.7, -0.2), 4: (0.6, 0.4), 5: (1.2, 0.0)}, home=3, away=3)
+    mirror = scene({0: (-0.7, 0.2), 1: (-0.6, -0.4), 2: (-1.2, 0.0)}, home=3, away=3)
+    put_ball(mirror, -0.5, -0.2)
+    for function in (cover, crowding):
+        assert phi(function, match, AWAY) == pytest.approx(phi(function, mirror, HOME))
+        assert phi(function, match, AWAY) < 0.0
+
+
+def test_a_second_robot_at_the_ball_crowds_and_one_far_off_does_not() -> None:
+    far = 3.0 * Match(home=1, away=1, seed=1).league.body.reach
+    apart = scene({0: (0.3, 0.2), 1: (0.5 - 1.01 * far, 0.2)})
+    assert phi(crowding, apart) == 0.0
+    half = scene({0: (0.3, 0.2), 1: (0.5, 0.2 - 0.5 * far)})
+    assert phi(crowding, half) == pytest.approx(-0.5)
+    assert phi(crowding, scene({0: (0.3, 0.2)})) == 0.0
+    assert phi(crowding, scene({0: (0.3, 0.2), 3: (0.5, 0.4)})) == 0.0, "an opponent is no mate"
+
+
+def test_strength_counts_those_who_serve_a_penalty() -> None:
+    match = scene({0: (0.0, 0.0)})
+    assert phi(strength, match) == 0.0
+    match.robots["penalty"][0, 1] = 30.0
+    match.robots["banned"][0, 2] = 1
+    assert phi(strength, match) == pytest.approx(-2.0 / 3.0) and phi(strength, match, AWAY) == 0.0
+
+
+def test_who_is_whistled_pays_and_nobody_else() -> None:
+    match = scene({0: (0.0, 0.0), 1: (-1.0, 0.0)})
+    match.robot_events["foul"][0, 1] = Foul.PUSHING
+    records = match.matches[0], match.balls[0], match.robots[0], match.events[0], match.robot_events[0]
+    paid = [foul(*records, match.settings.constants()[0], r, 0.3) for r in range(3)]
+    assert paid == [0.0, 0.3, 0.0]
+
+
+def test_a_team_without_active_robots_has_nobody_at_the_ball() -> None:
+    match = scene({})
+    assert at_ball(match.balls[0], match.robots[0], HOME) == -1
+    assert phi(crowding, match) == 0.0
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_their_shaping_sums_to_zero_over_a_loop(league: str) -> None:
+    weights = Rewards.only(cover=1.0, crowding=1.0, strength=1.0, gamma=1.0)
+    match = Match(league, home=3, away=3, matches=4, seed=2, rewards=weights, controllers={"home": "random"})
+    set_phase(match, Phase.PLAY)
+    match.rebuild()
+
+    def potentials() -> np.ndarray:
+        found = np.zeros((4, 6))
+        for m, r in np.ndindex(4, 6):
+            records = match.matches[m], match.balls[m], match.robots[m], match.settings.constants()[0]
+            for function in (cover, crowding, strength):
+                found[m, r] += function(*records, match.robots[m, r]["team"])
+        return found
+
+    before, total = potentials(), np.zeros((4, 6))
+    for _ in range(120):
+        total += match.step(stand(match))[1]
+    np.testing.assert_allclose(total, potentials() - before, atol=1e-9)
+    assert np.abs(total).max() > 0.001
+
+
+def test_they_weigh_in_training_alone() -> None:
+    assert all(getattr(PRESETS["default"], name) == 0.0 < getattr(PRESETS["training"], name) for name in MATES)
+    assert set(MATES) <= set(NAMES)
