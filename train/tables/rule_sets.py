@@ -69,7 +69,7 @@ def shown(measured: Measured) -> str:
     lines = [f"| id | asked | {' | '.join(heads)} |", "|---|---|---|---|---|---|"]
     for name in PLAY:
         rows = [measured.get(rules, {}).get(name) for rules in SETS]
-        criteria = next((row["criteria"] for row in rows if row), {})
+        criteria: Mapping[str, Any] = next((row["criteria"] for row in rows if row), {})
         asked = "<br>".join(f"{text} [{one['asked']}]" for text, one in criteria.items())
         values = ["<br>".join(f"**{one['shown']}**" for one in row["criteria"].values()) if row else "" for row in rows]
         lines.append(f"| {' | '.join((name, asked, *map(verdict_of, rows), *values))} |")
