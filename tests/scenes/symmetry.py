@@ -24,8 +24,8 @@ MIRROR, HALF_TURN = 1e-12, 1e-9  # largest differences of mirrored and of turned
 
 ANGLES = {"heading", "place_heading", "bearing", "filtered_bearing", "angle"}  # [rad], equal modulo a whole turn
 WALK_LATERAL = ("left", "turn")  # what a mirror turns round in a walk or command
-TEAM_CODES = ("restart_team", "kick_off_team", "last_touch_team")
-EVENT_TEAM_CODES = ("goal", "restart_team", "touch_team")
+TEAM_CODES = ("restart_team", "kick_off_team", "last_touch_team", "whistled", "kick_off_shot")
+EVENT_TEAM_CODES = ("goal", "restart_team", "touch_team", "foul_team")
 
 
 @dataclass
@@ -53,7 +53,7 @@ class Records:
 def mirrored(records: Records) -> Records:
     """Return the records as a mirror along the x axis shows them."""
     matches, balls, robots = records.matches.copy(), records.balls.copy(), records.robots.copy()
-    negate(matches, "restart_y", "still_y", "handedness")
+    negate(matches, "restart_y", "still_y", "local_y", "handedness")
     negate(balls, "y", "vy", "roll_y", "angle", "spin")
     negate(robots, "y", "heading", "vy", "omega", "pan", "place_y", "place_heading")
     for name in ("command", "delayed", "target", "walk"):  # slips are factors and stay
@@ -125,7 +125,7 @@ def mirrored_observations(observations: np.ndarray, entries: list[Entry]) -> np.
 def turned(records: Records) -> Records:
     """Return the records turned by 180 degrees about the centre spot, home and away swapped; equal team sizes only."""
     matches, balls, robots = records.matches.copy(), records.balls.copy(), swapped_rows(records.robots)
-    negate(matches, "restart_x", "restart_y", "still_x", "still_y")
+    negate(matches, "restart_x", "restart_y", "still_x", "still_y", "local_x", "local_y")
     negate(balls, "x", "y", "vx", "vy", "roll_x", "roll_y")
     negate(robots, "x", "y", "vx", "vy", "place_x", "place_y")
     robots["heading"], robots["place_heading"] = opposite(robots["heading"]), opposite(robots["place_heading"])

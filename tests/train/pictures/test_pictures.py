@@ -117,10 +117,11 @@ def test_still_pictures_have_the_width_asked_for_and_a_legend() -> None:
 def test_each_rule_of_the_legged_league_is_whistled_in_its_picture(ruling) -> None:
     match, before = play_to_whistle(ruling)
     assert ruling.stage()[0].settings.league.rules == find_league("legged-2001").rules
-    moved = np.hypot(match.robots["x"] - before[2]["x"], match.robots["y"] - before[2]["y"])[0]
     goes_out = ruling.foul in (Foul.PUSHING, Foul.KEEPER_PUSHING, Foul.ILLEGAL_DEFENDER, Foul.LEFT_FIELD)
     assert match.robots["penalty"].max() == (30.0 if goes_out or ruling.rule == "ball holding" else 0.0)
-    assert moved.max() > 0.2  # somebody was taken out, put back, or lined up anew
+    robots = np.hypot(match.robots["x"] - before[2]["x"], match.robots["y"] - before[2]["y"]).max()
+    ball = np.hypot(match.balls["x"] - before[1]["x"], match.balls["y"] - before[1]["y"]).max()
+    assert max(robots, ball) > 0.2  # somebody was taken out or put back, or the ball lies elsewhere
 
 
 def test_a_situation_in_which_nobody_whistles_is_an_error() -> None:
