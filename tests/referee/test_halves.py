@@ -5,8 +5,9 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
+from soccer_env.scenes import SCENES
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.scenes.staging import each_league, put_ball, stand, steps_in
+from tests.scenes.staging import LEGGED, each_league, put_ball, stand, steps_in
 
 MINUTES = 0.2  # two halves of 6 s
 
@@ -135,3 +136,29 @@ def test_events_name_teams_and_not_sides(name):
     match.step(stand(match))
     assert match.events["goal"].tolist() == [HOME, HOME] and match.matches["score"].tolist() == [[1, 0], [1, 0]]
     assert match.events["restart_team"].tolist() == [AWAY, AWAY]
+
+
+@each_league
+def test_the_seed_chooses_who_kicks_off_first_each_side_equally_often(name):
+    match = Match(name, home=1, away=1, matches=150, seed=4)
+    first = match.matches["kick_off_team"].copy()
+    assert (match.matches["restart_team"] == first).all()
+    taker = np.where(first == HOME, 0, 1)
+    near = np.hypot(match.robots["x"], match.robots["y"]).argmin(axis=1)
+    assert (near == taker).all()
+    assert abs(first.mean() - 0.5) < 0.125  # three standard deviations
+    match.reset()
+    assert abs(match.matches["kick_off_team"].mean() - 0.5) < 0.125
+    assert (match.matches["kick_off_team"] != first).mean() > 0.3, "an episode draws anew"
+
+
+def test_with_the_teams_sides_swapped_the_same_side_kicks_off():
+    """So that each team does in one match of a pair."""
+    both = [Match(LEGGED, home=1, away=3, matches=20, seed=6), Match(LEGGED, home=3, away=1, matches=20, seed=6)]
+    assert (both[0].matches["kick_off_team"] == both[1].matches["kick_off_team"]).all()
+
+
+def test_in_a_drill_home_kicks_off():
+    for scene in [scene for scene in SCENES.values() if scene.place is not None and not scene.in_play]:
+        match = Match(LEGGED, home=3, away=3, matches=20, seed=4, scene=scene)
+        assert (match.matches["kick_off_team"] == HOME).all()

@@ -179,6 +179,32 @@ def test_team_mates_are_left_alone():
     assert separations(match, actions, 20.0) == []
 
 
+def test_team_mates_that_hold_each_other_by_the_legs_are_set_free_and_the_farther_from_the_ball_goes():
+    match = stage(LEGGED, 1, home=2, away=1)
+    put(match, 0, 0.0, 0.0)
+    put(match, 1, 0.0, 0.17)
+    put_ball(match, 0.5, 0.0)
+    match.robots["locked"][:, :2] = 16.0
+    match.robots["caught_by"][0, 1] = 1
+    match.robots["gait_phase"] = 1  # legs are looked at anew as a gait step begins
+    match.rebuild()
+    before = match.robots.copy()
+    match.step(stand(match))
+    way = distance(match.robots, before["x"], before["y"])[0]
+    assert match.events["separated"][0] == 1
+    assert way[0] < 0.01 and 0.05 < way[1] < 0.25
+    assert (match.robots["locked"][0, :2] == 0.0).all()
+
+
+def test_time_in_contact_counts_for_a_robot_that_stands_as_for_the_one_that_it_holds():
+    """A trap of searchers: the one stands for ever, the other cannot leave."""
+    match, actions = pushing()
+    actions[:, 0] = 0.0
+    for _ in range(3):
+        match.step(actions)
+    assert (match.robots["locked"] > 0.0).all()
+
+
 def test_at_a_board_the_other_one_is_moved_farther_and_nobody_stands_in_anybody():
     match, actions = pushing(matches=3, x=np.array([1.05, -1.3, 0.0]), y=np.array([0.5, -0.8, 0.83]))
     put_ball(match, match.robots["x"][:, 0] - 0.25, match.robots["y"][:, 0])
