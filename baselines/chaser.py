@@ -5,6 +5,7 @@ Each player decides from its own belief and tracks. One ladder for each role:
     goalkeeper   meet a shot  >  clear the ball  >  guard the line from ball to goal            goalkeeping.py
     attacker     work a stuck ball out  >  turn with the ball  >  get behind it; shoot when it can  attacking.py
     supporter    keep the rules' distance  >  stand behind the ball, the next ones spread out   here
+    field player out of the own area, no shoving                                            obeying.py
     everybody    without a ball: turn round, then look from elsewhere                       searching.py
 
 Who attacks: the field player that believes itself nearest to the ball, counting the way round it. `strength` from 0 to
@@ -23,6 +24,15 @@ import numpy as np
 from soccer_env.baselines.attacking import attack
 from soccer_env.baselines.deciding import PLAY, TEAM, apply_strength, free_ring, keep_decision, must_decide
 from soccer_env.baselines.goalkeeping import keep_goal
+from soccer_env.baselines.obeying import ROOM as AREA_ROOM
+from soccer_env.baselines.obeying import (
+    is_in_own_area,
+    leave_area,
+    may_not_enter,
+    mind_pushing,
+    out_of_own_area,
+    wait_at_area,
+)
 from soccer_env.baselines.searching import LOST, end_search, search
 from soccer_env.baselines.sight import SIGHT, look, side_of
 from soccer_env.baselines.skills import go
@@ -47,6 +57,10 @@ MEMORY = np.dtype(
         ("sweep", "f8"),  # [s] left of sweeping it out of a corner
         ("sweep_way", "f8"),  # [rad] in which it is swept, team frame
         ("sweep_side", "f8"),  # +1 turning left, -1 right
+        ("pressed", "f8"),  # [s] that it has walked into an opponent
+        ("back_off", "f8"),  # [s] left of stepping back from it
+        ("off_x", "f8"),  # unit vector away from it, team frame
+        ("off_y", "f8"),
         ("search_side", "f8"),  # +1 searches turning left, -1 right, 0 knows the ball
         ("turned", "f8"),  # [rad] since it began to turn on the spot
         ("search_clock", "f8"),  # [s] on the way to a lookout
@@ -139,12 +153,24 @@ def decide(belief, command, sight, memory, noise, k, play):
     if situation.keeper == 1:
         keep_goal(command, sight, memory, k, play)
     else:
-        choose_rank(sight, memory, play)
-        watch_ball(sight, memory, noise, k, play)
-        if memory.rank > 0 or (situation.phase != PLAY and situation.ours < 0.0):
-            support(command, sight, memory, k, play, free_ring(situation, k))
-        else:
-            attack(command, sight, memory, k, play)
+        play_in_field(situation, command, sight, memory, noise, k, play)
+        mind_pushing(command, sight, memory, k)
+
+
+@compiled
+def play_in_field(situation, command, sight, memory, noise, k, play):
+    """Play as attacker or supporter, out of the own area where the rules ask for it."""
+    choose_rank(sight, memory, play)
+    watch_ball(sight, memory, noise, k, play)
+    keeps_out = may_not_enter(situation, k)
+    if keeps_out and leave_area(command, sight, k, play):
+        return
+    if memory.rank > 0 or (situation.phase != PLAY and situation.ours < 0.0):
+        support(command, sight, memory, k, play, free_ring(situation, k), keeps_out)
+    elif keeps_out and is_in_own_area(sight.ball_x, sight.ball_y, k, k.ball_radius):
+        wait_at_area(command, sight, k, play)
+    else:
+        attack(command, sight, memory, k, play)
 
 
 @compiled
@@ -187,8 +213,11 @@ def watch_ball(sight, memory, noise, k, play):
 
 
 @compiled
-def support(command, sight, memory, k, play, ring):
-    """Stand where the player's rank asks, at least `ring` [m] from the ball, and look at the ball."""
+def support(command, sight, memory, k, play, ring, keeps_out):
+    """Stand where the player's rank asks, at least `ring` [m] from the ball, and look at the ball.
+
+    `keeps_out`: not in the own penalty area.
+    """
     if memory.side == 0.0 or abs(sight.ball_y) > play.change_side:
         memory.side = -side_of(sight.ball_y)
     back, aside = support_place(memory, play, ring)
@@ -201,6 +230,8 @@ def support(command, sight, memory, k, play, ring):
     edge_x, edge_y = 0.5 * k.pitch_length - HOME_EDGE * k.body_reach, 0.5 * k.pitch_width - k.body_reach
     x = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x)
     y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
+    if keeps_out:
+        x, y = out_of_own_area(x, y, k, k.body_reach + AREA_ROOM)
     go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from math import atan2
 
 from soccer_env.baselines.attacking import approach, turn_to_goal
+from soccer_env.baselines.obeying import is_in_own_area
 from soccer_env.baselines.sight import rolls_to
 from soccer_env.baselines.skills import faces, go, way_clear
 from soccer_env.compiled import compiled
@@ -58,10 +59,13 @@ def guard(command, sight, k, play, line):
 def may_clear(sight, k, play):
     """Tell whether the ball lies so near to the goal, and so far from a field player, that the keeper fetches it.
 
-    A ball that lies at its kicker it clears from anywhere.
+    A ball that lies at its kicker it clears from anywhere. In a penalty area that field players may not enter every
+    slow ball is the keeper's.
     """
     if sight.held == 1 and k.keeper_kicks == 1:
         return True
+    if k.rules_illegal_defender == 1 and is_in_own_area(sight.ball_x, sight.ball_y, k, k.body_reach):
+        return length(sight.ball_vx, sight.ball_vy) <= play.shot_speed
     x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
     if length(x, y) > play.keeper_zone or length(sight.ball_vx, sight.ball_vy) > play.shot_speed:
         return False

@@ -1,0 +1,113 @@
+"""How the chaser's field players keep the legged league's rules: out of their own penalty area, and no shoving.
+
+The own area is the goalkeeper's, and so is a ball in it: an attacker waits at its edge, and whoever is inside comes
+out by the shortest way. Who has walked into an opponent for half of the time that is allowed steps back from it, from
+a goalkeeper in its area wherever the ball is; the player nearest to the ball may push others for it.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from __future__ import annotations
+
+from math import atan2, inf
+
+from soccer_env.baselines.sight import side_of
+from soccer_env.baselines.skills import go, push
+from soccer_env.compiled import compiled
+from soccer_env.geometry import into_frame, length, out_of_frame
+
+ROOM = 0.03  # [m] more than its reach that a field player keeps off its own area, assumed
+WAIT = 0.35  # [m] from a ball in the own area at which an attacker waits for it, assumed
+TOUCH = 1.8  # [body reaches] between the centres of two robots that are taken to touch, assumed
+PRESS = 0.25  # [1] of the top speed towards another above which a robot walks into it, as the referee has it
+PATIENCE = 0.5  # [1] of the time allowed after which a robot steps back, assumed
+
+
+@compiled
+def may_not_enter(situation, k):
+    """Tell whether a player is a field player that has to keep out of its own penalty area."""
+    return k.rules_illegal_defender == 1 and situation.keeper == 0 and situation.teammates > 0
+
+
+@compiled
+def is_in_own_area(x, y, k, room):
+    """Tell whether a point (x, y) [m] lies in the own penalty area or less than `room` [m] from it."""
+    return x < k.pitch_penalty_depth - 0.5 * k.pitch_length + room and abs(y) < 0.5 * k.pitch_penalty_width + room
+
+
+@compiled
+def out_of_own_area(x, y, k, room):
+    """Return the point [m] nearest to (x, y) that is `room` [m] outside the own penalty area."""
+    ahead = k.pitch_penalty_depth - 0.5 * k.pitch_length + room - x
+    aside = 0.5 * k.pitch_penalty_width + room - abs(y)
+    if ahead <= 0.0 or aside <= 0.0:
+        return x, y
+    fits = 0.5 * k.pitch_penalty_width + 2.0 * room < 0.5 * k.pitch_width
+    return (x, y + side_of(y) * aside) if fits and aside < ahead else (x + ahead, y)
+
+
+@compiled
+def leave_area(command, sight, k, play):
+    """Walk out of the own penalty area by the shortest way; tell whether the player stands in it."""
+    if not is_in_own_area(sight.x, sight.y, k, 0.5 * k.body_reach):
+        return False
+    x, y = out_of_own_area(sight.x, sight.y, k, k.body_reach + ROOM)
+    facing = atan2(sight.ball_y - sight.y, sight.ball_x - sight.x)
+    go(command, sight, k, play, x, y, facing, k.drive_forward)
+    ahead, left = into_frame(x - sight.x, y - sight.y, sight.cosine, sight.sine)
+    away = max(length(ahead, left), 1e-6)
+    push(command, sight, k, ahead / away, left / away, k.drive_forward)  # backwards too: who turns first is too late
+    return True
+
+
+@compiled
+def wait_at_area(command, sight, k, play):
+    """Wait at the edge of the own area for the ball that the goalkeeper has to clear, out of its way."""
+    x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
+    away = max(length(x, y), 1e-6)
+    x, y = sight.ball_x + WAIT * x / away, sight.ball_y + WAIT * side_of(y) * max(abs(y) / away, 0.5)
+    edge = 0.5 * k.pitch_width - k.body_reach
+    x, y = out_of_own_area(x, min(max(y, -edge), edge), k, k.body_reach + ROOM)
+    go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+
+
+@compiled
+def mind_pushing(command, sight, memory, k):
+    """Step back from an opponent that the player has walked into for too long."""
+    if k.rules_pushing + k.rules_keeper_pushing == 0 or k.legs + k.walled == 0:
+        return
+    if memory.back_off > 0.0:
+        memory.back_off -= sight.elapsed
+        memory.pressed = max(memory.pressed - sight.elapsed, 0.0)
+        if command.kick <= 0.0:
+            ahead, left = into_frame(memory.off_x, memory.off_y, sight.cosine, sight.sine)
+            push(command, sight, k, ahead, left, k.drive_forward)
+        return
+    slot, allowed = walks_into(command, sight, memory, k)
+    memory.pressed = memory.pressed + sight.elapsed if slot >= 0 else max(memory.pressed - sight.elapsed, 0.0)
+    if slot >= 0 and memory.pressed > PATIENCE * allowed:
+        x, y = sight.x - sight.other_x[slot], sight.y - sight.other_y[slot]
+        away = max(length(x, y), 1e-6)
+        memory.off_x, memory.off_y = x / away, y / away
+        memory.back_off = memory.pressed + PATIENCE * allowed
+
+
+@compiled
+def walks_into(command, sight, memory, k):
+    """Return the slot of the opponent that the player walks into and how long it may [s]; -1 if there is none."""
+    found, allowed, near = -1, inf, TOUCH * k.body_reach
+    walk_x, walk_y = out_of_frame(
+        command.forward * k.drive_forward, command.left * k.drive_sideways, sight.cosine, sight.sine
+    )
+    for i in range(sight.others):
+        x, y = sight.other_x[i] - sight.x, sight.other_y[i] - sight.y
+        away = max(length(x, y), 1e-6)
+        if sight.mate[i] == 1 or walk_x * x + walk_y * y < PRESS * k.drive_forward * away:
+            continue
+        keeps = k.rules_keeper_pushing == 1 and is_in_own_area(-sight.other_x[i], sight.other_y[i], k, 0.0)
+        exempt = memory.rank == 0 and sight.distance < k.rules_pushing_exempt
+        time = k.rules_keeper_pushing_time if keeps else (inf if exempt else k.rules_pushing_time)
+        far = near + 2.0 * k.ball_radius if keeps and sight.held == 1 else near  # through the ball counts as well
+        if away < far and time < allowed:
+            found, allowed = i, time
+    return found, allowed
