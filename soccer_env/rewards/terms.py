@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import inf, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of, length
+from soccer_env.geometry import clip, direction_of, length
 from soccer_env.types import NO_TEAM
 
 CROWD = 3.0  # [reaches of a body] from the ball within which a second robot is in its mate's way, assumed
@@ -53,12 +53,13 @@ def nearest_square(ball, robots, team):
 def cover(match, ball, robots, k, team):
     """Return minus how far the best placed mate of the robot at the ball is from covering it, over the diagonal.
 
-    It covers where it stands halfway between the ball and the own goal. Mates that are out are as far as can be; a team
-    of one has nobody to cover it.
+    It covers where it stands halfway between the ball and the own goal, outside of its penalty area, in which field
+    players may not be. Mates that are out are as far as can be; a team of one has nobody to cover it.
     """
     first, mates = at_ball(ball, robots, team), 0
     goal = -0.5 * k.pitch_length * direction_of(match, team)
-    x, y = 0.5 * (ball.x + goal), 0.5 * ball.y
+    outside = 0.5 * k.pitch_length - k.pitch_penalty_depth - k.body_reach
+    x, y = clip(0.5 * (ball.x + goal), -outside, outside), 0.5 * ball.y
     diagonal = length(k.pitch_length, k.pitch_width)
     least = diagonal
     for r in range(robots.shape[0]):

@@ -37,6 +37,16 @@ def test_a_mate_halfway_between_ball_and_own_goal_covers_best() -> None:
     assert phi(cover, beside) == pytest.approx(-0.4 / diagonal)
 
 
+def test_nobody_is_asked_to_cover_from_within_the_own_penalty_area() -> None:
+    match = scene({0: (-1.2, -0.6), 1: (-1.3, 0.0), 2: (1.0, 0.8)})
+    put_ball(match, -1.3, -0.6)
+    league = match.league
+    edge = -(league.pitch.length / 2 - league.pitch.penalty_depth - league.body.reach)
+    assert edge > -1.4, "halfway to the goal line"
+    match.robots["x"][0, 1], match.robots["y"][0, 1] = edge, -0.3
+    assert phi(cover, match) == pytest.approx(0.0)
+
+
 def test_the_robot_at_the_ball_covers_nobody_and_mates_that_are_out_are_far() -> None:
     assert phi(cover, scene({0: (-0.5, 0.1)})) == -1.0, "its mates are out"
     assert phi(cover, scene({0: (-0.5, 0.1)}, home=1)) == 0.0, "it has none"
