@@ -1,0 +1,152 @@
+"""Shots, saves, passes and interceptions: staged ones, and where a ball rolls against where it is said to roll."""
+
+import numpy as np
+import pytest
+
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.statistics.flights import aim_of
+from soccer_env.statistics.records import Aim
+from soccer_env.types import NO_TEAM
+from tests.scenes.staging import LEGGED, MIDDLE, boarded, each_league, put_ball, stage, stand, steady
+from tests.statistics.staged_play import CASES, Scene
+
+each_case = pytest.mark.parametrize(("team", "half"), CASES)
+APART = {LEGGED: (0.25, 0.5), MIDDLE: (0.9, 2.0)}  # [m] from where the ball is played to where it is touched
+
+
+def passes(scene, opponents=False):
+    """Return passes tried, passes completed and interceptions."""
+    return [scene.of(name, opponents) for name in ("passes_tried", "passes", "interceptions")]
+
+
+def played_across(name, team, half, apart, opponent):
+    """Return a scene in which a robot kicked across the pitch to another whose front is so far [m] away."""
+    scene = Scene(name, team, half, players=2)
+    body = scene.match.league.body
+    start = -0.5 * apart - body.front
+    scene.feed(scene.row(1), 0.0, start, np.pi / 2)
+    ball_at = start + body.front + 2.0 * scene.match.league.ball.radius + 0.005
+    receiver = scene.row(0, opponent=True) if opponent else scene.row(0)
+    scene.put(receiver, 0.0, ball_at + apart + body.front, -np.pi / 2)
+    scene.begin()
+    scene.kick(scene.row(1), strength=0.6, seconds=1.5 if name == LEGGED else 0.6)
+    return scene
+
+
+@each_league
+@each_case
+def test_a_ball_kicked_to_a_mate_is_a_pass(name, team, half):
+    scene = played_across(name, team, half, APART[name][1], opponent=False)
+    assert passes(scene) == [1, 1, 0]
+    assert passes(scene, opponents=True) == [0, 0, 0]
+    assert scene.of("shots") == 0
+
+
+@each_league
+@each_case
+def test_a_ball_kicked_to_an_opponent_is_intercepted(name, team, half):
+    scene = played_across(name, team, half, APART[name][1], opponent=True)
+    assert passes(scene) == [1, 0, 0]
+    assert passes(scene, opponents=True) == [0, 0, 1]
+
+
+@each_league
+def test_a_ball_handed_over_from_near_is_no_pass(name):
+    scene = played_across(name, 0, 0, APART[name][0], opponent=False)
+    assert passes(scene) == [0, 0, 0]
+
+
+@each_case
+def test_a_shot_that_the_goalkeeper_stops_is_saved_and_no_pass(team, half):
+    scene = Scene(LEGGED, team, half, players=2)
+    scene.feed(scene.row(1), scene.line - 0.9, 0.0)
+    scene.put(scene.row(0, opponent=True), scene.line - 0.15, 0.0, np.pi)
+    scene.begin()
+    scene.kick(scene.row(1), seconds=3.0)
+    assert [scene.of(what) for what in ("shots", "on_target")] == [1, 1]
+    assert scene.of("saves", opponents=True) == 1
+    assert scene.match.statistics["goals"].sum() == 0
+    assert passes(scene) == passes(scene, opponents=True) == [0, 0, 0]
+
+
+@each_case
+def test_a_shot_that_a_field_player_stops_is_not_saved(team, half):
+    scene = Scene(LEGGED, team, half, players=2)
+    scene.feed(scene.row(1), scene.line - 0.9, 0.0)
+    scene.put(scene.row(1, opponent=True), scene.line - 0.15, 0.0, np.pi)
+    scene.begin()
+    scene.kick(scene.row(1), seconds=3.0)
+    assert scene.of("on_target") == 1
+    assert scene.match.statistics["saves"].sum() == 0
+
+
+@pytest.mark.parametrize(
+    ("name", "pace", "way", "shots"), [(LEGGED, 4.0, 0.2, 1), (MIDDLE, 1.3, 1.5, 1), (MIDDLE, 0.8, 1.5, 0)]
+)
+def test_a_ball_knocked_away_faster_than_robots_go_is_a_shot_and_a_slow_one_is_not(name, pace, way, shots):
+    scene = Scene(name, 0, 0)
+    league = scene.match.league
+    scene.put(scene.row(), scene.line - way - league.body.front - league.ball.radius - 0.002, 0.0)
+    scene.ball(scene.line - way, 0.0)
+    scene.begin()
+    assert scene.of("touches") == 1
+    scene.ball(scene.line - way, 0.0, vx=pace * league.drive.forward)
+    scene.match.rebuild()
+    scene.play(round(1.5 * league.control_rate))
+    assert scene.of("goals").sum() == 1
+    assert scene.of("shots") == shots
+    assert scene.of("kicks") == 0
+
+
+@each_league
+def test_a_ball_goes_in_just_where_it_is_on_target(name):
+    """400 balls, sliding or rolling, from anywhere, against the physics; those that only just do or do not are left."""
+    matches, rng = 400, np.random.default_rng(7)
+    league = steady(boarded(name))
+    pitch, k = league.pitch, constants_of(league)[0]
+    match = stage(league, matches)
+    x, y = rng.uniform(-0.4, 0.4, matches) * pitch.length, rng.uniform(-0.3, 0.3, matches) * pitch.width
+    v = rng.uniform(0.1, 1.0, matches) * league.kicker.fastest
+    angle = np.arctan2(rng.uniform(-0.6, 0.6, matches) * pitch.goal_width - y, pitch.length / 2 - x)
+    rolls = rng.random(matches) < 0.5
+    put_ball(match, x, y, v * np.cos(angle), v * np.sin(angle))
+    for way in ("x", "y"):
+        match.balls[f"roll_{way}"] = np.where(rolls, match.balls[f"v{way}"], 0.0)
+    aims = {scale: [aim_of(scaled(ball, scale), 1.0, k) for ball in match.balls] for scale in (0.99, 1.0, 1.01)}
+    wide = np.abs(y + (pitch.length / 2 - x) * np.tan(angle))
+    sure = (np.array(aims[0.99]) == aims[1.01]) & (np.abs(wide - pitch.goal_width / 2) > 2.0 * league.ball.radius)
+    match.rebuild()
+    scored = np.zeros(matches, bool)
+    for _ in range(round(15.0 * league.control_rate)):
+        match.step(stand(match))
+        scored |= match.events["goal"] != NO_TEAM
+        if not (np.abs(match.balls["vx"]) > 0.0).any():
+            break
+    first = scored & (match.matches["score"][:, 0] > 0)
+    assert first[sure].tolist() == (np.array(aims[1.0]) == Aim.ON_TARGET)[sure].tolist()
+    assert 40 < first[sure].sum() < sure.sum() - 40
+
+
+def scaled(ball, scale):
+    """Return a ball with other velocities."""
+    other = ball.copy()
+    for field in ("vx", "vy", "roll_x", "roll_y"):
+        other[field] *= scale
+    return other
+
+
+def test_the_aim_is_the_same_for_both_directions_and_sides():
+    league = find_league(LEGGED)
+    k = constants_of(league)[0]
+    match = stage(LEGGED)
+    rng = np.random.default_rng(3)
+    seen = set()
+    for x, y, vx, vy in rng.uniform(-1.0, 1.0, (1000, 4)):
+        aims = set()
+        for sign_x, sign_y in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+            put_ball(match, sign_x * x, sign_y * y, sign_x * vx, sign_y * vy)
+            aims.add(aim_of(match.balls[0], float(sign_x), k))
+        assert len(aims) == 1
+        seen |= aims
+    assert seen == set(Aim)
