@@ -9,6 +9,7 @@ pages.py     which tables there are, and their way into the pages
 markers.py   where in a page a table stands
 teams.py     teams against teams      learned.py   the learned team, and how long its training takes
 headlines.py the few figures of the main README, picked out of the others
+plausibility.py   how teams play beside what is published of real matches
 claims.py    what `soccer reproduce` measures        sacks.py   the page of the team sacks-2001
                                                      sacks_settings.py   what it says of its settings
                                                      rule_sets.py        its claims of play under both rule sets

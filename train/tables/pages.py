@@ -29,6 +29,7 @@ from soccer_env.train.tables.claims import claims_table, measure_claims, measure
 from soccer_env.train.tables.headlines import headlines_table
 from soccer_env.train.tables.learned import learned_rows, learned_table, measure_training, training_table
 from soccer_env.train.tables.markers import between_markers
+from soccer_env.train.tables.plausibility import measure_plausibility, plausibility_table
 from soccer_env.train.tables.teams import (
     first_pair,
     measure_rows,
@@ -51,8 +52,9 @@ PAGES = {  # the page that shows a table, seen from the checkout's root
     "claims": "train/README.md",
     "training": "train/README.md",
     "speed": "train/README.md",
+    "plausibility": "train/README.md",
 }
-PLAYED = ("scripted", "sacks", "learned")  # tables whose rows are matches
+PLAYED = ("scripted", "sacks", "learned", "plausibility")  # tables whose rows are matches
 LIBRARIES = ("pymunk", "numba", "numpy")
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
@@ -72,6 +74,7 @@ MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
     "learned": lambda: {"about": about(), "rows": measure_rows(learned_rows())},
     "training": lambda: {"about": about(), **measure_training()},
     "speed": measure_speed,
+    "plausibility": lambda: {"about": about(), **measure_plausibility()},
 }
 SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a measured table in Markdown
     "sensors": lambda table: with_footer(sensors_table(table), table),
@@ -81,6 +84,7 @@ SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a measured table in Mark
     "learned": lambda table: with_footer(learned_table(table), table),
     "training": lambda table: with_footer(training_table(table), table),
     "speed": lambda table: speed_table(table),
+    "plausibility": lambda table: with_footer(plausibility_table(table), table),
 }
 
 
