@@ -5,6 +5,7 @@
     attacking.py     the chaser's attacker       goalkeeping.py   the chaser's goalkeeper
     obeying.py       the chaser and the rules
     searching.py     the chaser without a ball   boards.py        the chaser and a ball in a corner
+    set_pieces.py    the chaser's restarts: pass, and leave the ball to others
     sacks_2001/      the legged team of Sacks (2001)
 
 What they share:

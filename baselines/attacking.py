@@ -8,6 +8,7 @@ from __future__ import annotations
 from math import acos, atan2
 
 from soccer_env.baselines.boards import go_into_corner, lies_in_trouble, sweep
+from soccer_env.baselines.set_pieces import strength_for
 from soccer_env.baselines.sight import rolls_to, side_of
 from soccer_env.baselines.skills import choose_shot, choose_way, go, push, shot_room, turned
 from soccer_env.compiled import compiled
@@ -30,7 +31,8 @@ def attack(command, sight, memory, k, play):
     else:
         approach(command, sight, memory, k, play, ux, uy)
     if wants_to_shoot(sight, memory, k, play):
-        command.kick = 1.0
+        goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
+        command.kick = strength_for(k, goal, play.arrival) if play.arrival > 0.0 else 1.0
 
 
 @compiled

@@ -34,6 +34,7 @@ from soccer_env.baselines.obeying import (
     wait_at_area,
 )
 from soccer_env.baselines.searching import LOST, end_search, search
+from soccer_env.baselines.set_pieces import leave_ball, note_set_piece, take_restart, wait_for_pass
 from soccer_env.baselines.sight import SIGHT, look, side_of
 from soccer_env.baselines.skills import go
 from soccer_env.compiled import compiled
@@ -54,6 +55,7 @@ MEMORY = np.dtype(
         ("patience", "f8"),  # [s] of that until it is worked out
         ("wriggle", "f8"),  # [s] left of working it out
         ("wriggle_side", "f8"),  # +1 turning left, -1 right
+        ("set_piece", "f8"),  # [s] left of remembering the own team's restart: above 0 as its taker, below 0 its mate
         ("sweep", "f8"),  # [s] left of sweeping it out of a corner
         ("sweep_way", "f8"),  # [rad] in which it is swept, team frame
         ("sweep_side", "f8"),  # +1 turning left, -1 right
@@ -83,18 +85,19 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "clearance": (0.05, 0.15, 0.25),  # [m] between front and ball on the way round
     "orbit_step": (0.6, 0.7, 0.6),  # [rad] of the way round that is looked ahead
     "orbit_speed": (0.12, 1.0, 0.6),  # [m/s] least on the way round
-    "bump": (0.12, 2.2, 1.0),  # [m/s] at which the ball is met
+    "bump": (0.12, 1.2, 1.0),  # [m/s] at which the ball is met
     "delay": (0.1, 0.12, 0.12),  # [s] least time by which the ball is led
     "lead": (3.0, 1.5, 2.0),  # [s] greatest time by which the ball is led
     "turn_share": (1.0, 0.7, 0.5),  # [1] of the top turn rate with the ball
     "carry_share": (1.0, 0.15, 0.2),  # [1] of the top speed while turning with the ball
-    "push_share": (1.0, 1.0, 0.9),  # [1] of the top speed while pushing it straight
+    "push_share": (1.0, 0.6, 0.9),  # [1] of the top speed while pushing it straight
     "aligned": (0.15, 0.3, 0.2),  # [rad] off the aim within which the ball counts as straight ahead
     "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front
     "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
-    "room": (0.03, 0.02, 0.02),  # [rad] beside a shot
-    "shot_range": (1.3, 7.0, 7.0),  # [m] of a shot at the goal
-    "way_on": (0.7, 1.0, 1.0),  # [m] that a way for the ball is looked at
+    "room": (0.03, 0.06, 0.06),  # [rad] beside a shot
+    "shot_range": (1.3, 4.5, 4.5),  # [m] of a shot at the goal
+    "arrival": (0.0, 3.0, 3.0),  # [m/s] of a shot at the goal; 0: with all strength
+    "way_on": (0.7, 2.5, 2.5),  # [m] that a way for the ball is looked at
     "wing_cost": (0.2, 0.0, 0.0),  # [rad] room that a way may lose for ending in the middle, not at a touchline
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out
     "wriggle_time": (3.0, 0.6, 0.8),  # [s]
@@ -159,13 +162,26 @@ def decide(belief, command, sight, memory, noise, k, play):
 
 @compiled
 def play_in_field(situation, command, sight, memory, noise, k, play):
-    """Play as attacker or supporter, out of the own area where the rules ask for it."""
+    """Play as a field player that knows the ball, out of the own area where the rules ask for it."""
     choose_rank(sight, memory, play)
+    note_set_piece(situation, sight, memory, k)
     watch_ball(sight, memory, noise, k, play)
     keeps_out = may_not_enter(situation, k)
-    if keeps_out and leave_area(command, sight, k, play):
-        return
-    if memory.rank > 0 or (situation.phase != PLAY and situation.ours < 0.0):
+    if not (keeps_out and leave_area(command, sight, k, play)):
+        play_role(situation, command, sight, memory, k, play, keeps_out)
+
+
+@compiled
+def play_role(situation, command, sight, memory, k, play, keeps_out):
+    """Play the role that restart and rank give."""
+    if memory.set_piece != 0.0 and situation.phase != PLAY:
+        if memory.set_piece > 0.0:
+            take_restart(command, situation, sight, k, play)
+        else:
+            wait_for_pass(command, sight, k, play)
+    elif memory.set_piece > 0.0:
+        leave_ball(command, sight, k, play)
+    elif memory.rank > (1 if memory.set_piece < 0.0 else 0) or (situation.phase != PLAY and situation.ours < 0.0):
         support(command, sight, memory, k, play, free_ring(situation, k), keeps_out)
     elif keeps_out and is_in_own_area(sight.ball_x, sight.ball_y, k, k.ball_radius):
         wait_at_area(command, sight, k, play)
@@ -232,6 +248,8 @@ def support(command, sight, memory, k, play, ring, keeps_out):
     y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
     if keeps_out:
         x, y = out_of_own_area(x, y, k, k.body_reach + AREA_ROOM)
+    if k.rules_penalty_area == 1 and abs(y) < 0.5 * k.pitch_penalty_width + k.body_reach:
+        x = max(x, k.pitch_penalty_depth + k.body_reach - 0.5 * k.pitch_length)
     go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
 

@@ -5,6 +5,7 @@ calling.py      note a restart that is called
 shoot_out.py    penalty kicks after a drawn match
 restarts.py     how a restart is carried out: the ball, places, distances
 formation.py    where robots stand at a restart
+set_pieces.py   ... if its taker has to pass
 steering.py     how robots drive there, round the held ball
 places.py       the nearest free place for whoever has to move
 dropping.py     where a stuck ball is dropped

@@ -10,11 +10,13 @@ from math import atan2, pi
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, direction_of, length, wrap
 from soccer_env.random_numbers import uniform
+from soccer_env.referee.set_pieces import defender_place, has_to_pass, out_of_area, receiver_place, way_to_receiver
 from soccer_env.types import NO_TEAM, Phase, RobotStream
 
 KICK_OFF = int(Phase.KICK_OFF)
 PENALTY_KICK = int(Phase.PENALTY_KICK)
 PLACEMENT = int(RobotStream.PLACEMENT)
+DEFENDERS = 4  # that have places of their own at a restart whose taker has to pass
 ROW = 4  # field players side by side
 DEPTH = 0.14  # [1] of the pitch's length between rows, assumed
 SPREAD = 0.7  # [1] of the pitch's width over which a row is spread, assumed
@@ -36,8 +38,11 @@ def choose_places(match, robots, k):
         index, count = rank(robots, r)
         if robots[r].keeper == 1:
             x, y, heading = keeper_place(k, spot_x, spot_y)
+        elif has_to_pass(match, k) and match.restart_team != NO_TEAM:
+            ours = robots[r].team == match.restart_team
+            x, y, heading = set_piece_place(match, k, ours, index, count, spot_x, spot_y)
         elif robots[r].team == match.restart_team and index == count - 1:
-            x, y, heading = taker_place(k, spot_x, spot_y)
+            x, y, heading = taker_place(k, spot_x, spot_y, 0.5 * k.pitch_length - spot_x, -spot_y)
         else:
             x, y, heading = field_place(match, k, index, count, spot_x, spot_y)
         x += JITTER * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0)
@@ -85,9 +90,22 @@ def keeper_place(k, spot_x, spot_y):
 
 
 @compiled
-def taker_place(k, spot_x, spot_y):
-    """Return the place behind the ball, facing the opponent's goal."""
-    ahead, aside = 0.5 * k.pitch_length - spot_x, -spot_y
+def set_piece_place(match, k, ours, index, count, spot_x, spot_y):
+    """Return the place of a field player at a restart whose taker has to pass: the last is the taker."""
+    if ours and index == count - 1:
+        ahead, aside = way_to_receiver(k, spot_x, spot_y)
+        return taker_place(k, spot_x, spot_y, ahead, aside)
+    if ours and index == count - 2:
+        return receiver_place(k, spot_x, spot_y)
+    if not ours and count - 1 - index < DEFENDERS:
+        return defender_place(k, count - 1 - index, spot_x, spot_y)
+    x, y, _ = field_place(match, k, index, count, spot_x, spot_y)
+    return out_of_area(k, x, y, spot_x, spot_y)
+
+
+@compiled
+def taker_place(k, spot_x, spot_y, ahead, aside):
+    """Return the place behind the ball, facing along a way [m, m]."""
     away = length(ahead, aside)
     back = (k.body_front + k.ball_radius + GAP) / away
     return spot_x - back * ahead, spot_y - back * aside, atan2(aside, ahead)
