@@ -5,6 +5,7 @@ belief.py     what one robot believes, drawn over what is true
 frames.py     the field frame, the team frame and the robot frame on a pitch
 rules.py      the rules of a league, a frame each
 rules_legged.py  the situations of the legged league
+rules_middle_size.py  those of the middle size
 legend.py     the strip of words under a picture
 settings.py   what they show, by default what the pages show
 """

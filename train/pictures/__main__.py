@@ -5,7 +5,7 @@ from __future__ import annotations
 import tyro
 
 from soccer_env.render import save_png
-from soccer_env.train.pictures import rules_legged
+from soccer_env.train.pictures import rules_legged, rules_middle_size
 from soccer_env.train.pictures.animation import frames_of, write_gif
 from soccer_env.train.pictures.belief import belief_picture
 from soccer_env.train.pictures.frames import frames_picture
@@ -14,12 +14,13 @@ from soccer_env.train.pictures.settings import PictureSettings
 
 
 def make_pictures(settings: PictureSettings) -> None:
-    """Write match.gif, belief.png, frames.png and rules-legged.png into the folder."""
+    """Write match.gif, belief.png, frames.png and the sheets of rules into the folder."""
     settings.out.mkdir(parents=True, exist_ok=True)
     write_gif(frames_of(settings), settings.out / "match.gif", settings.frame_time, settings.last_time)
     save_png(belief_picture(settings), settings.out / "belief.png")
     save_png(frames_picture(settings), settings.out / "frames.png")
     save_png(rules_sheet(rules_legged.RULINGS, settings.ruling_width), settings.out / "rules-legged.png")
+    save_png(rules_sheet(rules_middle_size.RULINGS, settings.ruling_width), settings.out / "rules-middle-size.png")
 
 
 if __name__ == "__main__":

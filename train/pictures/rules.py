@@ -47,7 +47,7 @@ def play_to_whistle(ruling: Ruling) -> tuple[Match, tuple[np.ndarray, np.ndarray
 def has_happened(ruling: Ruling, match: Match) -> bool:
     """Tell whether the last step brought what a ruling waits for."""
     if ruling.row < 0:
-        return bool(match.events[ruling.event][0] == 1)
+        return bool(match.events[ruling.event][0] > 0)
     events = match.robot_events[0, ruling.row]
     return bool(events["foul"] == ruling.foul if ruling.foul else events["returned"] == 1)
 

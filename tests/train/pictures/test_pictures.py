@@ -17,7 +17,7 @@ from soccer_env.belief_types import TRACK
 from soccer_env.leagues import find_league
 from soccer_env.render import Area, Label, Picture, Points, Polyline
 from soccer_env.render.colours import BALL, BALL_SHINE, TEAMS_LIGHT
-from soccer_env.train.pictures import rules_legged
+from soccer_env.train.pictures import rules_legged, rules_middle_size
 from soccer_env.train.pictures.animation import frames_of, scoring_ball, write_gif
 from soccer_env.train.pictures.belief import belief_overlays, belief_picture, believed_player, field_of_view, to_board
 from soccer_env.train.pictures.frames import frames_picture
@@ -124,6 +124,16 @@ def test_each_rule_of_the_legged_league_is_whistled_in_its_picture(ruling) -> No
     assert max(robots, ball) > 0.2  # somebody was taken out or put back, or the ball lies elsewhere
 
 
+@pytest.mark.parametrize("ruling", rules_middle_size.RULINGS, ids=lambda ruling: ruling.rule)
+def test_each_rule_of_the_middle_size_is_whistled_in_its_picture(ruling) -> None:
+    match, _ = play_to_whistle(ruling)
+    assert match.settings.league.name == "middle-size-2006"
+    if ruling.foul:
+        assert [int(foul) for foul in match.robot_events["foul"][0] if foul] == [ruling.foul]
+    else:
+        assert match.events["foul"][0] == 0 and match.events["restart"][0] > 0
+
+
 def test_a_situation_in_which_nobody_whistles_is_an_error() -> None:
     ruling = rules_legged.RULINGS[0]._replace(longest=0.5)
     with pytest.raises(ValueError, match="nobody whistled for pushing"):
@@ -133,6 +143,7 @@ def test_a_situation_in_which_nobody_whistles_is_an_error() -> None:
 def test_the_pictures_of_the_pages_are_there_and_the_animation_is_small() -> None:
     if not FOLDER.exists():
         pytest.skip("installed without the pictures")
-    assert {"match.gif", "belief.png", "frames.png", "rules-legged.png"} <= {file.name for file in FOLDER.iterdir()}
+    sheets = {f"rules-{name}.png" for name in ("legged", "middle-size")}
+    assert {"match.gif", "belief.png", "frames.png"} | sheets <= {file.name for file in FOLDER.iterdir()}
     assert (FOLDER / "match.gif").stat().st_size < 3_000_000
     assert (FOLDER / "rules-legged.png").stat().st_size < 150_000
