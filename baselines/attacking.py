@@ -5,14 +5,16 @@
 
 from __future__ import annotations
 
-from math import acos, atan2
+from math import acos, atan2, sqrt
 
 from soccer_env.baselines.boards import go_into_corner, lies_in_trouble, sweep
 from soccer_env.baselines.set_pieces import strength_for
 from soccer_env.baselines.sight import rolls_to, side_of
-from soccer_env.baselines.skills import choose_shot, choose_way, go, push, shot_room, turned
+from soccer_env.baselines.skills import choose_shot, choose_way, free_way, go, goal_room, push, shot_room, turned
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
+
+SLOW = 0.4  # [m/s] at which the ball is pushed at least, also towards a line, assumed
 
 
 @compiled
@@ -62,6 +64,9 @@ def turn_to_goal(command, sight, k, play, ux, uy):
     error = wrap(atan2(uy, ux) - sight.heading)
     command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
     command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
+    if k.walled == 0 and goal_room(sight, k, sight.now_cosine, sight.now_sine) < 0.0:
+        free = free_way(sight, k, sight.now_cosine, sight.now_sine)
+        command.forward = min(command.forward, max(sqrt(2.0 * k.ball_rolling * free), SLOW) / k.drive_forward)
 
 
 @compiled

@@ -34,7 +34,7 @@ from soccer_env.baselines.obeying import (
     wait_at_area,
 )
 from soccer_env.baselines.searching import LOST, end_search, search
-from soccer_env.baselines.set_pieces import leave_ball, note_set_piece, take_restart, wait_for_pass
+from soccer_env.baselines.set_pieces import leave_ball, note_set_piece, out_of_area, take_restart, wait_for_pass
 from soccer_env.baselines.sight import SIGHT, look, side_of
 from soccer_env.baselines.skills import go
 from soccer_env.compiled import compiled
@@ -85,7 +85,7 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "clearance": (0.05, 0.15, 0.25),  # [m] between front and ball on the way round
     "orbit_step": (0.6, 0.7, 0.6),  # [rad] of the way round that is looked ahead
     "orbit_speed": (0.12, 1.0, 0.6),  # [m/s] least on the way round
-    "bump": (0.12, 1.2, 1.0),  # [m/s] at which the ball is met
+    "bump": (0.12, 0.5, 0.5),  # [m/s] at which the ball is met
     "delay": (0.1, 0.12, 0.12),  # [s] least time by which the ball is led
     "lead": (3.0, 1.5, 2.0),  # [s] greatest time by which the ball is led
     "turn_share": (1.0, 0.7, 0.5),  # [1] of the top turn rate with the ball
@@ -248,8 +248,8 @@ def support(command, sight, memory, k, play, ring, keeps_out):
     y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
     if keeps_out:
         x, y = out_of_own_area(x, y, k, k.body_reach + AREA_ROOM)
-    if k.rules_penalty_area == 1 and abs(y) < 0.5 * k.pitch_penalty_width + k.body_reach:
-        x = max(x, k.pitch_penalty_depth + k.body_reach - 0.5 * k.pitch_length)
+    if memory.rank > 0 or ring == 0.0:
+        x, y = out_of_area(sight, k, x, y, ring)
     go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
 

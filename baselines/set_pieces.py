@@ -95,3 +95,14 @@ def leave_ball(command, sight, k, play):
     to_x = clip(sight.ball_x + far * x, -edge_x, edge_x)
     to_y = clip(sight.ball_y + far * y, -edge_y, edge_y)
     go(command, sight, k, play, to_x, to_y, atan2(-y, -x), 0.0)
+
+
+@compiled
+def out_of_area(sight, k, x, y, ring):
+    """Return a place of a supporter [m, m], out of its own penalty area, and still `ring` [m] from the ball."""
+    if k.rules_penalty_area == 0 or abs(y) > 0.5 * k.pitch_penalty_width + k.body_reach:
+        return x, y
+    x = max(x, k.pitch_penalty_depth + k.body_reach - 0.5 * k.pitch_length)
+    if length(x - sight.ball_x, y - sight.ball_y) < ring:
+        y = sight.ball_y + (ring if y > sight.ball_y else -ring)
+    return x, y

@@ -23,6 +23,8 @@ BOARD_ROOM = 0.03  # [m] more than the paws need that a walker keeps off a board
 AVOID_AHEAD = 4.0  # [body reaches] how far ahead other robots are looked for, assumed
 AVOID_ASIDE = 2.3  # [body reaches] how far aside of the way they are avoided, assumed
 AVOID_WEIGHT = 1.2  # [1] how far the way turns aside at most, assumed
+FOUGHT_FOR = 0.5  # [m] a robot this near to the ball has it, assumed
+KEPT_OFF = 0.05  # [m] kept between robots off the ball, assumed
 GOAL_SPOTS = 4  # pairs of spots between the posts that a shot can be aimed at, beside the middle
 FAN = 5  # directions to either side of the goal's that are looked at when no shot is open
 FAN_STEP = 0.35  # [rad] between them, assumed
@@ -74,6 +76,9 @@ def go(command, sight, k, play, x, y, facing, final):
     dx, dy = avoid_others(sight, k, dx / distance, dy / distance, distance)
     ahead, left = into_frame(dx, dy, sight.cosine, sight.sine)
     speed = max(final, braking_speed(k, play, distance))
+    if k.rules_charging == 1:
+        dx, dy, speed = hold_back(sight, k, play, dx, dy, speed, final > 0.0)
+        ahead, left = into_frame(dx, dy, sight.cosine, sight.sine)
     if k.drive_kind == WHEELS_DIFFERENTIAL:
         drive_differential(command, sight, k, play, ahead, left, distance, facing, speed)
     elif k.drive_kind == GAIT and distance > play.walk_ahead:
@@ -81,6 +86,27 @@ def go(command, sight, k, play, x, y, facing, final):
     else:
         push(command, sight, k, ahead, left, speed)
         turn_by(command, sight, k, play, wrap(facing - sight.heading))
+
+
+@compiled
+def hold_back(sight, k, play, dx, dy, speed, fights):
+    """Return a way (unit vector) and speed [m/s] that drive into nobody: only as fast as the way to it lets brake.
+
+    Who fights for the ball may drive at those who have it, but never at a goalkeeper.
+    """
+    vx, vy = speed * dx, speed * dy
+    for i in range(sight.others):
+        x, y = sight.other_x[i] - sight.x, sight.other_y[i] - sight.y
+        away = max(length(x, y), 1e-6)
+        into = (vx * x + vy * y) / away
+        has_it = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y) < FOUGHT_FOR
+        if into <= 0.0 or (fights and has_it and (sight.mate[i] == 1 or sight.field[i] == 1)):
+            continue
+        most = braking_speed(k, play, max(away - 2.0 * k.body_reach - KEPT_OFF, 0.0))
+        if into > most:
+            vx, vy = vx - (into - most) * x / away, vy - (into - most) * y / away
+    size = length(vx, vy)
+    return (dx, dy, 0.0) if size < 1e-6 else (vx / size, vy / size, size)
 
 
 @compiled

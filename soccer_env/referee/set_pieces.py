@@ -60,8 +60,8 @@ def defender_place(k, index, spot_x, spot_y):
     away = max(length(home_x, home_y), 1e-6)
     if index == 0:
         far = k.rules_restart_distance + k.body_reach + WALL
-        x, y = spot_x + far * home_x / away, spot_y + far * home_y / away
-    elif index == 1:
+        return spot_x + far * home_x / away, spot_y + far * home_y / away, atan2(-home_y, -home_x)
+    if index == 1:
         ahead, aside = way_to_receiver(k, -spot_x, -spot_y)
         x, y = spot_x - PASS * ahead, spot_y - PASS * aside
         home_x, home_y = -0.5 * k.pitch_length - x, -y
@@ -75,7 +75,13 @@ def defender_place(k, index, spot_x, spot_y):
 
 @compiled
 def out_of_area(k, x, y, spot_x, spot_y):
-    """Return a place, out of the own penalty area if it is in there, facing the ball [m, m, rad]."""
+    """Return a place, out of the own penalty area if it is in there, facing the ball [m, m, rad].
+
+    A place that comes too near to the ball by that is moved aside.
+    """
     if abs(y) < 0.5 * k.pitch_penalty_width + OFF_AREA:
         x = max(x, OFF_AREA + k.pitch_penalty_depth - 0.5 * k.pitch_length)
+    far = k.rules_restart_distance + 2.0 * k.body_reach
+    if length(x - spot_x, y - spot_y) < far:
+        y = spot_y + (far if y > spot_y else -far)
     return x, y, atan2(spot_y - y, spot_x - x)
