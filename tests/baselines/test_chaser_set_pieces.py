@@ -1,0 +1,104 @@
+"""The chaser's restarts where the taker may not touch the ball twice: it passes, and leaves the ball to others."""
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.baselines.chaser import MEMORY
+from soccer_env.baselines.set_pieces import KEPT, note_set_piece, out_of_area, strength_for
+from soccer_env.baselines.sight import SIGHT
+from soccer_env.belief_types import BELIEF
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.staging import begin, put_ball
+from soccer_env.types import Foul, Phase
+from tests.scenes.staging import MIDDLE, endless, put
+
+LEAGUE = find_league(MIDDLE)
+K = constants_of(LEAGUE)[0]
+
+
+@pytest.mark.parametrize(("far", "arrival"), [(1.0, 0.0), (2.0, 0.8), (4.0, 3.0)])
+def test_a_kick_of_that_strength_rolls_past_the_distance_at_the_speed(far, arrival):
+    match = Match(endless(MIDDLE), home=1, away=1, seed=1)
+    speed = strength_for(K, far, arrival) * LEAGUE.kicker.fastest
+    match.matches["phase"] = Phase.PLAY
+    put(match, 0, -50.0, 0.0)
+    put(match, 1, 50.0, 0.0)
+    put_ball(match, 0.0, 0.0, speed, 0.0, rolls=False)
+    match.rebuild()
+    slide = (speed**2 - (0.6 * speed) ** 2) / (2.0 * LEAGUE.ball.sliding)  # [m] on which it slides
+    left = 0.0
+    for _ in range(1000):
+        match.step(np.zeros((1, 2, 4)))
+        if match.balls["x"][0] - slide <= far:
+            left = match.balls["vx"][0]
+    assert left == pytest.approx(arrival, abs=0.1)
+
+
+class Player:
+    """What a player sees and remembers at a restart of its own team."""
+
+    def __init__(self, rank: int = 0, phase: Phase = Phase.THROW_IN, ours: float = 1.0) -> None:
+        self.belief, self.sight, self.memory = (np.zeros(1, dtype)[0] for dtype in (BELIEF, SIGHT, MEMORY))
+        self.memory["rank"], self.sight["touch"], self.sight["elapsed"] = rank, 0.29, 0.02
+        self.sight["distance"] = 0.5
+        self.note(phase, ours)
+
+    def note(self, phase: Phase = Phase.PLAY, ours: float = 0.0) -> float:
+        """Return what the player remembers of the restart, a step later."""
+        self.belief["situation"]["phase"], self.belief["situation"]["ours"] = phase, ours
+        note_set_piece(self.belief["situation"], self.sight, self.memory, K)
+        return float(self.memory["set_piece"])
+
+
+def test_the_nearest_player_is_the_taker_and_the_others_are_its_mates():
+    assert Player(0).memory["set_piece"] == KEPT and Player(1).memory["set_piece"] == -KEPT
+    assert Player(0, ours=-1.0).memory["set_piece"] == 0.0
+
+
+def test_the_taker_leaves_the_ball_until_somebody_else_has_it():
+    player = Player()
+    assert player.note() == pytest.approx(KEPT - 0.02)
+    player.sight["others"], player.sight["other_x"][0] = 1, 0.5
+    assert player.note() > 0.0
+    player.sight["other_x"][0] = 0.4
+    assert player.note() == 0.0
+
+
+def test_it_forgets_in_time_and_at_once_at_a_penalty_kick():
+    player = Player()
+    for _ in range(int(KEPT / 0.02) + 1):
+        player.note()
+    assert player.memory["set_piece"] == 0.0
+    assert Player(phase=Phase.PENALTY_KICK).memory["set_piece"] == 0.0
+
+
+def test_a_mate_that_comes_to_the_ball_may_play_on():
+    player = Player(1)
+    assert player.note() < 0.0
+    player.sight["distance"] = 0.4
+    assert player.note() == 0.0
+
+
+@pytest.mark.parametrize(("x", "y", "place"), [(-5.0, 1.0, -4.21), (-4.0, 1.0, -4.0), (-5.0, 3.0, -5.0)])
+def test_supporters_stay_out_of_their_own_penalty_area(x, y, place):
+    found_x, found_y = out_of_area(np.zeros(1, SIGHT)[0], K, x, y, 0.0)
+    assert found_x == pytest.approx(place, abs=0.01) and found_y == y
+
+
+def test_it_takes_a_throw_in_without_a_foul():
+    match = Match(MIDDLE, home=3, away=3, seed=2, controllers={"home": "chaser", "away": "still"}, senses="ideal")
+    match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, -1
+    match.matches["last_touch_team"] = 1
+    put_ball(match, 1.0, 4.2)
+    begin(match)
+    taken, touched, fouls = [], set(), []
+    for _ in range(400):
+        match.step()
+        taken.append(int(match.events["in_play"][0]))
+        if sum(taken):
+            touched |= set(np.flatnonzero(match.robot_events["touch"][0]).tolist())
+        fouls.append(int(match.events["foul"][0]))
+    assert sum(taken) >= 1 and taken.index(1) < 250 and len(touched) >= 2
+    assert Foul.SECOND_TOUCH not in fouls
