@@ -7,7 +7,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from soccer_env.leagues.rules import NEVER
+from soccer_env.leagues.rules import NEVER, simple_of
 from soccer_env.types import MAX_TEAM
 from tests.referee.test_dropped_ball import crowd
 from tests.scenes.staging import (
@@ -31,7 +31,7 @@ NOSES = 2.0 * (PAWS.tip_x + PAWS.tip_radius) + 0.002  # [m] between the centres 
 def pushing(league=LEGGED, matches=1, x=0.3, y=0.4, contact_time=15.0):
     """Return matches in which two opponents push against each other, away from the ball, and their actions."""
     found = find_league(league)
-    found = replace(found, rules=replace(found.rules, contact_time=contact_time, stuck_time=NEVER))
+    found = replace(found, rules=replace(simple_of(found.rules), contact_time=contact_time, dropped_ball=False))
     match = stage(found, matches)
     put_ball(match, -1.2, -0.8)
     put(match, 0, x, y, 0.0)
