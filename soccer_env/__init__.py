@@ -26,6 +26,7 @@ What a match is made of:
     scenes/              how an episode begins: kick-off and drills
     physics/             bodies, wheels, legs and ball; the only user of pymunk
     referee/             goals, restarts and the other rules
+    statistics/          who has the ball and what he does with it, how goals fall
     optics/              what a camera shows where
     robot_kinds/         each kind of robot declared in one file
     perception/          percepts from the truth

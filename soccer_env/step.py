@@ -214,10 +214,9 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
     find_collisions(robots, robot_events, k)
     watch_contacts(robots, robot_events, k)
     match.step += 1
-    moved = dead
     if dead:
         end_placing(match, ball, robots, k)
-    moved = serve_penalties(match, ball, robots, robot_events, k) or moved
+    moved = serve_penalties(match, ball, robots, robot_events, k) or dead
     if not dead and match.over == 0:
         moved = judge_fouls(match, ball, robots, events, robot_events, k) or moved
     judge(match, ball, robots, events, k, toucher if toucher >= 0 else kicked_by(ball, robots, robot_events))
@@ -230,8 +229,7 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
         carry_out_restart(match, ball, robots, k, k.placement_by_driving)
         moved = True
     for r in range(robots.shape[0]):
-        robots[r].has_ball = 1 if robots[r].active == 1 and holds_ball(robots[r], k, ball.x, ball.y) else 0
-        robot_events[r].possession = robots[r].has_ball
+        note_possession(ball, robots[r], robot_events[r], k)
         count_player(match, ball, robots[r], robot_events[r], r, k, tally)
     count_step(match, ball, robots, events, k, tally)
     if is_notable(events):
@@ -239,6 +237,13 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
     if moved:
         write_rows(ball, robots, bodies)
     return moved
+
+
+@compiled
+def note_possession(ball, robot, events, k):
+    """Note whether a robot has the ball."""
+    robot.has_ball = 1 if robot.active == 1 and holds_ball(robot, k, ball.x, ball.y) else 0
+    events.possession = robot.has_ball
 
 
 @compiled

@@ -57,6 +57,7 @@ HIDDEN_FROM_PLAYERS = {
     "world",
     "physics",
     "referee",
+    "statistics",
     "perception",
     "step",
     "episodes",
