@@ -25,6 +25,7 @@ from soccer_env.types import Phase
 KICK_OFF = int(Phase.KICK_OFF)
 DROP_BALL = int(Phase.DROP_BALL)
 STEP_ASIDE, STEPS_ASIDE = 0.01, 60  # [m] by which, and how often, a robot makes room for one that is carried, assumed
+TO_WALK_OUT = 3.0  # [s] to leave an area for whom others put there, assumed: a body's length at a dog's top speed
 CARRIED = 0.03  # [m] a robot that is moved farther was carried, assumed
 
 
@@ -109,6 +110,7 @@ def put_robot(robot):
     if length(robot.place_x - robot.x, robot.place_y - robot.y) > CARRIED:
         robot.placed = 1
         robot.pan = robot.tilt = 0.0
+        robot.trespass = -TO_WALK_OUT
     robot.x, robot.y, robot.heading = robot.place_x, robot.place_y, robot.place_heading
     stop(robot)
 

@@ -84,10 +84,14 @@ def test_whom_an_opponent_or_the_referee_put_there_has_time_to_walk_out():
     put(match, 4, 0.5, 0.0, pi)
     match.rebuild()
     assert 3.5 < fouls(match, stand(match), 6.0)[0][0] <= 4.0 + 2 * STEP
-    match = standing_at(-1.2)
-    match.matches["phase"] = 5
-    match.robots["trespass"][0, 1] = -3.0
-    assert fouls(match, stand(match), 3.9) == []
+    match = standing_at(-0.7, -0.3)  # the ball falls where it stands, and it is carried away from there
+    match.batch.constants["rules_dropped_ball"] = 1
+    put_ball(match, -0.45, -0.3)
+    match.matches["still_clock"] = match.league.rules.stuck_time
+    match.rebuild()
+    match.step(stand(match))
+    assert match.events["restart"][0] == 5 and match.robots["placed"][0, 1] == 1
+    assert match.robots["trespass"][0, 1] == -3.0
 
 
 @pytest.mark.parametrize(("ball", "guilty"), [(0.0, [1]), (1.3, [])])

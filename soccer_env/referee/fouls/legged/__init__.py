@@ -15,6 +15,4 @@ The book of 2001 is not stored anywhere that we know of. Its readable descendant
 platform league, of 2008, with the legged book's sentences left in it as comments (RoboCup-SPL/Rules,
 NaoRules2008.tex); "the book" is that one. Its times and distances are assumed for 2001, but for the 3 s of ball
 holding, which the diary of the champions of 2000 has.
-
-`k`: the league's constants.
 """

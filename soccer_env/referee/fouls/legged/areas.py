@@ -18,11 +18,11 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, point_of_frame
 from soccer_env.physics.gait import LEGS, stance
 from soccer_env.referee.fouls.penalties import whistle
+from soccer_env.referee.restarts import TO_WALK_OUT
 from soccer_env.types import Foul
 
 DEFENDER, ATTACKER = int(Foul.ILLEGAL_DEFENDER), int(Foul.ILLEGAL_ATTACKER)
 FEET = 2  # of four that make a field player stand in the area
-GRACE = 3.0  # [s] to walk out for those who did not walk in, assumed: a body's length at top speed
 
 
 @compiled
@@ -37,8 +37,8 @@ def judge_areas(match, ball, robots, events, robot_events, k):
             robot.trespass = max(robot.trespass - k.dt, 0.0)
             continue
         robot.trespass += k.dt
-        if robot.placed == 1 or robot_events[r].pushed == 1:
-            robot.trespass = -GRACE
+        if robot_events[r].pushed == 1:
+            robot.trespass = -TO_WALK_OUT
         limit = k.rules_illegal_defender_time if foul == DEFENDER else k.rules_illegal_attacker_time
         if robot.trespass > limit + 0.5 * k.dt:
             whistle(match, robots, events, robot_events, r, foul)
