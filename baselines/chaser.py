@@ -149,6 +149,9 @@ def chase(belief, tracks, memory, noise, command, k, play, sight):
 def decide(belief, command, sight, memory, noise, k, play):
     """Play the role that the player has now."""
     situation = belief.situation
+    keeps_out = may_not_enter(situation, k)
+    if keeps_out and leave_area(command, sight, k, play):
+        return
     if belief.ball.age > LOST:
         search(belief, command, sight, memory, k, play)
         return
@@ -156,19 +159,17 @@ def decide(belief, command, sight, memory, noise, k, play):
     if situation.keeper == 1:
         keep_goal(command, sight, memory, k, play)
     else:
-        play_in_field(situation, command, sight, memory, noise, k, play)
-        mind_pushing(command, sight, memory, k)
+        play_in_field(situation, command, sight, memory, noise, k, play, keeps_out)
+        mind_pushing(belief.obstacle, command, sight, memory, k)
 
 
 @compiled
-def play_in_field(situation, command, sight, memory, noise, k, play):
-    """Play as a field player that knows the ball, out of the own area where the rules ask for it."""
+def play_in_field(situation, command, sight, memory, noise, k, play, keeps_out):
+    """Play as a field player that knows the ball; `keeps_out`: not in the own penalty area."""
     choose_rank(sight, memory, play)
     note_set_piece(situation, sight, memory, k)
     watch_ball(sight, memory, noise, k, play)
-    keeps_out = may_not_enter(situation, k)
-    if not (keeps_out and leave_area(command, sight, k, play)):
-        play_role(situation, command, sight, memory, k, play, keeps_out)
+    play_role(situation, command, sight, memory, k, play, keeps_out)
 
 
 @compiled

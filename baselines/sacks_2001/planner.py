@@ -7,6 +7,7 @@ and head.
     goalkeeper                            meet a shot  >  clear  >  guard                     goalkeeper.py
     opponents' restart, or not nearest    yield, support                                      positions.py
     attacker without the ball             approach  >  stuck?  >  back, aside or round        stuck.py, recovery.py
+    in the own penalty area, not its keeper   walk out: the rules, not the paper              ../obeying.py
     whoever has the ball                  clear, the goalkeeper  >  shoot  >  pass  >  orbit  >  dribble   steering.py
 
 `k`: the league's constants; `play`: the team's settings.
@@ -17,6 +18,7 @@ from __future__ import annotations
 from math import atan2
 
 from soccer_env.baselines.deciding import free_ring
+from soccer_env.baselines.obeying import is_in_own_area, leave_area, may_not_enter, wait_at_area
 from soccer_env.baselines.sacks_2001.ball_notes import JUST_SEEN, note_possession, note_sighting
 from soccer_env.baselines.sacks_2001.goalkeeper import can_clear, guard, is_shot, may_clear, meet_shot
 from soccer_env.baselines.sacks_2001.memory import (
@@ -77,7 +79,17 @@ def decide(belief, tracks, memory, command, sight, k, play, elapsed):
         memory.turned = 0.0
     memory.glances = 0
     act(belief, tracks, memory, command, sight, k, play, elapsed)
+    if play.keeps_out == 1 and may_not_enter(belief.situation, k) and not is_kicking(memory):
+        keep_out(memory, command, sight, k, play)
     memory.winding = memory.winding + elapsed if command.kick > 0.0 else 0.0
+
+
+@compiled
+def keep_out(memory, command, sight, k, play):
+    """Walk out of the own penalty area, and leave a ball in it to the goalkeeper: what the rules force on the paper."""
+    in_it = is_in_own_area(sight.ball_x, sight.ball_y, k, k.ball_radius)
+    if not leave_area(command, sight, k, play) and in_it and memory.behaviour == APPROACH:
+        wait_at_area(command, sight, k, play)
 
 
 @compiled

@@ -107,6 +107,7 @@ class SacksSettings(Options):
     keeper_out: float = 0.30  # [m] from the middle of the goal that it stands, assumed
     keeper_zone: float = 0.55  # [m] from the middle of the goal within which it clears the ball, assumed
     keeper_clears: bool = True  # the goalkeeper kicks a ball between its paws clear: the paper does not say, ours
+    keeps_out: bool = True  # field players keep out of their own penalty area: the paper does not say, the rules, ours
     keeper_alarm: float = 0.10  # [m/s] a ball that comes nearer faster is a shot, assumed
 
     # the paper's future work, 5: sacks-2001-future

@@ -7,6 +7,7 @@ python -m soccer_env.train.tables.sacks     every claim of Sacks 2001          (
 
 pages.py     which tables there are, and their way into the pages
 markers.py   where in a page a table stands
+drills.py    teams at drills
 teams.py     teams against teams      learned.py   the learned team, and how long its training takes
 headlines.py the few figures of the main README, picked out of the others
 plausibility.py   how teams play beside what is published of real matches

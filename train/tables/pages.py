@@ -26,6 +26,7 @@ from soccer_env.train.bench.benchmark import run as run_bench
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.tables.claims import claims_table, measure_claims, measure_sensors, sensors_table
+from soccer_env.train.tables.drills import drills_table, measure_drills
 from soccer_env.train.tables.headlines import headlines_table
 from soccer_env.train.tables.learned import learned_rows, learned_table, measure_training, training_table
 from soccer_env.train.tables.markers import between_markers
@@ -48,6 +49,7 @@ PAGES = {  # the page that shows a table, seen from the checkout's root
     "sensors": "soccer_env/perception/README.md",
     "scripted": "baselines/README.md",
     "sacks": "baselines/README.md",
+    "drills": "baselines/README.md",
     "learned": "agents/policies/README.md",
     "claims": "train/README.md",
     "training": "train/README.md",
@@ -71,6 +73,7 @@ MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
     "claims": lambda: {"about": about(), **measure_claims()},
     "scripted": lambda: {"about": about(), "rows": measure_rows(scripted_rows())},
     "sacks": lambda: {"about": about(), "rows": measure_rows(sacks_rows())},
+    "drills": lambda: {"about": about(), **measure_drills()},
     "learned": lambda: {"about": about(), "rows": measure_rows(learned_rows())},
     "training": lambda: {"about": about(), **measure_training()},
     "speed": measure_speed,
@@ -81,6 +84,7 @@ SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a measured table in Mark
     "claims": lambda table: with_footer(claims_table(table), table),
     "scripted": lambda table: with_footer(scripted_table(table), table),
     "sacks": lambda table: with_footer(sacks_table(table), table),
+    "drills": lambda table: with_footer(drills_table(table), table),
     "learned": lambda table: with_footer(learned_table(table), table),
     "training": lambda table: with_footer(training_table(table), table),
     "speed": lambda table: speed_table(table),
