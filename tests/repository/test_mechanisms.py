@@ -73,7 +73,7 @@ def test_mh04_the_kicker_shoots_as_hard_as_it_is_told(strength: float) -> None:
     """MH04: 0 to 10 m/s in proportion to the strength; the goalkeeper has none."""
     league = find_league("middle-size-2006")
     alike = replace(league, kicker=replace(league.kicker, spread=0.0, speed_spread=0.0, miss=0.0))
-    match = Match(alike, home=2, away=1, matches=2, seed=0)
+    match = Match(alike, home=2, away=1, matches=2, seed=0, rules="simple")
     for row in (0, 1):
         match.robots["x"][row], match.robots["y"][row] = [-3.0, -3.0, 4.0], [2.0, -2.0, 3.0]
         match.robots["heading"][row] = 0.0

@@ -8,6 +8,7 @@ runs.py         how long something stays so
 ball.py         where the ball lies, how far it comes back          possession.py   spells, touches, kicks
 stuck.py        robots that want to walk and are stopped            scrums.py       scrums, and the overlap in them
 figures.py      a number of many matches, with its interval         measures.py     all measures; measuring
+referee.py      what follows where the referee moves robots
 report.py       the table and the JSON file                         sheets.py       the seconds before goals
 
 Every measure is defined by the first sentence of its function. Distances are judged by this package's own geometry,

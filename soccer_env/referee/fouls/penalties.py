@@ -18,7 +18,8 @@ from math import inf, pi
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, length
 from soccer_env.physics.parking import parking_place
-from soccer_env.referee.restarts import MARGIN, put_robot, stop
+from soccer_env.referee.places import MARGIN
+from soccer_env.referee.restarts import put_robot, stop
 from soccer_env.types import Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
