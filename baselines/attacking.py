@@ -14,6 +14,8 @@ from soccer_env.baselines.skills import choose_shot, choose_way, free_way, go, g
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
 
+MEET = 1.0  # [m/s] at which a base that steps aside runs in at most, assumed
+NEAR_BALL = 0.8  # [m] to the ball within which it does, assumed
 SLOW = 0.4  # [m/s] at which the ball is pushed at least, also towards a line, assumed
 
 
@@ -91,6 +93,9 @@ def run_in(command, sight, k, play, x, y, ux, uy):
     if play.square_up > 0.0:
         into = sight.touch - play.square_up
         go(command, sight, k, play, x - into * ux, y - into * uy, atan2(uy, ux), play.bump)
+        share = MEET / max(k.drive_forward * length(command.forward, command.left), MEET)
+        if sight.distance < NEAR_BALL:
+            command.forward, command.left = share * command.forward, share * command.left
     else:
         go(command, sight, k, play, x, y, atan2(y - sight.y, x - sight.x), play.bump)
 

@@ -34,7 +34,15 @@ from soccer_env.baselines.obeying import (
     wait_at_area,
 )
 from soccer_env.baselines.searching import LOST, end_search, search
-from soccer_env.baselines.set_pieces import leave_ball, note_set_piece, out_of_area, take_restart, wait_for_pass
+from soccer_env.baselines.set_pieces import (
+    HOLDS_OFF,
+    holds_off,
+    leave_ball,
+    note_set_piece,
+    out_of_area,
+    take_restart,
+    wait_for_pass,
+)
 from soccer_env.baselines.sight import SIGHT, look, side_of
 from soccer_env.baselines.skills import go
 from soccer_env.compiled import compiled
@@ -186,6 +194,8 @@ def play_role(situation, command, sight, memory, k, play, keeps_out):
         support(command, sight, memory, k, play, free_ring(situation, k), keeps_out)
     elif keeps_out and is_in_own_area(sight.ball_x, sight.ball_y, k, k.ball_radius):
         wait_at_area(command, sight, k, play)
+    elif holds_off(sight, k):
+        support(command, sight, memory, k, play, HOLDS_OFF, keeps_out)
     else:
         attack(command, sight, memory, k, play)
 

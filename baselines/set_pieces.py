@@ -26,6 +26,9 @@ TAP = 1.0  # [m] of a kick-off, assumed
 ARRIVAL = 0.8  # [m/s] of a pass, assumed
 STEP = 0.4  # [m/s] at which the taker steps up to the ball, assumed
 TOUCHED = 0.12  # [m] between ball and front of another player that has it, assumed
+HAS = 0.45  # [m] from the ball within which an opponent has it, assumed
+HOLDS_OFF = 0.9  # [m] from a ball that an opponent has at which a player stands before its goal, assumed
+DEFEND = 3.0  # [m] from the own goal line within which it goes for the ball all the same, assumed
 OFF = 3.0  # [body reaches] that the taker leaves to the ball, assumed
 
 
@@ -106,3 +109,15 @@ def out_of_area(sight, k, x, y, ring):
     if length(x - sight.ball_x, y - sight.ball_y) < ring:
         y = sight.ball_y + (ring if y > sight.ball_y else -ring)
     return x, y
+
+
+@compiled
+def holds_off(sight, k):
+    """Tell whether a player stands in the way of an opponent that has the ball, where to fight would put it out."""
+    if k.rules_charging == 0 or sight.ball_x < DEFEND - 0.5 * k.pitch_length:
+        return False
+    for i in range(sight.others):
+        away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
+        if sight.mate[i] == 0 and away < min(HAS, sight.distance - 0.1):
+            return True
+    return False
