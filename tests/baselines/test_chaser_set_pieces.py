@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.chaser import MEMORY
-from soccer_env.baselines.set_pieces import KEPT, note_set_piece, out_of_area, strength_for
+from soccer_env.baselines.chaser import MEMORY, team
+from soccer_env.baselines.set_pieces import KEPT, holds_off, note_set_piece, out_of_area, strength_for
 from soccer_env.baselines.sight import SIGHT
+from soccer_env.baselines.skills import KEPT_OFF, hold_back
 from soccer_env.belief_types import BELIEF
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -85,6 +86,43 @@ def test_a_mate_that_comes_to_the_ball_may_play_on():
 def test_supporters_stay_out_of_their_own_penalty_area(x, y, place):
     found_x, found_y = out_of_area(np.zeros(1, SIGHT)[0], K, x, y, 0.0)
     assert found_x == pytest.approx(place, abs=0.01) and found_y == y
+
+
+def sees(x: float, y: float, mate: int = 0, field: int = 1) -> np.void:
+    """Return what a player at the centre spot sees of one other robot, the ball far away."""
+    sight = np.zeros(1, SIGHT)[0]
+    sight["others"], sight["mate"][0], sight["field"][0] = 1, mate, field
+    sight["other_x"][0], sight["other_y"][0] = x, y
+    sight["ball_x"], sight["distance"] = 3.0, 3.0
+    return sight
+
+
+@pytest.mark.parametrize("gap", [0.02, 0.2, 0.5])
+def test_it_drives_at_another_robot_only_as_fast_as_it_can_brake(gap):
+    sight, play = sees(2.0 * K["body_reach"] + KEPT_OFF + gap, 0.0), team().settings[int(K["drive_kind"])]
+    x, y, speed = hold_back(sight, K, play, 1.0, 0.0, 2.6, False)
+    assert (x, y) == pytest.approx((1.0, 0.0)) and speed == pytest.approx(min(gap / 0.25, np.sqrt(5.6 * gap)))
+    assert hold_back(sight, K, play, 0.0, 1.0, 2.6, False) == (0.0, 1.0, 2.6)
+    assert hold_back(sight, K, play, -1.0, 0.0, 2.6, False) == (-1.0, 0.0, 2.6)
+
+
+@pytest.mark.parametrize(("fights", "field", "held_back"), [(True, 1, False), (False, 1, True), (True, 0, True)])
+def test_who_fights_for_the_ball_may_drive_at_who_has_it_but_not_at_a_goalkeeper(fights, field, held_back):
+    sight, play = sees(0.6, 0.0, field=field), team().settings[int(K["drive_kind"])]
+    sight["ball_x"] = 0.3
+    assert (hold_back(sight, K, play, 1.0, 0.0, 2.6, fights)[2] < 2.6) == held_back
+
+
+@pytest.mark.parametrize(
+    ("away", "mate", "ball_x", "holds"),
+    [(0.44, 0, 0.0, True), (0.46, 0, 0.0, False), (0.44, 1, 0.0, False), (0.44, 0, -3.1, False)],
+)
+def test_it_stands_in_the_way_of_an_opponent_that_has_the_ball_but_not_before_its_own_goal(away, mate, ball_x, holds):
+    sight = sees(ball_x, away, mate)
+    sight["ball_x"], sight["distance"] = ball_x, 1.0
+    assert holds_off(sight, K) == holds
+    sight["distance"] = away + 0.09  # as near itself
+    assert not holds_off(sight, K)
 
 
 def test_it_takes_a_throw_in_without_a_foul():
