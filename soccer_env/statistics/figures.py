@@ -57,7 +57,7 @@ def by_code(prefix: str, codes: Any, text: str, field: str) -> tuple[Statistic, 
 
 
 GOAL_TEXTS = {
-    GoalKind.CLEAN_KICK: "by a kick, or a push that leaves the ball faster than robots go, that nobody else touched",
+    GoalKind.CLEAN_KICK: "by a kick, or a push as fast as one, that nobody else touched",
     GoalKind.DEFLECTED_KICK: "by a kick or such a push that another robot touched within the last 1 s",
     GoalKind.CLEAN_DRIBBLE: "carried or pushed in by a robot that touched no opponent in the last 3 s",
     GoalKind.PUSHED_IN: "carried or pushed in by a robot that touched an opponent in the last 3 s",
@@ -92,8 +92,9 @@ FIGURES: tuple[Statistic, ...] = (
     of_team("kicks", "", "Kicks that reach the ball."),
     of_team(
         "shots", "",
-        "Kicks, and pushes that leave the ball free and faster than robots go, after which the ball would roll over "
-        "the opponents' goal line between the posts or at most a quarter of the goal's width beside one.",
+        "Kicks, and pushes that leave the ball free and faster than robots go and than the weakest kick, after which "
+        "it would roll over the opponents' goal line between the posts or at most a quarter of the goal's width from "
+        "one.",
     ),
     of_team("on_target", "", "Shots that would roll between the posts, or do so."),
     of_team("saves", "", "Opponents' shots on target that this goalkeeper touches first and that are no goals."),

@@ -1,7 +1,7 @@
 """Follow the ball from robot to robot: shots, saves, passes, interceptions.
 
-A ball is on its way (in flight) from a kick, or from a push that leaves it free and faster than robots walk or drive,
-until somebody plays it anew.
+A ball is on its way (in flight) from a kick until somebody plays it anew; or from a push that leaves it free and faster
+than robots walk or drive and than the weakest kick: a ball that is dribbled rolls ahead of its robot more slowly.
 
 `k`: the league's constants.
 """
@@ -40,9 +40,9 @@ def follow_ball(match, ball, robot, row, events, k, tally, trail):
 
 @compiled
 def is_pushed(step, ball, k, trail):
-    """Tell whether a ball has just come free from a push that makes it faster than robots go."""
-    fast = ball.vx * ball.vx + ball.vy * ball.vy > k.drive_forward * k.drive_forward
-    return fast and step - trail.touched == steps_in(FREE, k)
+    """Tell whether a ball has just come free from a push that is like a kick, not from a dribble."""
+    least = max(k.drive_forward, k.kicker_slowest)
+    return ball.vx * ball.vx + ball.vy * ball.vy > least * least and step - trail.touched == steps_in(FREE, k)
 
 
 @compiled

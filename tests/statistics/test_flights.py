@@ -82,9 +82,10 @@ def test_a_shot_that_a_field_player_stops_is_not_saved(team, half):
 
 
 @pytest.mark.parametrize(
-    ("name", "pace", "way", "shots"), [(LEGGED, 4.0, 0.2, 1), (MIDDLE, 1.3, 1.5, 1), (MIDDLE, 0.8, 1.5, 0)]
+    ("name", "pace", "way", "shots"),
+    [(LEGGED, 8.0, 0.4, 1), (LEGGED, 3.0, 0.15, 0), (MIDDLE, 1.3, 1.5, 1), (MIDDLE, 0.8, 1.5, 0)],
 )
-def test_a_ball_knocked_away_faster_than_robots_go_is_a_shot_and_a_slow_one_is_not(name, pace, way, shots):
+def test_a_ball_knocked_away_as_by_a_kick_is_a_shot_and_one_that_is_dribbled_is_not(name, pace, way, shots):
     scene = Scene(name, 0, 0)
     league = scene.match.league
     scene.put(scene.row(), scene.line - way - league.body.front - league.ball.radius - 0.002, 0.0)

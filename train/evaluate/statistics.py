@@ -58,9 +58,10 @@ def totals(lines: Sequence[dict[str, Any]]) -> dict[str, Total]:
     rated = [(name, figure) for name, figure in named() if figure.kind in (RATE, SHARE)]
     parts = in_pairs([[line[name] for name, _ in rated] for line in lines])
     wholes = in_pairs([[line[whole_of(name, figure)] for name, figure in rated] for line in lines])
-    for (name, figure), total, *numbers in zip(rated, parts.sum(axis=0), *ratio_bootstrap(parts, wholes), strict=True):
-        scale = 100.0 if figure.kind == SHARE else 60.0
-        found[name] = Total(float(total), *(finite(scale * x) for x in numbers), unit_of(figure))
+    ratios = np.stack(ratio_bootstrap(parts, wholes), axis=-1)  # value, low, high
+    for (name, figure), total, ratio in zip(rated, parts.sum(axis=0), ratios, strict=True):
+        value, low, high = (finite((100.0 if figure.kind == SHARE else 60.0) * x) for x in ratio)
+        found[name] = Total(float(total), value, low, high, unit_of(figure))
     for name, figure in named():
         if figure.kind == MOST:
             most = max(line[name] for line in lines)
@@ -143,15 +144,15 @@ def play_rows(found: dict[str, Total]) -> list[tuple[str, str, str]]:
         if name in found:
             rows.append((words, told(found[name]), ""))
         elif name == "fouls":
-            rows.append((words, *(whistles(found, side) for side in SIDES)))
+            rows.append((words, whistles(found, "for"), whistles(found, "against")))
         else:
-            rows.append((words, *(told(found[f"{name}_{side}"]) for side in SIDES)))
+            rows.append((words, told(found[f"{name}_for"]), told(found[f"{name}_against"])))
     return rows
 
 
 def goal_rows(found: dict[str, Total]) -> list[tuple[str, str, str]]:
     """Return how many goals of both teams fell in which way."""
-    return [(words, *(f"{found[f'{name}_{side}'].total:g}" for side in SIDES)) for name, words in GOALS]
+    return [(words, f"{found[f'{name}_for'].total:g}", f"{found[f'{name}_against'].total:g}") for name, words in GOALS]
 
 
 def whistles(found: dict[str, Total], side: str) -> str:
