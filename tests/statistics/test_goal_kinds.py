@@ -48,7 +48,9 @@ def test_a_ball_walked_into_an_empty_goal_is_a_clean_dribble(name, team, half):
     scene.feed(scene.row(), scene.line - 0.5, 0.0)
     scene.begin()
     scene.actions[:, scene.row(), 0] = 0.7
-    scene.play(round(6.0 * scene.match.league.control_rate))
+    for _ in range(round(6.0 * scene.match.league.control_rate)):
+        if scene.of("goals").sum() == 0:  # it would walk on after the kick-off
+            scene.play(1)
     assert_only(scene, GoalKind.CLEAN_DRIBBLE)
     assert scene.of("shots") == 0
     assert scene.of("after_pushed_keeper") == 0
