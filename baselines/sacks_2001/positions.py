@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from math import atan2, inf
 
+from soccer_env.baselines.obeying import ROOM, may_not_enter, out_of_own_area
 from soccer_env.baselines.sight import side_of
 from soccer_env.baselines.skills import go
 from soccer_env.compiled import compiled
@@ -49,6 +50,8 @@ def support(command, sight, memory, situation, k, play, ring):
     edge_x, edge_y = 0.5 * k.pitch_length - EDGE * k.body_reach, 0.5 * k.pitch_width - k.body_reach
     x = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x)
     y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
+    if play.keeps_out == 1 and may_not_enter(situation, k):
+        x, y = out_of_own_area(x, y, k, k.body_reach + ROOM)
     go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
 

@@ -11,10 +11,10 @@ from soccer_env.train.tables.drills import TEAMS, drills_of, run_drill
 RUNS = 60
 FLOORS: dict[str, dict[str, float]] = {  # [1] of the runs of a drill of the legged league
     "chaser": {
-        "facing-wall": 0.9, "lost-ball-behind": 0.65, "ball-at-board": 0.4, "ball-in-corner": 0.4, "empty-goal": 0.7,
-        "ball-behind-robot": 0.1,
+        "facing-wall": 0.9, "lost-ball-behind": 0.7, "ball-at-board": 0.45, "ball-in-corner": 0.45, "empty-goal": 0.8,
+        "ball-behind-robot": 0.25,
     },
-    "sacks-2001": {"facing-wall": 0.85, "lost-ball-behind": 0.55, "empty-goal": 0.5, "ball-behind-robot": 0.3},
+    "sacks-2001": {"facing-wall": 0.85, "lost-ball-behind": 0.6, "empty-goal": 0.6, "ball-behind-robot": 0.02},
 }  # fmt: skip
 CASES = [(team, drill, floor) for team, floors in FLOORS.items() for drill, floor in floors.items()]
 
