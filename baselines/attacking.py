@@ -14,7 +14,7 @@ from soccer_env.baselines.skills import choose_shot, choose_way, free_way, go, g
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
 
-MEET = 0.7  # [m/s] at which a base that steps aside runs in at most, assumed
+MEET = 1.0  # [m/s] at which a base that steps aside runs in at most, assumed
 NEAR_BALL = 0.8  # [m] to the ball within which it does, assumed
 SLOW = 0.4  # [m/s] at which the ball is pushed at least, also towards a line, assumed
 

@@ -102,9 +102,9 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "aligned": (0.15, 0.3, 0.2),  # [rad] off the aim within which the ball counts as straight ahead
     "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front
     "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
-    "room": (0.03, 0.06, 0.06),  # [rad] beside a shot
+    "room": (0.03, 0.03, 0.03),  # [rad] beside a shot
     "shot_range": (1.3, 5.5, 5.5),  # [m] of a shot at the goal
-    "arrival": (0.0, 3.0, 3.0),  # [m/s] of a shot at the goal; 0: with all strength
+    "arrival": (0.0, 5.0, 5.0),  # [m/s] of a shot at the goal; 0: with all strength
     "way_on": (0.7, 2.5, 2.5),  # [m] that a way for the ball is looked at
     "wing_cost": (0.2, 0.0, 0.0),  # [rad] room that a way may lose for ending in the middle, not at a touchline
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out
