@@ -67,8 +67,14 @@ def turn_to_goal(command, sight, k, play, ux, uy):
     command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
     command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
     if k.walled == 0 and goal_room(sight, k, sight.now_cosine, sight.now_sine) < 0.0:
-        free = free_way(sight, k, sight.now_cosine, sight.now_sine)
-        command.forward = min(command.forward, max(sqrt(2.0 * k.ball_rolling * free), SLOW) / k.drive_forward)
+        command.forward = min(command.forward, line_speed(sight, k) / k.drive_forward)
+
+
+@compiled
+def line_speed(sight, k):
+    """Return how fast the ball may be pushed ahead [m/s]: half as fast as it may roll and stay on the pitch."""
+    free = free_way(sight, k, sight.now_cosine, sight.now_sine)
+    return max(0.5 * sqrt(2.0 * k.ball_rolling * free), SLOW)
 
 
 @compiled
@@ -93,7 +99,8 @@ def run_in(command, sight, k, play, x, y, ux, uy):
     if play.square_up > 0.0:
         into = sight.touch - play.square_up
         go(command, sight, k, play, x - into * ux, y - into * uy, atan2(uy, ux), play.bump)
-        share = MEET / max(k.drive_forward * length(command.forward, command.left), MEET)
+        most = min(MEET, line_speed(sight, k))
+        share = most / max(k.drive_forward * length(command.forward, command.left), most)
         if sight.distance < NEAR_BALL:
             command.forward, command.left = share * command.forward, share * command.left
     else:
