@@ -1,7 +1,7 @@
 """The referee: goals, out of play, restarts, stuck ball, halves. One rule set per league, built from shared rules.
 
 calls.py        what the referee sees and calls: goals, out of play, stuck ball, the end of a half
-calling.py      note a restart that is called
+restart_call.py note a restart that is called
 shoot_out.py    penalty kicks after a drawn match
 restarts.py     how a restart is carried out: the ball, places, distances
 formation.py    where robots stand at a restart

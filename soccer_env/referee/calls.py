@@ -9,9 +9,9 @@ carried out by `referee.restarts`. Written for both teams at once through the di
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.referee.calling import call_restart, other_team
 from soccer_env.referee.dropping import drop_place
 from soccer_env.referee.fouls.goals import goal_counts, is_kick_off_shot, is_own_goal
+from soccer_env.referee.restart_call import call_restart, other_team
 from soccer_env.referee.shoot_out import begin_shoot_out, end_match, is_shoot_out_due, judge_penalty
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 

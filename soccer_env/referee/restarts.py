@@ -16,8 +16,8 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, direction_of, length
 from soccer_env.physics.ball import hold
 from soccer_env.physics.contacts import robots_touch
+from soccer_env.referee.areas import in_penalty_area
 from soccer_env.referee.formation import choose_places, is_taker
-from soccer_env.referee.fouls.places import in_penalty_area
 from soccer_env.referee.places import MARGIN, is_allowed, is_clear, is_free, new_bans, settle
 from soccer_env.referee.steering import ARRIVED, keep_off
 from soccer_env.types import Phase

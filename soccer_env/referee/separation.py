@@ -23,7 +23,7 @@ from __future__ import annotations
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, length
 from soccer_env.physics.contacts import robots_touch
-from soccer_env.referee.fouls.places import in_penalty_area
+from soccer_env.referee.areas import in_penalty_area
 from soccer_env.referee.places import HAIR, MARGIN, new_bans, settle
 from soccer_env.referee.restarts import put_robot, stay
 

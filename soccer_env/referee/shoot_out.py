@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of
-from soccer_env.referee.calling import call_restart, other_team
+from soccer_env.referee.restart_call import call_restart, other_team
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 PLAY = int(Phase.PLAY)

@@ -4,10 +4,5 @@ judging.py      all rules in their order, once a control step
 penalties.py    the whistle; robots that are taken out, and that come back
 goals.py        whether a goal counts
 legged/         the rules of the legged league
-taking.py       who takes a restart, and that it does not touch the ball again
-middle_size.py  the fouls of the middle size, each a free kick:
-    distances.py    opponents keep off a restart          free_kicks.py   where it is taken
-    charging.py     driving into opponents, the keeper    handling.py     the ball within the hull, dribbling
-    areas.py        who may not stay before the goals     places.py       who stands there
-    cards.py        yellow, and out
+middle_size/    the rules of the middle size
 """

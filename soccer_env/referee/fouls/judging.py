@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.referee.fouls.legged.book import judge_legged
-from soccer_env.referee.fouls.middle_size import judge_middle_size
+from soccer_env.referee.fouls.middle_size.book import judge_middle_size
 
 
 @compiled

@@ -8,7 +8,6 @@ All is judged before anybody is moved, so that nobody is favoured by its number.
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.referee.calling import call_restart
 from soccer_env.referee.fouls.goals import note_whistled_attack
 from soccer_env.referee.fouls.legged.areas import judge_areas
 from soccer_env.referee.fouls.legged.contact import note_pushes
@@ -20,6 +19,7 @@ from soccer_env.referee.fouls.legged.leaving import judge_leaving
 from soccer_env.referee.fouls.legged.pushing import judge_pushing
 from soccer_env.referee.fouls.legged.stuck import GLOBAL, TO_CENTRE, defender_at, judge_stuck
 from soccer_env.referee.fouls.penalties import take_out
+from soccer_env.referee.restart_call import call_restart
 from soccer_env.types import NO_TEAM, Foul, Phase
 
 HOLDING, FALLEN, GAME_STUCK = int(Foul.HOLDING), int(Foul.FALLEN), int(Foul.GAME_STUCK)

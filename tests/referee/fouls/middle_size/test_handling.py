@@ -2,10 +2,10 @@
 
 import pytest
 
-from soccer_env.referee.fouls.handling import share_within
+from soccer_env.referee.fouls.middle_size.handling import share_within
 from soccer_env.staging import put_ball
 from soccer_env.types import AWAY, HOME, Foul
-from tests.referee.fouls.referee import Referee
+from tests.scenes.referee import Referee
 
 HULL, DIAMETER = 0.235, 0.22  # [m] the line that touches the tips of the guide; the ball
 each_team = pytest.mark.parametrize("team", [HOME, AWAY])

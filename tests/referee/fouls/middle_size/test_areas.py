@@ -3,7 +3,7 @@
 import pytest
 
 from soccer_env.types import AWAY, HOME, Foul, Phase
-from tests.referee.fouls.referee import Referee
+from tests.scenes.referee import Referee
 
 each_team = pytest.mark.parametrize("team", [HOME, AWAY])
 GOAL_AREA, PENALTY_AREA = Foul.GOAL_AREA, Foul.PENALTY_AREA

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.referee.fouls.places import in_goal_area, in_penalty_area
+from soccer_env.referee.areas import in_goal_area, in_penalty_area
 from soccer_env.types import AWAY, HOME
 
 FAIR, GOAL_AREA, PENALTY_AREA = 0, 1, 2

@@ -16,7 +16,7 @@ from math import cos, sin
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, out_of_frame
 from soccer_env.physics.contacts import robots_touch
-from soccer_env.referee.fouls.places import in_goal_area
+from soccer_env.referee.areas import in_goal_area
 
 NEVER, CHARGES, CHARGES_HARD, CHARGES_KEEPER = 0, 1, 2, 3
 

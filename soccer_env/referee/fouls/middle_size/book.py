@@ -6,16 +6,16 @@
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.referee.calling import call_restart
 from soccer_env.referee.calls import goal_scored
-from soccer_env.referee.fouls.areas import GOAL_AREA, find_trespassing
-from soccer_env.referee.fouls.cards import book
-from soccer_env.referee.fouls.charging import CHARGES, CHARGES_KEEPER, find_charging
-from soccer_env.referee.fouls.distances import TOUCHED, find_encroaching, put_back
-from soccer_env.referee.fouls.free_kicks import give_free_kick
-from soccer_env.referee.fouls.handling import SURROUNDS, find_handling
+from soccer_env.referee.fouls.middle_size.areas import GOAL_AREA, find_trespassing
+from soccer_env.referee.fouls.middle_size.cards import book
+from soccer_env.referee.fouls.middle_size.charging import CHARGES, CHARGES_KEEPER, find_charging
+from soccer_env.referee.fouls.middle_size.distances import TOUCHED, find_encroaching, put_back
+from soccer_env.referee.fouls.middle_size.free_kicks import give_free_kick
+from soccer_env.referee.fouls.middle_size.handling import SURROUNDS, find_handling
+from soccer_env.referee.fouls.middle_size.taking import watch_taking
 from soccer_env.referee.fouls.penalties import whistle
-from soccer_env.referee.fouls.taking import watch_taking
+from soccer_env.referee.restart_call import call_restart
 from soccer_env.types import Foul, Phase
 
 PLAY = int(Phase.PLAY)

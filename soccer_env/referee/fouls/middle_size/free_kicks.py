@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
-from soccer_env.referee.calling import call_restart, other_team
+from soccer_env.referee.restart_call import call_restart, other_team
 from soccer_env.types import Phase
 
 FREE_KICK = int(Phase.FREE_KICK)

@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.staging import put_ball
 from soccer_env.types import AWAY, HOME, Foul, Phase
-from tests.referee.fouls.referee import Referee
+from tests.scenes.referee import Referee
 from tests.scenes.staging import stand
 
 RESTARTS = (Phase.KICK_OFF, Phase.THROW_IN, Phase.GOAL_KICK, Phase.CORNER_KICK, Phase.FREE_KICK)

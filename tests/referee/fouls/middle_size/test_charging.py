@@ -6,7 +6,7 @@ import pytest
 
 from soccer_env.staging import put_ball
 from soccer_env.types import AWAY, HOME, Foul, Phase
-from tests.referee.fouls.referee import Referee
+from tests.scenes.referee import Referee
 from tests.scenes.staging import asking
 
 CONTACT = 0.448  # [m] between robots, the tips of one at the back of the other

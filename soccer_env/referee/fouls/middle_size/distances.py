@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.referee.fouls.places import in_goal_area
-from soccer_env.referee.fouls.taking import touches
+from soccer_env.referee.areas import in_goal_area
+from soccer_env.referee.fouls.middle_size.taking import touches
 from soccer_env.referee.restarts import distance_from_ball, put_robot, send_back, stay
 from soccer_env.types import NO_TEAM, Phase
 
