@@ -10,11 +10,26 @@ from math import acos, atan2, sqrt
 from soccer_env.baselines.boards import go_into_corner, lies_in_trouble, sweep
 from soccer_env.baselines.set_pieces import strength_for
 from soccer_env.baselines.sight import rolls_to, side_of
-from soccer_env.baselines.skills import choose_shot, choose_way, free_way, go, goal_room, push, shot_room, turned
+from soccer_env.baselines.skills import (
+    choose_shot,
+    choose_way,
+    free_way,
+    go,
+    goal_room,
+    push,
+    shot_room,
+    turn_by,
+    turned,
+)
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import clip, into_frame, length, wrap
 
 MEET = 1.0  # [m/s] at which a base that steps aside runs in at most, assumed
+MET = 0.3  # [m/s] of the ball and the robot towards each other when they meet, assumed
+GIVE_TIME = 0.35  # [s] in which a robot slows down to that, assumed
+RECEIVED = 0.35  # [m/s] at which a ball that comes is received, assumed
+RECEIVE_TIME = 1.5  # [s] before it comes, at most, assumed
+RECEIVE_ASIDE = 0.6  # [m] that it would pass beside the robot, at most, assumed
 NEAR_BALL = 0.8  # [m] to the ball within which it does, assumed
 SLOW = 0.4  # [m/s] at which the ball is pushed at least, also towards a line, assumed
 
@@ -32,6 +47,8 @@ def attack(command, sight, memory, k, play):
         wriggle(command, sight, memory, k, play)
     elif sight.held == 1:
         turn_to_goal(command, sight, k, play, ux, uy)
+    elif comes_to_me(sight, k):
+        receive(command, sight, k, play)
     else:
         approach(command, sight, memory, k, play, ux, uy)
     if wants_to_shoot(sight, memory, k, play):
@@ -67,13 +84,43 @@ def turn_to_goal(command, sight, k, play, ux, uy):
     command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
     command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
     if k.walled == 0 and goal_room(sight, k, sight.now_cosine, sight.now_sine) < 0.0:
-        command.forward = min(command.forward, line_speed(sight, k) / k.drive_forward)
+        command.forward = min(command.forward, line_speed(sight, k, sight.now_cosine, sight.now_sine) / k.drive_forward)
 
 
 @compiled
-def line_speed(sight, k):
-    """Return how fast the ball may be pushed ahead [m/s]: half as fast as it may roll and stay on the pitch."""
-    free = free_way(sight, k, sight.now_cosine, sight.now_sine)
+def comes_to_me(sight, k):
+    """Tell whether the ball rolls to a player that can step aside, and would bounce off it."""
+    speed = length(sight.ball_vx, sight.ball_vy)
+    if k.drive_sideways <= 0.0 or k.walled == 1 or speed < RECEIVED:
+        return False
+    x, y = sight.x - sight.ball_x, sight.y - sight.ball_y
+    along = (x * sight.ball_vx + y * sight.ball_vy) / speed
+    across = abs(x * sight.ball_vy - y * sight.ball_vx) / speed
+    far = min(RECEIVE_TIME * speed, 0.5 * speed * speed / k.ball_rolling)
+    return 0.0 < along < far + sight.touch and across < RECEIVE_ASIDE
+
+
+@compiled
+def receive(command, sight, k, play):
+    """Face a ball that comes, step into its way, and give way to it so that it does not bounce off."""
+    speed = length(sight.ball_vx, sight.ball_vy)
+    ux, uy = sight.ball_vx / speed, sight.ball_vy / speed
+    x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
+    gap = max(-(ux * x + uy * y) - sight.touch, 0.0)
+    back = max(speed - MET - gap / GIVE_TIME, 0.0)
+    across = uy * x - ux * y  # of the ball's way, to the right of it
+    aside = clip(across / play.settle, -k.drive_sideways, k.drive_sideways)
+    vx, vy = back * ux + aside * uy, back * uy - aside * ux
+    size = max(length(vx, vy), 1e-6)
+    ahead, left = into_frame(vx / size, vy / size, sight.cosine, sight.sine)
+    push(command, sight, k, ahead, left, size)
+    turn_by(command, sight, k, play, wrap(atan2(-uy, -ux) - sight.heading))
+
+
+@compiled
+def line_speed(sight, k, ux, uy):
+    """Return how fast to push the ball along (ux, uy) [m/s]: half as fast as it may roll and stay on the pitch."""
+    free = free_way(sight, k, ux, uy)
     return max(0.5 * sqrt(2.0 * k.ball_rolling * free), SLOW)
 
 
@@ -99,12 +146,23 @@ def run_in(command, sight, k, play, x, y, ux, uy):
     if play.square_up > 0.0:
         into = sight.touch - play.square_up
         go(command, sight, k, play, x - into * ux, y - into * uy, atan2(uy, ux), play.bump)
-        most = min(MEET, line_speed(sight, k))
-        share = most / max(k.drive_forward * length(command.forward, command.left), most)
         if sight.distance < NEAR_BALL:
-            command.forward, command.left = share * command.forward, share * command.left
+            meet(command, sight, k, x - into * ux - sight.x, y - into * uy - sight.y)
     else:
         go(command, sight, k, play, x, y, atan2(y - sight.y, x - sight.x), play.bump)
+
+
+@compiled
+def meet(command, sight, k, x, y):
+    """Run along (x, y) into the ball only so much faster than it rolls that it hardly bounces off."""
+    away = max(length(x, y), 1e-6)
+    x, y = x / away, y / away
+    gap = max(sight.distance - sight.touch, 0.0)
+    rolls = sight.ball_vx * x + sight.ball_vy * y
+    most = max(min(rolls + MET + gap / GIVE_TIME, MEET, line_speed(sight, k, x, y)), 0.0)
+    speed = k.drive_forward * length(command.forward, command.left)
+    if speed > most:
+        command.forward, command.left = most / speed * command.forward, most / speed * command.left
 
 
 @compiled

@@ -19,7 +19,7 @@ from soccer_env.types import Phase
 PENALTY_KICK = int(Phase.PENALTY_KICK)
 KICK_OFF = int(Phase.KICK_OFF)
 KEPT = 8.0  # [s] for which a restart is remembered at most, assumed
-WAIT = 1.0  # [s] that the taker lets its mates stand before it passes, assumed
+WAIT = 0.5  # [s] that the taker lets its mates stand before it passes, assumed
 HURRY = 5.0  # [s] after which anybody takes it, assumed
 PASS = 2.0  # [m] of a pass, to where the referee lets a mate stand, assumed
 TAP = 1.0  # [m] of a kick-off, assumed
