@@ -31,6 +31,7 @@ RECEIVED = 0.35  # [m/s] at which a ball that comes is received, assumed
 RECEIVE_TIME = 1.5  # [s] before it comes, at most, assumed
 RECEIVE_ASIDE = 0.6  # [m] that it would pass beside the robot, at most, assumed
 NEAR_BALL = 0.8  # [m] to the ball within which it does, assumed
+PRESSED = 0.6  # [m] from the ball of an opponent that is at it too, assumed
 SLOW = 0.4  # [m/s] at which the ball is pushed at least, also towards a line, assumed
 
 
@@ -83,7 +84,7 @@ def turn_to_goal(command, sight, k, play, ux, uy):
     error = wrap(atan2(uy, ux) - sight.heading)
     command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
     command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
-    if k.walled == 0 and goal_room(sight, k, sight.now_cosine, sight.now_sine) < 0.0:
+    if k.walled == 0 and (goal_room(sight, k, sight.now_cosine, sight.now_sine) < 0.0 or is_pressed(sight)):
         command.forward = min(command.forward, line_speed(sight, k, sight.now_cosine, sight.now_sine) / k.drive_forward)
 
 
@@ -118,9 +119,21 @@ def receive(command, sight, k, play):
 
 
 @compiled
+def is_pressed(sight):
+    """Tell whether an opponent is at the ball too: what two press between them at speed shoots out aside."""
+    for i in range(sight.others):
+        away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
+        if sight.mate[i] == 0 and away < PRESSED:
+            return True
+    return False
+
+
+@compiled
 def line_speed(sight, k, ux, uy):
     """Return how fast to push the ball along (ux, uy) [m/s]: half as fast as it may roll and stay on the pitch."""
     free = free_way(sight, k, ux, uy)
+    if is_pressed(sight):
+        return SLOW
     return max(0.5 * sqrt(2.0 * k.ball_rolling * free), SLOW)
 
 
