@@ -51,7 +51,7 @@ def attack(command, sight, memory, k, play):
     elif comes_to_me(sight, k):
         receive(command, sight, k, play)
     else:
-        approach(command, sight, memory, k, play, ux, uy)
+        approach(command, sight, memory, k, play, ux, uy, MEET)
     if wants_to_shoot(sight, memory, k, play):
         goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
         command.kick = strength_for(k, goal, play.arrival) if play.arrival > 0.0 else 1.0
@@ -138,8 +138,11 @@ def line_speed(sight, k, ux, uy):
 
 
 @compiled
-def approach(command, sight, memory, k, play, ux, uy):
-    """Go to where the ball can be met: straight in from behind it, round it from its other side."""
+def approach(command, sight, memory, k, play, ux, uy, most):
+    """Go to where the ball can be met: straight in from behind it, round it from its other side.
+
+    A base that steps aside is slower than `most` [m/s] there, and careful; above `MEET` it drives into the ball.
+    """
     gap = max(sight.distance - sight.touch, 0.0)
     x, y = rolls_to(sight, k, clip(gap / (k.drive_forward * sight.pace), play.delay, play.lead))
     x, y = reachable(x, y, k)
@@ -148,18 +151,18 @@ def approach(command, sight, memory, k, play, ux, uy):
     away = max(length(away_x, away_y), 1e-6)
     behind = -(away_x * ux + away_y * uy) / away
     if behind > play.run_in_cosine or (away < play.near * sight.touch and behind > play.near_cosine):
-        run_in(command, sight, k, play, x, y, ux, uy)
+        run_in(command, sight, k, play, x, y, ux, uy, most)
     else:
         go_round(command, sight, memory, k, play, x, y, ux, uy)
 
 
 @compiled
-def run_in(command, sight, k, play, x, y, ux, uy):
+def run_in(command, sight, k, play, x, y, ux, uy, most):
     """Run at a ball from behind it: a base that can step aside faces where the ball is to go."""
     if play.square_up > 0.0:
         into = sight.touch - play.square_up
         go(command, sight, k, play, x - into * ux, y - into * uy, atan2(uy, ux), play.bump)
-        if sight.distance < NEAR_BALL:
+        if sight.distance < NEAR_BALL and most <= MEET:
             meet(command, sight, k, x - into * ux - sight.x, y - into * uy - sight.y)
     else:
         go(command, sight, k, play, x, y, atan2(y - sight.y, x - sight.x), play.bump)

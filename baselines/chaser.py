@@ -120,7 +120,7 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "change_side": (0.2, 0.6, 0.6),  # [m] from the middle before a supporter changes sides
     "keeper_line": (1.35, 1.2, 1.2),  # [body reaches] from the goal line
     "keeper_out": (1.8, 1.8, 2.0),  # [body reaches] from the middle of the goal
-    "keeper_zone": (0.4, 1.5, 1.5),  # [m] round the middle of the goal from which balls are cleared
+    "keeper_zone": (0.4, 2.0, 2.0),  # [m] round the middle of the goal from which balls are cleared
     "shot_speed": (0.15, 0.5, 0.5),  # [m/s] a ball this fast towards the goal is a shot
     "dive": (0.0, 0.0, 0.0),  # [m/s] at which a shot is met
     "clear_cosine": (0.77, 0.77, 0.77),  # cosine of the angle to the way clear of the goal for a kick, 40 degrees

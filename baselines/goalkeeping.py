@@ -86,4 +86,4 @@ def clear(command, sight, memory, k, play):
         turn_to_goal(command, sight, k, play, ux, uy)
         command.kick = 1.0 if faces(sight, ux, uy, play.clear_cosine) else 0.0
     else:
-        approach(command, sight, memory, k, play, ux, uy)
+        approach(command, sight, memory, k, play, ux, uy, k.drive_forward)
