@@ -1,0 +1,36 @@
+"""How the chaser on wheels meets a ball: it gives way to one that comes, and presses softly where an opponent is."""
+
+import numpy as np
+import pytest
+
+from soccer_env.baselines.attacking import PRESSED, SLOW, comes_to_me, line_speed
+from soccer_env.baselines.sight import SIGHT
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from tests.scenes.staging import MIDDLE
+
+K = constants_of(find_league(MIDDLE))[0]
+
+
+def seen(**values: float) -> np.void:
+    """Return what a player at the middle sees, of a ball 1 m ahead of it."""
+    sight = np.zeros(1, SIGHT)[0]
+    sight["ball_x"], sight["touch"] = 1.0, 0.29
+    for name, value in values.items():
+        sight[name] = value
+    return sight
+
+
+@pytest.mark.parametrize(
+    ("vx", "vy", "comes"), [(-1.0, 0.0, True), (1.0, 0.0, False), (-0.3, 0.0, False), (-1.0, 1.0, False)]
+)
+def test_a_ball_comes_that_rolls_fast_enough_and_not_wide(vx, vy, comes):
+    assert bool(comes_to_me(seen(ball_vx=vx, ball_vy=vy), K)) == comes
+    assert bool(comes_to_me(seen(ball_vx=vx, ball_vy=-vy), K)) == comes
+
+
+@pytest.mark.parametrize(("gap", "mate", "slow"), [(-0.01, 0, True), (0.01, 0, False), (-0.01, 1, False)])
+def test_the_ball_is_pushed_slowly_while_an_opponent_is_at_it(gap, mate, slow):
+    sight = seen(others=1)
+    sight["other_x"][0], sight["mate"][0] = 1.0 + PRESSED + gap, mate
+    assert (line_speed(sight, K, 1.0, 0.0) == SLOW) == slow
