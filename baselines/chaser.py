@@ -7,6 +7,7 @@ Each player decides from its own belief and tracks. One ladder for each role:
     supporter    keep the rules' distance  >  stand behind the ball, the next ones spread out   here
     field player out of the own area, no shoving                                            obeying.py
     everybody    without a ball: turn round, then look from elsewhere                       searching.py
+                 unsure where it is: look up from the ball for landmarks                    glancing.py
 
 Who attacks: the field player that believes itself nearest to the ball, counting the way round it. `strength` from 0 to
 1 scales the pace, how often a player decides, how straight it aims and how hard it kicks; at 1 nothing is drawn at
@@ -23,6 +24,7 @@ import numpy as np
 
 from soccer_env.baselines.attacking import attack
 from soccer_env.baselines.deciding import PLAY, TEAM, apply_strength, free_ring, keep_decision, must_decide
+from soccer_env.baselines.glancing import look_up
 from soccer_env.baselines.goalkeeping import keep_goal
 from soccer_env.baselines.obeying import ROOM as AREA_ROOM
 from soccer_env.baselines.obeying import (
@@ -75,6 +77,8 @@ MEMORY = np.dtype(
         ("turned", "f8"),  # [rad] since it began to turn on the spot
         ("search_clock", "f8"),  # [s] on the way to a lookout
         ("lookout", "f8"),  # [m] x of it, team frame
+        ("glance", "f8"),  # [s] left of looking up from the ball; below 0 until the next look
+        ("glance_side", "f8"),  # +1 the next look begins on the right, -1 on the left, 0 none yet
         ("forward", "f8"),  # the command that is repeated until the next decision
         ("aside", "f8"),
         ("turn", "f8"),
@@ -124,6 +128,10 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "shot_speed": (0.15, 0.5, 0.5),  # [m/s] a ball this fast towards the goal is a shot
     "dive": (0.0, 0.0, 0.0),  # [m/s] at which a shot is met
     "clear_cosine": (0.77, 0.77, 0.77),  # cosine of the angle to the way clear of the goal for a kick, 40 degrees
+    "unsure": (45.0, 0.0, 0.0),  # [1] confidence in the own pose below which a player looks up for landmarks
+    "glance_time": (0.75, 0.75, 0.75),  # [s] of such a look
+    "glance_rest": (1.0, 1.0, 1.0),  # [s] until the next
+    "raised": (0.25, 0.0, 0.0),  # [rad] that the camera is raised above a ball farther away
     "slowest": (0.7, 0.8, 0.8),  # [1] pace at strength 0
     "laziest": (0.5, 0.1, 0.1),  # [s] between decisions at strength 0
     "crookedest": (0.3, 0.1, 0.1),  # [rad] deviation of the aim at strength 0
@@ -143,7 +151,9 @@ def team(strength: float = 1.0) -> CompiledTeam:
 @compiled
 def chase(belief, tracks, memory, noise, command, k, play, sight):
     """Decide, or repeat the last decision until it is time for the next."""
-    if not must_decide(belief, memory, command, k):
+    decides = must_decide(belief, memory, command, k)
+    look_up(belief, command, memory, k, play)
+    if not decides:
         return
     weakness = 1.0 - play.strength
     apply_strength(sight, memory, noise, k, weakness, play.laziest, play.crookedest, play.slowest)

@@ -13,7 +13,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
 
 LOST = 2.0  # [s] unseen for longer the ball has to be searched for, assumed
-SEARCH = 0.5  # [1] of the top turn rate while searching, assumed
+SEARCH = 0.9  # [1] of the top turn rate while searching, assumed: the camera still has each place in many pictures
 FULL_TURN = 6.3  # [rad]
 LONGEST_WALK = 10.0  # [s] to the next place to look from, assumed
 LOOKOUT = 0.25  # [pitch lengths] of a field player's lookouts from the centre, assumed
