@@ -65,5 +65,5 @@ def sweep_horizon(command, memory, k, play):
 @compiled
 def point_head(command, k, pan, tilt):
     """Send the head to a pan and tilt [rad] instead of where it looks by itself."""
-    command.head, command.pan = 1.0, pan / k.head_pan_limit
+    command.head, command.pan = 1.0, clip(pan / k.head_pan_limit, -1.0, 1.0)
     command.tilt = share_of_tilt(tilt, k.head_tilt_low, k.head_tilt_high)
