@@ -129,7 +129,8 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "dive": (0.0, 0.0, 0.0),  # [m/s] at which a shot is met
     "clear_cosine": (0.77, 0.77, 0.77),  # cosine of the angle to the way clear of the goal for a kick, 40 degrees
     "unsure": (45.0, 0.0, 0.0),  # [1] confidence in the own pose below which a player looks up for landmarks
-    "glance_time": (0.75, 0.75, 0.75),  # [s] of such a look
+    "lost": (15.0, 0.0, 0.0),  # [1] the same with the ball so near that it loses it
+    "glance_time": (0.9, 0.9, 0.9),  # [s] of such a look
     "glance_rest": (1.0, 1.0, 1.0),  # [s] until the next
     "raised": (0.25, 0.0, 0.0),  # [rad] that the camera is raised above a ball farther away
     "slowest": (0.7, 0.8, 0.8),  # [1] pace at strength 0

@@ -21,7 +21,7 @@ TILT = -8.0 * pi / 180.0  # [rad] of the sweep: goals and landmarks from near to
 SWEEP = 1.2  # [rad] to either side, assumed
 SEEN = 0.2  # [s] unseen at most before a player takes its eyes off the ball, assumed
 FAR = 0.45  # [m] from which ball and horizon fit into one picture, assumed
-ROOM = 0.3  # [m] a ball that is nearer a player does not let out of its eyes: it would lose it, assumed
+ROOM = 0.3  # [m] a ball that is nearer a player lets out of its eyes only if it is quite lost, assumed
 KEEPER_ROOM = 1.0  # [m] the same of a goalkeeper, assumed
 
 
@@ -37,7 +37,8 @@ def look_up(belief, command, memory, k, play):
     ball = belief.ball
     if ball.age > SEEN:
         return
-    if memory.glance == 0.0 and belief.own.confidence < play.unsure and may_look_away(belief):
+    unsure = play.unsure if may_look_away(belief) else play.lost
+    if memory.glance == 0.0 and belief.own.confidence < unsure:
         memory.glance = play.glance_time
         if memory.glance_side == 0.0:
             memory.glance_side = side_of(ball.bearing)

@@ -12,18 +12,18 @@ from soccer_env.optics.head_camera import share_of_tilt
 from soccer_env.types import COMMAND
 from tests.scenes.staging import LEGGED, MIDDLE
 
-UNSURE = NUMBERS["unsure"][0]
+UNSURE, QUITE_LOST = NUMBERS["unsure"][0], NUMBERS["lost"][0]
 
 
 def tilts(confidence: float, distance: float, keeper: int = 0, age: float = 0.0, bearing: float = 0.2) -> np.ndarray:
-    """Return the head, pan and tilt commands (steps, 3) of three seconds with a ball seen so."""
+    """Return the head, pan and tilt commands (steps, 3) of 3.5 s with a ball seen so."""
     k = constants_of(find_league(LEGGED))[0]
     belief, memory, command = (np.zeros(1, dtype) for dtype in (BELIEF, MEMORY, COMMAND))
     belief["situation"]["active"], belief["situation"]["keeper"] = 1, keeper
     belief["own"]["confidence"] = confidence
     belief["ball"]["distance"], belief["ball"]["bearing"], belief["ball"]["age"] = distance, bearing, age
     told = []
-    for _ in range(int(3.0 / k["dt"])):
+    for _ in range(int(3.5 / k["dt"])):
         command["head"] = -1.0
         look_up(belief[0], command[0], memory[0], k, team().settings[int(k["drive_kind"])])
         told.append((command["head"][0], command["pan"][0], command["tilt"][0]))
@@ -35,7 +35,7 @@ def test_who_is_unsure_looks_up_for_a_moment_and_then_at_the_ball_again() -> Non
     dt = constants_of(find_league(LEGGED))[0]["dt"]
     looks = np.split(up, np.flatnonzero(np.diff(up) > 1) + 1)
     assert len(looks) == 2
-    assert {len(look) for look in looks} == {round(NUMBERS["glance_time"][0] / dt)}
+    assert {len(look) for look in looks} == {int(np.ceil(NUMBERS["glance_time"][0] / dt))}
     assert (looks[1][0] - looks[0][-1]) * dt == pytest.approx(NUMBERS["glance_rest"][0], abs=2.0 * dt)
 
 
@@ -43,13 +43,17 @@ def test_who_is_unsure_looks_up_for_a_moment_and_then_at_the_ball_again() -> Non
     "seen",
     [
         {"confidence": UNSURE + 1.0, "distance": ROOM + 0.05},
-        {"confidence": 0.0, "distance": ROOM - 0.01},
+        {"confidence": QUITE_LOST + 1.0, "distance": ROOM - 0.01},
         {"confidence": 0.0, "distance": ROOM + 0.05, "age": 0.5},
-        {"confidence": 0.0, "distance": ROOM + 0.1, "keeper": 1},
+        {"confidence": QUITE_LOST + 1.0, "distance": ROOM + 0.1, "keeper": 1},
     ],
 )
 def test_the_eyes_stay_on_the_ball(seen: dict) -> None:
     assert (tilts(**seen)[:, 0] < 0.0).all()
+
+
+def test_who_is_quite_lost_looks_up_with_the_ball_at_its_feet() -> None:
+    assert (tilts(QUITE_LOST - 1.0, ROOM - 0.01)[:, 0] > 0.0).any()
 
 
 def test_a_ball_farther_away_is_kept_in_the_picture_below_its_middle() -> None:
