@@ -37,7 +37,7 @@ def train(settings: TrainSettings) -> TrainResult:
     A run that is cut at any moment goes on from its last checkpoint as if it had not been.
     """
     from soccer_env.train.ppo.checks import check_playable, make_curriculum, make_matches
-    from soccer_env.train.ppo.imitation import teach
+    from soccer_env.train.ppo.imitation import Lessons
     from soccer_env.train.ppo.learner import Learner
     from soccer_env.train.ppo.run_folder import RunFolder
     from soccer_env.train.ppo.training import Training
@@ -47,10 +47,10 @@ def train(settings: TrainSettings) -> TrainResult:
         curriculum = make_curriculum(settings)  # the opponents, and how often each is met
         matches = make_matches(settings, curriculum)  # side by side, a row for each learning robot
         learner = Learner(settings, matches)  # actor and critic
+        lessons = Lessons(settings, learner.network)  # of a scripted team
         with Training(settings, folder, curriculum, matches, learner) as run:
             if not run.restore_checkpoint():
-                if settings.teacher:
-                    teach(learner.network, settings)  # the actor begins with what a scripted team does
+                lessons.teach()  # the actor begins with what a scripted team does
                 run.evaluate()
                 learner.reset_matches()
                 run.save_checkpoint()
@@ -59,8 +59,8 @@ def train(settings: TrainSettings) -> TrainResult:
                     learner.collect_rollout(run.show_step)
                 with run.timed("update"):
                     learner.update(actor=run.rollouts >= settings.critic_first)  # the critic alone learns first
-                results = matches.take_results()
-                curriculum.take(results)  # the evenly matched opponents are met the most often
+                    lessons.go_on(learner.steps, run.rollouts)  # and does not forget it at once
+                curriculum.take(results := matches.take_results())  # even opponents are met the most often
                 run.count_rollout()
                 if run.rollouts % settings.past_every == 0:
                     curriculum.add_past(run.policy(), learner.steps, matches.playing())

@@ -21,8 +21,11 @@ from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.progress import Progress
 
+Rows = tuple[np.ndarray, np.ndarray]  # observations (n, entries), actions (n, 4)
 WALK = ("forward", "left", "turn")
 NO_KICK = -0.4  # so near a kick (0.3) that the noise of a learner finds one now and then; at -1 it never did
+HOLD_RATE = 1e-4  # learning rate of the fits between updates at the start, HOLD_PARTS of HOLD_PART rows each time
+HOLD_PARTS, HOLD_PART = 8, 4096
 TEACHER_SEED = 2_000_003  # added to the run's seed: the teacher plays other matches than the learner
 
 
@@ -78,34 +81,57 @@ def fit(
     return errors
 
 
-def teach(network: SoccerPolicy, settings: TrainSettings) -> list[float]:
-    """Record the teacher of a run in all kinds of matches that it has, and fit the actor; return the errors."""
-    cases = list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
+def cases_of(settings: TrainSettings) -> list[Any]:
+    """Return the kinds of matches that a teacher is recorded in: players, opponent, and senses with their share."""
+    return list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
+
+
+def lessons(
+    settings: TrainSettings, entries: Sequence[Entry], advance: Callable[[float], None] = lambda cases: None
+) -> Rows:
+    """Record the teacher of a run in all kinds of matches that it has: observations and actions, always the same."""
+    cases = cases_of(settings)
     league = settings.played
     decisions = max(1, round(60.0 * settings.minutes * league.control_rate / settings.action_repeat))
     parts = []
-    with Progress(f"learning from {settings.teacher}", len(cases) + settings.teacher_epochs / 2) as progress:
-        for index, (players, opponent, (weight, senses)) in enumerate(cases):
-            share = weight * len(settings.kinds_of_senses) * settings.teacher_steps / len(cases) / players[0]
-            count = max(1, round(share / decisions))
-            parts.append(
-                record(
-                    settings.teacher, opponent, players, min(decisions, max(1, round(share / count))),
-                    settings.action_repeat, league=league, scene=settings.scene, matches=count,
-                    minutes=settings.minutes,
-                    seed=settings.seed + TEACHER_SEED + 1009 * index, observe=settings.observe,
-                    senses=senses, pose=settings.pose, threads=settings.threads,
-                )
-            )  # fmt: skip
-            progress.advance(1.0)
-        observations = np.concatenate([part[0] for part in parts])
-        if not settings.teacher_commands:
-            forget_own_commands(observations, network.entries, settings.seed)
-        actions = np.concatenate([part[1] for part in parts])
-        return fit(
-            network, observations, actions, settings.teacher_epochs, settings.seed,
-            lambda share: progress.advance(share * settings.teacher_epochs / 2),
+    for index, (players, opponent, (weight, senses)) in enumerate(cases):
+        share = weight * len(settings.kinds_of_senses) * settings.teacher_steps / len(cases) / players[0]
+        count = max(1, round(share / decisions))
+        parts.append(
+            record(
+                settings.teacher, opponent, players, min(decisions, max(1, round(share / count))),
+                settings.action_repeat, league=league, scene=settings.scene, matches=count,
+                minutes=settings.minutes,
+                seed=settings.seed + TEACHER_SEED + 1009 * index, observe=settings.observe,
+                senses=senses, pose=settings.pose, threads=settings.threads,
+            )
         )  # fmt: skip
+        advance(1.0)
+    observations = np.concatenate([part[0] for part in parts])
+    if not settings.teacher_commands:
+        forget_own_commands(observations, entries, settings.seed)
+    return observations, np.concatenate([part[1] for part in parts])
+
+
+def holding(settings: TrainSettings, step: int) -> float:
+    """Return how strongly the actor is held to its teacher after so many steps: from 1 down to 0."""
+    last = settings.teacher_until * settings.steps
+    return max(1.0 - step / last, 0.0) if settings.teacher and last > 0.0 else 0.0
+
+
+def hold(network: SoccerPolicy, rows: Rows, strength: float, seed: int) -> None:
+    """Fit the actor a little to what was recorded: without it, what is seldom and pays late, as kicks do, is forgotten.
+
+    The optimiser is made anew each time, so that a run that is cut has nothing of it to keep.
+    """
+    optimizer = torch.optim.Adam(network.actor_parameters()[:-1], lr=HOLD_RATE * strength)
+    chosen = np.random.default_rng(seed).integers(0, len(rows[0]), (HOLD_PARTS, HOLD_PART))
+    for part in chosen:
+        seen, asked = (torch.as_tensor(kept[part]).to(network.device) for kept in rows)
+        error = ((network.mean_actions(seen) - asked) ** 2).mean()
+        optimizer.zero_grad()
+        error.backward()  # type: ignore[no-untyped-call]  # torch gives it no return type
+        optimizer.step()
 
 
 def forget_own_commands(observations: np.ndarray, entries: Sequence[Entry], seed: int) -> None:
@@ -117,3 +143,33 @@ def forget_own_commands(observations: np.ndarray, entries: Sequence[Entry], seed
     columns = [index for index, entry in enumerate(entries) if entry.group == OWN_COMMAND]
     order = np.random.default_rng(seed).permutation(len(observations))
     observations[:, columns] = observations[order][:, columns]
+
+
+class Lessons:
+    """What the actor of a run learns from its teacher: before the rewards, and beside them for a while."""
+
+    def __init__(self, settings: TrainSettings, network: SoccerPolicy) -> None:
+        self.settings, self.network = settings, network
+        self._rows: Rows | None = None
+
+    @property
+    def rows(self) -> Rows:
+        """Return what was recorded; a run that goes on records it again."""
+        if self._rows is None:
+            self._rows = lessons(self.settings, self.network.entries)
+        return self._rows
+
+    def teach(self) -> None:
+        """Fit the actor to the teacher, if there is one."""
+        settings, epochs = self.settings, self.settings.teacher_epochs
+        if not settings.teacher:
+            return
+        with Progress(f"learning from {settings.teacher}", len(cases_of(settings)) + epochs / 2) as progress:
+            self._rows = lessons(settings, self.network.entries, progress.advance)
+            fit(self.network, *self._rows, epochs, settings.seed, lambda share: progress.advance(share * epochs / 2))
+
+    def go_on(self, step: int, rollout: int) -> None:
+        """Hold the actor to the teacher after an update."""
+        strength = holding(self.settings, step)
+        if strength > 0.0 and rollout >= self.settings.critic_first:
+            hold(self.network, self.rows, strength, self.settings.seed + rollout)

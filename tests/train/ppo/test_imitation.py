@@ -1,5 +1,7 @@
 """Learning from a teacher: what is recorded of its decisions, and that an actor can be fitted to them."""
 
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,8 +17,9 @@ pytest.importorskip("stable_baselines3")
 import torch
 from gymnasium import spaces
 
-from soccer_env.train.ppo.imitation import NO_KICK, fit, forget_own_commands, record
+from soccer_env.train.ppo.imitation import NO_KICK, fit, forget_own_commands, hold, holding, record
 from soccer_env.train.ppo.networks import SoccerPolicy
+from tests.train.ppo.staged_training import tiny
 
 SETTINGS: dict[str, Any] = {"observe": "belief", "senses": "sensors", "matches": 4, "seed": 2}
 ENTRIES = layout(find_league("legged-2001"), "belief")
@@ -139,3 +142,34 @@ def test_fitting_tells_how_far_it_is(recorded: tuple[np.ndarray, np.ndarray]) ->
     shares: list[float] = []
     fit(network(), *recorded, 4, 1, advance=shares.append)
     assert shares == [0.25] * 4
+
+
+# Holding the actor to the teacher meanwhile
+
+
+def test_an_actor_that_strays_is_brought_back_the_more_the_stronger_it_is_held(
+    recorded: tuple[np.ndarray, np.ndarray],
+) -> None:
+    def error(strength: float) -> float:
+        made = network()
+        for rollout in range(30 if strength else 0):
+            hold(made, recorded, strength, rollout)
+        with torch.no_grad():
+            asked = torch.as_tensor(recorded[1])
+            return float(((made.mean_actions(torch.as_tensor(recorded[0])) - asked) ** 2).mean())
+
+    assert error(1.0) < error(0.3) < error(0.0)
+
+
+def test_it_is_held_less_and_less_and_not_at_all_without_a_teacher() -> None:
+    settings = tiny(Path("runs/held"), steps=1000, teacher_until=0.5)
+    assert [holding(settings, step) for step in (0, 250, 500, 900)] == [1.0, 0.5, 0.0, 0.0]
+    assert holding(replace(settings, teacher=""), 0) == holding(replace(settings, teacher_until=0.0), 0) == 0.0
+
+
+def test_holding_leaves_the_width_of_the_noise_and_the_critic_alone(recorded: tuple[np.ndarray, np.ndarray]) -> None:
+    made = network()
+    before = made.log_std.clone(), [part.clone() for part in made.mlp_extractor.value_net.parameters()]
+    hold(made, recorded, 1.0, 0)
+    assert torch.equal(made.log_std, before[0])
+    assert all(map(torch.equal, made.mlp_extractor.value_net.parameters(), before[1]))
