@@ -14,12 +14,12 @@ from soccer_env import Match
 
 MADE_WITH = "pymunk 7.3.1, numba 0.68.1, numpy 2.4.6, Linux x86_64"
 GOLDEN = {
-    ("legged-2001", "actions"): "e9706f3c7ccfb2b654c5736a8bf3c579",
-    ("legged-2001", "teams"): "a1e7896e2f953358dadf299933743e92",
-    ("legged-2001", "senses"): "8319775a0725988e2b7ac3fb06b84ced",
-    ("middle-size-2006", "actions"): "023ee5f0ef989538a943a24ffa8a795e",
-    ("middle-size-2006", "teams"): "6c95752d3d2426ce6faaf3e095a893dd",
-    ("middle-size-2006", "senses"): "cbc8955b3ca0d49e36b8c361d9a3043e",
+    ("legged-2001", "actions"): "d208ae206cf90cc87a97bd9a256a8664",
+    ("legged-2001", "teams"): "b61bf87f06b0165cf7f4ac1013f5ddd0",
+    ("legged-2001", "senses"): "ec32de6cf9057640215746e48bc71b22",
+    ("middle-size-2006", "actions"): "8b6a0c8d171a825bf46762fd4efbb2fe",
+    ("middle-size-2006", "teams"): "b71533ba224171d3f75899016b15551e",
+    ("middle-size-2006", "senses"): "0455dd76ad9f19a22520eabef4e92e60",
 }
 
 

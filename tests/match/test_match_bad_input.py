@@ -39,7 +39,7 @@ BAD_SETTINGS = [
     ({"scene": "nowhere"}, "unknown scene 'nowhere'; known: kick-off"),
     ({"episode": "season"}, "episode must be one of match, goal, drill"),
     ({"episode": "drill"}, "needs a scene with a success test"),
-    ({"rules": "none"}, "unknown rules 'none'"),
+    ({"rules": "no"}, "unknown rules 'no'"),
     ({"rewards": "lots"}, "unknown rewards 'lots'; known: default, sparse"),
     ({"placement": "fly"}, "placement must be one of instant, drive"),
     ({"minutes": 0.0}, "minutes must be a number above 0, got 0.0"),

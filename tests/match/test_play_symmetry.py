@@ -143,7 +143,7 @@ def test_a_restart_in_a_whole_step_is_symmetric(phase):
 def test_the_noise_of_a_mirrored_kick_is_mirrored():
     """What handedness is for: the same draw strays to the left in one world and to the right in the other."""
     league = replace(find_league(MIDDLE))
-    one, other = (Match(league, home=1, away=1, matches=20, seed=11) for _ in range(2))
+    one, other = (Match(league, home=1, away=1, matches=20, seed=11, rules="simple") for _ in range(2))
     gap = league.body.front + league.ball.radius + 0.005
     one.robots["x"][:, 0], one.robots["y"][:, 0], one.robots["heading"][:, 0] = -1.0, 0.0, 0.0
     put_ball(one, -1.0 + gap, 0.0)
@@ -166,8 +166,9 @@ def test_a_team_against_itself_is_as_good_at_home_as_away(name, senses):
     minutes = 0.5 if name == MIDDLE else 2.0
     both = {"home": "chaser", "away": "chaser"}
     match = Match(
-        name, home=2, away=2, matches=400, threads=2, seed=3, minutes=minutes, controllers=both, senses=senses
-    )
+        name, home=2, away=2, matches=400, threads=2, seed=3, minutes=minutes, controllers=both, senses=senses,
+        rules="simple",
+    )  # fmt: skip
     while not match.terminated.all():
         match.step()
     gap = match.matches["score"][:, 0] - match.matches["score"][:, 1]

@@ -127,11 +127,11 @@ def test_a_replay_notices_that_the_ball_alone_is_another(field: str, change: flo
 
 @pytest.mark.parametrize("stream", RobotStream)
 def test_a_replay_holds_the_noise_of_the_play_and_not_that_of_teams_and_senses(stream: RobotStream) -> None:
-    """Slips, kicks and places are drawn by physics and referee; who commands and who looks on draws the rest."""
+    """Slips, kicks, places and falls are drawn by physics and referee; who commands and who looks on draws the rest."""
     match = Match(home=1, away=1, seed=5)
     before = saving.play_hash(match)
     match.robots["noise"][0, 1, stream] += 1
-    played = stream in (RobotStream.SLIP, RobotStream.KICK, RobotStream.PLACEMENT)
+    played = stream in (RobotStream.SLIP, RobotStream.KICK, RobotStream.PLACEMENT, RobotStream.FALL)
     assert (saving.play_hash(match) != before) == played
 
 

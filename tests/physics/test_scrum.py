@@ -66,7 +66,7 @@ def test_six_robots_that_push_a_ball_for_a_minute_never_push_it_out_or_into_each
 
 @each_league
 def test_robots_that_run_at_full_speed_into_the_boards_stay_inside_them(name):
-    match = Match(name, home=3, away=3, matches=20, seed=3)
+    match = Match(patient(name), home=3, away=3, matches=20, seed=3)
     rng = np.random.default_rng(3)
     scatter(match, rng)
     match.rebuild()
@@ -86,7 +86,7 @@ def test_robots_that_run_at_full_speed_into_the_boards_stay_inside_them(name):
 @pytest.mark.parametrize("home", range(1, MAX_TEAM + 1))
 def test_teams_of_every_size_play_500_random_steps_in_one_piece(name, home):
     away = MAX_TEAM + 1 - home if home % 2 else home
-    match = Match(name, home=home, away=away, matches=2, seed=home, senses="ideal")
+    match = Match(name, home=home, away=away, matches=2, seed=home, senses="ideal", rules="simple")
     rng = np.random.default_rng(home)
     pitch, reach = match.league.pitch, match.league.body.reach
     for step in range(500):

@@ -105,7 +105,7 @@ def test_a_goal_in_the_last_moment_of_a_half_counts(name):
 @each_league
 def test_the_goal_that_ends_an_episode_ends_it_even_at_half_time(name):
     """It used to begin a second half of a match that was over."""
-    match = Match(name, episode="goal", minutes=MINUTES, seed=1)
+    match = Match(name, episode="goal", minutes=MINUTES, seed=1, rules="simple")
     for _ in range(steps_in(match, 6.0) - 1):
         match.step(stand(match))
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM

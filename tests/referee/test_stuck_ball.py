@@ -40,7 +40,7 @@ def test_a_ball_that_stays_is_stuck_after_the_leagues_time(name):
 @each_league
 def test_a_moving_ball_is_never_stuck_however_slowly_it_moves_on(name, pace):
     """A trap: lack of progress called while the ball moves; it may also be carried round in a circle."""
-    match = stage(name, 2)
+    match = stage(name, 2, rules="simple")
     rules, dt = match.league.rules, match.league.dt
     slowest = rules.stuck_radius / rules.stuck_time  # [m/s]
     radius = 1.2 * rules.stuck_radius

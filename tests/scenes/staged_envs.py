@@ -47,10 +47,11 @@ def standing(env: Any) -> dict[str, np.ndarray]:
 
 def about_to_score(after: int = 1, **settings: Any) -> soccer_v0.ParallelSoccer:
     """Return an env, begun, in which home scores in a certain control step, and the rest stands still."""
-    env = soccer_v0.parallel_env(home=2, away=2, **settings)
+    env = soccer_v0.parallel_env(home=2, away=2, rules="simple", **settings)
     env.reset(seed=1)
     league = env.unwrapped.match.league
-    put_ball(env, league.pitch.length / 2 + league.ball.radius - (after - 0.5) * 2.0 * league.dt, vx=2.0)
+    aside = 0.35 * league.pitch.goal_width  # past the goalkeeper
+    put_ball(env, league.pitch.length / 2 + league.ball.radius - (after - 0.5) * 2.0 * league.dt, aside, vx=2.0)
     return env
 
 

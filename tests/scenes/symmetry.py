@@ -134,7 +134,9 @@ def turned(records: Records) -> Records:
     for name in TEAM_CODES:
         matches[name] = other_team(matches[name])
     matches["score"] = matches["score"][:, ::-1]
-    matches["last_touch_robot"] = other_row(matches["last_touch_robot"], robots.shape[1])
+    for name in ("last_touch_robot", "taker"):
+        matches[name] = other_row(matches[name], robots.shape[1])
+    matches["shoot_out_score"] = matches["shoot_out_score"][..., ::-1]
     return Records(matches, balls, robots)  # home (that was away) attacks the way it did: home_direction stays
 
 

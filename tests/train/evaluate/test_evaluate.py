@@ -103,7 +103,14 @@ def test_goals_count_for_the_team_that_scored_them() -> None:
 def test_a_team_of_ones_own_wins_on_both_sides() -> None:
     """Whoever runs at the ball scores more than whoever stands still, from either side."""
     settings = EvaluateSettings(
-        league="middle-size-2006", home="mine", away="still", matches=10, minutes=2.0, players=1, placement="instant"
+        league="middle-size-2006",
+        home="mine",
+        away="still",
+        matches=10,
+        minutes=2.0,
+        players=1,
+        placement="instant",
+        rules="simple",
     )
     result = evaluate(settings, teams={"mine": Follower()})
     for side in ("home", "away"):
