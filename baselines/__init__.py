@@ -3,7 +3,7 @@
     still.py         stands still                random.py        wanders about at random
     walker.py        walks straight ahead        chaser.py        plays, simply, in both leagues
     attacking.py     the chaser's attacker       goalkeeping.py   the chaser's goalkeeper
-    obeying.py       the chaser and the rules
+    obeying.py       the chaser and the rules    glancing.py      when it looks up to see where it is
     searching.py     the chaser without a ball   boards.py        the chaser and a ball in a corner
     set_pieces.py    the chaser's restarts: pass, and leave the ball to others
     sacks_2001/      the legged team of Sacks (2001)

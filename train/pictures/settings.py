@@ -16,11 +16,11 @@ class PictureSettings:
     """Folder to write match.gif, belief.png, frames.png and the sheets of rules into."""
     league: str = "legged-2001"
     """League of all pictures."""
-    home: str = "learned"
+    home: str = "chaser"
     """Team that plays home in the animation."""
     away: str = "sacks-2001"
     """Team that plays away in the animation."""
-    seed: int = 5
+    seed: int = 78
     """Seed of the animation's match."""
     longest: float = 60.0
     """[s] of play after which the animation ends if no goal has fallen."""

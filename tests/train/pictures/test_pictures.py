@@ -42,7 +42,8 @@ def test_the_animation_shows_every_fifth_step_and_is_the_same_each_time(tmp_path
 
 
 def test_the_animation_ends_with_the_first_goal_and_shows_the_ball_behind_the_line() -> None:
-    match = Match(TINY.league, controllers={"home": "chaser", "away": "still"}, pose="particles", seed=TINY.seed)
+    scoring = replace(TINY, seed=7, longest=120.0, width=720)
+    match = Match(TINY.league, controllers={"home": "chaser", "away": "still"}, pose="particles", seed=scoring.seed)
     while match.events["goal"][0] == NO_TEAM:
         match.step()
     goal_at = int(match.matches["step"][0])
@@ -50,7 +51,7 @@ def test_the_animation_ends_with_the_first_goal_and_shows_the_ball_behind_the_li
     ball = scoring_ball(match)
     assert ball["x"] > match.league.pitch.length / 2 + match.league.ball.radius  # the whole ball is over the line
     assert match.balls["x"][0] == 0.0  # and lies on the centre spot by now
-    frames = frames_of(replace(TINY, longest=120.0, width=720))
+    frames = frames_of(scoring)
     assert len(frames) == -(-goal_at // TINY.every) + 1
     column, row = Picture(TINY.league, 720).pixel(float(ball["x"]), float(ball["y"]))
     assert tuple(frames[-1][round(row) + 2, round(column) + 2]) == BALL
