@@ -4,6 +4,7 @@ animation.py  a team against another, from kick-off to the first goal, as a GIF
 belief.py     what one robot believes, drawn over what is true
 frames.py     the field frame, the team frame and the robot frame on a pitch
 rules.py      the rules of a league, a frame each
+staged_rules.py  how such a situation is set up
 rules_legged.py  the situations of the legged league
 rules_middle_size.py  those of the middle size
 legend.py     the strip of words under a picture

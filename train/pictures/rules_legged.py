@@ -5,15 +5,14 @@ Rows 0 to 2 are home, red, attacking +x; rows 0 and 3 are goalkeepers.
 
 from __future__ import annotations
 
+from functools import partial
 from math import pi
-
-import numpy as np
 
 from soccer_env import staging
 from soccer_env.leagues import find_league
-from soccer_env.match import Match
 from soccer_env.train.pictures.rules import Ruling
-from soccer_env.types import Foul, Phase
+from soccer_env.train.pictures.staged_rules import Staged, stage_rule
+from soccer_env.types import Foul
 
 LEAGUE = find_league("legged-2001")
 NOSES = 2.0 * (LEAGUE.body.tip_x + LEAGUE.body.tip_radius) + 0.002  # [m] between two robots whose paws touch
@@ -21,29 +20,7 @@ POCKET = LEAGUE.body.front + LEAGUE.ball.radius + 0.001  # [m] of a ball between
 EDGE = 0.5 * LEAGUE.pitch.width - LEAGUE.ball.radius - 0.001  # [m] of a ball at a board
 PLACES = ((-1.25, 0.0, 0.0), (-0.7, -0.55, 0.3), (-0.6, 0.5, -0.3), (1.25, 0.0, pi), (0.7, 0.55, pi), (0.6, -0.5, pi))
 
-Staged = tuple[Match, np.ndarray]
-
-
-def staged(
-    ball: tuple[float, float], robots: dict[int, tuple[float, float, float]], ahead: dict[int, float], **records: float
-) -> Staged:
-    """Return a match under league rules and its actions.
-
-    `ball` [m, m], `robots` pose by row [m, m, rad], the others at their `PLACES`; `ahead` how fast who walks, in -1 to
-    1; `records` are fields of the match.
-    """
-    match = Match("legged-2001", home=3, away=3, seed=1, rules="league")
-    staging.set_phase(match, Phase.PLAY)
-    for row, place in enumerate(PLACES):
-        staging.put(match, row, *robots.get(row, place))
-    staging.put_ball(match, *ball)
-    for name, value in records.items():
-        match.matches[name] = value
-    staging.begin(match)
-    actions = np.zeros((1, 6, 4))
-    for row, share in ahead.items():
-        actions[0, row, 0] = share
-    return match, actions
+staged = partial(stage_rule, LEAGUE, PLACES)
 
 
 def pushing() -> Staged:

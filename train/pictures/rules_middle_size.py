@@ -5,6 +5,7 @@ Rows 0 to 2 are home, red, attacking +x; rows 0 and 3 are goalkeepers.
 
 from __future__ import annotations
 
+from functools import partial
 from math import pi
 
 import numpy as np
@@ -13,6 +14,7 @@ from soccer_env import staging
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.train.pictures.rules import Ruling
+from soccer_env.train.pictures.staged_rules import Staged, stage_rule
 from soccer_env.types import HOME, Foul, Phase
 
 LEAGUE = find_league("middle-size-2006")
@@ -20,33 +22,7 @@ BEHIND = 0.449  # [m] between two robots, the tips of one just short of the back
 FRONT = LEAGUE.body.front + LEAGUE.ball.radius + 0.001  # [m] of a ball at the kicker from the robot's middle
 PLACES = ((-5.7, 0.0, 0.0), (-3.0, -2.2, 0.3), (-2.4, 2.0, -0.3), (5.7, 0.0, pi), (3.0, 2.2, pi), (2.4, -2.0, pi))
 
-Staged = tuple[Match, np.ndarray]
-
-
-def staged(
-    ball: tuple[float, float],
-    robots: dict[int, tuple[float, float, float]],
-    ahead: dict[int, float],
-    rules: str = "league",
-    **records: float,
-) -> Staged:
-    """Return a match and its actions.
-
-    `ball` [m, m], `robots` pose by row [m, m, rad], the others at their `PLACES`; `ahead` how fast who drives, in -1
-    to 1, from the start; `records` are fields of the match.
-    """
-    match = Match("middle-size-2006", home=3, away=3, seed=1, rules=rules)
-    staging.set_phase(match, Phase.PLAY)
-    for row, place in enumerate(PLACES):
-        staging.put(match, row, *robots.get(row, place), forward=ahead.get(row, 0.0) * LEAGUE.drive.forward)
-    staging.put_ball(match, *ball)
-    for name, value in records.items():
-        match.matches[name] = value
-    staging.begin(match)
-    actions = np.zeros((1, 6, 4))
-    for row, share in ahead.items():
-        actions[0, row, 0] = share
-    return match, actions
+staged = partial(stage_rule, LEAGUE, PLACES, running=True)
 
 
 def restart(phase: Phase, x: float, y: float, robots: dict[int, tuple[float, float, float]]) -> Staged:
