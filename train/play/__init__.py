@@ -9,7 +9,7 @@ ball.py         where the ball lies, how far it comes back          possession.p
 stuck.py        robots that want to walk and are stopped            scrums.py       scrums, and the overlap in them
 figures.py      a number of many matches, with its interval         measures.py     all measures; measuring
 referee.py      what follows where the referee moves robots
-report.py       the table and the JSON file                         sheets.py       the seconds before goals
+report.py       the table and the JSON file                         goals/          how goals fell, and pictures of them
 
 Every measure is defined by the first sentence of its function. Distances are judged by this package's own geometry,
 not by what the physics reports, as the figures are there to judge the physics.

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
 from soccer_env.train.play import ball, possession, referee, scrums, stuck
 from soccer_env.train.play.figures import Found, Samples, work_out
@@ -32,16 +30,15 @@ class Play:
 
 
 def measure(settings: MeasureSettings) -> Play:
-    """Play the matches and return every figure; sheets of pictures are drawn on the way."""
+    """Play the matches and return every figure."""
     conditions = conditions_of(settings)
     about = {**made_now(), **made_with(conditions.league, settings.home, settings.away)}
-    look = watcher(settings)
     seeds = seeds_for(settings.seed, settings.matches).tolist()
     steps = settings.matches * settings.minutes * 60.0 * conditions.league.control_rate
     blocks: list[Samples] = []
     with Progress(f"{settings.home} against {settings.away}", steps) as bar:
         for first in range(0, settings.matches, BLOCK):
-            recording = record(conditions, seeds[first : first + BLOCK], bar.advance, look)
+            recording = record(conditions, seeds[first : first + BLOCK], bar.advance)
             blocks.append(samples_of(recording))
     samples = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     figures = tuple(work_out(figure, samples) for one in MEASURES for figure in one.figures)
@@ -54,12 +51,3 @@ def samples_of(recording: Recording) -> Samples:
     for one in MEASURES:
         found |= one.samples(recording)
     return found
-
-
-def watcher(settings: MeasureSettings) -> Callable[[Match], None]:
-    """Return what looks at the matches after every step: somebody who draws goals, or nobody."""
-    if settings.sheets is None:
-        return lambda match: None
-    from soccer_env.train.play.sheets import GoalSheets
-
-    return GoalSheets(settings, settings.sheets).look

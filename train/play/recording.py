@@ -106,13 +106,11 @@ def record(
     conditions: Conditions,
     seeds: Sequence[int],
     advance: Callable[[float], None] = lambda steps: None,
-    look: Callable[[Match], None] = lambda match: None,
 ) -> Recording:
-    """Play a block of matches to the end; `advance` gets match steps done, `look` the matches after every step."""
+    """Play a block of matches to the end; `advance` gets match steps done."""
     match = start(conditions, seeds)
     moments = []
     for steps, live in enumerate(running(match), start=1):
-        look(match)
         moments.append((live, *moment_of(match)))
         if steps % REPORT_EVERY == 0:
             advance(REPORT_EVERY * len(seeds))

@@ -1,4 +1,4 @@
-"""The settings of a measurement of play."""
+"""The settings of a measurement of play, and which matches are played."""
 
 from __future__ import annotations
 
@@ -15,14 +15,8 @@ from soccer_env.train.written_settings import CommandSettings, split_players, sp
 
 
 @dataclass(frozen=True)
-class MeasureSettings(CommandSettings):
-    """Play matches and measure how they are played; intervals (95 %) are bootstraps over the matches."""
-
-    BOUNDS = {
-        "matches": Range(1),
-        "minutes": Range(0.0, 10_000.0, above=True, below=True),
-        "goals": Range(0),
-    }
+class PlaySettings(CommandSettings):
+    """Which matches are played."""
 
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
@@ -30,8 +24,6 @@ class MeasureSettings(CommandSettings):
     """The team that plays at home: a name of `soccer list teams`, one such as chaser@0.5, or a policy file."""
     away: str = "chaser"
     """The team it plays against, written like --home."""
-    matches: int = 32
-    """Number of matches, each from a seed of its own."""
     minutes: float = 4.0
     """Minutes of play in a match, both halves together."""
     players: int | str | None = None
@@ -46,19 +38,25 @@ class MeasureSettings(CommandSettings):
     """How robots reach their places at a restart; None for the league's choice in evaluations."""
     rules: str = "league"
     """Which rules are called: league, simple or none; league:pushing=False,holding_time=5 changes one by name."""
-    out: Path | None = None
-    """File for the results (JSON)."""
-    before: Path | None = None
-    """File of an earlier measurement, of another team, league or version: its figures stand beside the new ones."""
-    sheets: Path | None = None
-    """Folder for pictures of the seconds before goals, a sheet each (needs pygame-ce)."""
-    goals: int = 25
-    """Goals to draw, the first of the first matches; 0 or more."""
 
     def __post_init__(self) -> None:
         split_players(self.players, 1)
         super().__post_init__()
         split_senses(self.senses)
+
+
+@dataclass(frozen=True)
+class MeasureSettings(PlaySettings):
+    """Play matches and measure how they are played; intervals (95 %) are bootstraps over the matches."""
+
+    BOUNDS = {"matches": Range(1), "minutes": Range(0.0, 10_000.0, above=True, below=True)}
+
+    matches: int = 32
+    """Number of matches, each from a seed of its own."""
+    out: Path | None = None
+    """File for the results (JSON)."""
+    before: Path | None = None
+    """File of an earlier measurement, of another team, league or version: its figures stand beside the new ones."""
 
 
 @dataclass(frozen=True)
@@ -74,7 +72,7 @@ class Conditions:
     placement: Placement
 
 
-def conditions_of(settings: MeasureSettings) -> Conditions:
+def conditions_of(settings: PlaySettings) -> Conditions:
     """Fill in what the settings leave to the league."""
     league = find_league(settings.league)
     league = replace(league, rules=rule_set(league.rules, settings.rules))
