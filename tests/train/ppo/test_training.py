@@ -9,6 +9,8 @@ import subprocess
 import sys
 import time
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -30,6 +32,7 @@ from soccer_env.train.progress import Progress
 from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
 
 ROOT = Path(__file__).parents[3]
+PATIENCE = 1800.0  # [s] a run may have all kernels to compile first, on a machine that does much else
 
 
 @pytest.fixture
@@ -257,18 +260,28 @@ def words_of(out: Path, **changes: Any) -> list[str]:
     return [sys.executable, "-m", "soccer_env.train.command_line", *shlex.split(command_of(tiny(out, **changes)))[1:]]
 
 
-def started(words: list[str], out: Path, rollouts: int) -> subprocess.Popen[str]:
-    """Start a command and wait until its run has come to so many rollouts."""
+@contextmanager
+def started(words: list[str], out: Path, rollouts: int) -> Iterator[subprocess.Popen[str]]:
+    """Start a command and wait until its run has come to so many rollouts; it does not outlive the test."""
     process = subprocess.Popen(
         words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # a job in the background may ignore it
     )  # fmt: skip
-    log, end = out / "log.jsonl", time.monotonic() + 120.0
-    while not log.exists() or log.read_bytes().count(b"\n") < rollouts:
-        assert process.poll() is None, process.communicate()
-        assert time.monotonic() < end, "nothing happens"
-        time.sleep(0.02)
-    return process
+    try:
+        end = time.monotonic() + PATIENCE
+        while rollouts_of(out) < rollouts:
+            assert process.poll() is None, process.communicate()
+            assert time.monotonic() < end, "nothing happens"
+            time.sleep(0.02)
+        yield process
+    finally:
+        process.kill()
+        process.communicate()
+
+
+def rollouts_of(out: Path) -> int:
+    """Return how many rollouts a run has logged."""
+    return (out / "log.jsonl").read_bytes().count(b"\n") if (out / "log.jsonl").exists() else 0
 
 
 @pytest.mark.slow
@@ -278,15 +291,16 @@ def test_the_command_is_refused_beside_another_stops_and_goes_on(tmp_path: Path)
     changes = {"steps": steps, "evaluate_every": 400 * ROLLOUT}
     words = words_of(out, **changes)
 
-    process = started(words, out, 2)
-    process.send_signal(signal.SIGSTOP)  # so that it is not done before the second one has looked
-    second = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
-    assert second.returncode == 2
-    assert f"soccer: another run uses {out}; give another folder" in second.stderr
-    process.send_signal(signal.SIGINT)
-    process.send_signal(signal.SIGCONT)
-    said = process.communicate()[1]
-    assert process.returncode == 130
+    with started(words, out, 2) as process:
+        process.send_signal(signal.SIGSTOP)  # so that it is not done before the second one has looked
+        assert process.poll() is None and rollouts_of(out) < steps // ROLLOUT, "it was done before it was stopped"
+        second = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
+        assert second.returncode == 2, (second.stdout, second.stderr)
+        assert f"soccer: another run uses {out}; give another folder" in second.stderr
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGCONT)
+        said = process.communicate()[1]
+    assert process.returncode == 130, said
     assert f"stopped; the same command goes on with the run in {out}" in said and "Traceback" not in said
 
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
