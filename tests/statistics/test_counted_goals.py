@@ -1,0 +1,288 @@
+"""Balls on their way and goals, just under and just over each limit: shots, saves, passes, kinds, what came before."""
+
+import pytest
+
+from soccer_env.statistics.records import GoalKind
+from soccer_env.types import AWAY, HOME, Phase
+from tests.scenes.staging import LEGGED, MIDDLE
+from tests.statistics.counted_steps import Steps
+
+HALF, SECOND = 8, 16  # steps of the legged league
+CLEAN_KICK, DEFLECTED_KICK, CLEAN_DRIBBLE, PUSHED_IN, SCRUM, OWN_GOAL = (int(kind) for kind in GoalKind)
+KEEPER, KICKER, MATE, THEIR_KEEPER, THEIR_PLAYER = 0, 1, 2, 3, 4
+FAST, SLOW = 0.82, 0.78  # [m/s] around the weakest kick of the legged league
+each_direction = pytest.mark.parametrize("direction", [1.0, -1.0])
+
+
+def only(kind: int) -> list[int]:
+    """Return one goal of a kind."""
+    return [int(one == kind) for one in GoalKind]
+
+
+def shoot(steps: Steps, x: float = 1.0, y: float = 0.0, vx: float = 1.0, vy: float = 0.0) -> None:
+    """Let home's player kick the ball with a velocity [m/s]."""
+    steps.ball(x, y, vx, vy)
+    steps.count(kick=KICKER)
+
+
+# Shots and saves
+
+
+@each_direction
+@pytest.mark.parametrize(
+    ("y", "vx", "shots", "on_target"),
+    [
+        (0.29, 1.0, 1, 1), (-0.29, 1.0, 1, 1), (0.31, 1.0, 1, 0), (-0.44, 1.0, 1, 0), (0.46, 1.0, 0, 0),
+        (0.0, -1.0, 0, 0), (0.0, 0.5, 0, 0),
+    ],
+)  # fmt: skip
+def test_a_kick_that_would_roll_to_the_goal_is_a_shot(direction, y, vx, shots, on_target) -> None:
+    """It slides first; at 0.5 m/s it would roll less than the 0.54 m to the line, by v²/2a of the slower half."""
+    steps = Steps(direction=direction)
+    shoot(steps, y=y, vx=vx)
+    assert [steps.of(name) for name in ("shots", "on_target")] == [[shots, 0], [on_target, 0]]
+
+
+def test_a_kick_in_the_step_of_a_restart_is_no_shot() -> None:
+    steps = Steps()
+    steps.ball(1.0, 0.0, 1.0)
+    steps.count(kick=KICKER, restart=Phase.THROW_IN, restart_team=HOME)
+    assert [steps.of("kicks"), steps.of("shots")] == [[1, 0], [0, 0]]
+
+
+@pytest.mark.parametrize(("speed", "shots"), [(FAST, 1), (SLOW, 0)])
+@pytest.mark.parametrize("free", [3, 4, 5])
+def test_a_push_is_a_shot_when_the_ball_comes_free_as_fast_as_by_a_kick(speed, shots, free) -> None:
+    steps = Steps()
+    steps.ball(1.2, 0.0, speed)
+    steps.match.balls["roll_x"] = speed
+    steps.count(touch=KICKER)
+    steps.count(steps=free)
+    assert steps.of("shots") == [shots if free >= 4 else 0, 0]
+
+
+@pytest.mark.parametrize(
+    ("y", "touches", "saves"),
+    [
+        (0.0, [THEIR_KEEPER], 1), (0.0, [THEIR_PLAYER], 0), (0.0, [THEIR_PLAYER, THEIR_KEEPER], 0), (0.0, [KEEPER], 0),
+        (0.4, [THEIR_KEEPER], 0), (0.0, [THEIR_KEEPER, THEIR_PLAYER], 1), (0.0, [], 0),
+    ],
+)  # fmt: skip
+def test_a_shot_on_target_is_saved_if_the_goalkeeper_touches_it_first(y, touches, saves) -> None:
+    steps = Steps()
+    shoot(steps, y=y)
+    for row in touches:
+        steps.count(touch=row)
+    steps.count(steps=6 * SECOND)
+    assert steps.of("saves") == [0, saves]
+
+
+def test_a_shot_that_the_goalkeeper_touches_and_that_goes_in_is_not_saved() -> None:
+    steps = Steps()
+    shoot(steps)
+    steps.count(touch=THEIR_KEEPER)
+    steps.score(HOME)
+    steps.count(steps=6 * SECOND)
+    assert steps.of("saves") == [0, 0]
+    assert steps.kinds(HOME) == only(DEFLECTED_KICK)
+
+
+def test_a_restart_or_another_kick_ends_a_save_that_was_made() -> None:
+    for kick in (-1, MATE):
+        steps = Steps()
+        shoot(steps)
+        steps.count(touch=THEIR_KEEPER)
+        if kick < 0:
+            steps.count(restart=Phase.CORNER_KICK, restart_team=HOME)
+        else:
+            steps.count(kick=kick)
+        assert steps.of("saves") == [0, 1]
+
+
+# Passes
+
+
+@pytest.mark.parametrize(("name", "quarter", "least"), [(LEGGED, 4, 0.3), (MIDDLE, 13, 1.0)])
+@pytest.mark.parametrize(("steps_free", "further", "tried"), [(0, 0.01, 1), (-1, 0.01, 0), (0, -0.01, 0)])
+def test_a_ball_that_is_free_for_a_quarter_second_and_goes_far_enough_is_a_pass(
+    name, quarter, least, steps_free, further, tried
+) -> None:
+    for row, found in ((MATE, ([tried, 0], [tried, 0], [0, 0])), (THEIR_PLAYER, ([tried, 0], [0, 0], [0, tried]))):
+        steps = Steps(name)
+        steps.ball(0.0, 0.0)
+        steps.count(touch=KICKER)
+        steps.ball(0.6 * (least + further), 0.8 * (least + further))
+        steps.count(steps=quarter - 1 + steps_free)
+        steps.count(touch=row)
+        assert tuple(steps.of(what) for what in ("passes_tried", "passes", "interceptions")) == found
+
+
+def test_a_shot_that_another_touches_is_no_pass_and_no_robot_passes_to_itself() -> None:
+    for kicker, toucher in ((True, MATE), (False, KICKER)):
+        steps = Steps()
+        if kicker:
+            shoot(steps, x=0.6)
+        else:
+            steps.count(touch=KICKER)
+        steps.count(steps=SECOND)
+        steps.ball(1.2, 0.0)
+        steps.count(touch=toucher)
+        assert steps.of("passes_tried") == [0, 0]
+
+
+# Kinds of goals
+
+
+@pytest.mark.parametrize(("later", "kind"), [(5 * SECOND, CLEAN_KICK), (5 * SECOND + 1, CLEAN_DRIBBLE)])
+def test_a_ball_is_on_its_way_for_five_seconds(later, kind) -> None:
+    steps = Steps()
+    shoot(steps)
+    steps.count(steps=later - 1)
+    steps.count(goal=HOME, scorer=KICKER)
+    assert steps.kinds(HOME) == only(kind)
+
+
+@pytest.mark.parametrize(("later", "kind"), [(SECOND, DEFLECTED_KICK), (SECOND + 1, OWN_GOAL)])
+def test_a_touch_by_another_makes_it_deflected_for_a_second_and_then_it_is_the_others(later, kind) -> None:
+    steps = Steps()
+    shoot(steps)
+    steps.count(touch=THEIR_PLAYER)
+    steps.count(steps=later - 1)
+    steps.score(HOME, scorer=THEIR_PLAYER)
+    assert steps.kinds(HOME) == only(kind)
+
+
+@pytest.mark.parametrize(("later", "kind"), [(HALF, CLEAN_KICK), (HALF + 1, CLEAN_DRIBBLE)])
+def test_the_kicker_that_touches_the_ball_half_a_second_later_plays_it_anew(later, kind) -> None:
+    steps = Steps()
+    shoot(steps)
+    steps.count(steps=later - 1)
+    steps.count(touch=KICKER)
+    steps.count(goal=HOME, scorer=KICKER)
+    assert steps.kinds(HOME) == only(kind)
+
+
+@pytest.mark.parametrize(("vx", "shots"), [(1.0, 1), (0.1, 1), (-1.0, 1)])
+def test_a_clean_kick_that_is_in_is_one_shot_on_target_whatever_was_thought_of_it(vx, shots) -> None:
+    steps = Steps()
+    shoot(steps, vx=vx)
+    steps.score(HOME)
+    assert [steps.of(what)[HOME] for what in ("shots", "on_target")] == [shots, 1]
+    shoot(steps, y=0.35)  # a shot already, beside the post
+    steps.score(HOME)
+    assert [steps.of(what)[HOME] for what in ("shots", "on_target")] == [2, 2]
+    assert steps.kinds(HOME)[CLEAN_KICK] == 2
+
+
+@pytest.mark.parametrize(("scorer", "team", "kind"), [(KICKER, AWAY, OWN_GOAL), (KICKER, HOME, CLEAN_DRIBBLE)])
+def test_a_goal_that_an_opponent_touched_last_is_an_own_goal(scorer, team, kind) -> None:
+    steps = Steps()
+    steps.count(touch=scorer)
+    steps.score(team, scorer=scorer)
+    assert steps.kinds(team) == only(kind)
+    assert sum(steps.kinds(1 - team)) == 0
+
+
+@pytest.mark.parametrize(("held", "since", "kind"), [(15, 0, SCRUM), (16, 0, CLEAN_DRIBBLE), (20, 9, SCRUM)])
+def test_in_a_scrum_only_who_has_kept_the_ball_for_a_second_and_still_has_it_dribbles(held, since, kind) -> None:
+    steps = Steps()
+    for row, y in ((KICKER, 0.0), (MATE, 0.2), (THEIR_PLAYER, -0.2)):
+        steps.put(row, -0.1, y)
+    steps.set(KICKER, has_ball=1)
+    steps.count(steps=held, touch=KICKER)
+    steps.set(KICKER, has_ball=0)
+    steps.count(steps=since)
+    steps.score(HOME, scorer=KICKER)
+    assert steps.kinds(HOME) == only(kind)
+
+
+@pytest.mark.parametrize(("ago", "kind"), [(HALF, SCRUM), (HALF + 1, CLEAN_DRIBBLE)])
+def test_a_scrum_of_half_a_second_ago_still_is_one(ago, kind) -> None:
+    steps = Steps()
+    for row, y in ((KICKER, 0.0), (MATE, 0.2), (THEIR_PLAYER, -0.2)):
+        steps.put(row, -0.1, y)
+    steps.count(touch=KICKER)
+    for row in (MATE, THEIR_PLAYER):
+        steps.put(row, 0.1 * row, 0.9)
+    steps.count(steps=ago - 1)
+    steps.score(HOME, scorer=KICKER)
+    assert steps.kinds(HOME) == only(kind)
+
+
+@pytest.mark.parametrize(("ago", "kind"), [(48, PUSHED_IN), (49, CLEAN_DRIBBLE)])
+def test_a_dribble_in_touch_with_an_opponent_within_three_seconds_is_a_push(ago, kind) -> None:
+    steps = Steps()
+    steps.set(KICKER, locked=0.1)
+    steps.count(touch=KICKER)
+    steps.set(KICKER, locked=0.05)  # it runs back, which is no contact
+    steps.count(steps=ago - 1)
+    steps.score(HOME, scorer=KICKER)
+    assert steps.kinds(HOME) == only(kind)
+
+
+# What came before
+
+
+@pytest.mark.parametrize(("ago", "counted"), [(96, 1), (97, 0)])
+def test_goals_within_six_seconds_of_a_separation_say_so(ago, counted) -> None:
+    steps = Steps()
+    steps.count(separated=1)
+    steps.count(steps=ago - 1)
+    steps.score(AWAY)
+    assert steps.of("after_separation") == [0, counted]
+
+
+@pytest.mark.parametrize(("ago", "counted"), [(160, 1), (161, 0)])
+def test_goals_within_ten_seconds_of_a_restart_say_which(ago, counted) -> None:
+    steps = Steps()
+    for phase in (Phase.GOAL_KICK, Phase.CORNER_KICK):
+        steps.match.matches["phase"] = phase
+        steps.count(steps=5)
+        steps.match.matches["phase"] = Phase.PLAY
+        steps.count(in_play=1)
+    steps.match.matches["phase"] = Phase.OVER  # the end is no restart
+    steps.count(steps=ago - 1)
+    steps.score(HOME)
+    expected = [[counted if phase == Phase.CORNER_KICK else 0 for phase in Phase], [0] * len(Phase)]
+    assert steps.of("after_restart") == expected
+
+
+@pytest.mark.parametrize(("locked", "ago", "counted"), [(1.0, 160, 1), (1.0, 161, 0), (0.94, 1, 0)])
+def test_goals_within_ten_seconds_of_a_goalkeeper_in_contact_for_one_say_so(locked, ago, counted) -> None:
+    for keeper, team in ((THEIR_KEEPER, HOME), (KEEPER, AWAY)):
+        steps = Steps()
+        steps.set(keeper, locked=locked)
+        steps.count()
+        steps.set(keeper, locked=0.0)
+        steps.count(steps=ago - 1)
+        steps.score(team)
+        assert steps.of("after_pushed_keeper")[team] == counted
+        assert steps.of("after_pushed_keeper")[1 - team] == 0
+
+
+def test_a_goal_is_a_solo_if_one_robot_of_the_scorers_alone_touched_the_ball_since_the_restart() -> None:
+    steps = Steps()
+    steps.count(touch=MATE)
+    steps.count(restart=Phase.THROW_IN, restart_team=HOME)
+    steps.count(touch=THEIR_PLAYER)
+    steps.count(touch=KICKER)
+    steps.score(HOME, scorer=KICKER)
+    assert steps.of("solo") == [1, 0]
+    steps.count(touch=MATE)
+    steps.score(HOME, scorer=KICKER)
+    assert steps.of("solo") == [1, 0]
+
+
+def test_a_restart_forgets_who_played_the_ball() -> None:
+    steps = Steps()
+    shoot(steps)
+    steps.count(restart=Phase.THROW_IN, restart_team=HOME)
+    steps.score(HOME, scorer=KICKER)
+    assert steps.kinds(HOME)[CLEAN_KICK] == 0
+    again = Steps()
+    again.count(touch=KICKER)
+    again.count(restart=Phase.THROW_IN, restart_team=HOME)
+    again.ball(0.5, 0.0)
+    again.count(steps=SECOND)
+    again.count(touch=MATE)
+    assert again.of("passes_tried") == [0, 0]
