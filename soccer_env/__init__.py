@@ -53,6 +53,7 @@ What all of it stands on:
     compiled_cache.py    machine code on disk
     compiled_callback.py functions of ours that C calls
     compiled_sources.py  which source files that code depends on
+    borrowing.py         arrays in compiled code without a count of references
     names.py             names imported when they are used, and what to say of unknown ones
     checking.py          checks of what somebody gives, with one kind of message
     whole_files.py       files that are written whole or not at all

@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from soccer_env.borrowing import borrowed, keep
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.observations.truth import observe_truth
@@ -81,7 +82,8 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
     """
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
     k, weights = numbers.constants[0], numbers.weights[0]
-    before, scratch = np.empty(POTENTIALS), make_scratch(world.robots.shape[1])
+    owned = make_scratch(world.robots.shape[1])
+    before, scratch = borrowed(owned)
     broken = -1
     for m in range(first, last):
         match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
@@ -105,6 +107,7 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
             continue
         outcome.terminated[m] = match.over == 1
         outcome.truncated[m] = is_truncated(match, k, numbers.limit)
+    keep(owned)
     return broken
 
 
@@ -112,6 +115,7 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
 def begin_slice(world, physics, outcome, numbers, before, substeps, first, last):
     """Do the part of a step before the physics, for physics that Python steps: `before` (M, *POTENTIALS)."""
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
+    before = borrowed(before)
     for m in range(first, last):
         substeps[m] = begin_match(
             world.matches[m], world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
@@ -124,8 +128,9 @@ def begin_slice(world, physics, outcome, numbers, before, substeps, first, last)
 def finish_slice(world, physics, outcome, numbers, before, results, first, last):
     """Do the part after the physics; `results` (M,) are substeps before and what `finish_match` says afterwards."""
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
-    k = numbers.constants[0]
-    scratch = make_scratch(world.robots.shape[1])
+    k, before = numbers.constants[0], borrowed(before)
+    owned = make_scratch(world.robots.shape[1])
+    _, scratch = borrowed(owned)
     for m in range(first, last):
         if results[m] == 0:
             continue
@@ -138,16 +143,17 @@ def finish_slice(world, physics, outcome, numbers, before, results, first, last)
         if results[m] != BROKEN:
             outcome.terminated[m] = match.over == 1
             outcome.truncated[m] = is_truncated(match, k, numbers.limit)
+    keep(owned)
 
 
 @compiled
 def named(world, physics, outcome, numbers):
-    """Return the bundles with names, given as plain tuples."""
+    """Return the bundles with names, borrowed, given as plain tuples."""
+    world, physics, outcome, numbers = borrowed(world), borrowed(physics), borrowed(outcome), borrowed(numbers)
     return World(*world), Physics(*physics), Outcome(*outcome), Numbers(*numbers)
 
 
-# Below this line a match is its own records and rows: handed on as bundles, each array in them would be counted by
-# reference once more at every call, which cost several percent of a step.
+# Below this line a match is its own records and rows.
 
 
 @compiled
@@ -248,8 +254,12 @@ def note_possession(ball, robot, events, k):
 
 @compiled
 def make_scratch(robots):
-    """Return arrays to work in: potentials, axes of the robots (R, 2), rows and squared distances of players."""
-    return np.empty(POTENTIALS), np.empty((robots, 2)), np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
+    """Return arrays to work in: potentials before a step, and what `finish_match` needs.
+
+    That is potentials, axes of the robots (R, 2), rows and squared distances of players.
+    """
+    rows, squares = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
+    return np.empty(POTENTIALS), (np.empty(POTENTIALS), np.empty((robots, 2)), rows, squares)
 
 
 @compiled
