@@ -92,7 +92,9 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
         terms, rewards = outcome.terms[m], outcome.rewards[m]
         if fetch(links, m + 1):
             fetch_row(world.robots, m + 1)
-        substeps = begin_match(match, ball, robots, events, robot_events, velocities, solver, k, before, terms, rewards)
+        substeps = begin_match(
+            match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards
+        )
         if substeps == 0:
             continue
         step_match(links, m, substeps, k.dt)
@@ -119,8 +121,8 @@ def begin_slice(world, physics, outcome, numbers, before, substeps, first, last)
     for m in range(first, last):
         substeps[m] = begin_match(
             world.matches[m], world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
-            physics.velocities[m], physics.solvers[m], numbers.constants[0], before[m],
-            outcome.terms[m], outcome.rewards[m],
+            physics.velocities[m], physics.solvers[m], numbers.constants[0], numbers.weights[0],
+            before[m], outcome.terms[m], outcome.rewards[m],
         )  # fmt: skip
 
 
@@ -157,14 +159,16 @@ def named(world, physics, outcome, numbers):
 
 
 @compiled
-def begin_match(match, ball, robots, events, robot_events, velocities, solver, k, before, terms, rewards):
+def begin_match(
+    match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards
+):  # fmt: skip
     """Do what comes before the physics; return the number of substeps, 0 if the match is over and stands still."""
     clear_events(events, robot_events)
     terms[:] = 0.0
     if match.over == 1:
         rewards[:] = 0.0
         return 0
-    measure_potentials(match, ball, robots, k, before)
+    measure_potentials(match, ball, robots, k, weights, before)
     return begin_step(match, ball, robots, robot_events, velocities, solver, k)
 
 
@@ -178,7 +182,7 @@ def finish_match(
         return BROKEN
     moved = finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, tally)
     after, axes, rows, squares = scratch
-    measure_potentials(match, ball, robots, k, after)
+    measure_potentials(match, ball, robots, k, weights, after)
     reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards)
     if observations.shape[1] > 0:
         observe_truth(match, ball, robots, observations, k, axes, rows, squares)
@@ -265,13 +269,8 @@ def make_scratch(robots):
 @compiled
 def is_truncated(match, k, limit):
     """Tell whether an episode that has not ended stops all the same, after `limit` control steps or a drill's time."""
-    return match.over == 0 and (match.step >= limit or out_of_time(match, k))
-
-
-@compiled
-def out_of_time(match, k):
-    """Tell whether a drill's time is up."""
-    return k.drill != 0 and match.step * k.dt >= k.drill_time - 0.5 * k.dt
+    out_of_time = k.drill != 0 and match.step * k.dt >= k.drill_time - 0.5 * k.dt
+    return match.over == 0 and (match.step >= limit or out_of_time)
 
 
 @compiled

@@ -10,37 +10,39 @@ from collections.abc import Callable
 from soccer_env.compiled import compiled
 from soccer_env.rewards.table import COUNT, TERMS, Term
 
-# A link of a chain has no loop and takes whole arrays: it then is inlined, and counts no references to views of rows.
+# A term of weight 0 costs a look at its weight.
 
 
 def make_measure(terms: tuple[Term, ...]) -> Callable[..., None]:
     """Return a kernel that writes the potentials of a team into its row of (2, potentials), one column a term."""
 
     @compiled
-    def measure(match, ball, robots, k, team, potentials):
+    def measure(match, ball, robots, k, team, weights, potentials):
         pass
 
-    for index, term in enumerate(term for term in terms if term.kind == "potential"):
-        measure = add_potential(measure, index, term.function)
+    potential = [(column, term) for column, term in enumerate(terms) if term.kind == "potential"]
+    for index, (column, term) in enumerate(potential):
+        measure = add_potential(measure, column, index, term.function)
     return measure
 
 
-def add_potential(measure_others, index, function):
-    """Return a kernel that writes the potentials of other terms, and that of one more."""
+def add_potential(measure_others, column, index, function):
+    """Return a kernel that writes the potentials of other terms, and that of one more, 0 if it weighs nothing."""
 
     @compiled
-    def measure(match, ball, robots, k, team, potentials):
-        measure_others(match, ball, robots, k, team, potentials)
-        potentials[team, index] = function(match, ball, robots, k, team)
+    def measure(match, ball, robots, k, team, weights, potentials):
+        measure_others(match, ball, robots, k, team, weights, potentials)
+        weighs = weights.term[column] != 0.0
+        potentials[team, index] = function(match, ball, robots, k, team) if weighs else 0.0
 
     return measure
 
 
 def make_pay(terms: tuple[Term, ...]) -> Callable[..., None]:
-    """Return a kernel that adds what a robot gets to its row of (R, terms or more), one column a term."""
+    """Return a kernel that adds what robots get to (R, terms or more), one column a term."""
 
     @compiled
-    def pay(match, ball, robots, events, robot_events, k, r, before, after, weights, paid):
+    def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):
         pass
 
     potentials = 0
@@ -57,10 +59,14 @@ def add_shaping(pay_others, column, index):
     """Return a kernel that pays other terms, and the shaping of one potential."""
 
     @compiled
-    def pay(match, ball, robots, events, robot_events, k, r, before, after, weights, paid):
-        pay_others(match, ball, robots, events, robot_events, k, r, before, after, weights, paid)
-        team = robots[r].team
-        paid[r, column] += weights.term[column] * (weights.gamma * after[team, index] - before[team, index])
+    def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):
+        pay_others(match, ball, robots, events, robot_events, k, before, after, weights, paid)
+        weight = weights.term[column]
+        if weight == 0.0:
+            return
+        for r in range(robots.shape[0]):
+            team = robots[r].team
+            paid[r, column] += weight * (weights.gamma * after[team, index] - before[team, index])
 
     return pay
 
@@ -69,32 +75,36 @@ def add_event(pay_others, column, function, sign):
     """Return a kernel that pays other terms, and an event (sign 1) or a cost (sign -1)."""
 
     @compiled
-    def pay(match, ball, robots, events, robot_events, k, r, before, after, weights, paid):
-        pay_others(match, ball, robots, events, robot_events, k, r, before, after, weights, paid)
-        paid[r, column] += sign * function(match, ball, robots, events, robot_events, k, r, weights.term[column])
+    def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):
+        pay_others(match, ball, robots, events, robot_events, k, before, after, weights, paid)
+        weight = weights.term[column]
+        if weight == 0.0:
+            return
+        for r in range(robots.shape[0]):
+            paid[r, column] += sign * function(match, ball, robots, events, robot_events, k, r, weight)
 
     return pay
 
 
 measure_team = make_measure(TERMS)
-pay_robot = make_pay(TERMS)
+pay_robots = make_pay(TERMS)
 
 
 @compiled
-def measure_potentials(match, ball, robots, k, potentials):
+def measure_potentials(match, ball, robots, k, weights, potentials):
     """Write the potentials of both teams into an array of the shape POTENTIALS; all 0 once the episode has ended."""
     if match.over == 1:
         potentials[:] = 0.0
         return
     for team in range(2):
-        measure_team(match, ball, robots, k, team, potentials)
+        measure_team(match, ball, robots, k, team, weights, potentials)
 
 
 @compiled
 def reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards):
     """Add the weighted terms of each robot to terms (R, COUNT or more), and write their sum into rewards (R,)."""
+    pay_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms)
     for r in range(robots.shape[0]):
-        pay_robot(match, ball, robots, events, robot_events, k, r, before, after, weights, terms)
         total = 0.0
         for column in range(COUNT):
             total += terms[r, column]

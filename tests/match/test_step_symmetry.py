@@ -18,7 +18,7 @@ from soccer_env.physics.solver.rounds import hold_ground
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.steering import steer_to_place
-from soccer_env.rewards import POTENTIALS, measure_potentials
+from soccer_env.rewards import NAMES, POTENTIALS, Rewards, measure_potentials
 from soccer_env.step import clear_events
 from soccer_env.types import NO_TEAM, Phase
 from tests.scenes.staging import LEGGED, MIDDLE, each_league, put_ball, scatter, speed
@@ -40,6 +40,7 @@ from tests.scenes.symmetry import (
 )
 
 SIZE = 3  # robots a side
+ALL_TERMS = Rewards(**dict.fromkeys(NAMES, 1.0)).weights()  # a potential that weighs nothing is not measured
 DIFFERENTIAL = "middle-size-2006-differential"
 
 
@@ -150,9 +151,9 @@ def end_all(matches, balls, robots, constants):
 
 
 @compiled
-def measure_all(matches, balls, robots, constants, potentials):
+def measure_all(matches, balls, robots, constants, weights, potentials):
     for m in range(len(matches)):
-        measure_potentials(matches[m], balls[m], robots[m], constants[0], potentials[m])
+        measure_potentials(matches[m], balls[m], robots[m], constants[0], weights[0], potentials[m])
 
 
 @pytest.mark.parametrize("name", [LEGGED, MIDDLE, DIFFERENTIAL])
@@ -243,7 +244,7 @@ def test_potentials_are_symmetric(name):
     potentials = []
     for image in (records, mirrored(records), turned(records)):
         potentials.append(np.zeros((200, *POTENTIALS)))
-        measure_all(image.matches, image.balls, image.robots, constants, potentials[-1])
+        measure_all(image.matches, image.balls, image.robots, constants, ALL_TERMS, potentials[-1])
     assert_close(potentials[1], potentials[0], MIRROR, "mirror")
     assert_close(potentials[2], potentials[0][:, ::-1], HALF_TURN, "half-turn")
     assert abs(potentials[0]).max() > 0.1

@@ -207,8 +207,7 @@ def test_a_kernel_follows_from_any_table() -> None:
     before, after = np.array([[1.0, 4.0], [2.0, 8.0]]), np.array([[3.0, 6.0], [8.0, 6.0]])
     records = (match.matches[0], match.balls[0], match.robots[0], match.events[0], match.robot_events[0])
     paid = np.zeros((2, 4))
-    for r in range(2):
-        pay(*records, match.settings.constants()[0], r, before, after, weights[0], paid)
+    pay(*records, match.settings.constants()[0], before, after, weights[0], paid)
     cost = -3.0 * 0.25 / 3.0
     assert paid[HOME].tolist() == [cost, 2.0 * (1.5 - 1.0), 5.0 * (3.0 - 4.0), -7.0]
     assert paid[AWAY].tolist() == [cost, 2.0 * (4.0 - 2.0), 5.0 * (3.0 - 8.0), 7.0]
