@@ -240,7 +240,7 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
         moved = True
     for r in range(robots.shape[0]):
         note_possession(ball, robots[r], robot_events[r], k)
-        count_player(match, ball, robots[r], robot_events[r], r, k, tally)
+        count_player(match, ball, robots, robot_events[r], r, k, tally)
     count_step(match, ball, robots, events, k, tally)
     if is_notable(events):
         count_calls(match, robots, events, robot_events, bodies, tally)

@@ -10,6 +10,7 @@ from math import log2
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of
 from soccer_env.leagues.robot import DRIVE_KINDS
+from soccer_env.physics.contacts import TOUCH_GAP, robots_touch
 from soccer_env.statistics.records import BINS, BINS_PER_OCTAVE, NOBODY, SHORTEST
 from soccer_env.types import AWAY, HOME, Phase
 
@@ -25,16 +26,16 @@ FAR = 0.25  # [1] of the pitch's length from its goal: the goalkeeper is away
 
 
 @compiled
-def count_player(match, ball, robot, events, r, k, tally):
+def count_player(match, ball, robots, events, r, k, tally):
     """Count what robot r does; a spell ends with the play."""
-    trail = tally.trail
+    robot, trail = robots[r], tally.trail
     player = trail.players[r]
     if robot.active == 0:
         if robot.penalty > 0.0 or robot.banned == 1:
             tally.out[robot.team] += k.dt
         player.locked = 0.0
     elif robot.locked != player.locked:
-        if robot.locked > player.locked:
+        if robot.locked > player.locked and touches_opponent(robots, r, k):
             player.contact = match.step
         player.locked = robot.locked
     if events.kick == 1:
@@ -45,9 +46,22 @@ def count_player(match, ball, robot, events, r, k, tally):
             count_touch(robot.team, player, match.step, k, tally)
         if robot.has_ball == 1 or player.held_since > 0:
             count_possession(robot, player, match.step, k, tally, trail)
-        count_standing(match, ball, robot, k, tally, trail)
+        count_standing(match, ball, robot, player.contact, k, tally, trail)
     elif player.held_since > 0:
         end_spell(robot.team, player, k, tally)
+
+
+@compiled
+def touches_opponent(robots, r, k):
+    """Tell whether robot r, which is in contact with somebody, touches an opponent: it may be a mate's legs alone."""
+    near = 2.0 * k.body_reach + TOUCH_GAP
+    for other in range(robots.shape[0]):
+        if robots[other].team == robots[r].team or robots[other].active == 0:
+            continue
+        x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
+        if x * x + y * y < near * near and robots_touch(robots[r], robots[other], k):
+            return True
+    return False
 
 
 @compiled
@@ -85,15 +99,18 @@ def end_spell(team, player, k, tally):
 
 
 @compiled
-def count_standing(match, ball, robot, k, tally, trail):
-    """Count where a robot stands: about the ball, idle, or as a goalkeeper; note its team's nearest to the ball."""
+def count_standing(match, ball, robot, contact, k, tally, trail):
+    """Count where a robot stands: about the ball, idle, or as a goalkeeper; note its team's nearest to the ball.
+
+    `contact` is the last step in which it touched an opponent.
+    """
     team, counts = robot.team, 0
     x, y, near = robot.x - ball.x, robot.y - ball.y, k.body_reach + k.ball_radius + MARGIN
     squared = x * x + y * y
     if squared < near * near:
         trail.crowd += 1
     if robot.keeper == 1:
-        count_keeper(match, robot, k, tally, trail)
+        count_keeper(match, robot, contact, k, tally, trail)
     else:
         slow = SLOW_LEGS if k.drive_kind == GAIT else SLOW_WHEELS
         counts = 2 if robot.vx * robot.vx + robot.vy * robot.vy < slow * slow else 1
@@ -105,7 +122,7 @@ def count_standing(match, ball, robot, k, tally, trail):
 
 
 @compiled
-def count_keeper(match, robot, k, tally, trail):
+def count_keeper(match, robot, contact, k, tally, trail):
     """Count a goalkeeper's time away from its goal and in it, and note that it is being pushed."""
     ahead = direction_of(match, robot.team) * robot.x + 0.5 * k.pitch_length  # of its goal line
     far = FAR * k.pitch_length
@@ -113,7 +130,7 @@ def count_keeper(match, robot, k, tally, trail):
         tally.keeper_away[robot.team] += k.dt
     elif ahead < 0.0:
         tally.keeper_in_goal[robot.team] += k.dt
-    if robot.locked >= PUSHED - 0.5 * k.dt:
+    if robot.locked >= PUSHED - 0.5 * k.dt and (match.step - contact) * k.dt < PUSHED:
         trail.keeper_pushed[robot.team] = match.step
 
 

@@ -61,7 +61,7 @@ class Steps:
         for _ in range(round(seconds / match.league.dt) or steps):
             match.matches["step"] += 1
             for r in rows:
-                count_player(match.matches[0], ball, match.robots[0, r], robot_events[0, r], r, self.k, self.tally[0])
+                count_player(match.matches[0], ball, match.robots[0], robot_events[0, r], r, self.k, self.tally[0])
             count_step(match.matches[0], ball, match.robots[0], record[0], self.k, self.tally[0])
             if is_notable(record[0]):
                 count_calls(match.matches[0], match.robots[0], record[0], robot_events[0], self.bodies, self.tally[0])

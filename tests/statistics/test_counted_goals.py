@@ -1,9 +1,11 @@
 """Balls on their way and goals, just under and just over each limit: shots, saves, passes, kinds, what came before."""
 
+import numpy as np
 import pytest
 
 from soccer_env.statistics.records import GoalKind
 from soccer_env.types import AWAY, HOME, Phase
+from tests.scenes.fouls import NOSES
 from tests.scenes.staging import LEGGED, MIDDLE
 from tests.statistics.counted_steps import Steps
 
@@ -23,6 +25,13 @@ def shoot(steps: Steps, x: float = 1.0, y: float = 0.0, vx: float = 1.0, vy: flo
     """Let home's player kick the ball with a velocity [m/s]."""
     steps.ball(x, y, vx, vy)
     steps.count(kick=KICKER)
+
+
+def face(steps: Steps, row: int, other: int) -> None:
+    """Let two robots touch, paw to paw, away from the ball."""
+    steps.put(row, 0.0, -0.9)
+    steps.put(other, NOSES - 0.003, -0.9)
+    steps.set(other, heading=np.pi)
 
 
 # Shots and saves
@@ -209,9 +218,15 @@ def test_a_scrum_of_half_a_second_ago_still_is_one(ago, kind) -> None:
     assert steps.kinds(HOME) == only(kind)
 
 
-@pytest.mark.parametrize(("ago", "kind"), [(48, PUSHED_IN), (49, CLEAN_DRIBBLE)])
-def test_a_dribble_in_touch_with_an_opponent_within_three_seconds_is_a_push(ago, kind) -> None:
+@pytest.mark.parametrize(
+    ("other", "ago", "kind"),
+    [(THEIR_PLAYER, 48, PUSHED_IN), (THEIR_PLAYER, 49, CLEAN_DRIBBLE), (MATE, 1, CLEAN_DRIBBLE)],
+)
+def test_a_dribble_in_touch_with_an_opponent_within_three_seconds_is_a_push_and_not_in_the_legs_of_a_mate(
+    other, ago, kind
+) -> None:
     steps = Steps()
+    face(steps, KICKER, other)
     steps.set(KICKER, locked=0.1)
     steps.count(touch=KICKER)
     steps.set(KICKER, locked=0.05)  # it runs back, which is no contact
@@ -247,10 +262,16 @@ def test_goals_within_ten_seconds_of_a_restart_say_which(ago, counted) -> None:
     assert steps.of("after_restart") == expected
 
 
-@pytest.mark.parametrize(("locked", "ago", "counted"), [(1.0, 160, 1), (1.0, 161, 0), (0.94, 1, 0)])
-def test_goals_within_ten_seconds_of_a_goalkeeper_in_contact_for_one_say_so(locked, ago, counted) -> None:
-    for keeper, team in ((THEIR_KEEPER, HOME), (KEEPER, AWAY)):
+@pytest.mark.parametrize(
+    ("locked", "ago", "counted", "mate"),
+    [(1.0, 160, 1, False), (1.0, 161, 0, False), (0.94, 1, 0, False), (1.0, 1, 0, True)],
+)
+def test_goals_within_ten_seconds_of_a_goalkeeper_in_contact_with_opponents_for_one_say_so(
+    locked, ago, counted, mate
+) -> None:
+    for keeper, player, team in ((THEIR_KEEPER, MATE, HOME), (KEEPER, THEIR_PLAYER, AWAY)):
         steps = Steps()
+        face(steps, keeper, keeper + 1 if mate else player)
         steps.set(keeper, locked=locked)
         steps.count()
         steps.set(keeper, locked=0.0)

@@ -192,9 +192,9 @@ def test_penalties_count_as_time_out_of_their_team_and_empty_places_do_not(field
 @pytest.mark.parametrize("phase", [Phase.KICK_OFF, Phase.THROW_IN, Phase.CORNER_KICK, Phase.FREE_KICK])
 def test_a_restart_counts_for_the_team_that_takes_it(team, phase) -> None:
     steps = Steps()
-    steps.count(restart=phase, restart_team=team)
+    steps.count(steps=3, restart=phase, restart_team=team)
     expected = np.zeros((2, len(Phase)), int)
-    expected[team, phase] = 1
+    expected[team, phase] = 3
     assert steps.of("restarts") == expected.tolist()
     assert steps.of("drops") == 0
 

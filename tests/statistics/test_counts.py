@@ -105,7 +105,7 @@ def counted(records, events, robot_events, before, k, statistics):
     bodies = np.zeros((len(robots) + 1, 6))
     bodies[1:, :2] = before
     for r in range(len(robots)):
-        count_player(match, ball, robots[r], robot_events[0, r], r, k, statistics[0])
+        count_player(match, ball, robots, robot_events[0, r], r, k, statistics[0])
     count_step(match, ball, robots, events[0], k, statistics[0])
     if is_notable(events[0]):
         count_calls(match, robots, events[0], robot_events[0], bodies, statistics[0])
