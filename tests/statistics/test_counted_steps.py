@@ -78,6 +78,9 @@ def test_possession_is_a_teams_that_has_the_ball_alone(rows, found) -> None:
     for row in rows:
         steps.set(row, has_ball=1)
     steps.count(seconds=1.0)
+    for row in rows:
+        steps.set(row, has_ball=0)
+    steps.count(seconds=1.0)
     assert [*steps.of("possession"), steps.of("both")] == found
 
 

@@ -25,11 +25,13 @@ PATH = 2.0  # [s] of the ball's way that a frame shows
 
 
 def draw_sheets(seen: SeenGoals, settings: GoalSettings) -> list[Path]:
-    """Write the sheets of the first goals into the folder; return their files.
+    """Write the sheets of the first goals into the folder, in place of those of an earlier look; return their files.
 
     A sheet is called goal-NN-match-MMM-at-SSSs-home-KIND.png, by the goal's match, its time and who scored how.
     """
     picture = Picture(seen.league, width_of(seen.league))
+    for old in settings.out.glob("goal-*-match-*-at-*s-*.png"):
+        old.unlink()
     files = []
     for number, goal in enumerate(seen.goals[: settings.sheets], start=1):
         name = f"goal-{number:02d}-match-{goal.match:03d}-at-{goal.seconds:03.0f}s-{SIDES[goal.team]}"

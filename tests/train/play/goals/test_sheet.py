@@ -109,6 +109,7 @@ def test_as_many_sheets_are_written_as_asked_for(tmp_path: Path) -> None:
     goal = goal_of("legged-2001", seconds=0.5)
     seen = SeenGoals(find_league("legged-2001"), [goal, goal, goal], 3, 8)
     settings = GoalSettings(home="still", away="still", sheets=2, out=tmp_path)
+    draw_sheets(SeenGoals(seen.league, [replace(goal, match=99)], 1, 1), settings)
     files = draw_sheets(seen, settings)
     assert sorted(tmp_path.iterdir()) == files and len(files) == 2
     assert files[1].name.startswith("goal-02-match-007-at-") and files[1].name.endswith("s-away-scrum.png")
