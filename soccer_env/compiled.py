@@ -1,4 +1,4 @@
-"""The one decorator that compiles the stages of a match.
+"""The decorators that compile the stages of a match.
 
 Plain Python over record fields goes in; machine code that runs without the interpreter lock comes out. Nothing is
 compiled before its first call, and what was compiled is kept on disk (`compiled_cache.py`).
@@ -39,6 +39,17 @@ def compiled(function: F) -> F:
     if os.path.isfile(function.__code__.co_filename):
         dispatcher._cache = SourceCache(function)  # what Dispatcher.enable_caching does with numba's own
     return cast(F, dispatcher)
+
+
+def inlined(function: F) -> F:
+    """Compile `function` as `compiled` does, and put its code wherever another compiled function calls it.
+
+    For a function that is called in one place, or does little: to hand on an array is to copy seven numbers or more.
+    """
+    made: Any = compiled(function)
+    if not config.DISABLE_JIT:
+        made.targetoptions["forceinline"] = True
+    return cast(F, made)
 
 
 def records(count: int, dtype: Any) -> Any:

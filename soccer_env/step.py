@@ -18,7 +18,6 @@ import numpy as np
 
 from soccer_env.borrowing import borrowed, keep
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
 from soccer_env.observations.truth import observe_truth
 from soccer_env.physics.ball import hold, limit_speed, slow_down
 from soccer_env.physics.contacts import find_collisions, find_touches
@@ -26,7 +25,7 @@ from soccer_env.physics.drive import drive, move_head
 from soccer_env.physics.engine.chipmunk import fetch, step_match, write_bodies
 from soccer_env.physics.engine.prefetch import fetch_row
 from soccer_env.physics.exchange import count_substeps, is_finite, read_records, weigh_ball, write_rows, write_twists
-from soccer_env.physics.kicker import holds_ball, work_kicker
+from soccer_env.physics.kicker import holds_ball, kicked_by, work_kicker
 from soccer_env.physics.solver.contacts import stance_of
 from soccer_env.physics.solver.interlock import catch_legs
 from soccer_env.referee.calls import judge
@@ -180,8 +179,8 @@ def finish_match(
     """Do what comes after the physics; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
     if not is_finite(bodies, robots.shape[0] + 1):
         return BROKEN
-    moved = finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, tally)
-    after, axes, rows, squares = scratch
+    after, axes, rows, squares, touching = scratch
+    moved = finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, touching, tally)
     measure_potentials(match, ball, robots, k, weights, after)
     reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards)
     if observations.shape[1] > 0:
@@ -213,7 +212,7 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
 
 
 @compiled
-def finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, tally):
+def finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, touching, tally):
     """Read back what the physics did, and let the referee judge it; return whether bodies were put elsewhere."""
     read_records(ball, robots, bodies, solver)
     knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
@@ -221,14 +220,14 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
     limit_speed(ball, k)
     dead = match.placing == 1  # a ball that is held cannot be touched
     toucher = -1 if dead else find_touches(ball, robots, robot_events, k, knock_x, knock_y, match.handedness)
-    find_collisions(robots, robot_events, k)
-    watch_contacts(robots, robot_events, k)
+    find_collisions(robots, robot_events, touching, k)
+    watch_contacts(robots, robot_events, touching, k)
     match.step += 1
     if dead:
         end_placing(match, ball, robots, k)
     moved = serve_penalties(match, ball, robots, robot_events, k) or dead
     if not dead and match.over == 0:
-        moved = judge_fouls(match, ball, robots, events, robot_events, k) or moved
+        moved = judge_fouls(match, ball, robots, events, robot_events, touching, k) or moved
     judge(match, ball, robots, events, k, toucher if toucher >= 0 else kicked_by(ball, robots, robot_events))
     if match.phase == PLAY and match.over == 0 and pull_apart(ball, robots, match, k):
         events.separated = 1
@@ -260,10 +259,10 @@ def note_possession(ball, robot, events, k):
 def make_scratch(robots):
     """Return arrays to work in: potentials before a step, and what `finish_match` needs.
 
-    That is potentials, axes of the robots (R, 2), rows and squared distances of players.
+    That is potentials, axes of the robots (R, 2), rows and squared distances of players, and who touches whom (R,).
     """
-    rows, squares = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
-    return np.empty(POTENTIALS), (np.empty(POTENTIALS), np.empty((robots, 2)), rows, squares)
+    rows, squares, touching = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM), np.empty(robots, np.int64)
+    return np.empty(POTENTIALS), (np.empty(POTENTIALS), np.empty((robots, 2)), rows, squares, touching)
 
 
 @compiled
@@ -285,14 +284,3 @@ def clear_events(events, robot_events):
         event = robot_events[r]
         event.touch = event.kick = event.possession = event.collision = 0
         event.pushes = event.pushed = event.foul = event.card = event.returned = 0
-
-
-@compiled
-def kicked_by(ball, robots, robot_events):
-    """Return the row of the robot that kicked in this step (of several the one nearest to the ball), or -1."""
-    row, least = -1, 0.0
-    for r in range(robot_events.shape[0]):
-        distance = length(ball.x - robots[r].x, ball.y - robots[r].y)
-        if robot_events[r].kick == 1 and (row < 0 or distance < least):
-            row, least = r, distance
-    return row

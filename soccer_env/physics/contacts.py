@@ -44,7 +44,13 @@ def paws_gap(robot, k, ball_x, ball_y, handedness):
 @compiled
 def outline_gap(robot, k, x, y):
     """Return the distance [m] of a point of the field from a robot's outline, its legs in mid-stroke."""
-    ahead, left = into_frame(x - robot.x, y - robot.y, cos(robot.heading), sin(robot.heading))
+    return outline_gap_of(robot, k, x, y, cos(robot.heading), sin(robot.heading))
+
+
+@compiled
+def outline_gap_of(robot, k, x, y, cosine, sine):
+    """Return the same, given the cosine and sine of the robot's heading."""
+    ahead, left = into_frame(x - robot.x, y - robot.y, cosine, sine)
     gap = trunk_gap(k, ahead, left)
     if is_blocking(robot, k):
         gap = min(gap, forelegs_gap(robot, k, ahead, left, 1.0, 0))
@@ -115,15 +121,24 @@ def find_touches(ball, robots, robot_events, k, knock_x, knock_y, handedness):
 
 
 @compiled
-def find_collisions(robots, robot_events, k):
-    """Mark the robots that touch another robot."""
+def find_collisions(robots, robot_events, touching, k):
+    """Mark the robots that touch another robot; bit `other` of touching (R,) [r] says whether r touches that one."""
     near = 2.0 * most_reach(k) + TOUCH_GAP
+    touching[:] = 0
     for r in range(robots.shape[0]):
         for other in range(r + 1, robots.shape[0]):
             x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
             if x * x + y * y < near * near and robots_touch(robots[r], robots[other], k):
                 robot_events[r].collision = 1
                 robot_events[other].collision = 1
+                touching[r] |= 1 << other
+                touching[other] |= 1 << r
+
+
+@compiled
+def touches(touching, r, other):
+    """Tell whether robot r touches another, as `find_collisions` found."""
+    return (touching[r] >> other) & 1 == 1
 
 
 @compiled
@@ -132,32 +147,40 @@ def robots_touch(robot, other, k):
 
     Legs are taken in mid-stroke, where they hold other robots (see `space.robot_shapes`).
     """
-    return points_touch(robot, other, k) or points_touch(other, robot, k)
+    cosine, sine = cos(robot.heading), sin(robot.heading)
+    its_cosine, its_sine = cos(other.heading), sin(other.heading)
+    return points_touch(robot, other, k, cosine, sine, its_cosine, its_sine) or points_touch(
+        other, robot, k, its_cosine, its_sine, cosine, sine
+    )
 
 
 @compiled
-def points_touch(robot, other, k):
-    """Tell whether a post, a corner or an end of the trunk of one robot touches the outline of the other."""
-    cosine, sine = cos(robot.heading), sin(robot.heading)
+def points_touch(robot, other, k, cosine, sine, its_cosine, its_sine):
+    """Tell whether a post, a corner or an end of the trunk of one robot touches the outline of the other.
+
+    The cosines and sines are those of the two headings.
+    """
     spread = spread_of(robot, k, 0.0)
     for leg in range(LEGS if k.body_hind_y > 0.0 else TIPS):
         x, y = stance(k, leg, 1.0)
         out_x, out_y = paw_out(k, leg, spread, 1.0)
-        if disc_touches(robot, other, k, x + out_x, y + out_y, k.body_tip_radius, cosine, sine):
+        if disc_touches(robot, other, k, x + out_x, y + out_y, k.body_tip_radius, cosine, sine, its_cosine, its_sine):
             return True
     for i in range(k.corners):
-        if disc_touches(robot, other, k, k.corner_x[i], k.corner_y[i], 0.0, cosine, sine):
+        if disc_touches(robot, other, k, k.corner_x[i], k.corner_y[i], 0.0, cosine, sine, its_cosine, its_sine):
             return True
     if k.corners > 0:
         return False
-    if disc_touches(robot, other, k, k.body_disc_x, 0.0, k.body_disc_radius, cosine, sine):
+    if disc_touches(robot, other, k, k.body_disc_x, 0.0, k.body_disc_radius, cosine, sine, its_cosine, its_sine):
         return True
     rear = k.body_disc_x - k.body_disc_back
-    return k.body_disc_back > 0.0 and disc_touches(robot, other, k, rear, 0.0, k.body_disc_radius, cosine, sine)
+    return k.body_disc_back > 0.0 and disc_touches(
+        robot, other, k, rear, 0.0, k.body_disc_radius, cosine, sine, its_cosine, its_sine
+    )
 
 
 @compiled
-def disc_touches(robot, other, k, ahead, left, radius, cosine, sine):
+def disc_touches(robot, other, k, ahead, left, radius, cosine, sine, its_cosine, its_sine):
     """Tell whether a disc of a robot, its middle given in the robot's frame [m], touches the outline of another."""
     x, y = point_of_frame(robot.x, robot.y, ahead, left, cosine, sine)
-    return outline_gap(other, k, x, y) < radius + TOUCH_GAP
+    return outline_gap_of(other, k, x, y, its_cosine, its_sine) < radius + TOUCH_GAP

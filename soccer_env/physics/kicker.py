@@ -12,7 +12,7 @@ from __future__ import annotations
 from math import cos, sin
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame
+from soccer_env.geometry import clip, into_frame, length
 from soccer_env.physics.block import begin_block, is_blocking, may_block, most_reach_walking
 from soccer_env.physics.contacts import TOUCH_GAP, paws_gap
 from soccer_env.random_numbers import normal, uniform
@@ -130,3 +130,14 @@ def place_at_kicker(robot, k, ball_x, ball_y):
     """Return how far ahead of the front the ball's near side lies, and how far to the left its centre [m, m]."""
     ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, cos(robot.heading), sin(robot.heading))
     return ahead - k.body_front - k.ball_radius, left
+
+
+@compiled
+def kicked_by(ball, robots, robot_events):
+    """Return the row of the robot that kicked in this step (of several the one nearest to the ball), or -1."""
+    row, least = -1, 0.0
+    for r in range(robot_events.shape[0]):
+        distance = length(ball.x - robots[r].x, ball.y - robots[r].y)
+        if robot_events[r].kick == 1 and (row < 0 or distance < least):
+            row, least = r, distance
+    return row

@@ -22,32 +22,33 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, length
-from soccer_env.physics.contacts import robots_touch
+from soccer_env.physics.contacts import touches
 from soccer_env.referee.areas import in_penalty_area
 from soccer_env.referee.places import HAIR, MARGIN, new_bans, settle
 from soccer_env.referee.restarts import put_robot, stay
 
 
 @compiled
-def watch_contacts(robots, robot_events, k):
+def watch_contacts(robots, robot_events, touching, k):
     """Count for how long each robot has been in contact with an opponent or in the legs of a mate, less the time out.
 
-    Robots that push against each other lose contact for moments, which does not free them.
+    Robots that push against each other lose contact for moments, which does not free them. `touching` is what
+    `find_collisions` found.
     """
     for r in range(robots.shape[0]):
         robot = robots[r]
-        if robot_events[r].collision == 1 and (touches_opponent(robots, r, k) or in_legs_of_mate(robots, r)):
+        if robot_events[r].collision == 1 and (touches_opponent(robots, touching, r, k) or in_legs_of_mate(robots, r)):
             robot.locked += k.dt
         elif robot.locked > 0.0:
             robot.locked = max(robot.locked - k.dt, 0.0)
 
 
 @compiled
-def touches_opponent(robots, r, k):
+def touches_opponent(robots, touching, r, k):
     """Tell whether robot r touches an opponent."""
     for other in range(robots.shape[0]):
         opponent = robots[other].team != robots[r].team
-        if opponent and is_near(robots[r], robots[other], k) and robots_touch(robots[r], robots[other], k):
+        if opponent and touches(touching, r, other) and is_near(robots[r], robots[other], k):
             return True
     return False
 

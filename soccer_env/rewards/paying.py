@@ -7,16 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.rewards.table import COUNT, TERMS, Term
 
-# A term of weight 0 costs a look at its weight.
+# A link of a chain is inlined: it does little, and to hand it seven arrays would take longer. A term of weight 0 costs
+# a look at its weight.
 
 
 def make_measure(terms: tuple[Term, ...]) -> Callable[..., None]:
     """Return a kernel that writes the potentials of a team into its row of (2, potentials), one column a term."""
 
-    @compiled
+    @inlined
     def measure(match, ball, robots, k, team, weights, potentials):
         pass
 
@@ -29,7 +30,7 @@ def make_measure(terms: tuple[Term, ...]) -> Callable[..., None]:
 def add_potential(measure_others, column, index, function):
     """Return a kernel that writes the potentials of other terms, and that of one more, 0 if it weighs nothing."""
 
-    @compiled
+    @inlined
     def measure(match, ball, robots, k, team, weights, potentials):
         measure_others(match, ball, robots, k, team, weights, potentials)
         weighs = weights.term[column] != 0.0
@@ -41,7 +42,7 @@ def add_potential(measure_others, column, index, function):
 def make_pay(terms: tuple[Term, ...]) -> Callable[..., None]:
     """Return a kernel that adds what robots get to (R, terms or more), one column a term."""
 
-    @compiled
+    @inlined
     def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):
         pass
 
@@ -58,7 +59,7 @@ def make_pay(terms: tuple[Term, ...]) -> Callable[..., None]:
 def add_shaping(pay_others, column, index):
     """Return a kernel that pays other terms, and the shaping of one potential."""
 
-    @compiled
+    @inlined
     def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):
         pay_others(match, ball, robots, events, robot_events, k, before, after, weights, paid)
         weight = weights.term[column]
@@ -74,7 +75,7 @@ def add_shaping(pay_others, column, index):
 def add_event(pay_others, column, function, sign):
     """Return a kernel that pays other terms, and an event (sign 1) or a cost (sign -1)."""
 
-    @compiled
+    @inlined
     def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):
         pay_others(match, ball, robots, events, robot_events, k, before, after, weights, paid)
         weight = weights.term[column]

@@ -8,6 +8,7 @@ import numpy as np
 
 from soccer_env import Match
 from soccer_env.leagues.constants import constants_of
+from soccer_env.physics.contacts import find_collisions
 from soccer_env.referee.fouls.judging import judge_fouls
 from soccer_env.staging import put, put_ball, set_phase
 from soccer_env.types import HOME, Phase
@@ -56,7 +57,9 @@ class Referee:
             self.deeds["touch"][self.rows[index]] = 1
         for index in collides:
             self.deeds["collision"][self.rows[index]] = 1
-        judge_fouls(self.record, self.ball, self.robots, self.events, self.deeds, self.k)
+        touching = np.zeros(len(self.robots), np.int64)
+        find_collisions(self.robots, self.deeds.copy(), touching, self.k)
+        judge_fouls(self.record, self.ball, self.robots, self.events, self.deeds, touching, self.k)
         return int(self.events["foul"])
 
     def wait(self, seconds: float, **seen: tuple[int, ...]) -> list[int]:

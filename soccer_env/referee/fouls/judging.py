@@ -11,7 +11,7 @@ from soccer_env.referee.fouls.middle_size.book import judge_middle_size
 
 
 @compiled
-def judge_fouls(match, ball, robots, events, robot_events, k):
-    """Whistle for the fouls of a step; tell whether robots were moved."""
-    moved = judge_legged(match, ball, robots, events, robot_events, k)
-    return judge_middle_size(match, ball, robots, events, robot_events, k) or moved
+def judge_fouls(match, ball, robots, events, robot_events, touching, k):
+    """Whistle for the fouls of a step; tell whether robots were moved. `touching` is what `find_collisions` found."""
+    moved = judge_legged(match, ball, robots, events, robot_events, touching, k)
+    return judge_middle_size(match, ball, robots, events, robot_events, touching, k) or moved

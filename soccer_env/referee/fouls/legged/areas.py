@@ -73,7 +73,8 @@ def in_own_area(match, robot, k, feet):
 @compiled
 def in_area(robot, k, end, feet):
     """Tell whether a robot has at least so many feet in the penalty area or goal at an end of the pitch (+1 or -1)."""
-    if end * robot.x + k.body_reach < 0.5 * k.pitch_length - k.pitch_penalty_depth:
+    line, side = 0.5 * k.pitch_length - k.pitch_penalty_depth, 0.5 * k.pitch_penalty_width
+    if end * robot.x + k.body_reach < line or abs(robot.y) - k.body_reach > side:
         return False  # as most robots, most of the time
     cosine, sine = cos(robot.heading), sin(robot.heading)
     found = 0

@@ -27,12 +27,12 @@ KICK_OFF, DROP_BALL = int(Phase.KICK_OFF), int(Phase.DROP_BALL)
 
 
 @compiled
-def judge_legged(match, ball, robots, events, robot_events, k):
+def judge_legged(match, ball, robots, events, robot_events, touching, k):
     """Whistle for the fouls of a step; tell whether robots were moved."""
     if k.rules_kick_off_shot == 1:
         watch_kick_off(match, ball, robots, robot_events, k)
     if k.rules_pushing + k.rules_keeper_pushing + k.rules_illegal_defender + k.rules_falling > 0:
-        note_pushes(match, ball, robots, robot_events, k)
+        note_pushes(match, ball, robots, robot_events, touching, k)
     if k.rules_keeper_pushing == 1:
         judge_keeper_pushing(match, robots, events, robot_events, k)
     if k.rules_holding + k.rules_carrying > 0:

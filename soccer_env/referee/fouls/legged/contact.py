@@ -12,7 +12,7 @@ from math import cos, sin
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, out_of_frame
-from soccer_env.physics.contacts import TOUCH_GAP, robots_touch
+from soccer_env.physics.contacts import TOUCH_GAP, touches
 from soccer_env.referee.fouls.legged.areas import in_own_area
 
 PRESS = 0.25  # [1] of the top speed, towards the other, above which a walk leads into it, assumed
@@ -20,7 +20,7 @@ PLAYER, KEEPER = 1, 2  # who is pushed: anybody, a goalkeeper in its own area
 
 
 @compiled
-def note_pushes(match, ball, robots, robot_events, k):
+def note_pushes(match, ball, robots, robot_events, touching, k):
     """Mark who walks into an opponent, and who is walked into; a goalkeeper also through the ball between the two."""
     near = 2.0 * k.body_reach + TOUCH_GAP
     for r in range(robots.shape[0]):
@@ -29,7 +29,7 @@ def note_pushes(match, ball, robots, robot_events, k):
                 if robot_events[other].collision == 0 or robots[r].team == robots[other].team:
                     continue
                 x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
-                if x * x + y * y < near * near and robots_touch(robots[r], robots[other], k):
+                if x * x + y * y < near * near and touches(touching, r, other):
                     note_push(match, robots, robot_events, r, other, k)
                     note_push(match, robots, robot_events, other, r, k)
         if robots[r].keeper == 1 and robot_events[r].touch == 1:

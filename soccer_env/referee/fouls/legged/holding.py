@@ -22,7 +22,7 @@ from math import cos, pi, sin
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.physics.contacts import outline_gap
+from soccer_env.physics.contacts import outline_gap_of
 from soccer_env.referee.fouls.legged.areas import in_own_area
 from soccer_env.referee.fouls.legged.pushing import square_to_ball
 from soccer_env.referee.fouls.penalties import whistle
@@ -89,10 +89,11 @@ def is_covered(robot, ball, k):
     x, y = 0.5 * k.pitch_length - room - far, 0.5 * k.pitch_width - room - far
     if abs(ball.x) < x and abs(ball.y) < y:
         return False  # no board is near, and a robot alone cannot cover it
+    cosine, sine = cos(robot.heading), sin(robot.heading)
     for side in range(SIDES):
         angle = robot.heading + (side + 0.5) * 2.0 * pi / SIDES
         x, y = ball.x + far * cos(angle), ball.y + far * sin(angle)
-        if has_room(x, y, room, k) and outline_gap(robot, k, x, y) >= k.body_tip_radius:
+        if has_room(x, y, room, k) and outline_gap_of(robot, k, x, y, cosine, sine) >= k.body_tip_radius:
             return False
     return True
 

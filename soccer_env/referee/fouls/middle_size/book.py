@@ -31,21 +31,21 @@ DISTANCE = int(Foul.DISTANCE)
 
 
 @compiled
-def judge_middle_size(match, ball, robots, events, robot_events, k):
+def judge_middle_size(match, ball, robots, events, robot_events, touching, k):
     """Whistle for a foul of the middle size; tell whether robots were moved."""
     again = watch_taking(match, ball, robots, robot_events, k)
     if match.phase != PLAY:
         return judge_distances(match, robots, events, robot_events, k)
     if again:
         return punish(match, ball, robots, events, robot_events, k, match.taker, SECOND_TOUCH, False)
-    row, foul, hard = find_foul(match, ball, robots, robot_events, k)
+    row, foul, hard = find_foul(match, ball, robots, robot_events, touching, k)
     return row >= 0 and punish(match, ball, robots, events, robot_events, k, row, foul, hard)
 
 
 @compiled
-def find_foul(match, ball, robots, robot_events, k):
+def find_foul(match, ball, robots, robot_events, touching, k):
     """Return the row of a robot that commits a foul in play, or -1, the Foul, and whether it is a hard one."""
-    row, what = find_charging(match, ball, robots, robot_events, k)
+    row, what = find_charging(match, ball, robots, robot_events, touching, k)
     if row >= 0:
         return row, KEEPER_CHARGE if what == CHARGES_KEEPER else CHARGING, what > CHARGES
     row, what = find_handling(ball, robots, k)

@@ -15,14 +15,14 @@ from math import cos, sin
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, out_of_frame
-from soccer_env.physics.contacts import robots_touch
+from soccer_env.physics.contacts import touches
 from soccer_env.referee.areas import in_goal_area
 
 NEVER, CHARGES, CHARGES_HARD, CHARGES_KEEPER = 0, 1, 2, 3
 
 
 @compiled
-def find_charging(match, ball, robots, robot_events, k):
+def find_charging(match, ball, robots, robot_events, touching, k):
     """Return the row of the robot that charges worst, or -1, and what it does; the clocks of the others run on."""
     row, worst = -1, NEVER
     if k.rules_charging == 0 and k.rules_keeper_charge == 0:
@@ -30,7 +30,7 @@ def find_charging(match, ball, robots, robot_events, k):
     for r in range(robots.shape[0]):
         found = NEVER
         if robot_events[r].collision == 1 and robots[r].active == 1:
-            found = judge_driver(match, ball, robots, r, k)
+            found = judge_driver(match, ball, robots, touching, r, k)
         elif robots[r].charging > 0.0:
             robots[r].charging = max(robots[r].charging - k.dt, 0.0)
         if found > worst:
@@ -39,14 +39,14 @@ def find_charging(match, ball, robots, robot_events, k):
 
 
 @compiled
-def judge_driver(match, ball, robots, r, k):
+def judge_driver(match, ball, robots, touching, r, k):
     """Return what a robot in contact with others does to the opponents among them."""
     found, speed = NEVER, 0.0
     for other in range(robots.shape[0]):
         if robots[other].team == robots[r].team or robots[other].active == 0:
             continue
         into = drives_into(robots[r], robots[other], k)
-        if into < k.rules_charging_speed or not robots_touch(robots[r], robots[other], k):
+        if into < k.rules_charging_speed or not touches(touching, r, other):
             continue
         keeper = robots[other].keeper == 1 and in_goal_area(match, robots[other], robots[other].team, k)
         if keeper and k.rules_keeper_charge == 1:
