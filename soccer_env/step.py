@@ -91,6 +91,7 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
         terms, rewards = outcome.terms[m], outcome.rewards[m]
         if fetch(links, m + 1):
             fetch_row(world.robots, m + 1)
+            fetch_row(outcome.statistics, m + 1)
         substeps = begin_match(
             match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards
         )

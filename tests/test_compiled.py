@@ -4,9 +4,11 @@ import os
 import subprocess
 import sys
 
+import numba
 import numpy as np
+import pytest
 
-from soccer_env.compiled import compiled, with_attributes
+from soccer_env.compiled import compiled, config, inlined, with_attributes
 from soccer_env.compiled_sources import ROOT
 
 POINT = np.dtype([("x", "f8"), ("y", "f8")])
@@ -99,3 +101,31 @@ def test_a_view_with_attributes_writes_through():
     assert robots["place"]["y"][0, 1] == 5.0
     assert with_attributes(view) is view
     assert with_attributes(3) == 3
+
+
+def long_work(values, x):
+    """Do something long enough for the compiler to leave it in a function of its own, if it is called twice."""
+    for i in range(values.shape[0]):
+        for j in range(i, values.shape[0]):
+            if values[i] > values[j] * x:
+                values[i], values[j] = values[j] + np.sin(x), values[i] / (1.0 + x * x)
+            elif values[j] > 3.0 * x:
+                values[j] = np.arctan2(values[i], x) + np.exp(-abs(values[j])) * np.cos(values[j] * x)
+            else:
+                values[i] += np.sqrt(abs(values[j] - x)) + np.tan(x) * np.log(1.0 + values[i] * values[i])
+    return values[0] + np.cos(values[-1])
+
+
+@pytest.mark.skipif(bool(config.DISABLE_JIT), reason="plain Python inlines nothing")
+def test_an_inlined_function_is_called_nowhere_and_gives_the_same():
+    answers, calls = [], []
+    for decorator in (compiled, inlined):
+        work = decorator(long_work)
+        work._cache.disable()  # which does not tell two decorators of one function apart
+        call = numba.njit(lambda values, x: work(values, x) + work(values, 2.0 * x))  # noqa: B023 - compiled below
+        values = np.linspace(-1.0, 1.0, 9)
+        answers.append((call(values, 0.7), values.tolist()))
+        code = call.inspect_asm(call.signatures[0]).splitlines()
+        calls.append(sum("long_work" in line and ("call" in line or "mov" in line) for line in code))
+    assert answers[0] == answers[1]
+    assert calls[0] > 0 == calls[1]

@@ -18,7 +18,7 @@ In the middle size a goal from an indirect restart counts once somebody but the 
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.types import NO_TEAM, Foul
 
 KEEPER_PUSHING, HOLDING = int(Foul.KEEPER_PUSHING), int(Foul.HOLDING)
@@ -46,7 +46,7 @@ def is_kick_off_shot(match, k, scorer):
     return k.rules_kick_off_shot == 1 and match.kick_off_shot == scorer
 
 
-@compiled
+@inlined
 def note_whistled_attack(match, robots, robot_events, k):
     """Remember for a while whose attack was whistled; if both teams' were, the later robot's counts."""
     if match.whistled != NO_TEAM:

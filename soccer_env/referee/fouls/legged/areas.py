@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.geometry import direction_of, point_of_frame
 from soccer_env.physics.gait import LEGS, stance
 from soccer_env.referee.fouls.penalties import whistle
@@ -25,7 +25,7 @@ DEFENDER, ATTACKER = int(Foul.ILLEGAL_DEFENDER), int(Foul.ILLEGAL_ATTACKER)
 FEET = 2  # of four that make a field player stand in the area
 
 
-@compiled
+@inlined
 def judge_areas(match, ball, robots, events, robot_events, k):
     """Whistle field players that stay in a penalty area in which they may not."""
     for r in range(robots.shape[0]):

@@ -7,7 +7,7 @@ All is judged before anybody is moved, so that nobody is favoured by its number.
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.referee.fouls.goals import note_whistled_attack
 from soccer_env.referee.fouls.legged.areas import judge_areas
 from soccer_env.referee.fouls.legged.contact import note_pushes
@@ -26,7 +26,7 @@ HOLDING, FALLEN, GAME_STUCK = int(Foul.HOLDING), int(Foul.FALLEN), int(Foul.GAME
 KICK_OFF, DROP_BALL = int(Phase.KICK_OFF), int(Phase.DROP_BALL)
 
 
-@compiled
+@inlined
 def judge_legged(match, ball, robots, events, robot_events, touching, k):
     """Whistle for the fouls of a step; tell whether robots were moved."""
     if k.rules_kick_off_shot == 1:
@@ -52,7 +52,7 @@ def judge_legged(match, ball, robots, events, robot_events, touching, k):
     return events.foul != 0 and take_out_guilty(match, ball, robots, robot_events, k)
 
 
-@compiled
+@inlined
 def restart_if_stuck(match, ball, robots, events, robot_events, k):
     """Call the restart of a game that is stuck, if it needs one."""
     found = judge_stuck(match, ball, robots, events, robot_events, k)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.geometry import length, out_of_frame
 from soccer_env.physics.contacts import TOUCH_GAP, touches
 from soccer_env.referee.fouls.legged.areas import in_own_area
@@ -19,7 +19,7 @@ PRESS = 0.25  # [1] of the top speed, towards the other, above which a walk lead
 PLAYER, KEEPER = 1, 2  # who is pushed: anybody, a goalkeeper in its own area
 
 
-@compiled
+@inlined
 def note_pushes(match, ball, robots, robot_events, touching, k):
     """Mark who walks into an opponent, and who is walked into; a goalkeeper also through the ball between the two."""
     near = 2.0 * k.body_reach + TOUCH_GAP

@@ -12,7 +12,7 @@ league has 0: no source says how often an ERS-210 fell, and its four paws stand 
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.random_numbers import uniform
 from soccer_env.referee.fouls.legged.contact import press_of
 from soccer_env.referee.fouls.penalties import whistle
@@ -22,7 +22,7 @@ FALLEN = int(Foul.FALLEN)
 FALL = int(RobotStream.FALL)
 
 
-@compiled
+@inlined
 def judge_falling(match, robots, events, robot_events, k):
     """Let robots fall that are pushed, and whistle those that lie for too long."""
     for r in range(robots.shape[0]):

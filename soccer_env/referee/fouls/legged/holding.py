@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from math import cos, pi, sin
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.geometry import length
 from soccer_env.physics.contacts import outline_gap_of
 from soccer_env.referee.fouls.legged.areas import in_own_area
@@ -34,7 +34,7 @@ WALKS = 0.25  # [1] of a top speed, below which a robot stands, assumed
 SIDES = 16  # directions from which a paw may come
 
 
-@compiled
+@inlined
 def judge_holding(match, ball, robots, events, robot_events, k):
     """Whistle robots that have held the ball for too long, or carried it too far."""
     reach = k.body_reach + k.ball_radius + 2.0 * k.body_tip_radius  # as near as no paw fits between

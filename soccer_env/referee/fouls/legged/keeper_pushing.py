@@ -13,7 +13,7 @@ What becomes of the goal: `referee.fouls.goals`.
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.referee.fouls.legged.contact import KEEPER, run_clock
 from soccer_env.referee.fouls.penalties import whistle
 from soccer_env.types import Foul
@@ -21,7 +21,7 @@ from soccer_env.types import Foul
 KEEPER_PUSHING = int(Foul.KEEPER_PUSHING)
 
 
-@compiled
+@inlined
 def judge_keeper_pushing(match, robots, events, robot_events, k):
     """Whistle attackers that have pushed the goalkeeper for too long, and those that join another."""
     for r in range(robots.shape[0]):

@@ -9,13 +9,13 @@ kick off.
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import inlined
 from soccer_env.types import NO_TEAM, Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
 
 
-@compiled
+@inlined
 def watch_kick_off(match, ball, robots, robot_events, k):
     """Note whose kick-off it is, until that team touches the ball beyond the centre circle."""
     if match.phase == KICK_OFF:

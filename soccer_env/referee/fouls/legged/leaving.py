@@ -9,7 +9,7 @@ assumed: half a turn takes 4 s. A goalkeeper may stand in its own goal.
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import inlined
 from soccer_env.geometry import direction_of
 from soccer_env.referee.fouls.penalties import whistle
 from soccer_env.types import Foul
@@ -17,7 +17,7 @@ from soccer_env.types import Foul
 LEFT_FIELD = int(Foul.LEFT_FIELD)
 
 
-@compiled
+@inlined
 def judge_leaving(match, robots, events, robot_events, k):
     """Whistle robots that stay in a goal."""
     edge = 0.5 * k.pitch_length

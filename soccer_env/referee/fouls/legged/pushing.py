@@ -9,7 +9,7 @@ two feet in its own area; of two that charge into each other both are removed.
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.referee.fouls.legged.areas import FEET, in_own_area
 from soccer_env.referee.fouls.legged.contact import run_clock
 from soccer_env.referee.fouls.penalties import whistle
@@ -18,7 +18,7 @@ from soccer_env.types import Foul
 PUSHING = int(Foul.PUSHING)
 
 
-@compiled
+@inlined
 def judge_pushing(match, ball, robots, events, robot_events, k):
     """Whistle robots that have pushed for too long."""
     for r in range(robots.shape[0]):

@@ -16,7 +16,7 @@ The book of 2008 has no dropped ball after 15 s, which is remembered of 2001. Th
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.geometry import direction_of
 from soccer_env.referee.fouls.legged.pushing import square_to_ball
 from soccer_env.referee.fouls.penalties import whistle
@@ -28,7 +28,7 @@ AT_BALL = 5.0  # [s] since a touch, for which play is at the ball, assumed
 NOBODY, STUCK, GLOBAL, TO_CENTRE = 0, 1, 2, 3  # what a step of the game is, and how it goes on
 
 
-@compiled
+@inlined
 def judge_stuck(match, ball, robots, events, robot_events, k):
     """Whistle a game that is stuck; return GLOBAL or TO_CENTRE if the ball is to be put elsewhere, else NOBODY."""
     if match.phase != PLAY and match.phase != DROP_BALL:

@@ -9,7 +9,7 @@ Of several field players in the penalty area the one nearest to the ball may sta
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.geometry import length
 from soccer_env.referee.areas import in_goal_area, in_penalty_area
 from soccer_env.types import AWAY, HOME
@@ -17,7 +17,7 @@ from soccer_env.types import AWAY, HOME
 FAIR, GOAL_AREA, PENALTY_AREA = 0, 1, 2
 
 
-@compiled
+@inlined
 def find_trespassing(match, ball, robots, k):
     """Return the row of a robot that stays where it may not, or -1, and in which area; clocks run on the way."""
     row, where = -1, FAIR

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.referee.calls import goal_scored
 from soccer_env.referee.fouls.middle_size.areas import GOAL_AREA, find_trespassing
 from soccer_env.referee.fouls.middle_size.cards import book
@@ -30,7 +30,7 @@ PENALTY_AREA_FOUL = int(Foul.PENALTY_AREA)
 DISTANCE = int(Foul.DISTANCE)
 
 
-@compiled
+@inlined
 def judge_middle_size(match, ball, robots, events, robot_events, touching, k):
     """Whistle for a foul of the middle size; tell whether robots were moved."""
     again = watch_taking(match, ball, robots, robot_events, k)
@@ -42,7 +42,7 @@ def judge_middle_size(match, ball, robots, events, robot_events, touching, k):
     return row >= 0 and punish(match, ball, robots, events, robot_events, k, row, foul, hard)
 
 
-@compiled
+@inlined
 def find_foul(match, ball, robots, robot_events, touching, k):
     """Return the row of a robot that commits a foul in play, or -1, the Foul, and whether it is a hard one."""
     row, what = find_charging(match, ball, robots, robot_events, touching, k)

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.geometry import length, out_of_frame
 from soccer_env.physics.contacts import touches
 from soccer_env.referee.areas import in_goal_area
@@ -21,7 +21,7 @@ from soccer_env.referee.areas import in_goal_area
 NEVER, CHARGES, CHARGES_HARD, CHARGES_KEEPER = 0, 1, 2, 3
 
 
-@compiled
+@inlined
 def find_charging(match, ball, robots, robot_events, touching, k):
     """Return the row of the robot that charges worst, or -1, and what it does; the clocks of the others run on."""
     row, worst = -1, NEVER

@@ -11,14 +11,14 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.geometry import into_frame, length
 
 FAIR, SURROUNDS, DRIBBLES = 0, 1, 2
 FREE = 2.0  # [ball radii] between robot and ball after which it has lost the ball, assumed
 
 
-@compiled
+@inlined
 def find_handling(ball, robots, k):
     """Return the row of a robot that does what it may not with the ball, or -1, and what; clocks run on the way."""
     row, what = -1, FAIR

@@ -12,7 +12,7 @@ the two distances that the ball has to go by the books of these years).
 
 from __future__ import annotations
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.types import NO_TEAM, Phase
 
 PLAY = int(Phase.PLAY)
@@ -23,7 +23,7 @@ CORNER_KICK = int(Phase.CORNER_KICK)
 FREE_KICK = int(Phase.FREE_KICK)
 
 
-@compiled
+@inlined
 def watch_taking(match, ball, robots, robot_events, k):
     """Note who takes a restart, until somebody else touches the ball; tell whether the taker touches it again."""
     if match.phase != PLAY:
