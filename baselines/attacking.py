@@ -84,6 +84,8 @@ def turn_to_goal(command, sight, k, play, ux, uy):
     error = wrap(atan2(uy, ux) - sight.heading)
     command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
     command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
+    if k.walled == 0 and k.drive_sideways > 0.0:
+        command.left = -play.pivot * command.turn * k.drive_turn * sight.touch / k.drive_sideways
     if k.walled == 0 and (goal_room(sight, k, sight.now_cosine, sight.now_sine) < 0.0 or is_pressed(sight)):
         command.forward = min(command.forward, line_speed(sight, k, sight.now_cosine, sight.now_sine) / k.drive_forward)
 

@@ -102,11 +102,12 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "lead": (3.0, 1.5, 2.0),  # [s] greatest time by which the ball is led
     "turn_share": (1.0, 0.7, 0.5),  # [1] of the top turn rate with the ball
     "carry_share": (1.0, 0.15, 0.2),  # [1] of the top speed while turning with the ball
+    "pivot": (0.0, 1.0, 0.0),  # [1] how far a base that steps aside turns about the ball, not about itself
     "push_share": (1.0, 0.6, 0.9),  # [1] of the top speed while pushing it straight
     "aligned": (0.15, 0.3, 0.2),  # [rad] off the aim within which the ball counts as straight ahead
     "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front
     "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
-    "room": (0.03, 0.03, 0.03),  # [rad] beside a shot
+    "room": (0.03, 0.05, 0.03),  # [rad] beside a shot
     "shot_range": (1.3, 5.5, 5.5),  # [m] of a shot at the goal
     "arrival": (0.0, 5.0, 5.0),  # [m/s] of a shot at the goal; 0: with all strength
     "way_on": (0.7, 2.5, 2.5),  # [m] that a way for the ball is looked at
