@@ -42,6 +42,7 @@ from soccer_env.baselines.set_pieces import (
     leave_ball,
     note_set_piece,
     out_of_area,
+    round_ball,
     take_restart,
     wait_for_pass,
 )
@@ -273,6 +274,7 @@ def support(command, sight, memory, k, play, ring, keeps_out):
         x, y = out_of_own_area(x, y, k, k.body_reach + AREA_ROOM)
     if memory.rank > 0 or ring == 0.0:
         x, y = out_of_area(sight, k, x, y, ring)
+    x, y = round_ball(sight, k, x, y)
     go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 from math import atan2, sqrt
 
 from soccer_env.baselines.deciding import PLAY
+from soccer_env.baselines.sight import side_of
 from soccer_env.baselines.skills import go, turn_by
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
@@ -30,6 +31,7 @@ HAS = 0.45  # [m] from the ball within which an opponent has it, assumed
 HOLDS_OFF = 0.9  # [m] from a ball that an opponent has at which a player stands before its goal, assumed
 DEFEND = 3.0  # [m] from the own goal line within which it goes for the ball all the same, assumed
 OFF = 3.0  # [body reaches] that the taker leaves to the ball, assumed
+PASSES_BY = 0.1  # [m] that a supporter on its way leaves between itself and the ball, assumed
 
 
 @compiled
@@ -109,6 +111,23 @@ def out_of_area(sight, k, x, y, ring):
     if length(x - sight.ball_x, y - sight.ball_y) < ring:
         y = sight.ball_y + (ring if y > sight.ball_y else -ring)
     return x, y
+
+
+@compiled
+def round_ball(sight, k, x, y):
+    """Return where a supporter goes first [m, m] on its way to (x, y), so that it does not push the ball there.
+
+    Who runs back past the ball would else take it along to its own goal.
+    """
+    far = max(length(x - sight.x, y - sight.y), 1e-6)
+    ux, uy = (x - sight.x) / far, (y - sight.y) / far
+    ball_x, ball_y = sight.ball_x - sight.x, sight.ball_y - sight.y
+    along, across = ux * ball_x + uy * ball_y, ux * ball_y - uy * ball_x
+    room = k.body_reach + k.ball_radius + PASSES_BY
+    if k.walled == 1 or along < 0.0 or along > far or abs(across) > room:
+        return x, y
+    aside = -side_of(across) * room
+    return sight.ball_x - aside * uy, sight.ball_y + aside * ux
 
 
 @compiled

@@ -5,7 +5,15 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.baselines.chaser import MEMORY, team
-from soccer_env.baselines.set_pieces import KEPT, holds_off, note_set_piece, out_of_area, strength_for
+from soccer_env.baselines.set_pieces import (
+    KEPT,
+    PASSES_BY,
+    holds_off,
+    note_set_piece,
+    out_of_area,
+    round_ball,
+    strength_for,
+)
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.baselines.skills import KEPT_OFF, hold_back
 from soccer_env.belief_types import BELIEF
@@ -140,3 +148,19 @@ def test_it_takes_a_throw_in_without_a_foul():
         fouls.append(int(match.events["foul"][0]))
     assert sum(taken) >= 1 and taken.index(1) < 250 and len(touched) >= 2
     assert Foul.SECOND_TOUCH not in fouls
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_supporter_that_runs_back_goes_round_the_ball_on_its_nearer_side(side):
+    sight = np.zeros(1, SIGHT)[0]
+    sight["ball_x"], sight["ball_y"] = -1.0, 0.1 * side
+    x, y = round_ball(sight, K, -3.0, 0.0)
+    room = LEAGUE.body.reach + LEAGUE.ball.radius + PASSES_BY
+    assert x == pytest.approx(-1.0) and y == pytest.approx((0.1 - room) * side)
+
+
+@pytest.mark.parametrize(("ball_x", "ball_y"), [(1.0, 0.0), (-4.0, 0.0), (-1.0, 0.6), (-1.0, -0.6)])
+def test_a_ball_that_is_not_in_its_way_does_not_turn_it_aside(ball_x, ball_y):
+    sight = np.zeros(1, SIGHT)[0]
+    sight["ball_x"], sight["ball_y"] = ball_x, ball_y
+    assert round_ball(sight, K, -3.0, 0.0) == (-3.0, 0.0)
