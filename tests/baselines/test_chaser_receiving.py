@@ -1,12 +1,17 @@
-"""How the chaser on wheels meets a ball: it gives way to one that comes, and presses softly where an opponent is."""
+"""How the chaser on wheels meets a ball and turns with it.
+
+It gives way to a ball that comes, presses softly where an opponent is, and turns about a ball that it has.
+"""
 
 import numpy as np
 import pytest
 
-from soccer_env.baselines.attacking import PRESSED, SLOW, comes_to_me, line_speed
+from soccer_env.baselines.attacking import PRESSED, SLOW, comes_to_me, line_speed, turn_to_goal
+from soccer_env.baselines.chaser import team
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.types import COMMAND
 from tests.scenes.staging import MIDDLE
 
 K = constants_of(find_league(MIDDLE))[0]
@@ -34,3 +39,12 @@ def test_the_ball_is_pushed_slowly_while_an_opponent_is_at_it(gap, mate, slow):
     sight = seen(others=1)
     sight["other_x"][0], sight["mate"][0] = 1.0 + PRESSED + gap, mate
     assert (line_speed(sight, K, 1.0, 0.0) == SLOW) == slow
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_it_turns_about_the_ball_that_it_has(side):
+    command = np.zeros(1, COMMAND)[0]
+    play = team().settings[1]
+    turn_to_goal(command, seen(cosine=1.0, now_cosine=1.0, pace=1.0), K, play, 0.0, side)
+    turn, left = command["turn"] * K["drive_turn"], command["left"] * K["drive_sideways"]
+    assert turn * side > 1.0 and left == pytest.approx(-turn * 0.29)  # the ball's place moves by left + turn x 0.29
