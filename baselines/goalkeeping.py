@@ -45,14 +45,30 @@ def shot_crosses(sight, k, play, line):
 
 @compiled
 def guard(command, sight, k, play, line):
-    """Stand on the line between the ball and the middle of the goal, a little way out."""
+    """Stand on the line between the ball and the middle of the goal, a little way out.
+
+    On wheels it parts the angle between the posts instead: from the side the near post is open else, and a ball that
+    rolls along the goal line passes behind the keeper.
+    """
     x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
     away = max(length(x, y), 1e-6)
     out = play.keeper_out * k.body_reach
     stand_x = max(-0.5 * k.pitch_length + out * x / away, line)
     widest = 0.5 * k.pitch_goal_width - 0.5 * k.body_reach
-    stand_y = clip(out * y / away, -widest, widest)
+    stand_y = clip(part_angle(sight, k, stand_x) if k.walled == 0 else out * y / away, -widest, widest)
     go(command, sight, k, play, stand_x, stand_y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+
+
+@compiled
+def part_angle(sight, k, x):
+    """Return where [m] the line that halves the angle from the ball to both posts crosses a keeper's x [m]."""
+    ahead, half = -0.5 * k.pitch_length - sight.ball_x, 0.5 * k.pitch_goal_width
+    left, right = length(ahead, half - sight.ball_y), length(ahead, -half - sight.ball_y)
+    along = ahead / max(left, 1e-6) + ahead / max(right, 1e-6)
+    across = (half - sight.ball_y) / max(left, 1e-6) - (half + sight.ball_y) / max(right, 1e-6)
+    if x >= sight.ball_x:
+        return sight.ball_y
+    return sight.ball_y + (x - sight.ball_x) * across / min(along, -1e-6)
 
 
 @compiled
