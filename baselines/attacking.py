@@ -20,6 +20,7 @@ from soccer_env.baselines.skills import (
     shot_room,
     turn_by,
     turned,
+    way_clear,
 )
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, wrap
@@ -32,6 +33,7 @@ RECEIVE_TIME = 1.5  # [s] before it comes, at most, assumed
 RECEIVE_ASIDE = 0.6  # [m] that it would pass beside the robot, at most, assumed
 NEAR_BALL = 0.8  # [m] to the ball within which it does, assumed
 PRESSED = 0.6  # [m] from the ball of an opponent that is at it too, assumed
+DEFENDED = 2.5  # [m] from the middle of the own goal within which the ball is played clear of it, assumed
 SLOW = 0.4  # [m/s] at which the ball is pushed at least, also towards a line, assumed
 
 
@@ -59,7 +61,12 @@ def attack(command, sight, memory, k, play):
 
 @compiled
 def choose_aim(sight, k, play):
-    """Return the unit vector along which to play the ball: at the goal if a shot is open, else round the opponents."""
+    """Return the unit vector along which to play the ball: at the goal if a shot is open, else round the opponents.
+
+    On wheels the ball is played clear of the own goal where it is near, never across its mouth.
+    """
+    if k.walled == 0 and length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < DEFENDED:
+        return way_clear(sight, k)
     if 0.5 * k.pitch_length - sight.ball_x < play.shot_range:
         ux, uy, room = choose_shot(sight, k)
         if room > play.room:

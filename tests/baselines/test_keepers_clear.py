@@ -4,6 +4,12 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
+from soccer_env.baselines.attacking import DEFENDED, choose_aim
+from soccer_env.baselines.chaser import team as chaser_team
+from soccer_env.baselines.goalkeeping import part_angle
+from soccer_env.baselines.sight import SIGHT
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from tests.scenes.staging import LEGGED, MIDDLE, put, put_ball, stage, steps_in
 
 MATCHES = 64
@@ -92,3 +98,34 @@ def test_mh04_the_middle_size_keeper_clears_a_resting_ball_by_driving_into_it() 
     assert cleared.all()
     assert not match.matches["score"].any()
     match.close()
+
+
+WHEELS = constants_of(find_league(MIDDLE))[0]
+
+
+def with_ball_at(x: float, y: float) -> np.void:
+    """Return what a player at the middle sees of a ball on the middle-size pitch."""
+    sight = np.zeros(1, SIGHT)[0]
+    sight["ball_x"], sight["ball_y"], sight["cosine"] = x, y, 1.0
+    return sight
+
+
+@pytest.mark.parametrize(("x", "y"), [(0.0, 0.0), (-4.0, 2.8), (-5.0, -2.0), (3.0, -1.0)])
+def test_a_keeper_on_wheels_parts_the_angle_between_the_posts(x: float, y: float) -> None:
+    stand = -5.66
+    way = np.arctan2(part_angle(with_ball_at(x, y), WHEELS, stand) - y, x - stand)
+    left, right = (np.arctan2(post - y, x + 6.0) for post in (1.0, -1.0))
+    assert way == pytest.approx((left + right) / 2.0)
+
+
+def test_a_ball_behind_the_keeper_is_met_at_the_nearer_post() -> None:
+    assert part_angle(with_ball_at(-5.9, 1.5), WHEELS, -5.66) == 1.5
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_field_player_on_wheels_plays_a_ball_near_its_goal_clear_of_it(side: float) -> None:
+    play = chaser_team().settings[1]
+    ux, uy = choose_aim(with_ball_at(-5.9, 1.2 * side), WHEELS, play)
+    assert ux > 0.0 and uy * side > 0.0, "out, and away from its mouth"
+    ux, uy = choose_aim(with_ball_at(DEFENDED - 6.0 + 0.01, 0.0), WHEELS, play)
+    assert (ux, uy) == pytest.approx((1.0, 0.0)), "from farther out at the opponents' goal, if nobody is in the way"
