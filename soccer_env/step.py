@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from soccer_env.borrowing import borrowed, keep
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.observations.truth import observe_truth
 from soccer_env.physics.ball import hold, limit_speed, slow_down
 from soccer_env.physics.contacts import find_collisions, find_touches
@@ -89,9 +89,7 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
         events, robot_events = world.events[m], world.robot_events[m]
         velocities, solver = physics.velocities[m], physics.solvers[m]
         terms, rewards = outcome.terms[m], outcome.rewards[m]
-        if fetch(links, m + 1):
-            fetch_row(world.robots, m + 1)
-            fetch_row(outcome.statistics, m + 1)
+        fetch_match(links, world.robots, outcome.statistics, m + 1)
         substeps = begin_match(
             match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards
         )
@@ -107,8 +105,7 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
         elif result == BROKEN:
             broken = m if broken < 0 else broken
             continue
-        outcome.terminated[m] = match.over == 1
-        outcome.truncated[m] = is_truncated(match, k, numbers.limit)
+        note_end(match, outcome, m, k, numbers.limit)
     keep(owned)
     return broken
 
@@ -143,8 +140,7 @@ def finish_slice(world, physics, outcome, numbers, before, results, first, last)
             before[m], scratch, outcome.terms[m], outcome.rewards[m], outcome.observations[m], outcome.statistics[m],
         )  # fmt: skip
         if results[m] != BROKEN:
-            outcome.terminated[m] = match.over == 1
-            outcome.truncated[m] = is_truncated(match, k, numbers.limit)
+            note_end(match, outcome, m, k, numbers.limit)
     keep(owned)
 
 
@@ -266,11 +262,23 @@ def make_scratch(robots):
     return np.empty(POTENTIALS), (np.empty(POTENTIALS), np.empty((robots, 2)), rows, squares, touching)
 
 
-@compiled
-def is_truncated(match, k, limit):
-    """Tell whether an episode that has not ended stops all the same, after `limit` control steps or a drill's time."""
+@inlined
+def fetch_match(links, robots, statistics, m):
+    """Fetch what the step of match m touches into the cache, if there is such a match."""
+    if fetch(links, m):
+        fetch_row(robots, m)
+        fetch_row(statistics, m)
+
+
+@inlined
+def note_end(match, outcome, m, k, limit):
+    """Note of match m whether its episode has ended, or stops all the same.
+
+    It stops after `limit` control steps or a drill's time.
+    """
     out_of_time = k.drill != 0 and match.step * k.dt >= k.drill_time - 0.5 * k.dt
-    return match.over == 0 and (match.step >= limit or out_of_time)
+    outcome.terminated[m] = match.over == 1
+    outcome.truncated[m] = match.over == 0 and (match.step >= limit or out_of_time)
 
 
 @compiled

@@ -19,7 +19,7 @@ def is_kernel(node: ast.AST) -> bool:
     """Return whether a function is compiled."""
     if not isinstance(node, ast.FunctionDef):
         return False
-    return any(isinstance(mark, ast.Name) and mark.id == "compiled" for mark in node.decorator_list)
+    return any(isinstance(mark, ast.Name) and mark.id in ("compiled", "inlined") for mark in node.decorator_list)
 
 
 def letters_of(tree: ast.Module) -> set[str]:
@@ -47,6 +47,7 @@ def test_a_file_explains_the_letters_that_it_uses_and_no_others(file: Path) -> N
 
 
 def test_letters_are_found_where_kernels_use_them() -> None:
-    source = '"""`k`: x."""\n@compiled\ndef f(robot, k):\n    s = 1\n\ndef g(w):\n    play = w\n'
+    source = '"""`k`: x."""\n@inlined\ndef f(robot, k):\n    s = 1\n\ndef g(w):\n    play = w\n'
+    assert letters_of(ast.parse(source)) == letters_of(ast.parse(source.replace("inlined", "compiled")))
     assert letters_of(ast.parse(source)) == {"k", "s"}
     assert explained(ast.parse(source)) == {"k"}
