@@ -4,10 +4,12 @@
     python tests/mutation/mutate.py MS12 MH06    those of some mechanisms
     python tests/mutation/mutate.py --sample 6   every so many-th, for continuous integration
     python tests/mutation/mutate.py --quick      the slips that `make test-quick` has to notice
+    python tests/mutation/mutate.py --play       what the statistics of play count; `saves`, for one, is a name too
 
 A mutant is one replaced piece of source (tests/mutation/mutants.py). It runs in a copy of the checkout; the checkout
 itself is never touched. The tests have to pass before anything is replaced. A mutant whose test passes all the same has
-survived, and one that does not even compile says nothing: exit code 1.
+survived, and one that does not even compile says nothing: exit code 1. Those of the statistics run without compiling,
+which is quicker: their tests write what happened into records and play no match.
 """
 
 from __future__ import annotations
@@ -24,7 +26,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from tests.mutation.mutants import MUTANTS, Mutant  # noqa: E402  # the folder above has to be known first
+from tests.mutation.mutants import MUTANTS, PLAY, Mutant  # noqa: E402  # the folder above has to be known first
 from tests.mutation.quick import QUICK  # noqa: E402  # the same
 
 COPIED = ("soccer_env", "baselines", "agents", "train", "tests", "pyproject.toml", "README.md")
@@ -60,9 +62,10 @@ def mutated(where: Path, mutant: Mutant) -> Iterator[None]:
         file.write_text(text, encoding="utf-8")
 
 
-def run_tests(where: Path, *options: str) -> subprocess.CompletedProcess[str]:
+def run_tests(where: Path, *options: str, compiling: bool = True) -> subprocess.CompletedProcess[str]:
     """Run tests in the copy."""
     environment = {**os.environ, "PYTHONPATH": str(where), "SOCCER_ENV_QUIET": "1", "PYTHONDONTWRITEBYTECODE": "1"}
+    environment |= {} if compiling else {"NUMBA_DISABLE_JIT": "1"}
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options]
     return subprocess.run(command, cwd=where, env=environment, capture_output=True, text=True, check=False)
 
@@ -70,7 +73,7 @@ def run_tests(where: Path, *options: str) -> subprocess.CompletedProcess[str]:
 def verdict_on(where: Path, mutant: Mutant) -> str:
     """Return "killed" if the test of a mutant notices it, and otherwise what happened, in capitals."""
     with mutated(where, mutant):
-        ran = run_tests(where, "-x", mutant.test)
+        ran = run_tests(where, "-x", mutant.test, compiling=mutant not in PLAY)
     broken = [name for name in BROKEN if name in ran.stdout]
     if broken:
         return f"BROKEN ({broken[0]})"
@@ -79,9 +82,9 @@ def verdict_on(where: Path, mutant: Mutant) -> str:
 
 def chosen(words: list[str]) -> list[Mutant]:
     """Return the mutants that the command line asks for; ValueError for an unknown id."""
-    if words == ["--quick"]:
-        return QUICK
-    known = MUTANTS + QUICK
+    if words in (["--quick"], ["--play"]):
+        return QUICK if words == ["--quick"] else PLAY
+    known = MUTANTS + QUICK + PLAY
     if words[:1] == ["--sample"]:
         return known[:: max(len(known) // int(words[1]), 1)]
     unknown = set(words) - {mutant.id for mutant in known}
@@ -96,10 +99,12 @@ def main(words: list[str]) -> int:
     with tempfile.TemporaryDirectory() as folder:
         where = Path(folder)
         copy_checkout(where)
-        clean = run_tests(where, *dict.fromkeys(mutant.test for mutant in mutants))
-        if clean.returncode != PASSED:
-            print(f"the tests have to pass before anything is switched off\n{clean.stdout}{clean.stderr}")
-            return 1
+        for compiling in (True, False):
+            tests = dict.fromkeys(mutant.test for mutant in mutants if (mutant not in PLAY) == compiling)
+            clean = run_tests(where, *tests, compiling=compiling) if tests else None
+            if clean is not None and clean.returncode != PASSED:
+                print(f"the tests have to pass before anything is switched off\n{clean.stdout}{clean.stderr}")
+                return 1
         for mutant in mutants:
             verdicts.append(verdict_on(where, mutant))
             print(f"{mutant.id}  {verdicts[-1]}  {mutant.test}", flush=True)

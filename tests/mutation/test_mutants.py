@@ -10,11 +10,12 @@ from types import ModuleType
 
 import pytest
 
-from tests.mutation.mutants import MUTANTS, Mutant
+from tests.mutation.mutants import MUTANTS, PLAY, Mutant
 from tests.mutation.quick import QUICK
 
 ROOT = Path(__file__).parents[2]
 SAMPLE = "MS32"  # one that is quick
+NO_COUNTS = {ROOT / f"soccer_env/statistics/{name}.py" for name in ("__init__", "records", "figures")}
 
 
 def load(name: str) -> ModuleType:
@@ -57,6 +58,20 @@ def test_a_slip_can_be_made_and_is_the_business_of_the_quick_tests(mutant: Mutan
     assert any(mutant.test.startswith(line) for line in lines if line.startswith("tests/")), "not in tests/quick.txt"
 
 
+@pytest.mark.parametrize("mutant", PLAY, ids=lambda mutant: f"{mutant.id}-{mutant.original[:30]}")
+def test_a_mutant_of_what_is_counted_can_be_made_and_its_test_exists(mutant: Mutant) -> None:
+    text = (ROOT / mutant.file).read_text(encoding="utf-8")
+    changed = ast.parse(mutant.changed(text))
+    assert ast.dump(changed) != ast.dump(ast.parse(text))
+    compile(changed, mutant.file, "exec")
+    assert load("repository/test_references").find_test(mutant.test, ROOT) is not None
+
+
+def test_every_file_that_counts_has_mutants() -> None:
+    counting = set((ROOT / "soccer_env/statistics").glob("*.py")) - NO_COUNTS
+    assert {ROOT / mutant.file for mutant in PLAY} == counting
+
+
 def test_the_quick_tests_that_are_listed_exist() -> None:
     lines = (ROOT / "tests/quick.txt").read_text(encoding="utf-8").splitlines()
     assert lines[:2] == ["-m", "not slow"]
@@ -64,7 +79,7 @@ def test_the_quick_tests_that_are_listed_exist() -> None:
 
 
 def test_no_mutant_is_listed_twice() -> None:
-    assert len({mutant for mutant in MUTANTS}) == len(MUTANTS)
+    assert len({mutant for mutant in MUTANTS + PLAY}) == len(MUTANTS + PLAY)
     assert len({mutant.id for mutant in QUICK}) == len(QUICK) >= 12
 
 

@@ -52,6 +52,8 @@ class Steps:
             match.matches["last_touch_robot"] = row
         for name, value in events.items():
             record[name] = value
+        if "goal" in events:
+            match.matches["last_touch_robot"] = -1  # the call of the restart forgets it
         for row, foul in dict(fouls).items():
             robot_events["foul"][0, row] = foul
         if kick >= 0:

@@ -147,8 +147,8 @@ def test_mates_are_field_players_that_are_not_nearest_to_the_ball_and_idle_those
     steps.count(seconds=1.0)
     assert steps.of("mates") == pytest.approx([2.0, 3.0])
     assert steps.of("idle") == pytest.approx([1.0, 0.0])
-    steps.put(1, -1.2, 0.5, 0.0)  # now it is one of the mates, and the slow one is the nearest
-    steps.put(2, -0.4, 0.5, 0.0)
+    steps.put(1, -1.2, 0.5, 0.0)  # now it is one of the mates, and one that moves, farther off, is the nearest
+    steps.put(2, -0.5, 0.5, 2.0 * slow)
     steps.count(seconds=1.0)
     assert steps.of("mates") == pytest.approx([4.0, 6.0])
     assert steps.of("idle") == pytest.approx([2.0, 0.0])
