@@ -24,6 +24,7 @@ BEFORE = 10.0  # [s] before a goal that are kept
 SIDES = ("home", "away")
 
 Moment = tuple[np.ndarray, np.ndarray, np.ndarray]  # of matches (M,), their balls (M,) and robots (M, R)
+MatchMoment = tuple[np.void, np.void, np.ndarray]  # of one of them
 
 
 class Call(NamedTuple):
@@ -45,7 +46,7 @@ class SeenGoal:
     kind: GoalKind
     before: dict[str, bool]  # names of statistics of goals, and whether this one counts there
     calls: tuple[tuple[float, str], ...]  # [s] before the goal, and what the referee called, in words
-    moments: list[Moment]  # of the match alone, one each control step, the last with the ball in the goal
+    moments: list[MatchMoment]  # of the match alone, one each control step, the last with the ball in the goal
 
     def as_dict(self) -> dict[str, object]:
         """Return what goals.jsonl holds."""
