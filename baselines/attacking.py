@@ -34,6 +34,8 @@ RECEIVE_ASIDE = 0.6  # [m] that it would pass beside the robot, at most, assumed
 NEAR_BALL = 0.8  # [m] to the ball within which it does, assumed
 PRESSED = 0.6  # [m] from the ball of an opponent that is at it too, assumed
 DEFENDED = 2.5  # [m] from the middle of the own goal within which the ball is played clear of it, assumed
+UPFIELD = ASIDE = sqrt(0.5)  # [1] way of a ball out of the mouth of the own goal: 45 degrees off its line, assumed
+ALONG_LINE = 0.8  # cosine of the angle off its way at which a ball before the own goal may be run at, assumed
 SLOW = 0.4  # [m/s] at which the ball is pushed at least, also towards a line, assumed
 
 
@@ -159,8 +161,13 @@ def approach(command, sight, memory, k, play, ux, uy, most):
     away_x, away_y = sight.x - x, sight.y - y
     away = max(length(away_x, away_y), 1e-6)
     behind = -(away_x * ux + away_y * uy) / away
-    if behind > play.run_in_cosine or (away < play.near * sight.touch and behind > play.near_cosine):
+    own_goal = lies_before_own_goal(x, y, k, 2.0 * sight.touch)
+    near = away < play.near * sight.touch
+    if behind > (ALONG_LINE if own_goal else play.near_cosine if near else play.run_in_cosine):
         run_in(command, sight, k, play, x, y, ux, uy, most)
+    elif own_goal and away < sight.touch + play.clearance:  # paws that step aside or turn push it on
+        ahead, left = into_frame(away_x / away, away_y / away, sight.cosine, sight.sine)
+        push(command, sight, k, ahead, left, k.drive_forward)
     else:
         go_round(command, sight, memory, k, play, x, y, ux, uy)
 
@@ -203,13 +210,22 @@ def reachable(x, y, k):
 
 
 @compiled
+def lies_before_own_goal(x, y, k, far):
+    """Tell whether a ball lies in the mouth of the own goal between boards, or less than `far` [m] before it."""
+    return k.walled == 1 and x < far - 0.5 * k.pitch_length and abs(y) < 0.5 * k.pitch_goal_width
+
+
+@compiled
 def clear_of_boards(x, y, ux, uy, sight, k):
     """Return the direction in which to push a ball, turned so that there is room for a robot behind it.
 
-    Out of a corner there is no such room: run along one board, and turn along the other with the ball.
+    Out of a corner there is no such room: run along one board, and turn along the other with the ball. Out of the mouth
+    of the own goal it is pushed along the line, on to the side on which it lies, or away from a player aside of it.
     """
     if k.walled == 0:
         return ux, uy
+    if lies_before_own_goal(x, y, k, 0.5 * sight.touch):
+        return UPFIELD, ASIDE * (side_of(y) if abs(y) > k.ball_radius else side_of(y - sight.y))
     room = k.body_tip_y + k.body_tip_radius
     edge_x, edge_y = 0.5 * k.pitch_length - room, 0.5 * k.pitch_width - room
     back_x = x - clip(x - sight.touch * ux, -edge_x, edge_x)

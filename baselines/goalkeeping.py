@@ -16,6 +16,7 @@ from soccer_env.baselines.skills import faces, go, way_clear
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 
+AT_GOAL = 0.2  # cosine of the angle to its own goal line within which a keeper on legs faces it, assumed
 FOREVER = 60.0  # [s] any ball has stopped by then
 
 
@@ -96,9 +97,12 @@ def may_clear(sight, k, play):
 
 @compiled
 def clear(command, sight, memory, k, play):
-    """Play the ball away from the own goal, with a kick once the keeper faces that way."""
+    """Play the ball away from the own goal, with a kick once the keeper faces that way.
+
+    On legs a ball at its feet on the side of its own goal is not turned with but gone round: who turns walks on.
+    """
     ux, uy = way_clear(sight, k)
-    if sight.held == 1:
+    if sight.held == 1 and (k.legs == 0 or not faces(sight, -1.0, 0.0, AT_GOAL)):
         turn_to_goal(command, sight, k, play, ux, uy)
         command.kick = 1.0 if faces(sight, ux, uy, play.clear_cosine) else 0.0
     else:

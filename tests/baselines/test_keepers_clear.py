@@ -52,6 +52,22 @@ def test_a_legged_keeper_kicks_the_ball_in_its_pocket_away_from_its_goal(team: s
     match.close()
 
 
+def test_a_legged_keeper_gets_a_ball_before_its_own_line_out_of_its_goal() -> None:
+    """It comes from the field, the ball between it and its goal: it goes round it, and never walks it in."""
+    match, rng = keeper_at_goal(LEGGED, "chaser"), np.random.default_rng(5)
+    length = match.league.pitch.length / 2
+    put(match, 0, rng.uniform(-0.25, -0.15, MATCHES) - length + 0.4, rng.uniform(-0.2, 0.2, MATCHES), np.pi)
+    put_ball(match, rng.uniform(0.02, 0.06, MATCHES) - length, rng.uniform(-0.2, 0.2, MATCHES))
+    match.rebuild()
+    out = np.zeros(MATCHES, bool)
+    for _ in range(steps_in(match, 20.0)):
+        match.step()
+        out |= (match.balls["x"] > 0.2 - length) | (np.abs(match.balls["y"]) > match.league.pitch.goal_width / 2)
+    assert match.matches["score"][:, 1].mean() < 0.3, "0.62 of those that turn with it, or run at it from the field"
+    assert out.mean() > 0.8
+    match.close()
+
+
 @pytest.mark.parametrize("team", ["chaser", "sacks-2001"])
 def test_a_legged_keeper_that_faces_its_goal_does_not_kick(team: str) -> None:
     match = keeper_at_goal(LEGGED, team)
