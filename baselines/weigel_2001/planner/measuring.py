@@ -1,0 +1,69 @@
+"""What a plan is worth: how near it comes to others as they move, how much it turns, and the forces along it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from soccer_env.baselines.weigel_2001.planner.potential import (
+    FARTHEST,
+    attractive_force,
+    gap_at,
+    repulsive_force,
+)
+from soccer_env.baselines.weigel_2001.planner.stepping import obstacle_time
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+
+
+@compiled
+def place_on(path, count, far, place):
+    """Put a record at a distance [m] along a path; return the index of the point that comes next."""
+    left = far
+    for i in range(1, count):
+        dx, dy = path[i].x - path[i - 1].x, path[i].y - path[i - 1].y
+        piece = length(dx, dy)
+        if left < piece:
+            share = max(left, 0.0) / piece
+            place.x, place.y = path[i - 1].x + share * dx, path[i - 1].y + share * dy
+            return i
+        left -= piece
+    place.x, place.y = path[count - 1].x, path[count - 1].y
+    return count
+
+
+@compiled
+def least_gap(plan, obstacles, settings, step, place):
+    """Return the smallest gap [m] to any obstacle along a plan driven from now at full speed, looked at each step [s].
+
+    Obstacles go straight on. place: (1,) record to work in.
+    """
+    least = FARTHEST
+    count = int(plan.time / step) + 2
+    for i in range(count):
+        t = min(i * step, plan.time)
+        place_on(plan.path, plan.count, t * settings.speed, place[0])
+        least = min(least, gap_at(place[0].x, place[0].y, t, obstacles, settings))
+    return least
+
+
+@compiled
+def fill_forces(plan, obstacles, settings, found):
+    """Fill (count, 4) with the forces at a plan's cells as vectors: x, y of the attractive, x, y of the repulsive."""
+    goal = plan.robot if settings.backward == 1 else plan.target
+    for i in range(plan.count):
+        cell = plan.cells[i]
+        x, y = cell.u * settings.cell, cell.v * settings.cell
+        found[i, 0], found[i, 1] = attractive_force(x, y, goal, settings)
+        now = obstacle_time(cell.t, settings)
+        found[i, 2], found[i, 3] = repulsive_force(x, y, now, obstacles, settings)
+
+
+def turn_of(path: np.ndarray) -> float:
+    """Return by how much a path (N, 2) turns in all [rad], left and right added up."""
+    steps = np.diff(path, axis=0)
+    steps = steps[np.hypot(steps[:, 0], steps[:, 1]) > 1e-9]
+    if len(steps) < 2:
+        return 0.0
+    a, b = steps[:-1], steps[1:]
+    across, along = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], (a * b).sum(axis=1)
+    return float(np.abs(np.arctan2(across, along)).sum())

@@ -1,0 +1,156 @@
+"""`Plan`: the way that was found, how it was found, and what it is worth; measured and replayed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from soccer_env.baselines.weigel_2001.planner.measuring import fill_forces, least_gap, place_on, turn_of
+from soccer_env.baselines.weigel_2001.planner.planning import plan_way
+from soccer_env.baselines.weigel_2001.planner.records import ENDINGS, PLAN, POINT, SCRATCH
+from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
+from soccer_env.checking import FROM_ZERO, number
+
+LOOK = 0.01  # [s] between two looks at the gap along a plan
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """A way from the robot to the target, N cells long, with all that it was planned from: it can be planned again."""
+
+    record: np.ndarray  # (1,) of records.PLAN
+    obstacles: np.ndarray  # (n,) of records.OBSTACLE
+    settings: PlannerSettings
+    asked: tuple[float, float, float, float]  # [m] robot and target, as given
+
+    @property
+    def path(self) -> np.ndarray:
+        """The path to drive (N, 2) [m], from the robot to the target."""
+        found: np.ndarray = self._points(self.record["path"][0])
+        return found
+
+    @property
+    def cells(self) -> np.ndarray:
+        """The way's cells (N, 2) on the grid, from the robot's to the target's."""
+        cells = self.record["cells"][0][: len(self)]
+        return np.stack([cells["u"], cells["v"]], axis=-1)
+
+    @property
+    def cell_times(self) -> np.ndarray:
+        """The time (N,) [s] from now that each cell is planned to be reached at."""
+        found: np.ndarray = self.record["cells"][0]["t"][: len(self)].copy()
+        return found
+
+    @property
+    def slopes(self) -> np.ndarray:
+        """The gradient (N, 2) of the potential at each cell, 0 where none was needed: (2)."""
+        cells = self.record["cells"][0][: len(self)]
+        return np.stack([cells["slope_x"], cells["slope_y"]], axis=-1)
+
+    @property
+    def ended(self) -> str:
+        """How planning ended: "arrived", or why a part of the path is only a straight line."""
+        return ENDINGS[int(self.record["ended"][0])]
+
+    @property
+    def arrived(self) -> bool:
+        """Whether the way joins robot and target."""
+        return self.ended == "arrived"
+
+    @property
+    def converged(self) -> bool:
+        """Whether the time that it was planned for and the time that it takes agree."""
+        return bool(self.record["converged"][0])
+
+    @property
+    def iterations(self) -> int:
+        """How many passes over the grid it took."""
+        return int(self.record["iterations"][0])
+
+    @property
+    def guesses(self) -> np.ndarray:
+        """T a priori of each pass [s]."""
+        found: np.ndarray = self.record["guesses"][0][: self.iterations].copy()
+        return found
+
+    @property
+    def times(self) -> np.ndarray:
+        """T a posteriori of each pass [s]."""
+        found: np.ndarray = self.record["times"][0][: self.iterations].copy()
+        return found
+
+    @property
+    def time(self) -> float:
+        """The time [s] of the path at full speed."""
+        return float(self.record["time"][0])
+
+    @property
+    def least_time(self) -> float:
+        """The time [s] of the straight line at full speed: T_min."""
+        return float(self.record["least_time"][0])
+
+    @property
+    def length(self) -> float:
+        """The length [m] of the path."""
+        return float(self.record["length"][0])
+
+    @property
+    def turn(self) -> float:
+        """By how much the path turns in all [rad]."""
+        return turn_of(self.path)
+
+    @property
+    def evaluations(self) -> int:
+        """How often the potential was evaluated, in all passes."""
+        return int(self.record["evaluations"][0])
+
+    def __len__(self) -> int:
+        return int(self.record["count"][0])
+
+    def clearance(self) -> float:
+        """Return the smallest gap [m] to an obstacle, surface to surface, below 0 where they touch; 1e9 if none is.
+
+        The path is driven from now at full speed, obstacles go straight on.
+        """
+        play = self.settings.record()[0]
+        return float(least_gap(self.record[0], self.obstacles, play, LOOK, np.zeros(1, POINT)))
+
+    def forces(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the attractive and the repulsive force (N, 2) at each cell when it is reached."""
+        found = np.zeros((len(self), 4))
+        fill_forces(self.record[0], self.obstacles, self.settings.record()[0], found)
+        return found[:, :2], found[:, 2:]
+
+    def at(self, t: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return where the robot is after t [s] at full speed (2,), and where the obstacles (n, 2) are by then [m]."""
+        t = number("t", t, FROM_ZERO)
+        place = np.zeros(1, POINT)
+        place_on(self.record[0]["path"], len(self), t * self.settings.speed, place[0])
+        others = np.stack([self.obstacles[a] + t * self.obstacles[f"v{a}"] for a in "xy"], axis=-1)
+        return np.array([place["x"][0], place["y"][0]]), others
+
+    def again(self, **changes: Any) -> Plan:
+        """Return the plan made once more: the same to the last bit, or one by changed settings."""
+        settings = self.settings.changed(changes)
+        return make_plan(self.asked, int(self.record["side"][0]), self.obstacles, settings, np.zeros(1, SCRATCH))
+
+    def _points(self, points: np.ndarray) -> np.ndarray:
+        return np.stack([points["x"][: len(self)], points["y"][: len(self)]], axis=-1)
+
+
+def make_plan(
+    asked: tuple[float, float, float, float],
+    side: int,
+    obstacles: np.ndarray,
+    settings: PlannerSettings,
+    scratch: np.ndarray,
+) -> Plan:
+    """Return the plan for checked input."""
+    record = np.zeros(1, PLAN)
+    plan_way(*asked, side, obstacles, settings.record()[0], scratch[0], record[0])
+    return Plan(record, obstacles, settings, asked)
+
+
+__all__ = ["Plan", "make_plan"]

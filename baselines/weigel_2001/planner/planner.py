@@ -1,0 +1,106 @@
+"""`Planner`: plans for Python, from plain numbers, which are checked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from soccer_env.baselines.weigel_2001.planner.plan import Plan, make_plan
+from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES, OBSTACLE, SCRATCH
+from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
+from soccer_env.baselines.weigel_2001.planner.travelling import CYCLE, Travel, make_travel
+from soccer_env.checking import Range, one_of, refuse, whole_number
+
+FARTHEST = 1000.0  # [m] from the middle of the pitch: what is farther is no place on it but a mistake
+FASTEST = 100.0  # [m/s]
+OBSTACLE_RADIUS = 0.25  # [m] of an obstacle without one: half of the 50 cm that a robot may take, rules of 2006
+FORM = "rows of x, y, vx, vy, and a radius if you like"
+
+
+class Planner:
+    """Plan ways past obstacles that stand or move.
+
+    settings: PlannerSettings, or None for those of the paper; keywords change them by name, as in
+    Planner(time_variant=False, search=False). A planner holds no state between plans.
+    """
+
+    def __init__(self, settings: PlannerSettings | None = None, **changes: Any) -> None:
+        if settings is not None and not isinstance(settings, PlannerSettings):
+            refuse("settings", "a PlannerSettings", settings)
+        self.settings = (settings or PlannerSettings()).changed(changes)
+        self._scratch = np.zeros(1, SCRATCH)
+
+    def plan(self, robot: Sequence[float], target: Sequence[float], obstacles: Any = (), side: int = 1) -> Plan:
+        """Return a plan from robot to target, both (x, y) [m], the middle of the pitch at 0, 0.
+
+        obstacles: up to 32 rows of x, y [m], vx, vy [m/s] and maybe a radius [m], or records.OBSTACLE. side: +1 or -1,
+        to which side of y a way goes that could as well go to the other: the mirrored scene has the other side.
+        Places beyond the pitch's margin are held at it. ValueError for what is no such number.
+        """
+        return make_plan(*self._checked(robot, target, obstacles, side), self.settings, self._scratch)
+
+    def travel(
+        self, robot: Sequence[float], target: Sequence[float], obstacles: Any = (), seconds: float = 10.0, side: int = 1
+    ) -> Travel:
+        """Return the travel of a point that drives at full speed and plans anew every 20 ms, until it is there.
+
+        Obstacles go straight on; arguments as of `plan`. Whoever is not there after so many seconds is not.
+        """
+        allowed = Range(CYCLE, 1000.0)
+        if not (isinstance(seconds, (int, float)) and allowed.holds(seconds)):
+            refuse("seconds", allowed.text(), seconds)
+        return make_travel(*self._checked(robot, target, obstacles, side), self.settings, self._scratch, float(seconds))
+
+    def _checked(
+        self, robot: Any, target: Any, obstacles: Any, side: Any
+    ) -> tuple[tuple[float, float, float, float], int, np.ndarray]:
+        places = (*place("robot", robot), *place("target", target))
+        return places, one_of("side", whole_number("side", side, -1, 1), (-1, 1)), crowd(obstacles)
+
+
+def place(name: str, value: Any) -> tuple[float, float]:
+    """Return a place [m] as two numbers; ValueError names it."""
+    found = numbers(name, "two numbers x, y", value)
+    if found.shape != (2,):
+        refuse(name, "two numbers x, y", value)
+    if not (np.abs(found) <= FARTHEST).all():
+        refuse(name, f"finite and within {FARTHEST:g} m of the middle of the pitch", value)
+    return float(found[0]), float(found[1])
+
+
+def crowd(value: Any) -> np.ndarray:
+    """Return obstacles as records; ValueError names what is wrong with which."""
+    if isinstance(value, np.ndarray) and value.dtype == OBSTACLE and value.ndim == 1:
+        rows = np.stack([value[name] for name in OBSTACLE.names or ()], axis=-1)
+    else:
+        rows = numbers("obstacles", FORM, value)
+        rows = rows.reshape(0, 5) if rows.size == 0 else rows
+    if rows.ndim != 2 or rows.shape[1] not in (4, 5):
+        refuse("obstacles", f"{FORM}, of shape (n, 4) or (n, 5)", rows.shape)
+    if len(rows) > MOST_OBSTACLES:
+        refuse("obstacles", f"at most {MOST_OBSTACLES}", len(rows))
+    return as_records(rows)
+
+
+def as_records(rows: np.ndarray) -> np.ndarray:
+    """Return rows of x, y, vx, vy and maybe a radius as records; ValueError for numbers that are out of range."""
+    found = np.zeros(len(rows), OBSTACLE)
+    found["radius"] = OBSTACLE_RADIUS
+    limits = {"x": FARTHEST, "y": FARTHEST, "vx": FASTEST, "vy": FASTEST, "radius": 5.0}
+    for column, name in zip(rows.T, OBSTACLE.names or (), strict=False):
+        low = 0.0 if name == "radius" else -limits[name]
+        for i in np.flatnonzero(~((column >= low) & (column <= limits[name]))):
+            refuse(f"obstacles[{i}].{name}", Range(low, limits[name]).text(), float(column[i]))
+        found[name] = column
+    return found
+
+
+def numbers(name: str, allowed: str, value: Any) -> np.ndarray:
+    """Return a value as an array of numbers; ValueError if it is none."""
+    try:
+        found = np.array(value, dtype=float)
+    except (TypeError, ValueError):
+        refuse(name, allowed, value)
+    return found

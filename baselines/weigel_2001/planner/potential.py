@@ -1,0 +1,111 @@
+"""The potential field: the forces of target, obstacles and lines, their size, and its gradient.  MH09, MH10
+
+Two readings of P = |f_att + sum f_rep,i|  (1): "vector" adds the forces as vectors and takes the size of the sum, as it
+is written; "scalar" adds their sizes. The way goes down either of them.
+
+All places are in metres, t in seconds from now.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from soccer_env.baselines.weigel_2001.planner.settings import FORMS, REPULSIONS
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+
+VECTOR = FORMS["vector"]
+KHATIB = REPULSIONS["khatib"]
+FARTHEST = 1e9  # [m] gap to an obstacle where there is none
+
+
+@compiled
+def size_at(gap, gain, reach, settings):
+    """Return the size of a repulsive force at a gap [m] within its reach: kr (1/d - 1/d0), or that over d^2."""
+    d = max(gap, settings.floor)
+    size = gain * (1.0 / d - 1.0 / reach)
+    return size / (d * d) if settings.repulsion == KHATIB else size
+
+
+@compiled
+def border_size(place, half, settings):
+    """Return the force of a pair of lines at +-half on a coordinate [m]: below 0 it points to -, above to +."""
+    force = 0.0
+    if half - place < settings.border_reach:
+        force -= size_at(half - place, settings.border_gain, settings.border_reach, settings)
+    if half + place < settings.border_reach:
+        force += size_at(half + place, settings.border_gain, settings.border_reach, settings)
+    return force
+
+
+@compiled
+def scalar_potential(x, y, t, goal, obstacles, settings):
+    """Return the sum of the sizes of all forces at a place."""
+    total = settings.attraction * length(goal.x - x, goal.y - y)
+    for i in range(len(obstacles)):
+        o = obstacles[i]
+        dx, dy = o.x + t * o.vx - x, o.y + t * o.vy - y  # (3)
+        within, away = o.radius + settings.robot_radius, dx * dx + dy * dy
+        if away < (within + settings.reach) * (within + settings.reach):
+            total += size_at(sqrt(away) - within, settings.gain, settings.reach, settings)
+    if settings.borders == 1:
+        total += abs(border_size(x, 0.5 * settings.pitch_length, settings))
+        total += abs(border_size(y, 0.5 * settings.pitch_width, settings))
+    return total
+
+
+@compiled
+def repulsive_force(x, y, t, obstacles, settings):
+    """Return the sum of the forces of obstacles and lines at a place, as a vector."""
+    fx, fy = 0.0, 0.0
+    for i in range(len(obstacles)):
+        o = obstacles[i]
+        dx, dy = o.x + t * o.vx - x, o.y + t * o.vy - y  # (3)
+        within, away = o.radius + settings.robot_radius, dx * dx + dy * dy
+        if 0.0 < away < (within + settings.reach) * (within + settings.reach):
+            d = sqrt(away)
+            size = size_at(d - within, settings.gain, settings.reach, settings)
+            fx, fy = fx - size * dx / d, fy - size * dy / d
+    if settings.borders == 1:
+        fx += border_size(x, 0.5 * settings.pitch_length, settings)
+        fy += border_size(y, 0.5 * settings.pitch_width, settings)
+    return fx, fy
+
+
+@compiled
+def attractive_force(x, y, goal, settings):
+    """Return the force of what the way goes to, proportional to its distance, as a vector."""
+    return settings.attraction * (goal.x - x), settings.attraction * (goal.y - y)
+
+
+@compiled
+def potential(x, y, t, goal, obstacles, settings):
+    """Return the potential at a place for obstacles t [s] from now.  MH09"""
+    if settings.form == VECTOR:
+        ax, ay = attractive_force(x, y, goal, settings)
+        rx, ry = repulsive_force(x, y, t, obstacles, settings)
+        return length(ax + rx, ay + ry)  # (1)
+    return scalar_potential(x, y, t, goal, obstacles, settings)
+
+
+@compiled
+def gradient(u, v, t, goal, obstacles, settings):
+    """Return the gradient at a cell from the potential at its four neighbours alone: 2 alpha over alpha apart.  MH10"""
+    a = settings.cell
+    right = potential((u + 1) * a, v * a, t, goal, obstacles, settings)
+    left = potential((u - 1) * a, v * a, t, goal, obstacles, settings)
+    above = potential(u * a, (v + 1) * a, t, goal, obstacles, settings)
+    below = potential(u * a, (v - 1) * a, t, goal, obstacles, settings)
+    return (right - left) / a, (above - below) / a  # (2)
+
+
+@compiled
+def gap_at(x, y, t, obstacles, settings):
+    """Return the smallest gap [m] between robot and obstacles, from surface to surface, below 0 where they overlap."""
+    least = FARTHEST
+    for i in range(len(obstacles)):
+        o = obstacles[i]
+        d = length(o.x + t * o.vx - x, o.y + t * o.vy - y)
+        if d - o.radius - settings.robot_radius < least:
+            least = d - o.radius - settings.robot_radius
+    return least

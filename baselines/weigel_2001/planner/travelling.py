@@ -1,0 +1,130 @@
+"""A point that plans anew every cycle and drives on: the paper's demonstration, without a robot.  MH14, MH18, MH25
+
+It drives at full speed along the newest path and turns at once; obstacles go straight on. What a plan is worth by
+itself shows here; what becomes of it with inertia, noise and delay is for the match to show.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from soccer_env.baselines.weigel_2001.planner.measuring import place_on, turn_of
+from soccer_env.baselines.weigel_2001.planner.planning import plan_way
+from soccer_env.baselines.weigel_2001.planner.potential import gap_at
+from soccer_env.baselines.weigel_2001.planner.records import PLAN, POINT
+from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+
+CYCLE = 0.02  # [s] Heinemann 2006, 2: "a global 20ms cycle"  MH14
+
+STATION = np.dtype(
+    [
+        ("x", "f8"),  # [m] the point at the begin of a cycle
+        ("y", "f8"),  # [m]
+        ("gap", "f8"),  # [m] to the nearest obstacle, from surface to surface
+        ("left", "f8"),  # [m] from the target
+        ("time", "f8"),  # [s] of the plan made there; 0 at the last station
+        ("iterations", "i8"),
+        ("converged", "i8"),
+        ("ended", "i8"),  # ENDINGS
+    ]
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Travel:
+    """How a point got to its target, one station a cycle, S in all."""
+
+    stations: np.ndarray  # (S,) of STATION
+    plans: np.ndarray  # (S,) of records.PLAN, the last one empty
+    obstacles: np.ndarray  # (n,) of records.OBSTACLE, as they were at first
+    settings: PlannerSettings
+    arrived: bool
+
+    @property
+    def path(self) -> np.ndarray:
+        """The places (S, 2) [m] that it came by."""
+        return np.stack([self.stations["x"], self.stations["y"]], axis=-1)
+
+    @property
+    def time(self) -> float:
+        """The seconds that it took."""
+        return (len(self.stations) - 1) * CYCLE
+
+    @property
+    def length(self) -> float:
+        """The distance that it drove [m]."""
+        return float(np.hypot(*np.diff(self.path, axis=0).T).sum())
+
+    @property
+    def turn(self) -> float:
+        """By how much it turned in all [rad]."""
+        return turn_of(self.path)
+
+    @property
+    def clearance(self) -> float:
+        """The smallest gap [m] to an obstacle on the way, below 0 where they touched."""
+        return float(self.stations["gap"].min())
+
+    @property
+    def cycles_away(self) -> int:
+        """In how many cycles it drove away from the target."""
+        return int((np.diff(self.stations["left"]) > 0.0).sum())
+
+    def planned(self, cycle: int) -> np.ndarray:
+        """Return the path (N, 2) [m] that was planned at the begin of a cycle."""
+        plan = self.plans[cycle]
+        points = plan["path"][: plan["count"]]
+        return np.stack([points["x"], points["y"]], axis=-1)
+
+    def others(self, cycle: int) -> np.ndarray:
+        """Return where the obstacles were at the begin of a cycle (n, 2) [m]."""
+        t = cycle * CYCLE
+        return np.stack([self.obstacles[a] + t * self.obstacles[f"v{a}"] for a in "xy"], axis=-1)
+
+
+def make_travel(
+    asked: tuple[float, float, float, float],
+    side: int,
+    obstacles: np.ndarray,
+    settings: PlannerSettings,
+    scratch: np.ndarray,
+    seconds: float,
+) -> Travel:
+    """Return the travel for checked input."""
+    most = round(seconds / CYCLE)
+    stations, plans = np.zeros(most + 1, STATION), np.zeros(most + 1, PLAN)
+    now = obstacles.copy()
+    count = travel(*asked, side, obstacles, now, settings.record()[0], scratch[0], plans, stations, np.zeros(1, POINT))
+    near = settings.speed * CYCLE
+    return Travel(stations[:count], plans[:count], obstacles, settings, bool(stations["left"][count - 1] <= near))
+
+
+@compiled
+def travel(x, y, target_x, target_y, side, obstacles, now, settings, scratch, plans, stations, place):
+    """Fill stations and plans cycle by cycle until the target is nearer than a cycle; return how many.  MH14
+
+    now: obstacles as they move, a copy to work in; place: (1,) record.
+    """
+    for i in range(len(stations)):
+        for j in range(len(now)):
+            now[j].x = obstacles[j].x + i * CYCLE * obstacles[j].vx
+            now[j].y = obstacles[j].y + i * CYCLE * obstacles[j].vy
+        one = stations[i]
+        one.x, one.y, one.gap = x, y, gap_at(x, y, 0.0, now, settings)
+        one.left = length(target_x - x, target_y - y)
+        if one.left <= settings.speed * CYCLE or i == len(stations) - 1:
+            return i + 1
+        plan = plans[i]
+        plan_way(x, y, target_x, target_y, side, now, settings, scratch, plan)
+        one.time, one.iterations = plan.time, plan.iterations
+        one.converged, one.ended = plan.converged, plan.ended
+        place_on(plan.path, plan.count, settings.speed * CYCLE, place[0])
+        x, y = place[0].x, place[0].y
+    return len(stations)
+
+
+__all__ = ["CYCLE", "STATION", "Travel", "make_travel", "travel"]
