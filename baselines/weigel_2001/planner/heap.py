@@ -1,4 +1,4 @@
-"""A binary heap of numbers of nodes: the one with the least key is at its root, of equal ones the older."""
+"""A binary heap of numbers of nodes: the one of least potential is at its root, of equal ones the older."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from soccer_env.compiled import compiled
 @compiled
 def before(a, b, nodes):
     """Tell whether node a comes before node b."""
-    return nodes[a].key < nodes[b].key or (nodes[a].key == nodes[b].key and a < b)
+    return nodes[a].potential < nodes[b].potential or (nodes[a].potential == nodes[b].potential and a < b)
 
 
 @compiled

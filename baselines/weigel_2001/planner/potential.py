@@ -21,10 +21,15 @@ FARTHEST = 1e9  # [m] gap to an obstacle where there is none
 
 @compiled
 def size_at(gap, gain, reach, settings):
-    """Return the size of a repulsive force at a gap [m] within its reach: kr (1/d - 1/d0), or that over d^2."""
+    """Return the size of a repulsive force at a gap d [m] within its reach: kr (1/d - 1/d0), or that over d^2.
+
+    Below the floor it goes on growing, evenly: a way that begins inside an obstacle leaves it on the nearest side.
+    """
     d = max(gap, settings.floor)
     size = gain * (1.0 / d - 1.0 / reach)
-    return size / (d * d) if settings.repulsion == KHATIB else size
+    if settings.repulsion == KHATIB:
+        size /= d * d
+    return size if gap >= settings.floor else size * (2.0 - gap / settings.floor)
 
 
 @compiled

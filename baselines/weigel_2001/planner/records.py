@@ -7,7 +7,7 @@ import numpy as np
 MOST_CELLS = 384  # of a way: two and a half diagonals of the pitch
 MOST_OBSTACLES = 32
 MOST_ITERATIONS = 16
-MOST_NODES = 1536  # of one search
+MOST_NODES = 2560  # of one search
 GRID = 32768  # cells: 18 x 12 m with a margin of 1 m, at 10 cm
 
 # How a pass over the grid ends. All but the first leave a gap, over which the path goes straight.
@@ -65,14 +65,14 @@ PLAN = np.dtype(
 
 NODE = np.dtype(
     [
-        ("u", "i4"),
-        ("v", "i4"),
-        ("parent", "i4"),  # node that it was come from; -1 for the first
-        ("under", "i4"),  # what the grid's mark of its cell was
+        ("u", "i2"),
+        ("v", "i2"),
+        ("parent", "i2"),  # node that it was come from; -1 for the first
+        ("under", "i2"),  # what the grid's mark of its cell was
         ("t", "f8"),  # [s] as of a CELL
         ("far", "f8"),  # [m] from the first node
-        ("potential", "f8"),
-        ("key", "f8"),  # the node with the least is next
+        ("gap", "f8"),  # [m] to the nearest obstacle
+        ("potential", "f8"),  # the node with the least is next
     ]
 )
 

@@ -1,7 +1,7 @@
 """Out of a local minimum: a search along the grid from where the way came to a cell twice.  [Heinemann 2006, 3]  MH12
 
-Neighbours are tried in the order of potential plus way so far, until one is found that lies below all that the way has
-come by, or beside its end. What is searched for its way round keeps its marks on the grid, a pass's and a search's own.
+Neighbours are tried in the order of their potential, until one is found that lies below all that the way has come by. A
+way also ends where nobody stands on the straight line to its end nearby: with somebody beside it the end is no minimum.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import numpy as np
 
 from soccer_env.baselines.weigel_2001.planner.heap import pop, push
 from soccer_env.baselines.weigel_2001.planner.potential import gap_at, potential
-from soccer_env.baselines.weigel_2001.planner.records import CAPPED, ENCLOSED, MOST_CELLS, MOST_NODES
+from soccer_env.baselines.weigel_2001.planner.records import ARRIVED, CAPPED, ENCLOSED, MOST_CELLS, MOST_NODES
 from soccer_env.baselines.weigel_2001.planner.stepping import obstacle_time, step_length, step_time
 from soccer_env.compiled import compiled
 
@@ -76,26 +76,30 @@ def leave_minimum(obstacles, settings, scratch):
             lowest, at = found, i
     scratch.lowest = min(scratch.lowest, lowest)
     cut_way(at + 1, scratch)
-    last, made, ended = search(lowest, obstacles, settings, scratch)
+    last, made, ended = search(obstacles, settings, scratch)
     for i in range(made):
         scratch.marks[index_of(scratch.nodes[i].u, scratch.nodes[i].v, scratch)] = scratch.nodes[i].under
     return ended if join(last, settings, scratch) else CAPPED
 
 
 @compiled
-def search(lowest, obstacles, settings, scratch):
-    """Search from the way's last cell; return the last node of the way out, how many were made, and GOES_ON.
+def search(obstacles, settings, scratch):
+    """Search from the way's last cell; return the last node of a way out, how many were made, and how the pass ends.
 
-    If there is no way out: the node of lowest potential, and how the pass ends.
+    GOES_ON: the node is lower than anything before. ARRIVED: the end is straight ahead. If there is no way out, the
+    node is that of lowest potential.
     """
     nodes, heap, begin = scratch.nodes, scratch.heap, scratch.way[scratch.count - 1]
-    made = add_node(0, begin.u, begin.v, begin.t, 0.0, lowest, -1, settings, scratch)
+    made = add_node(0, begin.u, begin.v, -1, obstacles, settings, scratch)
     size = push(heap, 0, 0, nodes)
     best = 0
     while size > 0:
         node = pop(heap, size, nodes)
         size -= 1
-        if is_way_out(node, scratch):
+        one = nodes[node]
+        if sees_end(one, obstacles, settings, scratch):
+            return node, made, ARRIVED
+        if one.under == 0 and one.potential < scratch.lowest:
             return node, made, GOES_ON
         if nodes[node].potential < nodes[best].potential:
             best = node
@@ -106,49 +110,56 @@ def search(lowest, obstacles, settings, scratch):
 
 
 @compiled
-def is_way_out(node, scratch):
-    """Tell whether a node ends the search: beside the way's end, or new and lower than anything before."""
-    one = scratch.nodes[node]
-    return is_at_end(one.u, one.v, scratch) or (one.under == 0 and one.potential < scratch.lowest)
-
-
-@compiled
-def add_node(made, u, v, t, far, height, parent, settings, scratch):
-    """Make a node of a cell; return how many there are."""
-    node, index = scratch.nodes[made], index_of(u, v, scratch)
-    node.u, node.v, node.t = u, v, t
-    node.far, node.potential, node.parent = far, height, parent
-    node.key = height + settings.search_length * far
-    node.under = scratch.marks[index]
-    scratch.marks[index] = -1 - made
-    return made + 1
+def sees_end(node, obstacles, settings, scratch):
+    """Tell whether a way's end is as near to a node as obstacles reach, and nobody on the straight line to it."""
+    to_u, to_v = scratch.end_u - node.u, scratch.end_v - node.v
+    away = step_length(to_u, to_v, settings)
+    if away > settings.reach:
+        return False
+    pieces = max(abs(to_u), abs(to_v))
+    for i in range(1, pieces):
+        share = i / pieces
+        now = obstacle_time(node.t + scratch.clock * share * away / settings.speed, settings)
+        x, y = (node.u + share * to_u) * settings.cell, (node.v + share * to_v) * settings.cell
+        if gap_at(x, y, now, obstacles, settings) <= scratch.tight:
+            return False
+    return True
 
 
 @compiled
 def expand(node, made, size, obstacles, settings, scratch):
-    """Make nodes of the free neighbours of one; return how many nodes there are, and the heap's size."""
+    """Make nodes of the neighbours of one that are free; return how many nodes there are, and the heap's size."""
     here = scratch.nodes[node]
     for i in range(len(NEAR_U)):
         du, dv = NEAR_U[i], NEAR_V[i] * scratch.side
         u, v = here.u + du, here.v + dv
-        if not is_inside(u, v, scratch) or scratch.marks[index_of(u, v, scratch)] < 0:
-            continue
-        t = here.t + scratch.clock * step_time(du, dv, settings)
-        now = obstacle_time(t, settings)
-        if gap_at(u * settings.cell, v * settings.cell, now, obstacles, settings) <= scratch.tight:
-            continue
-        height = potential_of(u, v, now, obstacles, settings, scratch)
-        far = here.far + step_length(du, dv, settings)
-        size = push_node(made, size, u, v, t, far, height, node, settings, scratch)
-        made += 1
+        if is_inside(u, v, scratch) and scratch.marks[index_of(u, v, scratch)] >= 0:
+            before = made
+            made = add_node(made, u, v, node, obstacles, settings, scratch)
+            if made > before:
+                size = push(scratch.heap, size, before, scratch.nodes)
     return made, size
 
 
 @compiled
-def push_node(made, size, u, v, t, far, height, parent, settings, scratch):
-    """Make a node and put it into the heap; return the heap's size."""
-    add_node(made, u, v, t, far, height, parent, settings, scratch)
-    return push(scratch.heap, size, made, scratch.nodes)
+def add_node(made, u, v, parent, obstacles, settings, scratch):
+    """Make a node of a cell, unless it is blocked by an obstacle that its parent is not leaving; return how many."""
+    node, first = scratch.nodes[made], scratch.way[scratch.count - 1]
+    node.far = 0.0
+    if parent >= 0:
+        before = scratch.nodes[parent]
+        node.far = before.far + step_length(u - before.u, v - before.v, settings)
+    node.t = first.t + scratch.clock * node.far / settings.speed
+    now = obstacle_time(node.t, settings)
+    node.gap = gap_at(u * settings.cell, v * settings.cell, now, obstacles, settings)
+    if parent >= 0 and node.gap <= scratch.tight and node.gap <= scratch.nodes[parent].gap:
+        return made
+    node.u, node.v, node.parent = u, v, parent
+    node.potential = potential_of(u, v, now, obstacles, settings, scratch)
+    index = index_of(u, v, scratch)
+    node.under = scratch.marks[index]
+    scratch.marks[index] = -1 - made
+    return made + 1
 
 
 @compiled

@@ -29,7 +29,7 @@ class PlannerSettings(Options):
         "pitch_length": (1.0, 200.0), "pitch_width": (1.0, 200.0), "margin": (0.0, 10.0), "cell": (0.01, 1.0),
         "speed": (0.01, 100.0), "robot_radius": (0.0, 5.0), "reach": (0.01, 100.0), "floor": (0.001, 1.0),
         "border_reach": (0.01, 100.0), "gain": (0.0, 100.0), "border_gain": (0.0, 100.0),
-        "attraction": ABOVE_ZERO, "search_length": (0.0, 100.0), "last_cells": (2, MOST_CELLS),
+        "attraction": ABOVE_ZERO, "last_cells": (2, MOST_CELLS),
         "most_evaluations": (100, 1_000_000), "most_iterations": (1, MOST_ITERATIONS), "damping": (0.0, 0.95),
         "threshold": ABOVE_ZERO, "smoothing": (0, 20),
     }  # fmt: skip
@@ -58,16 +58,15 @@ class PlannerSettings(Options):
     attraction: float = 1.0  # [1/m] ka: the target's force over its distance, assumed  MH09
     gain: float = 0.15  # [m] kr, assumed: 0.1 to 0.3 were tried  MH09
     reach: float = 1.0  # [m] d0, from surface to surface, assumed  MH09
-    floor: float = 0.05  # [m] a nearer obstacle repels as from here, assumed  MH09
+    floor: float = 0.05  # [m] gap below which it grows evenly, assumed  MH09
     borders: bool = False  # True: the pitch's lines repel as well; (1) has none
     border_gain: float = 0.05  # [m] kr of a line, assumed
     border_reach: float = 0.35  # [m] d0 of a line, assumed
     stepping: str = "carried"  # the rest of a direction goes on to the next cell; quantised: to 45 degrees  MH11
 
     # the local search, 3
-    search_length: float = 1.0  # [1] weight of the way so far against the potential, assumed; 0: best first  MH12
     last_cells: int = 8  # of the way, whose lowest potential the search must get below, assumed  MH12
-    most_evaluations: int = 6000  # of the potential in one plan, assumed: some tenths of a millisecond  MH12
+    most_evaluations: int = 4000  # of the potential in one plan, assumed: some tenths of a millisecond  MH12
 
     # the time T, 3
     threshold: float = 0.1  # [s] between T before and after, "less than 100 milliseconds", Heinemann 2006, 3  MH16
