@@ -99,7 +99,7 @@ def search(obstacles, settings, scratch):
         one = nodes[node]
         if sees_end(one, obstacles, settings, scratch):
             return node, made, ARRIVED
-        if one.under == 0 and one.potential < scratch.lowest:
+        if one.under == 0 and one.potential < scratch.lowest - settings.gained:
             return node, made, GOES_ON
         if nodes[node].potential < nodes[best].potential:
             best = node

@@ -29,7 +29,7 @@ class PlannerSettings(Options):
         "pitch_length": (1.0, 200.0), "pitch_width": (1.0, 200.0), "margin": (0.0, 10.0), "cell": (0.01, 1.0),
         "speed": (0.01, 100.0), "robot_radius": (0.0, 5.0), "reach": (0.01, 100.0), "floor": (0.001, 1.0),
         "border_reach": (0.01, 100.0), "gain": (0.0, 100.0), "border_gain": (0.0, 100.0),
-        "attraction": ABOVE_ZERO, "last_cells": (2, MOST_CELLS),
+        "attraction": ABOVE_ZERO, "gained": (0.0, 100.0), "last_cells": (2, MOST_CELLS),
         "most_evaluations": (100, 1_000_000), "most_iterations": (1, MOST_ITERATIONS), "damping": (0.0, 0.95),
         "threshold": ABOVE_ZERO, "smoothing": (0, 20),
     }  # fmt: skip
@@ -66,6 +66,7 @@ class PlannerSettings(Options):
 
     # the local search, 3
     last_cells: int = 8  # of the way, whose lowest potential the search must get below, assumed  MH12
+    gained: float = 0.1  # [1] by which the search must get below it: a cell's worth of attraction, assumed  MH12
     most_evaluations: int = 4000  # of the potential in one plan, assumed: some tenths of a millisecond  MH12
 
     # the time T, 3
