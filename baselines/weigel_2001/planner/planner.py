@@ -14,7 +14,7 @@ from soccer_env.baselines.weigel_2001.planner.travelling import CYCLE, Travel, m
 from soccer_env.checking import Range, one_of, refuse, whole_number
 
 FARTHEST = 1000.0  # [m] from the middle of the pitch: what is farther is no place on it but a mistake
-FASTEST = 100.0  # [m/s]
+FASTEST = 100.0  # [m/s] of an obstacle; robots of 2006 drive at up to 5  MH25
 OBSTACLE_RADIUS = 0.25  # [m] of an obstacle without one: half of the 50 cm that a robot may take, rules of 2006
 FORM = "rows of x, y, vx, vy, and a radius if you like"
 

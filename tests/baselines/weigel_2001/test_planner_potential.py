@@ -1,0 +1,121 @@
+"""The planner's potential field against closed forms: forces, their sum in both readings, gradient, prediction."""
+
+from math import hypot, sqrt
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env.baselines.weigel_2001.planner.potential import gap_at, gradient, potential
+from soccer_env.baselines.weigel_2001.planner.records import OBSTACLE, POINT
+from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
+
+GOAL = np.array([(3.0, 1.0)], POINT)[0]
+NOBODY = np.zeros(0, OBSTACLE)
+BOTH = 0.5  # [m] of two radii
+
+
+def play_of(**changes: Any) -> np.void:
+    record: np.void = PlannerSettings(**changes).record()[0]
+    return record
+
+
+def others(*rows: tuple[float, ...]) -> np.ndarray:
+    return np.array([(*row, 0.25) for row in rows], OBSTACLE)
+
+
+def inverse(gap: float) -> float:
+    return 0.15 * (1.0 / gap - 1.0)
+
+
+def test_mh09_the_scalar_field_is_the_distance_and_the_size_of_each_force() -> None:
+    play = play_of(form="scalar")
+    assert potential(0.0, 0.0, 0.0, GOAL, NOBODY, play) == pytest.approx(sqrt(10.0))
+    crowd = others((1.0, 0.0, 0.0, 0.0), (0.0, -0.8, 0.0, 0.0))
+    expected = sqrt(10.0) + inverse(0.5) + inverse(0.3)
+    assert potential(0.0, 0.0, 0.0, GOAL, crowd, play) == pytest.approx(expected)
+
+
+def test_mh09_the_vector_field_is_the_size_of_the_sum_of_all_forces() -> None:
+    crowd = others((1.0, 0.0, 0.0, 0.0), (0.0, -0.8, 0.0, 0.0))
+    expected = hypot(3.0 - inverse(0.5), 1.0 + inverse(0.3))
+    assert potential(0.0, 0.0, 0.0, GOAL, crowd, play_of(form="vector")) == pytest.approx(expected)
+
+
+def test_mh09_the_vector_field_vanishes_before_an_obstacle_where_the_forces_cancel() -> None:
+    """Goal at 3 m, obstacle at 1 m: 3 - x = 0.15 (1 / (0.5 - x) - 1) has a root between; the scalar field has none."""
+    goal = np.array([(3.0, 0.0)], POINT)[0]
+    x = np.linspace(0.0, 0.499, 500)
+    found = {
+        form: [potential(at, 0.0, 0.0, goal, others((1.0, 0.0, 0.0, 0.0)), play_of(form=form)) for at in x]
+        for form in ("vector", "scalar")
+    }
+    root = x[int(np.argmin(found["vector"]))]
+    assert 3.0 - root == pytest.approx(inverse(0.5 - root), rel=0.1)
+    assert min(found["vector"]) < 0.05 and min(found["scalar"]) > 2.5
+
+
+def test_mh09_nobody_repels_from_beyond_the_reach() -> None:
+    play = play_of()
+    near, far = others((1.499, 0.0, 0.0, 0.0)), others((1.501, 0.0, 0.0, 0.0))
+    alone = potential(0.0, 0.0, 0.0, GOAL, NOBODY, play)
+    assert potential(0.0, 0.0, 0.0, GOAL, far, play) == alone
+    assert alone < potential(0.0, 0.0, 0.0, GOAL, near, play) < alone + 1e-3
+
+
+def test_mh09_below_the_floor_the_force_goes_on_growing_evenly() -> None:
+    play = play_of()
+    alone = potential(0.0, 0.0, 0.0, GOAL, NOBODY, play)
+    sizes = [
+        potential(0.0, 0.0, 0.0, GOAL, others((BOTH + gap, 0.0, 0.0, 0.0)), play) - alone for gap in (0.05, 0.0, -0.2)
+    ]
+    assert sizes == pytest.approx([inverse(0.05), 2.0 * inverse(0.05), 6.0 * inverse(0.05)])
+
+
+def test_mh09_khatibs_force_is_that_over_the_square_of_the_distance() -> None:
+    play = play_of(repulsion="khatib")
+    size = potential(0.0, 0.0, 0.0, GOAL, others((1.0, 0.0, 0.0, 0.0)), play) - sqrt(10.0)
+    assert size == pytest.approx(inverse(0.5) / 0.25)
+
+
+@pytest.mark.parametrize("form", ["scalar", "vector"])
+def test_lines_repel_only_if_they_are_asked_to(form: str) -> None:
+    goal = np.array([(5.9, 0.0)], POINT)[0]
+    size = 0.05 * (1.0 / 0.1 - 1.0 / 0.35)
+    assert potential(5.9, 0.0, 0.0, goal, NOBODY, play_of(form=form)) == 0.0
+    assert potential(5.9, 0.0, 0.0, goal, NOBODY, play_of(form=form, borders=True)) == pytest.approx(size)
+    assert potential(-5.9, 0.0, 0.0, goal, NOBODY, play_of(form=form, borders=True)) == pytest.approx(11.8 + size)
+
+
+@pytest.mark.parametrize("form", ["scalar", "vector"])
+def test_mh10_the_gradient_is_the_difference_between_neighbours_over_a_cell(form: str) -> None:
+    """As (2) is written: over alpha and not over 2 alpha, hence twice the slope."""
+    play, crowd = play_of(form=form), others((1.0, 0.35, 0.0, 0.0))
+    at = {(i, j): potential(0.1 * i, 0.1 * j, 0.0, GOAL, crowd, play) for i in (1, 2, 3) for j in (0, 1, 2)}
+    found = gradient(2, 1, 0.0, GOAL, crowd, play)
+    assert found == pytest.approx(((at[3, 1] - at[1, 1]) / 0.1, (at[2, 2] - at[2, 0]) / 0.1), rel=1e-12)
+
+
+def test_mh10_the_gradient_of_one_obstacle_is_twice_its_derivative() -> None:
+    play = play_of(cell=0.02, pitch_length=1.0, pitch_width=1.0)
+    x, y = 0.1, -0.04
+    found = gradient(5, -2, 0.0, GOAL, others((0.9, 0.35, 0.0, 0.0)), play)
+    towards, away = np.array([x - 3.0, y - 1.0]), np.array([x - 0.9, y - 0.35])
+    d, r = np.hypot(*towards), np.hypot(*away)
+    slope = towards / d - 0.15 / (r - BOTH) ** 2 * away / r
+    assert found == pytest.approx(tuple(2.0 * slope), abs=0.005)
+
+
+def test_mh15_an_obstacle_is_predicted_along_its_velocity() -> None:
+    play, moves = play_of(), others((1.0, 0.5, -1.0, 0.4))
+    for t in (0.3, 1.0, -0.2):
+        there = others((1.0 - t, 0.5 + 0.4 * t, 0.0, 0.0))
+        expected = potential(0.2, 0.1, 0.0, GOAL, there, play)
+        assert potential(0.2, 0.1, t, GOAL, moves, play) == pytest.approx(expected, rel=1e-12)
+
+
+def test_the_gap_is_from_surface_to_surface() -> None:
+    play = play_of()
+    assert gap_at(0.0, 0.0, 0.0, others((3.0, 4.0, 0.0, 0.0), (0.0, -2.0, 0.0, 1.0)), play) == pytest.approx(1.5)
+    assert gap_at(0.0, 0.0, 1.5, others((3.0, 4.0, 0.0, 0.0), (0.0, -2.0, 0.0, 1.0)), play) == pytest.approx(0.0)
+    assert gap_at(0.0, 0.0, 0.0, NOBODY, play) >= 1e6

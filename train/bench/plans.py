@@ -1,0 +1,87 @@
+"""How long the middle-size planner takes: 5 m past nine obstacles that move, one pass over the grid and a whole plan."""
+
+from __future__ import annotations
+
+from statistics import median
+from time import perf_counter
+
+import numpy as np
+
+from soccer_env.baselines.weigel_2001.planner.planning import begin_plan, plan_way
+from soccer_env.baselines.weigel_2001.planner.records import OBSTACLE, PLAN, SCRATCH
+from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
+from soccer_env.baselines.weigel_2001.planner.walking import plan_pass
+from soccer_env.compiled import compiled
+
+DISTANCE, OBSTACLES = 5.0, 9  # [m] of the straight way, [1]
+FASTEST, ROOM = 2.0, 0.6  # [m/s] of an obstacle, [m] that it leaves around robot and target
+LENGTH, WIDTH, RADIUS = 12.0, 8.0, 0.25  # [m] of the pitch, [m] of an obstacle
+TRIES = 5  # a scene's time is the median of so many
+
+
+def draw_scene(rng: np.random.Generator) -> tuple[tuple[float, ...], np.ndarray]:
+    """Return robot and target (4,) [m] and (n,) obstacles, anywhere on the pitch."""
+    half = np.array([0.5 * LENGTH, 0.5 * WIDTH])
+    robot = target = 2.0 * half
+    while (np.abs(target) > half).any():
+        robot, angle = rng.uniform(-half, half), rng.uniform(-np.pi, np.pi)
+        target = robot + DISTANCE * np.array([np.cos(angle), np.sin(angle)])
+    others = np.zeros(OBSTACLES, OBSTACLE)
+    others["radius"] = RADIUS
+    for one in others:
+        place = robot
+        while min(np.hypot(*(place - robot)), np.hypot(*(place - target))) < ROOM:
+            place = rng.uniform(-half, half)
+        angle, speed = rng.uniform(-np.pi, np.pi), rng.uniform(0.0, FASTEST)
+        one["x"], one["y"], one["vx"], one["vy"] = *place, speed * np.cos(angle), speed * np.sin(angle)
+    return (*map(float, robot), *map(float, target)), others
+
+
+class PlanLoad:
+    """The planner of 2006 in many scenes; compiled before it is timed."""
+
+    def __init__(self, seed: int) -> None:
+        self.rng = np.random.default_rng(seed)
+        self.parts = PlannerSettings().record(), np.zeros(1, SCRATCH), np.zeros(1, PLAN)
+        self.sample(1)
+
+    def sample(self, scenes: int) -> tuple[list[float], list[float]]:
+        """Return the seconds of a backward pass, and those of a whole plan, in so many new scenes."""
+        passes, plans = [], []
+        for _ in range(scenes):
+            places, others = draw_scene(self.rng)
+            passes.append(median(self._pass(places, others) for _ in range(TRIES)))
+            plans.append(median(self._plan(places, others) for _ in range(TRIES)))
+        return passes, plans
+
+    def _pass(self, places: tuple[float, ...], others: np.ndarray) -> float:
+        begin(*places, *self.parts)
+        start = perf_counter()
+        walk_back(others, *self.parts)
+        return perf_counter() - start
+
+    def _plan(self, places: tuple[float, ...], others: np.ndarray) -> float:
+        start = perf_counter()
+        make_plan(*places, others, *self.parts)
+        return perf_counter() - start
+
+
+# Kernels are called with arrays: a single record takes Python longer to hand over than the planner needs.
+
+
+@compiled
+def begin(x, y, to_x, to_y, settings, scratch, plans):
+    """Note what is asked for."""
+    begin_plan(x, y, to_x, to_y, 1, settings[0], scratch[0], plans[0])
+
+
+@compiled
+def walk_back(others, settings, scratch, plans):
+    """Do one pass, for the time of the straight line."""
+    plan_pass(plans[0].least_time, others, settings[0], scratch[0], plans[0])
+
+
+@compiled
+def make_plan(x, y, to_x, to_y, others, settings, scratch, plans):
+    """Make one plan."""
+    plan_way(x, y, to_x, to_y, 1, others, settings[0], scratch[0], plans[0])
