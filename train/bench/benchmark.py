@@ -24,6 +24,7 @@ from soccer_env.train.bench.apis import (
     wrapper_bytes,
 )
 from soccer_env.train.bench.loads import CoreLoad, Load, OwnFloor, ParticlesLoad, ReferenceFloor, SensesLoad
+from soccer_env.train.bench.plans import PlanLoad
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import LIBRARIES, commit, version_of
@@ -43,6 +44,8 @@ BELIEF_API_SPEED = 6_000.0  # [steps/s] with observe="belief"
 THREADS_RATIO = 1.7  # two threads over one
 API_SPEED = 10_000.0  # [steps/s]
 RESET_TIME = 1e-3  # [s]
+PASS_TIME, PLAN_TIME = 25e-6, 60e-6  # [s] of the middle-size planner: one pass, one plan, over 5 m past nine others
+PLAN_TIME_99 = 1e-3  # [s] of one plan in a hundred
 RECORD_BYTES = 16 * 1024  # of a match outside Chipmunk
 START_LIMITS = {"import soccer_env": 1.5, "soccer --help": 0.6, "start of an evaluation": 3.0}  # [s]
 COLD_LIMIT = 60.0  # [s]
@@ -78,7 +81,7 @@ def run(settings: BenchSettings) -> dict[str, Any]:
     report: dict[str, Any] = {"machine": machine(), "settings": {**asdict(settings), "out": str(settings.out or "")}}
     rows: list[Row] = []
     samples: dict[str, Samples] = {}
-    with Progress("bench", 3) as progress:
+    with Progress("bench", 4) as progress:
         for league in LEAGUES:
             progress.note(league)
             samples[league] = measure_core(league, settings)
@@ -86,6 +89,9 @@ def run(settings: BenchSettings) -> dict[str, Any]:
             samples[f"{league} APIs"] = measure_apis(league, settings)
             rows += api_rows(league, samples[f"{league} APIs"])
             progress.advance(1)
+        progress.note("planning")
+        rows += plan_rows(settings)
+        progress.advance(1)
         progress.note("starting")
         rows += start_rows(settings)
     report |= {"rows": [asdict(row) for row in rows], "samples": samples}
@@ -173,6 +179,16 @@ def api_rows(league: str, samples: Samples) -> Iterator[Row]:
         yield at_most(f"{name}, sensing ({pose})", record_bytes(league, pose), "KiB", limit, 1 / 1024)
     wrappers = wrapper_bytes(league)
     yield Row(f"{league}: pymunk's Python objects of a match", wrappers, f"{wrappers / 1024:.3g} KiB")
+
+
+def plan_rows(settings: BenchSettings) -> Iterator[Row]:
+    """Yield how long the middle-size planner takes."""
+    passes, plans = PlanLoad(settings.seed).sample(200 if settings.quick else 1000)
+    where = "over 5 m past nine obstacles"
+    yield at_most(f"planner: one backward pass {where}", median(passes), "us", PASS_TIME, 1e6)
+    yield at_most(f"planner: one plan {where}", median(plans), "us", PLAN_TIME, 1e6)
+    slowest = sorted(plans)[round(0.99 * (len(plans) - 1))]
+    yield at_most(f"planner: one plan {where}, 99 % are faster", slowest, "us", PLAN_TIME_99, 1e6)
 
 
 def start_rows(settings: BenchSettings) -> Iterator[Row]:

@@ -1,4 +1,4 @@
-"""How long the middle-size planner takes: 5 m past nine obstacles that move, one pass over the grid and a whole plan."""
+"""How long the middle-size planner takes over 5 m past nine obstacles that move: one pass over the grid, one plan."""
 
 from __future__ import annotations
 

@@ -11,6 +11,7 @@ from soccer_env.physics.engine import reference
 from soccer_env.train.bench import apis as bench_faces
 from soccer_env.train.bench import benchmark as bench
 from soccer_env.train.bench import loads as bench_loads
+from soccer_env.train.bench import plans as bench_plans
 from soccer_env.train.bench.settings import BenchSettings
 
 
@@ -59,6 +60,20 @@ def test_nothing_leaves_the_reference_scene() -> None:
     assert load.sample(1000) > 0.0
     reference.read_slice(load.batch.links, 0, 4)
     assert np.abs(load.batch.bodies[:, :7, :2]).max() < 4.6
+
+
+def test_the_planner_is_timed_over_5_metres_past_nine_obstacles_that_leave_it_room() -> None:
+    places, others = bench_plans.draw_scene(np.random.default_rng(1))
+    x, y, to_x, to_y = places
+    assert np.hypot(to_x - x, to_y - y) == pytest.approx(5.0) and len(others) == 9
+    for at in (places[:2], places[2:]):
+        assert np.hypot(others["x"] - at[0], others["y"] - at[1]).min() >= 0.6
+    assert 0.0 < np.hypot(others["vx"], others["vy"]).max() <= 2.0
+    passes, plans = bench_plans.PlanLoad(0).sample(20)
+    assert len(passes) == len(plans) == 20 and min(passes + plans) > 0.0
+    rows = list(bench.plan_rows(BenchSettings(quick=True)))
+    assert [row.target for row in rows] == ["<= 25", "<= 60", "<= 1000"]
+    assert rows[1].value <= rows[2].value
 
 
 def test_rows_compare_within_each_repetition() -> None:
