@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from statistics import median
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 
@@ -19,7 +20,7 @@ LENGTH, WIDTH, RADIUS = 12.0, 8.0, 0.25  # [m] of the pitch, [m] of an obstacle
 TRIES = 5  # a scene's time is the median of so many
 
 
-def draw_scene(rng: np.random.Generator) -> tuple[tuple[float, ...], np.ndarray]:
+def draw_scene(rng: np.random.Generator) -> tuple[tuple[float, float, float, float], np.ndarray]:
     """Return robot and target (4,) [m] and (n,) obstacles, anywhere on the pitch."""
     half = np.array([0.5 * LENGTH, 0.5 * WIDTH])
     robot = target = 2.0 * half
@@ -34,7 +35,7 @@ def draw_scene(rng: np.random.Generator) -> tuple[tuple[float, ...], np.ndarray]
             place = rng.uniform(-half, half)
         angle, speed = rng.uniform(-np.pi, np.pi), rng.uniform(0.0, FASTEST)
         one["x"], one["y"], one["vx"], one["vy"] = *place, speed * np.cos(angle), speed * np.sin(angle)
-    return (*map(float, robot), *map(float, target)), others
+    return (float(robot[0]), float(robot[1]), float(target[0]), float(target[1])), others
 
 
 class PlanLoad:
@@ -42,7 +43,7 @@ class PlanLoad:
 
     def __init__(self, seed: int) -> None:
         self.rng = np.random.default_rng(seed)
-        self.parts = PlannerSettings().record(), np.zeros(1, SCRATCH), np.zeros(1, PLAN)
+        self.parts: Any = (PlannerSettings().record(), np.zeros(1, SCRATCH), np.zeros(1, PLAN))
         self.sample(1)
 
     def sample(self, scenes: int) -> tuple[list[float], list[float]]:
@@ -54,13 +55,13 @@ class PlanLoad:
             plans.append(median(self._plan(places, others) for _ in range(TRIES)))
         return passes, plans
 
-    def _pass(self, places: tuple[float, ...], others: np.ndarray) -> float:
+    def _pass(self, places: tuple[float, float, float, float], others: np.ndarray) -> float:
         begin(*places, *self.parts)
         start = perf_counter()
         walk_back(others, *self.parts)
         return perf_counter() - start
 
-    def _plan(self, places: tuple[float, ...], others: np.ndarray) -> float:
+    def _plan(self, places: tuple[float, float, float, float], others: np.ndarray) -> float:
         start = perf_counter()
         make_plan(*places, others, *self.parts)
         return perf_counter() - start
