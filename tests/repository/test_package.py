@@ -98,7 +98,15 @@ def test_wheel_holds_the_package_and_nothing_else(wheel: Path) -> None:
 
 def test_wheel_holds_the_pages_but_no_pictures(wheel: Path) -> None:
     names = set(zipfile.ZipFile(wheel).namelist())
-    folders = ("", "perception/", "baselines/", "baselines/sacks_2001/", "agents/policies/", "train/")
+    folders = (
+        "",
+        "perception/",
+        "baselines/",
+        "baselines/sacks_2001/",
+        "baselines/weigel_2001/",
+        "agents/policies/",
+        "train/",
+    )
     assert {f"soccer_env/{folder}README.md" for folder in folders} <= names
     assert [name for name in names if "/pictures/" in name and not name.startswith("soccer_env/train/")] == []
     assert wheel.stat().st_size < 2_000_000

@@ -24,6 +24,7 @@ PAGES = (
     "soccer_env/perception/README.md",
     "baselines/README.md",
     "baselines/sacks_2001/README.md",
+    "baselines/weigel_2001/README.md",
     "agents/policies/README.md",
     "train/README.md",
 )
