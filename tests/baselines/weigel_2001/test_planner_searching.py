@@ -1,12 +1,14 @@
 """Out of local minima: rows and cups of robots, who stands by the end of a way, and hopeless scenes at bounded cost."""
 
-from math import cos, pi, sin
+from math import cos, inf, nan, pi, sin
 from typing import Any
 
 import numpy as np
 import pytest
 
-from soccer_env.baselines.weigel_2001.planner import Plan, Planner
+from soccer_env.baselines.weigel_2001.planner import Plan, Planner, PlannerSettings
+from soccer_env.baselines.weigel_2001.planner.planning import plan_way
+from soccer_env.baselines.weigel_2001.planner.records import OBSTACLE, PLAN, SCRATCH
 from tests.scenes.planning import Scene, at_bearing, cup, random_scene, row
 
 ANGLES = [0.3 + 0.5 * i for i in range(13)]
@@ -111,3 +113,15 @@ def test_nothing_stalls_or_throws(form: str, changes: dict[str, Any]) -> None:
 def test_a_target_under_the_robot_is_a_path_of_two_points() -> None:
     plan = Planner().plan((1.0, 1.0), (1.0, 1.0), [(1.3, 1.0, -1.0, 0.0)])
     assert plan.arrived and len(plan) == 2 and plan.time == plan.least_time == 0.0
+
+
+def test_what_is_no_number_neither_stalls_nor_leaves_the_grid() -> None:
+    """`Planner` refuses it; the kernel, which teams call, holds it at the grid's edge or overlooks it."""
+    settings, scratch, plan = PlannerSettings().record(), np.zeros(1, SCRATCH), np.zeros(1, PLAN)
+    others = np.array([(nan, 0.0, 1.0, 0.0, 0.25), (0.5, 0.1, inf, nan, 0.25), (1.0, 0.2, 0.0, 0.0, 0.25)], OBSTACLE)
+    for robot, target in (((nan, 0.0), (2.0, 0.0)), ((0.0, 0.0), (inf, -inf)), ((0.0, 0.0), (2.0, 0.3))):
+        plan_way(*robot, *target, 1, others, settings[0], scratch[0], plan[0])
+        path = plan["path"][0, : plan["count"][0]]
+        assert np.isfinite(path["x"]).all() and np.isfinite(path["y"]).all()
+        assert np.abs(path["x"]).max() <= 7.0 and np.abs(path["y"]).max() <= 5.0
+        assert not scratch["marks"].any() and plan["evaluations"][0] < 4300
