@@ -11,7 +11,8 @@ import pytest
 
 from soccer_env.leagues.legged_sensors import LeggedMemory, LeggedSensors
 from soccer_env.leagues.omni_sensors import OmniMemory, OmniSensors
-from soccer_env.leagues.options import GREATEST, Options
+from soccer_env.leagues.options import GREATEST, Options, own_notes
+from soccer_env.leagues.rules import Rules
 from soccer_env.train.command_line import main
 
 KINDS: tuple[type[Options], ...] = (LeggedSensors, LeggedMemory, OmniSensors, OmniMemory)
@@ -80,3 +81,8 @@ def test_the_list_shows_bounds(capsys: pytest.CaptureFixture[str]) -> None:
     printed = " ".join(capsys.readouterr().out.split())
     assert "0 to 64, even" in printed and "whole, 1 to 6" in printed and "whole, 1 to 65536" in printed
     assert f"0 to {GREATEST:.0f}" in printed and "0 or more" not in printed
+
+
+@pytest.mark.parametrize("rule", [field.name for field in fields(Rules)])
+def test_every_rule_says_what_it_is(rule: str) -> None:
+    assert own_notes(Rules).get(rule), "`soccer list rules` shows the comment beside the field"
