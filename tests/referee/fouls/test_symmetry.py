@@ -18,7 +18,7 @@ def chasers(**settings):
 def test_both_backends_agree_under_all_rules():
     match, other = chasers(backend="c"), chasers(backend="batch")
     whistles = 0
-    for _ in range(60 * match.league.control_rate):
+    for _ in range(120 * match.league.control_rate):
         match.step()
         other.step()
         whistles += int((match.robot_events["foul"] > 0).sum())
