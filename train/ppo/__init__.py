@@ -50,7 +50,7 @@ def train(settings: TrainSettings) -> TrainResult:
         lessons = Lessons(settings, learner.network)  # of a scripted team
         with Training(settings, folder, curriculum, matches, learner) as run:
             if not run.restore_checkpoint():
-                lessons.teach()  # the actor begins with what a scripted team does
+                lessons.teach()  # the actor begins with what a scripted team does, or as a policy file
                 run.evaluate()
                 learner.reset_matches()
                 run.save_checkpoint()

@@ -11,6 +11,9 @@ from itertools import product
 from math import ceil
 from typing import Any
 
+from soccer_env.agents.policy import Policy
+from soccer_env.agents.policy_file import load
+from soccer_env.checking import brief
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.rewards import NAMES, Rewards
@@ -35,6 +38,7 @@ def check_playable(settings: TrainSettings) -> None:
         curriculum = make_curriculum(settings)
         for share in (0.0, 1.0) if settings.ideal_share else (0.0,):
             make_matches(replace(settings, matches=len(settings.sizes), ideal_share=share), curriculum).close()
+    check_start(settings, policy)
     check_minutes(settings, league)
     shared_out(settings.sizes, settings.matches, settings.ideal_share)
     with said_by("evaluate_against"):
@@ -44,6 +48,23 @@ def check_playable(settings: TrainSettings) -> None:
         with said_by("teacher"):
             for sizes, (_, senses) in product(settings.sizes, settings.kinds_of_senses):
                 lesson(settings, sizes, senses).close()
+
+
+def check_start(settings: TrainSettings, blank: Policy) -> None:
+    """Raise ValueError unless the policy file that the actor begins with, if any, is of the shape that is trained."""
+    if not settings.start:
+        return
+    with said_by("start"):
+        policy = load(settings.start)
+        for what in ("family", "control_rate", "observe", "inputs", "action_repeat", "kind", "activation", "mirror"):
+            own, other = getattr(blank, what), getattr(policy, what)
+            if own != other:
+                told = "differ" if what == "inputs" else f"is {brief(other)}, the run's {brief(own)}"
+                raise ValueError(f"policy file {settings.start!r} is of another shape: {what} {told}")
+        shapes = [[weight.shape for weight in one.weights] for one in (blank, policy)]
+        if shapes[0] != shapes[1]:
+            sizes = ",".join(str(len(bias)) for bias in policy.biases[:-1])
+            raise ValueError(f"policy file {settings.start!r} has hidden layers of {sizes}, the run {settings.hidden}")
 
 
 def check_minutes(settings: TrainSettings, league: League) -> None:

@@ -15,9 +15,10 @@ import numpy as np
 import torch
 
 from soccer_env.agents.learned import first_decision
+from soccer_env.agents.policy_file import load
 from soccer_env.match import Match
 from soccer_env.observations.entry import OWN_COMMAND, Entry
-from soccer_env.train.ppo.networks import SoccerPolicy
+from soccer_env.train.ppo.networks import SoccerPolicy, begin_with
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.progress import Progress
 
@@ -160,9 +161,11 @@ class Lessons:
         return self._rows
 
     def teach(self) -> None:
-        """Fit the actor to the teacher, if there is one."""
+        """Give the actor what it starts with: a policy's weights, or what its teacher does, if there is either."""
         settings, epochs = self.settings, self.settings.teacher_epochs
-        if not settings.teacher:
+        if settings.start:
+            begin_with(self.network, load(settings.start))
+        if settings.start or not settings.teacher:
             return
         with Progress(f"learning from {settings.teacher}", len(cases_of(settings)) + epochs / 2) as progress:
             self._rows = lessons(settings, self.network.entries, progress.advance)

@@ -177,17 +177,8 @@ def policy_from(
     network: SoccerPolicy, *, name: str, league: League, observe: str, action_repeat: int, made: Mapping[str, str]
 ) -> Policy:
     """Return what a policy file holds of a trained network: its actor."""
-    head = network.action_net.linear if isinstance(network.action_net, MirrorHead) else network.action_net
-    linear: list[Any] = [part for part in network.mlp_extractor.policy_net if isinstance(part, nn.Linear)]
-    linear.append(head)
-    attention = network.mlp_extractor.attention
     weights, biases, pooling = (
-        tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts)
-        for parts in (
-            [part.weight for part in linear],
-            [part.bias for part in linear],
-            attention.tensors() if attention else [],
-        )
+        tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts) for parts in actor_tensors(network)
     )
     inputs, actions = tuple(entry.name for entry in network.entries), {4: "box", 7: "full"}[len(biases[-1])]
     return Policy(
@@ -195,6 +186,24 @@ def policy_from(
         action_repeat=action_repeat, kind=network.kind, activation=network.activation, mirror=network.mirror,
         weights=weights, biases=biases, made=made, attention=pooling,
     )  # fmt: skip
+
+
+def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], list[torch.Tensor], list[torch.Tensor]]:
+    """Return the weights, biases and pooling tensors of an actor, in the order of `Policy`."""
+    head = network.action_net.linear if isinstance(network.action_net, MirrorHead) else network.action_net
+    linear: list[Any] = [part for part in network.mlp_extractor.policy_net if isinstance(part, nn.Linear)]
+    linear.append(head)
+    attention = network.mlp_extractor.attention
+    return [part.weight for part in linear], [part.bias for part in linear], attention.tensors() if attention else []
+
+
+def begin_with(network: SoccerPolicy, policy: Policy) -> None:
+    """Give a network the actor of a policy of the same shape; its noise and its critic stay as they are."""
+    given = (policy.weights, policy.biases, policy.attention)
+    with torch.no_grad():
+        for parts, arrays in zip(actor_tensors(network), given, strict=True):
+            for part, array in zip(parts, arrays, strict=True):
+                part.copy_(torch.tensor(array))
 
 
 def blank_policy(settings: TrainSettings, league: League) -> Policy:

@@ -81,6 +81,8 @@ class PlainSettings:
     """How robots that use their sensors know where they are: a particle filter, or a noisy pose, which is faster."""
     action_repeat: int = 8
     """Control steps that a decision is kept; 8 is a gait step of the legged league."""
+    start: str = ""
+    """A policy file of the same shape that the actor begins with, instead of its teacher's lessons; "" for none."""
     teacher: str = "chaser"
     """A team whose decisions the actor is fitted to before PPO begins; "" for none."""
     teacher_steps: int = 300_000

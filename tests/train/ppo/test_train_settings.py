@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from soccer_env.agents.learned import BUNDLED
 from soccer_env.rewards import NAMES, TERMS
 from soccer_env.train.command_line import main, read_settings
 from soccer_env.train.ppo.checks import check_playable
@@ -117,6 +118,9 @@ def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], messa
         ({"rules": "league:pushed=True"}, "unknown rule 'pushed'"),
         ({"scenes": "kick-off,dribble-past-three"}, "away must be 3 to 3 in scene 'dribble-past-three'"),
         ({"evaluate_against": "nobody"}, "evaluate_against: unknown team 'nobody'"),
+        ({"start": "none.safetensors"}, "start: policy file 'none.safetensors'"),
+        ({"start": str(BUNDLED)}, "start: .* has hidden layers of 128,128, the run 8"),
+        ({"start": str(BUNDLED), "action_repeat": 4}, "start: .* is of another shape: action_repeat is 8, the run's 4"),
         ({"teacher": "professor"}, "teacher: unknown team 'professor'"),
         ({"matches": 1}, "matches must be at least one for each of 2 team sizes, got 1"),
         ({"matches": 3, "ideal_share": 0.1}, "matches must be at least one for each of 2 team sizes, by either senses"),
@@ -177,6 +181,7 @@ CHANGES: dict[str, st.SearchStrategy[Any]] = {
     **dict.fromkeys(SHARES, st.floats(1e-9, 1.0)),
     **dict.fromkeys(("steps", "batch", "epochs", "teacher_steps", "critic_first"), st.integers(2, 10**12)),
     **dict.fromkeys(("mirror", "curriculum", "decay", "central_critic", "normalise_rewards"), st.booleans()),
+    "start": st.sampled_from(["", "my policy.safetensors"]),
     "teacher": st.sampled_from(["", "chaser", "sacks-2001@0.25", "my policy.safetensors"]),
     "opponents": st.sampled_from(["still", "sacks-2001:pull=True,other=2,chaser", "a b.zip:observe=belief", "'\"$x"]),
     "name": st.sampled_from(["learned", "a b", "--mirror x"[2:]]),

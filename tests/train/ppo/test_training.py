@@ -52,6 +52,15 @@ def test_another_seed_gives_other_weights(tmp_path: Path, whole: Path) -> None:
     assert weights(tmp_path / "run" / "last.safetensors") != weights(whole / "last.safetensors")
 
 
+@pytest.mark.parametrize("change", [{}, {"kind": "attention", "mirror": False}])
+def test_an_actor_may_begin_with_the_weights_of_a_policy_file(tmp_path: Path, change: dict[str, Any]) -> None:
+    """As long as the critic learns alone they stay what they are in the file, a teacher or not."""
+    plainly(tiny(tmp_path / "first", steps=3 * ROLLOUT, past=0, **change))
+    first = tmp_path / "first" / "last.safetensors"
+    plainly(tiny(tmp_path / "next", steps=2 * ROLLOUT, past=0, start=str(first), seed=4, **change))
+    assert weights(tmp_path / "next" / "last.safetensors") == weights(first)
+
+
 def test_policies_and_settings_say_by_which_rules_they_were_trained(tmp_path: Path, whole: Path) -> None:
     assert load(whole / "last.safetensors").rules == recorded(find_league("legged-2001").rules)
     rules = "simple:pushing=True"
