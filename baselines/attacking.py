@@ -257,13 +257,25 @@ def side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
     if k.walled == 1 and angle > 1.6:
         room = radius + k.body_tip_y + k.body_tip_radius
         if 0.5 * k.pitch_width - abs(y) < room:
-            return side_of(-away_x * side_of(y))
+            return side_inside(away_x, away_y, ux, uy, 0.0, -side_of(y))
         if 0.5 * k.pitch_length - abs(x) < room:
-            return side_of(away_y * side_of(x))
+            return side_inside(away_x, away_y, ux, uy, -side_of(x), 0.0)
     if angle > 2.6 and memory.way != 0.0:
         way = memory.way
     memory.way = way
     return way
+
+
+@compiled
+def side_inside(away_x, away_y, ux, uy, inner_x, inner_y):
+    """Return on which side to go round a ball to its back so as never to come between it and a board.
+
+    (away_x, away_y): the player seen from the ball [m]; (ux, uy): unit vector of the way on which the ball is to go;
+    (inner_x, inner_y): unit vector away from the board.
+    """
+    now = atan2(inner_x * away_y - inner_y * away_x, inner_x * away_x + inner_y * away_y)
+    back = atan2(inner_y * ux - inner_x * uy, -inner_x * ux - inner_y * uy)
+    return side_of(back - now)
 
 
 @compiled
