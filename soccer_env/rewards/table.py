@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.checking import SHARE, check_names, number, one_of, refuse
-from soccer_env.rewards.terms import approach, cover, crowding, effort, foul, progress, score, strength
+from soccer_env.rewards.terms import approach, cover, crowding, effort, foul, guard, progress, score, strength
 
 KINDS = ("potential", "event", "cost")
 
@@ -62,6 +62,10 @@ TERMS = (
         cover, "potential", 0.0,
     ),
     Term("crowding", "minus how near the ball a second robot of the team is", crowding, "potential", 0.0),
+    Term(
+        "guard", "minus the angle between the own posts that the goalkeeper leaves open to the ball, over pi",
+        guard, "potential", 0.0,
+    ),
     Term("strength", "minus the share of the team that serves a penalty", strength, "potential", 0.0),
     Term("foul", "minus one for a foul that is whistled against the robot", foul, "cost", 0.0),
 )  # fmt: skip
@@ -116,7 +120,7 @@ PRESETS = {
     "default": Rewards(),
     "sparse": Rewards.only(**{term.name: term.weight for term in TERMS if term.kind == "event"}),
     "training": Rewards(  # of `soccer train`
-        progress=2.0, approach=0.2, cover=0.2, crowding=0.1, strength=0.3, foul=0.1
+        progress=2.0, approach=0.2, cover=0.2, crowding=0.1, guard=1.0, strength=0.3, foul=0.1
     ),  # fmt: skip
 }
 

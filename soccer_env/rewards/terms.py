@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import asin, atan2, inf, pi, sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, direction_of, length
@@ -68,6 +68,28 @@ def cover(match, ball, robots, k, team):
             if robots[r].active == 1:
                 least = min(least, length(robots[r].x - x, robots[r].y - y))
     return -least / diagonal if mates > 0 else 0.0
+
+
+@compiled
+def guard(match, ball, robots, k, team):
+    """Return minus the angle between the own posts, seen from the ball, that the goalkeeper leaves open, over pi.
+
+    The goalkeeper is a disc of its reach; standing behind the line it covers less and less.
+    """
+    forward = direction_of(match, team)
+    x, y = 0.5 * k.pitch_length + forward * ball.x, forward * ball.y  # of the ball, from the middle of the own goal
+    if x <= 0.0:
+        return -1.0
+    left, right = atan2(0.5 * k.pitch_goal_width - y, x), atan2(-0.5 * k.pitch_goal_width - y, x)
+    covered = 0.0
+    for r in range(robots.shape[0]):
+        if robots[r].team == team and robots[r].keeper == 1 and robots[r].active == 1:
+            out = 0.5 * k.pitch_length + forward * robots[r].x
+            ahead, aside = x - out, forward * robots[r].y - y
+            bearing, half = atan2(aside, ahead), asin(min(k.body_reach / max(length(ahead, aside), k.body_reach), 1.0))
+            share = clip(1.0 + out / k.body_reach, 0.0, 1.0)
+            covered += share * max(min(left, bearing + half) - max(right, bearing - half), 0.0)
+    return -max(left - right - covered, 0.0) / pi
 
 
 @compiled

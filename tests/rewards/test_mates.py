@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, Rewards
+from soccer_env.leagues import find_league
 from soccer_env.rewards import NAMES, PRESETS
-from soccer_env.rewards.terms import at_ball, cover, crowding, foul, strength
+from soccer_env.rewards.terms import at_ball, cover, crowding, foul, guard, strength
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.staging import LEAGUES, put, put_ball, set_phase, stage, stand
 
-MATES = ("cover", "crowding", "strength", "foul")
+MATES = ("cover", "crowding", "guard", "strength", "foul")
 
 
 def scene(places: dict[int, tuple[float, float]], home: int = 3, away: int = 1) -> Match:
@@ -61,6 +62,36 @@ def test_cover_and_crowding_are_the_same_for_the_team_that_attacks_the_other_way
         assert phi(function, match, AWAY) < 0.0
 
 
+def test_a_goalkeeper_guards_the_angle_that_it_takes_from_a_shot() -> None:
+    """In closed form: seen from a ball straight ahead a disc of radius r at distance d hides 2 asin(r / d)."""
+    league = find_league("legged-2001")
+    reach, half = league.body.reach, 0.5 * league.pitch.goal_width
+
+    def open_angle(out: float, ahead: float = 1.0, aside: float = 0.0) -> float:
+        match = scene({0: (out - 1.5, 0.0)})
+        put_ball(match, ahead - 1.5, aside)
+        return -np.pi * phi(guard, match)
+
+    whole = 2.0 * np.arctan2(half, 1.0)
+    assert open_angle(0.2) == pytest.approx(max(whole - 2.0 * np.arcsin(reach / 0.8), 0.0))
+    assert open_angle(-reach) == pytest.approx(whole), "it stands in its goal"
+    assert open_angle(-0.5 * reach) == pytest.approx(whole - np.arcsin(reach / (1.0 + 0.5 * reach)))
+    assert open_angle(1.6) == pytest.approx(whole), "the ball lies between it and its goal"
+    from_aside = np.arctan2(half - 0.9, 0.2) - np.arctan2(-half - 0.9, 0.2)
+    assert open_angle(0.8, 0.2, 0.9) == pytest.approx(from_aside), "it stands aside of the way"
+    assert open_angle(0.2, -0.01) == pytest.approx(np.pi), "it is past the line"
+    gone = scene({1: (-1.3, 0.0)})
+    assert phi(guard, gone) < phi(guard, scene({0: (-1.3, 0.0)})), "a field player is no goalkeeper"
+
+
+def test_the_guard_is_the_same_for_the_team_that_attacks_the_other_way() -> None:
+    match, mirror = scene({3: (1.3, -0.1)}, home=3, away=3), scene({0: (-1.3, 0.1)}, home=3, away=3)
+    put_ball(mirror, -0.5, -0.2)
+    bare = phi(guard, scene({}, home=3, away=3), AWAY)
+    assert bare < phi(guard, match, AWAY) < 0.0
+    assert phi(guard, match, AWAY) == pytest.approx(phi(guard, mirror, HOME))
+
+
 def test_a_second_robot_at_the_ball_crowds_and_one_far_off_does_not() -> None:
     far = 3.0 * Match(home=1, away=1, seed=1).league.body.reach
     apart = scene({0: (0.3, 0.2), 1: (0.5 - 1.01 * far, 0.2)})
@@ -95,7 +126,7 @@ def test_a_team_without_active_robots_has_nobody_at_the_ball() -> None:
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_their_shaping_sums_to_zero_over_a_loop(league: str) -> None:
-    weights = Rewards.only(cover=1.0, crowding=1.0, strength=1.0, gamma=1.0)
+    weights = Rewards.only(cover=1.0, crowding=1.0, guard=1.0, strength=1.0, gamma=1.0)
     match = Match(league, home=3, away=3, matches=4, seed=2, rewards=weights, controllers={"home": "random"})
     set_phase(match, Phase.PLAY)
     match.rebuild()
@@ -104,7 +135,7 @@ def test_their_shaping_sums_to_zero_over_a_loop(league: str) -> None:
         found = np.zeros((4, 6))
         for m, r in np.ndindex(4, 6):
             records = match.matches[m], match.balls[m], match.robots[m], match.settings.constants()[0]
-            for function in (cover, crowding, strength):
+            for function in (cover, crowding, guard, strength):
                 found[m, r] += function(*records, match.robots[m, r]["team"])
         return found
 
