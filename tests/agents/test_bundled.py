@@ -1,6 +1,7 @@
 """The bundled team `learned`: a small policy file, made by the settings beside it, that beats the paper's team."""
 
 import json
+from pathlib import Path
 
 from soccer_env import make_team
 from soccer_env.agents.learned import BUNDLED
@@ -23,7 +24,7 @@ def test_the_policy_is_small_and_plays_by_beliefs() -> None:
 def test_it_was_trained_by_the_settings_beside_it() -> None:
     policy, settings = load(BUNDLED), settings_of(BUNDLED.with_suffix(".toml"))
     recorded = json.loads(policy.made["settings"])  # those there were when it was trained
-    assert recorded == {name: getattr(settings, name) for name in recorded}
+    assert recorded == {name: getattr(settings, name) for name in recorded} | {"start": Path(settings.start).name}
     assert policy.made["seed"] == str(settings.seed)
     assert LEAST_STEPS * settings.steps <= int(policy.made["step"]) <= settings.steps + 100_000
     assert (policy.action_repeat, policy.mirror) == (settings.action_repeat, settings.mirror)

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import datetime
+import hashlib
 import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import cache
 from itertools import product
 from math import ceil
+from pathlib import Path
 from typing import Any
 
 from soccer_env.agents.policy import Policy
@@ -33,12 +36,13 @@ def check_playable(settings: TrainSettings) -> None:
     """Raise ValueError, with the setting's name, for teams, sizes and times that cannot be played or written down."""
     check_device(settings.device)
     league = settings.played
-    policy = replace(blank_policy(settings, league), made=made_by(settings, 0))
+    blank = blank_policy(settings, league)
+    check_start(settings, blank)
+    policy = replace(blank, made=made_by(settings, 0))
     with said_by("opponents"):
         curriculum = make_curriculum(settings)
         for share in (0.0, 1.0) if settings.ideal_share else (0.0,):
             make_matches(replace(settings, matches=len(settings.sizes), ideal_share=share), curriculum).close()
-    check_start(settings, policy)
     check_minutes(settings, league)
     shared_out(settings.sizes, settings.matches, settings.ideal_share)
     with said_by("evaluate_against"):
@@ -104,13 +108,20 @@ def lesson(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, st
     )  # fmt: skip
 
 
+@cache
+def digest(path: str) -> str:
+    """Return the SHA-256 of a file as it was at first; it may be moved while a run goes on."""
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+
+
 def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
-    """Return what a policy file says of where it comes from."""
+    """Return what a policy file says of where it comes from, without folders, which are the user's own paths."""
+    begun = {"start": digest(settings.start)} if settings.start else {}
+    settings = replace(settings, out=TrainSettings.out, start=Path(settings.start).name if settings.start else "")
     return {
-        "command": command_of(
-            replace(settings, out=TrainSettings.out)
-        ),  # without the folder, which is the user's own path
+        "command": command_of(settings),
         "settings": json.dumps({**settings.decisive(), "steps": settings.steps}, sort_keys=True),  # defaults may change
+        **begun,
         "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
         "commit": commit(),
         "seed": str(settings.seed),

@@ -1,4 +1,4 @@
-"""The table of scripted teams over drills: how often each succeeds, by its sensors."""
+"""The table of teams over drills: how often each succeeds, by its sensors."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from soccer_env.train.statistics import wilson_interval
 SEED, RUNS = 1, 400  # 400 runs of a share of a half: +-5 %
 FIXED = ("still", "random", "walker")
 TEAMS = {
-    "legged-2001": (*FIXED, "chaser", "sacks-2001", "sacks-2001-tuned", "sacks-2001-future"),
+    "legged-2001": (*FIXED, "chaser", "sacks-2001", "sacks-2001-tuned", "sacks-2001-future", "learned"),
     "middle-size-2006": (*FIXED, "chaser"),
 }
 SAVES = "away saves"  # of a drill that away's goalkeeper has to do
@@ -53,7 +53,7 @@ def run_drill(league: str, scene: Scene, team: str, runs: int, seed: int = SEED,
 
 
 def measure_drills() -> dict[str, Any]:
-    """Let every scripted team play every drill of its league."""
+    """Let every team play every drill of its league."""
     rows = [
         {"league": league, "drill": scene.name, "rules": scene.rules, "team": team, "runs": RUNS,
          "successes": run_drill(league, scene, team, RUNS)}

@@ -14,6 +14,7 @@ MATCHES = (  # table, home, away, minutes of a match, what the row says
     ("learned", "learned", "chaser", 10.0, "the learned team against `chaser`, a scripted team"),
     ("sacks", "sacks-2001", "chaser", 4.0, "the team of the 2001 paper against `chaser`"),
 )
+LEAGUE, RULES = "legged-2001", "league"
 SPEEDS = (  # row of the benchmark, what the row says
     ("legged-2001: senses", "legged matches, 3 v 3, every robot senses and believes, one core"),
     ("middle-size-2006: senses", "the same in the middle size"),
@@ -33,7 +34,8 @@ def headlines(data: dict[str, Any]) -> Iterator[Headline]:
     for table, home, away, minutes, what in MATCHES:
         for row in data.get(table, {"rows": []})["rows"]:
             played = (row["home"], row["away"], row["minutes"], row["senses"], row.get("players", PLAYERS))
-            if played == (home, away, minutes, "sensors", PLAYERS):
+            by = row["league"], row.get("rules", RULES)
+            if played == (home, away, minutes, "sensors", PLAYERS) and by == (LEAGUE, RULES):
                 yield Headline(f"{what}, 3 v 3, {minutes:g} minutes", goals(row), row["command"])
     speeds = {row["name"]: row["text"] for row in data.get("speed", {"rows": []})["rows"]}
     for name, what in SPEEDS:

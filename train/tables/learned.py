@@ -3,46 +3,90 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.settings import EvaluateSettings
 from soccer_env.train.files import read_lines
-from soccer_env.train.tables.teams import measured, row_settings
+from soccer_env.train.tables.teams import MEASURED, measured, row_of, row_settings
 
 TEAM = "learned"
 MATCHES = 200
 MINUTES = 4.0
-SIZES = (1, 2, 3)
-OPPONENTS = ("random", "chaser", "sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75", "sacks-2001")
-SENSES = ("sensors", "ideal")
-HELD_OUT = 2  # seed: the policy was trained with seed 1, and seeds of matches follow from it
+HELD_OUT = 2  # seed: the policy was trained with other seeds, and seeds of matches follow from it
 LONG = 10.0  # [min] of the match in which the share of points against the chaser is asked for
+LEAGUE, SMOOTH = "legged-2001", "legged-2001-smooth"
+TEAMS = ("chaser", "sacks-2001", "sacks-2001-tuned")
+LADDER = ("sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75")
+CLEAN = ("goals_clean_kick_for", "goals_clean_dribble_for")
+WHISTLES = "fouls_"
 
 
 def learned_rows() -> Iterator[EvaluateSettings]:
     """Yield the evaluations of the learned team, the long one against the chaser first."""
-    yield row_settings("legged-2001", TEAM, "chaser", "sensors", MATCHES, LONG, 3, HELD_OUT)
-    for senses in SENSES:
-        for players in reversed(SIZES):
-            for away in OPPONENTS:
-                yield row_settings("legged-2001", TEAM, away, senses, MATCHES, MINUTES, players, HELD_OUT)
+    yield learned_row("chaser", 3, minutes=LONG)
+    for players in (3, 2, 1):
+        yield from (learned_row(away, players) for away in (*TEAMS, "random"))
+    yield from (learned_row(away, 3) for away in LADDER)
+    yield from (learned_row(away, players) for players in ("1v3", "3v1", 5) for away in TEAMS)
+    yield from (learned_row(away, players, senses="ideal") for players in (3, 2, 1) for away in TEAMS[:2])
+    yield from (learned_row(away, 3, league=SMOOTH) for away in TEAMS[:2])
+    yield from (learned_row(away, 3, rules="none") for away in TEAMS[:2])
+
+
+def learned_row(
+    away: str, players: int | str, *, league: str = LEAGUE, senses: str = "sensors", minutes: float = MINUTES,
+    rules: str = "league",
+) -> EvaluateSettings:  # fmt: skip
+    """Return the evaluation behind one row."""
+    settings = row_settings(league, TEAM, away, senses, MATCHES, minutes, players, HELD_OUT)
+    return replace(settings, rules=rules)
+
+
+def measure_learned(evaluations: Iterable[EvaluateSettings]) -> list[dict[str, Any]]:
+    """Play evaluations and return their rows, with the rules, the whistles and how the goals fell."""
+    rows = []
+    for settings in evaluations:
+        result = evaluate(settings)
+        rows.append(row_of(settings, result) | play_of(result.statistics) | {"rules": settings.rules})
+    return rows
+
+
+def play_of(statistics: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the whistles against both teams, and how many of the learned team's goals fell how."""
+    whistles = [
+        sum(one.total for name, one in statistics.items() if name.startswith(WHISTLES) and name.endswith(side))
+        for side in ("for", "against")
+    ]
+    clean = sum(statistics[name].total for name in CLEAN)
+    return {"whistles": whistles, "clean_goals": [clean, statistics["goals_for"].total]}
 
 
 def learned_table(table: dict[str, Any]) -> str:
     """Return the table of the learned team in Markdown."""
-    lines = [
-        "| players | senses | against | minutes | points | goal difference a match | goals a minute | settings |",
-        "|---|---|---|---|---|---|---|---|",
-    ]
+    head = ["players", "senses", "rules", "against", "minutes", *MEASURED, "whistles a match, against it : them",
+            "goals by clean kick or dribble"]  # fmt: skip
+    lines = [f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
     for row in table["rows"]:
-        players = f"{row['players']} v {row['players']}"
-        lines.append(f"| {players} | {row['senses']} | {row['away']} | {row['minutes']:g} | {measured(row)} |")
+        rules = row["rules"] if row["league"] == LEAGUE else f"{row['rules']}, `{row['league']}`"
+        who = [sizes_of(row["players"]), row["senses"], rules, row["away"], f"{row['minutes']:g}"]
+        whistles = " : ".join(f"{number / row['matches']:.2f}" for number in row["whistles"])
+        clean, goals = row["clean_goals"]
+        share = f"{100 * clean / goals:.0f} % of {goals:.0f}" if goals else "-"
+        lines.append(f"| {' | '.join(who)} | {measured(row)} | {whistles} | {share} |")
     command = f"Command of a row: `{table['rows'][0]['command']}`"
     return "\n".join([*lines, "", f"{MATCHES} matches a row. {command}"])
+
+
+def sizes_of(players: int | str) -> str:
+    """Return team sizes as "3 v 3"."""
+    first, second = players.split("v") if isinstance(players, str) else (players, players)
+    return f"{first} v {second}"
 
 
 # The reference run: how fast training is, and where its time goes

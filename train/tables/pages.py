@@ -28,7 +28,13 @@ from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.tables.claims import claims_table, measure_claims, measure_sensors, sensors_table
 from soccer_env.train.tables.drills import drills_table, measure_drills
 from soccer_env.train.tables.headlines import headlines_table
-from soccer_env.train.tables.learned import learned_rows, learned_table, measure_training, training_table
+from soccer_env.train.tables.learned import (
+    learned_rows,
+    learned_table,
+    measure_learned,
+    measure_training,
+    training_table,
+)
 from soccer_env.train.tables.markers import between_markers
 from soccer_env.train.tables.plausibility import measure_plausibility, plausibility_table
 from soccer_env.train.tables.teams import (
@@ -74,7 +80,7 @@ MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
     "scripted": lambda: {"about": about(), "rows": measure_rows(scripted_rows())},
     "sacks": lambda: {"about": about(), "rows": measure_rows(sacks_rows())},
     "drills": lambda: {"about": about(), **measure_drills()},
-    "learned": lambda: {"about": about(), "rows": measure_rows(learned_rows())},
+    "learned": lambda: {"about": about(), "rows": measure_learned(learned_rows())},
     "training": lambda: {"about": about(), **measure_training()},
     "speed": measure_speed,
     "plausibility": lambda: {"about": about(), **measure_plausibility()},

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from threading import Event
 from typing import Any
 
@@ -55,7 +55,7 @@ def row_settings(
     senses: str,
     matches: int,
     minutes: float | None = None,
-    players: int = PLAYERS,
+    players: int | str = PLAYERS,
     seed: int = SEED,
 ) -> EvaluateSettings:
     """Return the evaluation behind one row."""
@@ -106,6 +106,7 @@ def first_pair(row: dict[str, Any]) -> list[list[Any]]:
     players = row.get("players", PLAYERS)
     seed = row.get("seed", SEED)
     settings = row_settings(row["league"], home, row["away"], row["senses"], row["matches"], minutes, players, seed)
+    settings = replace(settings, rules=row.get("rules", settings.rules))
     league = find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, {})
     seeds = seeds_for(settings.seed, 1).tolist()

@@ -12,6 +12,7 @@ import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -59,6 +60,8 @@ def test_an_actor_may_begin_with_the_weights_of_a_policy_file(tmp_path: Path, ch
     first = tmp_path / "first" / "last.safetensors"
     plainly(tiny(tmp_path / "next", steps=2 * ROLLOUT, past=0, start=str(first), seed=4, **change))
     assert weights(tmp_path / "next" / "last.safetensors") == weights(first)
+    made = load(tmp_path / "next" / "last.safetensors").made
+    assert str(tmp_path) not in str(made) and made["start"] == sha256(first.read_bytes()).hexdigest()
 
 
 def test_policies_and_settings_say_by_which_rules_they_were_trained(tmp_path: Path, whole: Path) -> None:
