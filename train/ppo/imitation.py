@@ -8,6 +8,7 @@ until the next decision.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import cached_property
 from itertools import product
 from typing import Any
 
@@ -160,6 +161,14 @@ class Lessons:
             self._rows = lessons(self.settings, self.network.entries)
         return self._rows
 
+    @cached_property
+    def keepers(self) -> Rows:
+        """Return what was recorded of goalkeepers."""
+        observations, actions = self.rows
+        column = [entry.name for entry in self.network.entries].index("keeper")
+        chosen = observations[:, column] > 0.0
+        return observations[chosen], actions[chosen]
+
     def teach(self) -> None:
         """Give the actor what it starts with: a policy's weights, or what its teacher does, if there is either."""
         settings, epochs = self.settings, self.settings.teacher_epochs
@@ -173,6 +182,10 @@ class Lessons:
 
     def go_on(self, step: int, rollout: int) -> None:
         """Hold the actor to the teacher after an update."""
-        strength = holding(self.settings, step)
-        if strength > 0.0 and rollout >= self.settings.critic_first:
-            hold(self.network, self.rows, strength, self.settings.seed + rollout)
+        settings, strength = self.settings, holding(self.settings, step)
+        if rollout < settings.critic_first or not settings.teacher:
+            return
+        if strength > 0.0:
+            hold(self.network, self.rows, strength, settings.seed + rollout)
+        if settings.hold_keeper > strength and len(self.keepers[0]):
+            hold(self.network, self.keepers, settings.hold_keeper, settings.seed + rollout)

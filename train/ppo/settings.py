@@ -36,7 +36,7 @@ BOUNDS: dict[str, tuple[Any, ...]] = {
     "torch_threads": Range(1, 256),
     "noise": Range(0.0, 10.0, above=True),
     "gradient_limit": ABOVE_ZERO,
-    **dict.fromkeys(("ideal_share", "teacher_until"), Range(0.0, 1.0)),
+    **dict.fromkeys(("ideal_share", "teacher_until", "hold_keeper"), Range(0.0, 1.0)),
     "seed": Range(0, MAX_SEED),
 }
 
@@ -93,6 +93,8 @@ class PlainSettings:
     """Let the pupil see its own last command meanwhile; it then learns to go on as before, and little else."""
     teacher_until: float = 0.0
     """Share of the steps in which the actor is still held to what was recorded, ever less; 0: not at all."""
+    hold_keeper: float = 0.0
+    """How strongly goalkeepers are held to their teacher to the very end, 0 to 1: rewards tell them little."""
     critic_first: int = 3
     """Rollouts in which the critic alone learns, so that it does not mislead what the teacher taught."""
     kind: Literal["slots", "attention"] = "slots"

@@ -21,7 +21,7 @@ from tests.train.ppo.staged_training import tiny
 ROOT = Path(__file__).parents[3]
 SHARES = ("gae_lambda", "clip", "gamma", "learning_rate")
 ABOVE_ZERO = ("minutes", "noise", "evaluate_minutes", "gradient_limit")
-FROM_ZERO = ("ideal_share", "entropy", "value_weight", "target_kl", *NAMES)
+FROM_ZERO = ("ideal_share", "hold_keeper", "entropy", "value_weight", "target_kl", *NAMES)
 COUNTS = ("threads", *(name for name, bounds in BOUNDS.items() if bounds.low == 1.0))
 NAN, INFINITY = float("nan"), float("inf")
 
