@@ -23,7 +23,7 @@ from soccer_env.baselines.skills import (
     way_clear,
 )
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, wrap
+from soccer_env.geometry import clip, into_frame, length, toward, wrap
 
 MEET = 1.0  # [m/s] at which a base that steps aside runs in at most, assumed
 MET = 0.3  # [m/s] of the ball and the robot towards each other when they meet, assumed
@@ -51,7 +51,7 @@ def attack(command, sight, memory, k, play):
     elif memory.wriggle > 0.0:
         wriggle(command, sight, memory, k, play)
     elif sight.held == 1:
-        turn_to_goal(command, sight, k, play, ux, uy)
+        turn_to_goal(command, sight, memory, k, play, ux, uy)
     elif comes_to_me(sight, k):
         receive(command, sight, k, play)
     else:
@@ -88,15 +88,31 @@ def wants_to_shoot(sight, memory, k, play):
 
 
 @compiled
-def turn_to_goal(command, sight, k, play, ux, uy):
-    """Turn with the ball in front, walking on so that it stays there."""
+def turn_to_goal(command, sight, memory, k, play, ux, uy):
+    """Turn with the ball in front, walking on so that it stays there; a base that steps aside turns about the ball."""
     error = wrap(atan2(uy, ux) - sight.heading)
-    command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
+    if play.circle_share > 0.0:
+        turn_about_ball(command, sight, memory, k, play, error)
+    else:
+        command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
     command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
-    if k.walled == 0 and k.drive_sideways > 0.0:
-        command.left = -play.pivot * command.turn * k.drive_turn * sight.touch / k.drive_sideways
     if k.walled == 0 and (goal_room(sight, k, sight.now_cosine, sight.now_sine) < 0.0 or is_pressed(sight)):
         command.forward = min(command.forward, line_speed(sight, k, sight.now_cosine, sight.now_sine) / k.drive_forward)
+
+
+@compiled
+def turn_about_ball(command, sight, memory, k, play, error):
+    """Turn by `error` [rad] on a circle about the ball, only as fast as the motors can follow it.
+
+    A circle of radius r takes w^2 r across, and a change of the turn r dw/dt along it: each gets the same share of what
+    the wheels give. Who turns faster, or turns before its wheels have brought it aside, sheds the ball.
+    """
+    rate = sqrt(play.circle_share * k.drive_acceleration / sight.touch) * sight.pace
+    last = clip(memory.turn * k.drive_turn, -rate, rate)
+    wanted = clip(error / play.settle * sight.pace, -rate, rate)
+    turn = toward(last, wanted, rate * rate * sight.elapsed)
+    command.turn = turn / k.drive_turn
+    command.left = -turn * sight.touch / k.drive_sideways
 
 
 @compiled

@@ -101,9 +101,9 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "bump": (0.12, 0.5, 0.5),  # [m/s] at which the ball is met
     "delay": (0.1, 0.12, 0.12),  # [s] least time by which the ball is led
     "lead": (3.0, 1.5, 2.0),  # [s] greatest time by which the ball is led
-    "turn_share": (1.0, 0.7, 0.5),  # [1] of the top turn rate with the ball
+    "turn_share": (1.0, 0.0, 0.5),  # [1] of the top turn rate with the ball, where it is not gone round
     "carry_share": (1.0, 0.15, 0.2),  # [1] of the top speed while turning with the ball
-    "pivot": (0.0, 1.0, 0.0),  # [1] how far a base that steps aside turns about the ball, not about itself
+    "circle_share": (0.0, 0.3, 0.0),  # [1] of the acceleration that turning about the ball takes; 0: about itself
     "push_share": (1.0, 0.6, 0.9),  # [1] of the top speed while pushing it straight
     "aligned": (0.15, 0.3, 0.2),  # [rad] off the aim within which the ball counts as straight ahead
     "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front

@@ -103,7 +103,7 @@ def clear(command, sight, memory, k, play):
     """
     ux, uy = way_clear(sight, k)
     if sight.held == 1 and (k.legs == 0 or not faces(sight, -1.0, 0.0, AT_GOAL)):
-        turn_to_goal(command, sight, k, play, ux, uy)
+        turn_to_goal(command, sight, memory, k, play, ux, uy)
         command.kick = 1.0 if faces(sight, ux, uy, play.clear_cosine) else 0.0
     else:
         approach(command, sight, memory, k, play, ux, uy, k.drive_forward)

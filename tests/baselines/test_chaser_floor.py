@@ -81,16 +81,8 @@ def test_it_beats_random_players(league: str, minutes: float) -> None:
     assert points(score(league, "chaser", "random", 60, minutes)) >= 0.95
 
 
-UPSIDE_DOWN = pytest.mark.xfail(
-    strict=True,
-    reason="the chaser on wheels with ideal senses loses to itself at nine tenths of its pace, not mended yet",
-)
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("league", "minutes"), [("legged-2001", 10.0), pytest.param("middle-size-2006", 4.0, marks=UPSIDE_DOWN)]
-)
+@pytest.mark.parametrize(("league", "minutes"), [("legged-2001", 10.0), ("middle-size-2006", 4.0)])
 def test_every_step_of_strength_wins_points(league: str, minutes: float) -> None:
     """100 matches each against strength 1, which against itself has half of the points by symmetry.
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from soccer_env.baselines.attacking import PRESSED, SLOW, comes_to_me, line_speed, turn_to_goal
-from soccer_env.baselines.chaser import team
+from soccer_env.baselines.chaser import MEMORY, team
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -41,10 +41,30 @@ def test_the_ball_is_pushed_slowly_while_an_opponent_is_at_it(gap, mate, slow):
     assert (line_speed(sight, K, 1.0, 0.0) == SLOW) == slow
 
 
+def turns(sight: np.void, last: float, side: float) -> tuple[float, float]:
+    """Return turn [rad/s] and speed to the left [m/s] that follow a turn of `last` [rad/s], for a goal aside."""
+    command, memory = np.zeros(1, COMMAND)[0], np.zeros(1, MEMORY)[0]
+    memory["turn"] = last / K["drive_turn"]
+    turn_to_goal(command, sight, memory, K, team().settings[1], 0.0, side)
+    return command["turn"] * K["drive_turn"], command["left"] * K["drive_sideways"]
+
+
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_it_turns_about_the_ball_that_it_has(side):
-    command = np.zeros(1, COMMAND)[0]
-    play = team().settings[1]
-    turn_to_goal(command, seen(cosine=1.0, now_cosine=1.0, pace=1.0), K, play, 0.0, side)
-    turn, left = command["turn"] * K["drive_turn"], command["left"] * K["drive_sideways"]
+    turn, left = turns(seen(cosine=1.0, now_cosine=1.0, pace=1.0, elapsed=0.5), 0.0, side)
     assert turn * side > 1.0 and left == pytest.approx(-turn * 0.29)  # the ball's place moves by left + turn x 0.29
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("pace", [1.0, 0.5])
+def test_a_turn_about_the_ball_takes_less_than_the_motors_give(pace, side):
+    """On a circle of radius r the wheels accelerate by w^2 r across and r dw/dt along it, each by the same share."""
+    share = team().settings["circle_share"][1] * K["drive_acceleration"] * pace * pace
+    sight, turn, rates = seen(cosine=1.0, now_cosine=1.0, pace=pace, elapsed=K["dt"]), 0.0, [0.0]
+    for _ in range(50):
+        turn, left = turns(sight, turn, side)
+        rates.append(turn * side)
+        assert left == pytest.approx(-turn * 0.29)
+    assert rates[-1] ** 2 * 0.29 == pytest.approx(share)
+    assert np.diff(rates).max() / K["dt"] * 0.29 == pytest.approx(share) and np.diff(rates).min() >= -1e-12
+    assert 2.0**0.5 * share < K["drive_acceleration"]
