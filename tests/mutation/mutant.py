@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 from tests.mutation import syntax
 
+By = dict[str, list[tuple[str, ...]]]  # by test: id, original, replacement, and where, if it stands in others as well
+
 
 class Mutant(NamedTuple):
     """One mechanism switched off, and the test that must notice."""
@@ -25,3 +27,13 @@ class Mutant(NamedTuple):
         if text.count(self.original) != 1:
             raise ValueError(f"{self.original!r} stands {text.count(self.original)} times in {self.file}")
         return text.replace(self.original, self.replacement)
+
+
+def mutants_of(folder: str, parts: dict[str, By]) -> list[Mutant]:
+    """Return the mutants of the files of a folder, given by their names without `.py`."""
+    return [
+        Mutant(row[0], f"{folder}{name}.py", row[1], row[2], test, *row[3:])
+        for name, by_test in parts.items()
+        for test, rows in by_test.items()
+        for row in rows
+    ]

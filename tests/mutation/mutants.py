@@ -1,10 +1,11 @@
 """The mutants of the mutation check: mechanism, piece of source, what replaces it, and the test that must notice."""
 
-from tests.mutation import ball, body, field, omni, picture, play, players, pose, stuck, team, ways
+from tests.mutation import ball, body, field, omni, picture, players, pose, stuck, team, ways
 from tests.mutation.mutant import Mutant
+from tests.mutation.play import goals, steps
 
 __all__ = ["MUTANTS", "PLAY", "Mutant"]
 
 PARTS = (body, picture, ball, players, field, omni, pose, stuck, team, ways)
 MUTANTS: list[Mutant] = [mutant for part in PARTS for mutant in part.MUTANTS]
-PLAY: list[Mutant] = play.MUTANTS  # of what is counted, by the name of the statistic
+PLAY: list[Mutant] = steps.MUTANTS + goals.MUTANTS  # of what is counted, by the name of the statistic

@@ -6,9 +6,13 @@ import numpy as np
 
 from soccer_env.statistics.counting import count_calls, count_step, is_notable
 from soccer_env.statistics.players import count_player
-from soccer_env.statistics.records import FRESH
+from soccer_env.statistics.records import FRESH, GoalKind
 from soccer_env.types import QUIET
 from tests.scenes.staging import LEGGED, put, put_ball, stage
+
+HALF, SECOND = 8, 16  # steps of the legged league
+CLEAN_KICK, DEFLECTED_KICK, CLEAN_DRIBBLE, PUSHED_IN, SCRUM, OWN_GOAL = (int(kind) for kind in GoalKind)
+KEEPER, KICKER, MATE, THEIR_KEEPER, THEIR_PLAYER = 0, 1, 2, 3, 4  # rows of 3 against 3
 
 
 class Steps:
@@ -80,3 +84,15 @@ class Steps:
         """Return the goals of a team by kind."""
         found: list[int] = self.tally["goals"][0, team].tolist()
         return found
+
+
+def only(kind: int) -> list[int]:
+    """Return one goal of a kind."""
+    return [int(one == kind) for one in GoalKind]
+
+
+def shoot(steps: Steps, x: float = 1.0, y: float = 0.0, vx: float = 1.0, vy: float = 0.0) -> None:
+    """Let home's player kick the ball with a velocity [m/s]."""
+    steps.ball(x, y, vx, vy)
+    steps.match.balls["roll_x"] = steps.match.balls["roll_y"] = 0.0
+    steps.count(kick=KICKER)
