@@ -48,8 +48,8 @@ class Referee:
         self.record["restart_x"], self.record["restart_y"] = x, y
         put_ball(self.match, x, y)
 
-    def look(self, touches: tuple[int, ...] = (), collides: tuple[int, ...] = ()) -> int:
-        """Judge one control step in which robots touch the ball or others; return the foul."""
+    def look(self, touches: tuple[int, ...] = (), collides: tuple[int, ...] = (), kicks: tuple[int, ...] = ()) -> int:
+        """Judge one control step in which robots touch the ball or others, or kick; return the foul."""
         self.events["foul"] = self.events["restart"] = 0
         for name in self.deeds.dtype.names:
             self.deeds[name] = 0
@@ -57,6 +57,8 @@ class Referee:
             self.deeds["touch"][self.rows[index]] = 1
         for index in collides:
             self.deeds["collision"][self.rows[index]] = 1
+        for index in kicks:
+            self.deeds["kick"][self.rows[index]] = 1
         touching = np.zeros(len(self.robots), np.int64)
         find_collisions(self.robots, self.deeds.copy(), touching, self.k)
         judge_fouls(self.record, self.ball, self.robots, self.events, self.deeds, touching, self.k)

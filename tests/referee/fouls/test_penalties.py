@@ -39,7 +39,14 @@ def back_after(match, actions, r=1, seconds=31.0):
     return None
 
 
-@pytest.mark.parametrize(("r", "ball"), [(1, -0.9), (1, 0.9), (4, -0.9), (4, 0.9)])
+def soon_back(r=1, **settings):
+    """Return a match in which the time out of robot r is over in two steps."""
+    match = court(RULE, **settings)
+    match.robots["penalty"][0, r] = 0.1
+    return match
+
+
+@pytest.mark.parametrize(("r", "ball"), [(1, -0.9), (4, 0.9)])
 def test_it_is_parked_for_30_s_and_comes_back_at_the_halfway_line_away_from_the_ball(r, ball):
     match, actions = penalised(r, ball)
     assert match.robots["x"][0, r] >= PARKED and match.robots["placed"][0, r] == 0
@@ -61,33 +68,51 @@ def test_out_it_does_not_move_touch_or_push_and_its_clock_is_told():
     assert match.robots["penalty"][0, 1] == 27.5
 
 
-def test_where_somebody_stands_or_the_ball_lies_it_comes_back_beside_towards_its_own_goal():
-    match, actions = penalised()
+@pytest.mark.parametrize(
+    ("r", "ball", "hand", "side"),
+    [
+        (1, -0.9, 1.0, 1.0), (1, 0.9, 1.0, -1.0), (4, -0.9, 1.0, 1.0), (4, 0.9, 1.0, -1.0),
+        (1, 0.0, 1.0, 1.0), (4, 0.0, 1.0, -1.0), (1, 0.0, -1.0, -1.0), (4, 0.0, -1.0, 1.0),
+    ],
+)  # fmt: skip
+def test_it_comes_back_away_from_the_ball_and_if_that_lies_in_the_middle_on_its_left(r, ball, hand, side):
+    match = soon_back(r)
+    match.matches["handedness"] = hand
+    put_ball(match, 0.4, ball)
+    match.rebuild()
+    assert back_after(match, stand(match), r, 1.0) == 2 * STEP
+    robot = match.robots[0, r]
+    assert robot["x"] == 0.0 and np.sign(robot["y"]) == side and robot["heading"] == pytest.approx(-side * pi / 2)
+
+
+def test_where_somebody_stands_it_comes_back_beside_towards_its_own_goal():
+    match = soon_back()
     place = match.league.pitch.width / 2 - 0.2
     put(match, 5, 0.0, place, 0.0)
     put(match, 4, 1.0, 0.0, 0.0)
     put(match, 2, -0.35, place, 0.0)
     match.rebuild()
-    assert back_after(match, actions) == 30.0
+    assert back_after(match, stand(match)) == 2 * STEP
     assert -1.0 < match.robots["x"][0, 1] < -0.5 and match.robots["y"][0, 1] > 0.7
     assert deepest_overlaps(match)["robot robot"] == 0.0
-    match, actions = penalised(4)
+    match = soon_back(4)
     put_ball(match, 0.0, -0.001)
     put(match, 1, 0.0, place, 0.0)
     match.rebuild()
-    assert back_after(match, actions, 4) == 30.0 and match.robots["x"][0, 4] > 0.25
+    assert back_after(match, stand(match), 4) == 2 * STEP and match.robots["x"][0, 4] > 0.25
 
 
-def test_with_no_room_on_that_side_it_comes_back_on_the_other():
+@pytest.mark.parametrize(("ball", "near", "far"), [(0.9, 0.0, 0.0), (0.0, -0.35, -0.2)])
+def test_with_no_room_on_that_side_it_comes_back_on_the_other_clear_of_the_ball(ball, near, far):
     match = stage(LEGGED, 1, 11, 11, rules=f"simple:dropped_ball=False,{RULE}")
     place = match.league.pitch.width / 2 - 0.2
     for index, r in enumerate((1, 2, 3, 4, 5, 6)):
         put(match, r, -1.3 + 0.25 * index, place, 0.0)
-    put_ball(match, 0.9, -0.8)
+    put_ball(match, ball, -0.8)
     match.robots["penalty"][0, 8] = 0.1
     match.rebuild()
     assert back_after(match, stand(match), 8, 1.0) == 0.125
-    assert match.robots["y"][0, 8] < -0.7
+    assert match.robots["y"][0, 8] < -0.7 and near <= match.robots["x"][0, 8] <= far
 
 
 def test_a_kick_off_ends_penalties_and_the_robot_takes_part():

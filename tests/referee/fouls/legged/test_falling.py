@@ -1,14 +1,16 @@
 """Falling over: from the impulse of a push, never in the league as it is; who lies for too long is carried away."""
 
 from dataclasses import replace
+from math import pi
 
 import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
+from soccer_env.referee.fouls.legged.falling import impulse_on
 from soccer_env.types import Foul
-from tests.scenes.fouls import asks, face, fouls
-from tests.scenes.staging import LEGGED, put_ball, stage, stand
+from tests.scenes.fouls import NOSES, asks, face, fouls
+from tests.scenes.staging import LEGGED, put, put_ball, stage, stand
 
 
 def shoved(fall, fall_time=3.0, matches=1, rules="falling=True"):
@@ -51,6 +53,36 @@ def test_the_share_of_falls_is_the_impulse_times_the_leagues_number():
     most = league.body.mass * league.drive.thrust * fall * 3.0  # [1] falls expected if it pushed all the time
     assert 0.3 * (1.0 - np.exp(-most)) < fallen[-1] < 1.0 - np.exp(-most)
     assert not match.robots["fallen"][:, 1].any()
+
+
+def test_the_impulse_is_of_opponents_that_push_nearby_as_fast_as_they_walk_towards_it():
+    match = shoved(0.0)
+    league, k = match.league, match.batch.constants[0]
+    most = league.body.mass * league.drive.thrust * league.dt  # [N s] of one that pushes at top speed
+    match.robot_events["pushes"][0, 1:3] = 1
+    match.robots["walk"]["forward"][0, 1:3] = league.drive.forward, 0.5 * league.drive.forward
+
+    def impulse():
+        return impulse_on(match.robots[0], match.robot_events[0], 4, k)
+
+    put(match, 2, -1.2, 0.4, 0.0, forward=0.5 * league.drive.forward)  # pushes somebody far away
+    assert impulse() == pytest.approx(most)
+    x = float(match.robots["x"][0, 4])
+    put(match, 2, x + NOSES, 0.4, pi, forward=0.5 * league.drive.forward)
+    assert impulse() == pytest.approx(1.5 * most)
+    match.robot_events["pushes"][0, 2] = 0
+    assert impulse() == pytest.approx(most)
+    match.robots["team"][0, 1] = 1
+    assert impulse() == 0.0
+
+
+def test_who_stands_beside_a_push_does_not_fall():
+    match = shoved(1e6)
+    put(match, 5, 0.5, 0.68, 0.5 * pi)
+    match.rebuild()
+    for _ in range(16):
+        match.step(asks(match, r1=1.0))
+    assert match.robots["fallen"][0, 4] > 0.0 and match.robots["fallen"][0, 5] == 0.0
 
 
 def test_with_the_switch_off_nobody_falls():

@@ -55,6 +55,16 @@ def test_a_ball_that_goes_along_though_the_robot_does_not_walk_ahead_is_held_for
     assert abs(match.balls["x"][0]) < 1.0  # the ball lies where it was held
 
 
+@pytest.mark.parametrize(("r", "x", "limit"), [(1, 0.3, 3.0), (KEEPER, -1.2, 5.0), (4, -1.2, 3.0)])
+def test_the_full_time_is_legal_and_one_step_more_is_not(r, x, limit):
+    match = court(RULE)
+    put(match, r, x, 0.0)
+    match.robots["holding"][0, r] = limit - DT
+    actions = at_work(match, r, turn=0.5)
+    assert hold(match, r, actions, DT) is None and match.robots["holding"][0, r] == limit
+    assert hold(match, r, actions, DT) == DT
+
+
 @pytest.mark.parametrize("asked", [{"forward": 1.0}, {"forward": 0.5, "turn": 0.5}, {"forward": 0.3}, {}])
 def test_a_ball_that_is_walked_ahead_with_or_stood_before_is_never_held(asked):
     match = court(RULE)
@@ -121,6 +131,15 @@ def test_a_ball_pressed_straight_against_a_board_is_trapped_and_one_pushed_along
     put_ball(match, -1.0 + POCKET, 1.0 - 0.045)
     match.rebuild()
     assert fouls(match, asks(match, r1=0.7), 8.0) == []
+
+
+def test_what_it_goes_without_the_ball_is_not_carried():
+    match = court("carrying=True,carrying_distance=0.3")
+    put(match, 1, 0.3, 0.2)
+    match.robots["carry_x"][0, 1] = match.robots["carry_y"][0, 1] = -0.4
+    match.rebuild()
+    assert fouls(match, stand(match), DT) == []
+    assert match.robots["carry_x"][0, 1] == pytest.approx(0.3) and match.robots["carry_y"][0, 1] == pytest.approx(0.2)
 
 
 def test_carrying_is_a_rule_of_its_own():

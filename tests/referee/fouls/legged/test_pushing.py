@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env.types import Foul
-from tests.scenes.fouls import NOSES, asks, court, face, fouls, rows
+from tests.scenes.fouls import BODY, FOOT_IN, KEEPER, NOSES, asks, court, face, fouls, rows
 from tests.scenes.staging import put, put_ball, stand
 
 RULE = "pushing=True"
@@ -80,6 +80,17 @@ def test_the_second_nearest_of_a_team_may_not_while_the_nearest_of_the_other_may
     put(match, 2, 0.3, -0.1)
     match.rebuild()
     assert rows(fouls(match, asks(match, r1=1.0, r4=1.0), 6.0)) == [1]
+
+
+@pytest.mark.parametrize(("inside", "guilty"), [(0.01, []), (-0.001, [0])])
+def test_a_goalkeeper_with_two_feet_in_its_own_area_may_push(inside, guilty):
+    match = court(RULE)
+    x = -FOOT_IN - BODY.hind_x - inside  # it faces the pitch, and walks on in the step
+    face(match, KEEPER, 4, x, 0.0)
+    match.robots["pushing"][0, KEEPER] = 2.99
+    match.robots["walk"]["forward"][0, KEEPER] = match.robots["target"]["forward"][0, KEEPER] = 0.12
+    match.rebuild()
+    assert rows(fouls(match, asks(match, r0=1.0), 1.0 / 16.0)) == guilty
 
 
 def test_short_pushes_count_as_one_unless_it_lets_go_for_as_long():

@@ -20,14 +20,16 @@ def until_restart(match, seconds, actions=None):
     return None
 
 
-@pytest.mark.parametrize(("x", "team"), [(-0.9, 0), (0.9, 1)])
-@pytest.mark.parametrize("direction", [1.0, -1.0])
-def test_a_ball_that_nobody_touches_for_30_s_gives_a_kick_off_to_those_in_whose_half_it_lies(x, team, direction):
+@pytest.mark.parametrize(
+    ("x", "team", "direction", "idle"),
+    [(-0.9, 0, 1.0, 0.0), (0.9, 1, 1.0, 29.0), (-0.9, 1, -1.0, 29.0), (0.9, 0, -1.0, 29.0)],
+)
+def test_a_ball_that_nobody_touches_for_30_s_gives_a_kick_off_to_those_in_whose_half_it_lies(x, team, direction, idle):
     match = court("global_stuck=True")
-    match.matches["home_direction"] = direction
+    match.matches["home_direction"], match.matches["idle_clock"] = direction, idle
     put_ball(match, x, 0.3)
     match.rebuild()
-    assert until_restart(match, 31.0) == (30.0 + STEP, Phase.KICK_OFF, team if direction > 0.0 else 1 - team)
+    assert until_restart(match, 31.0 - idle) == (30.0 - idle + STEP, Phase.KICK_OFF, team)
     assert match.events["stuck"][0] == 1 and match.balls["x"][0] == 0.0
 
 
@@ -79,19 +81,54 @@ def test_with_the_switch_off_nobody_is_moved():
     assert fouls(match, stand(match), 31.0) == []
 
 
-@pytest.mark.parametrize(("moved", "guilty"), [(0.49, [1]), (0.51, [])])
-def test_play_that_moves_on_by_half_a_metre_is_not_stuck(moved, guilty):
+def late(match, x=0.0, y=0.0, clock=30.0 - STEP):
+    """Let play have been so far [m] from the ball, for so many seconds."""
+    match.matches["local_x"], match.matches["local_y"] = match.balls["x"] + x, match.balls["y"] + y
+    match.matches["local_clock"] = clock
+    return match
+
+
+@pytest.mark.parametrize(("x", "y"), [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.6, -0.8)])
+@pytest.mark.parametrize(("far", "guilty"), [(0.49, [1]), (0.51, [])])
+def test_play_that_moves_on_by_half_a_metre_is_not_stuck(x, y, far, guilty):
+    match = late(scrum(), far * x, far * y)
+    assert rows(fouls(match, stand(match), STEP)) == guilty
+    assert match.matches["local_clock"][0] == 0.0 and match.matches["local_x"][0] == pytest.approx(-0.5, abs=0.01)
+
+
+@pytest.mark.parametrize(("clock", "guilty"), [(30.0 - 2 * STEP, []), (30.0 - STEP, [1])])
+def test_30_s_at_one_place_are_enough_and_less_is_not(clock, guilty):
+    match = late(scrum(), clock=clock)
+    assert rows(fouls(match, stand(match), STEP)) == guilty
+
+
+@pytest.mark.parametrize(("farther", "nearest"), [(0.0, 1), (0.05, 4)])
+def test_the_robot_nearest_to_the_ball_is_carried(farther, nearest):
     match = scrum()
-    fouls(match, stand(match), 20.0)
-    put(match, 1, -0.5 + moved - POCKET, 0.3)
-    put(match, 4, 1.2, 0.8)
-    put_ball(match, -0.5 + moved, 0.3)
+    put(match, 1, -0.5 - POCKET - farther, 0.3)
+    put(match, 4, -0.5 + POCKET + 0.01, 0.3, pi)
     match.rebuild()
-    assert rows(fouls(match, stand(match), 11.0)) == guilty
+    assert rows(fouls(late(match), stand(match), STEP)) == [nearest]
+
+
+@pytest.mark.parametrize(("idle", "clock"), [(4.0, 20.0 + STEP), (6.0, 20.0), (14.0, 20.0), (16.0, 0.0)])
+def test_seconds_in_which_nobody_is_at_the_ball_do_not_count_and_many_of_them_begin_anew(idle, clock):
+    match = court("local_stuck=True")
+    put_ball(match, -0.5, 0.3)
+    put(match, 1, -0.9, 0.3)
+    match.matches["idle_clock"] = idle
+    match.rebuild()
+    late(match, clock=20.0).step(stand(match))
+    assert match.matches["local_clock"][0] == clock
+
+
+def test_a_goalkeeper_in_the_other_half_is_carried_like_anybody():
+    match = late(scrum(x=0.6, r=KEEPER))
+    assert rows(fouls(match, stand(match), STEP)) == [KEEPER] and match.robots["x"][0, KEEPER] == 0.0
 
 
 def test_of_a_goalkeeper_in_its_own_half_the_ball_is_taken_to_the_centre_spot_instead():
-    match = scrum(x=-1.2, r=KEEPER)
+    match = late(scrum(x=-1.2, r=KEEPER))
     assert until_restart(match, 31.0)[1:] == (Phase.DROP_BALL, -1)
     assert (match.balls["x"][0], match.balls["y"][0]) == (0.0, 0.0) and match.robots["active"][0, KEEPER] == 1
     assert match.robots["x"][0, KEEPER] < -1.0

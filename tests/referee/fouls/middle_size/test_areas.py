@@ -33,12 +33,13 @@ def test_only_the_goalkeeper_stays_in_a_goal_area(index, x, y, foul, team):
         assert abs(referee.record["restart_x"]) == 5.5
 
 
-def test_who_leaves_the_goal_area_begins_anew():
+@pytest.mark.parametrize("x", [-5.4, -3.0])  # before it, and far from all areas
+def test_who_leaves_the_goal_area_begins_anew(x):
     referee = Referee()
     for _ in range(2):
         referee.put(1, -5.6, 0.0)
         assert not any(referee.wait(9.0))
-        referee.put(1, -5.4, 0.0)
+        referee.put(1, x, 0.0)
         assert referee.look() == 0
 
 
@@ -53,13 +54,23 @@ def test_one_field_player_is_in_its_own_penalty_area_beside_the_goalkeeper(secon
     assert referee.look() == foul
 
 
-def test_the_one_nearest_to_the_ball_may_stay_and_the_other_is_guilty():
+@pytest.mark.parametrize(("ball", "guilty"), [(-1.0, 2), (2.0, 1)])
+def test_the_one_nearest_to_the_ball_may_stay_and_the_other_is_guilty(ball, guilty):
     referee = Referee()
     referee.put(1, -5.0, 0.0)
     referee.put(2, -5.0, 1.0)
-    referee.ball["x"], referee.ball["y"] = -4.0, -1.0
+    referee.ball["x"], referee.ball["y"] = -4.0, ball
     referee.wait(10.0)
-    assert referee.deeds["foul"].tolist() == [0, 0, PENALTY_AREA, 0, 0, 0]
+    assert referee.deeds["foul"].tolist() == [PENALTY_AREA if row == guilty else 0 for row in range(6)]
+
+
+@pytest.mark.parametrize(("index", "x"), [(0, -4.6), (4, 5.0)])
+def test_a_goalkeeper_and_an_opponent_in_its_own_area_crowd_nobody_though_nearer_to_the_ball(index, x):
+    referee = Referee()
+    referee.put(1, -5.0, 0.0)
+    referee.put(index, x, 0.0)
+    referee.ball["x"], referee.ball["y"] = x, 1.0
+    assert not any(referee.wait(11.0))
 
 
 def test_opponents_may_stay_in_a_penalty_area():

@@ -56,6 +56,11 @@ def test_the_timed_variant_lets_it_come_back_after_its_time():
     assert abs(referee.robots["x"][1]) < 0.5 and abs(referee.robots["y"][1]) > 3.0
 
 
+def test_who_came_back_begins_with_a_yellow_card_again():
+    referee = Referee(timed_cards=True)
+    assert cards(referee, [True] * 4) == [(YELLOW, False), (OUT, True)] * 2
+
+
 def test_cards_can_be_switched_off():
     referee = Referee(cards=False)
     assert cards(referee, [True] * 4) == [(0, False)] * 4 and referee.robots["fouls"].max() == 0

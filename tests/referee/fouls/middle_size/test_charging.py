@@ -39,6 +39,25 @@ def test_a_hard_blow_is_a_foul_at_once_and_who_drives_away_softens_it(speed, awa
     assert (referee.look(collides=(1, 4)) == Foul.CHARGING) == bool(foul)
 
 
+def test_who_is_in_contact_already_strikes_no_hard_blow_by_driving_faster():
+    referee = behind(1.0)
+    assert referee.look(collides=(1, 4)) == 0
+    referee.put(1, 1.0, 0.0, 0.0, 2.5)
+    assert referee.look(collides=(1, 4)) == 0
+    referee.wait(0.02)  # apart for as long as it drove into it
+    assert referee.look(collides=(1, 4)) == 0
+    referee.wait(0.04)
+    assert referee.look(collides=(1, 4)) == Foul.CHARGING
+
+
+@pytest.mark.parametrize(("gap", "foul"), [(-0.005, Foul.CHARGING), (0.015, 0)])
+def test_who_touches_only_others_charges_nobody_however_near(gap, foul):
+    referee = behind(2.5)
+    referee.put(4, 1.0 + CONTACT + gap, 0.0)
+    referee.put(2, 1.0 - CONTACT + 0.005, 0.0)
+    assert referee.look(collides=(1, 2, 4)) == foul
+
+
 def test_a_robot_that_stands_is_never_guilty_and_of_two_that_drive_each_is_judged_by_its_own_speed():
     referee = behind(0.0)
     referee.put(4, 1.0 + CONTACT - 0.005, 0.0, pi, 1.0)

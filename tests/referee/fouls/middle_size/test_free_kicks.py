@@ -55,6 +55,16 @@ def test_an_opponent_that_stays_too_near_for_a_second_is_put_back(away, foul, te
     assert (np.hypot(robot["x"], robot["y"]) >= 1.0) == (foul != 0)
 
 
+def test_who_steps_away_has_a_second_again():
+    referee = Referee()
+    referee.restart(Phase.FREE_KICK, 0.0, 0.0)
+    for _ in range(2):
+        referee.put(4, 0.7, 0.0)
+        assert not any(referee.wait(0.9))
+        referee.put(4, 0.9, 0.0)
+        assert referee.look() == 0
+
+
 def test_an_opponent_that_touches_the_ball_too_early_has_it_taken_again():
     referee = Referee()
     referee.restart(Phase.FREE_KICK, 1.0, 1.0)
@@ -68,7 +78,7 @@ def test_the_goalkeeper_may_stay_in_its_goal_area_and_mates_where_they_like():
     referee.restart(Phase.FREE_KICK, 5.5, 0.0)
     referee.put(3, 5.8, 0.0)
     referee.put(2, 5.5, 0.5)
-    assert not any(referee.wait(3.0))
+    assert not any(referee.wait(3.0)) and referee.look(touches=(2,)) == 0
     referee.put(3, 5.4, 0.5)
     assert any(referee.wait(1.1))
 

@@ -41,6 +41,15 @@ def test_more_than_a_third_for_longer_than_a_stop_takes_is_a_foul(share, foul, t
     assert held(share, team).wait(0.5)[-1] == foul
 
 
+def test_who_lets_the_ball_out_begins_anew():
+    referee = held(0.5)
+    for _ in range(2):
+        put_ball(referee.match, HULL, 0.0)
+        assert not any(referee.wait(0.4))
+        put_ball(referee.match, HULL + DIAMETER * 0.3, 0.0)
+        assert referee.look() == 0
+
+
 def with_ball(forward, team=HOME, **changes):
     """Return a referee before whom robot 1 goes with the ball at a speed [m/s]."""
     referee = Referee(team=team, **changes)

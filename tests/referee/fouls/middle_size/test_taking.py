@@ -43,6 +43,12 @@ def test_once_a_mate_or_an_opponent_has_touched_it_the_taker_may_again(toucher):
     assert referee.look(touches=(1,)) == 0
 
 
+def test_a_kick_is_a_touch_though_the_ball_is_gone_at_once():
+    referee = taken()
+    referee.wait(LEFT)
+    assert referee.look(kicks=(1,)) == Foul.SECOND_TOUCH
+
+
 @pytest.mark.parametrize(("steps", "foul"), [(9, 0), (10, Foul.SECOND_TOUCH)])
 def test_contact_that_breaks_off_for_a_moment_is_the_same_touch(steps, foul):
     referee = taken()
