@@ -21,13 +21,14 @@ class Ruling(NamedTuple):
     """A rule's situation: how it is staged, and what is to happen."""
 
     rule: str  # its name on the picture
+    switches: tuple[str, ...]  # what it shows of `soccer list rules`
     words: str  # what happens, a line
     stage: Callable[[], tuple[Match, np.ndarray]]  # one match and the actions (1, R, 4) of its robots
     row: int = -1  # of the robot that is whistled; -1: it is the match to which something happens
     foul: Foul = Foul.NONE  # what that robot is whistled for; NONE: it comes back
     event: str = "annulled"  # the field of the match's events that says so
     after: bool = False  # draw what the referee made of it, not what it was
-    longest: float = 40.0  # [s] within which it has to happen
+    longest: float = 15.0  # [s] within which it has to happen
 
 
 def play_to_whistle(ruling: Ruling) -> tuple[Match, tuple[np.ndarray, np.ndarray, np.ndarray]]:
