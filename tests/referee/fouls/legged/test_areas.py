@@ -67,6 +67,7 @@ def test_it_is_called_though_the_goalkeeper_is_out_but_not_where_there_is_none()
     assert rows(fouls(match, stand(match), 2.0)) == [1]
     alone = stage(LEGGED, 1, 1, 1, rules=f"simple:{RULE},dropped_ball=False")
     put(alone, 0, -1.2, 0.0)
+    alone.robots["trespass"] = 0.0  # as in a court
     alone.rebuild()
     assert fouls(alone, stand(alone), 3.0) == []
 

@@ -4,8 +4,9 @@ from math import cos, pi, sin
 
 import pytest
 
+from soccer_env.referee.fouls.legged.holding import is_covered
 from soccer_env.types import Foul
-from tests.scenes.fouls import KEEPER, POCKET, asks, court, fouls, rows
+from tests.scenes.fouls import BODY, KEEPER, POCKET, asks, court, fouls, rows
 from tests.scenes.staging import put, put_ball, stand
 
 RULE = "holding=True"
@@ -131,6 +132,16 @@ def test_a_ball_pressed_straight_against_a_board_is_trapped_and_one_pushed_along
     put_ball(match, -1.0 + POCKET, 1.0 - 0.045)
     match.rebuild()
     assert fouls(match, asks(match, r1=0.7), 8.0) == []
+
+
+@pytest.mark.parametrize(("away", "covered"), [(0.0, True), (0.5, True), (2.0, False)])
+def test_a_robot_that_has_backed_off_by_the_breadth_of_a_paw_covers_nothing(away, covered):
+    """`away`: in radii of a paw."""
+    match = court(RULE)
+    y = 1.0 - match.league.ball.radius
+    put(match, 1, 0.3, y - POCKET - away * BODY.tip_radius, 0.5 * pi)
+    put_ball(match, 0.3, y)
+    assert is_covered(match.robots[0, 1], match.balls[0], match.batch.constants[0]) == covered
 
 
 def test_what_it_goes_without_the_ball_is_not_carried():

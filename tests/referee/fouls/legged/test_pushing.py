@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from soccer_env.referee.fouls.legged.contact import note_push
 from soccer_env.types import Foul
 from tests.scenes.fouls import BODY, FOOT_IN, KEEPER, NOSES, asks, court, face, fouls, rows
 from tests.scenes.staging import put, put_ball, stand
@@ -55,6 +56,23 @@ def test_who_stands_is_never_guilty_and_who_turns_or_walks_away_pushes_nobody():
     actions[:, 1, 2] = 1.0
     assert fouls(match, actions, 6.0) == []
     assert fouls(match, asks(match, r1=-1.0), 2.0) == []
+
+
+@pytest.mark.parametrize(
+    ("heading", "forward", "left", "pushes"),
+    [
+        (0.0, 0.26, 0.0, 1), (0.0, 0.24, 0.0, 0), (0.0, -1.0, 0.0, 0), (0.0, 0.0, 1.0, 0),
+        (0.5 * np.pi, 0.0, -0.26, 1), (0.5 * np.pi, 0.0, 0.26, 0), (np.pi, -0.26, 0.0, 1), (0.25 * np.pi, 0.3, 0.0, 0),
+    ],
+)  # fmt: skip
+def test_a_walk_leads_into_another_from_a_quarter_of_the_top_speed_on(heading, forward, left, pushes):
+    match = court(RULE)
+    put(match, 4, 0.3 + NOSES, 0.4)
+    top = match.league.drive.forward
+    put(match, 1, 0.3, 0.4, heading, forward * top, left * top)
+    note_push(match.matches[0], match.robots[0], match.robot_events[0], 1, 4, match.batch.constants[0])
+    assert match.robot_events["pushes"][0].tolist() == [0, pushes, 0, 0, 0, 0]
+    assert match.robot_events["pushed"][0].tolist() == [0, 0, 0, 0, pushes, 0]
 
 
 def test_mates_may_push_each_other():
