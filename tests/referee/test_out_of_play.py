@@ -53,6 +53,14 @@ def test_over_the_goal_line_it_is_a_corner_off_a_defender_and_a_goal_kick_off_an
     np.testing.assert_allclose(spots(match), np.where(corner[:, None], corners, goal_kicks))
 
 
+def test_near_a_corner_a_throw_in_is_taken_no_nearer_to_the_goal_line_than_a_corner_kick():
+    most = HALF_LENGTH - LEAGUE.rules.corner_offset
+    for x, expected in ((most - 0.01, most - 0.01), (most + 0.01, most), (HALF_LENGTH + 0.1, most)):
+        match = called(ENDS * x, SIDES * (HALF_WIDTH + OVER))
+        assert (match.events["restart"] == Phase.THROW_IN).all()
+        np.testing.assert_allclose(spots(match), np.stack([ENDS * expected, SIDES * HALF_WIDTH], axis=-1), atol=1e-9)
+
+
 @pytest.mark.parametrize(("beyond", "phase"), [(-0.001, Phase.PLAY), (0.001, Phase.THROW_IN)])
 def test_the_whole_ball_must_be_over_the_touchline(beyond, phase):
     match = called(1.0, SIDES * (HALF_WIDTH + LEAGUE.ball.radius + beyond))

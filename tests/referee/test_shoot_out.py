@@ -116,13 +116,32 @@ def test_a_kick_that_nobody_takes_is_missed_after_ten_seconds():
     assert kicks.index(2) == 499
 
 
-def test_a_ball_that_comes_to_rest_is_missed():
+@pytest.mark.parametrize(("speed", "result"), [(0.0, 2), (0.057, 2), (0.059, 0)])  # [m/s], of which a step takes 8 mm/s
+def test_a_ball_that_comes_to_rest_is_missed(speed, result):
     match = drawn()
     end = np.sign(match.matches["restart_x"][0])
-    put_ball(match, end * 4.5, 0.0)
+    put_ball(match, end * 4.5, 0.0, 0.0, speed)
     match.rebuild()
     match.step(stand(match))
-    assert match.events["penalty"][0] == 2
+    assert match.matches["phase"][0] == (Phase.PENALTY_KICK if result else Phase.PLAY)
+    assert match.events["penalty"][0] == result
+
+
+def test_the_own_goal_is_a_miss():
+    match = drawn()
+    put_ball(match, -6.12 * np.sign(match.matches["restart_x"][0]), 0.0)
+    match.rebuild()
+    match.step(stand(match))
+    assert match.events["penalty"][0] == 2 and match.matches["shoot_out_score"][0].tolist() == [0, 0]
+
+
+@pytest.mark.parametrize(("steps", "result"), [(2, 1), (1, 2)])
+def test_a_goal_counts_until_its_time_is_up(steps, result):
+    match = drawn()
+    match.matches["phase"] = Phase.PLAY
+    match.matches["phase_clock"] = match.league.rules.shoot_out_time - steps * match.league.dt
+    kick(match, True)
+    assert match.events["penalty"][0] == result
 
 
 @pytest.mark.parametrize("score", [(1, 0), (0, 2)])

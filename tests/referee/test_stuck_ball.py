@@ -36,6 +36,20 @@ def test_a_ball_that_stays_is_stuck_after_the_leagues_time(name):
     assert match.events["restart"][0] == Phase.DROP_BALL and match.events["restart_team"][0] == NO_TEAM
 
 
+@pytest.mark.parametrize(("x", "y"), [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.6, -0.8)])
+@pytest.mark.parametrize(("share", "stuck"), [(0.99, 1), (1.01, 0)])
+@each_league
+def test_within_the_radius_it_has_stayed_and_beyond_it_it_begins_anew(name, x, y, share, stuck):
+    match = stage(name)
+    put_ball(match, 0.4, 0.3)
+    far = share * match.league.rules.stuck_radius
+    match.matches["still_x"], match.matches["still_y"] = 0.4 + far * x, 0.3 + far * y
+    match.matches["still_clock"] = match.league.rules.stuck_time - match.league.dt
+    match.rebuild()
+    match.step(stand(match))
+    assert match.events["stuck"][0] == stuck and match.matches["still_clock"][0] == 0.0
+
+
 @pytest.mark.parametrize("pace", [1.05, 3.0])
 @each_league
 def test_a_moving_ball_is_never_stuck_however_slowly_it_moves_on(name, pace):

@@ -11,11 +11,11 @@ RULES = "keeper_pushing=True,holding=True,kick_off_shot=True"
 STEP = 1.0 / 16.0
 
 
-def rolling_in(rules=RULES, side=1.0):
+def rolling_in(rules=RULES, side=1.0, y=0.1):
     """Return a match in which the ball rolls over the goal line in a step or two; robot 1 stands aside."""
     match = court(rules)
     put(match, 1, 0.5, 0.5)
-    put_ball(match, side * (1.5 + 0.03), 0.1, side * 0.3)
+    put_ball(match, side * (1.5 + 0.03), y, side * 0.3)
     match.rebuild()
     return match
 
@@ -59,12 +59,13 @@ def test_a_whistled_attack_cannot_score_for_three_seconds(ago, annulled):
     assert after_goal(match)[1] == 0  # the others may score
 
 
-def test_the_ball_of_an_annulled_goal_is_dropped_on_the_halfway_line_on_its_side():
-    match = rolling_in()
+@pytest.mark.parametrize(("y", "dropped"), [(0.1, 0.5), (-0.1, -0.5)])
+def test_the_ball_of_an_annulled_goal_is_dropped_on_the_halfway_line_on_its_side(y, dropped):
+    match = rolling_in(y=y)
     match.matches["whistled"] = 0
     assert after_goal(match) == ([0, 0], 1)
     assert match.matches["phase"][0] == Phase.DROP_BALL and match.matches["restart_team"][0] == -1
-    assert (match.balls["x"][0], match.balls["y"][0]) == (0.0, 0.5)
+    assert (match.balls["x"][0], match.balls["y"][0]) == (0.0, dropped)
 
 
 def test_nobody_scores_while_holding_the_ball():

@@ -52,7 +52,7 @@ def test_an_opponent_that_stays_too_near_for_a_second_is_put_back(away, foul, te
     fouls = referee.wait(0.98) + [referee.look()]
     assert fouls == [0] * 49 + [foul]
     assert referee.record["phase"] == Phase.FREE_KICK and referee.events["restart"] == 0
-    assert (np.hypot(robot["x"], robot["y"]) >= 1.0) == (foul != 0)
+    assert (np.hypot(robot["x"], robot["y"]) >= 1.0) == (foul != 0) == robot["fouls"]  # it is cautioned
 
 
 def test_who_steps_away_has_a_second_again():
@@ -70,6 +70,7 @@ def test_an_opponent_that_touches_the_ball_too_early_has_it_taken_again():
     referee.restart(Phase.FREE_KICK, 1.0, 1.0)
     assert referee.look(touches=(4,)) == Foul.DISTANCE
     assert referee.events["restart"] == Phase.FREE_KICK and referee.record["restart_team"] == HOME
+    assert referee.robots["fouls"].tolist() == [0, 0, 0, 0, 1, 0]
     assert (referee.record["restart_x"], referee.record["restart_y"]) == (1.0, 1.0)
 
 

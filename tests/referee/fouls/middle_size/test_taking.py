@@ -34,6 +34,24 @@ def test_a_second_touch_by_the_taker_is_a_free_kick_for_the_others_where_it_stan
     assert (referee.record["restart_x"], referee.record["restart_y"]) == (2.0, 1.0)
 
 
+def test_a_second_touch_in_a_shoot_out_ends_the_kick():
+    referee = taken(Phase.PENALTY_KICK)
+    referee.record["shoot_out"], referee.record["phase_clock"] = 1, 2.0
+    referee.wait(LEFT)
+    assert referee.look(touches=(1,)) == Foul.SECOND_TOUCH
+    assert referee.events["restart"] == 0 and referee.record["phase_clock"] == 10.0
+
+
+def test_a_foul_lets_everybodys_clocks_begin_anew():
+    referee = taken()
+    referee.wait(LEFT)
+    clocks = ("charging", "handling", "backed", "dribbled", "area_clock", "crowd_clock", "near_clock")
+    for name in clocks:
+        referee.robots[name] = 0.4
+    assert referee.look(touches=(1,)) == Foul.SECOND_TOUCH
+    assert [name for name in clocks if referee.robots[name].any()] == []
+
+
 @pytest.mark.parametrize("toucher", [2, 4])
 def test_once_a_mate_or_an_opponent_has_touched_it_the_taker_may_again(toucher):
     referee = taken()
