@@ -135,7 +135,10 @@ def test_half_time_ends_penalties_too_and_a_dropped_ball_does_not():
     assert back_after(match, actions, seconds=2.0) == 1.0 and match.matches["home_direction"][0] == -1.0
     match, actions = penalised()
     match.batch.constants["rules_dropped_ball"] = 1
-    assert back_after(match, stand(match), seconds=29.9) is None
+    match.matches["still_x"], match.matches["still_y"] = match.balls["x"], match.balls["y"]
+    match.matches["still_clock"] = match.league.rules.stuck_time - STEP
+    assert back_after(match, stand(match), seconds=STEP) is None and match.events["restart"][0] == Phase.DROP_BALL
+    assert back_after(match, stand(match), seconds=29.0) is None
 
 
 def test_without_pardon_the_clock_runs_on_through_a_kick_off():
