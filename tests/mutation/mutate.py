@@ -5,11 +5,12 @@
     python tests/mutation/mutate.py --sample 6   every so many-th, for continuous integration
     python tests/mutation/mutate.py --quick      the slips that `make test-quick` has to notice
     python tests/mutation/mutate.py --play       what the statistics of play count; `saves`, for one, is a name too
+    python tests/mutation/mutate.py --rules      what the referee calls; so is `pushing`
 
 A mutant is one replaced piece of source (tests/mutation/mutants.py). It runs in a copy of the checkout; the checkout
 itself is never touched. The tests have to pass before anything is replaced. A mutant whose test passes all the same has
-survived, and one that does not even compile says nothing: exit code 1. Those of the statistics run without compiling,
-which is quicker: their tests write what happened into records and play no match.
+survived, and one that does not even compile says nothing: exit code 1. Those of statistics and rules run without
+compiling, which is quicker: their tests write what happened into records, or play for seconds.
 """
 
 from __future__ import annotations
@@ -26,12 +27,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from tests.mutation.mutants import MUTANTS, PLAY, Mutant  # noqa: E402  # the folder above has to be known first
+from tests.mutation.mutants import MUTANTS, PLAY, RULES, Mutant  # noqa: E402  # the folder above has to be known first
 from tests.mutation.quick import QUICK  # noqa: E402  # the same
 
 COPIED = ("soccer_env", "baselines", "agents", "train", "tests", "pyproject.toml", "README.md")
 INNER = ("baselines", "agents", "train")  # stand at the top, are imported from inside the package
 PASSED, FAILED = 0, 1  # pytest's exit codes when tests ran, and when some of them failed
+LISTS = {"--quick": QUICK, "--play": PLAY, "--rules": RULES}
 BROKEN = ("SyntaxError", "NameError", "TypingError", "LoweringError", "UnsupportedError")  # failures of no meaning
 
 
@@ -70,10 +72,15 @@ def run_tests(where: Path, *options: str, compiling: bool = True) -> subprocess.
     return subprocess.run(command, cwd=where, env=environment, capture_output=True, text=True, check=False)
 
 
+def is_compiled(mutant: Mutant) -> bool:
+    """Tell whether the test of a mutant needs compiled kernels, to be done in time."""
+    return mutant not in PLAY and mutant not in RULES
+
+
 def verdict_on(where: Path, mutant: Mutant) -> str:
     """Return "killed" if the test of a mutant notices it, and otherwise what happened, in capitals."""
     with mutated(where, mutant):
-        ran = run_tests(where, "-x", mutant.test, compiling=mutant not in PLAY)
+        ran = run_tests(where, "-x", mutant.test, compiling=is_compiled(mutant))
     broken = [name for name in BROKEN if name in ran.stdout]
     if broken:
         return f"BROKEN ({broken[0]})"
@@ -82,9 +89,9 @@ def verdict_on(where: Path, mutant: Mutant) -> str:
 
 def chosen(words: list[str]) -> list[Mutant]:
     """Return the mutants that the command line asks for; ValueError for an unknown id."""
-    if words in (["--quick"], ["--play"]):
-        return QUICK if words == ["--quick"] else PLAY
-    known = MUTANTS + QUICK + PLAY
+    if len(words) == 1 and words[0] in LISTS:
+        return LISTS[words[0]]
+    known = MUTANTS + QUICK + PLAY + RULES
     if words[:1] == ["--sample"]:
         return known[:: max(len(known) // int(words[1]), 1)]
     unknown = set(words) - {mutant.id for mutant in known}
@@ -100,7 +107,7 @@ def main(words: list[str]) -> int:
         where = Path(folder)
         copy_checkout(where)
         for compiling in (True, False):
-            tests = dict.fromkeys(mutant.test for mutant in mutants if (mutant not in PLAY) == compiling)
+            tests = dict.fromkeys(mutant.test for mutant in mutants if is_compiled(mutant) == compiling)
             clean = run_tests(where, *tests, compiling=compiling) if tests else None
             if clean is not None and clean.returncode != PASSED:
                 print(f"the tests have to pass before anything is switched off\n{clean.stdout}{clean.stderr}")

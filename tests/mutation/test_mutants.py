@@ -10,12 +10,15 @@ from types import ModuleType
 
 import pytest
 
-from tests.mutation.mutants import MUTANTS, PLAY, Mutant
+from tests.mutation.mutants import MUTANTS, PLAY, RULES, Mutant
 from tests.mutation.quick import QUICK
 
 ROOT = Path(__file__).parents[2]
 SAMPLE = "MS32"  # one that is quick
 NO_COUNTS = {ROOT / f"soccer_env/statistics/{name}.py" for name in ("__init__", "records", "figures")}
+
+NO_RULES = {ROOT / f"soccer_env/referee/fouls/{name}__init__.py" for name in ("", "legged/", "middle_size/")}
+NO_RULES |= {ROOT / "soccer_env/referee/fouls/judging.py"}  # calls the books of both leagues
 
 
 def load(name: str) -> ModuleType:
@@ -58,8 +61,8 @@ def test_a_slip_can_be_made_and_is_the_business_of_the_quick_tests(mutant: Mutan
     assert any(mutant.test.startswith(line) for line in lines if line.startswith("tests/")), "not in tests/quick.txt"
 
 
-@pytest.mark.parametrize("mutant", PLAY, ids=lambda mutant: f"{mutant.id}-{mutant.original[:30]}")
-def test_a_mutant_of_what_is_counted_can_be_made_and_its_test_exists(mutant: Mutant) -> None:
+@pytest.mark.parametrize("mutant", PLAY + RULES, ids=lambda mutant: f"{mutant.id}-{mutant.original[:30]}")
+def test_a_mutant_of_what_is_counted_or_called_can_be_made_and_its_test_exists(mutant: Mutant) -> None:
     text = (ROOT / mutant.file).read_text(encoding="utf-8")
     changed = ast.parse(mutant.changed(text))
     assert ast.dump(changed) != ast.dump(ast.parse(text))
@@ -72,6 +75,11 @@ def test_every_file_that_counts_has_mutants() -> None:
     assert {ROOT / mutant.file for mutant in PLAY} == counting
 
 
+def test_every_rule_has_mutants() -> None:
+    rules = set((ROOT / "soccer_env/referee/fouls").rglob("*.py")) - NO_RULES
+    assert rules - {ROOT / mutant.file for mutant in RULES} == set()
+
+
 def test_the_quick_tests_that_are_listed_exist() -> None:
     lines = (ROOT / "tests/quick.txt").read_text(encoding="utf-8").splitlines()
     assert lines[:2] == ["-m", "not slow"]
@@ -79,7 +87,8 @@ def test_the_quick_tests_that_are_listed_exist() -> None:
 
 
 def test_no_mutant_is_listed_twice() -> None:
-    assert len({mutant for mutant in MUTANTS + PLAY}) == len(MUTANTS + PLAY)
+    listed = MUTANTS + PLAY + RULES
+    assert len(set(listed)) == len(listed)
     assert len({mutant.id for mutant in QUICK}) == len(QUICK) >= 12
 
 
