@@ -250,6 +250,18 @@ IN_BOOK: By = {
             "foul == HOLDING and robots[r].keeper == 1",
         ),
     ],
+    HOLDING + "a_ball_that_goes_along_though_the_robot_does_not_walk_ahead_is_held_for_three_seconds": [
+        ("penalties", "foul == HOLDING and robots[r].keeper == 1", "foul == HOLDING"),
+    ],
+    AREAS + "who_stands_in_a_goal_for_five_seconds_leaves_the_field_but_for_a_goalkeeper_in_its_own": [
+        ("leaving the field", "k.rules_leaving_field == 1", "True"),
+    ],
+    FALLING + "with_the_switch_off_nobody_falls": [
+        ("falling", "k.rules_falling == 1", "True"),
+    ],
+    STUCK + "of_a_goalkeeper_in_its_own_half_the_ball_is_taken_to_the_centre_spot_instead": [
+        ("global game stuck", "call_restart(match, events, DROP_BALL, NO_TEAM, 0.0, 0.0)", "pass"),
+    ],
 }
 PARTS = {
     "contact": IN_CONTACT,

@@ -12,6 +12,7 @@ STUCK_BALL = "tests/referee/test_stuck_ball.py::test_"
 DROPPED_BALL = "tests/referee/test_dropped_ball.py::test_"
 GOALS = "tests/referee/test_goals.py::test_"
 SHOOT_OUT = "tests/referee/test_shoot_out.py::test_"
+AREAS = "tests/referee/fouls/middle_size/test_areas.py::test_"
 
 IN_FOULS_GOALS: By = {
     ANNULLED + "a_push_by_those_who_concede_does_not_matter": [
@@ -167,6 +168,14 @@ IN_DROPPING: By = {
     DROPPED_BALL + "beside_the_area_it_stays_beside_it": [
         ("dropped ball", "abs(ball.x) > line and abs(ball.y) < 0.5 * width", "abs(ball.x) > line"),
     ],
+    DROPPED_BALL + "before_a_goal_it_is_dropped_on_the_line_of_the_area_where_it_was": [
+        ("dropped ball", "depth <= 0.0", "False"),
+    ],
+    DROPPED_BALL + "from_a_board_it_is_taken_straight_out_by_030_m_at_most_and_from_a_corner_out_of_both": [
+        ("dropped ball", "min(k.rules_drop_way / way, 1.0)", "1.0"),
+        ("dropped ball", "2.0 * k.body_reach + k.ball_radius", "2.0 * k.body_reach"),
+        ("dropped ball", "ball.y - side_y * share * y", "ball.y - share * y"),
+    ],
 }
 IN_SHOOT_OUT: By = {
     SHOOT_OUT + "a_match_that_is_won_ends_and_so_does_a_draw_without_the_rule": [
@@ -217,11 +226,17 @@ IN_SHOOT_OUT: By = {
         ("shoot-out", "taken >= 2.0 * k.rules_shoot_out_most", "False"),
     ],
 }
+IN_AREAS: By = {
+    AREAS + "only_the_goalkeeper_stays_in_a_goal_area": [
+        ("goal area", "inside and abs(robot.y) < 0.5 * width", "inside"),
+    ],
+}
 PARTS = {
     "fouls/goals": IN_FOULS_GOALS,
     "fouls/penalties": IN_FOULS_PENALTIES,
     "calls": IN_CALLS,
     "dropping": IN_DROPPING,
     "shoot_out": IN_SHOOT_OUT,
+    "areas": IN_AREAS,
 }
 MUTANTS = mutants_of(FOLDER, PARTS)

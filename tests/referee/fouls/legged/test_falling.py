@@ -86,9 +86,10 @@ def test_who_stands_beside_a_push_does_not_fall():
 
 
 def test_with_the_switch_off_nobody_falls():
-    match = shoved(100.0, rules="falling=False")
-    match.step(asks(match, r1=1.0))
+    match = shoved(100.0, fall_time=6.0, rules="falling=False,keeper_pushing=True")  # pushes are seen all the same
     assert fouls(match, asks(match, r1=1.0), 3.0) == [] and (match.robots["fallen"] == 0.0).all()
+    match.robots["fallen"][0, 4] = 0.5  # it has lain for 5.5 s
+    assert fouls(match, stand(match), 1.0 / 16.0) == [] and match.robots["active"][0, 4] == 1
 
 
 @pytest.mark.parametrize(("down", "guilty"), [(5.0, []), (6.0, [4])])
