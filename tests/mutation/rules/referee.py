@@ -11,6 +11,8 @@ OUT_OF_PLAY = "tests/referee/test_out_of_play.py::test_"
 STUCK_BALL = "tests/referee/test_stuck_ball.py::test_"
 DROPPED_BALL = "tests/referee/test_dropped_ball.py::test_"
 GOALS = "tests/referee/test_goals.py::test_"
+TAKING = "tests/referee/fouls/middle_size/test_taking.py::test_"
+FREE_KICKS = "tests/referee/fouls/middle_size/test_free_kicks.py::test_"
 SHOOT_OUT = "tests/referee/test_shoot_out.py::test_"
 AREAS = "tests/referee/fouls/middle_size/test_areas.py::test_"
 
@@ -163,6 +165,15 @@ IN_CALLS: By = {
     ANNULLED + "a_kick_off_shot_gives_the_defenders_a_kick_off": [
         ("kick-off shot", "is_kick_off_shot(match, k, scorer)", "False"),
     ],
+    TAKING + "an_own_goal_straight_from_a_restart_is_a_corner_kick": [
+        ("indirect restarts", "is_own_goal(match, robots, scorer)", "False"),
+    ],
+    TAKING + "no_goal_falls_straight_from_a_restart": [
+        ("indirect restarts", "is_own_goal(match, robots, scorer)", "True"),
+    ],
+    FREE_KICKS + "after_ten_seconds_everybody_may_play_the_ball": [
+        ("restarts", "k.rules_restart_time - 0.5 * k.dt", "k.rules_restart_time + 0.5 * k.dt"),
+    ],
 }
 IN_DROPPING: By = {
     DROPPED_BALL + "beside_the_area_it_stays_beside_it": [
@@ -229,6 +240,9 @@ IN_SHOOT_OUT: By = {
 IN_AREAS: By = {
     AREAS + "only_the_goalkeeper_stays_in_a_goal_area": [
         ("goal area", "inside and abs(robot.y) < 0.5 * width", "inside"),
+    ],
+    AREAS + "opponents_may_stay_in_a_penalty_area": [
+        ("penalty area", "-direction_of(match, team) * robot.x", "abs(robot.x)"),
     ],
 }
 PARTS = {
