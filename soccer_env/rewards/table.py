@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.checking import SHARE, check_names, number, one_of, refuse
-from soccer_env.rewards.terms import approach, cover, crowding, effort, foul, guard, progress, score, strength
+from soccer_env.rewards.terms import approach, cover, crowding, effort, foul, guard, progress, score, shot, strength
 
 KINDS = ("potential", "event", "cost")
 
@@ -67,6 +67,7 @@ TERMS = (
         guard, "potential", 0.0,
     ),
     Term("strength", "minus the share of the team that serves a penalty", strength, "potential", 0.0),
+    Term("shot", "+1 for a kick of the robot that would roll between the opponents' posts", shot, "event", 0.0),
     Term("foul", "minus one for a foul that is whistled against the robot", foul, "cost", 0.0),
 )  # fmt: skip
 

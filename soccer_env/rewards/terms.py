@@ -9,6 +9,7 @@ from math import asin, atan2, inf, pi, sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, direction_of, length
+from soccer_env.statistics.flights import ON_TARGET, aim_of
 from soccer_env.types import NO_TEAM
 
 CROWD = 3.0  # [reaches of a body] from the ball within which a second robot is in its mate's way, assumed
@@ -20,6 +21,14 @@ def score(match, ball, robots, events, robot_events, k, r, weight):
     if events.goal == NO_TEAM:
         return 0.0
     return weight if events.goal == robots[r].team else -weight
+
+
+@compiled
+def shot(match, ball, robots, events, robot_events, k, r, weight):
+    """Return the weight for a kick of the robot after which the ball would roll between the opponents' posts."""
+    if robot_events[r].kick == 0 or events.restart != 0:
+        return 0.0
+    return weight if aim_of(ball, direction_of(match, robots[r].team), k) == ON_TARGET else 0.0
 
 
 @compiled

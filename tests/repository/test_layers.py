@@ -50,6 +50,7 @@ PEERS = (
 # Who may import what stands beside it in the same layer: one entry each, with its reason.
 BESIDE = {
     ("referee", "physics"),  # a restart lays the ball down as physics holds it
+    ("rewards", "statistics"),  # a shot is paid as it is counted
 }
 
 PLAYERS = {"baselines", "agents"}

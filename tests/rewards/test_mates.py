@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match, Rewards
 from soccer_env.leagues import find_league
 from soccer_env.rewards import NAMES, PRESETS
-from soccer_env.rewards.terms import at_ball, cover, crowding, foul, guard, strength
+from soccer_env.rewards.terms import at_ball, cover, crowding, foul, guard, shot, strength
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.staging import LEAGUES, put, put_ball, set_phase, stage, stand
 
@@ -116,6 +116,22 @@ def test_who_is_whistled_pays_and_nobody_else() -> None:
     records = match.matches[0], match.balls[0], match.robots[0], match.events[0], match.robot_events[0]
     paid = [foul(*records, match.settings.constants()[0], r, 0.3) for r in range(3)]
     assert paid == [0.0, 0.3, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("aside", "speed", "paid"), [(0.0, 1.0, 0.4), (0.9, 1.0, 0.0), (0.0, 0.05, 0.0), (0.0, -1.0, 0.0)]
+)
+@pytest.mark.parametrize("side", [HOME, AWAY])
+def test_a_kick_between_the_posts_is_a_shot(side: int, aside: float, speed: float, paid: float) -> None:
+    match = scene({0: (0.0, 0.0)}, home=1)
+    put_ball(match, 0.0, aside)
+    match.balls["vx"], match.balls["roll_x"] = (speed if side == HOME else -speed,) * 2
+    match.robot_events["kick"][0, side] = 1
+    records = match.matches[0], match.balls[0], match.robots[0], match.events[0], match.robot_events[0]
+    constants = match.settings.constants()[0]
+    assert [shot(*records, constants, r, 0.4) for r in (side, 1 - side)] == [paid, 0.0], "whose kick it was"
+    match.events["restart"] = Phase.KICK_OFF
+    assert shot(*records, constants, side, 0.4) == 0.0, "the ball lies there again"
 
 
 def test_a_team_without_active_robots_has_nobody_at_the_ball() -> None:
