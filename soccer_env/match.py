@@ -205,6 +205,12 @@ class Match:
             if squad.compiled:
                 run_compiled(squad, self._team_arrays, self.batch.write_observations, first, last)
 
+    def decide(self) -> np.ndarray:
+        """Let the compiled teams decide from the records as they stand, without a step; return commands (M, R)."""
+        self._decide(self._no_actions, 0, self.count)
+        commands: np.ndarray = self.robots["command"]
+        return commands
+
     def _decide_in_python(self) -> None:
         """Let teams without a kernel decide, in all matches at once."""
         for squad in self.squads:

@@ -69,3 +69,35 @@ def written(value: object) -> str:
     """Return a value as a command has it: a float as short as it can be without becoming another one."""
     short = f"{value:g}" if isinstance(value, float) else str(value)
     return short if not isinstance(value, float) or float(short) == value else repr(value)
+
+
+def different(name: str, text: str) -> tuple[str, ...]:
+    """Return the names of teams in a text; ValueError if one stands there twice."""
+    names = split(text, name)
+    if len(set(names)) < len(names):
+        refuse(name, "different", text)
+    return names
+
+
+def split(text: str, name: str) -> tuple[str, ...]:
+    """Return the parts of a text between commas; a part NAME:switch=value keeps the commas of its switches."""
+    parts: list[str] = []
+    for part in text.split(","):
+        if "=" in part and ":" not in part and parts:
+            parts[-1] += "," + part
+        else:
+            parts.append(part.strip())
+    if not all(parts):
+        refuse(name, "names with commas between them", text)
+    return tuple(parts)
+
+
+def layer_sizes(name: str, text: str) -> tuple[int, ...]:
+    """Return the layer sizes of "64,64"; ValueError for anything else."""
+    try:
+        sizes = tuple(int(part) for part in str(text).split(","))
+    except ValueError:
+        sizes = ()
+    if not 1 <= len(sizes) <= 6 or not all(1 <= size <= 1024 for size in sizes):
+        refuse(name, "one to six layer sizes of 1 to 1024, as in 64,64", text)
+    return sizes

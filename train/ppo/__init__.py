@@ -3,7 +3,7 @@
     settings.py        what the command line asks for              toml_file.py      or a file
     checks.py          found playable before a run begins          training.py       a run: what it keeps and writes
     vec_env.py         many matches as one VecEnv                  match_blocks.py   shared out among sizes and senses
-    curriculum.py      who the learners meet                       imitation.py      a scripted teacher, before rewards
+    curriculum.py      who the learners meet                       teaching/         a scripted teacher, before rewards
     networks.py        actor and critic                            critic_state.py   what the critic sees besides
     learner.py         PPO, and what of it has to be kept          checkpoints.py    so that a cut run goes on
     run_folder.py      what a run leaves behind                    reports.py        its log, evaluations and curve
@@ -37,9 +37,9 @@ def train(settings: TrainSettings) -> TrainResult:
     A run that is cut at any moment goes on from its last checkpoint as if it had not been.
     """
     from soccer_env.train.ppo.checks import check_playable, make_curriculum, make_matches
-    from soccer_env.train.ppo.imitation import Lessons
     from soccer_env.train.ppo.learner import Learner
     from soccer_env.train.ppo.run_folder import RunFolder
+    from soccer_env.train.ppo.teaching.lessons import Lessons
     from soccer_env.train.ppo.training import Training
 
     check_playable(settings)  # every team, size and time, before a folder is made

@@ -20,8 +20,8 @@ from soccer_env.agents.perceptron import pack
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.observations import layout
-from soccer_env.train.ppo.imitation import fit, forget_own_commands, record
 from soccer_env.train.ppo.networks import SoccerPolicy, policy_from
+from soccer_env.train.ppo.teaching.imitation import fit, forget_own_commands, record
 from soccer_env.types import COMMAND
 
 KINDS = ("slots", "attention")

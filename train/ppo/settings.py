@@ -11,13 +11,20 @@ from typing import Annotated, Any, Literal
 
 import tyro
 
-from soccer_env.checking import ABOVE_ZERO, FROM_ZERO, Range, refuse
+from soccer_env.checking import ABOVE_ZERO, FROM_ZERO, Range
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import rule_set
 from soccer_env.rewards import NAMES, PRESETS, TERMS
 from soccer_env.scenes import Scene, mixture
-from soccer_env.train.written_settings import CommandSettings, command_with, split_players, split_senses
+from soccer_env.train.written_settings import (
+    CommandSettings,
+    command_with,
+    different,
+    layer_sizes,
+    split_players,
+    split_senses,
+)
 
 FREE = ("out", "threads", "torch_threads", "steps", "anew", "tensorboard", "device")  # may differ when a run goes on
 MAX_SEED = 2**32 - 1  # of numpy's global generator, with which stable-baselines3 shuffles
@@ -27,7 +34,7 @@ MOST = 65_536
 BOUNDS: dict[str, tuple[Any, ...]] = {
     **dict.fromkeys(("steps", "action_repeat", "batch", "epochs", "evaluate_every", "past_every"), Range(1)),
     **dict.fromkeys(("rollout", "matches"), Range(1, MOST)),
-    **dict.fromkeys(("past", "teacher_steps", "teacher_epochs", "critic_first"), FROM_ZERO),
+    **dict.fromkeys(("past", "teacher_steps", "teacher_epochs", "rounds", "critic_first"), FROM_ZERO),
     **dict.fromkeys(("gae_lambda", "clip", "gamma", "learning_rate"), SHARE),
     **dict.fromkeys(("minutes", "evaluate_minutes"), MINUTES),
     **dict.fromkeys(("entropy", "value_weight", "target_kl"), FROM_ZERO),
@@ -89,6 +96,8 @@ class PlainSettings:
     """Decisions of the teacher to record, over all team sizes and opponents."""
     teacher_epochs: int = 12
     """Times that the recorded decisions are gone through."""
+    rounds: int = 0
+    """Rounds in which the actor plays, after one of its teacher, and a teacher that knows the truth says what to do."""
     teacher_commands: bool = False
     """Let the pupil see its own last command meanwhile; it then learns to go on as before, and little else."""
     teacher_until: float = 0.0
@@ -192,6 +201,8 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
             raise ValueError(f"out must be a folder of the run's own with a plain name, got {str(self.out)!r}")
         if self.teacher and not (self.teacher_steps and self.teacher_epochs):
             raise ValueError("a teacher needs teacher_steps and teacher_epochs of at least 1")
+        if self.rounds and not (self.teacher and self.observe == "belief"):
+            raise ValueError("rounds need a teacher, and observe='belief': the teacher says what to do by beliefs too")
         if self.mirror and self.observe == "percepts":
             raise ValueError(
                 "mirror needs observe='belief' or 'truth', as turning signs round mirrors no picture: give --no-mirror"
@@ -263,38 +274,6 @@ def command_of(settings: TrainSettings) -> str:
     return command_with("train", settings)
 
 
-def different(name: str, text: str) -> tuple[str, ...]:
-    """Return the names of teams in a text; ValueError if one stands there twice."""
-    names = split(text, name)
-    if len(set(names)) < len(names):
-        refuse(name, "different", text)
-    return names
-
-
-def split(text: str, name: str) -> tuple[str, ...]:
-    """Return the parts of a text between commas; a part NAME:switch=value keeps the commas of its switches."""
-    parts: list[str] = []
-    for part in text.split(","):
-        if "=" in part and ":" not in part and parts:
-            parts[-1] += "," + part
-        else:
-            parts.append(part.strip())
-    if not all(parts):
-        refuse(name, "names with commas between them", text)
-    return tuple(parts)
-
-
 def senses_of(senses: str) -> dict[str, str]:
     """Return what `Match` takes for "ideal" or "home=ideal,away=sensors"."""
     return dict(zip(("home", "away"), split_senses(senses), strict=True))
-
-
-def layer_sizes(name: str, text: str) -> tuple[int, ...]:
-    """Return the layer sizes of "64,64"; ValueError for anything else."""
-    try:
-        sizes = tuple(int(part) for part in str(text).split(","))
-    except ValueError:
-        sizes = ()
-    if not 1 <= len(sizes) <= 6 or not all(1 <= size <= 1024 for size in sizes):
-        refuse(name, "one to six layer sizes of 1 to 1024, as in 64,64", text)
-    return sizes

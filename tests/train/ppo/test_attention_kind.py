@@ -16,9 +16,9 @@ from gymnasium import spaces
 from soccer_env.agents.learned import team_of
 from soccer_env.agents.perceptron import pack
 from soccer_env.train.ppo.curriculum import Curriculum
-from soccer_env.train.ppo.imitation import fit
 from soccer_env.train.ppo.networks import SoccerPolicy, blank_policy, policy_from
 from soccer_env.train.ppo.settings import TrainSettings, command_of
+from soccer_env.train.ppo.teaching.imitation import fit
 from tests.agents.staged_policies import attentive, decide
 
 LEAGUE = find_league("legged-2001")

@@ -17,8 +17,8 @@ pytest.importorskip("stable_baselines3")
 import torch
 from gymnasium import spaces
 
-from soccer_env.train.ppo.imitation import NO_KICK, fit, forget_own_commands, hold, holding, record
 from soccer_env.train.ppo.networks import SoccerPolicy
+from soccer_env.train.ppo.teaching.imitation import NO_KICK, fit, forget_own_commands, hold, holding, record
 from tests.train.ppo.staged_training import tiny
 
 SETTINGS: dict[str, Any] = {"observe": "belief", "senses": "sensors", "matches": 4, "seed": 2}

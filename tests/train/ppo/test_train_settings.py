@@ -15,7 +15,8 @@ from soccer_env.rewards import NAMES, TERMS
 from soccer_env.train.command_line import main, read_settings
 from soccer_env.train.ppo.checks import check_playable
 from soccer_env.train.ppo.learner import part_size
-from soccer_env.train.ppo.settings import BOUNDS, TrainSettings, command_of, split
+from soccer_env.train.ppo.settings import BOUNDS, TrainSettings, command_of
+from soccer_env.train.written_settings import split
 from tests.train.ppo.staged_training import tiny
 
 ROOT = Path(__file__).parents[3]
@@ -48,7 +49,7 @@ def test_a_share_is_1_at_most(name: str) -> None:
         TrainSettings(**{name: 1.01})
 
 
-@pytest.mark.parametrize("name", [*COUNTS, "seed", "past", "teacher_steps", "teacher_epochs", "critic_first"])
+@pytest.mark.parametrize("name", [*COUNTS, "seed", "past", "teacher_steps", "teacher_epochs", "rounds", "critic_first"])
 def test_a_count_is_a_whole_number(name: str) -> None:
     least = 1 if name in COUNTS else 0
     for value in (least - 1, 2.0, NAN, "2", None, True):
@@ -96,6 +97,8 @@ def test_a_count_is_a_whole_number(name: str) -> None:
         ({"batch": 1}, "a batch and a rollout must have 2 decisions at least"),
         ({"rollout": 1, "matches": 1}, "a batch and a rollout must have 2 decisions at least"),
         ({"teacher": "chaser", "teacher_steps": 0}, "a teacher needs teacher_steps"),
+        ({"teacher": "", "rounds": 1}, "rounds need a teacher, and observe='belief'"),
+        ({"observe": "percepts", "rounds": 1}, "rounds need a teacher, and observe='belief'"),
     ],
 )
 def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], message: str) -> None:

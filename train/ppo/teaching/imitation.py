@@ -8,27 +8,22 @@ until the next decision.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cached_property
-from itertools import product
 from typing import Any
 
 import numpy as np
 import torch
 
 from soccer_env.agents.learned import first_decision
-from soccer_env.agents.policy_file import load
 from soccer_env.match import Match
 from soccer_env.observations.entry import OWN_COMMAND, Entry
-from soccer_env.train.ppo.networks import SoccerPolicy, begin_with
+from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings
-from soccer_env.train.progress import Progress
 
 Rows = tuple[np.ndarray, np.ndarray]  # observations (n, entries), actions (n, 4)
 WALK = ("forward", "left", "turn")
 NO_KICK = -0.4  # so near a kick (0.3) that the noise of a learner finds one now and then; at -1 it never did
 HOLD_RATE = 1e-4  # learning rate of the fits between updates at the start, HOLD_PARTS of HOLD_PART rows each time
 HOLD_PARTS, HOLD_PART = 8, 4096
-TEACHER_SEED = 2_000_003  # added to the run's seed: the teacher plays other matches than the learner
 
 
 def record(
@@ -57,11 +52,17 @@ def record(
     return np.concatenate(observations).reshape(-1, width), np.concatenate(actions).reshape(-1, 4).astype(np.float32)
 
 
+def mean_square(actions: torch.Tensor, asked: torch.Tensor) -> torch.Tensor:
+    """Return the mean square error of actions (n, 4)."""
+    return ((actions - asked) ** 2).mean()
+
+
 def fit(
     network: SoccerPolicy, observations: np.ndarray, actions: np.ndarray, epochs: int, seed: int,
     advance: Callable[[float], None] = lambda share: None, rate: float = 1e-3, batch: int = 4096,
+    error: Callable[[torch.Tensor, torch.Tensor], torch.Tensor] = mean_square,
 ) -> list[float]:  # fmt: skip
-    """Fit the actor to recorded decisions by least squares; return the mean square error of each epoch."""
+    """Fit the actor to recorded decisions; return the mean error of each epoch."""
     rows = torch.as_tensor(observations), torch.as_tensor(actions)
     optimizer = torch.optim.Adam(network.actor_parameters()[:-1], lr=rate)
     generator = torch.Generator().manual_seed(seed)
@@ -72,47 +73,15 @@ def fit(
         for first in range(0, len(order), batch):
             chosen = order[first : first + batch]
             seen, asked = (part[chosen].to(network.device) for part in rows)
-            error = ((network.mean_actions(seen) - asked) ** 2).mean()
+            missed = error(network.mean_actions(seen), asked)
             optimizer.zero_grad()
-            error.backward()  # type: ignore[no-untyped-call]  # torch gives it no return type
+            missed.backward()  # type: ignore[no-untyped-call]  # torch gives it no return type
             optimizer.step()
-            total += float(error.detach()) * len(chosen)
+            total += float(missed.detach()) * len(chosen)
         schedule.step()
         errors.append(total / len(order))
         advance(1.0 / epochs)
     return errors
-
-
-def cases_of(settings: TrainSettings) -> list[Any]:
-    """Return the kinds of matches that a teacher is recorded in: players, opponent, and senses with their share."""
-    return list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
-
-
-def lessons(
-    settings: TrainSettings, entries: Sequence[Entry], advance: Callable[[float], None] = lambda cases: None
-) -> Rows:
-    """Record the teacher of a run in all kinds of matches that it has: observations and actions, always the same."""
-    cases = cases_of(settings)
-    league = settings.played
-    decisions = max(1, round(60.0 * settings.minutes * league.control_rate / settings.action_repeat))
-    parts = []
-    for index, (players, opponent, (weight, senses)) in enumerate(cases):
-        share = weight * len(settings.kinds_of_senses) * settings.teacher_steps / len(cases) / players[0]
-        count = max(1, round(share / decisions))
-        parts.append(
-            record(
-                settings.teacher, opponent, players, min(decisions, max(1, round(share / count))),
-                settings.action_repeat, league=league, scene=settings.scene, matches=count,
-                minutes=settings.minutes,
-                seed=settings.seed + TEACHER_SEED + 1009 * index, observe=settings.observe,
-                senses=senses, pose=settings.pose, threads=settings.threads,
-            )
-        )  # fmt: skip
-        advance(1.0)
-    observations = np.concatenate([part[0] for part in parts])
-    if not settings.teacher_commands:
-        forget_own_commands(observations, entries, settings.seed)
-    return observations, np.concatenate([part[1] for part in parts])
 
 
 def holding(settings: TrainSettings, step: int) -> float:
@@ -145,47 +114,3 @@ def forget_own_commands(observations: np.ndarray, entries: Sequence[Entry], seed
     columns = [index for index, entry in enumerate(entries) if entry.group == OWN_COMMAND]
     order = np.random.default_rng(seed).permutation(len(observations))
     observations[:, columns] = observations[order][:, columns]
-
-
-class Lessons:
-    """What the actor of a run learns from its teacher: before the rewards, and beside them for a while."""
-
-    def __init__(self, settings: TrainSettings, network: SoccerPolicy) -> None:
-        self.settings, self.network = settings, network
-        self._rows: Rows | None = None
-
-    @property
-    def rows(self) -> Rows:
-        """Return what was recorded; a run that goes on records it again."""
-        if self._rows is None:
-            self._rows = lessons(self.settings, self.network.entries)
-        return self._rows
-
-    @cached_property
-    def keepers(self) -> Rows:
-        """Return what was recorded of goalkeepers."""
-        observations, actions = self.rows
-        column = [entry.name for entry in self.network.entries].index("keeper")
-        chosen = observations[:, column] > 0.0
-        return observations[chosen], actions[chosen]
-
-    def teach(self) -> None:
-        """Give the actor what it starts with: a policy's weights, or what its teacher does, if there is either."""
-        settings, epochs = self.settings, self.settings.teacher_epochs
-        if settings.start:
-            begin_with(self.network, load(settings.start))
-        if settings.start or not settings.teacher:
-            return
-        with Progress(f"learning from {settings.teacher}", len(cases_of(settings)) + epochs / 2) as progress:
-            self._rows = lessons(settings, self.network.entries, progress.advance)
-            fit(self.network, *self._rows, epochs, settings.seed, lambda share: progress.advance(share * epochs / 2))
-
-    def go_on(self, step: int, rollout: int) -> None:
-        """Hold the actor to the teacher after an update."""
-        settings, strength = self.settings, holding(self.settings, step)
-        if rollout < settings.critic_first or not settings.teacher:
-            return
-        if strength > 0.0:
-            hold(self.network, self.rows, strength, settings.seed + rollout)
-        if settings.hold_keeper > strength and len(self.keepers[0]):
-            hold(self.network, self.keepers, settings.hold_keeper, settings.seed + rollout)

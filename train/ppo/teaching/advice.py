@@ -1,0 +1,88 @@
+"""Learn from a teacher that watches: the actor plays, and a scripted team says at every step what it would do there.
+
+The teacher knows the truth, the actor only what its robots believe: fitted to its advice it does what is best on the
+average over all that may be true, given the beliefs [learning by cheating: Chen et al. 2019]. The actor plays itself,
+so that it learns in the situations that it gets into [DAgger: Ross, Gordon, Bagnell 2011].
+
+Two things a robot cannot do by the truth alone: find a ball that it does not see, and tell when it is well enough
+aimed for a kick. There the advice is that of the same team by the robot's own beliefs.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import torch
+
+from soccer_env.agents.learned import first_decision
+from soccer_env.match import Match
+from soccer_env.train.ppo.teaching.imitation import NO_KICK, WALK, Rows
+
+KNOWN = 1.5  # [s] since the ball was seen: for longer the robot has to search for it, by its beliefs
+BEND = 0.1  # [1] error of a walk beyond which it counts by its size, not its square: the middle of what may be best
+WALK_WEIGHT, KICK_WEIGHT = 5.0, 2.0  # of a walk's error; of decisions in which there is a kick, which are few
+
+
+class Adviser:
+    """A team that watches another match and says what it would do for its home robots."""
+
+    def __init__(self, teacher: Any, senses: str, **settings: Any) -> None:
+        """`senses`: "ideal" to advise by the truth, "sensors" by what the robots of the match themselves believe."""
+        self.match = Match(controllers={"home": teacher, "away": "still"}, senses=senses, **settings)
+        self.by_beliefs = senses == "sensors"
+
+    def commands(self, watched: Match) -> np.ndarray:
+        """Return what the team would command now (M, home, 4): forward, left, turn, kick."""
+        for name in ("matches", "balls", "robots"):
+            getattr(self.match, name)[:] = getattr(watched, name)
+        if self.by_beliefs:
+            self.match.beliefs[:], self.match.tracks[:] = watched.beliefs, watched.tracks
+        home = self.match.settings.rows[0]
+        command = self.match.decide()[:, :home]
+        return np.stack([command[name] for name in (*WALK, "kick")], axis=-1)
+
+
+def advised(player: Any, teacher: Any, opponents: Any, players: tuple[int, int], repeat: int, **settings: Any) -> Rows:
+    """Return observations (n, entries) and advice (n, 4) at the decisions of `player`, who plays home.
+
+    Whole episodes are played, once each; robots that are out, and matches that have ended, are left out.
+    """
+    senses = settings.pop("senses")
+    settings |= {"home": players[0], "away": players[1], "observe": "belief"}
+    match = Match(controllers={"home": player, "away": opponents}, senses=senses, **settings)
+    advisers = [Adviser(teacher, kind, **settings) for kind in ("ideal", "sensors")]
+    for _ in range(first_decision(match.league.delay_steps, repeat)):
+        for adviser in advisers:
+            adviser.commands(match)
+        match.step()
+    observations, advice = [], []
+    while not (match.terminated | match.truncated).all():
+        plays = match.robots["active"][:, : players[0]] == 1
+        plays &= ~(match.terminated | match.truncated)[:, None]
+        known = match.beliefs["ball"]["age"][:, : players[0]] < KNOWN
+        observations.append(match.observations[:, : players[0]][plays])
+        advice.append(advice_of(match, advisers, known, repeat)[plays])
+    for one in (match, *(adviser.match for adviser in advisers)):
+        one.close()
+    return np.concatenate(observations), np.concatenate(advice).astype(np.float32)
+
+
+def advice_of(match: Match, advisers: list[Adviser], known: np.ndarray, repeat: int) -> np.ndarray:
+    """Play the control steps of a decision; return the advice (M, home, 4) at its beginning, and for a kick in it."""
+    kick = np.full(known.shape, NO_KICK)
+    for step in range(repeat):
+        by_truth, by_beliefs = (adviser.commands(match) for adviser in advisers)
+        if step == 0:
+            asked = np.where(known[..., None], by_truth, by_beliefs)
+        kick = np.maximum(kick, np.where(by_beliefs[..., 3] > 0.0, by_beliefs[..., 3], NO_KICK))
+        match.step()
+    asked[..., 3] = kick
+    return asked
+
+
+def advice_error(actions: torch.Tensor, asked: torch.Tensor) -> torch.Tensor:
+    """Return how far actions (n, 4) are from advice: for a walk mostly by size, for a kick by the square."""
+    walk = torch.nn.functional.huber_loss(actions[:, :3], asked[:, :3], delta=BEND)
+    weights = torch.where(asked[:, 3] > 0.0, KICK_WEIGHT, 1.0)
+    return WALK_WEIGHT * walk + (weights * (actions[:, 3] - asked[:, 3]) ** 2).mean()

@@ -1,0 +1,146 @@
+"""What the actor of a run learns from its teacher, in all kinds of matches that the run has."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from soccer_env.agents.learned import team_of
+from soccer_env.agents.policy_file import load
+from soccer_env.observations.entry import Entry
+from soccer_env.train.ppo.networks import SoccerPolicy, begin_with, policy_from
+from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.teaching.advice import advice_error, advised
+from soccer_env.train.ppo.teaching.imitation import Rows, fit, forget_own_commands, hold, holding, record
+from soccer_env.train.progress import Progress
+
+TEACHER_SEED = 2_000_003  # added to the run's seed: the teacher plays other matches than the learner
+ROUND_SEED = 100_003  # added for each round
+KEPT_ROUNDS = 6  # the latest ones: what was learned of worse play is forgotten
+LAST_EPOCHS = 2  # times as many epochs after the last round
+
+
+def cases_of(settings: TrainSettings) -> list[Any]:
+    """Return the kinds of matches that a teacher is recorded in: players, opponent, and senses with their share."""
+    return list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
+
+
+def shares(settings: TrainSettings) -> Iterator[tuple[Any, tuple[int, int], int, dict[str, Any]]]:
+    """Yield of each kind of match the opponent, the team sizes, a robot's decisions in an episode, and its settings."""
+    cases = cases_of(settings)
+    decisions = max(1, round(60.0 * settings.minutes * settings.played.control_rate / settings.action_repeat))
+    for index, (players, opponent, (weight, senses)) in enumerate(cases):
+        share = weight * len(settings.kinds_of_senses) * settings.teacher_steps / len(cases) / players[0]
+        count = max(1, round(share / decisions))
+        yield opponent, players, min(decisions, max(1, round(share / count))), {
+            "league": settings.played, "scene": settings.scene, "matches": count, "minutes": settings.minutes,
+            "seed": settings.seed + TEACHER_SEED + 1009 * index, "senses": senses, "pose": settings.pose,
+            "threads": settings.threads,
+        }  # fmt: skip
+
+
+def lessons(
+    settings: TrainSettings, entries: Sequence[Entry], advance: Callable[[float], None] = lambda cases: None
+) -> Rows:
+    """Record the teacher of a run in all kinds of matches that it has: observations and actions, always the same."""
+    parts = []
+    for opponent, players, decisions, given in shares(settings):
+        given |= {"observe": settings.observe}
+        parts.append(record(settings.teacher, opponent, players, decisions, settings.action_repeat, **given))
+        advance(1.0)
+    return together(parts, settings, entries)
+
+
+def together(parts: Sequence[Rows], settings: TrainSettings, entries: Sequence[Entry]) -> Rows:
+    """Return the rows of all parts, their own last commands shuffled unless the settings keep them."""
+    observations = np.concatenate([part[0] for part in parts])
+    if not settings.teacher_commands:
+        forget_own_commands(observations, entries, settings.seed)
+    return observations, np.concatenate([part[1] for part in parts])
+
+
+class Lessons:
+    """What the actor of a run learns from its teacher: before the rewards, and beside them for a while."""
+
+    def __init__(self, settings: TrainSettings, network: SoccerPolicy) -> None:
+        self.settings, self.network = settings, network
+        self._rows: Rows | None = None
+
+    @property
+    def rows(self) -> Rows:
+        """Return what was recorded; a run that goes on records it again."""
+        if self._rows is None:
+            self._rows = lessons(self.settings, self.network.entries)
+        return self._rows
+
+    @cached_property
+    def keepers(self) -> Rows:
+        """Return what was recorded of goalkeepers."""
+        observations, actions = self.rows
+        column = [entry.name for entry in self.network.entries].index("keeper")
+        chosen = observations[:, column] > 0.0
+        return observations[chosen], actions[chosen]
+
+    def teach(self) -> None:
+        """Give the actor what it starts with: a policy's weights, or what its teacher does, if there is either."""
+        settings = self.settings
+        if settings.start:
+            begin_with(self.network, load(settings.start))
+        if settings.rounds:
+            self._take_advice()
+        elif settings.teacher and not settings.start:
+            self._imitate()
+
+    def _imitate(self) -> None:
+        """Fit the actor to what its teacher does."""
+        settings, epochs = self.settings, self.settings.teacher_epochs
+        with Progress(f"learning from {settings.teacher}", len(cases_of(settings)) + epochs / 2) as progress:
+            self._rows = lessons(settings, self.network.entries, progress.advance)
+            fit(self.network, *self._rows, epochs, settings.seed, lambda share: progress.advance(share * epochs / 2))
+
+    def _take_advice(self) -> None:
+        """Let the actor play rounds, the first one its teacher unless it has a start, and fit it to advice."""
+        settings = self.settings
+        parts: list[list[Rows]] = []  # of each round
+        cases = len(cases_of(settings))
+        with Progress(f"advised by {settings.teacher}", 2 * cases * settings.rounds) as progress:
+            for number in range(settings.rounds):
+                player = self._player() if number or settings.start else settings.teacher
+                parts.append([])
+                for opponent, players, _, given in shares(settings):
+                    given["seed"] += ROUND_SEED * number
+                    asked = (player, settings.teacher, opponent, players, settings.action_repeat)
+                    parts[-1].append(advised(*asked, **given))
+                    progress.advance(1.0)
+                rows = together([part for one in parts[-KEPT_ROUNDS:] for part in one], settings, self.network.entries)
+                epochs = settings.teacher_epochs * (LAST_EPOCHS if number == settings.rounds - 1 else 1)
+                fit(self.network, *rows, epochs, settings.seed + number, error=advice_error)
+                progress.advance(cases)
+
+    def _player(self) -> Any:
+        """Return the actor as it is now, as a team."""
+        settings = self.settings
+        return team_of(
+            policy_from(
+                self.network,
+                name=settings.name,
+                league=settings.played,
+                observe=settings.observe,
+                action_repeat=settings.action_repeat,
+                made={},
+            )  # fmt: skip
+        )
+
+    def go_on(self, step: int, rollout: int) -> None:
+        """Hold the actor to the teacher after an update."""
+        settings, strength = self.settings, holding(self.settings, step)
+        if rollout < settings.critic_first or not settings.teacher:
+            return
+        if strength > 0.0:
+            hold(self.network, self.rows, strength, settings.seed + rollout)
+        if settings.hold_keeper > strength and len(self.keepers[0]):
+            hold(self.network, self.keepers, settings.hold_keeper, settings.seed + rollout)
