@@ -93,6 +93,7 @@ def test_matches_teacher_and_evaluations_are_played_by_the_rules_asked_for(tmp_p
         {"observe": "truth", "senses": "ideal", "teacher": "", "past": 0, "critic_first": 0, "activation": "relu"},
         {"ideal_share": 0.5},
         {"teacher_until": 1.0},
+        {"rounds": 2, "hold_keeper": 1.0},
         {"scenes": "kick-off:2,scattered,lost-ball-behind", "rules": "simple", "players": "1v3,3v1,2v3"},
         {"observe": "percepts", "mirror": False, "target_kl": 1e-9, "entropy": 0.01, "pose": "particles"},
     ],
