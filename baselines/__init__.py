@@ -7,6 +7,7 @@
     searching.py     the chaser without a ball   boards.py        the chaser and a ball in a corner
     set_pieces.py    the chaser's restarts: pass, and leave the ball to others
     sacks_2001/      the legged team of Sacks (2001)
+    heinemann_2006/  the middle-size team of Heinemann et al. (2006)
     weigel_2001/     the planner of the middle-size teams
 
 What they share:

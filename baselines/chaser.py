@@ -254,10 +254,14 @@ def watch_ball(sight, memory, noise, k, play):
 
 @compiled
 def support(command, sight, memory, k, play, ring, keeps_out):
-    """Stand where the player's rank asks, at least `ring` [m] from the ball, and look at the ball.
+    """Stand where the player's rank asks, and look at the ball; arguments as of `support_point`."""
+    x, y = support_point(sight, memory, k, play, ring, keeps_out)
+    go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
-    `keeps_out`: not in the own penalty area.
-    """
+
+@compiled
+def support_point(sight, memory, k, play, ring, keeps_out):
+    """Return where to go [m, m] by the player's rank, `ring` [m] off the ball; `keeps_out`: not in the own area."""
     if memory.side == 0.0 or abs(sight.ball_y) > play.change_side:
         memory.side = -side_of(sight.ball_y)
     back, aside = support_place(memory, play, ring)
@@ -274,8 +278,7 @@ def support(command, sight, memory, k, play, ring, keeps_out):
         x, y = out_of_own_area(x, y, k, k.body_reach + AREA_ROOM)
     if memory.rank > 0 or ring == 0.0:
         x, y = out_of_area(sight, k, x, y, ring)
-    x, y = round_ball(sight, k, x, y)
-    go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+    return round_ball(sight, k, x, y)
 
 
 @compiled

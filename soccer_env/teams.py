@@ -41,6 +41,8 @@ NAMES = {  # strings only: resolved at first use
     "sacks-2001": "soccer_env.baselines.sacks_2001:team",
     "sacks-2001-tuned": "soccer_env.baselines.sacks_2001:tuned",
     "sacks-2001-future": "soccer_env.baselines.sacks_2001:future",
+    "heinemann-2006": "soccer_env.baselines.heinemann_2006:team",
+    "weigel-2001": "soccer_env.baselines.heinemann_2006:weigel",
     "learned": "soccer_env.agents.learned:team",
 }
 FILES = {  # by the ending of a file that is named as a team

@@ -1,0 +1,20 @@
+"""heinemann-2006: the middle-size team of Tübingen, 2006.  [Heinemann 2006]  MH14, MH19 to MH21
+
+Each player decides for itself, from its own belief and tracks, into which the radio's words have gone. What the paper
+tells is here; what any team on wheels does near the ball and at restarts is shared with the chaser.
+
+Files:
+
+    team.py        the teams, and the kernel that decides for all players
+    settings.py    every number and switch             memory.py      what a player remembers, and scratch arrays
+    playing.py     chooses what to do and does it      roles.py       who attacks, who defends, who supports
+    driving.py     along a plan, within limits         crowd.py       the obstacles that a way is planned round
+    attacking.py   to the ball, and at the goal        dribbling.py   with the ball in the guide
+    goalkeeper.py  passive and active                  intercepting.py  where and when a rolling ball is met
+
+`weigel-2001` is the same team with the planner of Weigel et al., which knows no velocities.
+"""
+
+from soccer_env.baselines.heinemann_2006.team import team, weigel
+
+__all__ = ["team", "weigel"]

@@ -1,0 +1,61 @@
+"""The attacker: drive behind the ball round the others, dribble, shoot at the open part of the goal.  MH04, MH14
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from __future__ import annotations
+
+from math import atan2
+
+from soccer_env.baselines.attacking import (
+    MEET,
+    approach,
+    choose_aim,
+    comes_to_me,
+    receive,
+    wants_to_shoot,
+    wriggle,
+)
+from soccer_env.baselines.heinemann_2006.dribbling import dribble
+from soccer_env.baselines.heinemann_2006.driving import drive_to
+from soccer_env.baselines.set_pieces import strength_for
+from soccer_env.baselines.sight import rolls_to
+from soccer_env.baselines.skills import turned
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
+
+BEHIND = 0.3  # [m] more than touching it that the place behind the ball lies from it, assumed
+
+
+@compiled
+def attack(command, memory, k, play, scratch):
+    """Bring the ball to the goal, with the first skill of the ladder that applies."""
+    sight, skill, skills = scratch.sight, memory.skill, play.skills
+    ux, uy = choose_aim(sight, k, skills)
+    ux, uy = turned(ux, uy, skill.aim_error)
+    if skill.wriggle > 0.0:
+        wriggle(command, sight, skill, k, skills)
+    elif sight.held == 1:
+        dribble(command, sight, memory, k, play, ux, uy)
+    elif comes_to_me(sight, k):
+        receive(command, sight, k, skills)
+    elif sight.distance > play.close:
+        go_behind(command, memory, k, play, scratch, ux, uy)
+    else:
+        approach(command, sight, skill, k, skills, ux, uy, MEET)
+    if wants_to_shoot(sight, skill, k, skills):
+        goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
+        command.kick = strength_for(k, goal, skills.arrival)
+
+
+@compiled
+def go_behind(command, memory, k, play, scratch, ux, uy):
+    """Drive to behind where the ball will be, seen along (ux, uy), and face it."""
+    sight = scratch.sight
+    seconds = clip((sight.distance - sight.touch) / (k.drive_forward * sight.pace), play.skills.delay, play.skills.lead)
+    x, y = rolls_to(sight, k, seconds)
+    far = sight.touch + BEHIND
+    facing = atan2(y - sight.y, x - sight.x)
+    edge_x, edge_y = 0.5 * k.pitch_length, 0.5 * k.pitch_width
+    to_x, to_y = clip(x - far * ux, -edge_x, edge_x), clip(y - far * uy, -edge_y, edge_y)
+    drive_to(command, memory, k, play, scratch, to_x, to_y, facing, MEET)

@@ -1,0 +1,52 @@
+"""Dribble with the ball in the guide, inside what friction holds.  [Heinemann 2006, 1]  MH24
+
+    "our high-level control code was still good enough, to win the technical challenge by dribbling the ball around
+    static obstacles"    [Heinemann 2006, 1]
+
+Nothing holds the ball but the guide's edge and the carpet's friction: a robot that brakes harder than the ball rolls
+out loses it ahead, one that bends its way faster than the edge bears loses it aside. So speed and turn together stay
+below a grip, v w <= g, and the base steps aside as it turns: it turns about the ball, not about itself.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from __future__ import annotations
+
+from math import atan2
+
+from soccer_env.baselines.attacking import is_pressed, line_speed
+from soccer_env.baselines.skills import goal_room
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, wrap
+
+LEAST = 0.15  # [m/s] ahead while it turns, so that the ball stays at the kicker, assumed
+
+
+@compiled
+def dribble(command, sight, memory, k, play, ux, uy):
+    """Bring the ball on along (ux, uy), turning with it as fast as the guide's grip lets."""
+    error = wrap(atan2(uy, ux) - sight.heading)
+    now = sight.now_cosine * sight.vx + sight.now_sine * sight.vy
+    wanted = clip(error / play.skills.settle, -play.dribble_turn, play.dribble_turn) * sight.pace
+    most = grip_turn(play, now)
+    turn = clip(wanted, -most, most)
+    speed = min(play.dribble_speed * sight.pace, grip_speed(play, wanted))
+    if goal_room(sight, k, sight.now_cosine, sight.now_sine) < 0.0 or is_pressed(sight):
+        speed = min(speed, line_speed(sight, k, sight.now_cosine, sight.now_sine))
+    speed = max(speed, min(now, play.dribble_speed) - k.ball_rolling * k.dt * (k.delay_steps + 1.0))
+    command.forward = clip(speed / k.drive_forward, 0.0, 1.0)
+    command.turn = turn / k.drive_turn
+    if k.drive_sideways > 0.0:
+        command.left = -turn * sight.touch / k.drive_sideways
+
+
+@compiled
+def grip_speed(play, turn):
+    """Return the speed [m/s] at which the guide still bears a turn [rad/s]: v w = grip, but never below `LEAST`."""
+    return max(play.dribble_grip / max(abs(turn), 1e-3), LEAST)
+
+
+@compiled
+def grip_turn(play, speed):
+    """Return the turn [rad/s] that the guide still bears at a speed [m/s]: v w = grip, all of it at `LEAST`."""
+    return play.dribble_turn if speed <= LEAST else min(play.dribble_turn, play.dribble_grip / speed)

@@ -1,0 +1,111 @@
+"""Drive along a plan, made anew at every decision, within what the base can do.  [Heinemann 2006, 2, 3]  MH01, MH14
+
+    "With the continuous replanning this approach generates very efficient and smooth paths"    [Heinemann 2006, 3]
+
+The base steps aside, so that where it looks is free: it turns while it drives. Velocity and turn together have one
+acceleration: who turns by w at speed v has to bend its way in its own frame by v w.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from __future__ import annotations
+
+from math import atan2, sqrt
+
+from soccer_env.baselines.heinemann_2006.crowd import note_crowd
+from soccer_env.baselines.heinemann_2006.settings import PLANNERS
+from soccer_env.baselines.sight import side_of
+from soccer_env.baselines.skills import braking_speed, drive_differential, go, hold_back, push, turn_by
+from soccer_env.baselines.weigel_2001.planner.measuring import place_on
+from soccer_env.baselines.weigel_2001.planner.planning import plan_way
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, into_frame, length, wrap
+from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
+
+NO_PLANNER = PLANNERS["none"]
+KEPT = 2  # decisions, this one and the next, for which the velocity asked for is known
+
+
+@compiled
+def drive_to(command, memory, k, play, scratch, x, y, facing, final):
+    """Go to a point round the others and face a team-frame direction [rad] there; `final`: speed [m/s] on arrival."""
+    sight = scratch.sight
+    if play.planner == NO_PLANNER:
+        go(command, sight, k, play.skills, x, y, facing, final)
+        return
+    if length(x - sight.x, y - sight.y) < play.arrived and final == 0.0:
+        drive_along(command, memory, k, play, sight, 0.0, 0.0, 0.0, facing)
+        return
+    note_crowd(scratch, k, play, final > 0.0)
+    plan_to(k, play, scratch, x, y)
+    follow(command, memory, k, play, scratch, facing, final)
+
+
+@compiled
+def plan_to(k, play, scratch, x, y):
+    """Plan the way to a point in the league's pitch at the league's speed, by what is believed now.  MH14"""
+    sight, ways = scratch.sight, scratch.ways[0]
+    scratch.ways[0] = play.ways[0]
+    ways.pitch_length, ways.pitch_width = k.pitch_length, k.pitch_width
+    ways.margin = min(k.pitch_band_side, k.pitch_band_end)
+    ways.speed, ways.robot_radius = k.drive_forward * sight.pace, k.body_reach
+    side = 1 if side_of(y - sight.y if y != sight.y else y) > 0.0 else -1
+    plan_way(sight.x, sight.y, x, y, side, scratch.crowd[: scratch.count], ways, scratch.work[0], scratch.plan[0])
+
+
+@compiled
+def follow(command, memory, k, play, scratch, facing, final):
+    """Drive along the plan: to a point ahead on it, no faster than its bends and its end let."""
+    sight, plan, place = scratch.sight, scratch.plan[0], scratch.place[0]
+    now = length(sight.vx, sight.vy)
+    ahead = play.look_ahead + play.look_ahead_time * now
+    place_on(plan.path, plan.count, ahead, place)
+    x, y = place.x - sight.x, place.y - sight.y
+    away = max(length(x, y), 1e-9)
+    place_on(plan.path, plan.count, 2.0 * ahead, place)
+    bend = bend_between(x, y, place.x - sight.x - x, place.y - sight.y - y)
+    speed = min(bend_speed(k, play, bend, ahead), max(final, braking_speed(k, play.skills, plan.length)))
+    x, y, speed = hold_back(sight, k, play.skills, x / away, y / away, speed, final > 0.0)
+    if k.drive_kind == WHEELS_DIFFERENTIAL:
+        ahead, left = into_frame(x, y, sight.cosine, sight.sine)
+        drive_differential(command, sight, k, play.skills, ahead, left, plan.length, facing, speed)
+    else:
+        drive_along(command, memory, k, play, sight, x, y, min(speed, k.drive_forward * sight.pace), facing)
+
+
+@compiled
+def bend_between(x, y, then_x, then_y):
+    """Return the angle [rad], from 0 on, between two pieces of a path; 0 if one of them has no length."""
+    if length(x, y) < 1e-6 or length(then_x, then_y) < 1e-6:
+        return 0.0
+    return abs(atan2(x * then_y - y * then_x, x * then_x + y * then_y))
+
+
+@compiled
+def bend_speed(k, play, bend, far):
+    """Return the speed [m/s] at which a path that turns by an angle over a distance [m] takes its share: v^2 / r."""
+    return sqrt(play.bending * k.drive_acceleration * far / max(bend, 1e-3))
+
+
+@compiled
+def drive_along(command, memory, k, play, sight, x, y, speed, facing):
+    """Bring the velocity asked for towards (x, y) (unit vector) at a speed [m/s], as fast as the base can.  MH01"""
+    if memory.drove == 0:
+        memory.drive_x, memory.drive_y = sight.vx, sight.vy
+    vx, vy = speed * x - memory.drive_x, speed * y - memory.drive_y
+    change, most = length(vx, vy), k.drive_acceleration * sight.elapsed
+    share = 1.0 if change <= most else most / change
+    vx, vy = memory.drive_x + share * vx, memory.drive_y + share * vy
+    memory.drive_x, memory.drive_y, memory.drove = vx, vy, KEPT
+    size = length(vx, vy)
+    ahead, left = into_frame(vx, vy, sight.cosine, sight.sine)
+    push(command, sight, k, ahead / max(size, 1e-9), left / max(size, 1e-9), size / max(sight.pace, 1e-9))
+    turn_by(command, sight, k, play.skills, wrap(facing - sight.heading))
+    most_turn = turn_limit(k, play, size) / k.drive_turn
+    command.turn = clip(command.turn, -most_turn, most_turn)
+
+
+@compiled
+def turn_limit(k, play, speed):
+    """Return how fast [rad/s] a base may turn at a speed [m/s] so that the bend in its own frame takes its share."""
+    return play.turning * k.drive_acceleration / max(speed, 1e-3)

@@ -1,0 +1,128 @@
+"""The goalkeeper: passive on the line ball to goal, or active into the ball's trajectory.  MH19, MH20, MH21
+
+    "Typical keepers try to minimize the angles under which the ball can be shot into the goal avoiding the goal keeper.
+    This can be reached if the keeper takes a defense position on the line d going through the ball and the middle of
+    the goal."
+
+    "Then, the goal keeper is able to predict the trajectory of the ball t and can actively defend the goal by moving
+    into the trajectory to intercept the ball. Even considering the reaction time of the goal keeper and its maximum
+    acceleration, there is a high chance of intercepting the ball, as the goal keeper moves perpendicular into the
+    predicted trajectory resulting in a very short distance."    [Heinemann 2006, 4]
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from __future__ import annotations
+
+from math import atan2
+
+from soccer_env.baselines.goalkeeping import clear, may_clear
+from soccer_env.baselines.heinemann_2006.driving import drive_along
+from soccer_env.baselines.heinemann_2006.intercepting import moving_time, rolling_time
+from soccer_env.baselines.heinemann_2006.settings import KEEPERS, STANCES
+from soccer_env.baselines.skills import braking_speed, go
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
+from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
+
+ACTIVE, CIRCLE = KEEPERS["active"], STANCES["circle"]
+POINTS = 12  # of the trajectory, between the nearest one and the goal line, that are tried, assumed
+
+
+@compiled
+def keep_goal(command, memory, k, play, scratch):
+    """Keep the goal, with the first skill of the ladder that applies; "otherwise back to passive"."""
+    sight = scratch.sight
+    facing = atan2(sight.ball_y - sight.y, sight.ball_x - sight.x)
+    if play.keeper == ACTIVE and is_shot(sight, k, play):
+        x, y = interception(sight, k, play)
+        move_to(command, memory, k, play, sight, x, y, facing)
+    elif may_clear(sight, k, play.skills):
+        clear(command, sight, memory.skill, k, play.skills)
+    else:
+        x, y = passive_place(sight.ball_x, sight.ball_y, k, play)
+        move_to(command, memory, k, play, sight, x, y, facing)
+
+
+@compiled
+def passive_place(ball_x, ball_y, k, play):
+    """Return where [m, m] the line from the ball to the middle of the goal meets the half circle or the keeper's line.
+
+    Never nearer to the goal line than the keeper's line, nor beyond the posts.  MH19
+    """
+    line, wide = -0.5 * k.pitch_length + play.keeper_out, 0.5 * k.pitch_goal_width
+    x, y = max(ball_x + 0.5 * k.pitch_length, 1e-6), ball_y
+    if play.stance == CIRCLE:
+        away = length(x, y)
+        return max(-0.5 * k.pitch_length + play.keeper_radius * x / away, line), clip(
+            play.keeper_radius * y / away, -wide, wide
+        )
+    return line, clip(play.keeper_out * y / x, -wide, wide)
+
+
+@compiled
+def is_shot(sight, k, play):
+    """Tell whether the ball is believed to roll over the goal line between the posts, or little beside them.  MH20"""
+    speed = length(sight.ball_vx, sight.ball_vy)
+    ahead = sight.ball_x + 0.5 * k.pitch_length
+    if sight.ball_vx > -1e-3 or speed < play.shot_speed or ahead <= 0.0:
+        return False
+    crossing = sight.ball_y - sight.ball_vy * ahead / sight.ball_vx
+    far = -speed * ahead / sight.ball_vx
+    rolls = rolling_time(speed, far, k) < 1e6
+    return rolls and abs(crossing) < 0.5 * k.pitch_goal_width + play.shot_wide
+
+
+@compiled
+def interception(sight, k, play):
+    """Return where [m, m] to move into the trajectory of a shot: perpendicular into it, the shortest way.  MH20, MH21
+
+    If the ball would be there first, on to the point of the trajectory before the goal line at which the keeper is
+    earliest against the ball, by its reaction and its acceleration.
+    """
+    speed = length(sight.ball_vx, sight.ball_vy)
+    ux, uy = sight.ball_vx / speed, sight.ball_vy / speed
+    line = -0.5 * k.pitch_length + play.keeper_out
+    last = max((line - sight.ball_x) / ux, 0.0)  # [m] along the trajectory to the keeper's line
+    nearest = foot(sight.x - sight.ball_x, sight.y - sight.ball_y, ux, uy, last)
+    if play.keeper_waits == 0:
+        return sight.ball_x + nearest * ux, sight.ball_y + nearest * uy
+    best, best_spare = nearest, spare_time(sight, ux, uy, speed, nearest, k, play)
+    for i in range(1, POINTS + 1):
+        if best_spare >= 0.0:
+            break
+        along = nearest + (last - nearest) * i / POINTS
+        spare = spare_time(sight, ux, uy, speed, along, k, play)
+        if spare > best_spare:
+            best, best_spare = along, spare
+    return sight.ball_x + best * ux, sight.ball_y + best * uy
+
+
+@compiled
+def foot(x, y, ux, uy, last):
+    """Return how far along a line (ux, uy) from 0 the foot of the perpendicular from (x, y) lies [m], 0 to `last`."""
+    return clip(x * ux + y * uy, 0.0, last)
+
+
+@compiled
+def spare_time(sight, ux, uy, speed, along, k, play):
+    """Return how much earlier than the ball the keeper is at a point of the trajectory [s]; below 0: later.  MH21
+
+    What is seen is already that of the moment at which the command takes effect; a longer reaction comes on top.
+    """
+    x, y = sight.ball_x + along * ux - sight.x, sight.ball_y + along * uy - sight.y
+    far = length(x, y) - play.keeper_reach - k.ball_radius
+    late = max(play.reaction - k.dt * k.delay_steps, 0.0)
+    return min(rolling_time(speed, along, k), 1e6) - moving_time(far, late, k)
+
+
+@compiled
+def move_to(command, memory, k, play, sight, x, y, facing):
+    """Go straight to a point, by the base's acceleration alone: nobody else is in the goal area."""
+    dx, dy = x - sight.x, y - sight.y
+    away = length(dx, dy)
+    if k.drive_kind == WHEELS_DIFFERENTIAL:
+        go(command, sight, k, play.skills, x, y, facing, 0.0)
+        return
+    speed = min(braking_speed(k, play.skills, away), k.drive_forward * sight.pace)
+    drive_along(command, memory, k, play, sight, dx / max(away, 1e-9), dy / max(away, 1e-9), speed, facing)

@@ -1,0 +1,38 @@
+"""What a player of heinemann-2006 remembers between two decisions, and the scratch arrays that it decides in."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from soccer_env.baselines.chaser import MEMORY as SKILL_MEMORY
+from soccer_env.baselines.sight import SIGHT
+from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES, OBSTACLE, PLAN, POINT
+from soccer_env.baselines.weigel_2001.planner.records import SCRATCH as PLANNING
+from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
+
+KEEPER, ATTACKER, DEFENDER, SUPPORTER = range(4)
+ROLES = ("goalkeeper", "attacker", "defender", "supporter")
+
+MEMORY = np.dtype(
+    [
+        ("begun", "i8"),  # 0 before the first decision
+        ("role", "i8"),  # ROLES
+        ("role_age", "f8"),  # [s] for which another role has been right
+        ("drove", "i8"),  # 0: the last decision was not to drive at the velocity below
+        ("drive_x", "f8"),  # [m/s] velocity asked for, team frame
+        ("drive_y", "f8"),  # [m/s]
+        ("skill", SKILL_MEMORY),  # what the skills that are shared with the chaser remember; rank 0 the attacker
+    ]
+)
+
+SCRATCH = np.dtype(
+    [
+        ("sight", SIGHT),
+        ("count", "i8"),  # obstacles
+        ("crowd", OBSTACLE, (MOST_OBSTACLES,)),
+        ("ways", PlannerSettings().record().dtype, (1,)),  # the planner's settings in this league
+        ("work", PLANNING, (1,)),
+        ("plan", PLAN, (1,)),
+        ("place", POINT, (1,)),
+    ]
+)

@@ -1,0 +1,72 @@
+"""What a player of heinemann-2006 does: restarts first, then its role.  MH05, MH23
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from __future__ import annotations
+
+from math import atan2
+
+from soccer_env.baselines.chaser import support_point, watch_ball
+from soccer_env.baselines.deciding import PLAY, free_ring
+from soccer_env.baselines.heinemann_2006.attacking import attack
+from soccer_env.baselines.heinemann_2006.driving import drive_to
+from soccer_env.baselines.heinemann_2006.goalkeeper import keep_goal
+from soccer_env.baselines.heinemann_2006.memory import KEEPER
+from soccer_env.baselines.heinemann_2006.roles import choose_role
+from soccer_env.baselines.searching import LOST, end_search, search
+from soccer_env.baselines.set_pieces import (
+    HOLDS_OFF,
+    holds_off,
+    leave_ball,
+    note_set_piece,
+    take_restart,
+    wait_for_pass,
+)
+from soccer_env.compiled import compiled
+
+
+@compiled
+def decide(belief, command, memory, noise, k, play, scratch):
+    """Play the role that the player has now; look for a ball that it has not seen for a while."""
+    sight = scratch.sight
+    memory.drove = max(memory.drove - 1, 0)
+    if belief.ball.age > LOST:
+        search(belief, command, sight, memory.skill, k, play.skills)
+        return
+    end_search(memory.skill)
+    if belief.situation.keeper == 1:
+        memory.role = KEEPER
+        keep_goal(command, memory, k, play, scratch)
+    else:
+        choose_role(sight, memory, k, play)
+        note_set_piece(belief.situation, sight, memory.skill, k)
+        watch_ball(sight, memory.skill, noise, k, play.skills)
+        play_role(belief.situation, command, memory, k, play, scratch)
+
+
+@compiled
+def play_role(situation, command, memory, k, play, scratch):
+    """Play in the field: what a restart asks, else what the role asks."""
+    sight, skill = scratch.sight, memory.skill
+    if skill.set_piece != 0.0 and situation.phase != PLAY:
+        if skill.set_piece > 0.0:
+            take_restart(command, situation, sight, k, play.skills)
+        else:
+            wait_for_pass(command, sight, k, play.skills)
+    elif skill.set_piece > 0.0:
+        leave_ball(command, sight, k, play.skills)
+    elif skill.rank > (1 if skill.set_piece < 0.0 else 0) or (situation.phase != PLAY and situation.ours < 0.0):
+        stand_ready(command, memory, k, play, scratch, free_ring(situation, k))
+    elif holds_off(sight, k):
+        stand_ready(command, memory, k, play, scratch, HOLDS_OFF)
+    else:
+        attack(command, memory, k, play, scratch)
+
+
+@compiled
+def stand_ready(command, memory, k, play, scratch, ring):
+    """Stand where the role asks, at least `ring` [m] from the ball, and face the ball on the way there."""
+    sight = scratch.sight
+    x, y = support_point(sight, memory.skill, k, play.skills, ring, False)
+    drive_to(command, memory, k, play, scratch, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)

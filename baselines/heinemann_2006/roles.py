@@ -1,0 +1,59 @@
+"""Who attacks, who defends and who supports: each player for itself, from the shared beliefs, with hysteresis.  MH23
+
+The attacker is the field player with the shortest way to the back of the ball; the defender the one of the others that
+is nearest to a place between ball and goal; the rest support. `skill.rank` says it to the shared skills: 0 attacks,
+1 defends, 2 and on support in pairs.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from __future__ import annotations
+
+from soccer_env.baselines.chaser import way_to_ball
+from soccer_env.baselines.heinemann_2006.memory import ATTACKER, DEFENDER, SUPPORTER
+from soccer_env.compiled import compiled
+from soccer_env.geometry import length
+
+MOUTH = 2.0  # [m] before the middle of the goal that a defender's place is reckoned from, assumed
+
+
+@compiled
+def choose_role(sight, memory, k, play):
+    """Take the role that is right, once it has been right for long enough."""
+    rank = right_rank(sight, memory, k, play)
+    memory.role_age = memory.role_age + sight.elapsed if rank != memory.skill.rank else 0.0
+    if memory.role_age > play.role_time or memory.begun == 0:
+        memory.skill.rank, memory.role_age, memory.begun = rank, 0.0, 1
+    memory.role = ATTACKER if memory.skill.rank == 0 else (DEFENDER if memory.skill.rank == 1 else SUPPORTER)
+
+
+@compiled
+def right_rank(sight, memory, k, play):
+    """Return 0 for the attacker, 1 for the defender, and 2 and on for supporters in the order of their way back."""
+    keeps = play.role_gain
+    skills = play.skills
+    own = way_to_ball(sight, skills, sight.x, sight.y, sight.vx, sight.vy)
+    own -= keeps if memory.begun == 1 and memory.skill.rank == 0 else 0.0
+    first, least = -1, own
+    for i in range(sight.others):
+        if sight.mate[i] == 1 and sight.field[i] == 1:
+            way = way_to_ball(sight, skills, sight.other_x[i], sight.other_y[i], sight.other_vx[i], sight.other_vy[i])
+            if way < least:
+                first, least = i, way
+    if first < 0:
+        return 0
+    mine = way_back(sight.x, sight.y, sight, k)
+    mine -= keeps if memory.skill.rank == 1 else 0.0
+    rank = 1
+    for i in range(sight.others):
+        counts = sight.mate[i] == 1 and sight.field[i] == 1 and i != first
+        if counts and way_back(sight.other_x[i], sight.other_y[i], sight, k) < mine:
+            rank += 1
+    return rank
+
+
+@compiled
+def way_back(x, y, sight, k):
+    """Return how far [m] a player at (x, y) is from half-way between the ball and the mouth of its own goal."""
+    place_x, place_y = 0.5 * (sight.ball_x - 0.5 * k.pitch_length + MOUTH), 0.5 * sight.ball_y
+    return length(x - place_x, y - place_y)

@@ -1,0 +1,97 @@
+"""The numbers and switches of the middle-size team of 2006.  [Heinemann 2006, 2, 3, 4]
+
+The paper gives few numbers; what is "assumed" is ours. Every idea that it compares with and without is a switch.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from soccer_env.baselines.chaser import team as chaser
+from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
+from soccer_env.leagues.options import Options
+from soccer_env.leagues.robot import DRIVE_KINDS
+
+PLANNERS = {"time_variant": 0, "static": 1, "none": 2}
+KEEPERS = {"active": 0, "passive": 1}
+STANCES = {"circle": 0, "line": 1}
+SHARE = (0.0, 1.0)
+TIME = (0.01, 10.0)
+FAR = (0.01, 20.0)
+
+
+@dataclass(frozen=True)
+class HeinemannSettings(Options):
+    """How heinemann-2006 decides; `make_team("heinemann-2006", planner="static")` changes a switch by name."""
+
+    NAMES = {"planner": PLANNERS, "keeper": KEEPERS, "stance": STANCES}
+    BOUNDS = {
+        "strength": SHARE, "look_ahead_time": TIME, "look_ahead": FAR, "turning": SHARE, "bending": SHARE,
+        "arrived": FAR, "fastest": (0.0, 20.0), "close": FAR, "least_ahead": FAR, "keeper_reach": FAR,
+        "keeper_radius": FAR, "keeper_out": FAR, "dribble_speed": FAR, "dribble_grip": FAR, "dribble_turn": FAR,
+        "role_time": TIME, "most_iterations": (1, 16), "most_evaluations": (100, 100_000),
+    }  # fmt: skip
+
+    strength: float = 1.0  # [1] 0 to 1: pace, how often it decides, how straight it aims, how hard it kicks
+
+    # ways, 3
+    planner: str = "time_variant"  # static: that of Weigel et al.; none: bent aside from who is near  MH14, MH17
+    velocity: bool = True  # others move as believed; False: they are planned round as if they stood  MH15
+    fastest: float = 5.0  # [m/s] that an obstacle is taken to move at most, Heinemann 2006, 3  MH25
+    most_iterations: int = 3  # of a plan for T, assumed: it is planned anew every 20 ms  MH16
+    most_evaluations: int = 1200  # of the potential in one plan, assumed  MH12
+    keeps_off: float = 0.0  # [m] more than two radii that a way keeps from others' middles, assumed
+
+    # driving, 2, 3
+    look_ahead: float = 0.25  # [m] along the path that is driven to at least, assumed
+    look_ahead_time: float = 0.2  # [s] at the robot's speed that is looked ahead beyond it, assumed
+    bending: float = 0.7  # [1] share of the acceleration that a bend of the path may take, assumed
+    turning: float = 0.4  # [1] share of the acceleration that turning at speed may take, assumed  MH01
+    arrived: float = 0.06  # [m] from a place at which a robot is there, assumed
+
+    # the goalkeeper, 4
+    keeper: str = "active"  # moves into the ball's trajectory; passive: stays on the line ball to goal  MH19, MH20
+    stance: str = "circle"  # half circle before the goal; line: on the goal line, 4  MH19
+    keeper_radius: float = 0.7  # [m] of the half circle about the middle of the goal, assumed  MH19
+    keeper_out: float = 0.35  # [m] from the goal line of a keeper on it, assumed: clear of the posts  MH19
+    shot_speed: float = 0.5  # [m/s] of a ball that is taken for a shot, assumed  MH20
+    shot_wide: float = 0.25  # [m] beside the posts that a shot may be believed to cross, assumed  MH20
+    keeper_reach: float = 0.2  # [m] from its middle that a keeper stops a ball, assumed: the disc, 22 cm  MH20
+    keeper_waits: bool = True  # takes the first point of the trajectory that it can be at in time; False: the nearest
+    reaction: float = 0.1  # [s] from perception to motion: the league's delay, 0.1 to 0.2  MH21
+
+    # play
+    close: float = 1.2  # [m] from the ball from which it is gone round without a plan, assumed
+    dribble_speed: float = 1.2  # [m/s] with the ball, assumed; 2.2 CAMBADA
+    dribble_grip: float = 0.35  # [m/s2] aside that the guide gives a ball, measured: 0.2 kept it, 0.5 lost it
+    dribble_turn: float = 2.0  # [rad/s] with the ball at most, assumed
+    role_time: float = 0.3  # [s] for which another role has to be right before it is taken, assumed
+    role_gain: float = 0.4  # [m] by which another must be nearer before a role is given up, assumed
+
+
+SKILLS = chaser().settings.dtype
+TEAM_SETTINGS = np.dtype(
+    [
+        *HeinemannSettings().record().dtype.descr,
+        ("skills", SKILLS),  # numbers of the skills that are shared with the chaser, for this kind of base
+        ("ways", PlannerSettings().record().dtype, (1,)),  # of the planner; pitch and speed are the league's
+    ]
+)
+
+
+def settings_of(settings: HeinemannSettings) -> np.ndarray:
+    """Return the record of compiled code for each kind of base, in the order of `DRIVE_KINDS`."""
+    found = np.zeros(len(DRIVE_KINDS), TEAM_SETTINGS)
+    own = settings.record()
+    for name in own.dtype.names or ():
+        found[name] = own[name]
+    found["skills"] = chaser(settings.strength).settings
+    planner = PlannerSettings(
+        time_variant=settings.planner == "time_variant",
+        most_iterations=settings.most_iterations,
+        most_evaluations=settings.most_evaluations,
+    )
+    found["ways"][:] = planner.record()
+    return found

@@ -1,0 +1,51 @@
+"""The teams heinemann-2006 and weigel-2001: one kernel, two settings of its planner.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from soccer_env.baselines.deciding import apply_strength, keep_decision, must_decide
+from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
+from soccer_env.baselines.heinemann_2006.playing import decide
+from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
+from soccer_env.baselines.sight import look
+from soccer_env.compiled import compiled
+from soccer_env.team_kernels import per_player
+from soccer_env.teams import CompiledTeam
+
+FAMILIES = ("middle-size",)
+
+
+def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
+    """Return the team; `changes` are settings by name, ValueError for one that does not exist or cannot be."""
+    return made("heinemann-2006", {"strength": strength, **changes})
+
+
+def weigel(strength: float = 1.0, **changes: Any) -> CompiledTeam:
+    """Return the same team with the planner of Weigel et al., to which all others stand still.  MH17"""
+    return made("weigel-2001", {"strength": strength, "planner": "static", **changes})
+
+
+def made(name: str, changes: dict[str, Any]) -> CompiledTeam:
+    """Return the team of a name with some settings changed."""
+    settings = HeinemannSettings().changed(changes)
+    return CompiledTeam(name, KERNEL, MEMORY, settings_of(settings), FAMILIES, settings)
+
+
+@compiled
+def act(belief, tracks, memory, noise, command, k, play, scratch):
+    """Decide, or repeat the last decision until it is time for the next."""
+    if not must_decide(belief, memory.skill, command, k):
+        return
+    weakness, skills = 1.0 - play.strength, play.skills
+    apply_strength(scratch.sight, memory.skill, noise, k, weakness, skills.laziest, skills.crookedest, skills.slowest)
+    look(scratch.sight, belief, tracks, k)
+    decide(belief, command, memory, noise, k, play, scratch)
+    command.kick *= 1.0 - weakness * (1.0 - skills.softest)
+    keep_decision(memory.skill, command)
+
+
+KERNEL = per_player(act, SCRATCH)
