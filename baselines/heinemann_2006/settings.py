@@ -64,9 +64,9 @@ class HeinemannSettings(Options):
 
     # play
     close: float = 1.2  # [m] from the ball from which it is gone round without a plan, assumed
-    dribble_speed: float = 1.2  # [m/s] with the ball, assumed; 2.2 CAMBADA
+    dribble_speed: float = 1.56  # [m/s] with the ball, assumed: 0.6 of the top speed; 2.2 CAMBADA
     dribble_grip: float = 0.35  # [m/s2] aside that the guide gives a ball, measured: 0.2 kept it, 0.5 lost it
-    dribble_turn: float = 2.0  # [rad/s] with the ball at most, assumed
+    dribble_turn: float = 4.0  # [rad/s] with the ball at most, assumed
     role_time: float = 0.3  # [s] for which another role has to be right before it is taken, assumed
     role_gain: float = 0.4  # [m] by which another must be nearer before a role is given up, assumed
 

@@ -102,6 +102,7 @@ def test_wheel_holds_the_pages_but_no_pictures(wheel: Path) -> None:
         "",
         "perception/",
         "baselines/",
+        "baselines/heinemann_2006/",
         "baselines/sacks_2001/",
         "baselines/weigel_2001/",
         "agents/policies/",

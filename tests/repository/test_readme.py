@@ -23,6 +23,7 @@ PAGES = (
     "soccer_env/README.md",
     "soccer_env/perception/README.md",
     "baselines/README.md",
+    "baselines/heinemann_2006/README.md",
     "baselines/sacks_2001/README.md",
     "baselines/weigel_2001/README.md",
     "agents/policies/README.md",

@@ -1,0 +1,50 @@
+"""Dribbling stays inside what the guide bears, and so keeps the ball where a quicker turn loses it."""
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.baselines.heinemann_2006.dribbling import LEAST, grip_speed, grip_turn
+from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
+from soccer_env.types import Phase
+from tests.scenes.staging import MIDDLE
+
+OMNI = 1
+MATCHES, HOLDING = 20, 0.29  # [m] from the robot's middle to a ball in its guide
+
+
+@pytest.mark.parametrize("turn", [0.1, 0.3, 1.0])
+def test_speed_times_turn_is_the_grip(turn: float) -> None:
+    play = settings_of(HeinemannSettings(dribble_grip=0.35, dribble_turn=4.0))[OMNI]
+    speed = grip_speed(play, turn)
+    assert speed * turn == pytest.approx(0.35) and grip_speed(play, -turn) == speed
+    assert grip_turn(play, speed) == pytest.approx(turn)
+    assert grip_speed(play, 100.0) == LEAST and grip_turn(play, 0.0) == 4.0
+
+
+def kept(team: str) -> tuple[float, float]:
+    """Return the share of two seconds for which a ball is kept that has to be turned with, and goals a match."""
+    match = Match(MIDDLE, home=1, away=1, matches=MATCHES, seed=3, rules="none", senses="ideal",
+                  controllers={"home": team, "away": "still"})  # fmt: skip
+    match.matches["phase"] = int(Phase.PLAY)
+    heading = np.linspace(-2.5, 2.5, MATCHES)
+    robots, balls = match.robots, match.balls
+    robots["x"][:], robots["y"][:] = (-3.0, 5.6), (0.0, 3.4)
+    robots["heading"][:, 0] = heading
+    balls["x"], balls["y"] = -3.0 + HOLDING * np.cos(heading), HOLDING * np.sin(heading)
+    match.rebuild()
+    held = np.zeros(MATCHES)
+    for step in range(400):
+        match.step()
+        if step < 100:
+            x, y = balls["x"] - robots["x"][:, 0], balls["y"] - robots["y"][:, 0]
+            c, s = np.cos(robots["heading"][:, 0]), np.sin(robots["heading"][:, 0])
+            held += (c * x + s * y < HOLDING + 0.06) & (np.abs(c * y - s * x) < 0.1)
+    return float(held.mean()) / 100.0, float(match.matches["score"][:, 0].mean())
+
+
+def test_mh24_it_turns_with_the_ball_and_keeps_it_and_scores() -> None:
+    careful, goals = kept("heinemann-2006")
+    hasty, _ = kept("heinemann-2006:dribble_grip=20.0")
+    assert careful > 0.85 and careful > hasty + 0.03
+    assert goals >= 0.95

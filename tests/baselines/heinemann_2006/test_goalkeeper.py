@@ -1,0 +1,117 @@
+"""The goalkeeper's places in closed form: passive on the line d, active by the perpendicular into the trajectory."""
+
+from math import hypot, inf, sqrt
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env.baselines.heinemann_2006.goalkeeper import interception, is_shot, passive_place, spare_time
+from soccer_env.baselines.heinemann_2006.intercepting import moving_time, rolling_time
+from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
+from soccer_env.baselines.sight import SIGHT
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from tests.scenes.staging import MIDDLE
+
+K = constants_of(find_league(MIDDLE))[0]
+HALF, OMNI = 6.0, 1  # [m] to the goal line, row of the omnidirectional base
+REACH = 0.2 + 0.11  # [m] keeper_reach and the ball's radius
+
+
+def settings(**changes: Any) -> np.void:
+    return settings_of(HeinemannSettings(**changes))[OMNI]
+
+
+def seen(x: float, y: float, ball: tuple[float, float], velocity: tuple[float, float]) -> np.void:
+    """Return what a goalkeeper at a place sees of a ball [m, m/s]."""
+    sight = np.zeros(1, SIGHT)[0]
+    sight["x"], sight["y"] = x, y
+    sight["ball_x"], sight["ball_y"] = ball
+    sight["ball_vx"], sight["ball_vy"] = velocity
+    return sight
+
+
+@pytest.mark.parametrize("ball", [(-3.0, 2.0), (-3.0, -2.0), (0.0, 0.0), (4.0, 3.5)])
+def test_mh19_on_the_half_circle_it_stands_on_the_line_from_ball_to_goal(ball: tuple[float, float]) -> None:
+    x, y = passive_place(*ball, K, settings(stance="circle", keeper_radius=0.7))
+    assert hypot(x + HALF, y) == pytest.approx(0.7)
+    assert (x + HALF) * ball[1] == pytest.approx(y * (ball[0] + HALF))
+
+
+@pytest.mark.parametrize("ball", [(-3.0, 2.0), (-3.0, -2.0), (0.0, 0.0), (4.0, 3.5)])
+def test_mh19_on_the_goal_line_it_stands_where_the_line_from_ball_to_goal_meets_it(ball: tuple[float, float]) -> None:
+    x, y = passive_place(*ball, K, settings(stance="line", keeper_out=0.35))
+    assert x == pytest.approx(0.35 - HALF)
+    assert y == pytest.approx(0.35 * ball[1] / (ball[0] + HALF))
+
+
+@pytest.mark.parametrize("stance", ["circle", "line"])
+def test_mh19_a_ball_at_the_goal_line_leaves_it_between_the_posts(stance: str) -> None:
+    for side in (1.0, -1.0):
+        x, y = passive_place(-HALF, side * 3.0, K, settings(stance=stance, keeper_radius=1.5))
+        assert (x, y) == (pytest.approx(0.35 - HALF), pytest.approx(side * 1.0))
+
+
+@pytest.mark.parametrize(
+    ("ball", "velocity", "shot"),
+    [
+        ((-3.0, 0.0), (-4.0, 0.0), True),
+        ((-3.0, 0.0), (4.0, 0.0), False),  # away from the goal
+        ((-3.0, 0.0), (0.0, 4.0), False),  # along it
+        ((-3.0, 0.0), (-0.4, 0.0), False),  # slower than a shot
+        ((-3.0, 0.0), (-1.6, 0.0), True),  # v^2 / 2a = 3.2 m: rolls in
+        ((-3.0, 0.0), (-1.5, 0.0), False),  # 2.8 m: stops before the line
+        ((-3.0, 0.0), (-3.0, 1.2), True),  # crosses at 1.2 m
+        ((-3.0, 0.0), (-3.0, 1.3), False),  # at 1.3 m, beside the post and what may be believed
+    ],
+)
+def test_mh20_a_shot_is_a_ball_that_rolls_over_the_line_between_the_posts(
+    ball: tuple[float, float], velocity: tuple[float, float], shot: bool
+) -> None:
+    for side in (1.0, -1.0):
+        sight = seen(-5.5, 0.0, ball, (velocity[0], side * velocity[1]))
+        assert bool(is_shot(sight, K, settings())) == shot
+
+
+@pytest.mark.parametrize("keeper", [(-5.3, 0.3), (-5.3, -0.5), (-5.5, 0.0)])
+def test_mh20_it_moves_perpendicular_into_the_trajectory(keeper: tuple[float, float]) -> None:
+    ball, velocity = (-2.0, 1.0), (-4.0, -0.9)
+    x, y = interception(seen(*keeper, ball, velocity), K, settings(keeper_waits=False))
+    ux, uy = np.array(velocity) / hypot(*velocity)
+    assert (x - keeper[0]) * ux + (y - keeper[1]) * uy == pytest.approx(0.0, abs=1e-12)
+    assert (x - ball[0]) * uy == pytest.approx((y - ball[1]) * ux)
+    goes = hypot(x - keeper[0], y - keeper[1])
+    crossing = ball[1] + velocity[1] * (-HALF - ball[0]) / velocity[0]
+    assert goes < hypot(-HALF - keeper[0], crossing - keeper[1])  # H21: the shortest way
+
+
+def test_mh20_a_trajectory_that_is_nearest_behind_the_line_is_met_before_it() -> None:
+    x, _ = interception(seen(-5.9, 0.9, (-2.0, -3.0), (-4.0, 4.0)), K, settings(keeper_waits=False))
+    assert x == pytest.approx(0.35 - HALF)
+
+
+def test_mh21_reaction_and_acceleration_tell_how_long_a_move_takes() -> None:
+    assert moving_time(0.0, 0.1, K) == 0.0
+    assert moving_time(0.5, 0.1, K) == pytest.approx(0.1 + sqrt(2.0 * 0.5 / 4.0))
+    assert moving_time(2.845, 0.0, K) == pytest.approx(0.65 + 2.0 / 2.6)  # 0.845 m to 2.6 m/s in 0.65 s, then 2 m
+    assert rolling_time(3.0, 2.0, K) == pytest.approx((3.0 - sqrt(9.0 - 1.6)) / 0.4)
+    assert rolling_time(1.0, 1.3, K) == inf  # it stops after 1.25 m
+
+
+@pytest.mark.parametrize("reaction", [0.1, 0.15, 0.2])
+def test_mh21_what_it_can_spare_is_the_balls_time_less_its_own(reaction: float) -> None:
+    sight = seen(-5.5, 0.8, (-2.0, 0.0), (-5.0, 0.0))
+    spare = spare_time(sight, -1.0, 0.0, 5.0, 3.5, K, settings(reaction=reaction))
+    ball, own = (5.0 - sqrt(25.0 - 0.8 * 3.5)) / 0.4, sqrt(2.0 * (0.8 - REACH) / 4.0)
+    assert spare == pytest.approx(ball - own - (reaction - 0.1))  # the league's delay is in what it sees
+
+
+def test_mh21_too_late_for_the_nearest_point_it_goes_where_it_is_least_late() -> None:
+    near, late = (-4.0, 0.0), (-9.0, -2.2)
+    sight = seen(-4.8, 0.7, near, late)
+    ux, uy = np.array(late) / hypot(*late)
+    places = [interception(sight, K, settings(keeper_waits=waits)) for waits in (False, True)]
+    first, then = ((x - near[0]) * ux + (y - near[1]) * uy for x, y in places)
+    spare = [spare_time(sight, ux, uy, hypot(*late), along, K, settings()) for along in (first, then)]
+    assert spare[0] < 0.0 and then > first and spare[1] > spare[0]

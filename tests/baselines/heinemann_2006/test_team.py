@@ -1,0 +1,148 @@
+"""heinemann-2006 plays at every size, from beliefs alone, left as right, and the same to the last bit."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match, make_team
+from soccer_env.baselines.heinemann_2006.memory import ATTACKER, DEFENDER, KEEPER, MEMORY, SUPPORTER
+from soccer_env.baselines.heinemann_2006.roles import choose_role
+from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
+from soccer_env.baselines.sight import SIGHT
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.teams import CompiledTeam, TeamRandom, View
+from soccer_env.types import COMMAND, NOISE_STREAMS
+from tests.scenes.sacks_beliefs import draw_beliefs, draw_tracks
+from tests.scenes.staging import MIDDLE
+from tests.scenes.symmetry import mirrored_actions, mirrored_beliefs, mirrored_tracks
+
+LEAGUE = find_league(MIDDLE)
+K = constants_of(LEAGUE)[0]
+MATCHES, PLAYERS, SLOTS, FIELD = 40, 5, 9, 4.0  # FIELD: times the legged field
+NAMES = ("heinemann-2006", "weigel-2001")
+MIRROR = 1e-9
+
+
+def commands_of(team: CompiledTeam, beliefs: np.ndarray, tracks: np.ndarray, memory: np.ndarray) -> np.ndarray:
+    """Return the commands (M, P, 7) of one decision."""
+    rng = TeamRandom(np.zeros((MATCHES, PLAYERS, NOISE_STREAMS), np.uint64), np.arange(PLAYERS))
+    return team.act(View(LEAGUE, beliefs, tracks), memory, rng)
+
+
+def drawn(rng: np.random.Generator, reach: float = FIELD) -> tuple[np.ndarray, np.ndarray]:
+    """Return beliefs and tracks (M, P), mostly likely ones."""
+    shape = (MATCHES, PLAYERS)
+    return draw_beliefs(rng, shape, reach), draw_tracks(rng, shape, SLOTS, reach)
+
+
+def team_of(name: str, **settings: Any) -> CompiledTeam:
+    team = make_team(name, **settings)
+    assert isinstance(team, CompiledTeam)
+    return team
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_in_the_legged_league_it_is_refused(name: str) -> None:
+    with pytest.raises(ValueError, match=f"{name}.* middle-size.*, 'legged-2001' is .*legged"):
+        Match("legged-2001", controllers={"home": name}, seed=1)
+
+
+def test_switches_are_named_and_checked() -> None:
+    team = team_of("heinemann-2006:planner=static,keeper=passive,velocity=False")
+    row = team.settings[1]
+    assert (row["planner"], row["keeper"], row["velocity"], row["ways"]["time_variant"][0]) == (1, 1, 0, 0)
+    assert team_of("weigel-2001").settings.tobytes() == team_of("heinemann-2006:planner=static").settings.tobytes()
+    with pytest.raises(ValueError, match="HeinemannSettings.keeper must be one of active, passive, got 'brave'"):
+        make_team("heinemann-2006:keeper=brave")
+    with pytest.raises(ValueError, match="'keper' in HeinemannSettings, did you mean 'keeper'"):
+        make_team("heinemann-2006:keper=passive")
+
+
+@pytest.mark.parametrize("league", [MIDDLE, "middle-size-2006-differential"])
+@pytest.mark.parametrize(("home", "away"), [(1, 1), (2, 3), (6, 6)])
+def test_it_plays_at_every_size_on_both_bases(league: str, home: int, away: int) -> None:
+    match = Match(league, home=home, away=away, seed=1, controllers=dict(zip(("home", "away"), NAMES, strict=True)))
+    start = match.robots["x"].copy()
+    for _ in range(300):
+        match.step()
+    commands = np.stack([match.robots["command"][name] for name in COMMAND.names or ()])
+    assert np.isfinite(commands).all() and np.abs(commands).max() <= 1.0
+    assert np.abs(match.robots["x"] - start).max() > 0.2
+
+
+def test_the_same_seed_is_the_same_match_to_the_last_bit_alone_or_beside_others() -> None:
+    def played(matches: int) -> bytes:
+        match = Match(MIDDLE, home=3, away=3, matches=matches, seeds=list(range(7, 7 + matches)),
+                      controllers={"home": "heinemann-2006", "away": "weigel-2001"}, senses="sensors")  # fmt: skip
+        for _ in range(250):
+            match.step()
+        return match.robots[:1].tobytes() + b"".join(squad.memory[:1].tobytes() for squad in match.squads)
+
+    assert played(1) == played(1) == played(3)
+
+
+@pytest.mark.parametrize("settings", [{}, {"keeper": "passive", "stance": "line"}, {"planner": "static"}])
+def test_it_plays_the_mirrored_scene_in_the_mirror(settings: dict[str, Any]) -> None:
+    team, rng = team_of("heinemann-2006", **settings), np.random.default_rng(4)
+    memory, image = (np.zeros((MATCHES, PLAYERS), team.memory_dtype) for _ in range(2))
+    roles = set()
+    for _ in range(8):
+        beliefs, tracks = drawn(rng)
+        for _ in range(6):
+            commands = commands_of(team, beliefs, tracks, memory)
+            other = commands_of(team, mirrored_beliefs(beliefs), mirrored_tracks(tracks), image)
+            assert np.abs(mirrored_actions(other) - commands).max() <= MIRROR
+            roles |= set(np.unique(memory["role"]).tolist())
+    assert (memory["role"] == image["role"]).all()
+    np.testing.assert_allclose(image["drive_y"], -memory["drive_y"], atol=MIRROR)
+    assert roles == {KEEPER, ATTACKER, DEFENDER, SUPPORTER}
+
+
+@pytest.mark.parametrize("strength", [0.0, 1.0])
+def test_commands_are_finite_whatever_is_believed(strength: float) -> None:
+    team, rng = team_of("heinemann-2006", strength=strength), np.random.default_rng(5)
+    memory = np.zeros((MATCHES, PLAYERS), team.memory_dtype)
+    for step in range(40):
+        beliefs, tracks = drawn(rng, 10.0 ** rng.integers(-12, 9))
+        if step % 3 == 0:  # nobody seen yet, everybody at the same place
+            beliefs["ball"]["age"], tracks["distance"], tracks["x"], tracks["y"] = np.inf, 0.0, 0.0, 0.0
+        commands = commands_of(team, beliefs, tracks, memory)
+        assert np.isfinite(commands).all() and np.abs(commands).max() <= 1.0 + 1e-9
+        assert np.isfinite(memory["drive_x"]).all() and np.isfinite(memory["drive_y"]).all()
+
+
+def seen(x: float, mates: list[tuple[float, float]]) -> np.void:
+    """Return what a field player at (x, 0) sees, the ball on the centre spot."""
+    sight = np.zeros(1, SIGHT)[0]
+    sight["x"], sight["others"], sight["elapsed"] = x, len(mates), 0.02
+    for i, (mate_x, mate_y) in enumerate(mates):
+        sight["other_x"][i], sight["other_y"][i] = mate_x, mate_y
+        sight["mate"][i] = sight["field"][i] = 1
+    return sight
+
+
+def test_mh23_one_attacks_one_defends_and_the_others_support() -> None:
+    places = [(-1.0, 0.0), (-2.5, 0.0), (-3.0, 2.5), (-3.0, -3.0)]
+    play, ranks = settings_of(HeinemannSettings())[1], []
+    for i, (x, y) in enumerate(places):
+        sight, memory = seen(x, places[:i] + places[i + 1 :]), np.zeros(1, MEMORY)[0]
+        sight["y"] = y
+        choose_role(sight, memory, K, play)
+        ranks.append((int(memory["role"]), int(memory["skill"]["rank"])))
+    assert ranks == [(ATTACKER, 0), (DEFENDER, 1), (SUPPORTER, 2), (SUPPORTER, 3)]
+
+
+def test_mh23_a_role_is_given_up_for_somebody_clearly_nearer_after_a_while() -> None:
+    play, memory = settings_of(HeinemannSettings(role_gain=0.4, role_time=0.3))[1], np.zeros(1, MEMORY)[0]
+    choose_role(seen(-1.0, [(-1.2, 0.0)]), memory, K, play)
+    assert memory["role"] == ATTACKER
+    for _ in range(50):
+        choose_role(seen(-1.0, [(-0.7, 0.0)]), memory, K, play)  # nearer by less than the gain
+    assert memory["role"] == ATTACKER
+    for _ in range(15):
+        choose_role(seen(-1.0, [(-0.5, 0.0)]), memory, K, play)  # 0.5 m nearer, for 0.3 s
+        assert memory["role"] == ATTACKER
+    choose_role(seen(-1.0, [(-0.5, 0.0)]), memory, K, play)
+    assert memory["role"] == DEFENDER
