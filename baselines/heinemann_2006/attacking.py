@@ -1,4 +1,4 @@
-"""The attacker: drive behind the ball round the others, dribble, shoot at the open part of the goal.  MH04, MH14
+"""The attacker: drive behind the ball round the others, dribble, shoot at the open part of the goal.  MH04, MH14, MH22
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -18,6 +18,7 @@ from soccer_env.baselines.attacking import (
 )
 from soccer_env.baselines.heinemann_2006.dribbling import dribble
 from soccer_env.baselines.heinemann_2006.driving import drive_to
+from soccer_env.baselines.heinemann_2006.intercepting import meeting_time
 from soccer_env.baselines.set_pieces import strength_for
 from soccer_env.baselines.sight import rolls_to
 from soccer_env.baselines.skills import turned
@@ -52,7 +53,7 @@ def attack(command, memory, k, play, scratch):
 def go_behind(command, memory, k, play, scratch, ux, uy):
     """Drive to behind where the ball will be, seen along (ux, uy), and face it."""
     sight = scratch.sight
-    seconds = clip((sight.distance - sight.touch) / (k.drive_forward * sight.pace), play.skills.delay, play.skills.lead)
+    seconds = meeting_time(sight, play.lead, k) if play.intercepts == 1 else 0.0
     x, y = rolls_to(sight, k, seconds)
     far = sight.touch + BEHIND
     facing = atan2(y - sight.y, x - sight.x)

@@ -111,9 +111,11 @@ def spare_time(sight, ux, uy, speed, along, k, play):
     What is seen is already that of the moment at which the command takes effect; a longer reaction comes on top.
     """
     x, y = sight.ball_x + along * ux - sight.x, sight.ball_y + along * uy - sight.y
-    far = length(x, y) - play.keeper_reach - k.ball_radius
+    away = max(length(x, y), 1e-6)
+    towards = clip((sight.vx * x + sight.vy * y) / away, -k.drive_forward, k.drive_forward)
     late = max(play.reaction - k.dt * k.delay_steps, 0.0)
-    return min(rolling_time(speed, along, k), 1e6) - moving_time(far, late, k)
+    far = away - play.keeper_reach - k.ball_radius
+    return min(rolling_time(speed, along, k), 1e6) - moving_time(far, towards, late, k)
 
 
 @compiled

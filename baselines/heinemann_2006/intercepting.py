@@ -1,4 +1,4 @@
-"""Where and when a rolling ball is met.  [Heinemann 2006, 1, 4]  MH20, MH21
+"""Where and when a rolling ball is met.  [Heinemann 2006, 1, 4]  MH20, MH21, MH22
 
     "we developed robot control algorithms that are incorporating the velocity of the objects for ball interception as
     goal keeper or pass receiver and for path planning"    [Heinemann 2006, 1]
@@ -13,7 +13,11 @@ from __future__ import annotations
 
 from math import inf, sqrt
 
+from soccer_env.baselines.sight import rolls_to
 from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
+
+STEP = 0.1  # [s] between two moments at which a ball could be met, assumed
 
 
 @compiled
@@ -29,14 +33,35 @@ def rolling_time(speed, far, k):
 
 
 @compiled
-def moving_time(far, reaction, k):
-    """Return the time [s] in which a base goes a distance [m] from rest, without braking, after a reaction [s].  MH21
+def moving_time(far, speed, reaction, k):
+    """Return the time [s] in which a base at a speed [m/s] towards a place goes to it, after a reaction [s].  MH21
 
-    sqrt(2 s / a) up to the top speed v, and s / v + v / (2 a) beyond.
+    It does not brake there: sqrt(2 s / a) from rest up to the top speed v, and s / v + v / (2 a) beyond. Who moves is
+    where somebody who began at rest v^2 / (2 a) behind would be after v / a, and so is, with time run back, who moves
+    away.
     """
     if far <= 0.0:
         return 0.0
-    a, top = k.drive_acceleration, k.drive_forward if k.drive_sideways <= 0.0 else k.drive_sideways
-    if far <= 0.5 * top * top / a:
-        return reaction + sqrt(2.0 * far / a)
-    return reaction + far / top + 0.5 * top / a
+    a, top = k.drive_acceleration, k.drive_forward
+    whole = far + 0.5 * speed * speed / a
+    if whole <= 0.5 * top * top / a:
+        return reaction + sqrt(2.0 * whole / a) - speed / a
+    return reaction + whole / top + 0.5 * top / a - speed / a
+
+
+@compiled
+def meeting_time(sight, most, k):
+    """Return when [s] the player can first be at the rolling ball, at most `most` [s], by steps of `STEP`.  MH22
+
+    The ball is looked for where it will be by then, and the base goes straight there.
+    """
+    t = 0.0
+    while t < most:
+        x, y = rolls_to(sight, k, t)
+        x, y = x - sight.x, y - sight.y
+        away = max(length(x, y), 1e-6)
+        speed = clip((sight.vx * x + sight.vy * y) / away, -k.drive_forward, k.drive_forward)
+        if moving_time(away - sight.touch, speed, 0.0, k) <= t:
+            return t
+        t += STEP
+    return most

@@ -63,6 +63,8 @@ class HeinemannSettings(Options):
     reaction: float = 0.1  # [s] from perception to motion: the league's delay, 0.1 to 0.2  MH21
 
     # play
+    intercepts: bool = True  # goes to where a rolling ball can be met first; False: to where it is  MH22
+    lead: float = 3.0  # [s] at most by which a rolling ball is led, assumed  MH22
     close: float = 1.2  # [m] from the ball from which it is gone round without a plan, assumed
     dribble_speed: float = 1.56  # [m/s] with the ball, assumed: 0.6 of the top speed; 2.2 CAMBADA
     dribble_grip: float = 0.35  # [m/s2] aside that the guide gives a ball, measured: 0.2 kept it, 0.5 lost it

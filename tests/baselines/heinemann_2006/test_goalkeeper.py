@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from soccer_env.baselines.heinemann_2006.goalkeeper import interception, is_shot, passive_place, spare_time
-from soccer_env.baselines.heinemann_2006.intercepting import moving_time, rolling_time
+from soccer_env.baselines.heinemann_2006.intercepting import STEP, meeting_time, moving_time, rolling_time
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
@@ -92,9 +92,13 @@ def test_mh20_a_trajectory_that_is_nearest_behind_the_line_is_met_before_it() ->
 
 
 def test_mh21_reaction_and_acceleration_tell_how_long_a_move_takes() -> None:
-    assert moving_time(0.0, 0.1, K) == 0.0
-    assert moving_time(0.5, 0.1, K) == pytest.approx(0.1 + sqrt(2.0 * 0.5 / 4.0))
-    assert moving_time(2.845, 0.0, K) == pytest.approx(0.65 + 2.0 / 2.6)  # 0.845 m to 2.6 m/s in 0.65 s, then 2 m
+    assert moving_time(0.0, 0.0, 0.1, K) == 0.0
+    assert moving_time(0.5, 0.0, 0.1, K) == pytest.approx(0.1 + sqrt(2.0 * 0.5 / 4.0))
+    assert moving_time(2.845, 0.0, 0.0, K) == pytest.approx(0.65 + 2.0 / 2.6)  # 0.845 m in 0.65 s, then 2 m
+    assert moving_time(2.0, 2.6, 0.0, K) == pytest.approx(2.0 / 2.6)
+    for speed in (1.0, -1.0):  # s = v t + a t^2 / 2
+        t = moving_time(0.5, speed, 0.0, K)
+        assert speed * t + 2.0 * t * t == pytest.approx(0.5)
     assert rolling_time(3.0, 2.0, K) == pytest.approx((3.0 - sqrt(9.0 - 1.6)) / 0.4)
     assert rolling_time(1.0, 1.3, K) == inf  # it stops after 1.25 m
 
@@ -115,3 +119,15 @@ def test_mh21_too_late_for_the_nearest_point_it_goes_where_it_is_least_late() ->
     first, then = ((x - near[0]) * ux + (y - near[1]) * uy for x, y in places)
     spare = [spare_time(sight, ux, uy, hypot(*late), along, K, settings()) for along in (first, then)]
     assert spare[0] < 0.0 and then > first and spare[1] > spare[0]
+
+
+def test_mh22_a_rolling_ball_is_met_at_the_first_moment_at_which_the_robot_can_be_there() -> None:
+    still = seen(-3.0, 0.0, (0.0, 0.0), (0.0, 0.0))
+    assert meeting_time(still, 3.0, K) == pytest.approx(3.0 / 2.6 + 0.325, abs=STEP)
+    for side in (1.0, -1.0):
+        sight = seen(-3.0, 0.0, (0.0, side * 2.0), (-1.0, -side * 1.0))
+        t = meeting_time(sight, 5.0, K)
+        rolled = sqrt(2.0) * t - 0.2 * t * t
+        away = hypot(3.0 - rolled / sqrt(2.0), 2.0 - rolled / sqrt(2.0))
+        assert moving_time(away, 0.0, 0.0, K) == pytest.approx(t, abs=STEP)
+    assert meeting_time(seen(-6.0, 0.0, (0.0, 0.0), (3.0, 0.0)), 2.0, K) == 2.0  # not in that time
