@@ -54,7 +54,7 @@ class HeinemannSettings(Options):
     # the goalkeeper, 4
     keeper: str = "active"  # moves into the ball's trajectory; passive: stays on the line ball to goal  MH19, MH20
     stance: str = "circle"  # half circle before the goal; line: on the goal line, 4  MH19
-    keeper_radius: float = 0.7  # [m] of the half circle about the middle of the goal, assumed  MH19
+    keeper_radius: float = 1.2  # [m] of the half circle about the middle of the goal, assumed: 0.7 lets in more  MH19
     keeper_out: float = 0.35  # [m] from the goal line of a keeper on it, assumed: clear of the posts  MH19
     shot_speed: float = 0.5  # [m/s] of a ball that is taken for a shot, assumed  MH20
     shot_wide: float = 0.25  # [m] beside the posts that a shot may be believed to cross, assumed  MH20
