@@ -1,4 +1,4 @@
-"""heinemann-2006: the middle-size team of Tübingen, 2006.  [Heinemann 2006]  MH14, MH19 to MH21
+"""heinemann-2006: the middle-size team of Tübingen, 2006.  [Heinemann 2006]  MH04, MH05, MH14, MH19 to MH23
 
 Each player decides for itself, from its own belief and tracks, into which the radio's words have gone. What the paper
 tells is here; what any team on wheels does near the ball and at restarts is shared with the chaser.
@@ -11,6 +11,7 @@ Files:
     driving.py     along a plan, within limits         crowd.py       the obstacles that a way is planned round
     attacking.py   to the ball, and at the goal        dribbling.py   with the ball in the guide
     goalkeeper.py  passive and active                  intercepting.py  where and when a rolling ball is met
+    passing.py     to whom, how hard, and where a supporter stands open
 
 `weigel-2001` is the same team with the planner of Weigel et al., which knows no velocities.
 """

@@ -5,13 +5,13 @@
 
 from __future__ import annotations
 
-from math import atan2
+from math import atan2, inf
 
 from soccer_env.baselines.attacking import (
-    MEET,
     approach,
     choose_aim,
     comes_to_me,
+    is_pressed,
     receive,
     wants_to_shoot,
     wriggle,
@@ -19,9 +19,10 @@ from soccer_env.baselines.attacking import (
 from soccer_env.baselines.heinemann_2006.dribbling import dribble
 from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.intercepting import meeting_time
+from soccer_env.baselines.heinemann_2006.passing import choose_pass, is_at_kicker, pass_strength
 from soccer_env.baselines.set_pieces import strength_for
 from soccer_env.baselines.sight import rolls_to
-from soccer_env.baselines.skills import turned
+from soccer_env.baselines.skills import shot_room, turned
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 
@@ -33,30 +34,50 @@ def attack(command, memory, k, play, scratch):
     """Bring the ball to the goal, with the first skill of the ladder that applies."""
     sight, skill, skills = scratch.sight, memory.skill, play.skills
     ux, uy = choose_aim(sight, k, skills)
+    passes, far = False, 0.0
+    if skill.wriggle == 0.0 and (sight.held == 1 or is_at_kicker(sight, play)):
+        passes, ux, uy, far = pass_or_aim(sight, k, play, ux, uy)
     ux, uy = turned(ux, uy, skill.aim_error)
     if skill.wriggle > 0.0:
         wriggle(command, sight, skill, k, skills)
     elif sight.held == 1:
         dribble(command, sight, memory, k, play, ux, uy)
-    elif comes_to_me(sight, k):
+    elif play.intercepts == 1 and comes_to_me(sight, k):
         receive(command, sight, k, skills)
     elif sight.distance > play.close:
         go_behind(command, memory, k, play, scratch, ux, uy)
     else:
-        approach(command, sight, skill, k, skills, ux, uy, MEET)
+        approach(command, sight, skill, k, skills, ux, uy, play.run_in)
     if wants_to_shoot(sight, skill, k, skills):
         goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
         command.kick = strength_for(k, goal, skills.arrival)
+    elif passes and is_at_kicker(sight, play) and sight.now_cosine * ux + sight.now_sine * uy > play.pass_cosine:
+        command.kick = pass_strength(k, play, far)
+
+
+@compiled
+def pass_or_aim(sight, k, play, ux, uy):
+    """Return whether to pass, along which unit vector to play the ball, and how far the mate is [m].
+
+    A shot that is open comes first; who is pressed passes back as well.
+    """
+    reach = 0.5 * k.pitch_length - sight.ball_x < play.skills.shot_range
+    if reach and shot_room(sight, k, ux, uy) > play.skills.room:
+        return False, ux, uy, 0.0
+    pass_x, pass_y, far, worth = choose_pass(sight, k, play, is_pressed(sight))
+    if worth == -inf:
+        return False, ux, uy, 0.0
+    return True, pass_x, pass_y, far
 
 
 @compiled
 def go_behind(command, memory, k, play, scratch, ux, uy):
     """Drive to behind where the ball will be, seen along (ux, uy), and face it."""
     sight = scratch.sight
-    seconds = meeting_time(sight, play.lead, k) if play.intercepts == 1 else 0.0
+    seconds = meeting_time(sight, sight.x, sight.y, sight.vx, sight.vy, play.lead, k) if play.intercepts == 1 else 0.0
     x, y = rolls_to(sight, k, seconds)
     far = sight.touch + BEHIND
     facing = atan2(y - sight.y, x - sight.x)
     edge_x, edge_y = 0.5 * k.pitch_length, 0.5 * k.pitch_width
     to_x, to_y = clip(x - far * ux, -edge_x, edge_x), clip(y - far * uy, -edge_y, edge_y)
-    drive_to(command, memory, k, play, scratch, to_x, to_y, facing, MEET)
+    drive_to(command, memory, k, play, scratch, to_x, to_y, facing, min(play.run_in, k.drive_forward))

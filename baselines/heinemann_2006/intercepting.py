@@ -50,17 +50,17 @@ def moving_time(far, speed, reaction, k):
 
 
 @compiled
-def meeting_time(sight, most, k):
-    """Return when [s] the player can first be at the rolling ball, at most `most` [s], by steps of `STEP`.  MH22
+def meeting_time(sight, x, y, vx, vy, most, k):
+    """Return when [s] a player at (x, y) at (vx, vy) can first be at the rolling ball, by steps of `STEP`.  MH22
 
-    The ball is looked for where it will be by then, and the base goes straight there.
+    At most `most` [s]. The ball is looked for where it will be by then, and the base goes straight there.
     """
     t = 0.0
     while t < most:
-        x, y = rolls_to(sight, k, t)
-        x, y = x - sight.x, y - sight.y
-        away = max(length(x, y), 1e-6)
-        speed = clip((sight.vx * x + sight.vy * y) / away, -k.drive_forward, k.drive_forward)
+        dx, dy = rolls_to(sight, k, t)
+        dx, dy = dx - x, dy - y
+        away = max(length(dx, dy), 1e-6)
+        speed = clip((vx * dx + vy * dy) / away, -k.drive_forward, k.drive_forward)
         if moving_time(away - sight.touch, speed, 0.0, k) <= t:
             return t
         t += STEP

@@ -9,6 +9,7 @@ from soccer_env.baselines.sight import SIGHT
 from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES, OBSTACLE, PLAN, POINT
 from soccer_env.baselines.weigel_2001.planner.records import SCRATCH as PLANNING
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
+from soccer_env.belief_types import SITUATION
 
 KEEPER, ATTACKER, DEFENDER, SUPPORTER = range(4)
 ROLES = ("goalkeeper", "attacker", "defender", "supporter")
@@ -18,6 +19,10 @@ MEMORY = np.dtype(
         ("begun", "i8"),  # 0 before the first decision
         ("role", "i8"),  # ROLES
         ("role_age", "f8"),  # [s] for which another role has been right
+        ("phase", "i8"),  # what the referee box has said by radio: Phase,
+        ("placing", "i8"),  # whether robots are being placed,
+        ("ours", "f8"),  # whose restart it is,
+        ("unheard", "f8"),  # [s] for which it has been otherwise
         ("drove", "i8"),  # 0: the last decision was not to drive at the velocity below
         ("drive_x", "f8"),  # [m/s] velocity asked for, team frame
         ("drive_y", "f8"),  # [m/s]
@@ -28,6 +33,7 @@ MEMORY = np.dtype(
 SCRATCH = np.dtype(
     [
         ("sight", SIGHT),
+        ("told", SITUATION),  # the match as the referee box has told it
         ("count", "i8"),  # obstacles
         ("crowd", OBSTACLE, (MOST_OBSTACLES,)),
         ("ways", PlannerSettings().record().dtype, (1,)),  # the planner's settings in this league

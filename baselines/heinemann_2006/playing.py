@@ -7,12 +7,16 @@ from __future__ import annotations
 
 from math import atan2
 
+import numpy as np
+
+from soccer_env.baselines.attacking import comes_to_me, receive
 from soccer_env.baselines.chaser import support_point, watch_ball
 from soccer_env.baselines.deciding import PLAY, free_ring
 from soccer_env.baselines.heinemann_2006.attacking import attack
 from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.goalkeeper import keep_goal
 from soccer_env.baselines.heinemann_2006.memory import KEEPER
+from soccer_env.baselines.heinemann_2006.passing import open_place, own_ball
 from soccer_env.baselines.heinemann_2006.roles import choose_role
 from soccer_env.baselines.searching import LOST, end_search, search
 from soccer_env.baselines.set_pieces import (
@@ -20,16 +24,20 @@ from soccer_env.baselines.set_pieces import (
     holds_off,
     leave_ball,
     note_set_piece,
+    round_ball,
     take_restart,
     wait_for_pass,
 )
 from soccer_env.compiled import compiled
 
+HEARD_LATE = 5.0  # [s] of a phase that is over but not yet heard to be: as long as one that nobody took, assumed
+
 
 @compiled
 def decide(belief, command, memory, noise, k, play, scratch):
     """Play the role that the player has now; look for a ball that it has not seen for a while."""
-    sight = scratch.sight
+    sight, told = scratch.sight, scratch.told
+    hear(belief.situation, told, memory, sight, play)
     memory.drove = max(memory.drove - 1, 0)
     if belief.ball.age > LOST:
         search(belief, command, sight, memory.skill, k, play.skills)
@@ -40,9 +48,22 @@ def decide(belief, command, memory, noise, k, play, scratch):
         keep_goal(command, memory, k, play, scratch)
     else:
         choose_role(sight, memory, k, play)
-        note_set_piece(belief.situation, sight, memory.skill, k)
+        note_set_piece(told, sight, memory.skill, k)
         watch_ball(sight, memory.skill, noise, k, play.skills)
-        play_role(belief.situation, command, memory, k, play, scratch)
+        play_role(told, command, memory, k, play, scratch)
+
+
+@compiled
+def hear(situation, told, memory, sight, play):
+    """Fill in how the match stands by what the referee box has said: a change is heard a while after its call.  MH05"""
+    told.keeper, told.teammates = situation.keeper, situation.teammates
+    phase, placing, ours = np.int64(situation.phase), np.int64(situation.placing), situation.ours
+    same = phase == memory.phase and placing == memory.placing and ours == memory.ours
+    memory.unheard = 0.0 if same else memory.unheard + sight.elapsed
+    if memory.unheard > play.word_delay or memory.begun == 0:
+        memory.phase, memory.placing, memory.ours, memory.unheard = phase, placing, ours, 0.0
+    told.phase, told.placing, told.ours = memory.phase, memory.placing, memory.ours
+    told.phase_clock = max(situation.phase_clock - play.word_delay, 0.0) if phase == memory.phase else HEARD_LATE
 
 
 @compiled
@@ -56,6 +77,8 @@ def play_role(situation, command, memory, k, play, scratch):
             wait_for_pass(command, sight, k, play.skills)
     elif skill.set_piece > 0.0:
         leave_ball(command, sight, k, play.skills)
+    elif skill.rank > 0 and play.intercepts == 1 and situation.phase == PLAY and comes_to_me(sight, k):
+        receive(command, sight, k, play.skills)
     elif skill.rank > (1 if skill.set_piece < 0.0 else 0) or (situation.phase != PLAY and situation.ours < 0.0):
         stand_ready(command, memory, k, play, scratch, free_ring(situation, k))
     elif holds_off(sight, k):
@@ -69,4 +92,7 @@ def stand_ready(command, memory, k, play, scratch, ring):
     """Stand where the role asks, at least `ring` [m] from the ball, and face the ball on the way there."""
     sight = scratch.sight
     x, y = support_point(sight, memory.skill, k, play.skills, ring, False)
+    if play.stands_open == 1 and ring == 0.0 and memory.skill.rank >= 2 and own_ball(sight):
+        x, y = open_place(sight, memory.skill, k)
+        x, y = round_ball(sight, k, x, y)
     drive_to(command, memory, k, play, scratch, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)

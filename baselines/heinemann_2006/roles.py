@@ -1,6 +1,7 @@
 """Who attacks, who defends and who supports: each player for itself, from the shared beliefs, with hysteresis.  MH23
 
-The attacker is the field player with the shortest way to the back of the ball; the defender the one of the others that
+The attacker is the field player with the shortest way to the back of the ball, of a rolling one who can be at it
+first; the defender the one of the others that
 is nearest to a place between ball and goal; the rest support. `skill.rank` says it to the shared skills: 0 attacks,
 1 defends, 2 and on support in pairs.
 
@@ -10,10 +11,12 @@ is nearest to a place between ball and goal; the rest support. `skill.rank` says
 from __future__ import annotations
 
 from soccer_env.baselines.chaser import way_to_ball
+from soccer_env.baselines.heinemann_2006.intercepting import meeting_time
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, DEFENDER, SUPPORTER
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 
+ROLLS = 0.8  # [m/s] from which on a ball is met where it rolls to, assumed
 MOUTH = 2.0  # [m] before the middle of the goal that a defender's place is reckoned from, assumed
 
 
@@ -31,13 +34,13 @@ def choose_role(sight, memory, k, play):
 def right_rank(sight, memory, k, play):
     """Return 0 for the attacker, 1 for the defender, and 2 and on for supporters in the order of their way back."""
     keeps = play.role_gain
-    skills = play.skills
-    own = way_to_ball(sight, skills, sight.x, sight.y, sight.vx, sight.vy)
+    own = way_there(sight, k, play, sight.x, sight.y, sight.vx, sight.vy)
     own -= keeps if memory.begun == 1 and memory.skill.rank == 0 else 0.0
     first, least = -1, own
     for i in range(sight.others):
         if sight.mate[i] == 1 and sight.field[i] == 1:
-            way = way_to_ball(sight, skills, sight.other_x[i], sight.other_y[i], sight.other_vx[i], sight.other_vy[i])
+            x, y, vx, vy = sight.other_x[i], sight.other_y[i], sight.other_vx[i], sight.other_vy[i]
+            way = way_there(sight, k, play, x, y, vx, vy)
             if way < least:
                 first, least = i, way
     if first < 0:
@@ -50,6 +53,14 @@ def right_rank(sight, memory, k, play):
         if counts and way_back(sight.other_x[i], sight.other_y[i], sight, k) < mine:
             rank += 1
     return rank
+
+
+@compiled
+def way_there(sight, k, play, x, y, vx, vy):
+    """Return how far [m] a player has to go to the ball; if that rolls, how far it could drive until it is there."""
+    if play.intercepts == 0 or length(sight.ball_vx, sight.ball_vy) < ROLLS:
+        return way_to_ball(sight, play.skills, x, y, vx, vy)
+    return k.drive_forward * meeting_time(sight, x, y, vx, vy, play.lead, k)
 
 
 @compiled

@@ -28,13 +28,19 @@ class HeinemannSettings(Options):
 
     NAMES = {"planner": PLANNERS, "keeper": KEEPERS, "stance": STANCES}
     BOUNDS = {
-        "strength": SHARE, "look_ahead_time": TIME, "look_ahead": FAR, "turning": SHARE, "bending": SHARE,
-        "arrived": FAR, "fastest": (0.0, 20.0), "close": FAR, "least_ahead": FAR, "keeper_reach": FAR,
+        "strength": SHARE, "cycle": TIME, "look_ahead_time": TIME, "look_ahead": FAR, "turning": SHARE,
+        "bending": SHARE, "arrived": FAR, "fastest": (0.0, 20.0), "close": FAR, "least_ahead": FAR, "keeper_reach": FAR,
         "keeper_radius": FAR, "keeper_out": FAR, "dribble_speed": FAR, "dribble_grip": FAR, "dribble_turn": FAR,
-        "role_time": TIME, "most_iterations": (1, 16), "most_evaluations": (100, 100_000),
+        "run_in": FAR,
+        "pass_arrival": (0.0, 10.0), "pass_near": FAR, "pass_far": FAR, "pass_gain": (-20.0, 20.0),
+        "pass_back": (-20.0, 20.0), "pass_room": (-1.0, 1.0), "pass_free": (0.0, 20.0), "pass_cosine": (-1.0, 1.0),
+        "role_time": TIME,
+        "word_delay": (0.0, 10.0), "most_iterations": (1, 16), "most_evaluations": (100, 100_000),
     }  # fmt: skip
 
     strength: float = 1.0  # [1] 0 to 1: pace, how often it decides, how straight it aims, how hard it kicks
+
+    cycle: float = 0.02  # [s] between two decisions at least, Heinemann 2006, 2  MH03
 
     # ways, 3
     planner: str = "time_variant"  # static: that of Weigel et al.; none: bent aside from who is near  MH14, MH17
@@ -66,9 +72,22 @@ class HeinemannSettings(Options):
     intercepts: bool = True  # goes to where a rolling ball can be met first; False: to where it is  MH22
     lead: float = 3.0  # [s] at most by which a rolling ball is led, assumed  MH22
     close: float = 1.2  # [m] from the ball from which it is gone round without a plan, assumed
+    run_in: float = 2.6  # [m/s] at which a ball is run at at most, Heinemann 2006, 2: the robot's top speed
     dribble_speed: float = 1.56  # [m/s] with the ball, assumed: 0.6 of the top speed; 2.2 CAMBADA
     dribble_grip: float = 0.35  # [m/s2] aside that the guide gives a ball, measured: 0.2 kept it, 0.5 lost it
     dribble_turn: float = 4.0  # [rad/s] with the ball at most, assumed
+    passes: bool = True  # passes to mates; False: dribbles and shoots alone  MH04
+    stands_open: bool = False  # True: supporters stand ahead of the ball for a pass, not behind it; it let in more
+    pass_strength: bool = True  # as hard as the mate can take the ball; False: with all strength  MH04
+    pass_arrival: float = 1.2  # [m/s] of a pass where the mate stands, assumed
+    pass_near: float = 1.2  # [m] of a pass at least, assumed: nearer mates are in the way
+    pass_far: float = 6.0  # [m] of a pass at most, assumed
+    pass_gain: float = 3.0  # [m] nearer to the goal that a pass must bring, assumed
+    pass_back: float = 0.0  # [m] farther from it that a pass may bring who is pressed, assumed
+    pass_room: float = 0.05  # [rad] beside a pass past opponents, assumed
+    pass_free: float = 1.3  # [m] from the mate to the nearest opponent at least, assumed
+    pass_cosine: float = 0.995  # cosine of the angle off the pass at which it is kicked: 6 degrees, assumed
+    word_delay: float = 0.06  # [s] of the referee box's word by radio, the sensors' `radio_delay`: assumed  MH05
     role_time: float = 0.3  # [s] for which another role has to be right before it is taken, assumed
     role_gain: float = 0.4  # [m] by which another must be nearer before a role is given up, assumed
 

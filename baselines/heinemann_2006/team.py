@@ -42,10 +42,19 @@ def act(belief, tracks, memory, noise, command, k, play, scratch):
         return
     weakness, skills = 1.0 - play.strength, play.skills
     apply_strength(scratch.sight, memory.skill, noise, k, weakness, skills.laziest, skills.crookedest, skills.slowest)
+    wait_for_cycle(scratch.sight, memory.skill, k, play)
     look(scratch.sight, belief, tracks, k)
     decide(belief, command, memory, noise, k, play, scratch)
     command.kick *= 1.0 - weakness * (1.0 - skills.softest)
     keep_decision(memory.skill, command)
+
+
+@compiled
+def wait_for_cycle(sight, skill, k, play):
+    """Decide once in a cycle, where that is longer than a control step.  MH03"""
+    if play.cycle > 1.5 * k.dt:
+        skill.wait = max(skill.wait, play.cycle - 0.5 * k.dt)
+        sight.elapsed = max(sight.elapsed, play.cycle)
 
 
 KERNEL = per_player(act, SCRATCH)

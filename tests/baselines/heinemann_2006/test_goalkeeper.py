@@ -121,13 +121,18 @@ def test_mh21_too_late_for_the_nearest_point_it_goes_where_it_is_least_late() ->
     assert spare[0] < 0.0 and then > first and spare[1] > spare[0]
 
 
+def first_at(sight: np.void, most: float) -> float:
+    """Return when [s] a player at rest can first be at the ball that it sees."""
+    return float(meeting_time(sight, sight["x"], sight["y"], 0.0, 0.0, most, K))
+
+
 def test_mh22_a_rolling_ball_is_met_at_the_first_moment_at_which_the_robot_can_be_there() -> None:
     still = seen(-3.0, 0.0, (0.0, 0.0), (0.0, 0.0))
-    assert meeting_time(still, 3.0, K) == pytest.approx(3.0 / 2.6 + 0.325, abs=STEP)
+    assert first_at(still, 3.0) == pytest.approx(3.0 / 2.6 + 0.325, abs=STEP)
     for side in (1.0, -1.0):
         sight = seen(-3.0, 0.0, (0.0, side * 2.0), (-1.0, -side * 1.0))
-        t = meeting_time(sight, 5.0, K)
+        t = first_at(sight, 5.0)
         rolled = sqrt(2.0) * t - 0.2 * t * t
         away = hypot(3.0 - rolled / sqrt(2.0), 2.0 - rolled / sqrt(2.0))
         assert moving_time(away, 0.0, 0.0, K) == pytest.approx(t, abs=STEP)
-    assert meeting_time(seen(-6.0, 0.0, (0.0, 0.0), (3.0, 0.0)), 2.0, K) == 2.0  # not in that time
+    assert first_at(seen(-6.0, 0.0, (0.0, 0.0), (3.0, 0.0)), 2.0) == 2.0  # not in that time

@@ -1,0 +1,123 @@
+"""Pass to a team-mate, as hard as it can take the ball, and stand open for a pass.  MH04, MH22
+
+    "the robot can control the kicking strength of this device in real-time, in order to pass the ball to a team-mate
+    instead of kicking it at full strength"    [Heinemann 2006, 2]
+
+A pass goes to where the mate will be, arrives at a speed that a guide takes, and is worth what it brings towards the
+goal. Where mates are is what they say by radio, or what is seen of them.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from __future__ import annotations
+
+from math import inf
+
+from soccer_env.baselines.set_pieces import strength_for
+from soccer_env.baselines.skills import lane_room, turned_away
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
+
+LED = 0.4  # [s] of a mate's motion by which a pass is led, assumed
+TURN_COST = 0.8  # [m] towards the goal that a pass may lose for a quarter turn less, assumed
+LANE_WORTH = 10.0  # [m/rad] towards the goal that room beside a pass is worth, assumed
+OPEN_SPOTS = (
+    (2.5, 1.5),
+    (2.0, 2.2),
+    (1.0, 2.6),
+)  # [m, m] ahead of the ball and aside where for a supporter, assumed
+EDGE = 0.5  # [m] from the lines that a supporter keeps, assumed
+STAY = 0.3  # [1] metres towards the goal that a metre less to drive is worth, assumed
+
+
+@compiled
+def choose_pass(sight, k, play, pressed):
+    """Return the unit vector to the mate best passed to, how far it is [m], and what it is worth [m]; -inf for none."""
+    best, best_x, best_y, best_far = -inf, 1.0, 0.0, 0.0
+    if play.passes == 0:
+        return best_x, best_y, best_far, best
+    least = -play.pass_back if pressed else play.pass_gain
+    for i in range(sight.others):
+        if sight.mate[i] == 0 or sight.field[i] == 0:
+            continue
+        x, y = led_spot(sight, k, i)
+        dx, dy = x - sight.ball_x, y - sight.ball_y
+        far = max(length(dx, dy), 1e-6)
+        gain = towards_goal(k, sight.ball_x, sight.ball_y) - towards_goal(k, x, y)
+        if far < play.pass_near or far > play.pass_far or gain < least:
+            continue
+        ux, uy = dx / far, dy / far
+        room = lane_room(sight, k, ux, uy, far + k.body_reach)
+        if room < play.pass_room or opponent_near(sight, x, y, play.pass_free):
+            continue
+        worth = gain + LANE_WORTH * room - TURN_COST * turned_away(sight, ux, uy)
+        if worth > best:
+            best, best_x, best_y, best_far = worth, ux, uy, far
+    return best_x, best_y, best_far, best
+
+
+@compiled
+def led_spot(sight, k, i):
+    """Return where [m, m] another player is by the time that a pass comes, on the pitch."""
+    edge_x, edge_y = 0.5 * k.pitch_length - EDGE, 0.5 * k.pitch_width - EDGE
+    x, y = sight.other_x[i] + LED * sight.other_vx[i], sight.other_y[i] + LED * sight.other_vy[i]
+    return clip(x, -edge_x, edge_x), clip(y, -edge_y, edge_y)
+
+
+@compiled
+def towards_goal(k, x, y):
+    """Return how far [m] a place is from the middle of the opponents' goal."""
+    return length(0.5 * k.pitch_length - x, y)
+
+
+@compiled
+def opponent_near(sight, x, y, near):
+    """Tell whether an opponent is nearer than `near` [m] to a place."""
+    for i in range(sight.others):
+        if sight.mate[i] == 0 and length(sight.other_x[i] - x, sight.other_y[i] - y) < near:
+            return True
+    return False
+
+
+@compiled
+def is_at_kicker(sight, play):
+    """Tell whether the ball lies where the kicker meets it now."""
+    skills = play.skills
+    near = sight.now_ahead <= sight.touch + skills.kick_gap
+    return near and sight.now_ahead > 0.0 and abs(sight.now_left) <= skills.kick_aside
+
+
+@compiled
+def pass_strength(k, play, far):
+    """Return the strength of a pass over a distance [m]: enough to arrive at `pass_arrival`, or all of it.  MH04"""
+    return strength_for(k, far, play.pass_arrival) if play.pass_strength == 1 else 1.0
+
+
+@compiled
+def own_ball(sight):
+    """Tell whether the own team is nearer to the ball than the opponents are."""
+    own, other = sight.distance, inf
+    for i in range(sight.others):
+        away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
+        if sight.mate[i] == 1:
+            own = min(own, away)
+        else:
+            other = min(other, away)
+    return own < other
+
+
+@compiled
+def open_place(sight, skill, k):
+    """Return where [m, m] a supporter stands open for a pass: ahead of the ball on its side, down a free lane."""
+    side = skill.side if skill.rank % 2 == 0 else -skill.side
+    edge_x, edge_y = 0.5 * k.pitch_length - 2.0 * EDGE, 0.5 * k.pitch_width - EDGE
+    best, best_x, best_y = -inf, sight.x, sight.y
+    for ahead, aside in OPEN_SPOTS:
+        x = clip(sight.ball_x + ahead, -edge_x, edge_x)
+        y = clip(sight.ball_y + side * aside, -edge_y, edge_y)
+        far = max(length(x - sight.ball_x, y - sight.ball_y), 1e-6)
+        room = lane_room(sight, k, (x - sight.ball_x) / far, (y - sight.ball_y) / far, far)
+        worth = LANE_WORTH * room - towards_goal(k, x, y) - STAY * length(x - sight.x, y - sight.y)
+        if worth > best:
+            best, best_x, best_y = worth, x, y
+    return best_x, best_y
