@@ -1,10 +1,12 @@
-# make match    the learned team plays a scripted one (installs what it needs into .venv, without torch)
+# make match    the learned team plays a scripted one (installs what it needs into .venv, without torch);
+#               make match LEAGUE=middle-size-2006: the team of 2006 plays the chaser
 # make test     run the tests            make lint          ruff and mypy
 # make test-quick  run those that notice most of what an edit breaks (tests/quick.txt), in a minute or so
 # make bench    measure the speed        make tables        measure the tables of the pages
 # make clean    remove what make built   make tables-check  replay a small part of each table
 # make pictures  draw the pictures of the pages       make docs  build the site into site/, strictly
 # make sacks-table  measure every claim of Sacks 2001 and write baselines/sacks_2001/README.md
+# make heinemann-table  the same of Heinemann et al. 2006, in baselines/heinemann_2006/README.md
 # make mutants  switch every mechanism of the papers off in turn: the test that names it has to fail
 #
 # pip takes its settings from the environment and its own files; PYTHON=python3.12 chooses the interpreter of a new .venv.
@@ -16,11 +18,15 @@ BIN := $(VENV)/bin
 INNER := baselines agents train
 PARALLEL := -n auto --dist worksteal  # a process for each core; one that is done takes tests from the others
 
-.PHONY: match test test-quick lint types bench pictures docs tables tables-check sacks-table mutants clean
+.PHONY: match test test-quick lint types bench pictures docs tables tables-check sacks-table heinemann-table mutants clean
 .DELETE_ON_ERROR:
 
+LEAGUE := legged-2001
+TEAMS_legged-2001 := --home learned --away sacks-2001 --players 3
+TEAMS_middle-size-2006 := --home heinemann-2006 --away chaser --players 5
+
 match: $(VENV)/.has-base
-	$(BIN)/soccer evaluate --league legged-2001 --home learned --away sacks-2001 --matches 20 --minutes 4 --players 3 \
+	$(BIN)/soccer evaluate --league $(LEAGUE) $(TEAMS_$(LEAGUE)) --matches 20 --minutes 4 \
 		--seed 1 --threads 2 --out runs/match --anew --picture
 
 test: $(VENV)/.has-train
@@ -60,6 +66,9 @@ docs: $(VENV)/.has-docs types
 
 sacks-table: $(VENV)/.has-base
 	$(BIN)/python -m soccer_env.train.tables.sacks
+
+heinemann-table: $(VENV)/.has-base
+	$(BIN)/python -m soccer_env.train.tables.heinemann
 
 mutants: $(VENV)/.has-train
 	$(BIN)/python tests/mutation/mutate.py

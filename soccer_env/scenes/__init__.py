@@ -6,6 +6,7 @@ that need them.
     scene.py          what a scene is
     drills.py         drills of every league
     drills_legged.py  drills of the legged league
+    drills_middle.py  drills of the middle-size league
     drills_alone.py   one legged robot, the ball and the goal
     scattered.py      a start in the middle of play
     mixture.py        a scene drawn for each episode
@@ -18,13 +19,14 @@ from soccer_env.checking import check_names
 from soccer_env.scenes.drills import DRILLS
 from soccer_env.scenes.drills_alone import DRILLS_ALONE
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED
+from soccer_env.scenes.drills_middle import DRILLS_MIDDLE
 from soccer_env.scenes.judging import SUCCESS, judge_drill
 from soccer_env.scenes.mixture import Mixture
 from soccer_env.scenes.scattered import SCATTERED
 from soccer_env.scenes.scene import Draw, Place, Scene, put, send_away
 
 KICK_OFF = Scene("kick-off", "a match from the kick-off on")
-SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_LEGGED, *DRILLS_ALONE)}
+SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_LEGGED, *DRILLS_ALONE, *DRILLS_MIDDLE)}
 
 
 def find_scene(scene: str | Scene) -> Scene:

@@ -49,6 +49,7 @@ class Scene:
     time_limit: float = inf  # [s]
     in_play: bool = False  # True: play is on; False: a kick-off
     opponents: tuple[str, ...] = ()  # names of teams, with strengths
+    players: int = 1  # of home's that it is meant for, a goalkeeper among them: a suggestion as well
     most: int = MAX_TEAM  # players a side
     families: tuple[str, ...] = ()  # of leagues that it is for (`League.family`); empty: all
     rules: str = "league"  # of its drill, unless others are asked for

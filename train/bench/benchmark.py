@@ -24,7 +24,7 @@ from soccer_env.train.bench.apis import (
     wrapper_bytes,
 )
 from soccer_env.train.bench.loads import CoreLoad, Load, OwnFloor, ParticlesLoad, ReferenceFloor, SensesLoad
-from soccer_env.train.bench.plans import PlanLoad
+from soccer_env.train.bench.plans import PlanLoad, TeamLoad
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import LIBRARIES, commit, version_of
@@ -46,6 +46,7 @@ API_SPEED = 10_000.0  # [steps/s]
 RESET_TIME = 1e-3  # [s]
 PASS_TIME, PLAN_TIME = 25e-6, 60e-6  # [s] of the middle-size planner: one pass, one plan, over 5 m past nine others
 PLAN_TIME_99 = 1e-3  # [s] of one plan in a hundred
+TEAM_TIME, TEAM_SPEED = 25e-6, 2500.0  # [s] of a robot's decision in the team of 2006, [1/s] match steps of its 5 v 5
 RECORD_BYTES = 16 * 1024  # of a match outside Chipmunk
 START_LIMITS = {"import soccer_env": 1.5, "soccer --help": 0.6, "start of an evaluation": 3.0}  # [s]
 COLD_LIMIT = 60.0  # [s]
@@ -91,6 +92,7 @@ def run(settings: BenchSettings) -> dict[str, Any]:
             progress.advance(1)
         progress.note("planning")
         rows += plan_rows(settings)
+        rows += team_rows(settings)
         progress.advance(1)
         progress.note("starting")
         rows += start_rows(settings)
@@ -189,6 +191,16 @@ def plan_rows(settings: BenchSettings) -> Iterator[Row]:
     yield at_most(f"planner: one plan {where}", median(plans), "us", PLAN_TIME, 1e6)
     slowest = sorted(plans)[round(0.99 * (len(plans) - 1))]
     yield at_most(f"planner: one plan {where}, 99 % are faster", slowest, "us", PLAN_TIME_99, 1e6)
+
+
+def team_rows(settings: BenchSettings) -> Iterator[Row]:
+    """Yield how long the team of 2006 takes to decide, and its matches by sensors."""
+    load = TeamLoad(settings.seed)
+    tries = 3 if settings.quick else 9
+    decision = median(load.decide(20) for _ in range(tries))
+    yield at_most("heinemann-2006: a robot's decision", decision, "us", TEAM_TIME, 1e6)
+    speed = 1 / median(load.run(25) for _ in range(tries))
+    yield at_least("heinemann-2006: 5 v 5 by sensors and particles", speed, "match steps/s", TEAM_SPEED)
 
 
 def start_rows(settings: BenchSettings) -> Iterator[Row]:

@@ -1,4 +1,4 @@
-"""How long the middle-size planner takes over 5 m past nine obstacles that move: one pass over the grid, one plan."""
+"""How long the middle-size planner takes over 5 m past nine obstacles that move, and the team that plans with it."""
 
 from __future__ import annotations
 
@@ -13,10 +13,14 @@ from soccer_env.baselines.weigel_2001.planner.records import OBSTACLE, PLAN, SCR
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
 from soccer_env.baselines.weigel_2001.planner.walking import plan_pass
 from soccer_env.compiled import compiled
+from soccer_env.match import Match
+from soccer_env.teams import TeamRandom, View
+from soccer_env.types import NOISE_STREAMS
 
 DISTANCE, OBSTACLES = 5.0, 9  # [m] of the straight way, [1]
 FASTEST, ROOM = 2.0, 0.6  # [m/s] of an obstacle, [m] that it leaves around robot and target
 LENGTH, WIDTH, RADIUS = 12.0, 8.0, 0.25  # [m] of the pitch, [m] of an obstacle
+MATCHES, PLAYERS, WARM_UP = 16, 5, 250  # of the team's play: matches, players a side, steps before anything is timed
 TRIES = 5  # a scene's time is the median of so many
 
 
@@ -65,6 +69,37 @@ class PlanLoad:
         start = perf_counter()
         make_plan(*places, others, *self.parts)
         return perf_counter() - start
+
+
+class TeamLoad:
+    """The team of 2006 against itself, 5 v 5, by sensors and particles; every robot plans anew in every cycle."""
+
+    def __init__(self, seed: int, matches: int = MATCHES, team: str = "heinemann-2006") -> None:
+        self.match = Match(
+            "middle-size-2006", home=PLAYERS, away=PLAYERS, matches=matches, seed=seed, autoreset="same_step",
+            controllers={"home": team, "away": team}, senses="sensors", minutes=4.0,
+        )  # fmt: skip
+        self.run(WARM_UP)
+
+    def run(self, steps: int) -> float:
+        """Step all matches; return the seconds per match step."""
+        start = perf_counter()
+        for _ in range(steps):
+            self.match.step()
+        return (perf_counter() - start) / (steps * self.match.count)
+
+    def decide(self, times: int) -> float:
+        """Let both teams decide upon what is believed now; return the seconds per robot and decision."""
+        match, spent = self.match, 0.0
+        for squad in match.squads:
+            rows = squad.players
+            rng = TeamRandom(np.zeros((match.count, len(rows), NOISE_STREAMS), np.uint64), np.arange(len(rows)))
+            view, memory = View(match.league, match.beliefs[:, rows], match.tracks[:, rows]), squad.memory.copy()
+            start = perf_counter()
+            for _ in range(times):
+                squad.team.act(view, memory, rng)
+            spent += perf_counter() - start
+        return spent / (times * match.robots.size)
 
 
 # Kernels are called with arrays: a single record takes Python longer to hand over than the planner needs.

@@ -4,6 +4,7 @@ python -m soccer_env.train.tables           measure all, or some by name       (
 python -m soccer_env.train.tables write     write the pages again from tables.json
 python -m soccer_env.train.tables --check   replay a small part of each        (make tables-check)
 python -m soccer_env.train.tables.sacks     every claim of Sacks 2001          (make sacks-table)
+python -m soccer_env.train.tables.heinemann every claim of Heinemann et al.    (make heinemann-table)
 
 pages.py     which tables there are, and their way into the pages
 markers.py   where in a page a table stands
@@ -14,5 +15,6 @@ plausibility.py   how teams play beside what is published of real matches
 claims.py    what `soccer reproduce` measures        sacks.py   the page of the team sacks-2001
                                                      sacks_settings.py   what it says of its settings
                                                      rule_sets.py        its claims of play under both rule sets
+heinemann.py the page of the teams heinemann-2006 and weigel-2001
 tables.json, rule_sets.json  what was measured
 """

@@ -16,7 +16,7 @@ SEED, RUNS = 1, 400  # 400 runs of a share of a half: +-5 %
 FIXED = ("still", "random", "walker")
 TEAMS = {
     "legged-2001": (*FIXED, "chaser", "sacks-2001", "sacks-2001-tuned", "sacks-2001-future", "learned"),
-    "middle-size-2006": (*FIXED, "chaser"),
+    "middle-size-2006": (*FIXED, "chaser", "weigel-2001", "heinemann-2006"),
 }
 SAVES = "away saves"  # of a drill that away's goalkeeper has to do
 
@@ -39,9 +39,10 @@ def controllers_of(scene: Scene, team: str) -> dict[str, str]:
 
 def run_drill(league: str, scene: Scene, team: str, runs: int, seed: int = SEED, threads: int = 2) -> int:
     """Play a drill by sensors under its own rules; return how many runs succeed."""
+    home = 1 if scene.success == SAVES else scene.players
     away = 2 if scene.success == SAVES else max(len(scene.opponents), 1)  # a team of one has no goalkeeper
     match = Match(
-        league, home=1, away=away, matches=runs, seed=seed, threads=threads, scene=scene, episode="drill",
+        league, home=home, away=away, matches=runs, seed=seed, threads=threads, scene=scene, episode="drill",
         controllers=controllers_of(scene, team), senses="sensors",
     )  # fmt: skip
     succeeded = np.zeros(runs, bool)

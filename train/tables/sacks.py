@@ -16,7 +16,7 @@ from __future__ import annotations
 import json
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -66,19 +66,19 @@ def short(found: dict[str, Any]) -> dict[str, str]:
     return {"criterion": found["criterion"], "verdict": found["verdict"], "shown": with_interval(found)}
 
 
-def take_folder(path: Path) -> dict[str, dict[str, Any]]:
-    """Return the claims of Sacks (2001) that a run of `soccer reproduce` left in a folder; ValueError without any."""
+def take_folder(path: Path, claims: Sequence[str] = CLAIMS, paper: str = SACKS) -> dict[str, dict[str, Any]]:
+    """Return the claims of a paper that a run of `soccer reproduce` left in a folder; ValueError without any."""
     about = read_settings(path / SETTINGS).get("about", {})
     results = [ClaimResult(**record) for record in read_lines(path / "claims.jsonl")]
-    found = {result.id: taken(result, about) for result in results if result.id in CLAIMS}
+    found = {result.id: taken(result, about) for result in results if result.id in claims}
     if not found:
-        raise ValueError(f"{path} holds no claim of Sacks 2001")
+        raise ValueError(f"{path} holds no claim of {paper}")
     return found
 
 
-def take_pictures(path: Path) -> None:
-    """Copy the figures that the page shows from a run's folder; those of claims that the run lacks stay as they are."""
-    for claim, number in PICTURES.items():
+def take_pictures(path: Path, pictures: Mapping[str, int] = PICTURES) -> None:
+    """Copy the figures that a page shows from a run's folder; those of claims that the run lacks stay as they are."""
+    for claim, number in pictures.items():
         drawn = path / plot_name(claim, number)
         if drawn.exists():
             write_whole(SHOWN / f"claim-{claim}.png", drawn.read_bytes())
@@ -91,18 +91,18 @@ def measure() -> dict[str, dict[str, Any]]:
     return take_folder(RUN)
 
 
-def claims_table(measured: Mapping[str, Mapping[str, Any]]) -> str:
-    """Return every claim of the paper in Markdown: those without a result are shown as not measured."""
+def claims_table(measured: Mapping[str, Mapping[str, Any]], claims: Sequence[str] = CLAIMS) -> str:
+    """Return every claim of a paper in Markdown: those without a result are shown as not measured."""
     says = {name: f"{claim.statement} [{claim.section}]" for name, claim in all_claims().items()}
     lines = [
         "| id | the paper says | measured (95 % interval) | n | verdict | seeds | rules | note |",
         "|---|---|---|---|---|---|---|---|",
     ]
-    for name in CLAIMS:
+    for name in claims:
         row = measured.get(name)
         cells = (name, says.get(name, ""), "", "", NOT_MEASURED, "", "", "") if row is None else cells_of(row)
         lines.append("| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ") for cell in cells) + " |")
-    return "\n".join([counted(measured), "", *lines, "", *sources(measured)])
+    return "\n".join([counted(measured, claims), "", *lines, "", *sources(measured, claims)])
 
 
 def cells_of(row: Mapping[str, Any]) -> tuple[str, ...]:
@@ -143,20 +143,20 @@ def first_paragraph(note: str) -> str:
     return note.strip().partition("\n\n")[0]
 
 
-def counted(measured: Mapping[str, Mapping[str, Any]]) -> str:
+def counted(measured: Mapping[str, Mapping[str, Any]], claims: Sequence[str] = CLAIMS) -> str:
     """Return how many claims got which verdict."""
     counts = Counter(row["verdict"] for row in measured.values())
     parts = [f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict]]
-    missing = len(CLAIMS) - len(measured)
+    missing = len(claims) - len(measured)
     quick = sum(row["quick"] for row in measured.values())
     few = f" {quick} of them from few samples, marked (quick)." if quick else ""
-    return f"{len(CLAIMS)} claims: {', '.join([*parts, *([f'{missing} {NOT_MEASURED}'] if missing else [])])}.{few}"
+    return f"{len(claims)} claims: {', '.join([*parts, *([f'{missing} {NOT_MEASURED}'] if missing else [])])}.{few}"
 
 
-def sources(measured: Mapping[str, Mapping[str, Any]]) -> list[str]:
+def sources(measured: Mapping[str, Mapping[str, Any]], claims: Sequence[str] = CLAIMS) -> list[str]:
     """Return with what the rows were measured: one line for each run."""
     runs: dict[str, list[str]] = {}
-    for name in CLAIMS:
+    for name in claims:
         if name in measured:
             about = measured[name]["about"]
             runs.setdefault(f"{about.get('date', '')}, commit {about.get('commit') or 'none'}", []).append(name)
@@ -167,7 +167,7 @@ PARTS: dict[str, Callable[[Mapping[str, Mapping[str, Any]]], str]] = {
     "claims": claims_table,
     "rules": lambda _: rule_sets.shown(rule_sets.stored()),
     "constants": constants_text,
-    "settings": settings_table,
+    "settings": lambda _: settings_table(),
     "variants": variants_table,
 }
 

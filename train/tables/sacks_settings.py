@@ -9,7 +9,7 @@ from typing import Any
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.team import FUTURE, TUNED
-from soccer_env.leagues.options import GREATEST
+from soccer_env.leagues.options import GREATEST, Options
 from soccer_env.train.evaluate.report import plain
 
 WIDTH = 118  # of a line of text
@@ -40,10 +40,10 @@ def unit_of(note: str) -> str:
     return note.partition("] ")[0] if note.startswith("[") else ""
 
 
-def settings_table(_: object = None) -> str:
-    """Return every setting of the team in Markdown, with what may stand in it and where its value comes from."""
+def settings_table(settings: Options | None = None) -> str:
+    """Return every setting of a team in Markdown, with what may stand in it and where its value comes from."""
     lines = ["| setting | value | allowed | what it is, source |", "|---|---|---|---|"]
-    for name, value, allowed, note in SacksSettings().rows():
+    for name, value, allowed, note in (settings or SacksSettings()).rows():
         unit, _, text = note.partition("] ") if note.startswith("[") else ("", "", note)
         room = allowed.replace(f" to {GREATEST:.0f}", " or more")
         lines.append(f"| `{name}` | {shown(value, unit)} | {room} | {text} |")

@@ -121,3 +121,11 @@ def test_a_small_bench_ends_in_a_table(tmp_path: Path, monkeypatch: pytest.Monke
     table = bench.screen_table(report)
     assert table.row_count == len(report["rows"]) > 20
     assert {"processor", "cores", "commit", "pymunk"} <= set(report["machine"])
+
+
+def test_the_team_of_2006_is_timed_as_it_decides_and_plays() -> None:
+    load = bench_plans.TeamLoad(0, matches=2)
+    before = [squad.memory.copy() for squad in load.match.squads]
+    assert load.match.robots.shape == (2, 10) and load.decide(2) > 0.0
+    assert all((squad.memory == old).all() for squad, old in zip(load.match.squads, before, strict=True))
+    assert load.run(2) > 0.0
