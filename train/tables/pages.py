@@ -39,6 +39,8 @@ from soccer_env.train.tables.markers import between_markers
 from soccer_env.train.tables.plausibility import measure_plausibility, plausibility_table
 from soccer_env.train.tables.teams import (
     first_pair,
+    heinemann_rows,
+    heinemann_table,
     measure_rows,
     replay_row,
     sacks_rows,
@@ -55,6 +57,7 @@ PAGES = {  # the page that shows a table, seen from the checkout's root
     "sensors": "soccer_env/perception/README.md",
     "scripted": "baselines/README.md",
     "sacks": "baselines/README.md",
+    "heinemann": "baselines/README.md",
     "drills": "baselines/README.md",
     "learned": "agents/policies/README.md",
     "claims": "train/README.md",
@@ -62,7 +65,7 @@ PAGES = {  # the page that shows a table, seen from the checkout's root
     "speed": "train/README.md",
     "plausibility": "train/README.md",
 }
-PLAYED = ("scripted", "sacks", "learned", "plausibility")  # tables whose rows are matches
+PLAYED = ("scripted", "sacks", "heinemann", "learned", "plausibility")  # tables whose rows are matches
 LIBRARIES = ("pymunk", "numba", "numpy")
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
@@ -79,6 +82,7 @@ MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
     "claims": lambda: {"about": about(), **measure_claims()},
     "scripted": lambda: {"about": about(), "rows": measure_rows(scripted_rows())},
     "sacks": lambda: {"about": about(), "rows": measure_rows(sacks_rows())},
+    "heinemann": lambda: {"about": about(), "rows": measure_rows(heinemann_rows())},
     "drills": lambda: {"about": about(), **measure_drills()},
     "learned": lambda: {"about": about(), "rows": measure_learned(learned_rows())},
     "training": lambda: {"about": about(), **measure_training()},
@@ -90,6 +94,7 @@ SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a measured table in Mark
     "claims": lambda table: with_footer(claims_table(table), table),
     "scripted": lambda table: with_footer(scripted_table(table), table),
     "sacks": lambda table: with_footer(sacks_table(table), table),
+    "heinemann": lambda table: with_footer(heinemann_table(table), table),
     "drills": lambda table: with_footer(drills_table(table), table),
     "learned": lambda table: with_footer(learned_table(table), table),
     "training": lambda table: with_footer(training_table(table), table),

@@ -26,6 +26,14 @@ SACKS = (  # home, against the chaser
     "sacks-2001@0", "sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75", "sacks-2001-tuned", "sacks-2001-future",
 )  # fmt: skip
 WITHOUT = ("recovery=False", "avoidance=False", "recovery=False,avoidance=False")  # avoidance: dribbling as well
+HEINEMANN_MATCHES, HEINEMANN_MINUTES = 200, 4.0
+HEINEMANN = (  # home and away of 5 v 5, and of the first also 3 v 3; what the team is without an idea is a team as well
+    ("heinemann-2006", "chaser"),
+    *((f"heinemann-2006@{strength:g}", "chaser") for strength in (0.0, 0.25, 0.5, 0.75)),
+    ("heinemann-2006", "weigel-2001"), ("heinemann-2006", "heinemann-2006:keeper=passive"),
+    ("heinemann-2006", "heinemann-2006:passes=False"), ("heinemann-2006", "heinemann-2006:intercepts=False"),
+    ("heinemann-2006", "heinemann-2006:planner=none"), ("weigel-2001", "chaser"),
+)  # fmt: skip
 
 MEASURED = ("points", "goal difference a match", "goals a minute", "settings")  # columns of `measured`
 
@@ -46,6 +54,15 @@ def sacks_rows() -> Iterator[EvaluateSettings]:
     pairs += [(home, "sacks-2001", SACKS_MATCHES) for home in ("sacks-2001-tuned", "sacks-2001-future")]
     for home, away, matches in pairs:
         yield row_settings("legged-2001", home, away, "sensors", matches, SACKS_MINUTES)
+
+
+def heinemann_rows() -> Iterator[EvaluateSettings]:
+    """Yield the evaluations of the middle-size teams of 2006, by sensors: against the chaser, and without a part."""
+    sizes = [(*HEINEMANN[0], 3), *((home, away, 5) for home, away in HEINEMANN)]
+    for home, away, players in sizes:
+        yield row_settings(
+            "middle-size-2006", home, away, "sensors", HEINEMANN_MATCHES, HEINEMANN_MINUTES, players
+        )  # fmt: skip
 
 
 def row_settings(
@@ -127,6 +144,14 @@ def sacks_table(table: dict[str, Any]) -> str:
     """Return the table of sacks-2001 in Markdown."""
     rows = [row | {"team": f"`{row['home']}`"} for row in table["rows"]]
     return with_command({"team": "team", "against": "away", "matches": "matches"}, rows)
+
+
+def heinemann_table(table: dict[str, Any]) -> str:
+    """Return the table of the teams of 2006 in Markdown."""
+    rows = [
+        row | {"team": f"`{row['home']}`", "sizes": f"{row['players']} v {row['players']}"} for row in table["rows"]
+    ]
+    return with_command({"team": "team", "against": "away", "players": "sizes", "matches": "matches"}, rows)
 
 
 def with_command(names: dict[str, str], rows: list[dict[str, Any]]) -> str:

@@ -1,0 +1,27 @@
+"""What a training in the middle size leaves plays against the team of 2006 in an evaluation."""
+
+from pathlib import Path
+
+from soccer_env.train.evaluate import EvaluateSettings, evaluate
+from tests.train.ppo.staged_training import plainly, tiny
+
+
+def test_a_policy_that_was_trained_for_a_moment_is_evaluated_against_the_team_of_2006(tmp_path: Path) -> None:
+    settings = tiny(
+        tmp_path / "run", league="middle-size-2006", players="1v1", steps=64, minutes=0.16, evaluate_minutes=0.16,
+        evaluate_every=64, opponents="chaser@0.5",
+    )  # fmt: skip
+    plainly(settings)
+    result = evaluate(
+        EvaluateSettings(
+            league="middle-size-2006",
+            home=str(tmp_path / "run" / "last.safetensors"),
+            away="heinemann-2006",
+            matches=2,
+            minutes=0.1,
+            players=2,
+            seed=1,
+        )  # fmt: skip
+    )
+    assert len(result.lines) == 2 and {line.goals_for >= 0 for line in result.lines} == {True}
+    assert result.conditions.away == "heinemann-2006" and result.conditions.league == "middle-size-2006"
