@@ -12,7 +12,7 @@ from soccer_env.train.reproduce.values import in_bins, mean, middles_of
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 
 KEEPERS: dict[str, dict[str, Any]] = {"passive": {"keeper": "passive"}, "active": {}}
-LINES: dict[str, dict[str, Any]] = {"near": {"keeper_radius": 0.8}, "line": {"stance": "line"}}  # 0.8 m: Tribots 2005
+LINES: dict[str, dict[str, Any]] = {"nearer": {"keeper_radius": 0.8}, "line": {"stance": "line"}}  # 0.8 m: Tribots 2005
 BINS = (4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0)  # [m/s] edges of the speed at the kick
 CHOSEN = (
     "The radius of the keeper's half circle, 1.2 m, was chosen on shots like these: 0.7 m let in more, of both keepers."
@@ -136,8 +136,8 @@ H20 = Claim(
         measured(f"the same up to {SLOWER:g} m/s", partial(ratio, share=slower), at_most=0.2),
         reported("goals, passive", partial(conceded, name="passive"), unit="%"),
         reported("goals, active", partial(conceded, name="active"), unit="%"),
-        reported("half circle of 0.8 m, passive", partial(conceded, name="near passive"), unit="%"),
-        reported("half circle of 0.8 m, active", partial(conceded, name="near active"), unit="%"),
+        reported("half circle of 0.8 m, passive", partial(conceded, name="nearer passive"), unit="%"),
+        reported("half circle of 0.8 m, active", partial(conceded, name="nearer active"), unit="%"),
         reported("goal line, passive", partial(conceded, name="line passive"), unit="%"),
         reported("goal line, active", partial(conceded, name="line active"), unit="%"),
     ),
