@@ -72,7 +72,7 @@ class HeinemannSettings(Options):
     intercepts: bool = True  # goes to where a rolling ball can be met first; False: to where it is  MH22
     lead: float = 3.0  # [s] at most by which a rolling ball is led, assumed  MH22
     close: float = 1.2  # [m] from the ball from which it is gone round without a plan, assumed
-    run_in: float = 2.6  # [m/s] at which a ball is run at at most, Heinemann 2006, 2: the robot's top speed
+    run_in: float = 2.6  # [m/s] at which a ball is run at at most; up to 1 m/s it is met with care, assumed
     dribble_speed: float = 1.56  # [m/s] with the ball, assumed: 0.6 of the top speed; 2.2 CAMBADA
     dribble_grip: float = 0.35  # [m/s2] aside that the guide gives a ball, measured: 0.2 kept it, 0.5 lost it
     dribble_turn: float = 4.0  # [rad/s] with the ball at most, assumed
