@@ -5,7 +5,7 @@
     attacking.py     the chaser's attacker       goalkeeping.py   the chaser's goalkeeper
     obeying.py       the chaser and the rules    glancing.py      when it looks up to see where it is
     searching.py     the chaser without a ball   boards.py        the chaser and a ball in a corner
-    set_pieces.py    the chaser's restarts: pass, and leave the ball to others
+    carrying.py      the chaser with the ball    set_pieces.py    its restarts: pass, and leave the ball to others
     sacks_2001/      the legged team of Sacks (2001)
     heinemann_2006/  the middle-size team of Heinemann et al. (2006)
     weigel_2001/     the planner of the middle-size teams

@@ -8,14 +8,13 @@ from __future__ import annotations
 from math import acos, atan2, sqrt
 
 from soccer_env.baselines.boards import go_into_corner, lies_in_trouble, sweep
+from soccer_env.baselines.carrying import line_speed, turn_to_goal
 from soccer_env.baselines.set_pieces import strength_for
 from soccer_env.baselines.sight import rolls_to, side_of
 from soccer_env.baselines.skills import (
     choose_shot,
     choose_way,
-    free_way,
     go,
-    goal_room,
     push,
     shot_room,
     turn_by,
@@ -23,7 +22,7 @@ from soccer_env.baselines.skills import (
     way_clear,
 )
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, toward, wrap
+from soccer_env.geometry import clip, into_frame, length, wrap
 
 MEET = 1.0  # [m/s] at which a base that steps aside runs in at most, assumed
 MET = 0.3  # [m/s] of the ball and the robot towards each other when they meet, assumed
@@ -32,11 +31,9 @@ RECEIVED = 0.35  # [m/s] at which a ball that comes is received, assumed
 RECEIVE_TIME = 1.5  # [s] before it comes, at most, assumed
 RECEIVE_ASIDE = 0.6  # [m] that it would pass beside the robot, at most, assumed
 NEAR_BALL = 0.8  # [m] to the ball within which it does, assumed
-PRESSED = 0.6  # [m] from the ball of an opponent that is at it too, assumed
 DEFENDED = 2.5  # [m] from the middle of the own goal within which the ball is played clear of it, assumed
 UPFIELD = ASIDE = sqrt(0.5)  # [1] way of a ball out of the mouth of the own goal: 45 degrees off its line, assumed
 ALONG_LINE = 0.8  # cosine of the angle off its way at which a ball before the own goal may be run at, assumed
-SLOW = 0.4  # [m/s] at which the ball is pushed at least, also towards a line, assumed
 
 
 @compiled
@@ -88,34 +85,6 @@ def wants_to_shoot(sight, memory, k, play):
 
 
 @compiled
-def turn_to_goal(command, sight, memory, k, play, ux, uy):
-    """Turn with the ball in front, walking on so that it stays there; a base that steps aside turns about the ball."""
-    error = wrap(atan2(uy, ux) - sight.heading)
-    if play.circle_share > 0.0:
-        turn_about_ball(command, sight, memory, k, play, error)
-    else:
-        command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
-    command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
-    if k.walled == 0 and (goal_room(sight, k, sight.now_cosine, sight.now_sine) < 0.0 or is_pressed(sight)):
-        command.forward = min(command.forward, line_speed(sight, k, sight.now_cosine, sight.now_sine) / k.drive_forward)
-
-
-@compiled
-def turn_about_ball(command, sight, memory, k, play, error):
-    """Turn by `error` [rad] on a circle about the ball, only as fast as the motors can follow it.
-
-    A circle of radius r takes w^2 r across, and a change of the turn r dw/dt along it: each gets the same share of what
-    the wheels give. Who turns faster, or turns before its wheels have brought it aside, sheds the ball.
-    """
-    rate = sqrt(play.circle_share * k.drive_acceleration / sight.touch) * sight.pace
-    last = clip(memory.turn * k.drive_turn, -rate, rate)
-    wanted = clip(error / play.settle * sight.pace, -rate, rate)
-    turn = toward(last, wanted, rate * rate * sight.elapsed)
-    command.turn = turn / k.drive_turn
-    command.left = -turn * sight.touch / k.drive_sideways
-
-
-@compiled
 def comes_to_me(sight, k):
     """Tell whether the ball rolls to a player that can step aside, and would bounce off it."""
     speed = length(sight.ball_vx, sight.ball_vy)
@@ -143,25 +112,6 @@ def receive(command, sight, k, play):
     ahead, left = into_frame(vx / size, vy / size, sight.cosine, sight.sine)
     push(command, sight, k, ahead, left, size)
     turn_by(command, sight, k, play, wrap(atan2(-uy, -ux) - sight.heading))
-
-
-@compiled
-def is_pressed(sight):
-    """Tell whether an opponent is at the ball too: what two press between them at speed shoots out aside."""
-    for i in range(sight.others):
-        away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
-        if sight.mate[i] == 0 and away < PRESSED:
-            return True
-    return False
-
-
-@compiled
-def line_speed(sight, k, ux, uy):
-    """Return how fast to push the ball along (ux, uy) [m/s]: half as fast as it may roll and stay on the pitch."""
-    free = free_way(sight, k, ux, uy)
-    if is_pressed(sight):
-        return SLOW
-    return max(0.5 * sqrt(2.0 * k.ball_rolling * free), SLOW)
 
 
 @compiled

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from math import atan2
 
-from soccer_env.baselines.attacking import approach, turn_to_goal
+from soccer_env.baselines.attacking import approach
+from soccer_env.baselines.carrying import turn_to_goal
 from soccer_env.baselines.obeying import is_in_own_area
 from soccer_env.baselines.sight import rolls_to
 from soccer_env.baselines.skills import faces, go, way_clear

@@ -11,11 +11,11 @@ from soccer_env.baselines.attacking import (
     approach,
     choose_aim,
     comes_to_me,
-    is_pressed,
     receive,
     wants_to_shoot,
     wriggle,
 )
+from soccer_env.baselines.carrying import is_pressed
 from soccer_env.baselines.heinemann_2006.dribbling import dribble
 from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.intercepting import meeting_time

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from math import atan2
 
-from soccer_env.baselines.attacking import is_pressed, line_speed
+from soccer_env.baselines.carrying import is_pressed, line_speed
 from soccer_env.baselines.skills import goal_room
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, wrap

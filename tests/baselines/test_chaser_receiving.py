@@ -6,7 +6,8 @@ It gives way to a ball that comes, presses softly where an opponent is, and turn
 import numpy as np
 import pytest
 
-from soccer_env.baselines.attacking import PRESSED, SLOW, comes_to_me, line_speed, turn_to_goal
+from soccer_env.baselines.attacking import comes_to_me
+from soccer_env.baselines.carrying import PRESSED, SLOW, line_speed, turn_to_goal
 from soccer_env.baselines.chaser import MEMORY, team
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
