@@ -180,7 +180,7 @@ CHANGES: dict[str, st.SearchStrategy[Any]] = {
     **dict.fromkeys(ABOVE_ZERO, NUMBERS),
     **dict.fromkeys(("learning_rate", "noise"), st.floats(1e-12, 1.0)),
     **dict.fromkeys(FROM_ZERO, st.floats(0.0, 1e9)),
-    "ideal_share": st.floats(0.0, 1.0),
+    **dict.fromkeys(("ideal_share", "hold_keeper"), st.floats(0.0, 1.0)),
     **dict.fromkeys(SHARES, st.floats(1e-9, 1.0)),
     **dict.fromkeys(("steps", "batch", "epochs", "teacher_steps", "critic_first"), st.integers(2, 10**12)),
     **dict.fromkeys(("mirror", "curriculum", "decay", "central_critic", "normalise_rewards"), st.booleans()),
