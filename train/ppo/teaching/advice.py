@@ -10,7 +10,7 @@ aimed for a kick. There the advice is that of the same team by the robot's own b
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import torch
@@ -27,7 +27,7 @@ WALK_WEIGHT, KICK_WEIGHT = 5.0, 2.0  # of a walk's error; of decisions in which 
 class Adviser:
     """A team that watches another match and says what it would do for its home robots."""
 
-    def __init__(self, teacher: Any, senses: str, **settings: Any) -> None:
+    def __init__(self, teacher: Any, senses: Literal["ideal", "sensors"], **settings: Any) -> None:
         """`senses`: "ideal" to advise by the truth, "sensors" by what the robots of the match themselves believe."""
         self.match = Match(controllers={"home": teacher, "away": "still"}, senses=senses, **settings)
         self.by_beliefs = senses == "sensors"
@@ -51,7 +51,7 @@ def advised(player: Any, teacher: Any, opponents: Any, players: tuple[int, int],
     senses = settings.pop("senses")
     settings |= {"home": players[0], "away": players[1], "observe": "belief"}
     match = Match(controllers={"home": player, "away": opponents}, senses=senses, **settings)
-    advisers = [Adviser(teacher, kind, **settings) for kind in ("ideal", "sensors")]
+    advisers = [Adviser(teacher, "ideal", **settings), Adviser(teacher, "sensors", **settings)]
     for _ in range(first_decision(match.league.delay_steps, repeat)):
         for adviser in advisers:
             adviser.commands(match)

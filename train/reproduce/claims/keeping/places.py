@@ -52,7 +52,8 @@ def open_angle(balls: np.ndarray, keepers: np.ndarray) -> np.ndarray:
     middle = np.arctan2(dy, dx)
     wide = np.arcsin(np.clip((LEAGUE.body.disc_radius + radius) / np.hypot(dx, dy), -1.0, 1.0))
     shadow = np.clip(np.minimum(high, middle + wide) - np.maximum(low, middle - wide), 0.0, None)
-    return np.degrees(high - low - shadow)
+    left: np.ndarray = np.degrees(high - low - shadow)
+    return left
 
 
 def angles(batch: Batch) -> Samples:

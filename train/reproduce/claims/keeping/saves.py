@@ -181,7 +181,7 @@ def by_noise(batch: Batch) -> Samples:
     """Return goals (M,) of both keepers by the noise of the camera, by a fit over five frames and the Kalman filter."""
     found: Samples = {}
     for fit, noise in TRIED:
-        asked = {"sensors": {"pixel_noise": NOISES[noise]}, "memory": FITS[fit]}
+        asked: dict[str, Any] = {"sensors": {"pixel_noise": NOISES[noise]}, "memory": FITS[fit]}
         faced = {name: face_shots(batch, settings | LINES["line"], **asked) for name, settings in KEEPERS.items()}
         found |= {f"{fit} {noise} {name}": one.goal.astype(float) for name, one in faced.items()}
         found[f"{fit} {noise} error"] = faced["active"].error

@@ -130,7 +130,7 @@ def snapshot(one: Travel, cycle: int, title: str) -> Figure:
     angle = np.linspace(0.0, 2.0 * np.pi, 25)
     (x, y), crosser = one.others(cycle)[0], one.obstacles[0]
     outline = x + crosser["radius"] * np.cos(angle), y + crosser["radius"] * np.sin(angle)
-    paths = {"planned": planned.T, "travelled": travelled.T, "obstacle": outline}
+    paths: dict[str, Any] = {"planned": planned.T, "travelled": travelled.T, "obstacle": outline}
     curves = tuple(Curve(name, list(map(float, at)), list(map(float, on))) for name, (at, on) in paths.items())
     course = Arrows([float(x)], [float(y)], [float(crosser["vx"])], [float(crosser["vy"])])
     return Figure(title, "x [m]", "y [m]", curves, arrows=course)

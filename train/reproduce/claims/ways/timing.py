@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -14,12 +15,13 @@ from soccer_env.train.reproduce.values import mean, median
 from soccer_env.train.reproduce.verdicts import Samples, exact, measured, reported
 
 TEXT = crossing_text()
+KINDS: dict[str, dict[str, Any]] = {"smooth": {}, "literal": {"literal": True}}
 
 
 def times(batch: Batch, slower: float = 1.0) -> Samples:
     """Return T over T_min (M,), iterations and convergence of plans; `slower` scales the speed behind T_min."""
     found = {name: plans_of(batch, **changes) for name, changes in
-             {"smooth": {}, "literal": {"literal": True}}.items()}  # fmt: skip
+             KINDS.items()}  # fmt: skip
     samples: Samples = {}
     for name, plans in found.items():
         samples[f"{name} ratio"] = np.array([one.time / (slower * one.least_time) for one in plans])
