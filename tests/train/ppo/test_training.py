@@ -25,10 +25,11 @@ from soccer_env.agents.rules_known import recorded
 from soccer_env.checking import Range
 from soccer_env.leagues import find_league
 from soccer_env.leagues.rules import rule_set
-from soccer_env.train.ppo import imitation, reports, train, training
+from soccer_env.train.ppo import reports, train, training
 from soccer_env.train.ppo.checks import lesson, make_curriculum, make_matches
 from soccer_env.train.ppo.reports import Board, evaluation_of, learning_curve, rounded, scale
 from soccer_env.train.ppo.settings import BOUNDS, TrainSettings, command_of
+from soccer_env.train.ppo.teaching import lessons
 from soccer_env.train.progress import Progress
 from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
 
@@ -222,7 +223,7 @@ def test_one_bar_is_shown_at_a_time(tmp_path: Path, monkeypatch: pytest.MonkeyPa
             open_bars.remove(self._title)
 
     monkeypatch.setattr(reports, "Progress", Bar)
-    monkeypatch.setattr(imitation, "Progress", Bar)
+    monkeypatch.setattr(lessons, "Progress", Bar)
     plainly(tiny(tmp_path / "run", steps=ROLLOUT))
     assert most == [("learning from chaser",), ("training",)] and not open_bars
 
