@@ -228,4 +228,5 @@ def test_every_drill_is_told_of_here() -> None:
     told = {*DRIBBLES, "facing-wall", "ball-behind-robot", "head-on-push", "far-post-shots"}
     told |= {"lost-ball-behind", "ball-at-board", "ball-in-corner"}
     common = {"empty-goal", "shot-at-keeper"}
+    told |= {"far-post-shot", "near-post-shot", "receive-pass", "challenge-2003", "three-v-one", "counter-attack"}
     assert told | common == {name for name, scene in SCENES.items() if scene.success != "none"} and len(LEAGUES) == 2
