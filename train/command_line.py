@@ -226,7 +226,7 @@ def run_train(words: list[str]) -> int:
 
     try:
         import soccer_env.train.ppo.training  # noqa: F401  # torch and all that a training needs comes with it
-        from soccer_env.train.ppo.reports import screen_table
+        from soccer_env.train.ppo.reports import best_line, screen_table
     except ImportError as error:
         if (error.name or "").startswith("soccer_env"):
             raise
@@ -243,8 +243,7 @@ def run_train(words: list[str]) -> int:
             f"{error}; the same command goes on with the run in {settings.out} once that is mended"
         ) from error
     console().print(screen_table(result))
-    best = max(result.evaluations, key=lambda one: one["mean"])
-    print(f"best: step {best['step']:,}, {best['mean']:+.2f} on average; the largest of several is a lucky one")
+    print(best_line(result))
     files = [settings.out / name for name in ("best.safetensors", "learning_curve.png")]
     print(f"written: {', '.join(str(file) for file in files if file.exists())}")
     return 0

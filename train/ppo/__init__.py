@@ -50,10 +50,11 @@ def train(settings: TrainSettings) -> TrainResult:
         lessons = Lessons(settings, learner.network)  # of a scripted team
         with Training(settings, folder, curriculum, matches, learner) as run:
             if not run.restore_checkpoint():
-                lessons.teach()  # the actor begins with what a scripted team does, or as a policy file
-                run.evaluate()
+                for advised in lessons.teach():  # the actor begins with what a scripted team does, or as a policy file
+                    run.evaluate(advised)
                 learner.reset_matches()
                 run.save_checkpoint()
+            lessons.kept.forget()
             while learner.steps < settings.steps:
                 with run.timed("rollout"):
                     learner.collect_rollout(run.show_step)

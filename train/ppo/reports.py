@@ -165,14 +165,15 @@ def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSetting
     except ImportError:
         return b""
     matplotlib.use("agg")  # no window, whatever the screen
-    unit, words = scale(max(one["step"] for one in evaluations))
+    decisions = decisions_of(evaluations)
+    unit, words = scale(max(decisions))
     curves = []
     for index, row in enumerate(evaluations[0]["rows"]):
         found = [one["rows"][index] for one in evaluations]
         curves.append(
             {
                 "name": f"against {row['opponent']}",
-                "x": [one["step"] / unit for one in evaluations],
+                "x": [count / unit for count in decisions],
                 "y": [part["goal_difference"] for part in found],
                 "low": [part["low"] for part in found],
                 "high": [part["high"] for part in found],
@@ -186,6 +187,12 @@ def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSetting
     )  # fmt: skip
 
 
+def decisions_of(evaluations: Sequence[dict[str, Any]]) -> list[int]:
+    """Return from how many decisions a policy had learned at each evaluation, those advised by a teacher too."""
+    advised = max(one.get("advised", 0) for one in evaluations)
+    return [one["step"] + (advised if one["step"] else one.get("advised", 0)) for one in evaluations]
+
+
 def scale(steps: int) -> tuple[float, str]:
     """Return the unit in which so many steps are short numbers, and its words."""
     return next(((unit, words) for unit, words in UNITS if steps >= unit), (1.0, ""))
@@ -196,10 +203,17 @@ def screen_table(result: Any) -> Any:
     from rich.table import Table
 
     table = Table(title=f"{result.policy.name}: {result.steps:,} steps, {result.seconds:.0f} s")
-    for column in ("step", "against", "points", "goal difference a match (95 % interval)"):
+    for column in ("decisions", "against", "points", "goal difference a match (95 % interval)"):
         table.add_column(column, justify="left" if column == "against" else "right")
-    for one in result.evaluations:
+    for decisions, one in zip(decisions_of(result.evaluations), result.evaluations, strict=True):
         for row in one["rows"]:
             difference = f"{row['goal_difference']:+.2f} ({row['low']:+.2f} to {row['high']:+.2f})"
-            table.add_row(f"{one['step']:,}", row["opponent"], f"{100 * row['points']:.0f} %", difference)
+            table.add_row(f"{decisions:,}", row["opponent"], f"{100 * row['points']:.0f} %", difference)
     return table
+
+
+def best_line(result: Any) -> str:
+    """Return which evaluation of a run (`training.TrainResult`) was the best."""
+    pairs = zip(decisions_of(result.evaluations), result.evaluations, strict=True)
+    decisions, best = max(pairs, key=lambda pair: pair[1]["mean"])
+    return f"best: after {decisions:,} decisions, {best['mean']:+.2f} on average; the largest of several is a lucky one"

@@ -1,7 +1,7 @@
 """The folder of a training run: one training at a time, logs that go on, files written whole.
 
 settings.json  log.jsonl  progress.csv  evaluations.jsonl  best.safetensors  last.safetensors  learning_curve.png
-checkpoint-0.pt  checkpoint-1.pt  latest.json  tensorboard (if the package is installed)
+checkpoint-0.pt  checkpoint-1.pt  latest.json  rounds (while a teacher advises)  tensorboard (if it is installed)
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ EVALUATIONS = "evaluations.jsonl"
 BEST = "best.safetensors"
 LAST = "last.safetensors"
 CURVE = "learning_curve.png"
-TENSORBOARD = "tensorboard"  # a folder
+TENSORBOARD, ROUNDS = "tensorboard", "rounds"  # folders
 TRAINING = Kind(
     "a training", ("league", "matches", "opponents", "past", "rollout", "epochs"),
-    (LOG, TABLE, EVALUATIONS, BEST, LAST, CURVE, LATEST, *NAMES), lambda _: [TENSORBOARD], alone=True,
+    (LOG, TABLE, EVALUATIONS, BEST, LAST, CURVE, LATEST, *NAMES), lambda _: [TENSORBOARD, ROUNDS], alone=True,
 )  # fmt: skip
 
 
@@ -56,9 +56,7 @@ class RunFolder(ResultsFolder):
             records = read_lines(path)
             if not all(isinstance(record.get("step"), int) for record in records):
                 raise ValueError(f"{path} is damaged: it holds a line without its step; --anew starts again")
-            kept = [record for record in records if record["step"] <= step]
-            if len(kept) < len(records):
-                write_whole(path, "".join(json.dumps(record) + "\n" for record in kept))
+            self._keep(name, [record for record in records if record["step"] <= step or record.get("advised")])
         self._write_table()
 
     def log(self, record: dict[str, Any]) -> None:
@@ -73,6 +71,16 @@ class RunFolder(ResultsFolder):
     def log_evaluation(self, record: dict[str, Any]) -> None:
         """Add an evaluation to evaluations.jsonl."""
         self.add(EVALUATIONS, [record])
+
+    def forget_evaluations_from(self, record: dict[str, Any]) -> None:
+        """Cut the evaluations back to those before one that is to come."""
+        self._keep(EVALUATIONS, [one for one in self.evaluations() if order(one) < order(record)])
+
+    def _keep(self, name: str, kept: list[dict[str, Any]]) -> None:
+        """Leave these lines in a log, which are some of its own."""
+        path = self.path / name
+        if len(kept) < len(read_lines(path)):
+            write_whole(path, "".join(json.dumps(record) + "\n" for record in kept))
 
     def lines(self) -> list[dict[str, Any]]:
         """Return the lines of all rollouts so far."""
@@ -89,6 +97,11 @@ class RunFolder(ResultsFolder):
             write_whole(self.path / TABLE, csv_lines([list(lines[0]), *(list(line.values()) for line in lines)]))
         else:
             (self.path / TABLE).unlink(missing_ok=True)
+
+
+def order(evaluation: dict[str, Any]) -> tuple[int, int]:
+    """Return what tells which evaluation of a run came first."""
+    return evaluation["step"], evaluation.get("advised", 0)
 
 
 def flattened(record: dict[str, Any]) -> dict[str, Any]:

@@ -32,9 +32,9 @@ SHARE = Range(0.0, 1.0, above=True)
 MINUTES = Range(0.0, 10_000.0, above=True, below=True)
 MOST = 65_536
 BOUNDS: dict[str, tuple[Any, ...]] = {
-    **dict.fromkeys(("steps", "action_repeat", "batch", "epochs", "evaluate_every", "past_every"), Range(1)),
+    **dict.fromkeys(("action_repeat", "batch", "epochs", "evaluate_every", "past_every"), Range(1)),
     **dict.fromkeys(("rollout", "matches"), Range(1, MOST)),
-    **dict.fromkeys(("past", "teacher_steps", "teacher_epochs", "rounds", "critic_first"), FROM_ZERO),
+    **dict.fromkeys(("steps", "past", "teacher_steps", "teacher_epochs", "rounds", "critic_first"), FROM_ZERO),
     **dict.fromkeys(("gae_lambda", "clip", "gamma", "learning_rate"), SHARE),
     **dict.fromkeys(("minutes", "evaluate_minutes"), MINUTES),
     **dict.fromkeys(("entropy", "value_weight", "target_kl"), FROM_ZERO),
@@ -61,7 +61,7 @@ class PlainSettings:
     out: Path = Path("runs/train")
     """Folder of the run: checkpoints, best.safetensors, last.safetensors, logs, learning curve."""
     steps: int = 2_000_000
-    """Decisions of learning robots to train for; a finished run goes on if this is raised."""
+    """Decisions of learning robots to train for; a finished run goes on if this is raised; 0: by its teacher alone."""
     players: str = "3v3"
     """Players a side; several, mixed in one run, with commas between them: 1v1,2v2,3v3."""
     matches: int = 128

@@ -49,7 +49,6 @@ class Training:
         self.learner = learner
         self.board = Board(settings, folder)
         self.rollouts = 0  # so far
-        self.best = -np.inf  # mean goal difference of the best evaluation
         self.started = time.perf_counter()
 
     def __enter__(self) -> Training:
@@ -92,18 +91,23 @@ class Training:
         before = step - self.settings.rollout * self.matches.num_envs
         return step >= self.settings.steps or step // every > before // every
 
-    def evaluate(self) -> None:
-        """Play the policy without noise; keep it if it is the best so far, and draw the learning curve."""
+    def evaluate(self, advised: int = 0) -> None:
+        """Play the policy without noise; keep it if it is the best so far, and draw the learning curve.
+
+        `advised`: decisions of which a teacher has told so far what it would have done.
+        """
         with self.timed("evaluation"):
             policy = self.policy()
+            record = {"step": self.learner.steps, "advised": advised}
+            self.folder.forget_evaluations_from(record)  # of a run that was cut before it was kept
+            best = max((one["mean"] for one in self.folder.evaluations()), default=-np.inf)
             rows = evaluate_policy(policy, self.settings)
             mean = float(np.mean([row["goal_difference"] for row in rows]))
             data = dump(policy)
             self.folder.write(LAST, data)
-            if mean > self.best:
-                self.best = mean
+            if mean > best:
                 self.folder.write(BEST, data)
-            self.folder.log_evaluation({"step": self.learner.steps, "mean": mean, "rows": rows})
+            self.folder.log_evaluation({**record, "mean": mean, "rows": rows})
             curve = learning_curve(self.folder.evaluations(), self.settings)
             if curve:
                 self.folder.write(CURVE, curve)
@@ -124,7 +128,6 @@ class Training:
                 "matches": self.matches.save(),
                 "curriculum": self.curriculum.state(),
                 "generators": generators(),
-                "best": float(self.best),
                 "rollouts": self.rollouts,
             }
             write_checkpoint(self.folder.path, state, self.learner.steps)
@@ -147,7 +150,7 @@ class Training:
         try:
             self.curriculum.restore(saved["curriculum"])  # first: saved matches know whom they are played against
             self.learner.restore(saved, self.matches.load(saved["matches"]))
-            self.best, self.rollouts = saved["best"], saved["rollouts"]
+            self.rollouts = saved["rollouts"]
             restore_generators(saved["generators"])
         except (ValueError, RuntimeError, LookupError, TypeError, AttributeError) as error:
             raise ValueError(

@@ -12,7 +12,6 @@ import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -54,17 +53,6 @@ def test_another_seed_gives_other_weights(tmp_path: Path, whole: Path) -> None:
     assert weights(tmp_path / "run" / "last.safetensors") != weights(whole / "last.safetensors")
 
 
-@pytest.mark.parametrize("change", [{}, {"kind": "attention", "mirror": False}])
-def test_an_actor_may_begin_with_the_weights_of_a_policy_file(tmp_path: Path, change: dict[str, Any]) -> None:
-    """As long as the critic learns alone they stay what they are in the file, a teacher or not."""
-    plainly(tiny(tmp_path / "first", steps=3 * ROLLOUT, past=0, **change))
-    first = tmp_path / "first" / "last.safetensors"
-    plainly(tiny(tmp_path / "next", steps=2 * ROLLOUT, past=0, start=str(first), seed=4, **change))
-    assert weights(tmp_path / "next" / "last.safetensors") == weights(first)
-    made = load(tmp_path / "next" / "last.safetensors").made
-    assert str(tmp_path) not in str(made) and made["start"] == sha256(first.read_bytes()).hexdigest()
-
-
 def test_policies_and_settings_say_by_which_rules_they_were_trained(tmp_path: Path, whole: Path) -> None:
     assert load(whole / "last.safetensors").rules == recorded(find_league("legged-2001").rules)
     rules = "simple:pushing=True"
@@ -94,7 +82,6 @@ def test_matches_teacher_and_evaluations_are_played_by_the_rules_asked_for(tmp_p
         {"observe": "truth", "senses": "ideal", "teacher": "", "past": 0, "critic_first": 0, "activation": "relu"},
         {"ideal_share": 0.5},
         {"teacher_until": 1.0},
-        {"rounds": 2, "hold_keeper": 1.0},
         {"scenes": "kick-off:2,scattered,lost-ball-behind", "rules": "simple", "players": "1v3,3v1,2v3"},
         {"observe": "percepts", "mirror": False, "target_kl": 1e-9, "entropy": 0.01, "pose": "particles"},
     ],

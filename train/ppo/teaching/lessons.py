@@ -16,11 +16,12 @@ from soccer_env.train.ppo.networks import SoccerPolicy, begin_with, policy_from
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.teaching.advice import advice_error, advised
 from soccer_env.train.ppo.teaching.imitation import Rows, fit, forget_own_commands, hold, holding, record
+from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
 from soccer_env.train.progress import Progress
 
 TEACHER_SEED = 2_000_003  # added to the run's seed: the teacher plays other matches than the learner
 ROUND_SEED = 100_003  # added for each round
-KEPT_ROUNDS = 6  # the latest ones: what was learned of worse play is forgotten
+ADVICE_BATCH = 2048  # decisions in a step of a fit to advice
 LAST_EPOCHS = 2  # times as many epochs after the last round
 
 
@@ -68,6 +69,7 @@ class Lessons:
 
     def __init__(self, settings: TrainSettings, network: SoccerPolicy) -> None:
         self.settings, self.network = settings, network
+        self.kept = KeptRounds(settings.out)
         self._rows: Rows | None = None
 
     @property
@@ -85,15 +87,21 @@ class Lessons:
         chosen = observations[:, column] > 0.0
         return observations[chosen], actions[chosen]
 
-    def teach(self) -> None:
-        """Give the actor what it starts with: a policy's weights, or what its teacher does, if there is either."""
+    def teach(self) -> Iterator[int]:
+        """Give the actor what it starts with: a policy's weights, or what its teacher does, if there is either.
+
+        After each round, and once without rounds, it yields the decisions that were advised so far; what the caller
+        does then, as an evaluation, is repeated if the run is cut before the round is kept.
+        """
         settings = self.settings
         if settings.start:
             begin_with(self.network, load(settings.start))
         if settings.rounds:
-            self._take_advice()
-        elif settings.teacher and not settings.start:
+            yield from self._take_advice()
+            return
+        if settings.teacher and not settings.start:
             self._imitate()
+        yield 0
 
     def _imitate(self) -> None:
         """Fit the actor to what its teacher does."""
@@ -102,24 +110,37 @@ class Lessons:
             self._rows = lessons(settings, self.network.entries, progress.advance)
             fit(self.network, *self._rows, epochs, settings.seed, lambda share: progress.advance(share * epochs / 2))
 
-    def _take_advice(self) -> None:
-        """Let the actor play rounds, the first one its teacher unless it has a start, and fit it to advice."""
+    def _take_advice(self) -> Iterator[int]:
+        """Let the actor play rounds, the first one its teacher unless it has a start, and fit it to all advice."""
         settings = self.settings
-        parts: list[list[Rows]] = []  # of each round
         cases = len(cases_of(settings))
-        with Progress(f"advised by {settings.teacher}", 2 * cases * settings.rounds) as progress:
-            for number in range(settings.rounds):
-                player = self._player() if number or settings.start else settings.teacher
-                parts.append([])
-                for opponent, players, _, given in shares(settings):
-                    given["seed"] += ROUND_SEED * number
-                    asked = (player, settings.teacher, opponent, players, settings.action_repeat)
-                    parts[-1].append(advised(*asked, **given))
-                    progress.advance(1.0)
-                rows = together([part for one in parts[-KEPT_ROUNDS:] for part in one], settings, self.network.entries)
-                epochs = settings.teacher_epochs * (LAST_EPOCHS if number == settings.rounds - 1 else 1)
-                fit(self.network, *rows, epochs, settings.seed + number, error=advice_error)
-                progress.advance(cases)
+        rounds = self.kept.restore(self.network)
+        for number in range(len(rounds), settings.rounds):
+            with Progress(f"advised by {settings.teacher}, round {number + 1}", 2 * cases) as progress:
+                rounds.append(self._round(number, progress))
+                self._fit_advice(rounds, progress)
+            yield sum(len(actions) for _, actions in rounds)
+            self.kept.keep(number, rounds[-1], self.network)
+
+    def _round(self, number: int, progress: Progress) -> Rows:
+        """Play a round in all kinds of matches; return what was seen and advised."""
+        settings, parts = self.settings, []
+        player = self._player() if number or settings.start else settings.teacher
+        for opponent, players, _, given in shares(settings):
+            given["seed"] += ROUND_SEED * number
+            parts.append(advised(player, settings.teacher, opponent, players, settings.action_repeat, **given))
+            progress.advance(1.0)
+        return np.concatenate([part[0] for part in parts]), np.concatenate([part[1] for part in parts])
+
+    def _fit_advice(self, rounds: list[Rows], progress: Progress) -> None:
+        """Fit the actor to the advice of all rounds, longer after the last one."""
+        settings, number = self.settings, len(rounds)
+        epochs = settings.teacher_epochs * (LAST_EPOCHS if number == settings.rounds else 1)
+        cases = len(cases_of(settings))
+        fit(
+            self.network, *together(rounds, settings, self.network.entries), epochs, settings.seed + number - 1,
+            lambda share: progress.advance(share * cases), batch=ADVICE_BATCH, error=advice_error,
+        )  # fmt: skip
 
     def _player(self) -> Any:
         """Return the actor as it is now, as a team."""

@@ -1,0 +1,107 @@
+"""What an actor begins with: the weights of a file, or rounds of advice, among which a run may be cut as well."""
+
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env.agents.policy_file import load
+
+pytest.importorskip("stable_baselines3")
+
+from soccer_env.train.ppo.reports import best_line, decisions_of
+from soccer_env.train.ppo.teaching import lessons
+from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
+from soccer_env.train.ppo.training import Training
+from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights
+
+ADVISED: dict[str, Any] = {"rounds": 3, "hold_keeper": 1.0, "steps": 4 * ROLLOUT}
+
+
+@pytest.mark.parametrize("change", [{}, {"kind": "attention", "mirror": False}])
+def test_an_actor_may_begin_with_the_weights_of_a_policy_file(tmp_path: Path, change: dict[str, Any]) -> None:
+    """As long as the critic learns alone they stay what they are in the file, a teacher or not."""
+    plainly(tiny(tmp_path / "first", steps=3 * ROLLOUT, past=0, **change))
+    first = tmp_path / "first" / "last.safetensors"
+    plainly(tiny(tmp_path / "next", steps=2 * ROLLOUT, past=0, start=str(first), seed=4, **change))
+    assert weights(tmp_path / "next" / "last.safetensors") == weights(first)
+    made = load(tmp_path / "next" / "last.safetensors").made
+    assert str(tmp_path) not in str(made) and made["start"] == sha256(first.read_bytes()).hexdigest()
+
+
+def test_it_is_judged_after_every_round_and_the_rounds_are_gone_at_the_end(tmp_path: Path) -> None:
+    result = plainly(tiny(tmp_path / "run", rounds=3, steps=0))
+    assert result.steps == 0 and not (tmp_path / "run" / "rounds").exists()
+    found = records(tmp_path / "run" / "evaluations.jsonl")
+    advised = [one["advised"] for one in found]
+    assert [one["step"] for one in found] == [0, 0, 0] and advised == sorted({*advised}) and advised[0] > 0
+    assert decisions_of(found) == advised
+    assert decisions_of([*found, {"step": 48, "advised": 0}])[-1] == advised[-1] + 48, "rewards come after advice"
+    assert any(f"after {count:,} decisions" in best_line(result) for count in advised)
+
+
+@pytest.mark.parametrize("where", ["playing", "fitting", "judging", "keeping"])
+@pytest.mark.parametrize("count", [1, 2])
+def test_a_run_that_is_cut_among_its_rounds_goes_on_as_if_it_had_not_been(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str, count: int
+) -> None:
+    owner, name = {
+        "playing": (lessons.Lessons, "_round"), "fitting": (lessons.Lessons, "_fit_advice"),
+        "judging": (Training, "evaluate"), "keeping": (KeptRounds, "keep"),
+    }[where]  # fmt: skip
+    done, left = getattr(owner, name), [count]
+
+    def cut(*given: Any, **named: Any) -> Any:
+        left[0] -= 1
+        if left[0] == 0:
+            raise KeyboardInterrupt
+        return done(*given, **named)
+
+    plainly(tiny(tmp_path / "whole", **ADVISED))
+    with monkeypatch.context() as patched:
+        patched.setattr(owner, name, cut)
+        with pytest.raises(KeyboardInterrupt):
+            plainly(tiny(tmp_path / "cut", **ADVISED))
+    played: list[int] = []
+
+    def counted(self: lessons.Lessons, number: int, progress: Any) -> Any:
+        played.append(number)
+        return round_of(self, number, progress)
+
+    round_of = lessons.Lessons._round
+    monkeypatch.setattr(lessons.Lessons, "_round", counted)
+    plainly(tiny(tmp_path / "cut", **ADVISED))
+    assert outcome(tmp_path / "cut") == outcome(tmp_path / "whole")
+    assert played == list(range(count - 1, 3)), "what was kept is not played again"
+
+
+def test_a_damaged_round_is_refused_and_left_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(KeptRounds, "forget", lambda self: None)
+    monkeypatch.setattr(Training, "save_checkpoint", lambda self: None)
+    settings = tiny(tmp_path / "run", rounds=2, steps=0)
+    plainly(settings)
+    path = tmp_path / "run" / "rounds" / "round-001.npz"
+    torn = path.read_bytes()[:-100]
+    path.write_bytes(torn)
+    with pytest.raises(ValueError, match=r"round-001.npz is damaged \(.*\); --anew starts again"):
+        plainly(settings)
+    assert path.read_bytes() == torn
+    plainly(tiny(tmp_path / "run", rounds=2, steps=0, anew=True))
+
+
+def test_what_is_kept_of_rounds_is_what_was_given(tmp_path: Path) -> None:
+    import torch
+
+    network, other = torch.nn.Linear(3, 2), torch.nn.Linear(3, 2)
+    kept = KeptRounds(tmp_path)
+    assert kept.restore(other) == []
+    rows = [(np.full((n, 3), n, np.float32), np.full((n, 4), -n, np.float32)) for n in (1, 2)]
+    for number, one in enumerate(rows):
+        kept.keep(number, one, network)
+    for one, found in zip(rows, kept.restore(other), strict=True):
+        assert all(np.array_equal(*pair) for pair in zip(one, found, strict=True))
+    assert torch.equal(network.weight, other.weight) and torch.equal(network.bias, other.bias)
+    kept.forget()
+    assert kept.restore(other) == []

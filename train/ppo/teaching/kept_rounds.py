@@ -1,0 +1,57 @@
+"""The rounds of advice that a run has had so far, on the disk: a run that is cut among them goes on after the last."""
+
+from __future__ import annotations
+
+import io
+import shutil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+
+from soccer_env.train.ppo.run_folder import ROUNDS
+from soccer_env.train.ppo.teaching.imitation import Rows
+from soccer_env.whole_files import write_whole
+
+ROWS = ("observations", "advice")
+NETWORK = "network/"
+
+
+class KeptRounds:
+    """The rows of each round and the network after the last one, in a run's folder until the teaching is over."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder / ROUNDS
+
+    def path(self, number: int) -> Path:
+        """Return the file of a round."""
+        return self.folder / f"round-{number:03d}.npz"
+
+    def keep(self, number: int, rows: Rows, network: torch.nn.Module) -> None:
+        """Write a round, whole or not at all. OSError leaves the rounds before it."""
+        weights = {NETWORK + name: tensor.cpu().numpy() for name, tensor in network.state_dict().items()}
+        buffer = io.BytesIO()
+        np.savez(buffer, **dict(zip(ROWS, rows, strict=True)), **weights)  # type: ignore[arg-type]  # of arrays by name
+        self.folder.mkdir(exist_ok=True)
+        write_whole(self.path(number), buffer.getvalue())
+
+    def restore(self, network: torch.nn.Module) -> list[Rows]:
+        """Return the rows of the rounds so far, and give the network the weights after the last; ValueError if torn."""
+        kept: list[Rows] = []
+        weights: dict[str, Any] = {}
+        while (path := self.path(len(kept))).exists():
+            try:
+                with np.load(path) as file:
+                    kept.append((file[ROWS[0]], file[ROWS[1]]))
+                    weights = {name: file[name] for name in file.files if name.startswith(NETWORK)}
+            except Exception as error:  # a damaged archive may raise whatever its parts do
+                raise ValueError(f"{path} is damaged ({error}); --anew starts again") from error
+        if weights:
+            tensors = {name.removeprefix(NETWORK): torch.as_tensor(value) for name, value in weights.items()}
+            network.load_state_dict(tensors)
+        return kept
+
+    def forget(self) -> None:
+        """Remove them."""
+        shutil.rmtree(self.folder, ignore_errors=True)
