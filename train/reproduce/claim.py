@@ -81,6 +81,7 @@ class Figure:
     y_label: str
     curves: tuple[Curve, ...]
     rules: tuple[float, ...] = ()  # heights of dashed lines: what the criterion asks for
+    rule: str = ""  # or what they are, if not that
     arrows: Arrows | None = None  # a picture of the field: both axes have one scale
 
 
@@ -143,6 +144,8 @@ def as_plain(figure: Figure) -> dict[str, Any]:
     ]
     words = {name: getattr(figure, name) for name in ("title", "x_label", "y_label")}
     plain = {**words, "curves": curves, "rules": [float(rule) for rule in figure.rules]}
+    if figure.rule:
+        plain["rule"] = figure.rule
     if figure.arrows is not None:
         plain["arrows"] = {name: [float(v) for v in values] for name, values in vars(figure.arrows).items()}
     return plain

@@ -1,4 +1,7 @@
-"""The goalkeeper's places in closed form: passive on the line d, active by the perpendicular into the trajectory."""
+"""The goalkeeper's places in closed form: passive on the line d, active by the perpendicular into the trajectory.
+
+MH19 passive, MH20 active, MH21 its reaction and acceleration, MH22 interception of a rolling ball.
+"""
 
 from math import hypot, inf, sqrt
 from typing import Any

@@ -74,7 +74,8 @@ def goals_by_speed(samples: Samples) -> Sequence[Figure]:
         for name, text in names.items()
         if name in samples
     )
-    return (Figure("Goals of shots at the goalkeeper", "speed at the kick [m/s]", "goals [%]", curves, rules=(50.0,)),)
+    words = ("Goals of shots at the goalkeeper", "speed at the kick [m/s]", "goals [%]")
+    return (Figure(*words, curves, rules=(50.0,), rule="half of them"),)
 
 
 H18 = Claim(

@@ -147,9 +147,10 @@ def gap_figure(samples: Samples) -> Sequence[Figure]:
             for name, text in names.items()
         )
 
+    y_label, half, words = "travels below [%]", (50.0,), "half of them"
     return (
-        Figure("Smallest gap in random crossings", "gap [m]", "travels below [%]", curves("gap"), rules=(50.0,)),
-        Figure("Time of random crossings", "time [s]", "travels below [%]", curves("time"), rules=(50.0,)),
+        Figure("Smallest gap in random crossings", "gap [m]", y_label, curves("gap"), rules=half, rule=words),
+        Figure("Time of random crossings", "time [s]", y_label, curves("time"), rules=half, rule=words),
     )
 
 
