@@ -48,6 +48,7 @@ from soccer_env.baselines.set_pieces import (
 )
 from soccer_env.baselines.sight import SIGHT, look, side_of
 from soccer_env.baselines.skills import go
+from soccer_env.checking import check_names, number
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
 from soccer_env.random_numbers import uniform
@@ -130,6 +131,8 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "shot_speed": (0.15, 0.5, 0.5),  # [m/s] a ball this fast towards the goal is a shot
     "dive": (0.0, 0.0, 0.0),  # [m/s] at which a shot is met
     "clear_cosine": (0.77, 0.77, 0.77),  # cosine of the angle to the way clear of the goal for a kick, 40 degrees
+    "berth": (0.0, 0.0, 0.0),  # [m] more than AREA_ROOM that a field player keeps off its own area
+    "retreat": (0.75, 0.75, 0.75),  # [s] before a push is for too long it steps back: delay, gait step, legs' ramp
     "unsure": (45.0, 0.0, 0.0),  # [1] confidence in the own pose below which a player looks up for landmarks
     "lost": (15.0, 0.0, 0.0),  # [1] the same with the ball so near that it loses it
     "glance_time": (0.9, 0.9, 0.9),  # [s] of such a look
@@ -145,9 +148,15 @@ HOME_EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assum
 SETTINGS = np.dtype([("strength", "f8"), *((name, "f8") for name in NUMBERS)])
 
 
-def team(strength: float = 1.0) -> CompiledTeam:
-    """Return the team; `settings` has a row for each kind of base, in the order of `DRIVE_KINDS`."""
-    rows = [(strength, *(numbers[kind] for numbers in NUMBERS.values())) for kind in range(3)]
+def team(strength: float = 1.0, **changes: float) -> CompiledTeam:
+    """Return the team; `changes` are NUMBERS by name, for any kind of base. ValueError for one that there is not.
+
+    `settings` has a row for each kind of base, in the order of `DRIVE_KINDS`.
+    """
+    check_names("setting of chaser", changes, NUMBERS)
+    given = {name: 3 * (number(f"{name} of chaser", value),) for name, value in changes.items()}
+    numbers = {**NUMBERS, **given}
+    rows = [(strength, *(values[kind] for values in numbers.values())) for kind in range(3)]
     return CompiledTeam("chaser", CHASER, MEMORY, np.array(rows, SETTINGS))
 
 
@@ -171,7 +180,7 @@ def decide(belief, command, sight, memory, noise, k, play):
     """Play the role that the player has now."""
     situation = belief.situation
     keeps_out = may_not_enter(situation, k)
-    if keeps_out and leave_area(command, sight, k, play):
+    if keeps_out and leave_area(command, sight, k, play, play.berth):
         return
     if belief.ball.age > LOST:
         search(belief, command, sight, memory, k, play)
@@ -181,7 +190,7 @@ def decide(belief, command, sight, memory, noise, k, play):
         keep_goal(command, sight, memory, k, play)
     else:
         play_in_field(situation, command, sight, memory, noise, k, play, keeps_out)
-        mind_pushing(belief.obstacle, command, sight, memory, k)
+        mind_pushing(belief.obstacle, command, sight, memory, k, play.retreat)
 
 
 @compiled
@@ -275,7 +284,7 @@ def support_point(sight, memory, k, play, ring, keeps_out):
     x = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x)
     y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
     if keeps_out:
-        x, y = out_of_own_area(x, y, k, k.body_reach + AREA_ROOM)
+        x, y = out_of_own_area(x, y, k, k.body_reach + play.berth + AREA_ROOM)
     if memory.rank > 0 or ring == 0.0:
         x, y = out_of_area(sight, k, x, y, ring)
     return round_ball(sight, k, x, y)

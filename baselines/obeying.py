@@ -21,7 +21,6 @@ WAIT = 0.35  # [m] from a ball in the own area at which an attacker waits for it
 TOUCH = 1.8  # [body reaches] between the centres of two robots that are taken to touch, assumed
 PRESS = 0.25  # [1] of the top speed towards another above which a robot walks into it, as the referee has it
 AHEAD = 0.6  # [rad] off straight ahead within which the ranger meets who is behind the ball, assumed
-REACTION = 0.75  # [s] before its time is over a robot steps back: delay, a gait step and the legs' ramp, assumed
 SHORTEST = 0.25  # [s] of a push all the same, assumed
 
 
@@ -49,11 +48,11 @@ def out_of_own_area(x, y, k, room):
 
 
 @compiled
-def leave_area(command, sight, k, play):
-    """Walk out of the own penalty area by the shortest way; tell whether the player stands in it."""
-    if not is_in_own_area(sight.x, sight.y, k, k.body_reach):
+def leave_area(command, sight, k, play, berth):
+    """Walk out of the own penalty area by the shortest way; tell whether it is less than `berth` [m] off it."""
+    if not is_in_own_area(sight.x, sight.y, k, k.body_reach + berth):
         return False
-    x, y = out_of_own_area(sight.x, sight.y, k, k.body_reach + ROOM)
+    x, y = out_of_own_area(sight.x, sight.y, k, k.body_reach + berth + ROOM)
     facing = atan2(sight.ball_y - sight.y, sight.ball_x - sight.x)
     go(command, sight, k, play, x, y, facing, k.drive_forward)
     ahead, left = into_frame(x - sight.x, y - sight.y, sight.cosine, sight.sine)
@@ -74,8 +73,8 @@ def wait_at_area(command, sight, k, play):
 
 
 @compiled
-def mind_pushing(obstacle, command, sight, memory, k):
-    """Step back from an opponent that the player has walked into for too long.
+def mind_pushing(obstacle, command, sight, memory, k, retreat):
+    """Step back from an opponent that the player has walked into, `retreat` [s] before it is for too long.
 
     A player that looks down at the ball does not see who is behind it, and nobody feels contacts: near the opponents'
     goal it takes the ball on step by step, between which it stands for as long.
@@ -96,7 +95,7 @@ def mind_pushing(obstacle, command, sight, memory, k):
     if may_meet_keeper(obstacle, command, sight, memory, k):
         slot, allowed = 0, min(allowed, k.rules_keeper_pushing_time)
     memory.pressed = memory.pressed + sight.elapsed if slot >= 0 else max(memory.pressed - sight.elapsed, 0.0)
-    if slot >= 0 and memory.pressed > max(allowed - REACTION, SHORTEST):
+    if slot >= 0 and memory.pressed > max(allowed - retreat, SHORTEST):
         away = max(length(x, y), 1e-6)
         memory.off_x, memory.off_y = x / away, y / away
         memory.back_off = memory.pressed + k.drive_forward / k.drive_acceleration  # and until its legs have stopped

@@ -9,6 +9,7 @@ from soccer_env import Match
 from soccer_env.baselines.obeying import is_in_own_area, out_of_own_area
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.teams import make_team
 from soccer_env.types import Foul, Phase
 from tests.scenes.staging import LEGGED, put, put_ball, set_phase, steps_in
 
@@ -73,6 +74,35 @@ def test_it_goes_to_a_ball_in_its_area_where_no_rule_forbids_it() -> None:
         touched |= match.robot_events["touch"][:, 1] == 1
     assert touched.mean() > 0.5
     match.close()
+
+
+def nearest_to_area(team: str) -> np.ndarray:
+    """Return how near [m] a field player comes to its own area (M,) that it was near when the ball lay before it."""
+    match = staged(team)
+    put(match, 1, -0.7, 0.2, np.pi)
+    put_ball(match, -0.9, 0.2)
+    match.balls["vx"] = -0.3
+    match.rebuild()
+    nearest = np.full(MATCHES, np.inf)
+    for _ in range(steps_in(match, 10.0)):
+        match.step()
+        nearest = np.minimum(nearest, match.robots["x"][:, 1] - EDGE)
+    match.close()
+    return nearest
+
+
+def test_a_chaser_told_to_gives_its_area_a_wide_berth() -> None:
+    wide, usual = nearest_to_area("chaser:berth=0.2"), nearest_to_area("chaser")
+    assert np.median(wide) > np.median(usual) + 0.1
+
+
+def test_settings_of_the_chaser_are_its_numbers_by_name() -> None:
+    assert set(make_team("chaser:berth=0.2,room=0.05").settings["berth"]) == {0.2}
+    with pytest.raises(ValueError, match="unknown setting of chaser 'bert', did you mean 'berth'"):
+        make_team("chaser:bert=0.2")
+    for value in ("far", "nan", "True"):
+        with pytest.raises(ValueError, match=f"berth of chaser must be a number, got '?{value}"):
+            make_team(f"chaser:berth={value}")
 
 
 def test_the_shortest_way_out_of_the_area_goes_through_its_front() -> None:
