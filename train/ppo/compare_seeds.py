@@ -21,7 +21,7 @@ import tyro
 
 from soccer_env.train.files import read_lines
 from soccer_env.train.plots import draw
-from soccer_env.train.ppo.reports import scale
+from soccer_env.train.ppo.reports import decisions_of, scale
 from soccer_env.train.ppo.run_folder import EVALUATIONS
 from soccer_env.train.results_folder import SETTINGS
 from soccer_env.whole_files import write_whole
@@ -62,7 +62,7 @@ def check_alike(runs: Sequence[Run]) -> None:
 
 def figure_of(runs: Sequence[Run]) -> dict[str, Any]:
     """Return the curves of goal differences, one for each opponent and run, for `plots.draw`."""
-    unit, words = scale(max(one["step"] for run in runs for one in run.evaluations))
+    unit, words = scale(max(count for run in runs for count in decisions_of(run.evaluations)))
     curves = []
     for index, opponent in enumerate(opponents_of(runs)):
         for run in runs:
@@ -70,7 +70,7 @@ def figure_of(runs: Sequence[Run]) -> dict[str, Any]:
             curves.append(
                 {
                     "name": f"against {opponent}, seed {run.conditions['seed']}",
-                    "x": [one["step"] / unit for one in run.evaluations],
+                    "x": [count / unit for count in decisions_of(run.evaluations)],
                     "y": [row["goal_difference"] for row in rows], "low": [], "high": [],
                 }
             )  # fmt: skip

@@ -1,6 +1,7 @@
 """The spread of a training over its seeds: every curve is drawn, and runs that are not alike are refused."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,9 @@ def test_a_curve_for_each_seed_and_the_spread_of_where_they_ended(tmp_path: Path
     curves = figure_of(runs)["curves"]
     assert [curve["name"] for curve in curves] == [f"against chaser, seed {seed}" for seed in (1, 2, 3)]
     assert curves[1]["x"] == [0.0, 4.0] and curves[1]["y"] == [-1.0, -0.25]
+    rounds = [{**one, "step": 0, "advised": 7 * n + 7} for n, one in enumerate(runs[0].evaluations)]
+    advised = replace(runs[0], evaluations=rounds)
+    assert figure_of([advised, runs[1]])["curves"][0]["x"] == [7.0, 14.0]
     assert table_of(runs) == ["chaser: +0.50, -0.25, +1.25; mean +0.50, from -0.25 to +1.25"]
 
 
