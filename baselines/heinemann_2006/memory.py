@@ -14,15 +14,24 @@ from soccer_env.belief_types import SITUATION
 KEEPER, ATTACKER, DEFENDER, SUPPORTER = range(4)
 ROLES = ("goalkeeper", "attacker", "defender", "supporter")
 
+CALL = np.dtype(
+    [  # what the referee box says by radio
+        ("phase", "i8"),  # Phase
+        ("placing", "i8"),  # 1 while robots are driven to their places
+        ("ours", "f8"),  # +1 our restart, -1 theirs, 0 neither
+        ("clock", "f8"),  # [s] since the phase began
+    ]
+)
+
 MEMORY = np.dtype(
     [
         ("begun", "i8"),  # 0 before the first decision
         ("role", "i8"),  # ROLES
         ("role_age", "f8"),  # [s] for which another role has been right
-        ("phase", "i8"),  # what the referee box has said by radio: Phase,
-        ("placing", "i8"),  # whether robots are being placed,
-        ("ours", "f8"),  # whose restart it is,
-        ("unheard", "f8"),  # [s] for which it has been otherwise
+        ("listens", "i8"),  # 0 before the first word
+        ("heard", CALL),  # the call that has come
+        ("said", CALL),  # the latest one, which is on its way or has come
+        ("said_age", "f8"),  # [s] since it was made
         ("drove", "i8"),  # 0: the last decision was not to drive at the velocity below
         ("drive_x", "f8"),  # [m/s] velocity asked for, team frame
         ("drive_y", "f8"),  # [m/s]

@@ -7,8 +7,6 @@ from __future__ import annotations
 
 from math import atan2
 
-import numpy as np
-
 from soccer_env.baselines.attacking import comes_to_me, receive
 from soccer_env.baselines.chaser import support_point, watch_ball
 from soccer_env.baselines.deciding import PLAY, free_ring
@@ -30,7 +28,7 @@ from soccer_env.baselines.set_pieces import (
 )
 from soccer_env.compiled import compiled
 
-HEARD_LATE = 5.0  # [s] of a phase that is over but not yet heard to be: as long as one that nobody took, assumed
+SAME_TIME = 1e-6  # [s] less than a control step: sums of steps differ by rounding
 
 
 @compiled
@@ -55,15 +53,24 @@ def decide(belief, command, memory, noise, k, play, scratch):
 
 @compiled
 def hear(situation, told, memory, sight, play):
-    """Fill in how the match stands by what the referee box has said: a change is heard a while after its call.  MH05"""
+    """Fill in how the match stands by the latest word of the referee box that has come: none comes at once.  MH05"""
+    heard, said = memory.heard, memory.said
+    memory.said_age = 0.0 if is_new(situation, said) else memory.said_age + sight.elapsed
+    said.phase, said.placing = situation.phase, situation.placing
+    said.ours, said.clock = situation.ours, situation.phase_clock
+    heard.clock += sight.elapsed
+    if memory.listens == 0 or memory.said_age > play.word_delay - SAME_TIME:
+        heard.phase, heard.placing, heard.ours = said.phase, said.placing, said.ours
+        heard.clock, memory.listens = max(said.clock - play.word_delay, 0.0), 1
     told.keeper, told.teammates = situation.keeper, situation.teammates
-    phase, placing, ours = np.int64(situation.phase), np.int64(situation.placing), situation.ours
-    same = phase == memory.phase and placing == memory.placing and ours == memory.ours
-    memory.unheard = 0.0 if same else memory.unheard + sight.elapsed
-    if memory.unheard > play.word_delay or memory.begun == 0:
-        memory.phase, memory.placing, memory.ours, memory.unheard = phase, placing, ours, 0.0
-    told.phase, told.placing, told.ours = memory.phase, memory.placing, memory.ours
-    told.phase_clock = max(situation.phase_clock - play.word_delay, 0.0) if phase == memory.phase else HEARD_LATE
+    told.phase, told.placing, told.ours, told.phase_clock = heard.phase, heard.placing, heard.ours, heard.clock
+
+
+@compiled
+def is_new(situation, said):
+    """Tell whether the referee has called anything since the latest call that is known."""
+    same = situation.phase == said.phase and situation.placing == said.placing and situation.ours == said.ours
+    return not same or situation.phase_clock < said.clock
 
 
 @compiled

@@ -1,9 +1,8 @@
 """Who attacks, who defends and who supports: each player for itself, from the shared beliefs, with hysteresis.  MH23
 
 The attacker is the field player with the shortest way to the back of the ball, of a rolling one who can be at it
-first; the defender the one of the others that
-is nearest to a place between ball and goal; the rest support. `skill.rank` says it to the shared skills: 0 attacks,
-1 defends, 2 and on support in pairs.
+first; the defender the one of the others that is nearest to a place between ball and goal; the rest support.
+`skill.rank` says it to the shared skills: 0 attacks, 1 defends, 2 and on support in pairs.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -57,7 +56,7 @@ def right_rank(sight, memory, k, play):
 
 @compiled
 def way_there(sight, k, play, x, y, vx, vy):
-    """Return how far [m] a player has to go to the ball; if that rolls, how far it could drive until it is there."""
+    """Return how far [m] a player has to go to the ball; if that rolls, how far it could drive until it is there.  MH22"""
     if play.intercepts == 0 or length(sight.ball_vx, sight.ball_vy) < ROLLS:
         return way_to_ball(sight, play.skills, x, y, vx, vy)
     return k.drive_forward * meeting_time(sight, x, y, vx, vy, play.lead, k)

@@ -65,6 +65,20 @@ def test_mh14_it_follows_the_plan_to_its_end_within_the_bases_limits(others: lis
     assert rows[:, 5].min() > 2.0 * 0.287  # two reaches: they never touch
 
 
+def test_mh14_every_decision_plans_anew_from_where_the_robot_is() -> None:
+    play = settings_of(HeinemannSettings())[OMNI]
+    scratch, memory, command = np.zeros(1, SCRATCH)[0], np.zeros(1, MEMORY)[0], np.zeros(1, COMMAND)[0]
+    sight, plan, ways = scratch["sight"], scratch["plan"][0], []
+    sight["pace"], sight["elapsed"], sight["cosine"], sight["ball_y"] = 1.0, DT, 1.0, 40.0
+    for x, others in ((-3.0, 0), (-2.95, 0), (-2.9, 1)):
+        sight["x"], sight["others"] = x, others  # at the origin, who comes into sight
+        drive_to(command, memory, K, play, scratch, 3.0, 0.0, 0.0, 0.0)
+        assert (plan["robot"]["x"], plan["path"]["x"][0]) == (x, x)
+        assert plan["path"]["x"][plan["count"] - 1] == 3.0
+        ways.append(np.abs(plan["path"]["y"][: plan["count"]]).max())
+    assert ways[:2] == [0.0, 0.0] and ways[2] > 0.287  # straight on, and round it in the same decision
+
+
 def test_mh01_what_it_looks_at_is_free_of_where_it_drives() -> None:
     rows = drive([])
     facing = np.arctan2(4.0 - rows[-1, 1], -rows[-1, 0])
@@ -84,7 +98,11 @@ def test_alone_it_drives_straight_in_the_time_that_acceleration_and_braking_take
 def test_mh15_whoever_moves_is_passed_behind_and_a_static_planner_does_not_know() -> None:
     crossing: list[Other] = [(0.0, -2.0, 0.0, 1.2)]
     ways = {name: drive(crossing, planner=name) for name in ("time_variant", "static")}
-    assert not np.array_equal(ways["time_variant"], ways["static"])
+    ahead = {}
+    for name, rows in ways.items():
+        step = np.argmin(np.abs(rows[:, 0]))  # where it crosses the other's way
+        ahead[name] = rows[step, 1] - (-2.0 + 1.2 * DT * step)
+    assert ahead["time_variant"] < -2.0 * 0.287 and ahead["static"] > 0.0  # static: in front of it, where it goes
     unknowing = drive(crossing, velocity=False)
     np.testing.assert_array_equal(unknowing, ways["static"])  # H16: with no velocities it is the baseline
 
