@@ -56,7 +56,7 @@ def right_rank(sight, memory, k, play):
 
 @compiled
 def way_there(sight, k, play, x, y, vx, vy):
-    """Return how far [m] a player has to go to the ball; if that rolls, how far it could drive until it is there.  MH22"""
+    """Return how far [m] a player has to go to the ball; if that rolls, how far it could drive meanwhile.  MH22"""
     if play.intercepts == 0 or length(sight.ball_vx, sight.ball_vy) < ROLLS:
         return way_to_ball(sight, play.skills, x, y, vx, vy)
     return k.drive_forward * meeting_time(sight, x, y, vx, vy, play.lead, k)
