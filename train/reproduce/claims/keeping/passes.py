@@ -14,7 +14,7 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.match import Match
 from soccer_env.teams import make_team
 from soccer_env.train.reproduce.claim import HEINEMANN, STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.reproduce.claims.keeping.shots import SHOT_TEXT, face_shots
+from soccer_env.train.reproduce.claims.keeping.shots import SHOT_TEXT, SHOTS, face_shots
 from soccer_env.train.reproduce.staging import MIDDLE, ahead_of, begin, put, put_ball, stage, standing
 from soccer_env.train.reproduce.values import in_bins, mean, median, middles_of
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
@@ -143,7 +143,7 @@ H01 = Claim(
     section="1, 2",
     statement="Custom-built omnidirectional robots of 2.6 m/s replaced the Pioneers of 1.6 m/s, in order to stay "
     "competitive.",
-    method=f"{BALL_TEXT}; and {SHOT_TEXT}. The same team on both bases.",
+    method=f"{BALL_TEXT}; and {SHOTS} {SHOT_TEXT}. The same team on both bases.",
     criteria=(
         measured("more balls are had, of 100", lambda s: got(s, "fast") - got(s, "old"), above=5.0),
         measured(

@@ -23,8 +23,9 @@ BESIDE = (0.05, 0.35)  # [m] between the ball and the post that it is aimed at
 SPEEDS = (4.0, 10.0)  # [m/s] at the kick, after which a ball slides and then rolls on at 0.6 of it
 SLOW = 0.2  # [m/s] of a ball that is taken to be stopped
 SLOWER = 6.0  # [m/s] up to which shots count as slower ones
+FEWER = 20  # of a batch of which every shot is repeated ten times
 SHOT_TEXT = (
-    f"{SHOTS} shots a batch from {FROM[0]:g} to {FROM[1]:g} m, {ANGLES[0]:g} to {ANGLES[1]:g} rad off the middle, at "
+    f"shots a batch from {FROM[0]:g} to {FROM[1]:g} m, {ANGLES[0]:g} to {ANGLES[1]:g} rad off the middle, at "
     f"{SPEEDS[0]:g} to {SPEEDS[1]:g} m/s at the kick, {100 * BESIDE[0]:.0f} to {100 * BESIDE[1]:.0f} cm inside a post, "
     f"at a goalkeeper that has looked at the ball for {LOOK:g} s, by sensors and particles"
 )
@@ -41,19 +42,25 @@ class Faced:
 
 
 def face_shots(
-    batch: Batch, settings: dict[str, Any], *, near_post: bool = False, league: str = MIDDLE, **more: Any
+    batch: Batch,
+    settings: dict[str, Any],
+    *,
+    shots: int = SHOTS,
+    near_post: bool = False,
+    league: str = MIDDLE,
+    **more: Any,
 ) -> Faced:
     """Let shots be kicked at a goalkeeper of heinemann-2006 with some settings; `more` is for the match."""
     rng = batch.rng()
     team = make_team("heinemann-2006", **settings)
-    match = stage(batch, league, matches=SHOTS, home=2, controllers={"home": team, "away": "still"}, **more)
+    match = stage(batch, league, matches=shots, home=2, controllers={"home": team, "away": "still"}, **more)
     pitch, ball = match.league.pitch, match.league.ball
-    goal, side = -pitch.length / 2, rng.choice([-1.0, 1.0], SHOTS)
-    away, angle = rng.uniform(*FROM, SHOTS), side * rng.uniform(*ANGLES, SHOTS)
+    goal, side = -pitch.length / 2, rng.choice([-1.0, 1.0], shots)
+    away, angle = rng.uniform(*FROM, shots), side * rng.uniform(*ANGLES, shots)
     x, y = goal + away * np.cos(angle), away * np.sin(angle)
     post = side if near_post else -side
-    aim = post * (pitch.goal_width / 2 - ball.radius - rng.uniform(*BESIDE, SHOTS))
-    way, speed = np.arctan2(aim - y, goal - x), rng.uniform(*SPEEDS, SHOTS)
+    aim = post * (pitch.goal_width / 2 - ball.radius - rng.uniform(*BESIDE, shots))
+    way, speed = np.arctan2(aim - y, goal - x), rng.uniform(*SPEEDS, shots)
     facing = np.arctan2(y, x - goal)
     put(match, 0, goal + 0.8 * np.cos(facing), 0.8 * np.sin(facing), facing)
     put_ball(match, x, y)
