@@ -12,6 +12,7 @@ Files:
     attacking.py   to the ball, and at the goal        dribbling.py   with the ball in the guide
     goalkeeper.py  passive and active                  intercepting.py  where and when a rolling ball is met
     passing.py     to whom, how hard, and where a supporter stands open
+    blocked.py     round the ball, if what is wanted is out of reach
 
 `weigel-2001` is the same team with the planner of Weigel et al., which knows no velocities.
 """

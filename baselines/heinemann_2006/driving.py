@@ -34,6 +34,7 @@ def drive_to(command, memory, k, play, scratch, x, y, facing, final):
         go(command, sight, k, play.skills, x, y, facing, final)
         return
     if length(x - sight.x, y - sight.y) < play.arrived and final == 0.0:
+        memory.arrived = 1
         drive_along(command, memory, k, play, sight, 0.0, 0.0, 0.0, facing)
         return
     note_crowd(scratch, k, play, final > 0.0)

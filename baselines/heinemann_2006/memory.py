@@ -35,6 +35,10 @@ MEMORY = np.dtype(
         ("drove", "i8"),  # 0: the last decision was not to drive at the velocity below
         ("drive_x", "f8"),  # [m/s] velocity asked for, team frame
         ("drive_y", "f8"),  # [m/s]
+        ("arrived", "i8"),  # 1: it is at the place that it last wanted to be at
+        ("stood", "f8"),  # [s] for which it has stood though it is not
+        ("detour", "f8"),  # [s] left of going round the ball
+        ("detour_side", "f8"),  # +1 counter-clockwise, -1 clockwise, 0 not chosen yet
         ("skill", SKILL_MEMORY),  # what the skills that are shared with the chaser remember; rank 0 the attacker
     ]
 )

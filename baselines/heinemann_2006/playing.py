@@ -11,6 +11,7 @@ from soccer_env.baselines.attacking import comes_to_me, receive
 from soccer_env.baselines.chaser import support_point, watch_ball
 from soccer_env.baselines.deciding import PLAY, free_ring
 from soccer_env.baselines.heinemann_2006.attacking import attack
+from soccer_env.baselines.heinemann_2006.blocked import go_round, note_standing
 from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.goalkeeper import keep_goal
 from soccer_env.baselines.heinemann_2006.memory import KEEPER
@@ -48,6 +49,8 @@ def decide(belief, command, memory, noise, k, play, scratch):
         choose_role(sight, memory, k, play)
         note_set_piece(told, sight, memory.skill, k)
         watch_ball(sight, memory.skill, noise, k, play.skills)
+        note_standing(told, memory, sight)
+        memory.arrived = 0
         play_role(told, command, memory, k, play, scratch)
 
 
@@ -82,6 +85,8 @@ def play_role(situation, command, memory, k, play, scratch):
             take_restart(command, situation, sight, k, play.skills)
         else:
             wait_for_pass(command, sight, k, play.skills)
+    elif memory.detour > 0.0 and situation.phase == PLAY:
+        go_round(command, memory, k, play, scratch)
     elif skill.set_piece > 0.0:
         leave_ball(command, sight, k, play.skills)
     elif skill.rank > 0 and play.intercepts == 1 and situation.phase == PLAY and comes_to_me(sight, k):

@@ -24,6 +24,7 @@ NOBODY = TEST.format("passing", "mh04_nobody_is_passed_to_who_is_marked_behind_a
 ARRIVES = TEST.format("passing", "mh04_a_pass_arrives_at_the_speed_that_is_asked_for")
 ONE_EACH = TEST.format("team", "mh23_one_attacks_one_defends_and_the_others_support")
 GIVEN_UP = TEST.format("team", "mh23_a_role_is_given_up_for_somebody_clearly_nearer_after_a_while")
+BEARS = TEST.format("dribbling", "mh24_at_speed_it_turns_no_faster_than_the_guide_bears_and_slows_down_to_turn")
 KEEPS = TEST.format("dribbling", "mh24_it_turns_with_the_ball_and_keeps_it_and_scores")
 HEARD = TEST.format("hearing", "mh05_a_call_is_heard_after_the_radios_delay")
 NO_SOONER = TEST.format("hearing", "mh05_a_call_that_takes_back_another_is_heard_no_sooner_for_it")
@@ -85,7 +86,10 @@ PARTS: dict[str, By] = {
             ("MH23", "keeps if memory.begun == 1 and memory.skill.rank == 0 else 0.0", "0.0"),
         ],
     },
-    "dribbling": {KEEPS: [("MH24", "clip(wanted, -most, most)", "wanted")]},
+    "dribbling": {
+        BEARS: [("MH24", "clip(wanted, -most, most)", "wanted")],
+        KEEPS: [("MH24", "min(play.dribble_speed * sight.pace, grip_speed(play, wanted))", "play.dribble_speed")],
+    },
     "playing": {
         HEARD: [("MH05", "memory.listens == 0 or memory.said_age > play.word_delay - SAME_TIME", "True")],
         NO_SOONER: [

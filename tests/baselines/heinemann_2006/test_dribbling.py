@@ -4,9 +4,12 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.heinemann_2006.dribbling import LEAST, grip_speed, grip_turn
+from soccer_env.baselines.heinemann_2006.dribbling import LEAST, dribble, grip_speed, grip_turn
+from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
-from soccer_env.types import Phase
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.types import COMMAND, Phase
 from tests.scenes.staging import MIDDLE
 
 OMNI = 1
@@ -20,6 +23,26 @@ def test_speed_times_turn_is_the_grip(turn: float) -> None:
     assert speed * turn == pytest.approx(0.35) and grip_speed(play, -turn) == speed
     assert grip_turn(play, speed) == pytest.approx(turn)
     assert grip_speed(play, 100.0) == LEAST and grip_turn(play, 0.0) == 4.0
+
+
+def asked(speed: float, aside: float) -> tuple[float, float]:
+    """Return speed and turn [m/s, rad/s] asked for with a ball in the guide that is to go `aside` [rad] to the left."""
+    scratch, memory, command = (np.zeros(1, dtype)[0] for dtype in (SCRATCH, MEMORY, COMMAND))
+    sight, k = scratch["sight"], constants_of(find_league(MIDDLE))[0]
+    sight["pace"], sight["cosine"], sight["now_cosine"], sight["vx"] = 1.0, 1.0, 1.0, speed
+    sight["touch"] = HOLDING
+    play = settings_of(HeinemannSettings(dribble_grip=0.35))[OMNI]
+    dribble(command, sight, memory, k, play, np.cos(aside), np.sin(aside))
+    return float(command["forward"]) * 2.6, float(command["turn"]) * 6.0
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_mh24_at_speed_it_turns_no_faster_than_the_guide_bears_and_slows_down_to_turn(side: float) -> None:
+    for speed in (0.5, 1.0, 1.5):
+        slower, turn = asked(speed, side * 2.0)
+        assert side * turn == pytest.approx(0.35 / speed) and slower < speed
+    assert side * asked(0.0, side * 2.0)[1] == pytest.approx(4.0)
+    assert asked(1.5, 0.0)[1] == 0.0
 
 
 def kept(team: str) -> tuple[float, float]:

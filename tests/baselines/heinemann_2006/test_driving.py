@@ -107,6 +107,26 @@ def test_mh15_whoever_moves_is_passed_behind_and_a_static_planner_does_not_know(
     np.testing.assert_array_equal(unknowing, ways["static"])  # H16: with no velocities it is the baseline
 
 
+CROWD = [(-2.0 + 0.9 * (i % 6), -2.5 + 1.5 * (i // 6), 0.0, 0.0) for i in range(22)]
+HARD: dict[str, tuple[list[Other], tuple[float, float], float]] = {  # others, target, where it may end [m] from that
+    "a target inside an obstacle": ([(3.0, 0.0, 0.0, 0.0)], (3.0, 0.0), 0.8),
+    "a target under the robot": ([(-2.0, 0.0, 0.0, 0.0)], (-3.0, 0.0), 0.0),
+    "a target outside the field": ([], (9.0, 0.0), 2.51),
+    "22 obstacles": (CROWD, (4.0, 0.3), 0.07),
+    "an obstacle at 5 m/s": ([(0.0, -5.5, 0.0, 5.0)], (3.0, 0.0), 0.07),
+    "it comes at 5 m/s": ([(5.5, 0.0, -5.0, 0.0)], (3.0, 0.0), 0.07),
+}
+
+
+@pytest.mark.parametrize("scene", HARD)
+def test_whatever_is_in_the_way_it_comes_as_near_as_it_can_and_touches_nobody(scene: str) -> None:
+    others, target, near = HARD[scene]
+    rows = drive(others, 8.0, target)
+    assert np.isfinite(rows[:, :5]).all()
+    assert hypot(rows[-1, 0] - target[0], rows[-1, 1] - target[1]) <= near
+    assert rows[:, 5].min() > 2.0 * 0.287
+
+
 def test_a_mirrored_scene_is_driven_in_the_mirror() -> None:
     others: list[Other] = [(-0.5, 0.3, 0.2, 0.1), (0.7, -0.4, 0.0, 0.5)]
     image = [(x, -y, vx, -vy) for x, y, vx, vy in others]
