@@ -87,9 +87,12 @@ PARTS: dict[str, By] = {
         ],
     },
     "dribbling": {
-        BEARS: [("MH24", "clip(wanted, -most, most)", "wanted")],
-        KEEPS: [("MH24", "min(play.dribble_speed * sight.pace, grip_speed(play, wanted))", "play.dribble_speed")],
+        BEARS: [
+            ("MH24", "clip(wanted, -most, most)", "wanted"),
+            ("MH24", "min(play.dribble_speed * sight.pace, grip_speed(play, wanted))", "play.dribble_speed"),
+        ],
     },
+    "settings": {KEEPS: [("MH24", "dribble_grip: float = 0.35", "dribble_grip: float = 20.0")]},
     "playing": {
         HEARD: [("MH05", "memory.listens == 0 or memory.said_age > play.word_delay - SAME_TIME", "True")],
         NO_SOONER: [

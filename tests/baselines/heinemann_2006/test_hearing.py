@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
+from soccer_env.baselines.heinemann_2006.memory import ATTACKER, KEEPER, MEMORY, SCRATCH
 from soccer_env.baselines.heinemann_2006.playing import hear
 from soccer_env.belief_types import SITUATION
 from soccer_env.types import Phase
@@ -80,9 +80,15 @@ def test_mh05_nobody_goes_to_a_place_for_a_restart_before_the_word_of_it_can_hav
         assert first_change(delay, ours) >= at_once + round(delay / STEP)
 
 
+def deaf(delay: float) -> Match:
+    """Return matches in which no report arrives, and the referee box's words a delay [s] after they were said."""
+    team = f"heinemann-2006:word_delay={delay}"
+    return Match(MIDDLE, home=5, away=5, matches=4, seed=2, sensors={"radio_loss": 1.0}, placement="drive",
+                 senses="sensors", controllers={"home": team, "away": team})  # fmt: skip
+
+
 def test_mh05_with_the_radio_dead_for_half_a_minute_the_team_still_plays() -> None:
-    match = Match(MIDDLE, home=5, away=5, matches=4, seed=2, sensors={"radio_loss": 1.0}, placement="drive",
-                  senses="sensors", controllers={"home": "heinemann-2006", "away": "heinemann-2006"})  # fmt: skip
+    match, attackers = deaf(0.06), []
     still, longest, touched = np.zeros((4, 10)), 0.0, np.zeros(4)
     for _ in range(1500):
         match.step()
@@ -94,5 +100,18 @@ def test_mh05_with_the_radio_dead_for_half_a_minute_the_team_still_plays() -> No
         still = np.where(idle, still + STEP, 0.0)
         longest = max(longest, float(still.max()))
         touched += match.robot_events["touch"].any(axis=1)
+        attackers += [(squad.memory["role"] == ATTACKER).sum(axis=1) for squad in match.squads]
+        assert all((squad.memory["role"][:, 0] == KEEPER).all() for squad in match.squads)
     match.close()
-    assert longest < 10.0 and (touched > 10).all()
+    assert longest < 10.0 and (touched > 100).all()
+    one, none = (np.array(attackers) == 1).mean(), (np.array(attackers) == 0).mean()
+    assert one > 0.65 and none < 0.05  # who sees its mates agrees with them on who attacks
+
+
+def test_mh05_whoever_hears_of_a_restart_ten_seconds_late_plays_all_the_same() -> None:
+    match, touched = deaf(10.0), np.zeros(4)
+    for _ in range(1500):
+        match.step()
+        touched += match.robot_events["touch"].any(axis=1)
+    match.close()
+    assert (touched > 10).all()
