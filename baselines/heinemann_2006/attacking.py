@@ -8,6 +8,7 @@ from __future__ import annotations
 from math import atan2, inf
 
 from soccer_env.baselines.attacking import (
+    DEFENDED,
     approach,
     choose_aim,
     comes_to_me,
@@ -16,7 +17,7 @@ from soccer_env.baselines.attacking import (
     wriggle,
 )
 from soccer_env.baselines.carrying import is_pressed
-from soccer_env.baselines.heinemann_2006.dribbling import dribble
+from soccer_env.baselines.heinemann_2006.dribbling import dribble, way_round
 from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.intercepting import meeting_time
 from soccer_env.baselines.heinemann_2006.passing import choose_pass, is_at_kicker, pass_strength
@@ -37,6 +38,8 @@ def attack(command, memory, k, play, scratch):
     passes, far = False, 0.0
     if skill.wriggle == 0.0 and (sight.held == 1 or is_at_kicker(sight, play)):
         passes, ux, uy, far = pass_or_aim(sight, k, play, ux, uy)
+    if sight.held == 1 and not passes and dribbles_on(sight, k, play, ux, uy):
+        ux, uy = way_round(k, play, scratch)
     ux, uy = turned(ux, uy, skill.aim_error)
     if skill.wriggle > 0.0:
         wriggle(command, sight, skill, k, skills)
@@ -68,6 +71,15 @@ def pass_or_aim(sight, k, play, ux, uy):
     if worth == -inf:
         return False, ux, uy, 0.0
     return True, pass_x, pass_y, far
+
+
+@compiled
+def dribbles_on(sight, k, play, ux, uy):
+    """Tell whether to bring the ball past the others: no shot along (ux, uy) is open, and the own goal is far."""
+    if play.dribbles_round == 0 or length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < DEFENDED:
+        return False
+    reach = 0.5 * k.pitch_length - sight.ball_x < play.skills.shot_range
+    return not reach or shot_room(sight, k, ux, uy) <= play.skills.room
 
 
 @compiled

@@ -15,9 +15,12 @@ from __future__ import annotations
 from math import atan2
 
 from soccer_env.baselines.carrying import is_pressed, line_speed
+from soccer_env.baselines.heinemann_2006.crowd import note_crowd
+from soccer_env.baselines.heinemann_2006.driving import plan_to
 from soccer_env.baselines.skills import goal_room
+from soccer_env.baselines.weigel_2001.planner.measuring import place_on
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, wrap
+from soccer_env.geometry import clip, length, wrap
 
 LEAST = 0.15  # [m/s] ahead while it turns, so that the ball stays at the kicker, assumed
 
@@ -38,6 +41,21 @@ def dribble(command, sight, memory, k, play, ux, uy):
     command.turn = turn / k.drive_turn
     if k.drive_sideways > 0.0:
         command.left = -turn * sight.touch / k.drive_sideways
+
+
+@compiled
+def way_round(k, play, scratch):
+    """Return the unit vector along which a plan to the opponents' goal leads the ball past the others.  MH24"""
+    sight, plan, place = scratch.sight, scratch.plan[0], scratch.place[0]
+    note_crowd(scratch, k, play, False)
+    for i in range(scratch.count):
+        scratch.crowd[i].radius += play.dribble_room
+    wide = 0.5 * k.pitch_goal_width
+    plan_to(k, play, scratch, 0.5 * k.pitch_length, clip(sight.ball_y, -wide, wide))
+    place_on(plan.path, plan.count, play.dribble_ahead, place)
+    x, y = place.x - sight.x, place.y - sight.y
+    away = length(x, y)
+    return (1.0, 0.0) if away < 1e-6 else (x / away, y / away)
 
 
 @compiled

@@ -31,7 +31,7 @@ POINTS = 12  # of the trajectory, between the nearest one and the goal line, tha
 
 @compiled
 def keep_goal(command, memory, k, play, scratch):
-    """Keep the goal, with the first skill of the ladder that applies; "otherwise back to passive"."""
+    """Keep the goal, with the first skill of the ladder that applies; "otherwise back to passive".  MH20"""
     sight = scratch.sight
     facing = atan2(sight.ball_y - sight.y, sight.ball_x - sight.x)
     if play.keeper == ACTIVE and is_shot(sight, k, play):

@@ -28,8 +28,9 @@ class HeinemannSettings(Options):
 
     NAMES = {"planner": PLANNERS, "keeper": KEEPERS, "stance": STANCES}
     BOUNDS = {
-        "strength": SHARE, "cycle": TIME, "look_ahead_time": TIME, "look_ahead": FAR, "turning": SHARE,
-        "bending": SHARE, "arrived": FAR, "fastest": (0.0, 20.0), "close": FAR, "least_ahead": FAR, "keeper_reach": FAR,
+        "strength": SHARE, "slowest": SHARE, "laziest": TIME, "crookedest": (0.0, 3.0), "dribble_room": (0.0, 5.0),
+        "dribble_ahead": FAR, "cycle": TIME, "look_ahead_time": TIME, "look_ahead": FAR, "turning": SHARE,
+        "bending": SHARE, "arrived": FAR, "fastest": (0.0, 20.0), "close": FAR, "keeper_reach": FAR,
         "keeper_radius": FAR, "keeper_out": FAR, "dribble_speed": FAR, "dribble_grip": FAR, "dribble_turn": FAR,
         "run_in": FAR,
         "pass_arrival": (0.0, 10.0), "pass_near": FAR, "pass_far": FAR, "pass_gain": (-20.0, 20.0),
@@ -39,6 +40,9 @@ class HeinemannSettings(Options):
     }  # fmt: skip
 
     strength: float = 1.0  # [1] 0 to 1: pace, how often it decides, how straight it aims, how hard it kicks
+    slowest: float = 0.5  # [1] pace at strength 0, assumed: the chaser's 0.8 takes nothing off its points
+    laziest: float = 0.3  # [s] between two decisions at strength 0, assumed
+    crookedest: float = 0.3  # [rad] deviation of the aim at strength 0, assumed
 
     cycle: float = 0.02  # [s] between two decisions at least, Heinemann 2006, 2  MH03
 
@@ -75,6 +79,9 @@ class HeinemannSettings(Options):
     run_in: float = 2.6  # [m/s] at which a ball is run at at most; up to 1 m/s it is met with care, assumed
     dribble_speed: float = 1.56  # [m/s] with the ball, assumed: 0.6 of the top speed; 2.2 CAMBADA
     dribble_grip: float = 0.35  # [m/s2] aside that the guide gives a ball, measured: 0.2 kept it, 0.5 lost it
+    dribbles_round: bool = True  # along a plan round the others; False: the way with the most room  MH24
+    dribble_ahead: float = 0.7  # [m] along the plan that the ball is dribbled to, assumed
+    dribble_room: float = 0.1  # [m] more than without the ball that is kept off others, assumed
     dribble_turn: float = 4.0  # [rad/s] with the ball at most, assumed
     passes: bool = True  # passes to mates; False: dribbles and shoots alone  MH04
     stands_open: bool = False  # True: supporters stand ahead of the ball for a pass, not behind it; it let in more

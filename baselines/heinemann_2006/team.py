@@ -41,7 +41,7 @@ def act(belief, tracks, memory, noise, command, k, play, scratch):
     if not must_decide(belief, memory.skill, command, k):
         return
     weakness, skills = 1.0 - play.strength, play.skills
-    apply_strength(scratch.sight, memory.skill, noise, k, weakness, skills.laziest, skills.crookedest, skills.slowest)
+    apply_strength(scratch.sight, memory.skill, noise, k, weakness, play.laziest, play.crookedest, play.slowest)
     wait_for_cycle(scratch.sight, memory.skill, k, play)
     look(scratch.sight, belief, tracks, k)
     decide(belief, command, memory, noise, k, play, scratch)

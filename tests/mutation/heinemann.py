@@ -13,6 +13,10 @@ BOUNDED = TEST.format("driving", "mh25_an_obstacle_is_no_faster_than_robots_are"
 CIRCLE = TEST.format("goalkeeper", "mh19_on_the_half_circle_it_stands_on_the_line_from_ball_to_goal")
 LINE = TEST.format("goalkeeper", "mh19_on_the_goal_line_it_stands_where_the_line_from_ball_to_goal_meets_it")
 SHOT = TEST.format("goalkeeper", "mh20_a_shot_is_a_ball_that_rolls_over_the_line_between_the_posts")
+SHOTS_ONLY = TEST.format(
+    "goalkeeper", "mh20_it_moves_into_a_shot_only_and_the_passive_one_stays_on_the_line_from_ball_to_goal"
+)
+CYCLE = TEST.format("team", "mh03_it_decides_anew_every_20_ms_or_once_in_a_longer_cycle")
 INTO = TEST.format("goalkeeper", "mh20_it_moves_perpendicular_into_the_trajectory")
 MOVE = TEST.format("goalkeeper", "mh21_reaction_and_acceleration_tell_how_long_a_move_takes")
 SPARE = TEST.format("goalkeeper", "mh21_what_it_can_spare_is_the_balls_time_less_its_own")
@@ -24,6 +28,7 @@ NOBODY = TEST.format("passing", "mh04_nobody_is_passed_to_who_is_marked_behind_a
 ARRIVES = TEST.format("passing", "mh04_a_pass_arrives_at_the_speed_that_is_asked_for")
 ONE_EACH = TEST.format("team", "mh23_one_attacks_one_defends_and_the_others_support")
 GIVEN_UP = TEST.format("team", "mh23_a_role_is_given_up_for_somebody_clearly_nearer_after_a_while")
+ROUND = TEST.format("dribbling", "mh24_it_dribbles_the_ball_round_still_obstacles_and_touches_hardly_any")
 BEARS = TEST.format("dribbling", "mh24_at_speed_it_turns_no_faster_than_the_guide_bears_and_slows_down_to_turn")
 KEEPS = TEST.format("dribbling", "mh24_it_turns_with_the_ball_and_keeps_it_and_scores")
 HEARD = TEST.format("hearing", "mh05_a_call_is_heard_after_the_radios_delay")
@@ -49,6 +54,8 @@ PARTS: dict[str, By] = {
             )
         ],
     },
+    "attacking": {ROUND: [("MH24", "way_round(k, play, scratch)", "ux, uy")]},
+    "team": {CYCLE: [("MH03", "max(skill.wait, play.cycle - 0.5 * k.dt)", "skill.wait")]},
     "crowd": {
         BEHIND: [("MH15", "bounded(sight.other_vx[i], sight.other_vy[i], play)", "(0.0, 0.0)")],
         BOUNDED: [("MH25", "speed <= play.fastest", "True")],
@@ -62,6 +69,10 @@ PARTS: dict[str, By] = {
         ],
         INTO: [
             ("MH20", "nearest = foot(sight.x - sight.ball_x, sight.y - sight.ball_y, ux, uy, last)", "nearest = last")
+        ],
+        SHOTS_ONLY: [
+            ("MH20", "play.keeper == ACTIVE and is_shot(sight, k, play)", "is_shot(sight, k, play)"),
+            ("MH20", "play.keeper == ACTIVE and is_shot(sight, k, play)", "play.keeper == ACTIVE"),
         ],
         SPARE: [("MH21", "max(play.reaction - k.dt * k.delay_steps, 0.0)", "0.0")],
         LATE: [("MH21", "spare > best_spare", "False")],

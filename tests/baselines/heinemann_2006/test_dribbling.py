@@ -1,5 +1,7 @@
 """Dribbling stays inside what the guide bears, and so keeps the ball where a quicker turn loses it."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -9,11 +11,13 @@ from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.scenes import SCENES
+from soccer_env.train.tables.drills import controllers_of
 from soccer_env.types import COMMAND, Phase
 from tests.scenes.staging import MIDDLE
 
 OMNI = 1
-MATCHES, HOLDING = 20, 0.29  # [m] from the robot's middle to a ball in its guide
+MATCHES, HOLDING, REACH = 20, 0.29, 0.287  # [m] from the robot's middle to a ball in its guide, and to its edge
 
 
 @pytest.mark.parametrize("turn", [0.1, 0.3, 1.0])
@@ -71,3 +75,31 @@ def test_mh24_it_turns_with_the_ball_and_keeps_it_and_scores() -> None:
     hasty, _ = kept("heinemann-2006:dribble_grip=20.0")
     assert careful > 0.85 and careful > hasty + 0.03
     assert goals >= 0.95
+
+
+def through_the_challenge(team: str, **more: Any) -> tuple[float, float]:
+    """Return the shares of runs in which a robot gets past the obstacles of 2003 with the ball, and touches none."""
+    scene, runs = SCENES["challenge-2003"], 40
+    match = Match(MIDDLE, home=1, away=4, matches=runs, seed=1, scene=scene, episode="drill",
+                  controllers=controllers_of(scene, team), **more)  # fmt: skip
+    past, gap, robots = np.zeros(runs, bool), np.full(runs, np.inf), match.robots
+    over = past.copy()
+    while not over.all():
+        match.step()
+        past |= match.events["drill"] == 1
+        over |= past | match.terminated | match.truncated
+        apart = np.hypot(robots["x"][:, 1:] - robots["x"][:, :1], robots["y"][:, 1:] - robots["y"][:, :1])
+        gap = np.where(over, gap, np.minimum(gap, apart.min(axis=1)))
+    match.close()
+    return float(past.mean()), float((gap > 2.0 * REACH).mean())
+
+
+def test_mh24_it_dribbles_the_ball_round_still_obstacles_and_touches_hardly_any() -> None:
+    past, clear = through_the_challenge("heinemann-2006", senses="ideal")
+    _, by_the_widest_way = through_the_challenge("heinemann-2006:dribbles_round=False", senses="ideal")
+    assert past > 0.7 and clear > 0.9 and clear > by_the_widest_way + 0.3
+
+
+def test_mh24_so_it_does_with_a_ball_that_has_no_colour() -> None:
+    past, _ = through_the_challenge("heinemann-2006", senses="sensors", sensors={"ball_coloured": False})
+    assert past > 0.35

@@ -9,12 +9,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.baselines.heinemann_2006.goalkeeper import interception, is_shot, passive_place, spare_time
+from soccer_env.baselines.heinemann_2006.goalkeeper import (
+    interception,
+    is_shot,
+    keep_goal,
+    passive_place,
+    spare_time,
+)
 from soccer_env.baselines.heinemann_2006.intercepting import STEP, meeting_time, moving_time, rolling_time
+from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.types import COMMAND
 from tests.scenes.staging import MIDDLE
 
 K = constants_of(find_league(MIDDLE))[0]
@@ -92,6 +100,30 @@ def test_mh20_it_moves_perpendicular_into_the_trajectory(keeper: tuple[float, fl
 def test_mh20_a_trajectory_that_is_nearest_behind_the_line_is_met_before_it() -> None:
     x, _ = interception(seen(-5.9, 0.9, (-2.0, -3.0), (-4.0, 4.0)), K, settings(keeper_waits=False))
     assert x == pytest.approx(0.35 - HALF)
+
+
+def driven(velocity: tuple[float, float], **changes: Any) -> tuple[float, float]:
+    """Return whither (unit vector) a goalkeeper drives that sees a ball at (-2, 1) from (-5, 0.5), facing up field."""
+    scratch, memory, command = (np.zeros(1, dtype)[0] for dtype in (SCRATCH, MEMORY, COMMAND))
+    sight = scratch["sight"]
+    for name in ("x", "y", "ball_x", "ball_y", "ball_vx", "ball_vy"):
+        sight[name] = seen(-5.0, 0.5, (-2.0, 1.0), velocity)[name]
+    sight["cosine"] = sight["pace"] = 1.0
+    sight["elapsed"], sight["distance"] = 0.02, 3.0
+    keep_goal(command, memory, K, settings(**changes), scratch)
+    size = hypot(command["forward"], command["left"])
+    return float(command["forward"]) / size, float(command["left"]) / size
+
+
+def test_mh20_it_moves_into_a_shot_only_and_the_passive_one_stays_on_the_line_from_ball_to_goal() -> None:
+    shot, none = (-4.0, -0.4), (0.0, 0.0)
+    x, y = interception(seen(-5.0, 0.5, (-2.0, 1.0), shot), K, settings())
+    into = hypot(x + 5.0, y - 0.5)
+    assert driven(shot) == pytest.approx(((x + 5.0) / into, (y - 0.5) / into))
+    x, y = passive_place(-2.0, 1.0, K, settings())
+    back = hypot(x + 5.0, y - 0.5)
+    for found in (driven(none), driven(shot, keeper="passive"), driven(none, keeper="passive")):
+        assert found == pytest.approx(((x + 5.0) / back, (y - 0.5) / back))
 
 
 def test_mh21_reaction_and_acceleration_tell_how_long_a_move_takes() -> None:

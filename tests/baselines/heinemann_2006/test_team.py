@@ -113,6 +113,17 @@ def test_commands_are_finite_whatever_is_believed(strength: float) -> None:
         assert np.isfinite(memory["drive_x"]).all() and np.isfinite(memory["drive_y"]).all()
 
 
+@pytest.mark.parametrize(("cycle", "steps"), [(0.02, 1), (0.04, 2), (0.1, 5)])
+def test_mh03_it_decides_anew_every_20_ms_or_once_in_a_longer_cycle(cycle: float, steps: int) -> None:
+    team, rng = team_of("heinemann-2006", cycle=cycle), np.random.default_rng(6)
+    memory, last, anew = np.zeros((MATCHES, PLAYERS), team.memory_dtype), None, []
+    for _ in range(11):
+        commands = commands_of(team, *drawn(rng), memory)
+        anew.append(last is None or bool((commands != last).any()))
+        last = commands.copy()
+    assert np.flatnonzero(anew).tolist() == list(range(0, 11, steps))
+
+
 def seen(x: float, mates: list[tuple[float, float]]) -> np.void:
     """Return what a field player at (x, 0) sees, the ball on the centre spot."""
     sight = np.zeros(1, SIGHT)[0]
