@@ -13,9 +13,10 @@ import numpy as np
 
 from soccer_env.agents.perceptron import AT_ONCE, LAYERS, REPEAT, SIZES, act, pack, widest
 from soccer_env.agents.policy import Policy
-from soccer_env.agents.policy_file import load
+from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.compiled import compiled
 from soccer_env.leagues.league import League
+from soccer_env.names import Made
 from soccer_env.teams import ObservingTeam
 
 BUNDLED = Path(__file__).parent / "policies" / "legged-2001.safetensors"
@@ -34,6 +35,10 @@ class LearnedTeam(ObservingTeam):
 
     policy: Policy
 
+    def __reduce__(self) -> Made:
+        """Copy by the policy's file."""
+        return team_again, (dump(self.policy), bool(self.settings[AT_ONCE]))
+
     def check_league(self, league: League) -> None:
         """Raise ValueError, with the reason, if the policy does not play this league; warn of rules unknown to it."""
         self.policy.check_plays(league)
@@ -47,6 +52,11 @@ def team_of(policy: Policy, at_once: bool = False) -> LearnedTeam:
     )
     object.__setattr__(made, "policy", policy)
     return made
+
+
+def team_again(data: bytes, at_once: bool) -> LearnedTeam:
+    """Return the team that was pickled."""
+    return team_of(parse(data, "a pickled team"), at_once)
 
 
 def from_file(path: str | Path) -> LearnedTeam:

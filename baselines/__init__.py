@@ -4,6 +4,7 @@
     walker.py        walks straight ahead        chaser.py        plays, simply, in both leagues
     attacking.py     the chaser's attacker       goalkeeping.py   the chaser's goalkeeper
     obeying.py       the chaser and the rules    glancing.py      when it looks up to see where it is
+    supporting.py    where its mates stand
     searching.py     the chaser without a ball   boards.py        the chaser and a ball in a corner
     carrying.py      the chaser with the ball    set_pieces.py    its restarts: pass, and leave the ball to others
     sacks_2001/      the legged team of Sacks (2001)

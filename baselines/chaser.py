@@ -4,7 +4,7 @@ Each player decides from its own belief and tracks. One ladder for each role:
 
     goalkeeper   meet a shot  >  clear the ball  >  guard the line from ball to goal            goalkeeping.py
     attacker     work a stuck ball out  >  turn with the ball  >  get behind it; shoot when it can  attacking.py
-    supporter    keep the rules' distance  >  stand behind the ball, the next ones spread out   here
+    supporter    keep the rules' distance  >  stand behind the ball, the next ones spread out   supporting.py
     field player out of the own area, no shoving                                            obeying.py
     everybody    without a ball: turn round, then look from elsewhere                       searching.py
                  unsure where it is: look up from the ball for landmarks                    glancing.py
@@ -26,31 +26,21 @@ from soccer_env.baselines.attacking import attack
 from soccer_env.baselines.deciding import PLAY, TEAM, apply_strength, free_ring, keep_decision, must_decide
 from soccer_env.baselines.glancing import look_up
 from soccer_env.baselines.goalkeeping import keep_goal
-from soccer_env.baselines.obeying import ROOM as AREA_ROOM
-from soccer_env.baselines.obeying import (
-    is_in_own_area,
-    leave_area,
-    may_not_enter,
-    mind_pushing,
-    out_of_own_area,
-    wait_at_area,
-)
+from soccer_env.baselines.obeying import is_in_own_area, leave_area, may_not_enter, mind_pushing, wait_at_area
 from soccer_env.baselines.searching import LOST, end_search, search
 from soccer_env.baselines.set_pieces import (
     HOLDS_OFF,
     holds_off,
     leave_ball,
     note_set_piece,
-    out_of_area,
-    round_ball,
     take_restart,
     wait_for_pass,
 )
 from soccer_env.baselines.sight import SIGHT, look, side_of
-from soccer_env.baselines.skills import go
+from soccer_env.baselines.supporting import support
 from soccer_env.checking import check_names, number
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import length, wrap
 from soccer_env.random_numbers import uniform
 from soccer_env.team_kernels import per_player
 from soccer_env.teams import CompiledTeam
@@ -143,8 +133,6 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "crookedest": (0.3, 0.1, 0.1),  # [rad] deviation of the aim at strength 0
     "softest": (0.7, 0.7, 0.7),  # [1] strength of a kick at strength 0
 }
-ROOM = 2.5  # [body reaches] between the first two players that keep away from the opponents' restart, assumed
-HOME_EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assumed
 SETTINGS = np.dtype([("strength", "f8"), *((name, "f8") for name in NUMBERS)])
 
 
@@ -259,50 +247,6 @@ def watch_ball(sight, memory, noise, k, play):
         memory.wriggle = play.wriggle_time
         goal = atan2(-sight.ball_y, 0.5 * k.pitch_length - sight.ball_x)
         memory.wriggle_side = side_of(wrap(goal - sight.heading))
-
-
-@compiled
-def support(command, sight, memory, k, play, ring, keeps_out):
-    """Stand where the player's rank asks, and look at the ball; arguments as of `support_point`."""
-    x, y = support_point(sight, memory, k, play, ring, keeps_out)
-    go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
-
-
-@compiled
-def support_point(sight, memory, k, play, ring, keeps_out):
-    """Return where to go [m, m] by the player's rank, `ring` [m] off the ball; `keeps_out`: not in the own area."""
-    if memory.side == 0.0 or abs(sight.ball_y) > play.change_side:
-        memory.side = -side_of(sight.ball_y)
-    back, aside = support_place(memory, play, ring)
-    home_x, home_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
-    away = max(length(home_x, home_y), 1e-6)
-    home_x, home_y = home_x / away, home_y / away
-    off_x, off_y = back * home_x + aside * home_y, back * home_y - aside * home_x
-    ring += ROOM * k.body_reach * min(memory.rank, 1)
-    stretch = max(ring / length(off_x, off_y), 1.0) if ring > 0.0 else 1.0
-    edge_x, edge_y = 0.5 * k.pitch_length - HOME_EDGE * k.body_reach, 0.5 * k.pitch_width - k.body_reach
-    x = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x)
-    y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
-    if keeps_out:
-        x, y = out_of_own_area(x, y, k, k.body_reach + play.berth + AREA_ROOM)
-    if memory.rank > 0 or ring == 0.0:
-        x, y = out_of_area(sight, k, x, y, ring)
-    return round_ball(sight, k, x, y)
-
-
-@compiled
-def support_place(memory, play, ring):
-    """Return how far back from the ball towards the own goal, and how far to the left of that way, a rank stands [m].
-
-                3            ball  ->  opponents' goal       rank 0 goes to the ball, or stands right before it
-    5                1   (0)           (mirrored while the   while the opponents take a restart; 1 covers the goal;
-                2                      ball is on the left)  the others follow in pairs, one on either side
-    """
-    if memory.rank < 2:
-        return (ring if memory.rank == 0 else play.cover), 0.0
-    pair = memory.rank // 2
-    side = memory.side if memory.rank % 2 == 0 else -memory.side
-    return play.back * (pair - 0.5), side * play.aside
 
 
 CHASER = per_player(chase, SIGHT)

@@ -13,7 +13,8 @@ import gymnasium
 import numpy as np
 
 from soccer_env.checking import check_names
-from soccer_env.match_settings import LearnerSetup, MatchSetup, SoloArguments, made_from, part_of
+from soccer_env.match_settings import LearnerSetup, MatchSetup, SoloArguments, by_settings, made_from, part_of
+from soccer_env.names import Made
 
 
 def choose_learner(asked: LearnerSetup) -> tuple[str, dict[str, Any]]:
@@ -51,6 +52,7 @@ class SoloSoccer(gymnasium.Env[np.ndarray, Any]):
     def __init__(self, asked: SoloArguments) -> None:
         from soccer_env.soccer_v0 import parallel_env
 
+        self.asked = asked
         self.agent, given = choose_learner(asked)
         self._parallel = parallel_env(**given, render_mode=asked.render_mode, infos=asked.infos)
         self.match, self.render_mode = self._parallel.match, asked.render_mode
@@ -71,6 +73,10 @@ class SoloSoccer(gymnasium.Env[np.ndarray, Any]):
         observations, rewards, terminated, truncated, infos = self._parallel.step({self.agent: action})
         agent = self.agent
         return observations[agent], rewards[agent], terminated[agent], truncated[agent], infos[agent]
+
+    def __reduce__(self) -> Made:
+        """Copy by settings: the copy is to be reset."""
+        return by_settings(SoloSoccer, part_of(self.asked, SoloArguments))
 
     def render(self) -> Any:
         """Return a frame or show it, as `ParallelSoccer.render` says."""

@@ -19,7 +19,8 @@ import numpy as np
 from soccer_env import saving, truth_state
 from soccer_env.actions import numbers_for, take_actions
 from soccer_env.match_batch import MatchBatch, Sums
-from soccer_env.match_settings import MatchArguments, made_from
+from soccer_env.match_settings import MatchArguments, made_from, part_of
+from soccer_env.names import Made
 from soccer_env.observations import layout
 from soccer_env.physics.engine.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
@@ -45,6 +46,7 @@ class Match:
 
     @made_from(MatchArguments)
     def __init__(self, asked: MatchArguments) -> None:
+        self.asked = asked
         self.count, self.threads, self.autoreset = asked.matches, asked.threads, asked.autoreset
         self.settings = make_settings(asked)
         self.league = self.settings.league
@@ -282,6 +284,10 @@ class Match:
         self.terms[:] = 0.0
         self.batch.observe_anew(0, self.count)
         self._observe_own()
+
+    def __reduce__(self) -> Made:
+        """Copy by settings and `save`: what pickle, cloudpickle and copy.deepcopy make has the same future."""
+        return saving.by_save(self, Match, part_of(self.asked, MatchArguments) | {"seed": 0, "seeds": None})
 
     def state_hash(self, m: int | None = None) -> str:
         """Return a hash of the state of all matches, or of match m."""

@@ -20,6 +20,7 @@ from dataclasses import Field, dataclass, field, fields
 from typing import TYPE_CHECKING, Any, Concatenate, Literal, ParamSpec, TypeVar
 
 from soccer_env.checking import ABOVE_ZERO, Checked, Range, check_names
+from soccer_env.names import Made
 from soccer_env.types import MAX_TEAM
 
 if TYPE_CHECKING:
@@ -231,3 +232,28 @@ def help_of(item: Field[Any]) -> list[str]:
     """Return the lines of help of one setting."""
     text = f"{item.name} = {item.default!r}: {item.metadata['text']}."
     return textwrap.wrap(text, 100, subsequent_indent="    ")
+
+
+# Copies: an env is copied by its settings alone, as by Gymnasium's EzPickle; it is to be reset, and draws its own seed
+
+
+def by_settings(make: Callable[..., Any], settings: dict[str, Any]) -> Made:
+    """Return what to pickle of something that `make` makes from settings."""
+    return made_again, (version(), make, settings)
+
+
+def made_again(made_by: str, make: Callable[..., Any], settings: dict[str, Any]) -> Any:
+    """Return what was pickled; ValueError says which version did, if that is why it cannot be made any more."""
+    try:
+        return make(**settings)
+    except (TypeError, ValueError) as error:
+        if made_by == version():
+            raise
+        raise ValueError(f"this was pickled by soccer_env {made_by}, and this is {version()}: {error}") from error
+
+
+def version() -> str:
+    """Return the version of the package."""
+    from soccer_env import __version__
+
+    return __version__

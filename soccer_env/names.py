@@ -1,11 +1,14 @@
-"""Names that callers use: imported when they are first asked for, and what to say of one that does not exist."""
+"""Names that callers use: imported when first asked for, found again by a copy, and what to say of unknown ones."""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
 from importlib import import_module
-from typing import Any
+from typing import Any, NamedTuple
+
+Made = tuple[Callable[..., Any], tuple[Any, ...]]  # what __reduce__ returns
 
 
 def lazy_names(package: str, modules: Mapping[str, str]) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
@@ -40,3 +43,38 @@ def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", wh
     question = f", did you mean {near[0]!r}? " if near else "; "
     place = f" in {where}" if where else ""
     return f"unknown {what} {name!r}{place}{question}known: {', '.join(names)}{', or ' + more if more else ''}"
+
+
+def by_names(made: Any, values: dict[str, Any]) -> Made:
+    """Return what to pickle of something made of values: those that stand in a module by the names they have there.
+
+    Compiled functions are found again so, where a copy of them would be compiled anew.
+    """
+    return found_again, (type(made), {name: place_of(value) for name, value in values.items()})
+
+
+class Place(NamedTuple):
+    """Where something stands that is not copied."""
+
+    module: str
+    name: str
+
+
+def place_of(value: Any) -> Any:
+    """Return where a function stands in a loaded module, or the value itself."""
+    if callable(value):
+        for module, names in [(name, vars(found)) for name, found in sys.modules.items() if hasattr(found, "__dict__")]:
+            for name, there in list(names.items()):
+                if there is value and module != "__main__":
+                    return Place(module, name)
+    return value
+
+
+def found_again(kind: Callable[..., Any], values: dict[str, Any]) -> Any:
+    """Return what was pickled `by_names`."""
+    return kind(
+        **{
+            name: getattr(import_module(value.module), value.name) if isinstance(value, Place) else value
+            for name, value in values.items()
+        }
+    )

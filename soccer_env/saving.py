@@ -8,11 +8,15 @@ from __future__ import annotations
 
 import hashlib
 import json
+import logging
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from soccer_env.leagues.robot_kind import Limits
+from soccer_env.match_settings import made_again, version
+from soccer_env.names import Made
 from soccer_env.types import AWAY, GAZE, HOME, NO_TEAM, Phase, RobotStream
 
 Match = Any  # soccer_env.match.Match, which stands above this file
@@ -21,6 +25,7 @@ Match = Any  # soccer_env.match.Match, which stands above this file
 PLAYED = (RobotStream.SLIP, RobotStream.KICK, RobotStream.PLACEMENT, RobotStream.FALL)
 THOUGHT = [int(stream) for stream in RobotStream if stream not in PLAYED]
 
+LOG = logging.getLogger("soccer_env")
 MAGIC = b"soccer_env save 1\n"
 
 
@@ -104,6 +109,26 @@ def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:
     if not isinstance(header, dict):
         raise ValueError("this save is damaged: its header is not an object")
     return body, start + size, header
+
+
+# Copies by pickle, cloudpickle and copy.deepcopy
+
+
+def by_save(match: Any, make: Callable[..., Any], settings: dict[str, Any]) -> Made:
+    """Return what to pickle of a match that `make` makes from settings; its physics is rebuilt."""
+    LOG.info("a match is copied: its physics is rebuilt from its records, as by save()")
+    return loaded_again, (version(), make, settings, match.save())
+
+
+def loaded_again(made_by: str, make: Callable[..., Any], settings: dict[str, Any], saved: bytes) -> Any:
+    """Return the match that was pickled, as `made_again` does."""
+
+    def make_and_load(**settings: Any) -> Any:
+        match = make(**settings)
+        match.load(saved)
+        return match
+
+    return made_again(made_by, make_and_load, settings)
 
 
 RANGES = {  # of whole numbers in matches and robots, both ends allowed

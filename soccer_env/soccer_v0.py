@@ -40,7 +40,8 @@ from soccer_env.api.report import (
     check_render_mode,
 )
 from soccer_env.match import Match
-from soccer_env.match_settings import EnvArguments, MatchSetup, part_of, takes
+from soccer_env.match_settings import EnvArguments, MatchArguments, MatchSetup, by_settings, part_of, takes
+from soccer_env.names import Made
 
 FLOATS = "fd"  # dtype characters of float32 and float64
 
@@ -189,16 +190,30 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
         """Close the window; safe to repeat."""
         self.screen.close()
 
+    def __reduce__(self) -> Made:
+        """Copy by settings: the copy is to be reset."""
+        settings = part_of(self.match.asked, MatchArguments)
+        return by_settings(_env_of, {**settings, "render_mode": self.render_mode, "infos": self._report is not None})
+
     @property
     def unwrapped(self) -> ParallelSoccer:
         """Return the env itself; `env.unwrapped.match` is the match inside, whatever the wrappers."""
         return self
 
 
+def _env_of(*, render_mode: str | None, infos: bool, **settings: Any) -> ParallelSoccer:
+    """Return the env that was pickled."""
+    return ParallelSoccer(Match(**settings), render_mode, infos)
+
+
 class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
     """One agent acts after the other, the match is stepped when all have. A bad action is refused at once."""
 
     env: ParallelSoccer
+
+    def __reduce__(self) -> Made:
+        """Copy by settings: the copy is to be reset."""
+        return TurnSoccer, (self.env,)
 
     def step(self, action: Any) -> None:
         """Take the action of `agent_selection`; ValueError, and nothing has changed, if it is wrong."""

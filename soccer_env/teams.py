@@ -17,7 +17,7 @@ by name, whatever settings the team has (lions:brave=True), and returns the team
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from importlib import import_module
 from importlib.metadata import entry_points
 from inspect import signature
@@ -29,7 +29,7 @@ import numpy as np
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.options import Options
-from soccer_env.names import unknown
+from soccer_env.names import Made, by_names, unknown
 from soccer_env.random_numbers import mix
 from soccer_env.types import RobotStream
 
@@ -140,6 +140,10 @@ class CompiledTeam:
     families: tuple[str, ...] = ()  # of leagues that it plays (`League.family`); empty: all
     options: Options | None = None  # the team's settings by name, for lists
     blind: bool = False  # True: it reads no belief, so that nothing has to be sensed for it
+
+    def __reduce__(self) -> Made:
+        """Copy with the kernel that stands in the team's module."""
+        return by_names(self, {item.name: getattr(self, item.name) for item in fields(self)})
 
     def check_league(self, league: League) -> None:
         """Raise ValueError if the team does not play this league."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import atan2
 
 from soccer_env.baselines.attacking import comes_to_me, receive
-from soccer_env.baselines.chaser import support_point, watch_ball
+from soccer_env.baselines.chaser import watch_ball
 from soccer_env.baselines.deciding import PLAY, free_ring
 from soccer_env.baselines.heinemann_2006.attacking import attack
 from soccer_env.baselines.heinemann_2006.blocked import go_round, note_standing
@@ -27,6 +27,7 @@ from soccer_env.baselines.set_pieces import (
     take_restart,
     wait_for_pass,
 )
+from soccer_env.baselines.supporting import support_point
 from soccer_env.compiled import compiled
 
 SAME_TIME = 1e-6  # [s] less than a control step: sums of steps differ by rounding

@@ -13,7 +13,8 @@ from gymnasium.vector.utils import batch_space
 from soccer_env.api.report import NO_EVENTS, PHASES, Report, Screen, check_options, check_render_mode
 from soccer_env.gymnasium_envs import choose_learner
 from soccer_env.match import Match
-from soccer_env.match_settings import VectorArguments, made_from
+from soccer_env.match_settings import VectorArguments, by_settings, made_from, part_of
+from soccer_env.names import Made
 from soccer_env.statistics.figures import numbers_of
 from soccer_env.types import AWAY, HOME
 
@@ -36,6 +37,7 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
 
     @made_from(VectorArguments)
     def __init__(self, asked: VectorArguments) -> None:
+        self.asked = asked
         mode = check_mode(asked.autoreset_mode)
         self.render_mode = check_render_mode(asked.render_mode, ("rgb_array",))
         self.agent, given = choose_learner(asked)
@@ -55,6 +57,10 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
         kind = np.int64 if self._discrete else np.float64
         self._actions = np.zeros((self.num_envs, len(self.match.agents), *shape), kind)
         self._begun = False
+
+    def __reduce__(self) -> Made:
+        """Copy by settings: the copy is to be reset."""
+        return by_settings(SoccerVectorEnv, part_of(self.asked, VectorArguments))
 
     def reset(self, *, seed: Any = None, options: dict[str, Any] | None = None) -> tuple[np.ndarray, dict[str, Any]]:
         """Begin an episode in all matches; return observations (num_envs, n) and infos.

@@ -50,11 +50,7 @@ def train(settings: TrainSettings) -> TrainResult:
         lessons = Lessons(settings, learner.network)  # of a scripted team
         with Training(settings, folder, curriculum, matches, learner) as run:
             if not run.restore_checkpoint():
-                for advised in lessons.teach():  # the actor begins with what a scripted team does, or as a policy file
-                    run.evaluate(advised)
-                learner.reset_matches()
-                run.save_checkpoint()
-            lessons.kept.forget()
+                run.begin(lessons)  # the actor learns what a scripted team does, or begins as a policy file
             while learner.steps < settings.steps:
                 with run.timed("rollout"):
                     learner.collect_rollout(run.show_step)

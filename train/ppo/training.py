@@ -23,6 +23,8 @@ from soccer_env.train.ppo.networks import policy_from
 from soccer_env.train.ppo.reports import Board, evaluate_policy, learning_curve
 from soccer_env.train.ppo.run_folder import BEST, CURVE, LAST, RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
+from soccer_env.train.ppo.teaching.lessons import Lessons
 from soccer_env.train.ppo.vec_env import Result, SoccerVecEnv
 
 
@@ -91,6 +93,14 @@ class Training:
         before = step - self.settings.rollout * self.matches.num_envs
         return step >= self.settings.steps or step // every > before // every
 
+    def begin(self, lessons: Lessons) -> None:
+        """Let the actor learn from its teacher, judge it after every round of that, and begin with the rewards."""
+        for advised in lessons.teach():
+            self.evaluate(advised)
+        self.learner.reset_matches()
+        self.save_checkpoint()
+        lessons.kept.forget()
+
     def evaluate(self, advised: int = 0) -> None:
         """Play the policy without noise; keep it if it is the best so far, and draw the learning curve.
 
@@ -152,6 +162,7 @@ class Training:
             self.learner.restore(saved, self.matches.load(saved["matches"]))
             self.rollouts = saved["rollouts"]
             restore_generators(saved["generators"])
+            KeptRounds(self.folder.path).forget()  # a run may be killed between a checkpoint and this
         except (ValueError, RuntimeError, LookupError, TypeError, AttributeError) as error:
             raise ValueError(
                 f"the checkpoint in {self.folder.path} is not of this run as it is now ({error}); --anew starts again"
