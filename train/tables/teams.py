@@ -27,11 +27,11 @@ SACKS = (  # home, against the chaser
 )  # fmt: skip
 WITHOUT = ("recovery=False", "avoidance=False", "recovery=False,avoidance=False")  # avoidance: dribbling as well
 HEINEMANN_MATCHES, HEINEMANN_MINUTES = 60, 4.0
-HEINEMANN = (  # home and away of 5 v 5, and of the first also 3 v 3; what the team is without an idea is a team as well
-    ("heinemann-2006", "chaser"),
-    ("heinemann-2006@0.5", "chaser"), ("heinemann-2006", "weigel-2001"),
-    ("heinemann-2006", "heinemann-2006:keeper=passive"), ("heinemann-2006", "heinemann-2006:planner=none"),
-    ("weigel-2001", "chaser"),
+HEINEMANN = (  # players a side, home and away; what the team is without an idea is a team as well
+    (3, "heinemann-2006", "chaser"),
+    *((3, f"heinemann-2006@{strength}", "chaser") for strength in ("0", "0.25", "0.5", "0.75")),
+    (5, "heinemann-2006", "chaser"), (5, "weigel-2001", "chaser"), (5, "heinemann-2006", "weigel-2001"),
+    (5, "heinemann-2006", "heinemann-2006:keeper=passive"), (5, "heinemann-2006", "heinemann-2006:planner=none"),
 )  # fmt: skip
 
 MEASURED = ("points", "goal difference a match", "goals a minute", "settings")  # columns of `measured`
@@ -57,11 +57,9 @@ def sacks_rows() -> Iterator[EvaluateSettings]:
 
 def heinemann_rows() -> Iterator[EvaluateSettings]:
     """Yield the evaluations of the middle-size teams of 2006, by sensors: against the chaser, and without a part."""
-    sizes = [(*HEINEMANN[0], 3), *((home, away, 5) for home, away in HEINEMANN)]
-    for home, away, players in sizes:
-        yield row_settings(
-            "middle-size-2006", home, away, "sensors", HEINEMANN_MATCHES, HEINEMANN_MINUTES, players
-        )  # fmt: skip
+    league, matches, minutes = "middle-size-2006", HEINEMANN_MATCHES, HEINEMANN_MINUTES
+    for players, home, away in HEINEMANN:
+        yield row_settings(league, home, away, "sensors", matches, minutes, players)
 
 
 def row_settings(
