@@ -63,33 +63,33 @@ The folders baselines/, agents/ and train/ of the repository are imported as `so
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from soccer_env.api.ids import register as _register
+from soccer_env.names import lazy_names
+
+if TYPE_CHECKING:
+    from soccer_env import soccer_v0
+    from soccer_env.leagues import League
+    from soccer_env.match import Match
+    from soccer_env.rewards import OwnTerm, Rewards
+    from soccer_env.scenes import Scene
+    from soccer_env.teams import Team, make_team
 
 __version__ = "0.1.0"
-__all__ = ["Match", "League", "OwnTerm", "Rewards", "Scene", "Team", "make_team", "soccer_v0"]
-
-_WHERE = {  # resolved at first use, so that importing the package stays quick
-    "Match": "soccer_env.match",
-    "League": "soccer_env.leagues",
-    "OwnTerm": "soccer_env.rewards",
-    "Rewards": "soccer_env.rewards",
-    "Scene": "soccer_env.scenes",
-    "Team": "soccer_env.teams",
-    "make_team": "soccer_env.teams",
-}
-
-
-def __getattr__(name: str) -> Any:
-    """Import a public name when it is first asked for."""
-    from importlib import import_module
-
-    if name == "soccer_v0":
-        return import_module("soccer_env.soccer_v0")
-    if name in _WHERE:
-        return getattr(import_module(_WHERE[name]), name)
-    raise AttributeError(f"module 'soccer_env' has no attribute {name!r}")
-
+__all__ = ["League", "Match", "OwnTerm", "Rewards", "Scene", "Team", "make_team", "soccer_v0"]
+__getattr__, __dir__ = lazy_names(  # resolved at first use, so that importing the package stays quick
+    __name__,
+    {
+        "League": "soccer_env.leagues",
+        "Match": "soccer_env.match",
+        "OwnTerm": "soccer_env.rewards",
+        "Rewards": "soccer_env.rewards",
+        "Scene": "soccer_env.scenes",
+        "Team": "soccer_env.teams",
+        "make_team": "soccer_env.teams",
+        "soccer_v0": "soccer_env.soccer_v0",
+    },
+)
 
 _register()

@@ -1,0 +1,48 @@
+"""What a user's type checker says of the public names: typed, and a wrong setting refused with a near miss."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import soccer_env
+
+pytest.importorskip("mypy")
+
+ROOT = Path(__file__).parents[2]
+USER = """
+from soccer_env import Match, soccer_v0
+
+match = Match("legged-2001", home=2, senses="ideal")
+reveal_type(match)
+reveal_type(soccer_v0.parallel_env(home=1))
+Match(homee=2)
+Match(home="two")
+Match(senses="sensor")
+soccer_v0.parallel_env(render_modes="human")
+"""
+
+
+@pytest.mark.slow
+def test_mypy_knows_the_public_names_and_refuses_wrong_settings(tmp_path: Path) -> None:
+    (tmp_path / "user.py").write_text(USER)
+    words = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), "user.py"]
+    seen = {**os.environ, "MYPYPATH": str(ROOT)}  # type checkers do not follow an editable install
+    ran = subprocess.run(words, cwd=tmp_path, env=seen, capture_output=True, text=True, check=False)
+    said = ran.stdout.splitlines()
+    found = {int(line.split(":")[1]): line for line in reversed(said) if line.split(":")[0].endswith("user.py")}
+    assert 'Revealed type is "soccer_env.match.Match"' in found[5]
+    assert 'Revealed type is "soccer_env.soccer_v0.ParallelSoccer"' in found[6]
+    assert 'Unexpected keyword argument "homee" for "Match"; did you mean "home"?' in found[7]
+    assert 'Argument "home" to "Match" has incompatible type "str"' in found[8]
+    assert 'Argument "senses" to "Match" has incompatible type "Literal[' in found[9]
+    assert 'Unexpected keyword argument "render_modes"' in found[10]
+
+
+def test_dir_lists_what_can_be_imported() -> None:
+    assert {*soccer_env.__all__} <= {*dir(soccer_env)}
+    assert all(getattr(soccer_env, name) is not None for name in soccer_env.__all__)
+    with pytest.raises(AttributeError, match="module 'soccer_env' has no attribute 'Mach'"):
+        soccer_env.Mach  # noqa: B018
