@@ -79,7 +79,7 @@ class HeinemannSettings(Options):
     run_in: float = 2.6  # [m/s] at which a ball is run at at most; up to 1 m/s it is met with care, assumed
     dribble_speed: float = 1.56  # [m/s] with the ball, assumed: 0.6 of the top speed; 2.2 CAMBADA
     dribble_grip: float = 0.35  # [m/s2] aside that the guide gives a ball, measured: 0.2 kept it, 0.5 lost it
-    dribbles_round: bool = True  # along a plan round the others; False: the way with the most room  MH24
+    dribbles_round: bool = False  # True: along a plan round the others, not the way with the most room  MH24
     dribble_ahead: float = 0.7  # [m] along the plan that the ball is dribbled to, assumed
     dribble_room: float = 0.1  # [m] more than without the ball that is kept off others, assumed
     dribble_turn: float = 4.0  # [rad/s] with the ball at most, assumed
