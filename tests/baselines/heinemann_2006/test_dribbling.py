@@ -101,5 +101,6 @@ def test_mh24_it_dribbles_the_ball_round_still_obstacles_and_touches_hardly_any(
 
 
 def test_mh24_so_it_does_with_a_ball_that_has_no_colour() -> None:
-    past, _ = through_the_challenge("heinemann-2006:dribbles_round=True", senses="sensors", sensors={"ball_coloured": False})
+    sensors = {"ball_coloured": False}
+    past, _ = through_the_challenge("heinemann-2006:dribbles_round=True", senses="sensors", sensors=sensors)
     assert past > 0.35
