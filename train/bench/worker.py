@@ -63,7 +63,7 @@ def of_saves(league: str, matches: int, steps: int) -> Sampler:
     """Return what times a save and a load of a running match with all its senses [s for both, per match]."""
     from soccer_env import Match
 
-    match = Match(league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, **SENSING)
+    match = Match(league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, senses="sensors", observe="belief")
     match.step(np.zeros((matches, 2 * PLAYERS, 4)))
 
     def sample() -> float:
