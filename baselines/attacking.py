@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import acos, atan2, sqrt
 
 from soccer_env.baselines.boards import go_into_corner, lies_in_trouble, sweep
-from soccer_env.baselines.carrying import line_speed, turn_to_goal
+from soccer_env.baselines.carrying import SLOW, is_opposed, line_speed, turn_to_goal
 from soccer_env.baselines.set_pieces import strength_for
 from soccer_env.baselines.sight import rolls_to, side_of
 from soccer_env.baselines.skills import (
@@ -152,15 +152,22 @@ def run_in(command, sight, k, play, x, y, ux, uy, most):
 
 @compiled
 def meet(command, sight, k, x, y):
-    """Run along (x, y) into the ball only so much faster than it rolls that it hardly bounces off."""
+    """Run along (x, y) into the ball, only so much faster than it rolls that it hardly bounces off.
+
+    The limit is on the speed towards each other: who tackles a ball that is carried past runs along with it.
+    """
     away = max(length(x, y), 1e-6)
     x, y = x / away, y / away
     gap = max(sight.distance - sight.touch, 0.0)
-    rolls = sight.ball_vx * x + sight.ball_vy * y
-    most = max(min(rolls + MET + gap / GIVE_TIME, MEET, line_speed(sight, k, x, y)), 0.0)
-    speed = k.drive_forward * length(command.forward, command.left)
+    most = min(MET + gap / GIVE_TIME, MEET, SLOW if is_opposed(sight, x, y) else line_speed(sight, k, x, y))
+    vx, vy = k.drive_forward * command.forward, k.drive_sideways * command.left
+    ball_ahead, ball_left = into_frame(sight.ball_vx, sight.ball_vy, sight.cosine, sight.sine)
+    speed = length(vx - ball_ahead, vy - ball_left)
     if speed > most:
-        command.forward, command.left = most / speed * command.forward, most / speed * command.left
+        ahead = ball_ahead + most / speed * (vx - ball_ahead)
+        left = ball_left + most / speed * (vy - ball_left)
+        size = max(length(ahead, left), 1e-6)
+        push(command, sight, k, ahead / size, left / size, size)
 
 
 @compiled

@@ -12,6 +12,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, toward, wrap
 
 PRESSED = 0.6  # [m] from the ball of an opponent that is at it too, assumed
+AGAINST = 0.5  # cosine of the angle off the ball's way within which an opponent stands against it, 60 degrees, assumed
 SLOW = 0.4  # [m/s] at which the ball is pushed at least, also towards a line, assumed
 
 
@@ -24,8 +25,9 @@ def turn_to_goal(command, sight, memory, k, play, ux, uy):
     else:
         command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
     command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
-    if k.walled == 0 and (goal_room(sight, k, sight.now_cosine, sight.now_sine) < 0.0 or is_pressed(sight)):
-        command.forward = min(command.forward, line_speed(sight, k, sight.now_cosine, sight.now_sine) / k.drive_forward)
+    if k.walled == 0:
+        most = pushing_speed(sight, k, sight.now_cosine, sight.now_sine)
+        command.forward = min(command.forward, most / k.drive_forward)
 
 
 @compiled
@@ -45,7 +47,7 @@ def turn_about_ball(command, sight, memory, k, play, error):
 
 @compiled
 def is_pressed(sight):
-    """Tell whether an opponent is at the ball too: what two press between them at speed shoots out aside."""
+    """Tell whether an opponent is at the ball too."""
     for i in range(sight.others):
         away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
         if sight.mate[i] == 0 and away < PRESSED:
@@ -54,9 +56,28 @@ def is_pressed(sight):
 
 
 @compiled
+def is_opposed(sight, ux, uy):
+    """Tell whether an opponent is at the ball from the side to which it is pushed, along the unit vector (ux, uy).
+
+    What two press between them at speed shoots out aside. Who is beside the ball or behind it presses nothing.
+    """
+    for i in range(sight.others):
+        x, y = sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y
+        away = length(x, y)
+        if sight.mate[i] == 0 and away < PRESSED and x * ux + y * uy > AGAINST * away:
+            return True
+    return False
+
+
+@compiled
+def pushing_speed(sight, k, ux, uy):
+    """Return how fast a ball at the feet may be pushed along (ux, uy) [m/s]: at the goal as fast as one likes."""
+    if is_opposed(sight, ux, uy):
+        return SLOW
+    return line_speed(sight, k, ux, uy) if goal_room(sight, k, ux, uy) < 0.0 else k.drive_forward
+
+
+@compiled
 def line_speed(sight, k, ux, uy):
     """Return how fast to push the ball along (ux, uy) [m/s]: half as fast as it may roll and stay on the pitch."""
-    free = free_way(sight, k, ux, uy)
-    if is_pressed(sight):
-        return SLOW
-    return max(0.5 * sqrt(2.0 * k.ball_rolling * free), SLOW)
+    return max(0.5 * sqrt(2.0 * k.ball_rolling * free_way(sight, k, ux, uy)), SLOW)

@@ -242,6 +242,7 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
             raise ValueError(f"a team needs name, memory_dtype and act, got {team!r}")
         return team
     name, from_name, changes = parse_team(team)
+    strength = changes.pop("strength", strength)  # NAME:strength=0.5 is NAME@0.5
     if strength is not None:
         from_name = parse_team(f"{name}@{strength}")[1]
     ending, known = Path(name).suffix, registered()

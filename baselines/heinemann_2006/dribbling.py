@@ -14,10 +14,9 @@ from __future__ import annotations
 
 from math import atan2
 
-from soccer_env.baselines.carrying import is_pressed, line_speed
+from soccer_env.baselines.carrying import pushing_speed
 from soccer_env.baselines.heinemann_2006.crowd import note_crowd
 from soccer_env.baselines.heinemann_2006.driving import plan_to
-from soccer_env.baselines.skills import goal_room
 from soccer_env.baselines.weigel_2001.planner.measuring import place_on
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
@@ -34,8 +33,7 @@ def dribble(command, sight, memory, k, play, ux, uy):
     most = grip_turn(play, now)
     turn = clip(wanted, -most, most)
     speed = min(play.dribble_speed * sight.pace, grip_speed(play, wanted))
-    if goal_room(sight, k, sight.now_cosine, sight.now_sine) < 0.0 or is_pressed(sight):
-        speed = min(speed, line_speed(sight, k, sight.now_cosine, sight.now_sine))
+    speed = min(speed, pushing_speed(sight, k, sight.now_cosine, sight.now_sine))
     speed = max(speed, min(now, play.dribble_speed) - k.ball_rolling * k.dt * (k.delay_steps + 1.0))
     command.forward = clip(speed / k.drive_forward, 0.0, 1.0)
     command.turn = turn / k.drive_turn

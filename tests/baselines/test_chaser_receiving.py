@@ -3,11 +3,13 @@
 It gives way to a ball that comes, presses softly where an opponent is, and turns about a ball that it has.
 """
 
+from math import cos, sin
+
 import numpy as np
 import pytest
 
-from soccer_env.baselines.attacking import comes_to_me
-from soccer_env.baselines.carrying import PRESSED, SLOW, line_speed, turn_to_goal
+from soccer_env.baselines.attacking import GIVE_TIME, MEET, MET, comes_to_me, meet
+from soccer_env.baselines.carrying import PRESSED, SLOW, pushing_speed, turn_to_goal
 from soccer_env.baselines.chaser import MEMORY, team
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
@@ -35,11 +37,36 @@ def test_a_ball_comes_that_rolls_fast_enough_and_not_wide(vx, vy, comes):
     assert bool(comes_to_me(seen(ball_vx=vx, ball_vy=-vy), K)) == comes
 
 
-@pytest.mark.parametrize(("gap", "mate", "slow"), [(-0.01, 0, True), (0.01, 0, False), (-0.01, 1, False)])
-def test_the_ball_is_pushed_slowly_while_an_opponent_is_at_it(gap, mate, slow):
+@pytest.mark.parametrize(
+    ("ahead", "left", "mate", "slow"),
+    [(0.99, 0.0, 0, True), (1.01, 0.0, 0, False), (0.99, 0.0, 1, False)]
+    + [(cos(bearing), sin(bearing), 0, abs(bearing) < 1.04) for bearing in (-3.1, -1.5, -1.0, 1.0, 1.5, 3.1)],
+)
+def test_the_ball_is_pushed_slowly_against_an_opponent_that_is_at_it_but_not_along_one(ahead, left, mate, slow):
     sight = seen(others=1)
-    sight["other_x"][0], sight["mate"][0] = 1.0 + PRESSED + gap, mate
-    assert (line_speed(sight, K, 1.0, 0.0) == SLOW) == slow
+    away = PRESSED if abs(left) == 0.0 else 0.9 * PRESSED
+    sight["other_x"][0], sight["other_y"][0], sight["mate"][0] = 1.0 + away * ahead, away * left, mate
+    assert (pushing_speed(sight, K, 1.0, 0.0) == SLOW) == slow
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_who_tackles_a_ball_that_is_carried_past_runs_along_with_it(side):
+    """The limit is on the speed towards each other: one on its own speed would leave it behind."""
+    sight = seen(cosine=1.0, pace=1.0, distance=0.29, ball_vy=1.2 * side)
+    command = np.zeros(1, COMMAND)[0]
+    command["forward"], command["left"] = 1.0, 0.5 * side
+    meet(command, sight, K, 1.0, 0.0)
+    vx, vy = command["forward"] * K["drive_forward"], command["left"] * K["drive_sideways"]
+    assert np.hypot(vx, vy - 1.2 * side) == pytest.approx(MET)
+    assert vx > 0.0 and vy * side > 1.0
+
+
+@pytest.mark.parametrize("gap", [0.0, 0.1, 1.0])
+def test_a_ball_that_lies_still_is_met_slowly(gap):
+    sight, command = seen(cosine=1.0, pace=1.0, distance=0.29 + gap), np.zeros(1, COMMAND)[0]
+    command["forward"] = 1.0
+    meet(command, sight, K, 1.0, 0.0)
+    assert command["forward"] * K["drive_forward"] == pytest.approx(min(MET + gap / GIVE_TIME, MEET))
 
 
 def turns(sight: np.void, last: float, side: float) -> tuple[float, float]:

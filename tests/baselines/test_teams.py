@@ -164,6 +164,8 @@ def test_a_package_ships_a_team_as_a_factory_of_its_strength_and_settings() -> N
     assert "lions" in registered()
     weak: Any = make_team("lions@0.5:brave=True")
     assert (weak.strength, weak.brave) == (0.5, True)
+    also: Any = make_team("lions:strength=0.25,brave=True")
+    assert (also.strength, also.brave) == (0.25, True)
     with pytest.raises(ValueError, match="team 'lions' has no setting 'teeth'; it has: strength, brave"):
         make_team("lions:teeth=3")
     Match(controllers={"home": "lions", "away": "lions@0"}, seed=1).step()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from soccer_env.train.play.possession import kicks, spells, touches
+from soccer_env.train.play.possession import escorts, kicks, spells, touches
 from soccer_env.types import Phase
 from tests.train.play.recordings import blank
 
@@ -17,6 +17,18 @@ def test_a_spell_goes_on_over_a_short_break_and_ends_with_a_long_one_or_a_whistl
     found = spells(play)
     assert [ones.tolist() for ones in found["spells"]] == [pytest.approx([3.0, 1.0]), pytest.approx([6.0])]
     assert found["held"] == pytest.approx([3.6, 6.0])
+
+
+def test_who_goes_with_the_ball_beside_an_opponent_is_escorted_while_that_one_is_near_and_he_moves() -> None:
+    play = blank(300)
+    play.robots["has_ball"][:, 0, 0], play.robots["vx"][:250, 0, 0] = 1, 0.4
+    play.robots["x"][:, 0, 0], play.robots["x"][:, 0, 1] = 0.0, 9.0
+    play.robots["team"][:, 0, 1] = 1
+    play.robots["x"][100:, 0, 1] = 0.6
+    play.robots["x"][150:155, 0, 1] = 0.8  # a break of 0.1 s
+    assert [ones.tolist() for ones in escorts(play)["escorts"]] == [pytest.approx([3.0])]
+    play.robots["team"][:] = 0
+    assert [ones.tolist() for ones in escorts(play)["escorts"]] == [[]]
 
 
 def test_a_touch_counts_anew_after_a_second_without_and_for_every_robot() -> None:
