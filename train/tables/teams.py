@@ -26,7 +26,7 @@ SACKS = (  # home, against the chaser
     "sacks-2001@0", "sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75", "sacks-2001-tuned", "sacks-2001-future",
 )  # fmt: skip
 WITHOUT = ("recovery=False", "avoidance=False", "recovery=False,avoidance=False")  # avoidance: dribbling as well
-HEINEMANN_MATCHES, HEINEMANN_MINUTES = 60, 4.0
+HEINEMANN_MATCHES, HEINEMANN_MINUTES = 200, 4.0
 HEINEMANN = (  # players a side, home and away; what the team is without an idea is a team as well
     (3, "heinemann-2006", "chaser"),
     *((3, f"heinemann-2006@{strength}", "chaser") for strength in ("0", "0.25", "0.5", "0.75")),
