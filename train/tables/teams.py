@@ -34,6 +34,7 @@ HEINEMANN = (  # players a side, home and away; what the team is without an idea
     (5, "heinemann-2006", "heinemann-2006:keeper=passive"), (5, "heinemann-2006", "heinemann-2006:planner=none"),
 )  # fmt: skip
 
+PASSES = "passes a minute"  # completed, of both teams: a column of the middle size
 MEASURED = ("points", "goal difference a match", "goals a minute", "settings")  # columns of `measured`
 
 
@@ -102,6 +103,7 @@ def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, An
         "goals": [result.goals_for, result.goals_against],
         "goal_difference": asdict(result.goal_difference),
         "points": asdict(result.points),
+        "passes": [result.statistics[f"passes_{side}"].value for side in ("for", "against")],
         "first_pair": first,
     }
 
@@ -145,10 +147,14 @@ def sacks_table(table: dict[str, Any]) -> str:
 
 def heinemann_table(table: dict[str, Any]) -> str:
     """Return the table of the teams of 2006 in Markdown."""
-    rows = [
-        row | {"team": f"`{row['home']}`", "sizes": f"{row['players']} v {row['players']}"} for row in table["rows"]
-    ]
-    return with_command({"team": "team", "against": "away", "players": "sizes", "matches": "matches"}, rows)
+    names = {"team": "team", "against": "away", "players": "sizes", "matches": "matches", PASSES: "passed"}
+    return with_command(names, [row | heinemann_words(row) for row in table["rows"]])
+
+
+def heinemann_words(row: dict[str, Any]) -> dict[str, str]:
+    """Return what a row of the teams of 2006 shows of its own: the team, the sizes, and completed passes a minute."""
+    passed = " : ".join(f"{passes:.2f}" for passes in row["passes"]) if "passes" in row else "-"
+    return {"team": f"`{row['home']}`", "sizes": f"{row['players']} v {row['players']}", "passed": passed}
 
 
 def with_command(names: dict[str, str], rows: list[dict[str, Any]]) -> str:
