@@ -26,12 +26,13 @@ SACKS = (  # home, against the chaser
     "sacks-2001@0", "sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75", "sacks-2001-tuned", "sacks-2001-future",
 )  # fmt: skip
 WITHOUT = ("recovery=False", "avoidance=False", "recovery=False,avoidance=False")  # avoidance: dribbling as well
-HEINEMANN_MATCHES, HEINEMANN_MINUTES = 200, 4.0
-HEINEMANN = (  # players a side, home and away; what the team is without an idea is a team as well
-    (3, "heinemann-2006", "chaser"),
-    *((3, f"heinemann-2006@{strength}", "chaser") for strength in ("0", "0.25", "0.5", "0.75")),
-    (5, "heinemann-2006", "chaser"), (5, "weigel-2001", "chaser"), (5, "heinemann-2006", "weigel-2001"),
-    (5, "heinemann-2006", "heinemann-2006:keeper=passive"), (5, "heinemann-2006", "heinemann-2006:planner=none"),
+HEINEMANN_MINUTES = 4.0
+HEINEMANN = (  # players a side, home, away, matches; what the team is without an idea is a team as well
+    (3, "heinemann-2006", "chaser", 200),
+    *((3, f"heinemann-2006@{strength}", "chaser", 100) for strength in ("0", "0.25", "0.5", "0.75")),
+    (5, "heinemann-2006", "chaser", 200), (5, "weigel-2001", "chaser", 100), (5, "heinemann-2006", "weigel-2001", 200),
+    (5, "heinemann-2006", "heinemann-2006:keeper=passive", 200),
+    (5, "heinemann-2006", "heinemann-2006:planner=none", 100),
 )  # fmt: skip
 
 PASSES = "passes a minute"  # completed, of both teams: a column of the middle size
@@ -58,9 +59,8 @@ def sacks_rows() -> Iterator[EvaluateSettings]:
 
 def heinemann_rows() -> Iterator[EvaluateSettings]:
     """Yield the evaluations of the middle-size teams of 2006, by sensors: against the chaser, and without a part."""
-    league, matches, minutes = "middle-size-2006", HEINEMANN_MATCHES, HEINEMANN_MINUTES
-    for players, home, away in HEINEMANN:
-        yield row_settings(league, home, away, "sensors", matches, minutes, players)
+    for players, home, away, matches in HEINEMANN:
+        yield row_settings("middle-size-2006", home, away, "sensors", matches, HEINEMANN_MINUTES, players)
 
 
 def row_settings(
