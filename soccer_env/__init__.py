@@ -46,6 +46,7 @@ How it is played:
 
 What all of it stands on:
 
+    guards/              what keeps a match whole where signals, threads and forks come in
     geometry.py          angles, vectors and frames
     random_numbers.py    the generator that lives in the records
     ball_words.py        words of four bits for a distance to the ball

@@ -18,6 +18,7 @@ import numpy as np
 
 from soccer_env.belief_types import BELIEF, TRACK
 from soccer_env.episodes import start_match
+from soccer_env.guards.interrupts import HeldBack
 from soccer_env.observations.belief import observe_belief_slice
 from soccer_env.observations.truth import observe_slice
 from soccer_env.perception.ideal import believe_truth_slice
@@ -103,10 +104,11 @@ class MatchBatch:
 
     def build_spaces(self, rows: Iterable[int]) -> None:
         """Rebuild the Spaces of some matches from their records."""
+        league = self.settings.league
         for m in rows:
-            league = self.settings.league
-            self.physics.set_space(m, build_space(league, self.balls[m], self.robots[m]))
-            self.physics.take_part(m, league, self.constants)
+            with HeldBack():
+                self.physics.set_space(m, build_space(league, self.balls[m], self.robots[m]))
+                self.physics.take_part(m, league, self.constants)
 
     # One control step of a slice of matches
 

@@ -27,6 +27,7 @@ LAYERS = (
         "random_numbers",
         "whole_files",
         "names",
+        "guards",
         *COMPILING,
     ),
     ("leagues",),

@@ -21,8 +21,10 @@ from numpy.typing import ArrayLike, NDArray
 from pymunk import batch as pymunk_batch
 from pymunk.batch import BodyFields
 
+from soccer_env.guards.interrupts import HeldBack
 from soccer_env.leagues.league import League
 from soccer_env.physics.engine import chipmunk, prefetch
+from soccer_env.physics.engine.dropping import drop
 from soccer_env.physics.engine.memory import address_of
 from soccer_env.physics.solver import rounds
 from soccer_env.physics.solver.records import LAST_CONTACT, POST_CONTACT, POST_CONTACTS, SOLVER, STANCE
@@ -52,6 +54,7 @@ class SpaceBatch:
         self.backend: Backend = backend or default_backend()
         self.size = bodies
         self.spaces: list[pymunk.Space | None] = [None] * matches
+        self._kept: list[list[pymunk.Space]] = [[] for _ in range(matches)]  # one each, between resets
         self.bodies = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 6))
         self.velocities = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 3))
         self.solvers = np.zeros(matches, SOLVER)
@@ -65,9 +68,29 @@ class SpaceBatch:
     def __reduce__(self) -> NoReturn:
         raise TypeError("a SpaceBatch holds addresses of this process and cannot be copied or pickled")
 
+    def __del__(self) -> None:
+        if sys is None or sys.is_finalizing():  # pymunk itself may be gone
+            return
+        with HeldBack(later=True):
+            self.__dict__.pop("spaces", None)
+            for kept in self.__dict__.get("_kept", ()):
+                while kept:
+                    drop(kept)
+
     def set_space(self, m: int, space: pymunk.Space) -> None:
         """Make `space` match m's, and read its bodies; the batch keeps it alive until the next one."""
         _check_space(space, self.size)
+        with HeldBack():
+            self._kept[m].append(space)  # whatever raises: what a kernel finds through `links` lives
+            self._link(m, space)
+            self.spaces[m] = space
+            while len(self._kept[m]) > 1:
+                drop(self._kept[m])
+        self.bodies[m] = self.velocities[m] = 0.0
+        self.read_bodies(m)
+
+    def _link(self, m: int, space: pymunk.Space) -> None:
+        """Let kernels find match m's Space."""
         if self.links is not None:
             link = self.links[m : m + 1]
             link["space"], link["count"] = chipmunk.space_address(space), self.size
@@ -76,9 +99,6 @@ class SpaceBatch:
             if len(self.spans):
                 self.spans["steps"][m] = self.spans["count"][m] = 0
                 link["spans"] = self.spans[m : m + 1].ctypes.data
-        self.spaces[m] = space
-        self.bodies[m] = self.velocities[m] = 0.0
-        self.read_bodies(m)
 
     def take_part(self, m: int, league: League, constants: NDArray[Any]) -> None:
         """Let our part of the solver act in match m's Space; the caller keeps the league's constants (1,) in place."""
@@ -167,7 +187,8 @@ def default_backend() -> Backend:
         warnings.warn(f"pymunk {pymunk.version} is not the one known; physics is slower", RuntimeWarning, stacklevel=3)
         return "batch"
     known = sys.platform == "linux" and platform.machine() == "x86_64"
-    return "c" if known or _collision("c") == _collision("batch") else "batch"
+    with HeldBack():
+        return "c" if known or _collision("c") == _collision("batch") else "batch"
 
 
 def _collision(backend: Backend) -> bytes:
