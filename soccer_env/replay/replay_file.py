@@ -61,6 +61,15 @@ class Recorder:
         """
         self.log.append((len(self.commands), [int(m) for m in rows], saving.dump(self._match, memory=False)))
 
+    def length(self) -> tuple[int, int, int]:
+        """Return how much is written down."""
+        return len(self.commands), len(self.hashes), len(self.log)
+
+    def cut(self, length: tuple[int, int, int]) -> None:
+        """Forget what was written down after that `length`."""
+        commands, hashes, log = length
+        del self.commands[commands:], self.gazes[commands:], self.hashes[hashes:], self.log[log:]
+
     def stop(self) -> Replay:
         """Stop recording and return the replay."""
         self._match.recorder = None

@@ -37,6 +37,12 @@ def find_scene(scene: str | Scene) -> Scene:
     return SCENES[scene]
 
 
+def is_own(scene: Scene) -> bool:
+    """Tell whether a scene, or one that is mixed in, is a user's own."""
+    parts = scene.parts if isinstance(scene, Mixture) else (scene,)
+    return any(SCENES.get(part.name) != part for part in parts)
+
+
 def mixture(text: str) -> Scene:
     """Return the scenes of "kick-off:0.6,scattered:0.4" as one; a scene without a share has 1."""
     parts = [part.strip().partition(":") for part in text.split(",")]
@@ -52,6 +58,6 @@ def mixture(text: str) -> Scene:
 
 
 __all__ = [
-    "SCENES", "SUCCESS", "Draw", "Mixture", "Place", "Scene", "find_scene", "judge_drill", "mixture", "put",
+    "SCENES", "SUCCESS", "Draw", "Mixture", "Place", "Scene", "find_scene", "is_own", "judge_drill", "mixture", "put",
     "send_away",
 ]  # fmt: skip

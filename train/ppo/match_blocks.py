@@ -10,7 +10,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from soccer_env.match import BLOCK, Match
-from soccer_env.scenes import SCENES, Mixture
 
 
 def shared_out(
@@ -51,12 +50,3 @@ def playing(match: Match) -> list[str]:
             for m in range(match.count) if squad.plays is None else np.flatnonzero(squad.plays):
                 names[m] = squad.name
     return names
-
-
-def calls_python(match: Match) -> bool:
-    """Tell whether a match calls a team, an observation, a reward or a scene in Python: one thread at a time may."""
-    asked = match.settings
-    scenes = asked.scene.parts if isinstance(asked.scene, Mixture) else (asked.scene,)
-    own = not isinstance(asked.observe, str) or bool(asked.rewards.extra)
-    own = own or any(SCENES.get(scene.name) != scene for scene in scenes)
-    return own or not all(squad.compiled for squad in match.squads)

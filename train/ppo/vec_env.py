@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -24,11 +23,13 @@ from stable_baselines3.common.vec_env import VecEnv
 from soccer_env.actions import FULL
 from soccer_env.agents.learned import first_decision
 from soccer_env.checking import whole_number
+from soccer_env.guards.workers import Workers
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
+from soccer_env.saving import calls_python
 from soccer_env.train.ppo.critic_state import last_state, team_state, with_state
-from soccer_env.train.ppo.match_blocks import calls_python, playing, shared_out, stagger_clocks
+from soccer_env.train.ppo.match_blocks import playing, shared_out, stagger_clocks
 
 
 @dataclass(frozen=True)
@@ -95,7 +96,7 @@ class SoccerVecEnv(VecEnv):
             )
             for (home, away), count, senses in blocks
         ]  # fmt: skip
-        self._pool = ThreadPoolExecutor(1 if any(map(calls_python, self.matches)) else min(threads, len(blocks)))
+        self._workers = Workers(1 if any(map(calls_python, self.matches)) else min(threads, len(blocks)))
         self.largest, self.state = max(match.settings.max_players for match in self.matches), state
         self.learners = [match.settings.home for match in self.matches]
         self.observed = len(self.matches[0].observation_names)  # entries before the state
@@ -149,9 +150,8 @@ class SoccerVecEnv(VecEnv):
         started = time.perf_counter()
         rewards, dones = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs, bool)
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
-        jobs = [self._pool.submit(self._play, index, rewards, dones, infos) for index in self._order]
-        wait(jobs)  # so that nothing runs on when one of them failed
-        results = dict(zip(self._order, [job.result() for job in jobs], strict=True))
+        found = self._workers.map(lambda index: self._play(index, rewards, dones, infos), self._order)
+        results = dict(zip(self._order, found, strict=True))
         for index in range(len(self.matches)):
             self.results += results[index]
         self._returns += rewards
@@ -236,7 +236,7 @@ class SoccerVecEnv(VecEnv):
 
     def close(self) -> None:
         """End the threads."""
-        self._pool.shutdown()
+        self._workers.shutdown()
         for match in self.matches:
             match.close()
 

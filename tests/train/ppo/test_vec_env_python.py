@@ -77,6 +77,6 @@ def test_code_of_a_user_is_never_called_by_two_threads_at_once(kind: type[Watch]
 
 
 def test_compiled_code_is_played_by_all_threads() -> None:
-    assert rows(players=MIXED, matches=8, threads=2)._pool._max_workers == 2
+    assert rows(players=MIXED, matches=8, threads=2)._workers.threads == 2
     scene = mixture("kick-off,scattered")
-    assert rows(players=MIXED, matches=8, threads=2, scene=scene)._pool._max_workers == 2
+    assert rows(players=MIXED, matches=8, threads=2, scene=scene)._workers.threads == 2
