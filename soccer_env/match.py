@@ -10,7 +10,6 @@ is M = 1; match m of many is bit for bit the match that runs alone with its seed
 from __future__ import annotations
 
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any
 
@@ -18,6 +17,7 @@ import numpy as np
 
 from soccer_env import saving, truth_state
 from soccer_env.actions import numbers_for, take_actions
+from soccer_env.guards.workers import Workers
 from soccer_env.match_batch import MatchBatch, Sums
 from soccer_env.match_settings import MatchArguments, made_from, part_of
 from soccer_env.names import Made
@@ -37,6 +37,7 @@ FINAL = (  # kept of ended episodes
 )  # fmt: skip
 
 
+@saving.whole
 class Match:
     """M matches of one league, stepped together.
 
@@ -58,7 +59,7 @@ class Match:
         self._own_terms = OwnTerms(self.settings.rewards)
         self._make_arrays(asked.backend)
         self._make_squads(assign(self.agents, self.settings.home, asked.opponents, asked.teammates, asked.controllers))
-        self._pool = ThreadPoolExecutor(self.threads) if self.count >= 2 * self.threads > 2 else None
+        self._pool = Workers(self.threads) if self.count >= 2 * self.threads > 2 else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)
         self.ended, self.final = np.zeros(0, np.int64), dict[str, np.ndarray]()  # see _restart_same_step
@@ -179,7 +180,7 @@ class Match:
             self._step_slice(numbers, 0, self.count)
         else:
             edges = [self.count * i // self.threads for i in range(self.threads + 1)]
-            list(self._pool.map(partial(self._step_slice, numbers), edges[:-1], edges[1:]))
+            self._pool.map(partial(self._step_slice, numbers), edges[:-1], edges[1:])
         self._own_terms.pay(self)
         self._observe_own()
         if self.recorder is not None:
@@ -297,4 +298,3 @@ class Match:
         """End the threads."""
         if self._pool is not None:
             self._pool.shutdown()
-            self._pool = None
