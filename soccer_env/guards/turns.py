@@ -29,8 +29,11 @@ def _guarded(
 ) -> Callable[..., Any]:
     @functools.wraps(method)
     def guarded(self: Any, *args: Any, **kwargs: Any) -> Any:
-        turn = self.__dict__.get("_turn") or self.__dict__.setdefault("_turn", Turn(undone(self)))
-        if not turn.lock.acquire(False):
+        try:
+            turn = self._turn
+        except AttributeError:
+            turn = self._turn = Turn(undone(self))
+        if not turn.acquire(False):
             whose = type(self).__name__
             raise RuntimeError(f"{name}: another thread is using this {whose}; give each thread one of its own")
         try:
@@ -42,7 +45,7 @@ def _guarded(
             finally:
                 turn.undoes = True
         finally:
-            turn.lock.release()
+            turn.release()
 
     return guarded
 
@@ -59,6 +62,9 @@ def _undone_on_error(method: Callable[..., Any], go_back: GoBack | None, *args: 
 class Turn:
     """Whose turn it is with an object: a lock that its own thread may take again."""
 
+    __slots__ = "acquire", "release", "undoes"
+
     def __init__(self, undoes: bool) -> None:
-        self.lock = threading.RLock()
+        lock = threading.RLock()
+        self.acquire, self.release = lock.acquire, lock.release
         self.undoes = undoes  # what the next method does, if that raises
