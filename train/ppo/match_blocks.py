@@ -1,15 +1,19 @@
-"""How the matches of a SoccerVecEnv are shared out among team sizes, senses and blocks, and how they begin.
+"""What a SoccerVecEnv is asked for, and how its matches are shared out among team sizes, senses and blocks.
 
 A block is a Match of up to `BLOCK` matches that one thread plays by itself for a whole decision.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
 
 import numpy as np
 
+from soccer_env.checking import whole_number
 from soccer_env.match import BLOCK, Match
+from soccer_env.saving import calls_python, undoing
 
 
 def shared_out(
@@ -50,3 +54,54 @@ def playing(match: Match) -> list[str]:
             for m in range(match.count) if squad.plays is None else np.flatnonzero(squad.plays):
                 names[m] = squad.name
     return names
+
+
+def check_request(
+    players: Sequence[tuple[int, int]], opponents: Any, repeat: int, threads: int, settings: dict[str, Any]
+) -> None:
+    """Raise ValueError for settings that leave robots without a player, or rows without a robot."""
+    for name in ("teammates", "controllers", "autoreset"):
+        if name in settings:
+            raise ValueError(f"SoccerVecEnv takes no {name}: all home robots learn, and matches begin anew at once")
+    if opponents is None:
+        raise ValueError("SoccerVecEnv needs opponents, a team or a Lineup: 'still' for robots that stand")
+    if not players or not all(len(sizes) == 2 for sizes in players):
+        raise ValueError(f"players must be team sizes (home, away), at least one, got {players!r}")
+    if settings.get("actions") == "discrete":
+        raise ValueError("SoccerVecEnv has actions 'box' or 'full', not 'discrete'")
+    whole_number("action_repeat", repeat, 1, 1000)
+    whole_number("threads", threads, 1, 256)
+
+
+def taken(actions: Any, shape: tuple[int, int], matches: Sequence[Match]) -> np.ndarray:
+    """Return the actions of all rows as numbers in [-1, 1]; ValueError for other shapes, and for what is not finite."""
+    numbers = np.asarray(actions)
+    if numbers.dtype.kind not in "fiu" or numbers.shape != shape:
+        raise ValueError(f"actions must be numbers of shape {shape}, got {numbers.dtype} of shape {numbers.shape}")
+    numbers = numbers.astype(np.float64)
+    wrong = np.flatnonzero(~np.isfinite(numbers).all(axis=1))
+    if len(wrong):
+        row = int(wrong[0])
+        whose = [f"{agent} of match {m}" for block in matches for m, agent in learners_of(block)][row]
+        raise ValueError(f"action of row {row}, {whose} of its block, is not finite: {numbers[row].tolist()}")
+    return np.clip(numbers, -1.0, 1.0)
+
+
+def learners_of(match: Match) -> list[tuple[int, str]]:
+    """Return (m, agent) of each learning robot of a block, as its rows are in order."""
+    return [(m, agent) for m in range(match.count) for agent in match.agents[: match.settings.home]]
+
+
+@contextmanager
+def undone_together(matches: Sequence[Match], opponents: list[list[str]]) -> Iterator[None]:
+    """Make all matches, and who plays in them, again what they were if code of a user raises in one of them."""
+    before, names = [undoing(match, "step") for match in matches if calls_python(match)], list(opponents)
+    try:
+        yield
+    except BaseException:
+        if before:
+            for go_back in before:
+                if go_back is not None:
+                    go_back()
+            opponents[:] = names
+        raise

@@ -22,14 +22,20 @@ from stable_baselines3.common.vec_env import VecEnv
 
 from soccer_env.actions import FULL
 from soccer_env.agents.learned import first_decision
-from soccer_env.checking import whole_number
 from soccer_env.guards.workers import Workers
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
 from soccer_env.saving import calls_python
 from soccer_env.train.ppo.critic_state import last_state, team_state, with_state
-from soccer_env.train.ppo.match_blocks import playing, shared_out, stagger_clocks
+from soccer_env.train.ppo.match_blocks import (
+    check_request,
+    playing,
+    shared_out,
+    stagger_clocks,
+    taken,
+    undone_together,
+)
 
 
 @dataclass(frozen=True)
@@ -115,6 +121,7 @@ class SoccerVecEnv(VecEnv):
         )
         self._seed = seed
         self._returns, self._lengths = np.zeros(self.num_envs), np.zeros(self.num_envs, np.int64)
+        self._asked = False  # for a step
 
     # What stable-baselines3 asks for
 
@@ -142,15 +149,23 @@ class SoccerVecEnv(VecEnv):
         return self._observations()
 
     def step_async(self, actions: np.ndarray) -> None:
-        """Take the actions (rows, 4 or 7) of the next step."""
-        self._actions[:] = np.clip(actions, -1.0, 1.0)
+        """Take the actions (rows, 4 or 7) of the next step; ValueError names the first row that is wrong."""
+        self._actions[:] = taken(actions, self._actions.shape, self.matches)
+        self._asked = True
 
     def step_wait(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
-        """Play `action_repeat` control steps of all matches; return observations, rewards, dones (rows,) and infos."""
+        """Play `action_repeat` control steps of all matches; return observations, rewards, dones (rows,) and infos.
+
+        What code of a user raises is undone in all matches. RuntimeError without actions from `step_async`.
+        """
+        if not self._asked:
+            raise RuntimeError("step_wait needs the actions of the step: call step_async first, or step")
+        self._asked = False
         started = time.perf_counter()
         rewards, dones = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs, bool)
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
-        found = self._workers.map(lambda index: self._play(index, rewards, dones, infos), self._order)
+        with undone_together(self.matches, self.opponents):
+            found = self._workers.map(lambda index: self._play(index, rewards, dones, infos), self._order)
         results = dict(zip(self._order, found, strict=True))
         for index in range(len(self.matches)):
             self.results += results[index]
@@ -273,20 +288,3 @@ class SoccerVecEnv(VecEnv):
         self.opponents = [playing(match) for match in self.matches]
         self._returns[:], self._lengths[:] = saved["returns"], saved["lengths"]
         return self._observations()
-
-
-def check_request(
-    players: Sequence[tuple[int, int]], opponents: Any, repeat: int, threads: int, settings: dict[str, Any]
-) -> None:
-    """Raise ValueError for settings that leave robots without a player, or rows without a robot."""
-    for name in ("teammates", "controllers", "autoreset"):
-        if name in settings:
-            raise ValueError(f"SoccerVecEnv takes no {name}: all home robots learn, and matches begin anew at once")
-    if opponents is None:
-        raise ValueError("SoccerVecEnv needs opponents, a team or a Lineup: 'still' for robots that stand")
-    if not players or not all(len(sizes) == 2 for sizes in players):
-        raise ValueError(f"players must be team sizes (home, away), at least one, got {players!r}")
-    if settings.get("actions") == "discrete":
-        raise ValueError("SoccerVecEnv has actions 'box' or 'full', not 'discrete'")
-    whole_number("action_repeat", repeat, 1, 1000)
-    whole_number("threads", threads, 1, 256)
