@@ -19,6 +19,7 @@ What a match is made of:
     settings.py          the settings of a match, every name resolved
     leagues/             the leagues, every number with unit and source
     teams.py             what a team is, and the teams by name
+    function_teams/      functions of observations as teams: policies of any library
     team_kernels.py      the kernel of a team, made from what one player does
     actions.py           what learners may do
     observations/        what learners see
@@ -71,6 +72,7 @@ from soccer_env.names import lazy_names
 
 if TYPE_CHECKING:
     from soccer_env import soccer_v0
+    from soccer_env.function_teams import team_of_function
     from soccer_env.leagues import League
     from soccer_env.match import Match
     from soccer_env.rewards import OwnTerm, Rewards
@@ -78,7 +80,7 @@ if TYPE_CHECKING:
     from soccer_env.teams import Team, make_team
 
 __version__ = "0.1.0"
-__all__ = ["League", "Match", "OwnTerm", "Rewards", "Scene", "Team", "make_team", "soccer_v0"]
+__all__ = ["League", "Match", "OwnTerm", "Rewards", "Scene", "Team", "make_team", "soccer_v0", "team_of_function"]
 __getattr__, __dir__ = lazy_names(  # resolved at first use, so that importing the package stays quick
     __name__,
     {
@@ -90,6 +92,7 @@ __getattr__, __dir__ = lazy_names(  # resolved at first use, so that importing t
         "Team": "soccer_env.teams",
         "make_team": "soccer_env.teams",
         "soccer_v0": "soccer_env.soccer_v0",
+        "team_of_function": "soccer_env.function_teams",
     },
 )
 

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.function_teams import FunctionTeam
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
 from soccer_env.observations import names_of
@@ -164,10 +165,10 @@ def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int,
     if check is not None:
         check(settings.league)
     observed = 0
-    if isinstance(team, ObservingTeam):
+    if isinstance(team, (ObservingTeam, FunctionTeam)):
         senses = settings.senses[int(players[0] >= settings.rows[0])]
-        if team.observe != "belief" and senses != NEEDED_SENSES[team.observe]:
-            needed = NEEDED_SENSES[team.observe]
+        needed = NEEDED_SENSES.get(team.observe, senses) if isinstance(team.observe, str) else senses
+        if senses != needed:
             raise ValueError(f"team {team.name!r} observes {team.observe}: it needs senses={needed!r}, got {senses!r}")
         observed = len(names_of(settings.league, team.observe))
     memory = np.zeros((matches, len(players)), check_memory(team))

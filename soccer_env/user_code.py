@@ -1,4 +1,4 @@
-"""Ask for a user's own reward terms, and check what they and observations return, where it enters."""
+"""Ask for a user's own reward terms and functions that play, and check what user code returns, where it enters."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import Any, cast
 
 import numpy as np
 
+from soccer_env.function_teams import ask_functions
 from soccer_env.rewards import COUNT, OwnTerm, Rewards
 
 Match = Any  # soccer_env.match.Match, which stands above this file
@@ -35,7 +36,11 @@ class OwnTerms:
         self._before: dict[str, np.ndarray] = {}  # potentials (M, R) before it, by name
 
     def begin(self, match: Match) -> None:
-        """Note the potentials before a control step: of the records as they are now, whoever wrote them."""
+        """Ask what a user's code says before a control step: functions that play, and potentials.
+
+        Of the records as they are now, whoever wrote them.
+        """
+        ask_functions(match)
         if self._terms:
             self._waiting = match.matches["over"] == 1
             shaping = {name: term for name, term in self._terms.items() if term.kind == "potential"}

@@ -34,7 +34,7 @@ LAYERS = (
     ("teams", "team_kernels"),  # the protocol, and names as strings
     ("physics", "perception", "belief", "referee"),
     ("actions", "observations", "rewards", "scenes", "statistics"),
-    ("match_settings",),
+    ("match_settings", "function_teams"),
     ("settings", "robot_kinds"),
     ("step", "episodes", "squads", "senses", "truth_state", "saving", "user_code"),  # the parts of a match
     ("match_batch",),
