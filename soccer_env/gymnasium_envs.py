@@ -7,10 +7,12 @@ Everybody but the learner is played by a team. Spaces, rewards and infos are tho
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import gymnasium
 import numpy as np
+from gymnasium.envs.registration import EnvSpec
 
 from soccer_env.checking import check_names
 from soccer_env.match_settings import LearnerSetup, MatchSetup, SoloArguments, by_settings, made_from, part_of
@@ -47,6 +49,7 @@ class SoloSoccer(gymnasium.Env[np.ndarray, Any]):
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array", "human"]}
+    _spec: EnvSpec | None = None
 
     @made_from(SoloArguments)
     def __init__(self, asked: SoloArguments) -> None:
@@ -59,6 +62,16 @@ class SoloSoccer(gymnasium.Env[np.ndarray, Any]):
         self.metadata = {**self.metadata, "render_fps": self._parallel.metadata["render_fps"]}
         self.observation_space = self._parallel.observation_space(self.agent)
         self.action_space = self._parallel.action_space(self.agent)
+
+    @property
+    def spec(self) -> EnvSpec | None:
+        """How `gymnasium.make` made this; its `max_episode_steps` are our `max_cycles`, as wrappers want to know."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, spec: EnvSpec | None) -> None:
+        steps = self.match.settings.max_cycles
+        self._spec = spec if spec is None or steps is None else replace(spec, max_episode_steps=steps)
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None

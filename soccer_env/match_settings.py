@@ -37,10 +37,13 @@ A = TypeVar("A")
 
 TEAM_SIZE = Range(1, MAX_TEAM)
 THREADS = Range(1, 256)
+STEPS = Range(1, 2**40)
 Senses = Literal["ideal", "sensors"]
 Pose = Literal["percept", "particles"]
 Placement = Literal["instant", "drive"]
+InfoKind = Literal["flat", "full", "nested", "none"]
 SIDE_BY_SIDE = Range(1, 1 << 20)
+INFOS = '"flat" numbers, "full": and statistics of play, "nested" dicts in words, or "none" (False), the fastest'
 
 
 def setting(
@@ -103,9 +106,7 @@ class MatchSettings(Checked):
         None, "of play, both halves together; None: the league's own", ABOVE_ZERO, replayed=True
     )
     action_repeat: int = setting(1, "control steps that an action is kept", Range(1, 1000), free=True)
-    max_cycles: int | None = setting(
-        None, "steps until an episode is truncated; None: never", Range(1, 2**40), free=True
-    )
+    max_cycles: int | None = setting(None, "steps until an episode is truncated; None: never", STEPS, free=True)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -139,7 +140,7 @@ class EnvArguments(MatchSetup):
     """What a PettingZoo env is made from."""
 
     render_mode: str | None = setting(None, '"rgb_array" for frames, "human" for a window')
-    infos: bool = setting(True, "False leaves infos empty: faster, and for libraries that make tensors of them")
+    infos: InfoKind | bool = setting("flat", INFOS)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -150,13 +151,12 @@ class LearnerSetup(MatchSetup):
     teammates: Any = setting("chaser", "the team that plays the other home robots")
     agent: str | None = setting(None, "the learner; None: home's last robot")
     render_mode: str | None = setting(None, '"rgb_array" for frames, "human" for a window')
+    infos: InfoKind | bool = setting("flat", INFOS)
 
 
 @dataclass(frozen=True, kw_only=True)
 class SoloArguments(LearnerSetup):
     """What a Gymnasium Env is made from."""
-
-    infos: bool = setting(True, "False leaves infos empty")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -164,6 +164,7 @@ class VectorArguments(LearnerSetup):
     """What a Gymnasium VectorEnv is made from."""
 
     num_envs: int = field(default=1, metadata={"text": "matches side by side", "bounds": SIDE_BY_SIDE}, kw_only=False)
+    max_episode_steps: int | None = setting(None, "Gymnasium's word for max_cycles; the fewer of the two count", STEPS)
     autoreset_mode: Any = setting("NextStep", '"NextStep", "SameStep" or Gymnasium\'s AutoresetMode')
     threads: int = setting(1, "that step the matches", THREADS)
 

@@ -8,10 +8,11 @@
 | reward | weighted terms, see `soccer_env.rewards.TERMS` |
 | state | the whole truth of the match in [-1, 1], see `soccer_env.truth_state` |
 
-`infos[agent]` holds "active" (False for a robot sent off), "score" (own goals, the opponents'), "phase", "rewards"
-(term -> weighted reward) and "events": only what happened in this step, in words; at the end of an episode also
-"statistics", from the side of the agent's team (`soccer list statistics`). Finite actions outside [-1, 1] are
-clipped.
+`infos[agent]` are numbers under keys that never change, which `soccer_env.api.infos` lists: "active", "score_for",
+"phase", "reward_goal", "event_goal" ...; infos="full" adds statistics of play. infos="nested" has dicts in words:
+"active", "score" (own goals, the opponents'), "phase", "rewards" (term -> weighted reward), "events" (only what
+happened in this step) and, at the end of an episode, "statistics" from the side of the agent's team. infos="none" is
+the fastest. Finite actions outside [-1, 1] are clipped.
 
 Version history: v0, the first.
 """
@@ -29,6 +30,7 @@ from pettingzoo.utils.conversions import parallel_to_aec_wrapper
 from pettingzoo.utils.wrappers import OrderEnforcingWrapper
 
 from soccer_env.actions import discrete_index
+from soccer_env.api.infos import FlatReport
 from soccer_env.api.report import (
     OPTIONS,
     RENDER_MODES,
@@ -38,9 +40,10 @@ from soccer_env.api.report import (
     check_agents,
     check_options,
     check_render_mode,
+    kind_of_infos,
 )
 from soccer_env.match import Match
-from soccer_env.match_settings import EnvArguments, MatchArguments, MatchSetup, by_settings, part_of, takes
+from soccer_env.match_settings import EnvArguments, InfoKind, MatchArguments, MatchSetup, by_settings, part_of, takes
 from soccer_env.names import Made
 
 FLOATS = "fd"  # dtype characters of float32 and float64
@@ -51,7 +54,7 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
 
     metadata: dict[str, Any] = {"name": "soccer_v0", "render_modes": [*RENDER_MODES], "is_parallelizable": True}
 
-    def __init__(self, match: Match, render_mode: str | None = None, infos: bool = True) -> None:
+    def __init__(self, match: Match, render_mode: str | None = None, infos: InfoKind | bool = "flat") -> None:
         if match.count != 1 or match.autoreset != "off":
             raise ValueError(f"needs 1 match and autoreset 'off', got {match.count} and {match.autoreset!r}")
         if not match.learns.any():
@@ -67,7 +70,8 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
         self.observation_spaces: dict[str, Any] = {a: Box(-1.0, 1.0, (size,), np.float32) for a in self.possible_agents}
         self.action_spaces = {agent: match.settings.actions.space() for agent in self.possible_agents}
         self.state_space = Box(-1.0, 1.0, match.state().shape[1:], np.float32)
-        self._report = Report(match, rows) if infos else None
+        self.info_kind = kind_of_infos(infos)
+        self._report = report_of(self.info_kind, match, rows)
         together = len(rows) == rows[-1] - rows[0] + 1
         self._rows = slice(rows[0], rows[-1] + 1) if together else rows
         self._discrete = match.settings.actions.name == "discrete"
@@ -193,7 +197,7 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
     def __reduce__(self) -> Made:
         """Copy by settings: the copy is to be reset."""
         settings = part_of(self.match.asked, MatchArguments)
-        return by_settings(_env_of, {**settings, "render_mode": self.render_mode, "infos": self._report is not None})
+        return by_settings(_env_of, {**settings, "render_mode": self.render_mode, "infos": self.info_kind})
 
     @property
     def unwrapped(self) -> ParallelSoccer:
@@ -201,7 +205,14 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
         return self
 
 
-def _env_of(*, render_mode: str | None, infos: bool, **settings: Any) -> ParallelSoccer:
+def report_of(infos: InfoKind, match: Match, rows: np.ndarray) -> Report | FlatReport | None:
+    """Return what makes the infos of some robots (rows)."""
+    if infos == "none":
+        return None
+    return Report(match, rows) if infos == "nested" else FlatReport(match, rows, infos == "full")
+
+
+def _env_of(*, render_mode: str | None, infos: InfoKind, **settings: Any) -> ParallelSoccer:
     """Return the env that was pickled."""
     return ParallelSoccer(Match(**settings), render_mode, infos)
 

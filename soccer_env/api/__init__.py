@@ -1,6 +1,8 @@
 """What the APIs of a match share; the APIs themselves are `soccer_v0` (PettingZoo) and `gymnasium_envs`.
 
 ids.py                the ids by which registries find the environments
-report.py             infos in words, frames and windows, and checks of what callers pass
+infos.py              infos as flat numbers
+report.py             nested infos in words, frames and windows, and checks of what callers pass
+nested_arrays.py      nested infos of many matches
 gymnasium_vector.py   many matches as one Gymnasium VectorEnv
 """

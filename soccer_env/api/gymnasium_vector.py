@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any, Literal
 
 import gymnasium
@@ -10,13 +9,13 @@ import numpy as np
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
-from soccer_env.api.report import NO_EVENTS, PHASES, Report, Screen, check_options, check_render_mode
+from soccer_env.api.infos import FlatArrays
+from soccer_env.api.nested_arrays import NestedArrays
+from soccer_env.api.report import Screen, check_options, check_render_mode, kind_of_infos
 from soccer_env.gymnasium_envs import choose_learner
 from soccer_env.match import Match
-from soccer_env.match_settings import VectorArguments, by_settings, made_from, part_of
+from soccer_env.match_settings import InfoKind, VectorArguments, by_settings, made_from, part_of
 from soccer_env.names import Made
-from soccer_env.statistics.figures import numbers_of
-from soccer_env.types import AWAY, HOME
 
 MODES: dict[AutoresetMode, Literal["next_step", "same_step"]] = {
     AutoresetMode.NEXT_STEP: "next_step",
@@ -29,8 +28,8 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
     """One learner in each of `num_envs` matches, straight over the batched core.
 
     Its settings are the fields of `VectorArguments`, `help(SoccerVectorEnv.__init__)` explains them. Infos are
-    Gymnasium's: an array for each key, and a mask `_key` of the matches that have it; "score" is (num_envs, 2),
-    "statistics" are of episodes that have just ended (with SameStep in "final_info").
+    Gymnasium's: an array for each key of `SoloSoccer`'s, and a mask `_key` of the matches that have it. In nested ones
+    "score" is (num_envs, 2), "statistics" are of episodes that have just ended (with SameStep in "final_info").
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"]}
@@ -41,10 +40,12 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
         mode = check_mode(asked.autoreset_mode)
         self.render_mode = check_render_mode(asked.render_mode, ("rgb_array",))
         self.agent, given = choose_learner(asked)
+        limits = [steps for steps in (asked.max_cycles, asked.max_episode_steps) if steps is not None]
+        given["max_cycles"] = min(limits, default=None)
         self.match = Match(**given, matches=asked.num_envs, threads=asked.threads, autoreset=MODES[mode])
         self.num_envs = self.match.count
         self._row = self.match.agents.index(self.agent)
-        self._report = Report(self.match, np.array([self._row]))
+        self._report = report_of(kind_of_infos(asked.infos), self.match, self._row)
         self._screen = Screen(self.match)
         self.metadata = {**self.metadata, "autoreset_mode": mode, "render_fps": self._screen.fps}
         size = len(self.match.observation_names)
@@ -93,7 +94,10 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
         ended = terminated | truncated
         if ended.any():
             same_step = self.metadata["autoreset_mode"] is AutoresetMode.SAME_STEP
-            infos = self._add_final(infos) if same_step else self._add_statistics(infos, ended)
+            if same_step:
+                infos = self._add_final(infos)
+            elif self._report is not None:
+                infos |= self._report.ended(ended)
         return self._observations(), rewards[:, self._row].copy(), terminated.copy(), truncated.copy(), infos
 
     def _check(self, actions: Any) -> np.ndarray:
@@ -113,63 +117,19 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
         return self.match.observations[:, self._row].copy()
 
     def _infos(self) -> dict[str, Any]:
-        """Return what `Report.infos` says of each match, in Gymnasium's arrays and masks."""
-        match, row = self.match, self._row
-        score = match.matches["score"].copy()
-        shares = zip(match.term_names, match.terms[:, row].T.copy(), strict=True)
-        return self._masked(
-            {
-                "active": match.robots["active"][:, row] == 1,
-                "events": self._events(),
-                "rewards": self._masked(dict(shares)),
-                "score": score if self.agent.startswith("home") else score[:, ::-1].copy(),
-                "phase": np.array(PHASES, object)[match.matches["phase"]],
-            }
-        )
-
-    def _masked(self, values: dict[str, Any]) -> dict[str, Any]:
-        """Return values that all matches have, each followed by its mask."""
-        return {name: item for key, value in values.items() for name, item in ((key, value), (f"_{key}", self._all()))}
-
-    def _all(self) -> np.ndarray:
-        return np.ones(self.num_envs, bool)
-
-    def _events(self) -> dict[str, Any]:
-        """Return the events that happened in some match: a word or True where it happened, and the mask."""
-        from soccer_env.types import QUIET
-
-        match, found = self.match, {}
-        for name in QUIET.dtype.names or ():
-            codes = match.events[name]
-            mask = codes != QUIET[name]
-            if name in NO_EVENTS or not mask.any():
-                continue
-            words = self._report.words.get(name)
-            found[name], found[f"_{name}"] = mask.copy() if words is None else spell(words, codes, mask), mask
-        for name in match.robot_events.dtype.names or ():
-            mask = match.robot_events[name][:, self._row] == 1
-            if mask.any():
-                found[name], found[f"_{name}"] = mask.copy(), mask
-        return found
-
-    def _add_statistics(self, infos: dict[str, Any], ended: np.ndarray) -> dict[str, Any]:
-        """Add the statistics of the matches that ended, from the learner's side; zeros elsewhere."""
-        numbers = numbers_of(self.match.statistics, HOME if self.agent.startswith("home") else AWAY)
-        masked = {name: np.where(ended, values, 0) for name, values in numbers.items()}
-        both = {key: item for name, values in masked.items() for key, item in ((name, values), (f"_{name}", ended))}
-        return {**infos, "statistics": both, "_statistics": ended}
+        return {} if self._report is None else self._report.infos()
 
     def _add_final(self, infos: dict[str, Any]) -> dict[str, Any]:
         """Add the last observation and info of the matches that ended, and take their reward terms to that info."""
-        match, final = self.match, self.match.final
+        report, match = self._report, self.match
         for index, m in enumerate(match.ended):
-            records = (final[name][index] for name in ("matches", "robots", "events", "robot_events", "terms"))
-            info = self._report.add_statistics(self._report.of(*records), final["statistics"][index])[self.agent]
-            info["score"] = np.array(info["score"])
-            last = final["observations"][index, self._row].copy()
-            infos = self._add_info(infos, {"final_obs": last, "final_info": info}, int(m))
-        for name in match.term_names:
-            infos["rewards"][name][match.ended] = 0.0
+            last = {
+                "final_obs": match.final["observations"][index, self._row].copy(),
+                "final_info": {} if report is None else report.last(index),
+            }
+            infos = self._add_info(infos, last, int(m))
+        if report is not None:
+            report.forget(infos, match.ended)
         return infos
 
     def render(self) -> tuple[Any, ...] | None:
@@ -184,6 +144,13 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
     def close_extras(self, **ignored: Any) -> None:
         """End the threads."""
         self.match.close()
+
+
+def report_of(infos: InfoKind, match: Match, row: int) -> FlatArrays | NestedArrays | None:
+    """Return what makes the infos of a robot (row) in each match."""
+    if infos == "none":
+        return None
+    return NestedArrays(match, row) if infos == "nested" else FlatArrays(match, row, infos == "full")
 
 
 def check_mode(mode: str | AutoresetMode) -> AutoresetMode:
@@ -204,13 +171,6 @@ def seeds_of_each(seeds: Any) -> list[int]:
             raise ValueError(f"each seed must be a whole number of 0 or more, got {seed!r}")
         found.append(int(seeds_for(int(seed), 1)[0]))
     return found
-
-
-def spell(words: Sequence[str], codes: np.ndarray, mask: np.ndarray) -> np.ndarray:
-    """Return the words of the codes where the mask is set, None elsewhere (num_envs,)."""
-    spelled = np.full(len(codes), None, object)
-    spelled[mask] = np.array(words, object)[codes[mask]]
-    return spelled
 
 
 __all__ = ["SoccerVectorEnv"]

@@ -1,7 +1,12 @@
 """The ids of the environments: `gymnasium.make`, `gymnasium.make_vec` and PettingZoo's registry find them by these.
 
 `soccer_env/Legged2001-1v1-v0` to `-6v6-v0` and `soccer_env/MiddleSize2006-1v1-v0` to `-6v6-v0`; `home=` and `away=`
-give any other sizes. `import soccer_env` registers them, so nothing of the environments is imported here.
+give any other sizes. Their episodes are truncated after `STEPS` steps unless `max_cycles=` says otherwise, so that a
+learner sees returns; those of `soccer_env/Legged2001-Match-1v1-v0` and so on are whole matches. PettingZoo knows
+`soccer_env/soccer-v0` and `soccer_env/soccer-Match-v0`.
+
+`import soccer_env` registers them, so nothing of the environments is imported here. A worker process that has not
+imported it finds them by `soccer_env:soccer_env/Legged2001-1v1-v0`: Gymnasium imports what stands before the colon.
 """
 
 from __future__ import annotations
@@ -11,20 +16,24 @@ import pettingzoo
 
 LEAGUES = {"Legged2001": "legged-2001", "MiddleSize2006": "middle-size-2006"}
 SIZES = range(1, 7)  # robots a side of the registered ids
+STEPS = 1000  # of an episode: a minute of the legged league, 20 s of the middle size
+LENGTHS: dict[str, int | None] = {"": STEPS, "Match-": None}  # word in an id -> steps of an episode
 
 
 def register() -> None:
     """Register the ids with Gymnasium and with PettingZoo, where it has a registry; nothing is imported for it."""
-    for name, league in LEAGUES.items():
-        for size in SIZES:
-            known_as = f"soccer_env/{name}-{size}v{size}-v0"
-            if known_as not in gymnasium.registry:
-                gymnasium.register(
-                    known_as,
-                    entry_point="soccer_env.gymnasium_envs:SoloSoccer",
-                    vector_entry_point="soccer_env.api.gymnasium_vector:SoccerVectorEnv",
-                    kwargs={"league": league, "home": size, "away": size},
-                )
-    if hasattr(pettingzoo, "register") and "soccer_env/soccer-v0" not in pettingzoo.parallel_registry:
-        pettingzoo.register("parallel", "soccer_env/soccer-v0", "soccer_env.soccer_v0:parallel_env")
-        pettingzoo.register("aec", "soccer_env/soccer-v0", "soccer_env.soccer_v0:env")
+    for word, steps in LENGTHS.items():
+        for name, league in LEAGUES.items():
+            for size in SIZES:
+                known_as = f"soccer_env/{name}-{word}{size}v{size}-v0"
+                if known_as not in gymnasium.registry:
+                    gymnasium.register(
+                        known_as,
+                        entry_point="soccer_env.gymnasium_envs:SoloSoccer",
+                        vector_entry_point="soccer_env.api.gymnasium_vector:SoccerVectorEnv",
+                        kwargs={"league": league, "home": size, "away": size, "max_cycles": steps},
+                    )
+        known_as = f"soccer_env/soccer-{word}v0"
+        if hasattr(pettingzoo, "register") and known_as not in pettingzoo.parallel_registry:
+            pettingzoo.register("parallel", known_as, "soccer_env.soccer_v0:parallel_env", max_cycles=steps)
+            pettingzoo.register("aec", known_as, "soccer_env.soccer_v0:env", max_cycles=steps)

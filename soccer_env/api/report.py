@@ -1,16 +1,17 @@
-"""What the APIs of a match share: infos in words, frames and windows, and checks of what callers pass."""
+"""What the APIs of a match share: nested infos in words, frames and windows, and checks of what callers pass."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 
 from soccer_env.checking import check_names, one_of, refuse
 from soccer_env.match import Match
+from soccer_env.match_settings import InfoKind
 from soccer_env.statistics.figures import flat
-from soccer_env.types import QUIET, ROBOT_EVENTS, Phase
+from soccer_env.types import AWAY, HOME, QUIET, ROBOT_EVENTS, Phase
 
 RENDER_MODES = ("rgb_array", "human")
 OPTIONS = ("match_seed",)  # of reset
@@ -26,6 +27,7 @@ WORDS: dict[str, Sequence[str]] = {  # what the codes of an event mean; events t
     "drill": DRILL,
 }
 NO_EVENTS = ("ball_x", "ball_y")  # fields of the record that are always filled
+FINAL_RECORDS = ("matches", "robots", "events", "robot_events", "terms")  # of `match.final`, as reports take them
 Infos = dict[str, dict[str, Any]]
 
 
@@ -40,7 +42,7 @@ class Report:
             for index, name in enumerate(QUIET.dtype.names or ())
             if name not in NO_EVENTS
         ]
-        self._robots = [(match.agents[row], int(row), TEAMS.index(match.agents[row].split("_")[0])) for row in rows]
+        self._robots = [(match.agents[row], int(row), side_of(match.agents[row])) for row in rows]
         self._robot_events = ROBOT_EVENTS.names or ()
         self._robot_quiet = (0,) * len(self._robot_events)
 
@@ -49,6 +51,12 @@ class Report:
         match = self._match
         found = self.of(match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
         return self.add_statistics(found, match.statistics[0]) if match.terminated[0] or match.truncated[0] else found
+
+    def last(self, index: int) -> Infos:
+        """Return the last infos of an episode that ended, a row of `match.final`, by agent."""
+        final = self._match.final
+        found = self.of(*(final[name][index] for name in FINAL_RECORDS))
+        return self.add_statistics(found, final["statistics"][index])
 
     def add_statistics(self, infos: Infos, statistics: Any) -> Infos:
         """Add the statistics of the episode to the infos of its agents, each from its team's side."""
@@ -83,6 +91,19 @@ class Report:
         for index, name, quiet, words in self._events:
             if values[index] != quiet:
                 yield name, True if words is None else words[values[index]]
+
+
+def side_of(agent: str) -> int:
+    """Return the team of an agent: HOME or AWAY."""
+    return HOME if agent.startswith("home") else AWAY
+
+
+def kind_of_infos(infos: InfoKind | bool) -> InfoKind:
+    """Return what kind of infos are asked for; ValueError names those that exist."""
+    if isinstance(infos, bool):
+        return "flat" if infos else "none"
+    kind: InfoKind = one_of("infos", infos, get_args(InfoKind))
+    return kind
 
 
 class Screen:

@@ -31,12 +31,13 @@ def test_stable_baselines_accepts_it(league, home, away, actions):
 
 def test_every_id_can_be_made():
     ids = [name for name in gymnasium.registry if name.startswith("soccer_env/")]
-    assert "soccer_env/Legged2001-1v1-v0" in ids and "soccer_env/MiddleSize2006-6v6-v0" in ids and len(ids) == 12
+    assert "soccer_env/Legged2001-1v1-v0" in ids and "soccer_env/MiddleSize2006-6v6-v0" in ids and len(ids) == 24
     for name in ids:
         env = gymnasium.make(name, **TEAMS)
         settings = env.unwrapped.match.settings
         league = {"legged-2001": "Legged2001", "middle-size-2006": "MiddleSize2006"}[settings.league.name]
-        assert name == f"soccer_env/{league}-{settings.home}v{settings.away}-v0"
+        word = "Match-" if settings.max_cycles is None else ""
+        assert name == f"soccer_env/{league}-{word}{settings.home}v{settings.away}-v0"
         assert env.unwrapped.agent == f"home_{settings.home - 1}"
     register()  # again, and nobody is warned
 

@@ -8,6 +8,7 @@ from gymnasium.utils.env_checker import data_equivalence
 
 from soccer_env import Match, soccer_v0
 from soccer_env.random_numbers import seeds_for
+from soccer_env.types import Phase
 from tests.scenes.staged_envs import play
 from tests.scenes.staging import LEAGUES
 
@@ -97,10 +98,10 @@ def test_observations_and_state_stay_in_their_spaces_through_a_whole_match(leagu
         observations, _, terminated, truncated, infos = env.step(
             {agent: env.action_space(agent).sample() for agent in env.agents}
         )
-        seen.update(infos["home_0"]["events"])
-    assert {"half_time", "final_whistle"} <= seen
+        seen.update(name for name in ("event_half_time", "event_final_whistle") if infos["home_0"][name])
+    assert seen == {"event_half_time", "event_final_whistle"}
     assert all(terminated.values()) and not any(truncated.values())
-    assert infos["away_0"]["phase"] == "over"
+    assert infos["away_0"]["phase"] == Phase.OVER
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -182,7 +183,7 @@ def test_what_step_returns_is_the_callers_to_change():
         for array in theirs[0].values():
             array[:] = 9.0
         for info in theirs[4].values():
-            info["events"]["goal"] = info["rewards"]["goal"] = "spoiled"
+            info["event_goal"] = info["reward_goal"] = "spoiled"
         witness.state()[:] = 9.0
         for part in theirs:
             part.clear()

@@ -13,7 +13,7 @@ from tests.scenes.staging import LEAGUES
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_infos_tell_of_a_goal_in_words(league):
-    env = about_to_score(league=league)
+    env = about_to_score(league=league, infos="nested")
     _, rewards, _, _, infos = env.step(standing(env))
     assert infos["home_0"]["events"]["goal"] == infos["away_1"]["events"]["goal"] == "home"
     assert infos["home_0"]["events"]["restart"] == "kick-off"
@@ -41,7 +41,7 @@ def test_infos_can_be_left_out():
 
 
 def test_infos_tell_who_touched_the_ball():
-    env = soccer_v0.parallel_env(league="legged-2001", home=1, away=1)
+    env = soccer_v0.parallel_env(league="legged-2001", home=1, away=1, infos="nested")
     env.reset(seed=0)
     robot = env.unwrapped.match.robots[0, 0]
     front = env.unwrapped.match.league.body.front + env.unwrapped.match.league.ball.radius
@@ -56,7 +56,7 @@ def test_reward_terms_of_ones_own_are_named_in_infos():
     def haste(match):
         return 0.01 * np.hypot(match.robots["vx"], match.robots["vy"])
 
-    env = soccer_v0.parallel_env(rewards=Rewards(progress=0.0, extra={"haste": haste}), action_repeat=3)
+    env = soccer_v0.parallel_env(rewards=Rewards(progress=0.0, extra={"haste": haste}), action_repeat=3, infos="nested")
     env.reset(seed=3)
     for _, (_, rewards, *_, infos) in play(env, 20):
         for agent in env.agents:
@@ -72,8 +72,8 @@ def test_reward_terms_of_ones_own_are_named_in_infos():
 @pytest.mark.parametrize("league", LEAGUES)
 def test_repeated_actions_add_up_rewards_and_events(league, after):
     rewards = Rewards(gamma=1.0)  # shaping discounts once an action; tests/rewards/test_rewards.py has that
-    once = about_to_score(after, league=league, rewards=rewards)
-    thrice = about_to_score(after, league=league, rewards=rewards, action_repeat=3)
+    once = about_to_score(after, league=league, rewards=rewards, infos="nested")
+    thrice = about_to_score(after, league=league, rewards=rewards, action_repeat=3, infos="nested")
     parts = [once.step(standing(once)) for _ in range(3)]
     observations, rewards, _, _, infos = thrice.step(standing(thrice))
     assert np.array_equal(observations["home_1"], parts[2][0]["home_1"])
@@ -88,7 +88,7 @@ def test_repeated_actions_add_up_rewards_and_events(league, after):
 @pytest.mark.parametrize("league", LEAGUES)
 def test_the_goal_that_ends_an_episode_terminates_all_agents_together(league, repeat):
     rewards = Rewards(extra={"one": lambda match: np.ones(match.rewards.shape)})
-    env = about_to_score(league=league, episode="goal", action_repeat=repeat, rewards=rewards)
+    env = about_to_score(league=league, episode="goal", action_repeat=repeat, rewards=rewards, infos="nested")
     _, rewards, terminated, truncated, infos = env.step(standing(env))
     assert terminated == dict.fromkeys(env.possible_agents, True)
     assert truncated == dict.fromkeys(env.possible_agents, False)

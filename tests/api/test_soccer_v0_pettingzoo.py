@@ -84,7 +84,8 @@ def test_torchrl_reads_the_same_layout(home, away):
     pytest.importorskip("torchrl")
     from torchrl.envs import PettingZooWrapper
 
-    env = PettingZooWrapper(soccer_v0.parallel_env(home=home, away=away, infos=False))
+    env = PettingZooWrapper(soccer_v0.parallel_env(home=home, away=away))
     rollout = env.rollout(3)
+    assert rollout["next", "home", "info", "phase"].shape == (3, home)
     assert rollout["home", "observation"].shape == (3, home, len(env.unwrapped.match.observation_names))
     assert rollout["away", "action"].shape == (3, away, 4)

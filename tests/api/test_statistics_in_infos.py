@@ -1,4 +1,4 @@
-"""Statistics of play in infos: at the end of an episode alone, flat and numeric, from the side of the agent's team."""
+"""Statistics of play in nested infos: at the end of an episode alone, from the side of the agent's team."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ CYCLES = 12
 
 @each_league
 def test_the_last_infos_of_an_episode_hold_its_statistics(name):
-    env = soccer_v0.parallel_env(league=name, home=1, away=1, senses="ideal", max_cycles=CYCLES)
+    env = soccer_v0.parallel_env(league=name, home=1, away=1, senses="ideal", max_cycles=CYCLES, infos="nested")
     for episode in range(2):
         env.reset(seed=3 if episode == 0 else None)
         for cycle in range(1, CYCLES + 1):
@@ -37,7 +37,15 @@ def test_infos_that_are_left_out_hold_no_statistics() -> None:
 
 @pytest.mark.parametrize("agent", ["home_0", "away_0"])
 def test_the_vector_env_gives_them_of_the_matches_that_ended(agent):
-    given = {"home": 1, "away": 1, "senses": "ideal", "teammates": None, "agent": agent, "max_cycles": CYCLES}
+    given = {
+        "home": 1,
+        "away": 1,
+        "senses": "ideal",
+        "teammates": None,
+        "agent": agent,
+        "max_cycles": CYCLES,
+        "infos": "nested",
+    }
     opponents = {"opponents": "chaser"} if agent == "home_0" else {"opponents": None, "controllers": {"home": "chaser"}}
     for mode in ("NextStep", "SameStep"):
         env = SoccerVectorEnv(2, autoreset_mode=mode, **given, **opponents)

@@ -1,0 +1,134 @@
+"""Infos as numbers: flat, and at every step under the same keys, as collectors of libraries want them.
+
+| key | number |
+|---|---|
+| `active` | False for a robot that is sent off or only fills a row |
+| `score_for`, `score_against` | goals of the agent's team, of its opponents |
+| `phase` | phase of play, a `types.Phase` |
+| `reward_NAME` | share of each term of the reward: `soccer list rewards` |
+| `event_NAME` | what happened in the match in this step: the fields of `types.EVENTS` but for the ball's place |
+| `own_NAME` | what happened to the robot itself: the fields of `types.ROBOT_EVENTS` |
+| `statistics_NAME` | infos="full": of the episode so far, from the agent's team's side: `soccer list statistics` |
+"""
+
+from __future__ import annotations
+
+from operator import itemgetter
+from typing import Any
+
+import numpy as np
+
+from soccer_env.api.report import FINAL_RECORDS, NO_EVENTS, Infos, side_of
+from soccer_env.match import Match
+from soccer_env.statistics.figures import flat, numbers_of
+from soccer_env.types import EVENTS, QUIET, ROBOT_EVENTS
+
+STANDING = ("active", "score_for", "score_against", "phase")
+EVENT_NAMES = tuple(name for name in EVENTS.names or () if name not in NO_EVENTS)
+OWN_NAMES = ROBOT_EVENTS.names or ()
+
+
+def keys_of(match: Match) -> tuple[list[str], list[str], list[str]]:
+    """Return the keys of a match's rewards, of its events, and of those of a robot itself."""
+    rewards = [f"reward_{name}" for name in match.term_names]
+    return rewards, [f"event_{name}" for name in EVENT_NAMES], [f"own_{name}" for name in OWN_NAMES]
+
+
+class FlatReport:
+    """Describe in numbers what happened in a step of a match, for the infos of some robots (rows)."""
+
+    def __init__(self, match: Match, rows: np.ndarray, full: bool) -> None:
+        self._match = match
+        self._full = full
+        self._robots = [(match.agents[row], int(row), side_of(match.agents[row])) for row in rows]
+        names = EVENTS.names or ()
+        self._chosen = itemgetter(*(names.index(name) for name in EVENT_NAMES))
+        self._quiet, self._own_quiet = self._chosen(QUIET.item()), (0,) * len(OWN_NAMES)
+        self._rewards, self._events, self._own = keys_of(match)
+        keys = (*STANDING, *self._rewards, *self._events, *self._own)
+        self._nothing = dict(zip(keys, (True, 0, 0, 0, *(0.0,) * len(self._rewards), *self._quiet, *self._own_quiet)))
+
+    def infos(self) -> Infos:
+        """Return the infos of the first match, by agent."""
+        match = self._match
+        records = match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0]
+        return self._of(*records, match.statistics[0])
+
+    def last(self, index: int) -> Infos:
+        """Return the last infos of an episode that ended, a row of `match.final`, by agent."""
+        final = self._match.final
+        return self._of(*(final[name][index] for name in (*FINAL_RECORDS, "statistics")))
+
+    def _of(
+        self, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray, statistics: Any
+    ) -> Infos:
+        """Return the infos that follow from the records of one match, by agent."""
+        score, active = match["score"].tolist(), robots["active"].tolist()
+        own, shares, happened = robot_events.tolist(), terms.tolist(), self._chosen(events.item())
+        common, infos = self._nothing.copy(), {}
+        common["phase"] = int(match["phase"])
+        if happened != self._quiet:
+            common.update(zip(self._events, happened))
+        for agent, row, team in self._robots:
+            infos[agent] = info = common.copy()  # much faster than a dict of so many pairs
+            info["active"] = active[row] == 1
+            info["score_for"], info["score_against"] = score[team], score[1 - team]
+            info.update(zip(self._rewards, shares[row]))
+            if own[row] != self._own_quiet:
+                info.update(zip(self._own, own[row]))
+        if self._full:
+            of_side = [{f"statistics_{name}": value for name, value in flat(statistics, t).items()} for t in (0, 1)]
+            for agent, _, team in self._robots:
+                infos[agent].update(of_side[team])
+        return infos
+
+
+class FlatArrays:
+    """The same for one robot in each of many matches: an array (M,) for each key."""
+
+    def __init__(self, match: Match, row: int, full: bool) -> None:
+        self._match, self._row, self._team = match, row, side_of(match.agents[row])
+        self._full = full
+        self._keys = (*STANDING, *(key for keys in keys_of(match) for key in keys))
+        self._one = FlatReport(match, np.array([row]), full)
+
+    def infos(self) -> dict[str, Any]:
+        """Return arrays of their own, and for each a mask `_key` of the matches that have it: all."""
+        match, row = self._match, self._row
+        score, own = match.matches["score"], match.robot_events[:, row]
+        values = (
+            *(match.robots["active"][:, row] == 1, score[:, self._team], score[:, 1 - self._team]),
+            match.matches["phase"],
+            *match.terms[:, row].T,
+            *(match.events[name] for name in EVENT_NAMES),
+            *(own[name] for name in OWN_NAMES),
+        )
+        found = dict(zip(self._keys, values, strict=True))
+        if self._full:
+            numbers = numbers_of(match.statistics, self._team)
+            found |= {f"statistics_{name}": values for name, values in numbers.items()}
+        everywhere = np.ones(match.count, bool)
+        return {
+            name: item
+            for key, numbers in found.items()
+            for name, item in ((key, as_python(numbers)), (f"_{key}", everywhere.copy()))
+        }
+
+    def ended(self, ended: np.ndarray) -> dict[str, Any]:
+        """Return what is to be added where episodes ended (M,): nothing."""
+        return {}
+
+    def last(self, index: int) -> dict[str, Any]:
+        """Return the robot's last info of an episode that ended, a row of `match.final`."""
+        (info,) = self._one.last(index).values()
+        return info
+
+    def forget(self, infos: dict[str, Any], ended: np.ndarray) -> None:
+        """Take the rewards of episodes that ended out of the infos of those that have begun."""
+        for name in self._match.term_names:
+            infos[f"reward_{name}"][ended] = 0.0
+
+
+def as_python(numbers: np.ndarray) -> np.ndarray:
+    """Return a copy with the dtype that Python's own numbers have in an array."""
+    return numbers.astype({"i": np.int64, "f": np.float64}.get(numbers.dtype.kind, numbers.dtype))

@@ -1,0 +1,86 @@
+"""Nested infos of one robot in each of many matches, as Gymnasium's vectors have them: words, each with a mask.
+
+What many robots of one match are told is `report.Report`; numbers are in `infos.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from soccer_env.api.report import NO_EVENTS, PHASES, Report, side_of
+from soccer_env.match import Match
+from soccer_env.statistics.figures import numbers_of
+from soccer_env.types import QUIET
+
+
+class NestedArrays:
+    """Describe in words what happened to one robot (row) in each match; "score" is (M, 2)."""
+
+    def __init__(self, match: Match, row: int) -> None:
+        self._match, self._row, self._team = match, row, side_of(match.agents[row])
+        self._one = Report(match, np.array([row]))
+
+    def infos(self) -> dict[str, Any]:
+        """Return what `Report.infos` says of each match, in Gymnasium's arrays and masks."""
+        match, row = self._match, self._row
+        score = match.matches["score"]
+        shares = zip(match.term_names, match.terms[:, row].T.copy(), strict=True)
+        return self._masked(
+            {
+                "active": match.robots["active"][:, row] == 1,
+                "events": self._events(),
+                "rewards": self._masked(dict(shares)),
+                "score": np.stack([score[:, self._team], score[:, 1 - self._team]], axis=1),
+                "phase": np.array(PHASES, object)[match.matches["phase"]],
+            }
+        )
+
+    def _masked(self, values: dict[str, Any]) -> dict[str, Any]:
+        """Return values that all matches have, each followed by its mask."""
+        everywhere = np.ones(self._match.count, bool)
+        return {
+            name: item for key, value in values.items() for name, item in ((key, value), (f"_{key}", everywhere.copy()))
+        }
+
+    def _events(self) -> dict[str, Any]:
+        """Return the events that happened in some match: a word or True where it happened, and the mask."""
+        match, found = self._match, {}
+        for name in QUIET.dtype.names or ():
+            codes = match.events[name]
+            mask = codes != QUIET[name]
+            if name in NO_EVENTS or not mask.any():
+                continue
+            words = self._one.words.get(name)
+            found[name], found[f"_{name}"] = mask.copy() if words is None else spell(words, codes, mask), mask
+        for name in match.robot_events.dtype.names or ():
+            mask = match.robot_events[name][:, self._row] != 0
+            if mask.any():
+                found[name], found[f"_{name}"] = mask.copy(), mask
+        return found
+
+    def ended(self, ended: np.ndarray) -> dict[str, Any]:
+        """Return the statistics of the matches that ended (M,), from the learner's side; zeros elsewhere."""
+        numbers = numbers_of(self._match.statistics, self._team)
+        masked = {name: np.where(ended, values, 0) for name, values in numbers.items()}
+        both = {key: item for name, values in masked.items() for key, item in ((name, values), (f"_{name}", ended))}
+        return {"statistics": both, "_statistics": ended}
+
+    def last(self, index: int) -> dict[str, Any]:
+        """Return the robot's last info of an episode that ended, a row of `match.final`."""
+        (info,) = self._one.last(index).values()
+        return {**info, "score": np.array(info["score"])}
+
+    def forget(self, infos: dict[str, Any], ended: np.ndarray) -> None:
+        """Take the rewards of episodes that ended out of the infos of those that have begun."""
+        for name in self._match.term_names:
+            infos["rewards"][name][ended] = 0.0
+
+
+def spell(words: Sequence[str], codes: np.ndarray, mask: np.ndarray) -> np.ndarray:
+    """Return the words of the codes where the mask is set, None elsewhere (M,)."""
+    spelled = np.full(len(codes), None, object)
+    spelled[mask] = np.array(words, object)[codes[mask]]
+    return spelled
