@@ -24,6 +24,7 @@ from soccer_env.observations.truth import observe_slice
 from soccer_env.perception.ideal import believe_truth_slice
 from soccer_env.physics.engine.space import build_space
 from soccer_env.physics.engine.space_batch import Backend, SpaceBatch
+from soccer_env.physics.exchange import write_rows_of
 from soccer_env.rewards import COUNT, POTENTIALS
 from soccer_env.scenes import Draw
 from soccer_env.senses import UNUSED, Senses
@@ -103,12 +104,19 @@ class MatchBatch:
         self.observe_anew(m, m + 1)
 
     def build_spaces(self, rows: Iterable[int]) -> None:
-        """Rebuild the Spaces of some matches from their records."""
-        league = self.settings.league
+        """Rebuild the Spaces of some matches from their records: the first of a match is made, then it is put back."""
+        used, league = [], self.settings.league
         for m in rows:
+            if self.physics.reusable(m):
+                used.append(m)
+                continue
             with HeldBack():
                 self.physics.set_space(m, build_space(league, self.balls[m], self.robots[m]))
                 self.physics.take_part(m, league, self.constants)
+        if used:
+            again = np.array(used, np.int64)
+            write_rows_of(self.balls, self.robots, self.physics.bodies, again)
+            self.physics.put_back(again)
 
     # One control step of a slice of matches
 

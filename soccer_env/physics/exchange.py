@@ -89,6 +89,13 @@ def write_rows(ball, robots, bodies):
 
 
 @compiled
+def write_rows_of(balls, robots, bodies, rows):
+    """Do what `write_rows` does for some matches."""
+    for m in rows:
+        write_rows(balls[m], robots[m], bodies[m])
+
+
+@compiled
 def is_finite(bodies, count):
     """Tell whether all numbers of the first `count` bodies are finite."""
     total = 0.0

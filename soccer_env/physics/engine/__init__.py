@@ -4,6 +4,7 @@ space.py        a Space: boards, goals, ball, robots
 surfaces.py     what meets what in it, and how much that bounces and rubs
 space_batch.py  M of them, and the arrays through which kernels reach them
 dropping.py     a Space freed with all that is in it
+reseat.py       a used Space made as good as new
 chipmunk.py     calls of Chipmunk, the C library under pymunk, from compiled loops
 memory.py       its structs in memory: bodies, contacts
 pools.py        where it keeps shapes, pairs and contacts

@@ -53,6 +53,7 @@ C_FUNCTIONS = {  # field of LINK: C function
     "each_body": "cpSpaceEachBody",
     "set_body": "pmSpaceBodySetIteratorFuncBatched",
 }
+SHAPE_FUNCTIONS = ("cpSpaceRemoveShape", "cpSpaceAddShape")  # called with a Space and a shape
 # struct pmFloatArray: the next place, the number of places, and where they are
 FLOAT_ARRAY = np.dtype([("num", "i4"), ("max", "i4"), ("arr", "u8")])
 # struct pmBatchedData: what an iterator moves; without BODY_ID among the fields it never looks at the intArray
@@ -92,6 +93,10 @@ def _compiled_each(typing_context: Any, function: Any, space: Any, visitor: Any,
     return types.void(types.uintp, types.uintp, types.uintp, types.uintp), _build_call
 
 
+def _compiled_shape(typing_context: Any, function: Any, space: Any, shape: Any) -> Any:
+    return types.void(types.uintp, types.uintp, types.uintp), _build_call
+
+
 def _python_step(function: Any, space: Any, dt: Any) -> None:
     ffi.cast("void(*)(uintptr_t, double)", int(function))(int(space), float(dt))
 
@@ -100,8 +105,13 @@ def _python_each(function: Any, space: Any, visitor: Any, data: Any) -> None:
     ffi.cast("void(*)(uintptr_t, uintptr_t, uintptr_t)", int(function))(int(space), int(visitor), int(data))
 
 
+def _python_shape(function: Any, space: Any, shape: Any) -> None:
+    ffi.cast("void(*)(uintptr_t, uintptr_t)", int(function))(int(space), int(shape))
+
+
 _call_step: Any = _python_step if config.DISABLE_JIT else intrinsic(_compiled_step)
 _call_each: Any = _python_each if config.DISABLE_JIT else intrinsic(_compiled_each)
+call_with_shape: Any = _python_shape if config.DISABLE_JIT else intrinsic(_compiled_shape)
 
 
 # For kernels
@@ -238,7 +248,16 @@ def space_address(space: pymunk.Space) -> int:
 
 def c_addresses() -> dict[str, int]:
     """Return the addresses of the C functions, by their field in LINK."""
-    return {field: int(ffi.cast("uintptr_t", ffi.addressof(lib, name))) for field, name in C_FUNCTIONS.items()}
+    return {field: _function_address(name) for field, name in C_FUNCTIONS.items()}
+
+
+def shape_functions() -> NDArray[np.uint64]:
+    """Return the addresses (2,) of the C functions that take a shape out of a Space and put one in."""
+    return np.array([_function_address(name) for name in SHAPE_FUNCTIONS], np.uint64)
+
+
+def _function_address(name: str) -> int:
+    return int(ffi.cast("uintptr_t", ffi.addressof(lib, name)))
 
 
 def layout_fits() -> bool:

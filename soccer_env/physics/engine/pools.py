@@ -19,6 +19,7 @@ from soccer_env.physics.engine.memory import BODY_ARBITERS, address_of
 
 # Sizes in bytes, and places in a struct
 SPACE_SIZE = 608  # struct cpSpace, with its static body
+SPACE_SHAPE_IDS = 128  # a number of eight bytes: that of the next shape
 SPACE_BODIES, SPACE_CONSTRAINTS, SPACE_ARBITERS = 96, 152, 160  # addresses of cpArrays
 SPACE_STATIC, SPACE_DYNAMIC = 136, 144  # addresses of the trees of static shapes and of those that move
 SPACE_CONTACTS = 168  # address of the newest in a ring of buffers
@@ -52,7 +53,8 @@ def layout_fits() -> bool:
     at = address_of(space)
     arbiter = _at(address_of(bodies[0]) + BODY_ARBITERS)
     return (
-        _items(_at(at + SPACE_BODIES)) == [address_of(body) for body in bodies]
+        _at(at + SPACE_SHAPE_IDS) == len(moving) + len(walls)
+        and _items(_at(at + SPACE_BODIES)) == [address_of(body) for body in bodies]
         and _leaves(_at(at + SPACE_DYNAMIC)) == {address_of(shape) for shape in moving}
         and _leaves(_at(at + SPACE_STATIC)) == {address_of(shape) for shape in walls}
         and [_at(_at(address_of(shape))) & 0xFF for shape in (*moving, *walls)] == [0, POLYGON, 1, POLYGON]

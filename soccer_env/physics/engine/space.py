@@ -1,7 +1,7 @@
 """A pymunk Space for one match: boards, goals, ball and robots, always added in the same order.
 
-Bodies are added as ball, robot 0, robot 1, ...; that order is the order of rows in every body array. A Space is made
-anew at each reset: one that is reset in place remembers its past and breaks reproducibility.
+Bodies are added as ball, robot 0, robot 1, ...; that order is the order of rows in every body array. A Space whose
+bodies are just put elsewhere remembers its past and breaks reproducibility: `engine/reseat.py` makes it forget.
 
 A robot is a disc or capsule here; what its posts touch, legs or tips of a guide, is found apart (`solver/posts.py`).
 """

@@ -3,8 +3,9 @@
 Two backends copy between the arrays and the Spaces, with bit-identical results: `"c"` calls Chipmunk from compiled
 code (`engine/chipmunk.py`), `"batch"` is the public `pymunk.batch`, one match after the other from Python.
 
-At each reset `batch.set_space(m, space)`. At each step a kernel fills `batch.velocities`, `batch.step_all(dt,
-substeps)` uses either, and the next kernel reads `batch.bodies`; with the C backend one kernel can do all three.
+At a match's first reset `batch.set_space(m, space)`; at later ones `batch.put_back`, which costs a tenth (see
+`engine/reseat.py`, the C backend only). At each step a kernel fills `batch.velocities`, `batch.step_all(dt, substeps)`
+uses either, and the next kernel reads `batch.bodies`; with the C backend one kernel can do all three.
 """
 
 import functools
@@ -26,6 +27,7 @@ from soccer_env.leagues.league import League
 from soccer_env.physics.engine import chipmunk, prefetch
 from soccer_env.physics.engine.dropping import drop
 from soccer_env.physics.engine.memory import address_of
+from soccer_env.physics.engine.reseat import Seats, layout_fits
 from soccer_env.physics.solver import rounds
 from soccer_env.physics.solver.records import LAST_CONTACT, POST_CONTACT, POST_CONTACTS, SOLVER, STANCE
 
@@ -62,6 +64,8 @@ class SpaceBatch:
         self._room = np.zeros((matches, bodies - 1), STANCE), np.zeros(room, POST_CONTACT), np.zeros(room, LAST_CONTACT)
         self.spans = np.zeros(matches if prefetch.is_useful(matches) else 0, prefetch.SPANS)
         self.links = chipmunk.make_links(self.bodies, self.velocities) if self.backend == "c" else None
+        reusable = self.links is not None and layout_fits()
+        self.seats = Seats(matches, bodies, self.solvers, self._room[0]) if reusable else None
         self._read_buffer, self._write_buffer = pymunk_batch.Buffer(), pymunk_batch.Buffer()
         self._lock = threading.Lock()  # around the buffers
 
@@ -99,6 +103,8 @@ class SpaceBatch:
             if len(self.spans):
                 self.spans["steps"][m] = self.spans["count"][m] = 0
                 link["spans"] = self.spans[m : m + 1].ctypes.data
+        if self.seats is not None:
+            self.seats.known[m] = False
 
     def take_part(self, m: int, league: League, constants: NDArray[Any]) -> None:
         """Let our part of the solver act in match m's Space; the caller keeps the league's constants (1,) in place."""
@@ -106,6 +112,19 @@ class SpaceBatch:
             self.links["solver"][m] = self.solvers[m : m + 1].ctypes.data
         room = rounds.Room(*(array[m] for array in self._room))
         rounds.attach(self._space(m), self.solvers[m : m + 1], room, league, constants)
+        if self.seats is not None:
+            self.seats.remember(m, self._space(m))
+
+    def reusable(self, m: int) -> bool:
+        """Tell whether match m has a Space that `put_back` can use once more."""
+        return self.seats is not None and bool(self.seats.known[m])
+
+    def put_back(self, rows: NDArray[np.int64]) -> None:
+        """Make the Spaces of some matches as if they were made anew, ball and robots as `bodies[rows]` says."""
+        assert self.seats is not None and self.seats.known[rows].all()
+        self.seats.put_back(self.links, self.bodies, self.velocities, rows)
+        if len(self.spans):
+            self.spans["steps"][rows] = self.spans["count"][rows] = 0
 
     def step_all(self, dt: float, substeps: ArrayLike) -> None:
         """Write the velocities of all matches, move them on by dt [s] and read their bodies; `substeps` () or (M,)."""

@@ -1,0 +1,107 @@
+"""Put a used Space back into the state of a fresh one: a small part of the cost of making one, the same to the bit.
+
+`build_space` makes a Space without a past. What of a used Space's past would show in its future goes here:
+
+* the tree of moving shapes follows from the order in which they came and from where they were then: all are taken out
+  and come back in the order of `build_space`, bodies in their places and without speed, which stretches shapes' boxes;
+* contacts with their impulses, and pairs of neighbours, go with the shapes;
+* the numbers by which Chipmunk goes through the shapes of a tree: its counter is set back;
+* what undoes overlaps in the next substep;
+* what our part of the solver remembers: its records become what they were at first.
+
+Boards, posts and nets stay. Chipmunk's stamps go on, and are only compared; its pools of memory keep their sizes.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pymunk
+from numpy.typing import NDArray
+
+from soccer_env.compiled import compiled
+from soccer_env.physics.engine.chipmunk import (
+    Links,
+    call_with_shape,
+    read_bodies,
+    shape_functions,
+    write_bodies,
+    write_velocities,
+)
+from soccer_env.physics.engine.memory import (
+    BODY_REPAIR_OMEGA,
+    BODY_REPAIR_VX,
+    BODY_REPAIR_VY,
+    SPACE_ROUNDS,
+    address_of,
+    store,
+    store_count,
+)
+from soccer_env.physics.engine.pools import SPACE_SHAPE_IDS, layout_fits
+
+MOST_SHAPES = 5  # of a body: a hull and its posts
+WALLS, ROUNDS, SHAPES = 0, 1, 2  # columns of a seat: shapes that never move, rounds of a substep, shapes that move
+
+
+@compiled
+def reseat(links, seats, shapes, functions, bodies, velocities, rows):
+    """Put the Spaces of some matches back, with ball and robots as `bodies` says."""
+    for m in rows:
+        take_out, put_in = functions[0], functions[1]
+        link = links[m]
+        for i in range(seats[m, SHAPES]):
+            call_with_shape(take_out, link.space, shapes[m, i])
+        place_bodies(links, bodies, velocities, m)
+        store_count(link.space + SPACE_SHAPE_IDS, np.int32(seats[m, WALLS]))
+        store_count(link.space + SPACE_ROUNDS, np.int32(seats[m, ROUNDS]))
+        for i in range(seats[m, SHAPES]):
+            call_with_shape(put_in, link.space, shapes[m, i])
+        write_velocities(links, m)
+        velocities[m] = 0.0
+        read_bodies(links, m)
+
+
+@compiled
+def place_bodies(links, bodies, velocities, m):
+    """Put match m's bodies where `bodies[m]` says, without speed; their speeds are then in `velocities[m]`."""
+    link = links[m]
+    for i in range(link.count):
+        bodies[m, i, 0] += 0.0  # -0 becomes 0, as it does when Chipmunk places a body that is new
+        bodies[m, i, 1] += 0.0
+        for axis in range(3):
+            velocities[m, i, axis] = bodies[m, i, 3 + axis]
+            bodies[m, i, 3 + axis] = 0.0
+        body = link.body[i]
+        store(body + BODY_REPAIR_VX, 0.0)
+        store(body + BODY_REPAIR_VY, 0.0)
+        store(body + BODY_REPAIR_OMEGA, 0.0)
+    write_bodies(links, m)
+
+
+class Seats:
+    """What is needed to put Spaces of M matches back: where their shapes are, and copies of the solver's records."""
+
+    def __init__(self, matches: int, bodies: int, solvers: NDArray, stances: NDArray) -> None:
+        self.known = np.zeros(matches, bool)  # whose Spaces can be put back
+        self.seats = np.zeros((matches, 3), np.int64)
+        self.shapes = np.zeros((matches, MOST_SHAPES * bodies), np.uint64)  # addresses, in the order of coming
+        self.functions = shape_functions()
+        self._now = solvers, stances
+        self._first = np.zeros_like(solvers), np.zeros_like(stances)
+
+    def remember(self, m: int, space: pymunk.Space) -> None:
+        """Remember match m's Space, in which our part of the solver takes part and which was never stepped."""
+        moving = [address_of(shape) for shape in space.shapes if shape.body is not space.static_body]
+        self.seats[m] = len(space.shapes) - len(moving), space.iterations, len(moving)
+        self.shapes[m, : len(moving)] = moving
+        for first, now in zip(self._first, self._now, strict=True):
+            first[m] = now[m]
+        self.known[m] = True
+
+    def put_back(self, links: Links, bodies: NDArray, velocities: NDArray, rows: NDArray[np.int64]) -> None:
+        """Put the Spaces of some matches back, with ball and robots as `bodies` says."""
+        for first, now in zip(self._first, self._now, strict=True):
+            now[rows] = first[rows]
+        reseat(links, self.seats, self.shapes, self.functions, bodies, velocities, rows)
+
+
+__all__ = ["Seats", "layout_fits"]
