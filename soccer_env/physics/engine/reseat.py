@@ -38,7 +38,6 @@ from soccer_env.physics.engine.memory import (
 )
 from soccer_env.physics.engine.pools import SPACE_SHAPE_IDS, layout_fits
 
-MOST_SHAPES = 5  # of a body: a hull and its posts
 WALLS, ROUNDS, SHAPES = 0, 1, 2  # columns of a seat: shapes that never move, rounds of a substep, shapes that move
 
 
@@ -77,30 +76,62 @@ def place_bodies(links, bodies, velocities, m):
     write_bodies(links, m)
 
 
-class Seats:
-    """What is needed to put Spaces of M matches back: where their shapes are, and copies of the solver's records."""
+@compiled
+def forget(memory, first, address, rows):
+    """Set what the solver remembers of some matches, in words (M, n), to what it was at first, but for addresses."""
+    for m in rows:
+        for i in range(len(first)):
+            if not address[i]:
+                memory[m, i] = first[i]
 
-    def __init__(self, matches: int, bodies: int, solvers: NDArray, stances: NDArray) -> None:
+
+class Memory:
+    """What the solver remembers of M matches, and how it was at first: alike in all matches but for addresses."""
+
+    def __init__(self, records: NDArray) -> None:
+        self.words = records.view(np.uint64).reshape(len(records), -1)
+        self.first: NDArray[np.uint64] | None = None
+        offsets = [offset for kind, offset, *_ in (records.dtype.fields or {}).values() if kind == np.uint64]
+        self.address = np.zeros(records.dtype.itemsize // 8, bool)
+        self.address[[offset // 8 for offset in offsets]] = True
+        self.address = np.tile(self.address, self.words.shape[1] // len(self.address))
+
+    def remember(self, m: int) -> None:
+        """Take match m's for what all are at first."""
+        if self.first is None:
+            self.first = self.words[m].copy()
+
+    def put_back(self, rows: NDArray[np.int64]) -> None:
+        """Set that of some matches to what it was at first."""
+        forget(self.words, self.first, self.address, rows)
+
+
+class Seats:
+    """What is needed to put the Spaces of M matches back: where their shapes are, and the solver's first memory."""
+
+    def __init__(self, matches: int, solvers: NDArray, stances: NDArray) -> None:
         self.known = np.zeros(matches, bool)  # whose Spaces can be put back
         self.seats = np.zeros((matches, 3), np.int64)
-        self.shapes = np.zeros((matches, MOST_SHAPES * bodies), np.uint64)  # addresses, in the order of coming
+        self.shapes = np.zeros((matches, 0), np.uint64)  # addresses, in the order of coming
         self.functions = shape_functions()
-        self._now = solvers, stances
-        self._first = np.zeros_like(solvers), np.zeros_like(stances)
+        self._memories = Memory(solvers), Memory(stances)
 
     def remember(self, m: int, space: pymunk.Space) -> None:
         """Remember match m's Space, in which our part of the solver takes part and which was never stepped."""
         moving = [address_of(shape) for shape in space.shapes if shape.body is not space.static_body]
+        if len(moving) > self.shapes.shape[1]:
+            self.shapes = np.zeros((len(self.shapes), len(moving)), np.uint64)
+            self.known[:] = False
         self.seats[m] = len(space.shapes) - len(moving), space.iterations, len(moving)
         self.shapes[m, : len(moving)] = moving
-        for first, now in zip(self._first, self._now, strict=True):
-            first[m] = now[m]
+        for memory in self._memories:
+            memory.remember(m)
         self.known[m] = True
 
     def put_back(self, links: Links, bodies: NDArray, velocities: NDArray, rows: NDArray[np.int64]) -> None:
         """Put the Spaces of some matches back, with ball and robots as `bodies` says."""
-        for first, now in zip(self._first, self._now, strict=True):
-            now[rows] = first[rows]
+        for memory in self._memories:
+            memory.put_back(rows)
         reseat(links, self.seats, self.shapes, self.functions, bodies, velocities, rows)
 
 

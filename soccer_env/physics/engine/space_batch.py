@@ -65,7 +65,7 @@ class SpaceBatch:
         self.spans = np.zeros(matches if prefetch.is_useful(matches) else 0, prefetch.SPANS)
         self.links = chipmunk.make_links(self.bodies, self.velocities) if self.backend == "c" else None
         reusable = self.links is not None and layout_fits()
-        self.seats = Seats(matches, bodies, self.solvers, self._room[0]) if reusable else None
+        self.seats = Seats(matches, self.solvers, self._room[0]) if reusable else None
         self._read_buffer, self._write_buffer = pymunk_batch.Buffer(), pymunk_batch.Buffer()
         self._lock = threading.Lock()  # around the buffers
 
