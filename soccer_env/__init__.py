@@ -41,7 +41,7 @@ How it is played:
     episodes.py          how an episode begins
     squads.py            who plays which robot
     senses.py            what robots perceive and believe
-    saving.py            save, restore, hash
+    saving/              save, load, branch, hash
     truth_state.py       the whole truth as one vector, for centralised critics
     user_code.py         checks of what a user's own functions return
 

@@ -15,16 +15,16 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env import saving, truth_state
+from soccer_env import truth_state
 from soccer_env.actions import numbers_for, take_actions
 from soccer_env.guards.workers import Workers
 from soccer_env.match_batch import MatchBatch, Sums
-from soccer_env.match_settings import MatchArguments, made_from, part_of
-from soccer_env.names import Made
+from soccer_env.match_settings import MatchArguments, made_from
 from soccer_env.observations import layout
 from soccer_env.physics.engine.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import NAMES
+from soccer_env.saving import Branching, whole
 from soccer_env.senses import sensing_sides
 from soccer_env.settings import make_settings
 from soccer_env.squads import TeamArrays, assign, choose_teams, make_squads, run_compiled, run_python
@@ -37,8 +37,8 @@ FINAL = (  # kept of ended episodes
 )  # fmt: skip
 
 
-@saving.whole
-class Match:
+@whole
+class Match(Branching):
     """M matches of one league, stepped together.
 
     Its settings are the fields of `MatchArguments`, `help(Match.__init__)` explains them; ValueError names a setting
@@ -122,13 +122,6 @@ class Match:
             choose_teams(self.squads, self.settings.rows[0], int(m), int(self.seeds[m]), int(episodes[m]))
             self.batch.look_first(m)
         self._observe_own()
-        if self.recorder is not None:
-            self.recorder.note_rebuild(rows)
-
-    def rebuild(self, rows: Iterable[int] | None = None) -> None:
-        """Rebuild the physics from the records, as a load does: matches with equal records then go on alike."""
-        rows = range(self.count) if rows is None else list(rows)
-        self.batch.build_spaces(rows)
         if self.recorder is not None:
             self.recorder.note_rebuild(rows)
 
@@ -268,31 +261,6 @@ class Match:
     def state(self) -> np.ndarray:
         """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players a side and present flags."""
         return truth_state.write(self)
-
-    # Saving
-
-    def save(self) -> bytes:
-        """Return everything that the future depends on, and rebuild the running matches on it."""
-        saved = saving.dump(self)
-        self.rebuild()
-        return saved
-
-    def load(self, saved: bytes) -> None:
-        """Go on from what `save` returned; ValueError (and no change) if it is damaged or from other settings."""
-        saving.restore(self, saved)
-        self.rebuild()
-        self.rewards[:] = 0.0
-        self.terms[:] = 0.0
-        self.batch.observe_anew(0, self.count)
-        self._observe_own()
-
-    def __reduce__(self) -> Made:
-        """Copy by settings and `save`: what pickle, cloudpickle and copy.deepcopy make has the same future."""
-        return saving.by_save(self, Match, part_of(self.asked, MatchArguments) | {"seed": 0, "seeds": None})
-
-    def state_hash(self, m: int | None = None) -> str:
-        """Return a hash of the state of all matches, or of match m."""
-        return saving.state_hash(self, m)
 
     def close(self) -> None:
         """End the threads."""

@@ -96,14 +96,14 @@ QUICK = [
     ),
     Mutant(
         "save without the senses",
-        "soccer_env/saving.py",
+        "soccer_env/saving/saves.py",
         "match.batch.senses is not None",
         "False",
         "tests/senses/test_senses_saving.py::test_a_save_goes_on_with_the_same_senses",
     ),
     Mutant(
         "hash of the play without the ball",
-        "soccer_env/saving.py",
+        "soccer_env/saving/saves.py",
         "(match.matches, match.balls, robots)",
         "(match.matches, robots)",
         MATCH + "test_saving.py::test_a_replay_notices_that_the_ball_alone_is_another",

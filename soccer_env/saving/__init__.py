@@ -1,0 +1,14 @@
+"""Save, restore, hash and branch matches: bytes with a checked header, or copies in memory; nothing executable.
+
+saves.py      a match as bytes and back, hashes, copies by pickle
+checks.py     whether the numbers of a save can come from a match
+branches.py   matches of one Match copied over matches of another, in memory
+branching.py  the methods of Match that do all that
+whole.py      what guards them: one thread at a time, whole or not at all
+"""
+
+from soccer_env.saving.branching import Branching
+from soccer_env.saving.saves import dump, parts, play_hash, restore, state_hash
+from soccer_env.saving.whole import whole
+
+__all__ = ["Branching", "dump", "parts", "play_hash", "restore", "state_hash", "whole"]
