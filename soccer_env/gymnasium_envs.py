@@ -87,6 +87,15 @@ class SoloSoccer(gymnasium.Env[np.ndarray, Any]):
         agent = self.agent
         return observations[agent], rewards[agent], terminated[agent], truncated[agent], infos[agent]
 
+    def save(self) -> bytes:
+        """Return everything that the episode's future depends on, as `ParallelSoccer.save` does."""
+        return self._parallel.save()
+
+    def load(self, saved: bytes) -> tuple[np.ndarray, dict[str, Any]]:
+        """Go on from what `save` returned, as `ParallelSoccer.load` says; return observation and info."""
+        observations, infos = self._parallel.load(saved)
+        return observations[self.agent], infos[self.agent]
+
     def __reduce__(self) -> Made:
         """Copy by settings: the copy is to be reset."""
         return by_settings(SoloSoccer, part_of(self.asked, SoloArguments))

@@ -132,6 +132,24 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
             infos,
         )
 
+    def save(self) -> bytes:
+        """Return everything that the episode's future depends on, as `Match.save` does; RuntimeError before reset."""
+        if not self._begun:
+            raise RuntimeError("save before reset: call reset")
+        return self.match.save()
+
+    def load(self, saved: bytes) -> tuple[dict[str, np.ndarray], Infos]:
+        """Go on from what `save` of this or an equal env returned; return observations and infos by agent.
+
+        Also out of an episode that has ended. ValueError, and the running episode goes on, for anything else.
+        """
+        self.match.load(saved)
+        over = self.match.terminated[0] or self.match.truncated[0]
+        self.agents = [] if over else list(self.possible_agents)
+        self._begun = True
+        self._show()
+        return self._observations(), self._infos()
+
     def _observations(self) -> dict[str, np.ndarray]:
         """Return an array of its own for each agent: callers write into them."""
         return dict(zip(self.possible_agents, self.match.observations[0, self._rows].copy(), strict=True))

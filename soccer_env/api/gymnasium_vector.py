@@ -100,6 +100,23 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
                 infos |= self._report.ended(ended)
         return self._observations(), rewards[:, self._row].copy(), terminated.copy(), truncated.copy(), infos
 
+    def save(self, rows: Any = None) -> bytes:
+        """Return everything that the future of all matches or of some depends on, as `Match.save` does."""
+        if not self._begun:
+            raise RuntimeError("save before reset: call reset")
+        return self.match.save(rows)
+
+    def load(self, saved: bytes, rows: Any = None) -> tuple[np.ndarray, dict[str, Any]]:
+        """Go on from what `save` returned, in all matches or in some, as `Match.load` does.
+
+        Return observations (num_envs, n) and infos of all. ValueError, and all go on as they were, for anything else.
+        """
+        if rows is not None and not self._begun:
+            raise RuntimeError("load of some matches before reset: call reset")
+        self.match.load(saved, rows)
+        self._begun = True
+        return self._observations(), self._infos()
+
     def _check(self, actions: Any) -> np.ndarray:
         """Return the learners' actions (num_envs, ...); Match looks at their values."""
         try:
