@@ -4,7 +4,7 @@ command_line.py      the command: which settings it reads and what it prints    
 evaluate/            one team against another; record, replay and watch a match      bench/       `soccer bench`
 ppo/                 train a policy                                                  pictures/    of the pages
 reproduce/           what the papers claim, measured                                 tables/      tables of the pages
-play/                how matches are played, measured
+play/                how matches are played, measured                                examples/    small programs
 written_settings.py  how settings are written: out of a user's words, and back into a command
 results_folder.py    the folder of a run's results, that goes on and touches nothing of others
 files.py             files of lines that survive a crash

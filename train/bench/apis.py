@@ -73,6 +73,29 @@ class ResetLoad(ApiLoad):
         return spent / steps
 
 
+class BranchLoad:
+    """`Match.branch` of a running 3 v 3 match that senses, its Space included: into one match, or into 64 at once."""
+
+    def __init__(self, league: str, seed: int, matches: int = 64) -> None:
+        both = {"home": "chaser", "away": "chaser"}
+        settings: Any = {"home": PLAYERS, "away": PLAYERS, "controllers": both, "senses": "sensors"}
+        self.match = Match(league, seed=seed, **settings)
+        self.planner = Match(league, seed=seed + 1, matches=matches, **settings)
+        for _ in range(round(WARM_UP * find_league(league).control_rate)):
+            self.match.step()
+
+    def sample(self, branches: int, together: bool) -> float:
+        """Return the seconds per branch; the matches that are overwritten are in mid-play as well."""
+        spent, at = 0.0, None if together else 0
+        for _ in range(branches):
+            self.planner.step()
+            self.match.step()
+            start = perf_counter()
+            self.match.branch(0, into=self.planner, at=at)
+            spent += perf_counter() - start
+        return spent / branches / (self.planner.count if together else 1)
+
+
 def record_bytes(league: str, pose: str | None = None, matches: int = 64) -> float:
     """Return the bytes of a 3 v 3 match outside Chipmunk: every array that a Match and its parts hold.
 

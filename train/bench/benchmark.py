@@ -17,6 +17,7 @@ from soccer_env.leagues import find_league
 from soccer_env.train.bench.apis import (
     START_TIMES,
     ApiLoad,
+    BranchLoad,
     ResetLoad,
     interleaved,
     record_bytes,
@@ -44,6 +45,7 @@ BELIEF_API_SPEED = 6_000.0  # [steps/s] with observe="belief"
 THREADS_RATIO = 1.7  # two threads over one
 API_SPEED = 10_000.0  # [steps/s]
 RESET_TIME = 1e-3  # [s]
+BRANCH_TIME = 0.6e-3  # [s] of a match copied over another one in mid-play, its Space included
 PASS_TIME, PLAN_TIME = 25e-6, 60e-6  # [s] of the middle-size planner: one pass, one plan, over 5 m past nine others
 PLAN_TIME_99 = 1e-3  # [s] of one plan in a hundred
 TEAM_TIME, TEAM_SPEED = 25e-6, 2500.0  # [s] of a robot's decision in the team of 2006, [1/s] match steps of its 5 v 5
@@ -123,14 +125,16 @@ def measure_core(league: str, settings: BenchSettings) -> Samples:
 
 
 def measure_apis(league: str, settings: BenchSettings) -> Samples:
-    """Return the samples [s] of a step and of a reset of the PettingZoo API."""
+    """Return the samples [s] of a step and of a reset of the PettingZoo API, and of a branch of a match."""
     step, reset = ApiLoad(league, settings.seed), ResetLoad(league, settings.seed)
-    belief = ApiLoad(league, settings.seed, observe="belief")
+    belief, branch = ApiLoad(league, settings.seed, observe="belief"), BranchLoad(league, settings.seed)
     return interleaved(
         {
             "step": partial(step.sample, 1000),
             "belief": partial(belief.sample, 1000),
             "reset": partial(reset.sample, 50),
+            "branch": partial(branch.sample, 50, False),
+            "branches": partial(branch.sample, 20, True),
         },
         settings.repetitions,
     )
@@ -175,6 +179,8 @@ def api_rows(league: str, samples: Samples) -> Iterator[Row]:
     belief = 1 / median(samples["belief"])
     yield at_least(f"{league}: parallel_env.step, observe belief", belief, "steps/s", BELIEF_API_SPEED)
     yield at_most(f"{league}: parallel_env.reset", median(samples["reset"]), "ms", RESET_TIME, 1e3)
+    for load, name in (("branch", "a branch of a sensing match"), ("branches", "the same, into 64 matches at once")):
+        yield at_most(f"{league}: {name}", median(samples[load]), "ms", BRANCH_TIME, 1e3)
     name = f"{league}: memory of a match outside Chipmunk"
     yield at_most(name, record_bytes(league), "KiB", RECORD_BYTES, 1 / 1024)
     for pose, limit in SENSES_BYTES.items():

@@ -74,6 +74,24 @@ def of_saves(league: str, matches: int, steps: int) -> Sampler:
     return sample
 
 
+def of_branches(league: str, matches: int, steps: int) -> Sampler:
+    """Return what times a branch of a running match with all its senses into one of 64 [s]."""
+    from soccer_env import Match
+
+    settings: Any = {"home": PLAYERS, "away": PLAYERS, "senses": "sensors", "observe": "belief"}
+    match, planner = Match(league, seed=0, **settings), Match(league, matches=64, seed=1, **settings)
+    match.step(np.zeros((1, 2 * PLAYERS, 4)))
+    match.branch(0, into=planner, at=0)
+
+    def sample() -> float:
+        start = process_time()
+        for m in range(64):
+            match.branch(0, into=planner, at=m)
+        return (process_time() - start) / 64
+
+    return sample
+
+
 def of_api(league: str, resets: bool, matches: int, steps: int) -> Sampler:
     """Return what times `parallel_env.step`, or its reset after a step of play [s of one]."""
     from soccer_env import soccer_v0
@@ -143,6 +161,7 @@ ROWS: Makers = {
             "chaser v chaser, ideal": partial(of_core, league, "chaser", IDEAL),
             "chaser v chaser, sensors": partial(of_core, league, "chaser", {"senses": "sensors"}),
             "save and load": partial(of_saves, league),
+            "branch": partial(of_branches, league),
             "parallel_env.step": partial(of_api, league, False),
             "parallel_env.reset": partial(of_api, league, True),
         }.items()
