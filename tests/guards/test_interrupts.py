@@ -88,6 +88,14 @@ def test_other_threads_hold_nothing_back_and_may_ask(handlers: object) -> None:
     assert seen == [handlers]
 
 
+def reset_with_another_space(match: Match) -> None:
+    """Reset a match so that it gets a new Space, which a reset else puts back as good as new."""
+    seats = match.batch.physics.seats
+    if seats is not None:
+        seats.known[:] = False
+    match.reset(seed=2)
+
+
 def test_a_space_is_freed_with_its_bodies_and_shapes_when_its_match_gets_another() -> None:
     """Not when the garbage collector runs next, wherever that is."""
     match = Match(home=2, away=2, seed=1)
@@ -98,7 +106,7 @@ def test_a_space_is_freed_with_its_bodies_and_shapes_when_its_match_gets_another
     del space, parts
     gc.disable()
     try:
-        match.reset(seed=2)
+        reset_with_another_space(match)
         assert [one() for one in alive if one() is not None] == []
     finally:
         gc.enable()
@@ -108,7 +116,8 @@ def test_a_space_that_somebody_keeps_lives_on() -> None:
     match = Match(home=1, away=1, seed=1)
     space = match.batch.physics.spaces[0]
     assert space is not None
-    match.reset(seed=2)
+    reset_with_another_space(match)
+    assert match.batch.physics.spaces[0] is not space
     space.step(0.01)
     assert len(space.bodies) == 3
 
@@ -117,13 +126,18 @@ SIGNALS = """
     import signal, numpy as np
     from soccer_env import Match
     match = Match("legged-2001", home=1, away=1, seed=1)
+    def renew():  # a known Space would be put back in place of making another
+        seats = match.batch.physics.seats
+        if seats is not None:
+            seats.known[:] = False
     def stop(*_):
         raise KeyboardInterrupt
     signal.signal(signal.SIGALRM, stop)
     for n in range(300):
         try:
-            signal.setitimer(signal.ITIMER_REAL, 1e-5 + 8e-4 * np.random.default_rng(n).random(), 0.05)
+            signal.setitimer(signal.ITIMER_REAL, 1e-5 + 8e-4 * np.random.default_rng(n).random(), 2.0)
             while True:
+                renew()
                 match.reset(seed=n)
         except KeyboardInterrupt:
             signal.setitimer(signal.ITIMER_REAL, 0)
@@ -137,6 +151,10 @@ LINES = """
     from soccer_env.physics.engine import dropping, space, space_batch
     from soccer_env.physics.solver import rounds
     match = Match("legged-2001", home=1, away=1, seed=1)
+    def renew():  # a known Space would be put back in place of making another
+        seats = match.batch.physics.seats
+        if seats is not None:
+            seats.known[:] = False
     def stop(*_):
         raise KeyboardInterrupt
     signal.signal(signal.SIGALRM, stop)
@@ -157,6 +175,7 @@ LINES = """
         before = len(lines)
         sys.settrace(follow)
         try:
+            renew()
             match.reset(seed=len(lines))
         except KeyboardInterrupt:
             pass
@@ -167,6 +186,7 @@ LINES = """
 """
 ATTACKS = {
     "signals at random": SIGNALS,
+    "signals at random while Spaces are put back": SIGNALS.replace("renew()\n                match", "match"),
     "a signal at every line": LINES.replace("SIGNALS_ALONE", "True"),
     "an error at every line": LINES.replace("SIGNALS_ALONE", "False"),
 }
