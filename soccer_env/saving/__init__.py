@@ -8,7 +8,18 @@ whole.py      what guards them: one thread at a time, whole or not at all
 """
 
 from soccer_env.saving.branching import Branching
-from soccer_env.saving.saves import dump, parts, play_hash, restore, state_hash
-from soccer_env.saving.whole import whole
+from soccer_env.saving.saves import by_save, dump, parts, play_hash, restore, state_hash
+from soccer_env.saving.whole import calls_python, undoing, whole
 
-__all__ = ["Branching", "dump", "parts", "play_hash", "restore", "state_hash", "whole"]
+__all__ = [
+    "Branching",
+    "by_save",
+    "calls_python",
+    "dump",
+    "parts",
+    "play_hash",
+    "restore",
+    "state_hash",
+    "undoing",
+    "whole",
+]

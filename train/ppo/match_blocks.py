@@ -1,4 +1,4 @@
-"""What a SoccerVecEnv is asked for, and how its matches are shared out among team sizes, senses and blocks.
+"""What may be asked of a SoccerVecEnv; how its matches are shared out among sizes, senses and blocks, and begin.
 
 A block is a Match of up to `BLOCK` matches that one thread plays by itself for a whole decision.
 """
@@ -14,6 +14,23 @@ import numpy as np
 from soccer_env.checking import whole_number
 from soccer_env.match import BLOCK, Match
 from soccer_env.saving import calls_python, undoing
+
+
+def check_request(
+    players: Sequence[tuple[int, int]], opponents: Any, repeat: int, threads: int, settings: dict[str, Any]
+) -> None:
+    """Raise ValueError for settings that leave robots without a player, or rows without a robot."""
+    for name in ("teammates", "controllers", "autoreset"):
+        if name in settings:
+            raise ValueError(f"SoccerVecEnv takes no {name}: all home robots learn, and matches begin anew at once")
+    if opponents is None:
+        raise ValueError("SoccerVecEnv needs opponents, a team or a Lineup: 'still' for robots that stand")
+    if not players or not all(len(sizes) == 2 for sizes in players):
+        raise ValueError(f"players must be team sizes (home, away), at least one, got {players!r}")
+    if settings.get("actions") == "discrete":
+        raise ValueError("SoccerVecEnv has actions 'box' or 'full', not 'discrete'")
+    whole_number("action_repeat", repeat, 1, 1000)
+    whole_number("threads", threads, 1, 256)
 
 
 def shared_out(
@@ -54,23 +71,6 @@ def playing(match: Match) -> list[str]:
             for m in range(match.count) if squad.plays is None else np.flatnonzero(squad.plays):
                 names[m] = squad.name
     return names
-
-
-def check_request(
-    players: Sequence[tuple[int, int]], opponents: Any, repeat: int, threads: int, settings: dict[str, Any]
-) -> None:
-    """Raise ValueError for settings that leave robots without a player, or rows without a robot."""
-    for name in ("teammates", "controllers", "autoreset"):
-        if name in settings:
-            raise ValueError(f"SoccerVecEnv takes no {name}: all home robots learn, and matches begin anew at once")
-    if opponents is None:
-        raise ValueError("SoccerVecEnv needs opponents, a team or a Lineup: 'still' for robots that stand")
-    if not players or not all(len(sizes) == 2 for sizes in players):
-        raise ValueError(f"players must be team sizes (home, away), at least one, got {players!r}")
-    if settings.get("actions") == "discrete":
-        raise ValueError("SoccerVecEnv has actions 'box' or 'full', not 'discrete'")
-    whole_number("action_repeat", repeat, 1, 1000)
-    whole_number("threads", threads, 1, 256)
 
 
 def taken(actions: Any, shape: tuple[int, int], matches: Sequence[Match]) -> np.ndarray:

@@ -24,9 +24,10 @@ from soccer_env.actions import FULL
 from soccer_env.agents.learned import first_decision
 from soccer_env.guards.workers import Workers
 from soccer_env.match import Match
+from soccer_env.names import Made
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
-from soccer_env.saving import calls_python
+from soccer_env.saving import by_save, calls_python
 from soccer_env.train.ppo.critic_state import last_state, team_state, with_state
 from soccer_env.train.ppo.match_blocks import (
     check_request,
@@ -69,6 +70,12 @@ class SoccerVecEnv(VecEnv):
         model = A2C("MlpPolicy", env).learn(100_000)
         model.save("mine.zip")  # soccer evaluate --home mine.zip:action_repeat=8,at_once=False --senses ideal
     """
+
+    def __new__(cls, league: Any = "legged-2001", **settings: Any) -> SoccerVecEnv:
+        """Keep the settings for copies."""
+        made = super().__new__(cls)
+        made._given = {"league": league, **settings}
+        return made
 
     def __init__(
         self,
@@ -288,3 +295,7 @@ class SoccerVecEnv(VecEnv):
         self.opponents = [playing(match) for match in self.matches]
         self._returns[:], self._lengths[:] = saved["returns"], saved["lengths"]
         return self._observations()
+
+    def __reduce__(self) -> Made:
+        """Copy by settings and `save`: what pickle, cloudpickle and copy.deepcopy make has the same future."""
+        return by_save(self, type(self), {**self._given, "seed": self._seed})
