@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from soccer_env.agents.perceptron import AT_ONCE, LAYERS, REPEAT, SIZES, act, pack, widest
+from soccer_env.agents.perceptron import AT_ONCE, REPEAT, act, given, pack, widest
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.compiled import compiled
@@ -61,7 +61,8 @@ def team_again(data: bytes, at_once: bool) -> LearnedTeam:
 
 def from_file(path: str | Path) -> LearnedTeam:
     """Return the team of a policy file; ValueError says what is wrong with it."""
-    return team_of(load(Path(path)))
+    policy = load(Path(path))
+    return team_of(policy, policy.at_once)
 
 
 def from_zip(
@@ -97,7 +98,7 @@ def first_decision(delay_steps: int, repeat: int) -> int:
 @compiled
 def decide_slice(observations, memory, commands, players, constants, numbers, first, last):
     """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
-    repeat, size = int(numbers[REPEAT]), int(numbers[SIZES + int(numbers[LAYERS])])
+    repeat, size = int(numbers[REPEAT]), given(numbers)
     delay = 0 if numbers[AT_ONCE] != 0.0 else constants[0].delay_steps
     scratch = np.empty((3, widest(numbers)))
     for m in range(first, last):

@@ -2,8 +2,9 @@
 
 A network lies in one flat array of numbers, so that kernels are compiled once for networks of every size:
 
-    layers, kind and activation, mirror, action repeat, at once | sizes of all layers, the first layer's inputs in front
-    | with attention its shape | signs of a mirror | with attention Q, W, b of both kinds | weights and biases
+    layers, kind and activation, mirror, action repeat, at once, output, normalised | sizes of all layers, the first
+    layer's inputs in front | with attention its shape | signs of a mirror | normalised: limit, means, deviations
+    | with attention Q, W, b of both kinds | weights and biases
 
 An action depends bit for bit on its own observation only, whatever else is played at the same time.
 """
@@ -15,7 +16,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from soccer_env.actions import BOX, DISCRETE_TABLE
 from soccer_env.agents.attention import SHAPE, attend, flat, layout_of, observed, shape_of
+from soccer_env.agents.normalising import numbers_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.observations.reflection import action_signs, observation_signs
@@ -23,7 +26,9 @@ from soccer_env.observations.reflection import action_signs, observation_signs
 if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy
 
-LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, SIZES = range(6)  # places in the head of the array; SIZES: the first size
+LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, OUTPUT, NORMALISED, SIZES = range(8)  # places in the head; the first size
+CLIPPED, SQUASHED, CHOSEN = range(3)  # what becomes of the outputs: clipped, tanh, or the action of the largest
+CHOICE = len(BOX)  # numbers of a discrete action
 NETWORKS = (("slots", "tanh"), ("slots", "relu"), ("attention", "tanh"), ("attention", "relu"))
 ATTENTION = 2  # from this index of NETWORKS on there is attention; even indices have tanh
 
@@ -32,11 +37,14 @@ def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
     """Return the numbers (n,) float64 of a policy's network; `at_once`: it decides at the first step of an episode."""
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
     network = NETWORKS.index((policy.kind, policy.activation))
-    head = [len(policy.weights), network, policy.mirror, policy.action_repeat, at_once, *sizes]
+    output = CHOSEN if policy.actions == "discrete" else SQUASHED if policy.squash else CLIPPED
+    scaled = numbers_of(policy.normalise)
+    head = [len(policy.weights), network, policy.mirror, policy.action_repeat, at_once, output, len(scaled) > 0, *sizes]
     if policy.attention:
         head += shape_of(layout_of(policy.entries), len(policy.attention[1]))
     signs = observation_signs(policy.entries) if policy.mirror else np.ones(len(policy.inputs))
-    parts = [np.array(head, np.float64), signs, action_signs(sizes[-1])]
+    turned = action_signs(sizes[-1]) if policy.mirror else np.ones(sizes[-1])
+    parts = [np.array(head, np.float64), signs, turned, scaled]
     parts += flat(policy.attention)
     for weight, bias in zip(policy.weights, policy.biases, strict=True):
         parts += [weight.T.astype(np.float64).ravel(), bias.astype(np.float64)]
@@ -47,25 +55,54 @@ def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
 def act(numbers, row, action, scratch):
     """Write the action (a,) for one observation (n,); scratch (3, widest) is working space.
 
-    If the head of the array says so, the mean of the network and of its mirror image; clipped to [-1, 1].
+    If the head of the array says so, the mean of the network and of its mirror image; in [-1, 1].
     """
     layers = int(numbers[LAYERS])
     inputs, outputs = entries(numbers), int(numbers[SIZES + layers])
     signs = SIZES + layers + 1 + (SHAPE if numbers[NETWORK] >= ATTENTION else 0)
-    start = signs + inputs + outputs
+    scale = signs + inputs + outputs
+    start = scale + (1 + 2 * inputs if numbers[NORMALISED] != 0.0 else 0)
     for i in range(inputs):
         scratch[2, i] = row[i]
+    normalise(numbers, scale, inputs, scratch)
     forward(numbers, layers, start, scratch)
+    if numbers[OUTPUT] == CHOSEN:
+        choose(outputs, action, scratch)
+        return
     for i in range(outputs):
         action[i] = scratch[0, i]
     if numbers[MIRROR] != 0.0:
         for i in range(inputs):
             scratch[2, i] = numbers[signs + i] * row[i]
+        normalise(numbers, scale, inputs, scratch)
         forward(numbers, layers, start, scratch)
         for i in range(outputs):
             action[i] = 0.5 * (action[i] + numbers[signs + inputs + i] * scratch[0, i])
+    squash = numbers[OUTPUT] == SQUASHED
     for i in range(outputs):
-        action[i] = clip(action[i], -1.0, 1.0)
+        action[i] = tanh(action[i]) if squash else clip(action[i], -1.0, 1.0)
+
+
+@compiled
+def normalise(numbers, scale, inputs, scratch):
+    """Subtract the means of the inputs in scratch[2], divide by their deviations and cut off at the limit."""
+    if numbers[NORMALISED] == 0.0:
+        return
+    limit = numbers[scale]
+    for i in range(inputs):
+        value = (scratch[2, i] - numbers[scale + 1 + i]) / numbers[scale + 1 + inputs + i]
+        scratch[2, i] = clip(value, -limit, limit)
+
+
+@compiled
+def choose(outputs, action, scratch):
+    """Write the discrete action of the largest output in scratch[0], the first of equal ones."""
+    best = 0
+    for i in range(1, outputs):
+        if scratch[0, i] > scratch[0, best]:
+            best = i
+    for i in range(CHOICE):
+        action[i] = DISCRETE_TABLE[best, i]
 
 
 @compiled
@@ -95,6 +132,12 @@ def entries(numbers):
     if numbers[NETWORK] >= ATTENTION:
         return observed(numbers, SIZES + int(numbers[LAYERS]) + 1)
     return int(numbers[SIZES])
+
+
+@compiled
+def given(numbers):
+    """Return how many numbers an action has."""
+    return CHOICE if numbers[OUTPUT] == CHOSEN else int(numbers[SIZES + int(numbers[LAYERS])])
 
 
 @compiled

@@ -1,11 +1,13 @@
 """What a policy is: a trained network and everything that has to agree before it may play.
 
     observation (inputs,) in [-1, 1]                                       names in `inputs`, in this order
+      -> normalised, if it says so                                         normalising.py
       -> kind "attention" only: other players pooled                       attention.py
       -> weights[0] x + biases[0] -> activation                            hidden layers, 0 to 7
       -> ...
       -> weights[-1] x + biases[-1]                                        no activation
       -> mean of the actions (4,) or (7,), clipped to [-1, 1] when played  `actions.BOX` or `actions.FULL`
+         or squashed by tanh; or a value for each of `actions.DISCRETE`, of which the largest is played
 
 A policy is checked as it is made, wherever it comes from: what passes here can neither overflow nor give NaN.
 """
@@ -19,8 +21,9 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.actions import BOX, FULL
+from soccer_env.actions import BOX, DISCRETE, FULL
 from soccer_env.agents.attention import TENSORS, layout_of
+from soccer_env.agents.normalising import check_normalise
 from soccer_env.agents.rules_known import check_recorded, recorded, tell_of_rules
 from soccer_env.checking import brief, one_of, refuse
 from soccer_env.leagues.checks import check_family
@@ -28,7 +31,7 @@ from soccer_env.leagues.league import MAX_RATE, League
 from soccer_env.observations import OBSERVE, Entry, entries_named, names_of
 from soccer_env.observations.reflection import observation_signs
 
-ACTIONS = {"box": len(BOX), "full": len(FULL)}  # numbers that come out
+ACTIONS = {"box": len(BOX), "full": len(FULL), "discrete": len(DISCRETE)}  # numbers that come out
 KINDS = ("slots", "attention")
 ACTIVATIONS = ("tanh", "relu")
 MAX_REPEAT = 1000  # [control steps]
@@ -57,7 +60,7 @@ class Policy:
     control_rate: int  # [1/s] of that league
     observe: str  # "truth", "percepts" or "belief"
     inputs: tuple[str, ...]  # names of the observation's entries, in order: the whole layout
-    actions: str  # "box" (4 numbers) or "full" (7)
+    actions: str  # "box" (4 numbers), "full" (7) or "discrete" (a value for each action)
     action_repeat: int  # [control steps] for which an action is kept, 1 to 1000
     kind: str  # architecture: "slots" (a plain MLP over the flat observation) or "attention" (over other players)
     activation: str  # "tanh" or "relu", behind every layer but the last
@@ -67,6 +70,9 @@ class Policy:
     made: Mapping[str, str]  # where it comes from: command, date, commit, seed, versions ... plain text
     attention: tuple[np.ndarray, ...] = ()  # float32, as `attention.TENSORS` names them; () for kind "slots"
     rules: Mapping[str, Any] = field(default_factory=dict)  # it was trained under, by name; {}: nothing is known
+    squash: bool = False  # True: tanh of the outputs instead of clipping them
+    at_once: bool = False  # True: its first decision falls into the first step of an episode, as the APIs do it
+    normalise: Mapping[str, Any] = field(default_factory=dict)  # observations, as `normalising` says; {}: as they are
 
     def __post_init__(self) -> None:
         _check_text("name", self.name, NAME)
@@ -77,8 +83,11 @@ class Policy:
         one_of("actions", self.actions, tuple(ACTIONS))
         one_of("kind", self.kind, KINDS)
         one_of("activation", self.activation, ACTIVATIONS)
-        if type(self.mirror) is not bool:
-            raise ValueError(f"mirror must be True or False, got {brief(self.mirror)}")
+        for name in ("mirror", "squash", "at_once"):
+            if type(getattr(self, name)) is not bool:
+                raise ValueError(f"{name} must be True or False, got {brief(getattr(self, name))}")
+        if self.actions == "discrete" and (self.mirror or self.squash):
+            raise ValueError("mirror and squash must be False where actions are discrete")
         if self.mirror and self.observe == "percepts":
             raise ValueError("mirror must be False where percepts are observed: turning signs round mirrors no picture")
         _check_whole("action_repeat", self.action_repeat, MAX_REPEAT)
@@ -90,12 +99,12 @@ class Policy:
         features = _check_attention(self.kind, self.attention, self.entries)
         numbers = sum(array.size for array in self.attention)
         _check_layers(self.weights, self.biases, features, ACTIONS[self.actions], numbers)
-        largest = _check_pooled(self.attention, self.activation)
+        largest = _check_pooled(self.attention, self.activation, check_normalise(self.normalise, len(self.inputs)))
         _check_activity(self.weights, self.biases, self.activation, largest)
         for name in ("weights", "biases", "attention"):
             object.__setattr__(self, name, tuple(_frozen(array) for array in getattr(self, name)))
-        object.__setattr__(self, "made", dict(self.made))
-        object.__setattr__(self, "rules", dict(self.rules))
+        for name in ("made", "rules", "normalise"):
+            object.__setattr__(self, name, dict(getattr(self, name)))
 
     @property
     def entries(self) -> list[Entry]:
@@ -236,14 +245,17 @@ def _check_layers(weights: object, biases: object, inputs: int, outputs: int, nu
             raise ValueError(f"layer{number} must be finite, it holds NaN or infinity")
 
 
-def _check_pooled(attention: tuple[np.ndarray, ...], activation: str) -> float:
+def _check_pooled(attention: tuple[np.ndarray, ...], activation: str, entering: float) -> float:
     """Return the largest number that the first layer can take in; ValueError if one on the way to it could overflow."""
-    largest = 1.0
+    largest = entering
     for first in range(0, len(attention), 3):
         weight, bias, query = (np.abs(array.astype(np.float64)) for array in attention[first : first + 3])
-        encoded = weight.sum(axis=1) + bias
+        encoded = weight.sum(axis=1) * entering + bias
         bounded = np.minimum(encoded, 1.0) if activation == "tanh" else encoded
-        for name, reached in ((TENSORS[first], encoded.max()), (TENSORS[first + 2], query.sum(axis=1) @ bounded)):
+        for name, reached in (
+            (TENSORS[first], encoded.max()),
+            (TENSORS[first + 2], query.sum(axis=1) @ bounded * entering),
+        ):
             _check_reached(name, reached)
         largest = max(largest, float(bounded.max()))
     return largest

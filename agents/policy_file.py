@@ -4,10 +4,11 @@
     header     JSON: {"__metadata__": {"soccer_env.policy": TEXT}, "layer0.weight": {"dtype": "F32", "shape": ...}, ...}
     tensors    float32, little-endian, one after the other without gaps
 
-TEXT is JSON again: the fields of `Policy` without its arrays, and "version" (3). The schema is strict: exactly these
-keys, each once, with these types; anything else is a ValueError in one line that names the file. Versions 1 and 2 said
-nothing of the rules; version 1 said nothing of the league but its name: family and control rate are those of our own
-league of that name. The kind "attention" has six tensors more, "teammate.weight" and so on (`attention.TENSORS`).
+TEXT is JSON again: the fields of `Policy` without its arrays, and "version". The schema is strict: exactly these keys,
+each once, with these types; anything else is a ValueError in one line that names the file. Version 4 tells discrete,
+squashed and normalised policies, and when they decide first; versions 1 and 2 said nothing of the rules, version 1
+nothing of the league but its name: family and control rate are those of our own league of that name. The kind
+"attention" has six tensors more, "teammate.weight" and so on (`attention.TENSORS`).
 
 The safetensors library checks that the header fits into the file and is JSON, that sizes agree with shapes, and that
 the tensors cover the file without holes and overlaps. It lets duplicate names, unknown fields of a tensor and any
@@ -32,11 +33,12 @@ from soccer_env.agents.attention import TENSORS
 from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, league_of
 from soccer_env.checking import brief
 from soccer_env.leagues import LEAGUES
+from soccer_env.match_settings import version
 
-VERSION = 3
+VERSION = 4
 KEY = "soccer_env.policy"
 MAX_FILE = 16 * 2**20  # [bytes]
-MAX_HEADER = 2**20  # [bytes] the largest policy needs about 0.8 MiB
+MAX_HEADER = 5 * 2**18  # [bytes] the largest policy needs about 1 MiB
 MAX_DIGITS = 20  # of a whole number
 PREFIX = 8  # [bytes] the header's length
 SCHEMA: dict[str, type] = {
@@ -54,17 +56,26 @@ SCHEMA: dict[str, type] = {
     "mirror": bool,
     "made": dict,
     "rules": dict,
+    "squash": bool,
+    "at_once": bool,
+    "normalise": dict,
 }
-LACKS = {1: ("family", "control_rate", "rules"), 2: ("rules",)}  # keys, by version
-TABLES = ("made", "rules")
+LATEST = {"squash": False, "at_once": False, "normalise": {}}  # keys of version 4, and what older files mean
+LACKS = {1: ("family", "control_rate", "rules", *LATEST), 2: ("rules", *LATEST), 3: tuple(LATEST)}  # keys, by version
+TABLES = ("made", "rules", "normalise")
 TENSOR = {"dtype", "shape", "data_offsets"}
 
 
 def dump(policy: Policy) -> bytes:
-    """Return the content of a policy's file; the same policy gives the same bytes."""
+    """Return the content of a policy's file; the same policy gives the same bytes.
+
+    What needs nothing of version 4 is written as version 3, which older versions of the package read.
+    """
     fields = {key: getattr(policy, key) for key in SCHEMA if key not in ("version", "inputs", *TABLES)}
     tables = {key: dict(getattr(policy, key)) for key in TABLES}
     table = {"version": VERSION, **fields, "inputs": list(policy.inputs), **tables}
+    if policy.actions != "discrete" and all(table[key] == usual for key, usual in LATEST.items()):
+        table = {key: value for key, value in table.items() if key not in LATEST} | {"version": 3}
     text = json.dumps(table, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
     tensors = dict(zip(TENSORS, policy.attention))
     for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases)):
@@ -188,7 +199,7 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
         raise ValueError(f"{KEY} must be a JSON object")
     version = table.get("version")
     if type(version) is not int or not 1 <= version <= VERSION:
-        raise ValueError(f"is of format version {brief(version)}; this soccer_env reads versions 1 to {VERSION}")
+        raise ValueError(f"is of format version {brief(version)}{maker(table)} reads versions 1 to {VERSION}")
     fields: dict[str, Any] = table if version == VERSION else _of_older(table, version)
     missing = [key for key in SCHEMA if key not in fields]
     unknown = [key for key in fields if key not in SCHEMA]
@@ -203,16 +214,24 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _of_older(table: dict[str, Any], version: int) -> dict[str, Any]:
-    """Return the fields of a file of version 1 or 2 with those that it lacks: no rules, its league by its name."""
+    """Return the fields of an older file with those that it lacks: no rules, its league by its name."""
     said = [key for key in LACKS[version] if key in table]
     if said:
         raise ValueError(f"{KEY} has an unknown key {said[0]!r} for version {version}")
-    if version == 2:
-        return {**table, "rules": {}}
+    if version > 1:
+        return {**LATEST, **({"rules": {}} if version == 2 else {}), **table}
     known = LEAGUES.get(table["league"]) if isinstance(table.get("league"), str) else None
     if known is None:
         raise ValueError(f"is of version 1, which says nothing of leagues of one's own: {brief(table.get('league'))}")
-    return {**table, **league_of(known), "rules": {}}
+    return {**LATEST, **table, **league_of(known), "rules": {}}
+
+
+def maker(table: Mapping[str, Any]) -> str:
+    """Return which version of the package made a policy, if its file says so, and which one this is, in words."""
+    made = table.get("made")
+    by = made.get("soccer_env") if isinstance(made, dict) else None
+    said = f", made by soccer_env {one_line(by)[:40]}" if isinstance(by, str) else ""
+    return f"{said}; this soccer_env ({version()})"
 
 
 def _more(table: Mapping[str, Any]) -> tuple[str, ...]:

@@ -5,8 +5,9 @@
                   torch.load(weights_only=True) reads that one.
     data          JSON; plain values and plain texts of it are read, the pickles behind ":serialized:" never decoded.
 
-PPO and A2C with MlpPolicy and continuous actions of 4 or 7 numbers in [-1, 1] can be read. What a zip does not hold
-cannot be checked: the observations must have been ours, in our order, and not rescaled by VecNormalize.
+MlpPolicy of the algorithms in `sb3_actor.py` can be read, with actions of 4 or 7 numbers in [-1, 1] or with our
+discrete ones. What a zip does not hold cannot be checked: the observations must have been ours, in our order, and what
+VecNormalize made of them has to be said.
 """
 
 from __future__ import annotations
@@ -23,11 +24,15 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, MAX_INPUTS, Policy, league_of
-from soccer_env.agents.policy_file import file_name, one_line, read_plain, strict_json
-from soccer_env.checking import brief
+from soccer_env.actions import DISCRETE
+from soccer_env.agents.normalising import table_of
+from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, Policy, league_of
+from soccer_env.agents.policy_file import dump, file_name, one_line, read_plain, strict_json
+from soccer_env.agents.sb3_actor import algorithm_of, is_discrete, layers_of
+from soccer_env.checking import brief, one_of
 from soccer_env.leagues import League, find_league
 from soccer_env.observations import OBSERVE, names_of
+from soccer_env.whole_files import write_whole
 
 MAX_FILE = 256 * 2**20  # [bytes] most of it the optimiser's state, which is not read
 MAX_MEMBER = 64 * 2**20  # [bytes] unpacked, policy.pth and its records
@@ -47,15 +52,14 @@ ACTIVATION_TEXTS = {
     "<class 'torch.nn.modules.activation.Tanh'>": "tanh",
     "<class 'torch.nn.modules.activation.ReLU'>": "relu",
 }
-DEFAULT_ACTIVATION = "tanh"  # of MlpPolicy
+BOX_TYPE, DISCRETE_TYPE = ".box.Box'>", ".discrete.Discrete'>"  # how the classes of spaces end
 FLATTEN = "<class 'stable_baselines3.common.torch_layers.FlattenExtractor'>"
 HARMLESS = {  # policy_kwargs without effect on the mean action, or with one that the parameters show
     *("net_arch", "activation_fn", "ortho_init", "log_std_init", "full_std", "use_expln", "squash_output"),
     *("features_extractor_class", "features_extractor_kwargs", "share_features_extractor", "normalize_images"),
-    *("optimizer_class", "optimizer_kwargs"),
+    *("optimizer_class", "optimizer_kwargs", "use_sde", "n_critics", "clip_mean"),
 }
-LAYER = re.compile(r"mlp_extractor\.policy_net\.([0-9]{1,3})\.(weight|bias)")
-UNUSED = re.compile(r"log_std|value_net\.(weight|bias)|mlp_extractor\.value_net\.[0-9]{1,3}\.(weight|bias)")
+DISCRETE_SPACE = {"n": str(len(DISCRETE)), "start": "0"}
 
 
 def load_sb3(
@@ -66,41 +70,66 @@ def load_sb3(
     action_repeat: int = 1,
     name: str | None = None,
     activation: str | None = None,
+    at_once: bool = False,
+    normalise: Any = None,
 ) -> Policy:
-    """Return the policy of a stable-baselines3 zip (PPO or A2C, MlpPolicy) trained in a league on `observe`.
+    """Return the policy of a stable-baselines3 zip trained in a league on `observe`.
 
     `name` is the file's own unless given. `activation` is for zips of a user's own policy classes that do not name
-    theirs; None: what the zip says, else tanh. ValueError names the file and the reason; without torch it is an
-    ImportError.
+    theirs; None: what the zip says, else the algorithm's. `at_once` says how its episodes began, see `Policy`,
+    `normalise` what VecNormalize made of the observations, see `normalising.table_of`. ValueError names the file and
+    the reason; without torch it is an ImportError.
     """
     preset = find_league(league)
-    if observe not in OBSERVE:
-        raise ValueError(f"observe must be one of {', '.join(OBSERVE)}, got {brief(observe)}")
-    if activation not in (None, *ACTIVATIONS):
-        raise ValueError(f"activation must be one of {', '.join(ACTIVATIONS)} or None, got {brief(activation)}")
+    one_of("observe", observe, OBSERVE)
+    if activation is not None:
+        one_of("activation", activation, ACTIVATIONS)
     content = read_plain(path, MAX_FILE)
     try:
-        said = _plain_data(content)
-        weights, biases = _layers(_parameters(_member(content, "policy.pth", MAX_MEMBER)))
+        read = _network(content, activation)
         inputs = names_of(preset, observe)
-        if weights[0].shape[1] != len(inputs):
-            raise ValueError(f"takes {weights[0].shape[1]} inputs, {observe!r} of {preset.name!r} has {len(inputs)}")
+        if read["weights"][0].shape[1] != len(inputs):
+            taken = read["weights"][0].shape[1]
+            raise ValueError(f"takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}")
         return Policy(
-            name=_stem(path) if name is None else name,
-            **league_of(preset),
-            observe=observe,
-            inputs=tuple(inputs),
-            actions=_actions(len(biases[-1])),
-            action_repeat=action_repeat,
-            kind="slots",
-            activation=_activation(said.get("policy_kwargs"), activation),
-            mirror=False,
-            weights=weights,
-            biases=biases,
-            made=_made(said, content),
-        )
+            **{**read, **league_of(preset), "name": _stem(path) if name is None else name},
+            observe=observe, inputs=tuple(inputs), action_repeat=action_repeat, kind="slots", mirror=False,
+            at_once=at_once, normalise=table_of(normalise),
+        )  # fmt: skip
     except ValueError as error:
         raise ValueError(f"policy file {file_name(path)!r}: {one_line(error)}") from None
+
+
+def convert_sb3(path: str | os.PathLike[str], out: str | os.PathLike[str], **settings: Any) -> Policy:
+    """Write the policy of a stable-baselines3 zip as a policy file and return it; settings are those of `load_sb3`.
+
+    Episodes began with a decision (`at_once`) unless told otherwise.
+    """
+    if Path(out).suffix != ".safetensors":
+        raise ValueError(f"a policy file must end in .safetensors, got {os.fspath(out)!r}")
+    policy = load_sb3(path, **{"at_once": True, **settings})
+    write_whole(Path(out), dump(policy))
+    return policy
+
+
+def _network(content: bytes, activation: str | None) -> dict[str, Any]:
+    """Return the fields of a policy that its zip tells: the network, what its outputs mean, and where it comes from."""
+    said = _plain_data(content)
+    state = _parameters(_member(content, "policy.pth", MAX_MEMBER))
+    algorithm = algorithm_of(state)
+    weights, biases = layers_of(algorithm, state)
+    discrete = is_discrete(algorithm, state)
+    if discrete != (said["action_space"][":type:"].endswith(DISCRETE_TYPE)):
+        raise ValueError("its action_space is not of the kind that its network gives")
+    kwargs = said["policy_kwargs"]
+    return {
+        "actions": "discrete" if discrete else _actions(len(biases[-1])),
+        "activation": _activation(kwargs, activation, algorithm.activation),
+        "squash": algorithm.squash or (str(kwargs.get("squash_output", False)) == "True" and not discrete),
+        "weights": weights,
+        "biases": biases,
+        "made": _made(said, content),
+    }
 
 
 def _member(content: bytes, name: str, limit: int) -> bytes:
@@ -134,32 +163,42 @@ def _plain_data(content: bytes) -> dict[str, Any]:
     said = strict_json(_member(content, "data", MAX_DATA), "data", finite=False)
     if not isinstance(said, dict):
         raise ValueError("data must be a JSON object")
-    for key in ("observation_space", "action_space"):
+    for key, kinds in (("observation_space", (BOX_TYPE,)), ("action_space", (BOX_TYPE, DISCRETE_TYPE))):
         space = said.get(key)
         kind = space.get(":type:") if isinstance(space, dict) else None
-        if not isinstance(kind, str) or not kind.endswith(".box.Box'>"):
-            raise ValueError(f"its {key} must be a Box, got {brief(kind)}")
-    for bound, text in (("low", "-1."), ("high", "1.")):
-        words = said["action_space"].get(bound)
-        if isinstance(words, str) and set(words.strip("[] ").split()) != {text}:
-            raise ValueError(f"its actions must lie in [-1, 1], got {bound} {brief(words)}")
+        if not (isinstance(kind, str) and kind.endswith(kinds)):
+            raise ValueError(f"its {key} must be a Box{' or Discrete' if len(kinds) > 1 else ''}, got {brief(kind)}")
+    _check_actions(said["action_space"])
     kwargs = said.get("policy_kwargs")
     if not isinstance(kwargs, dict):
-        raise ValueError("data says no policy_kwargs: no PPO or A2C")
+        raise ValueError("data says no policy_kwargs: it is no model of an algorithm that is known")
     for key in kwargs.keys() - {":type:", ":serialized:"} - HARMLESS:
         raise ValueError(f"policy_kwargs has {brief(key)}, which is not supported")
-    if str(kwargs.get("squash_output", False)) != "False":
-        raise ValueError("its actions are squashed (squash_output), which is not supported")
     if kwargs.get("features_extractor_class", FLATTEN) != FLATTEN:
         raise ValueError(f"its features are made by {brief(kwargs['features_extractor_class'])}, not only flattened")
     return said
 
 
-def _activation(kwargs: Any, given: str | None) -> str:
-    """Return the activation that the zip says in plain text, else the given one, else the default."""
+def _check_actions(space: Mapping[str, Any]) -> None:
+    """Raise ValueError unless an action space is ours: discrete, or numbers in [-1, 1]."""
+    if space[":type:"].endswith(DISCRETE_TYPE):
+        for key, wanted in DISCRETE_SPACE.items():
+            if str(space.get(key)) != wanted:
+                raise ValueError(
+                    f"its discrete actions must be {len(DISCRETE)} from 0, got {key} {brief(space.get(key))}"
+                )
+        return
+    for bound, text in (("low", "-1."), ("high", "1.")):
+        words = space.get(bound)
+        if isinstance(words, str) and set(words.strip("[] ").split()) != {text}:
+            raise ValueError(f"its actions must lie in [-1, 1], got {bound} {brief(words)}")
+
+
+def _activation(kwargs: Any, given: str | None, default: str) -> str:
+    """Return the activation that the zip says in plain text, else the given one, else the algorithm's."""
     text = kwargs.get("activation_fn")
     if text is None:
-        return given or DEFAULT_ACTIVATION
+        return given or default
     if not isinstance(text, str) or text not in ACTIVATION_TEXTS:
         raise ValueError(f"activation_fn must be Tanh or ReLU, got {brief(text)}")
     said = ACTIVATION_TEXTS[text]
@@ -222,26 +261,6 @@ def _check_pickle(content: bytes) -> None:
             raise ValueError(f"policy.pth is no table of tensors: its pickle has {opcode}")
 
 
-def _layers(state: Mapping[str, np.ndarray]) -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
-    """Return weights and biases of the policy's network, the last layer being action_net."""
-    for key in state:
-        if not (LAYER.fullmatch(key) or UNUSED.fullmatch(key) or key in ("action_net.weight", "action_net.bias")):
-            raise ValueError(f"has the parameter {brief(key)}: only MlpPolicy of PPO and A2C is supported")
-    if "log_std" not in state:
-        raise ValueError("has no log_std: its actions are not continuous")
-    numbers = sorted({int(match[1]) for match in map(LAYER.fullmatch, state) if match})
-    if numbers != list(range(0, 2 * len(numbers), 2)):  # one activation behind each layer
-        raise ValueError(f"layers of policy_net must be 0, 2, 4 ..., got {brief(numbers)}")
-    names = [f"mlp_extractor.policy_net.{number}" for number in numbers] + ["action_net"]
-    for name in names:
-        weight, bias = (state.get(f"{name}.{part}") for part in ("weight", "bias"))
-        if weight is None or bias is None:
-            raise ValueError(f"{name} must have a weight and a bias")
-        if weight.ndim != 2 or bias.ndim != 1 or not all(0 < size <= MAX_INPUTS for size in weight.shape + bias.shape):
-            raise ValueError(f"{name} must have a weight of two axes and a bias, got {weight.shape} and {bias.shape}")
-    return tuple(state[f"{name}.weight"] for name in names), tuple(state[f"{name}.bias"] for name in names)
-
-
 def _stem(path: str | os.PathLike[str]) -> str:
     """Return a name for the policy made from its file's."""
     return re.sub(r"[^A-Za-z0-9 ._+-]", "-", Path(path).stem).lstrip(" ._+-")[:64] or "sb3"
@@ -249,10 +268,10 @@ def _stem(path: str | os.PathLike[str]) -> str:
 
 def _actions(size: int) -> str:
     """Return the kind of actions of that many numbers."""
-    for kind, numbers in ACTIONS.items():
-        if numbers == size:
-            return kind
-    raise ValueError(f"gives {size} numbers as actions, must be one of {', '.join(map(str, ACTIONS.values()))}")
+    kinds = {ACTIONS[kind]: kind for kind in ("box", "full")}
+    if size not in kinds:
+        raise ValueError(f"gives {size} numbers as actions, must be one of {', '.join(map(str, kinds))}")
+    return kinds[size]
 
 
 def _made(said: Mapping[str, Any], content: bytes) -> dict[str, str]:

@@ -74,7 +74,7 @@ def test_lies_about_sizes_are_refused(plain: Path, tmp_path: Path) -> None:
 def test_a_table_that_hides_its_own_items_is_refused(plain: Path, tmp_path: Path) -> None:
     hiding = b"\x80\x02ccollections\nOrderedDict\n)R}X\x05\x00\x00\x00itemsK\x01sb."  # OrderedDict() with items = 1
     content = inner_with(state_of(plain), hiding)
-    refuses(remade(plain, tmp_path / "a.zip", policy_pth=content), "has no log_std")
+    refuses(remade(plain, tmp_path / "a.zip", policy_pth=content), "has the parameter None and no actor")
 
 
 def test_deep_nesting_does_not_crash_the_process(plain: Path, tmp_path: Path) -> None:

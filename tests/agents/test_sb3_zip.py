@@ -10,9 +10,12 @@ import gymnasium
 import numpy as np
 import pytest
 
+from soccer_env.actions import DISCRETE_TABLE
+from soccer_env.agents import convert_sb3
 from soccer_env.agents.policy import Policy
-from soccer_env.agents.policy_file import dump, parse
+from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.leagues import find_league
+from tests.agents.staged_policies import decide
 from tests.agents.staged_zips import INPUTS, Noise, data_of, plain_zip, pth_of, read, refuses, remade, saved, state_of
 
 torch = pytest.importorskip("torch")
@@ -25,9 +28,10 @@ def actions_of(policy: Policy, observations: np.ndarray) -> np.ndarray:
     squeeze = {"tanh": np.tanh, "relu": lambda x: np.maximum(x, 0.0)}[policy.activation]
     for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases)):
         values = (values if number == 0 else squeeze(values)) @ weight.T + bias
-    return values
+    return np.tanh(values) if policy.squash else values
 
 
+DISCRETE = gymnasium.spaces.Discrete(12)
 RELU = {"activation_fn": torch.nn.ReLU, "net_arch": {"pi": [12, 9, 7], "vf": [5]}}
 REAL = {
     "PPO": (None, 4, {}, "tanh"),
@@ -56,6 +60,58 @@ def test_a_real_zip_gives_the_same_actions(kind: str, tmp_path: Path) -> None:
     assert dump(parse(dump(policy), "here")) == dump(policy)
 
 
+OTHERS: dict[str, tuple[Any, Any, dict[str, Any], tuple[str, str, bool]]] = {
+    "SAC": (sb3.SAC, 4, {}, ("box", "relu", True)),
+    "SAC, tanh, 7 actions": (sb3.SAC, 7, {"activation_fn": torch.nn.Tanh}, ("full", "tanh", True)),
+    "TD3": (sb3.TD3, 4, {}, ("box", "relu", True)),
+    "DDPG": (sb3.DDPG, 4, {}, ("box", "relu", True)),
+    "DQN": (sb3.DQN, DISCRETE, {}, ("discrete", "relu", False)),
+    "discrete PPO": (sb3.PPO, DISCRETE, {}, ("discrete", "tanh", False)),
+    "discrete A2C": (sb3.A2C, DISCRETE, {"activation_fn": torch.nn.ReLU}, ("discrete", "relu", False)),
+}
+
+
+@pytest.mark.parametrize("kind", OTHERS)
+def test_other_algorithms_play_what_they_predict(kind: str, tmp_path: Path) -> None:
+    algorithm, space, settings, (actions, activation, squash) = OTHERS[kind]
+    room = {} if kind.startswith("discrete") else {"buffer_size": 10}
+    model = algorithm(
+        "MlpPolicy", Noise(space), seed=1, device="cpu", policy_kwargs={"net_arch": [12, 9], **settings}, **room
+    )
+    model.save(tmp_path / "model.zip")
+    observations = np.random.default_rng(2).uniform(-1, 1, (200, INPUTS)).astype(np.float32)
+    predicted = model.predict(observations, deterministic=True)[0]
+    out = tmp_path / "out.safetensors"
+    policy = convert_sb3(tmp_path / "model.zip", out, league="legged-2001", observe="truth", action_repeat=2)
+    assert dump(load(out)) == dump(policy)
+    assert (policy.actions, policy.activation, policy.squash, policy.at_once) == (actions, activation, squash, True)
+    found = decide(policy, observations)
+    if actions == "discrete":
+        assert len(np.unique(predicted)) > 2
+        assert (found[:, :4] == DISCRETE_TABLE[predicted]).all()
+    else:
+        assert np.abs(found - predicted).max() < 1e-5
+
+
+def test_squashed_exploration_of_ppo_plays_what_it_predicts(tmp_path: Path) -> None:
+    model = saved(tmp_path, Noise(), use_sde=True, policy_kwargs={"squash_output": True})
+    observations = np.random.default_rng(2).uniform(-1, 1, (50, INPUTS)).astype(np.float32)
+    predicted = model.predict(observations, deterministic=True)[0]
+    assert np.abs(decide(read(tmp_path / "model.zip"), observations) - predicted).max() < 1e-5
+
+
+def test_what_vec_normalize_did_is_done_again(tmp_path: Path) -> None:
+    vec = sb3.common.vec_env
+    envs = vec.VecNormalize(vec.DummyVecEnv([lambda: Noise()]), clip_obs=2.0)
+    model = sb3.PPO("MlpPolicy", envs, n_steps=64, batch_size=64, seed=1, device="cpu")
+    model.learn(256)
+    model.save(tmp_path / "model.zip")
+    observations = np.random.default_rng(2).uniform(-1, 1, (50, INPUTS)).astype(np.float32)
+    predicted = model.predict(envs.normalize_obs(observations), deterministic=True)[0]
+    assert np.abs(decide(read(tmp_path / "model.zip", normalise=envs), observations) - predicted).max() < 1e-5
+    assert np.abs(decide(read(tmp_path / "model.zip"), observations) - predicted).max() > 1e-3
+
+
 @pytest.fixture(scope="module")
 def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a real zip; tests do not change it."""
@@ -65,7 +121,9 @@ def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize(
     ("space", "reason"),
     [
-        (gymnasium.spaces.Discrete(4), "action_space must be a Box"),
+        (gymnasium.spaces.Discrete(4), "its discrete actions must be 12 from 0, got n '4'"),
+        (gymnasium.spaces.Discrete(12, start=1), "its discrete actions must be 12 from 0, got start '1'"),
+        (gymnasium.spaces.MultiDiscrete([3, 4]), "its action_space must be a Box or Discrete, got .*MultiDiscrete"),
         (gymnasium.spaces.Box(-2.0, 2.0, (4,), np.float32), r"actions must lie in \[-1, 1\], got low"),
         (gymnasium.spaces.Box(-1.0, 1.0, (5,), np.float32), "gives 5 numbers as actions, must be one of 4, 7"),
     ],
@@ -87,22 +145,24 @@ class Wide(torch.nn.Flatten):
     ("settings", "reason"),
     [
         ({"activation_fn": torch.nn.ELU}, "activation_fn must be Tanh or ReLU, got .*ELU"),
-        ({"squash_output": True}, "squashed"),
         ({"features_extractor_class": Wide}, "features are made by .*Wide"),
     ],
 )
 def test_other_networks_are_refused(settings: dict[str, Any], reason: str, tmp_path: Path) -> None:
-    saved(tmp_path, Noise(), use_sde="squash_output" in settings, policy_kwargs=settings)
+    saved(tmp_path, Noise(), policy_kwargs=settings)
     refuses(tmp_path / "model.zip", reason)
 
 
-def test_other_algorithms_are_refused(tmp_path: Path) -> None:
-    sb3.SAC("MlpPolicy", Noise(), buffer_size=10, policy_kwargs={"net_arch": [4]}).save(tmp_path / "sac.zip")
-    refuses(tmp_path / "sac.zip", "squash|only MlpPolicy of PPO and A2C is supported|not supported")
+def test_other_policies_are_refused(tmp_path: Path) -> None:
+    noisy = sb3.SAC("MlpPolicy", Noise(), buffer_size=10, use_sde=True, policy_kwargs={"net_arch": [4]})
+    noisy.save(tmp_path / "sac.zip")
+    refuses(tmp_path / "sac.zip", "has the parameter 'actor.log_std': only MlpPolicy of PPO, A2C, SAC")
     images = Noise()
     images.observation_space = gymnasium.spaces.Box(0, 255, (3, 36, 36), np.uint8)
     sb3.PPO("CnnPolicy", images, n_steps=16, batch_size=16).save(tmp_path / "cnn.zip")
-    refuses(tmp_path / "cnn.zip", "'.*features_extractor.* only MlpPolicy of PPO and A2C is supported")
+    refuses(
+        tmp_path / "cnn.zip", "'.*features_extractor.* only MlpPolicy of PPO, A2C, SAC, TD3, DDPG and DQN is supported"
+    )
 
 
 def test_other_widths_are_refused(plain: Path, tmp_path: Path) -> None:
@@ -141,9 +201,15 @@ def wrong_states(state: dict[str, Any]) -> dict[str, tuple[Any, str]]:
         "double": ({**state, "action_net.bias": bias.double()}, "torch DoubleStorage', which is no tensor"),
         "half": ({**state, "action_net.bias": bias.to(torch.bfloat16)}, "BFloat16Storage', which is no tensor"),
         "lacking": (lacking, "action_net must have a weight and a bias"),
-        "no log_std": ({key: value for key, value in state.items() if key != "log_std"}, "has no log_std"),
+        "no log_std": (
+            {key: value for key, value in state.items() if key != "log_std"},
+            "is not of the kind that its net",
+        ),
         "other": ({**state, "q_net.0.weight": bias}, "parameter 'q_net.0.weight': only MlpPolicy"),
-        "gap": ({**state, "mlp_extractor.policy_net.5.weight": bias}, "layers of policy_net must be 0, 2, 4"),
+        "gap": (
+            {**state, "mlp_extractor.policy_net.5.weight": bias},
+            "layers of mlp_extractor.policy_net must be 0, 2, 4",
+        ),
         "shape": ({**state, "action_net.bias": bias[None]}, "a weight of two axes and a bias"),
         "broadcast": ({**state, "action_net.bias": huge}, "a weight of two axes and a bias"),
         "list": ([bias], "pickle has EMPTY_LIST"),
@@ -170,8 +236,8 @@ def test_wrong_data_is_refused(plain: Path, tmp_path: Path) -> None:
         (b'{"a":1,"a":2}', "the key 'a' twice"),
         (b"{}", "observation_space must be a Box, got None"),
         (data_of(plain, action_space=[box]), "action_space must be a Box"),
-        (data_of(plain, policy_kwargs=None), "no PPO or A2C"),
-        (data_of(plain, policy_kwargs={"n_critics": 2}), "policy_kwargs has 'n_critics'"),
+        (data_of(plain, policy_kwargs=None), "data says no policy_kwargs: it is no model"),
+        (data_of(plain, policy_kwargs={"lstm_size": 2}), "policy_kwargs has 'lstm_size'"),
         (data_of(plain, action_space={":type:": box, "low": "[-1. nan]"}), "must lie in"),
     ):
         refuses(remade(plain, tmp_path / "a.zip", data=content), reason)

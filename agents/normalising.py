@@ -1,0 +1,74 @@
+"""How a policy's observations are normalised before its network sees them, as VecNormalize and its like do it.
+
+    x' = min(max((x - mean) / deviation, -limit), limit)         of each input
+
+A policy keeps it as a table of plain numbers: "mean" and "deviation", one for each input, and "limit".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from soccer_env.checking import brief
+
+KEYS = ("mean", "deviation", "limit")
+MOST = 1e30  # of a mean, a deviation and the limit: nothing can overflow
+LEAST = 1e-12  # of a deviation
+
+
+def table_of(normaliser: Any) -> dict[str, Any]:
+    """Return the table of what normalised observations in training; {} for None.
+
+    That is a table of KEYS, or VecNormalize of stable-baselines3, or another object with `obs_rms` that has `mean` and
+    `var`, as Gymnasium's NormalizeObservation: x' = (x - mean) / sqrt(var + epsilon), cut off at `clip_obs`, if there
+    is one.
+    """
+    if normaliser is None or getattr(normaliser, "norm_obs", True) is False:
+        return {}
+    if isinstance(normaliser, Mapping):
+        plain = {key: np.asarray(value, np.float64).tolist() for key, value in normaliser.items()}
+        return plain if "limit" in plain else {**plain, "limit": MOST}
+    seen = getattr(normaliser, "obs_rms", None)
+    if not (hasattr(seen, "mean") and hasattr(seen, "var")):
+        got = brief(normaliser)
+        raise ValueError(
+            f"normalise must be a table of {', '.join(KEYS)}, or have obs_rms with mean and var, got {got}"
+        )
+    epsilon = float(getattr(normaliser, "epsilon", 1e-8))
+    return {
+        "mean": np.asarray(seen.mean, np.float64).tolist(),
+        "deviation": np.sqrt(np.asarray(seen.var, np.float64) + epsilon).tolist(),
+        "limit": float(getattr(normaliser, "clip_obs", MOST)),
+    }
+
+
+def check_normalise(table: object, inputs: int) -> float:
+    """Return the largest number that the network can take in; ValueError unless it is a table of KEYS, or empty."""
+    if not isinstance(table, Mapping) or (table and set(table) != set(KEYS)):
+        raise ValueError(f"normalise must be empty or a table of {', '.join(KEYS)}, got {brief(table)}")
+    if not table:
+        return 1.0
+    for key, least in (("mean", -MOST), ("deviation", LEAST)):
+        values = table[key]
+        if not isinstance(values, (list, tuple)) or len(values) != inputs:
+            raise ValueError(f"normalise[{key!r}] must have {inputs} numbers, got {brief(values)}")
+        for value in values:
+            check_number(key, value, least)
+    check_number("limit", table["limit"], LEAST)
+    farthest = max((1.0 + abs(mean)) / deviation for mean, deviation in zip(table["mean"], table["deviation"]))
+    return max(1.0, min(table["limit"], farthest))
+
+
+def check_number(key: str, value: object, least: float) -> None:
+    """Raise ValueError unless a value is a number of Python's own in the range."""
+    if type(value) not in (int, float) or not isfinite(value) or not least <= value <= MOST:  # type: ignore[arg-type, operator]
+        raise ValueError(f"normalise[{key!r}] must hold numbers from {least:g} to {MOST:g}, got {brief(value)}")
+
+
+def numbers_of(table: Mapping[str, Any]) -> np.ndarray:
+    """Return the table as numbers (1 + 2 inputs,): limit, means, deviations; empty for an empty one."""
+    return np.array([table["limit"], *table["mean"], *table["deviation"]] if table else [], np.float64)

@@ -1,0 +1,124 @@
+"""What stands in a torch module: its Linear layers in order, and the one activation between them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from soccer_env.actions import BOX, FULL
+from soccer_env.agents.policy import ACTIVATIONS
+from soccer_env.checking import one_of
+
+SKIPPED = ("Identity", "Flatten", "Dropout")  # what changes nothing when a policy plays
+HALVED = (2 * len(BOX), 2 * len(FULL))  # outputs: means, then deviations
+OTHERWISE = "; team_of_function lets any module play"
+
+
+class Network(NamedTuple):
+    """A plain network that was read off a module."""
+
+    weights: tuple[np.ndarray, ...]  # (out, in) float32
+    biases: tuple[np.ndarray, ...]  # (out,) float32
+    activation: str
+    squash: bool  # a Tanh stands behind the last layer
+
+
+def network_of(module: Any, activation: str | None) -> Network:
+    """Return the network of a module, or of several in a row; ValueError says what does not fit."""
+    import torch
+
+    if activation is not None:
+        one_of("activation", activation, ACTIVATIONS)
+    parts = list(chain_of(module))
+    layers: list[Any] = [part for part in parts if isinstance(part, torch.nn.Linear)]
+    if not layers or parts[0] is not layers[0]:
+        raise ValueError(f"the module must begin with a Linear layer, got {named(parts[:1])}{OTHERWISE}")
+    used, squash = activations_of(parts, activation)
+    weights = [as_numbers(layer.weight) for layer in layers]
+    biases = [np.zeros(len(w), np.float32) if x.bias is None else as_numbers(x.bias) for x, w in zip(layers, weights)]
+    if len(weights[-1]) in HALVED:
+        half = len(weights[-1]) // 2
+        weights[-1], biases[-1] = weights[-1][:half], biases[-1][:half]
+    return Network(tuple(weights), tuple(biases), used, squash)
+
+
+def activations_of(parts: list[Any], given: str | None) -> tuple[str, bool]:
+    """Return the one activation between the Linear layers of a chain, and whether a Tanh stands behind the last."""
+    words = "".join(" " if type(part).__name__ == "Linear" else f"{type(part).__name__.lower()}," for part in parts)
+    *between, last = words[1:].split(" ")  # of each layer what follows it
+    used = {one.removesuffix(",") or given for one in between} or {given or "tanh"}
+    if not used <= set(ACTIVATIONS) or len(used) > 1 or last not in ("", "tanh,"):
+        raise ValueError(
+            f"the module must have one activation, Tanh or ReLU, between its Linear layers and at most a Tanh behind "
+            f"the last, got {named(parts)}; give activation= if `forward` applies it{OTHERWISE}"
+        )
+    return str(used.pop()), last != ""
+
+
+def chain_of(module: Any) -> Iterator[Any]:
+    """Yield the Linear layers and activations of a module, or of several in a row, in the order in which they stand."""
+    import torch
+
+    if isinstance(module, (list, tuple)):
+        for part in module:
+            yield from chain_of(part)
+    elif not isinstance(module, torch.nn.Module):
+        raise ValueError(f"module must be a torch module, or several in a list, got {type(module).__name__}")
+    elif isinstance(module, (torch.nn.Linear, torch.nn.Tanh, torch.nn.ReLU)):
+        yield module
+    elif type(module).__name__ not in SKIPPED:
+        children = list(module.children())
+        if not children or isinstance(module, torch.nn.ModuleDict):
+            kind = type(module).__name__
+            raise ValueError(f"a policy file holds Linear layers with Tanh or ReLU between, no {kind}{OTHERWISE}")
+        yield from chain_of(children)
+
+
+def named(parts: list[Any]) -> str:
+    """Return the kinds of modules, as a short text."""
+    return ", ".join(type(part).__name__ for part in parts) or "nothing"
+
+
+def as_numbers(tensor: Any) -> np.ndarray:
+    """Return a parameter as an array of float32."""
+    numbers: np.ndarray = tensor.detach().cpu().float().numpy()
+    return numbers
+
+
+def applied(function: Any, rows: np.ndarray, module: Any) -> np.ndarray:
+    """Return what a module, several in a row, or a function gives for observations (B, n), as it would play.
+
+    Of several outputs the first counts; of a distribution its mean.
+    """
+    import torch
+
+    parts = module if isinstance(module, (list, tuple)) else [module]
+    parameter = next(parameter for part in parts for parameter in part.parameters())
+    training = [(inner, inner.training) for part in parts for inner in part.modules()]
+    found = torch.as_tensor(rows, dtype=parameter.dtype, device=parameter.device)
+    try:
+        for part in parts:
+            part.eval()
+        with torch.no_grad():
+            for step in function if isinstance(function, (list, tuple)) else [function]:
+                found = tensor_of(step(found))
+    finally:
+        for inner, was in training:
+            inner.training = was
+    numbers: np.ndarray = found.detach().cpu().double().numpy()
+    return numbers
+
+
+def tensor_of(given: Any) -> Any:
+    """Return the tensor in what a module gave; ValueError if it is none of a kind that is known."""
+    import torch
+
+    if isinstance(given, (list, tuple)) and given:
+        given = given[0]
+    if not isinstance(given, torch.Tensor):
+        given = getattr(given, "mean", given)  # of a distribution
+    if not isinstance(given, torch.Tensor):
+        raise ValueError(f"the module must give a tensor of outputs, got {type(given).__name__}: give outputs=")
+    return given

@@ -1,0 +1,148 @@
+"""Policies trained by any library on torch, written as policy files of ours: `save_policy`.
+
+Whether the layers that were read off a module are what it computes is not taken on trust: both are asked about the same
+observations, and no file is written unless they agree.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from soccer_env.actions import DISCRETE_TABLE
+from soccer_env.agents.normalising import table_of
+from soccer_env.agents.perceptron import act, given, pack, widest
+from soccer_env.agents.policy import ACTIONS, Policy, trained_in
+from soccer_env.agents.policy_file import dump
+from soccer_env.agents.torch_layers import Network, applied, network_of
+from soccer_env.checking import one_of
+from soccer_env.leagues import League, find_league
+from soccer_env.leagues.rules import rule_set
+from soccer_env.match_settings import version
+from soccer_env.observations import OBSERVE, names_of
+from soccer_env.whole_files import write_whole
+
+ENDING = ".safetensors"
+PROBES = 256  # observations for which both are compared
+TOLERANCE = 1e-4  # of an output, relative to the largest one; float32 sums in another order differ by about 1e-6
+CLOSE = 1e-3  # two values of discrete actions, relative to the largest one: either of them may be chosen
+
+
+def save_policy(
+    module: Any, path: str | os.PathLike[str], *, league: str | League, observe: str, action_repeat: int = 1,
+    rules: str = "league", squash: bool = False, normalise: Any = None, activation: str | None = None,
+    outputs: Callable[[Any], Any] | None = None, at_once: bool = True, name: str | None = None,
+) -> Policy:  # fmt: skip
+    """Write the actor of a learner as a policy file, and return what it holds; ValueError, and no file, if it cannot.
+
+    module: a torch module, or several that follow each other: Linear layers with Tanh or ReLU between. 4 or 7 outputs
+    are the mean of the actions, twice as many are that and a deviation, which is left out, 12 are values of the
+    discrete actions. league, observe, action_repeat, rules: those of the training. squash: actions are the tanh of the
+    outputs, as in SAC; a Tanh at the end says so as well. normalise: what normalised the observations, such as
+    VecNormalize, see `normalising.table_of`. activation: "tanh" or "relu" where `forward` applies it and no module
+    does. outputs: a function of observations (B, n) that gives the outputs to compare with, else the module itself.
+    at_once: episodes began with a decision, as by the APIs; False: as by `SoccerVecEnv`. name: else the file's.
+    """
+    if Path(path).suffix != ENDING:
+        raise ValueError(f"a policy file must end in {ENDING}, got {os.fspath(path)!r}")
+    preset = find_league(league)
+    preset = replace(preset, rules=rule_set(preset.rules, rules))
+    inputs = tuple(names_of(preset, one_of("observe", observe, OBSERVE)))
+    network = network_of(module, activation)
+    if network.weights[0].shape[1] != len(inputs):
+        taken = network.weights[0].shape[1]
+        raise ValueError(f"the module takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}")
+    policy = Policy(
+        name=Path(path).stem if name is None else name, **trained_in(preset), observe=observe, inputs=inputs,
+        actions=kind_of(network), action_repeat=action_repeat, kind="slots", activation=network.activation,
+        mirror=False, weights=network.weights, biases=network.biases, made=made_of(module),
+        squash=squash or network.squash, at_once=at_once, normalise=table_of(normalise),
+    )  # fmt: skip
+    compare(policy, network.squash, lambda rows: applied(module if outputs is None else outputs, rows, module))
+    write_whole(Path(path), dump(policy))
+    return policy
+
+
+def kind_of(network: Network) -> str:
+    """Return the kind of actions of a network; ValueError says how many outputs there may be."""
+    size = len(network.biases[-1])
+    for kind, numbers in ACTIONS.items():
+        if size == numbers:
+            return kind
+    raise ValueError(f"the module must have {', '.join(map(str, ACTIONS.values()))} outputs, or 8 or 14, got {size}")
+
+
+def made_of(module: Any) -> dict[str, str]:
+    """Return where a policy comes from, as its file says it."""
+    import torch
+
+    return {"from": f"torch {type(module).__name__}"[:64], "torch": torch.__version__, "soccer_env": version()}
+
+
+def compare(policy: Policy, squashed: bool, ask: Callable[[np.ndarray], np.ndarray]) -> None:
+    """Raise ValueError unless the policy, as it will play, does what a module says (`ask`: (B, n) -> outputs).
+
+    squashed: the module's outputs have passed through tanh.
+    """
+    rng, inputs = np.random.default_rng(0), len(policy.inputs)
+    rows = rng.uniform(-1.0, 1.0, (PROBES, inputs)).astype(np.float32)
+    rows[: PROBES // 4] = rng.integers(-1, 2, (PROBES // 4, inputs))  # many entries are flags and zeros
+    theirs, ours = ask(normalised(policy, rows)), outputs_of(policy, rows)
+    if theirs.ndim != 2 or len(theirs) != PROBES or theirs.shape[1] not in (ours.shape[1], 2 * ours.shape[1]):
+        raise ValueError(f"the module must give outputs {ours.shape}, got {theirs.shape}: give outputs=, a function")
+    theirs = theirs[:, : ours.shape[1]]
+    largest = max(1.0, float(np.abs(ours).max()))
+    check_close("outputs", np.tanh(ours) if squashed else ours, theirs, TOLERANCE * largest)
+    if policy.actions == "discrete":
+        chosen = np.sort(theirs, axis=1)
+        clear = chosen[:, -1] - chosen[:, -2] > CLOSE * largest
+        check_close("actions", played(policy, rows)[clear], DISCRETE_TABLE[theirs.argmax(axis=1)][clear], 0.0)
+        return
+    means = np.tanh(theirs) if policy.squash and not squashed else np.clip(theirs, -1.0, 1.0)
+    check_close("actions", played(policy, rows), means, TOLERANCE * largest)
+
+
+def normalised(policy: Policy, rows: np.ndarray) -> np.ndarray:
+    """Return observations (B, n) as a policy's network takes them in, float32."""
+    table = policy.normalise
+    if not table:
+        return rows
+    scaled = (rows.astype(np.float64) - table["mean"]) / table["deviation"]
+    return np.clip(scaled, -table["limit"], table["limit"]).astype(np.float32)
+
+
+def outputs_of(policy: Policy, rows: np.ndarray) -> np.ndarray:
+    """Return the outputs of a policy's network for observations (B, n), before they are clipped, squashed or chosen."""
+    values = normalised(policy, rows).astype(np.float64)
+    last = len(policy.weights) - 1
+    for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases, strict=True)):
+        values = values @ weight.T.astype(np.float64) + bias
+        if number < last:
+            values = np.tanh(values) if policy.activation == "tanh" else np.maximum(values, 0.0)
+    return values
+
+
+def played(policy: Policy, rows: np.ndarray) -> np.ndarray:
+    """Return the actions (B, 4 or 7) that a policy plays for observations (B, n), by the code that plays it."""
+    numbers = pack(policy)
+    actions = np.zeros((len(rows), given(numbers)))
+    scratch = np.zeros((3, widest(numbers)))
+    for row, action in zip(rows, actions, strict=True):
+        act(numbers, row, action, scratch)
+    return actions
+
+
+def check_close(what: str, ours: np.ndarray, theirs: np.ndarray, tolerance: float) -> None:
+    """Raise ValueError for numbers that are farther apart."""
+    apart = np.abs(ours - theirs)
+    if not (apart <= tolerance).all():  # NaN as well
+        at = tuple(int(i) for i in np.unravel_index(int(np.argmax(np.nan_to_num(apart, nan=np.inf))), apart.shape))
+        raise ValueError(
+            f"the module computes something else than its layers in their order: {what} {ours[at]:.6g} and "
+            f"{theirs[at]:.6g} for one observation; give activation= or outputs=, or let it play by team_of_function"
+        )
