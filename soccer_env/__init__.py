@@ -18,7 +18,7 @@ What a match is made of:
     match_settings.py    the settings of a match, each declared once
     settings.py          the settings of a match, every name resolved
     leagues/             the leagues, every number with unit and source
-    teams.py             what a team is, and the teams by name
+    teams/               what a team is, and the teams by name
     function_teams/      functions of observations as teams: policies of any library
     team_kernels.py      the kernel of a team, made from what one player does
     actions.py           what learners may do
@@ -77,14 +77,17 @@ if TYPE_CHECKING:
     from soccer_env.match import Match
     from soccer_env.rewards import OwnTerm, Rewards
     from soccer_env.scenes import Scene
-    from soccer_env.teams import Team, make_team
+    from soccer_env.teams import Lineup, Team, make_team
 
 __version__ = "0.1.0"
-__all__ = ["League", "Match", "OwnTerm", "Rewards", "Scene", "Team", "make_team", "soccer_v0", "team_of_function"]
+__all__ = [
+    "League", "Lineup", "Match", "OwnTerm", "Rewards", "Scene", "Team", "make_team", "soccer_v0", "team_of_function",
+]  # fmt: skip
 __getattr__, __dir__ = lazy_names(  # resolved at first use, so that importing the package stays quick
     __name__,
     {
         "League": "soccer_env.leagues",
+        "Lineup": "soccer_env.teams",
         "Match": "soccer_env.match",
         "OwnTerm": "soccer_env.rewards",
         "Rewards": "soccer_env.rewards",

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
 from importlib import import_module
+from os import getcwd
 from typing import Any, NamedTuple
 
+MODULE_PATH = re.compile(r"([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*):([A-Za-z_]\w*)")  # MODULE:NAME, of a user's own
 Made = tuple[Callable[..., Any], tuple[Any, ...]]  # what __reduce__ returns
 
 
@@ -43,6 +46,38 @@ def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", wh
     question = f", did you mean {near[0]!r}? " if near else "; "
     place = f" in {where}" if where else ""
     return f"unknown {what} {name!r}{place}{question}known: {', '.join(names)}{', or ' + more if more else ''}"
+
+
+def of_module(what: str, text: object, kind: type, near: str = "") -> Any:
+    """Return what MODULE:NAME names if that is of a kind; None for what is not written so; ValueError for another.
+
+    The module is imported, and so runs: from where Python looks for modules, or else from the working folder.
+
+    >>> of_module("league", "legged-2001", type)
+    """
+    parts = MODULE_PATH.fullmatch(text) if isinstance(text, str) else None
+    if parts is None:
+        return None
+    module, name = parts.groups()
+    places = vars(user_module(what, module))
+    if name not in places:
+        known = [key for key, value in places.items() if isinstance(value, kind)]
+        raise ValueError(unknown(what, name, known, where=f"module {module!r}"))
+    if not isinstance(places[name], kind):
+        raise ValueError(f"{what} {text!r} must be {near or f'a {kind.__name__}'}, got {places[name]!r}")
+    return places[name]
+
+
+def user_module(what: str, module: str) -> Any:
+    """Return a module of a user's own; ValueError says why it cannot be imported, or that it is one of Python's."""
+    if module.partition(".")[0] in sys.stdlib_module_names:
+        raise ValueError(f"{what} must stand in a module of your own, {module!r} is one of Python's")
+    if getcwd() not in sys.path and "" not in sys.path:
+        sys.path.append(getcwd())  # the command `soccer` is not run from there as `python -m` is
+    try:
+        return import_module(module)
+    except ImportError as error:
+        raise ValueError(f"{what}: module {module!r} cannot be imported: {error}") from error
 
 
 def by_names(made: Any, values: dict[str, Any]) -> Made:

@@ -15,48 +15,13 @@ from soccer_env.function_teams import FunctionTeam
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
 from soccer_env.observations import names_of
-from soccer_env.random_numbers import start_streams, uniform
 from soccer_env.settings import Settings
-from soccer_env.teams import CompiledTeam, ObservingTeam, Team, TeamRandom, View, make_team
-from soccer_env.types import AWAY, COMMAND, HOME, NOISE_STREAMS
+from soccer_env.teams import CompiledTeam, Lineup, ObservingTeam, Team, TeamRandom, View, make_team
+from soccer_env.types import AWAY, COMMAND, HOME
 
 LONG = 4096  # characters of a team's settings in a save; longer ones are hashed
-# Owner of the stream that home's lineup draws from; away's is the next; robots are 1 + 2 number + team.
-CHOOSER = 1 << 20
 WriteObservations = Callable[[np.ndarray, str, np.ndarray, int, int], None]  # into (M, R, n), of what, rows, slice
 NEEDED_SENSES = {"truth": "ideal", "percepts": "sensors"}  # by what a team observes
-
-
-@dataclass(frozen=True)
-class Lineup:
-    """Several compiled teams, one of which plays each episode of a match; give it where a team is asked for.
-
-    Which one follows from the match's seed, the number of the episode, the side and `weights` (teams,), the relative
-    frequencies, which may be changed between steps.
-    """
-
-    teams: tuple[CompiledTeam, ...]
-    weights: np.ndarray
-    names: tuple[str, ...]  # of the teams, each different
-
-    def __post_init__(self) -> None:
-        if not self.teams or not all(isinstance(team, CompiledTeam) for team in self.teams):
-            raise ValueError("a Lineup needs at least one team, and compiled ones only")
-        if len(set(self.names)) != len(self.teams) or len(self.names) != len(self.teams):
-            raise ValueError(f"names of a Lineup must be {len(self.teams)} different ones, got {self.names}")
-        weights = np.asarray(self.weights)
-        numbers = weights.dtype.kind in "fiu" and weights.shape == (len(self.teams),)
-        if not numbers or not (weights >= 0.0).all() or not 0.0 < weights.sum() < np.inf:
-            raise ValueError(f"weights of a Lineup must be {len(self.teams)} numbers from 0, not all 0, got {weights}")
-
-    def choose(self, seed: int, episode: int, side: int = AWAY) -> int:
-        """Return the index of the team that plays an episode on a side, HOME or AWAY."""
-        noise = np.zeros(NOISE_STREAMS, np.uint64)
-        with np.errstate(over="ignore"):
-            start_streams(noise, np.uint64(seed), episode, CHOOSER + side)
-            drawn = uniform(noise, 0)
-        edges = np.cumsum(self.weights)
-        return int(min(np.searchsorted(edges, drawn * edges[-1], side="right"), np.flatnonzero(self.weights)[-1]))
 
 
 class TeamArrays(NamedTuple):
@@ -235,19 +200,39 @@ def run_compiled(squad: Squad, arrays: TeamArrays, write: WriteObservations, fir
 
 
 def run_python(squad: Squad, league: League, beliefs: np.ndarray, tracks: np.ndarray, robots: np.ndarray) -> None:
-    """Let a Python team decide in all matches; ValueError, and nothing changed, if it returns nonsense."""
-    view = View(league, beliefs[:, squad.players], tracks[:, squad.players])
-    memory, states = squad.memory.copy(), robots["noise"].copy()
-    commands = np.asarray(squad.team.act(view, memory, TeamRandom(states, squad.players)), np.float64)
-    shape = view.beliefs.shape
-    if commands.shape not in ((*shape, 4), (*shape, 7)):
-        raise ValueError(f"team {squad.team.name!r} returned commands of shape {commands.shape}, not {shape} x 4 or 7")
-    if not np.isfinite(commands).all():
-        raise ValueError(f"team {squad.team.name!r} returned a command that is not finite")
-    if memory.shape != squad.memory.shape:
-        raise ValueError(f"team {squad.team.name!r} gave its memory the shape {memory.shape}, not {squad.memory.shape}")
-    squad.memory[...], robots["noise"][...] = memory, states
-    commands = np.clip(commands, -1.0, 1.0)
+    """Let a Python team decide where it plays; ValueError, and nothing changed, if it returns nonsense."""
+    matches = np.arange(len(robots)) if squad.plays is None else np.flatnonzero(squad.plays)
+    if not len(matches):
+        return
+    at, players = np.ix_(matches, squad.players), squad.players
+    view = View(league, beliefs[at], tracks[at])
+    memory, states = squad.memory[matches], robots["noise"][matches]
+    commands = checked_commands(
+        squad.team.name, squad.team.act(view, memory, TeamRandom(states, players)), view.beliefs.shape
+    )
+    if memory.shape != squad.memory[matches].shape:
+        raise ValueError(f"team {squad.team.name!r} gave its memory the shape {memory.shape}, not {view.beliefs.shape}")
+    squad.memory[matches], robots["noise"][matches] = memory, states
     for index, name in enumerate(COMMAND.names or ()):
         column = commands[..., index] if index < commands.shape[-1] else (-1.0 if name == "head" else 0.0)
-        robots["command"][name][:, squad.players] = column
+        robots["command"][name][at] = column
+
+
+def checked_commands(name: str, returned: Any, shape: tuple[int, ...]) -> np.ndarray:
+    """Return what a Python team commands (M, P, 4 or 7), clipped; ValueError for nonsense."""
+    commands = np.asarray(returned, np.float64)
+    if commands.shape not in ((*shape, 4), (*shape, 7)):
+        raise ValueError(f"team {name!r} returned commands of shape {commands.shape}, not {shape} x 4 or 7")
+    if not np.isfinite(commands).all():
+        raise ValueError(f"team {name!r} returned a command that is not finite")
+    return np.clip(commands, -1.0, 1.0)
+
+
+def who_plays(squads: list[Squad], row: int, matches: int) -> list[str]:
+    """Return what the team is called that plays a robot (row) now, for each match; "" for a learner."""
+    names = [""] * matches
+    for squad in squads:
+        if row in squad.players:
+            for m in range(matches) if squad.plays is None else np.flatnonzero(squad.plays):
+                names[m] = squad.name
+    return names

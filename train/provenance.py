@@ -8,6 +8,7 @@ import importlib.metadata
 import json
 import subprocess
 import sys
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -15,11 +16,19 @@ import numpy as np
 from soccer_env.compiled_sources import ROOT, file_of, sources
 from soccer_env.leagues import LEAGUES
 from soccer_env.leagues.league import League
+from soccer_env.names import MODULE_PATH
 from soccer_env.teams import CompiledTeam, Team, make_team
 
 LIBRARIES = ("soccer_env", "pymunk", "numba", "numpy")
 DIGITS = 12  # of a hash, in hexadecimal
 UNKNOWN = "unknown"  # in place of the hash of a team whose state cannot be hashed
+
+
+def of_modules(names: Iterable[str]) -> dict[str, str]:
+    """Return a hash of the code behind those of some names that are MODULE:NAME, by module."""
+    found = {MODULE_PATH.fullmatch(name.partition("@")[0]) for name in names}
+    modules = {path[1] for path in found if path is not None and path[1] in sys.modules}
+    return {module: module_hash(module) for module in sorted(modules)}
 
 
 def made_with(league: League, home: str | Team, away: str | Team) -> dict[str, str]:

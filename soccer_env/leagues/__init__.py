@@ -23,6 +23,7 @@ from soccer_env.leagues.league import BallModel, League, Pitch, Slots, Substeps
 from soccer_env.leagues.materials import Materials, Pair
 from soccer_env.leagues.robot import Block, Body, Drive, Head, Kicker
 from soccer_env.leagues.rules import Rules
+from soccer_env.names import of_module
 
 LEAGUES: dict[str, League] = {
     league.name: league
@@ -41,7 +42,8 @@ RETIRED = {"legged-2001-legs": "legged-2001 has legs now, legged-2001-smooth the
 
 
 def find_league(league: str | League) -> League:
-    """Return the league of that name, or the league itself; ValueError says which names exist."""
+    """Return the league of a name or of MODULE:NAME, or the league itself; ValueError says which names exist."""
+    league = of_module("league", league, League) or league
     if isinstance(league, League):
         return league
     if isinstance(league, str) and league in RETIRED:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.checking import SHARE, check_names, number, one_of, refuse
+from soccer_env.names import of_module
 from soccer_env.rewards.terms import approach, cover, crowding, effort, foul, guard, progress, score, shot, strength
 
 KINDS = ("potential", "event", "cost")
@@ -127,8 +128,9 @@ PRESETS = {
 
 
 def find_rewards(rewards: str | Rewards) -> Rewards:
-    """Return the reward preset of that name, or the object itself; ValueError says which names exist."""
+    """Return the rewards of a preset's name or of MODULE:NAME, or the object itself; ValueError says which exist."""
+    rewards = of_module("rewards", rewards, Rewards) or rewards
     if isinstance(rewards, Rewards):
         return rewards
-    check_names("rewards", [rewards], PRESETS, more="a Rewards object")
+    check_names("rewards", [rewards], PRESETS, more="MODULE:NAME, or a Rewards object")
     return PRESETS[rewards]

@@ -16,6 +16,7 @@ that need them.
 from __future__ import annotations
 
 from soccer_env.checking import check_names
+from soccer_env.names import MODULE_PATH, of_module
 from soccer_env.scenes.drills import DRILLS
 from soccer_env.scenes.drills_alone import DRILLS_ALONE
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED
@@ -30,11 +31,12 @@ SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_
 
 
 def find_scene(scene: str | Scene) -> Scene:
-    """Return the scene of that name, or the object itself; ValueError says which names exist."""
-    if isinstance(scene, Scene):
-        return scene
-    check_names("scene", [scene], SCENES)
-    return SCENES[scene]
+    """Return the scene of a name or of MODULE:NAME, or the object itself; ValueError says which names exist."""
+    found = of_module("scene", scene, Scene) or scene
+    if isinstance(found, Scene):
+        return found
+    check_names("scene", [found], SCENES)
+    return SCENES[found]
 
 
 def is_own(scene: Scene) -> bool:
@@ -44,20 +46,27 @@ def is_own(scene: Scene) -> bool:
 
 
 def mixture(text: str) -> Scene:
-    """Return the scenes of "kick-off:0.6,scattered:0.4" as one; a scene without a share has 1."""
-    parts = [part.strip().partition(":") for part in text.split(",")]
-    check_names("scene", [name for name, _, _ in parts], SCENES)
-    if len({name for name, _, _ in parts}) < len(parts):
+    """Return the scenes of "kick-off:0.6,scattered:0.4" as one, MODULE:NAME among them; one without a share has 1."""
+    parts = [share_of(part.strip()) for part in text.split(",")]
+    scenes = tuple(find_scene(name) for name, _ in parts)
+    if len({name for name, _ in parts}) < len(parts):
         raise ValueError(f"scenes must be different, got {text!r}")
     try:
-        shares = tuple(float(share) if colon else 1.0 for _, colon, share in parts)
+        shares = tuple(float(share) for _, share in parts)
     except ValueError:
         raise ValueError(f"scenes must be written as NAME:share,NAME:share, got {text!r}") from None
-    scenes = tuple(SCENES[name] for name, _, _ in parts)
     return scenes[0] if len(scenes) == 1 else Mixture(text, "one of several scenes", parts=scenes, shares=shares)
+
+
+def share_of(part: str) -> tuple[str, str]:
+    """Split NAME:share, NAME or MODULE:NAME:share into the scene's name and its share."""
+    if MODULE_PATH.fullmatch(part) and part.partition(":")[0] not in SCENES:
+        return part, "1"
+    name, colon, share = part.rpartition(":")
+    return (name, share) if colon else (share, "1")
 
 
 __all__ = [
     "SCENES", "SUCCESS", "Draw", "Mixture", "Place", "Scene", "find_scene", "is_own", "judge_drill", "mixture", "put",
-    "send_away",
+    "send_away", "share_of",
 ]  # fmt: skip

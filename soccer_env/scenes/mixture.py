@@ -12,7 +12,7 @@ from soccer_env.random_numbers import start_streams, uniform
 from soccer_env.scenes.scene import Scene
 from soccer_env.types import NOISE_STREAMS
 
-CHOOSER = (1 << 20) + 2  # owner of the stream that it draws from; those before are `squads.CHOOSER`'s
+CHOOSER = (1 << 20) + 2  # owner of the stream that it draws from; those before are `teams.lineup.CHOOSER`'s
 
 
 @dataclass(frozen=True)

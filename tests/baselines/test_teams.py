@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import Match, make_team, teams
+from soccer_env import Match, make_team
 from soccer_env.leagues import LEAGUES as ALL_LEAGUES
-from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, registered
+from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, registered, registry
 from soccer_env.types import COMMAND
 from tests.scenes.staging import LEAGUES, scatter, set_phase
 from tests.scenes.symmetry import mirror, turn
@@ -156,7 +156,7 @@ def shipped(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let a package be installed that ships teams: lions, and some that are none."""
     names = {"lions": "lions", "nobody": "nobody", "nothing": "nothing"}
     points = [EntryPoint(name, f"{__name__}:{place}", ENTRY_POINTS) for name, place in names.items()]
-    monkeypatch.setattr(teams, "entry_points", lambda group: points if group == ENTRY_POINTS else [])
+    monkeypatch.setattr(registry, "entry_points", lambda group: points if group == ENTRY_POINTS else [])
 
 
 @pytest.mark.usefixtures("shipped")
@@ -186,7 +186,7 @@ def test_an_entry_point_that_is_no_factory_of_a_team_is_refused(name: str, messa
 
 def test_a_team_object_is_no_factory() -> None:
     with pytest.raises(ValueError, match="team 'x' must be a function that takes strength=, a:b is 'text'"):
-        teams.check_factory("x", "a:b", "text")
+        registry.check_factory("x", "a:b", "text")
 
 
 def test_a_team_for_other_leagues_is_refused() -> None:

@@ -1,18 +1,31 @@
 """Lineups: which team plays an episode follows from seed, episode and side, and it plays as if it had come alone."""
 
+import pickle
 from typing import Any
 
 import numpy as np
 import pytest
 
-from soccer_env import Match
+from soccer_env import Lineup, Match, team_of_function
 from soccer_env.agents.learned import team_of
-from soccer_env.squads import Lineup
 from soccer_env.teams import make_team
 from soccer_env.types import AWAY, HOME
 from tests.agents.staged_policies import lively
 
 NAMES = ("still", "random@0.5", "chaser")
+
+
+class Slow:
+    """A team without a kernel."""
+
+    name, memory_dtype = "slow", np.dtype([("steps", "i8")])
+
+    def act(self, view: Any, memory: np.ndarray, rng: Any) -> np.ndarray:
+        memory["steps"] += 1
+        commands = view.stand()
+        commands[..., 0] = rng.uniform(0.2, 0.5)
+        commands[..., 2] = np.where(memory["steps"] > 3, view.ball["bearing"], 0.0)
+        return commands
 
 
 def lineup(*weights: float, names: tuple[str, ...] = NAMES) -> Lineup:
@@ -173,23 +186,71 @@ def test_a_save_of_another_lineup_is_refused() -> None:
             pitch(other).load(saved)
 
 
+def test_names_and_objects_are_teams_with_even_weights() -> None:
+    chooser = Lineup(["chaser@0.2", "still", Slow()])
+    assert chooser.names == ("chaser@0.2", "still", "slow")
+    assert chooser.weights.tolist() == [1.0, 1.0, 1.0]
+    assert repr(Lineup(["still", "chaser"], weights=[1, 3])) == "Lineup({'still': 1, 'chaser': 3})"
+
+
+@pytest.mark.parametrize("senses", ["ideal", "sensors"])
+def test_teams_in_python_and_functions_play_their_matches_alone(senses: str) -> None:
+    seen: list[int] = []
+
+    def lively(observations: np.ndarray, memory: np.ndarray) -> np.ndarray:
+        seen.append(len(observations))
+        memory += 1.0
+        return np.tanh(observations[..., :4] + 0.1 * memory)
+
+    members: dict[str, Any] = {
+        "chaser": make_team("chaser"), "slow": Slow(),
+        "lively": team_of_function(lively, action_repeat=3, memory=("f4", (1,))),
+    }  # fmt: skip
+    match = pitch(Lineup(list(members.values())), matches=12, senses=senses, max_cycles=60)
+    playing = who_plays(match)
+    assert set(playing) == set(members)
+    alone = {name: pitch(team, matches=12, senses=senses, max_cycles=60) for name, team in members.items()}
+    for _ in range(59):
+        seen.clear()
+        match.step()
+        assert seen in ([], [playing.count("lively")])
+        for other in alone.values():
+            other.step()
+    for m, name in enumerate(playing):
+        for records in ("matches", "balls", "robots"):
+            assert getattr(match, records)[m].tobytes() == getattr(alone[name], records)[m].tobytes()
+
+
+def test_a_copy_of_a_match_with_a_lineup_goes_on_alike() -> None:
+    match = pitch(learned_too(), matches=4)
+    for _ in range(5):
+        match.step()
+    other = pickle.loads(pickle.dumps(match))
+    for _ in range(20):
+        match.step()
+        other.step()
+    assert other.state_hash() == match.state_hash()
+
+
+def test_weights_that_were_spoilt_are_named_when_the_next_episode_begins() -> None:
+    chooser = lineup()
+    match = pitch(chooser)
+    chooser.weights[:] = np.nan
+    with pytest.raises(ValueError, match="weights of a Lineup must be 3 numbers from 0, not all 0, got"):
+        match.reset()
+
+
 # What is refused
-
-
-class Slow:
-    """A team without a kernel."""
-
-    name, memory_dtype = "slow", np.dtype([("unused", "i8")])
-
-    def act(self, view: Any, memory: np.ndarray, rng: Any) -> np.ndarray:
-        return view.stand()
 
 
 CHASER: Any = make_team("chaser")
 BAD: list[tuple[tuple[Any, ...], str]] = [
-    (((), np.ones(0), ()), "a Lineup needs at least one team, and compiled ones only"),
-    (((Slow(),), np.ones(1), ("a",)), "a Lineup needs at least one team, and compiled ones only"),
-    ((("chaser",), np.ones(1), ("a",)), "a Lineup needs at least one team, and compiled ones only"),
+    (((), np.ones(0), ()), "a Lineup needs a list of one team at least, got ()"),
+    (("chaser",), "a Lineup needs a list of one team at least, got 'chaser'"),
+    ((["chasr"],), "unknown team 'chasr', did you mean 'chaser'?"),
+    ((["chaser", "chaser"],), "names of a Lineup must be 2 different ones, got ('chaser', 'chaser')"),
+    (([lineup()],), "a Lineup is made of teams, not of lineups"),
+    (([3],), "a team needs name, memory_dtype and act, got 3"),
     (((CHASER, CHASER), np.ones(2), ("a", "a")), "names of a Lineup must be 2 different ones, got ('a', 'a')"),
     (((CHASER, CHASER), np.ones(2), ("a",)), "names of a Lineup must be 2 different ones, got ('a',)"),
     (((CHASER, CHASER), np.ones(3), ("a", "b")), "weights of a Lineup must be 2 numbers from 0, not all 0"),

@@ -17,7 +17,7 @@ from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
 from soccer_env.scenes import find_scene
-from soccer_env.teams import CompiledTeam, ObservingTeam, Team, make_team, registered
+from soccer_env.teams import CompiledTeam, ObservingTeam, Team, in_module, make_team, registered
 from soccer_env.train.evaluate.results import MatchLine
 from soccer_env.train.evaluate.settings import Conditions
 from soccer_env.train.evaluate.statistics import line_of_statistics
@@ -79,7 +79,8 @@ def find_team(name: str, teams: Mapping[str, Team]) -> str | Team:
         made = make_team(name)
     except ModuleNotFoundError as error:
         raise ValueError(f"team {name!r} cannot be loaded ({error}); known: {', '.join(registered())}") from error
-    return made if isinstance(made, ObservingTeam) else name  # a policy is read once: its file may change meanwhile
+    own = isinstance(made, ObservingTeam) or in_module(name)
+    return made if own else name  # a policy is read once: its file may change meanwhile
 
 
 def play_matches(

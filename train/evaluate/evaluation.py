@@ -21,7 +21,7 @@ from soccer_env.train.evaluate.report import markdown
 from soccer_env.train.evaluate.results import EVALUATION, MATCHES, EvaluationResult, MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
 from soccer_env.train.progress import Progress
-from soccer_env.train.provenance import check_told_apart, made_now, made_with
+from soccer_env.train.provenance import check_told_apart, made_now, made_with, of_modules
 from soccer_env.train.results_folder import ResultsFolder
 
 
@@ -36,7 +36,7 @@ def evaluate(
     """
     league = league or find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, teams or {})
-    made = made_with(league, contest.first, contest.second)
+    made = {**made_with(league, contest.first, contest.second), **of_modules([settings.league, settings.scene])}
     contest.start("home", [0])  # whatever cannot be played is found before a folder is made
     if settings.out is not None:
         check_told_apart(made)

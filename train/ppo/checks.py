@@ -19,7 +19,6 @@ from soccer_env.agents.policy_file import load
 from soccer_env.checking import brief
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
-from soccer_env.rewards import NAMES, Rewards
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
 from soccer_env.train.ppo.match_blocks import shared_out
@@ -138,11 +137,10 @@ def make_curriculum(settings: TrainSettings) -> Curriculum:
 
 def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEnv:
     """Return the environment of a run."""
-    weights = Rewards(**{name: getattr(settings, name) for name in NAMES})
     return SoccerVecEnv(
         settings.played, scene=settings.scene, players=settings.sizes, matches=settings.matches,
         ideal_share=settings.ideal_share,
-        opponents=curriculum.lineup, action_repeat=settings.action_repeat, rewards=weights, gamma=settings.gamma,
+        opponents=curriculum.lineup, action_repeat=settings.action_repeat, rewards=settings.paid, gamma=settings.gamma,
         state=settings.central_critic, stagger=True, seed=settings.seed + TRAINING_SEED, threads=settings.threads,
         observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, minutes=settings.minutes,
     )  # fmt: skip

@@ -16,8 +16,7 @@ from openskill.models import PlackettLuce
 from soccer_env.agents.learned import team_of
 from soccer_env.agents.perceptron import pack
 from soccer_env.agents.policy import Policy
-from soccer_env.squads import Lineup
-from soccer_env.teams import CompiledTeam, make_team
+from soccer_env.teams import CompiledTeam, Lineup, make_team
 
 MEMORY = 0.95  # what a result leaves of the share of points before it
 FLOOR = 0.1  # weight of an opponent against which the learner always or never wins, of that of an even one

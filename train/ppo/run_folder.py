@@ -15,6 +15,7 @@ from typing import Any
 from soccer_env.train.files import read_lines
 from soccer_env.train.ppo.checkpoints import LATEST, NAMES
 from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.provenance import of_modules
 from soccer_env.train.results_folder import SETTINGS, Kind, ResultsFolder
 from soccer_env.whole_files import write_whole
 
@@ -40,8 +41,9 @@ class RunFolder(ResultsFolder):
         conditions, every = settings.decisive(), settings.as_dict()
         free = {name: every[name] for name in every if name not in conditions and name != "anew"}
         defaults = TrainSettings().decisive()  # a setting that came after the run began was at its default
-        super().__init__(settings.out, TRAINING, conditions, {}, free, settings.anew, defaults)
-        whole = {"conditions": conditions, "made_with": {}, "about": free}
+        made = of_modules(settings.named)
+        super().__init__(settings.out, TRAINING, conditions, made, free, settings.anew, defaults)
+        whole = {"conditions": conditions, "made_with": made, "about": free}
         self.write(SETTINGS, json.dumps(whole, indent=2) + "\n")  # what may differ is said as it was asked for last
 
     def check_new(self) -> None:

@@ -15,8 +15,8 @@ from soccer_env.checking import ABOVE_ZERO, FROM_ZERO, Range
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import rule_set
-from soccer_env.rewards import NAMES, PRESETS, TERMS
-from soccer_env.scenes import Scene, mixture
+from soccer_env.rewards import NAMES, PRESETS, TERMS, Rewards, find_rewards
+from soccer_env.scenes import Scene, mixture, share_of
 from soccer_env.train.written_settings import (
     CommandSettings,
     command_with,
@@ -53,7 +53,7 @@ class PlainSettings:
     """The settings of a training run but for the weights of its rewards."""
 
     league: str = "legged-2001"
-    """League to play in; `soccer list leagues` names them."""
+    """League to play in: a name of `soccer list leagues`, or MODULE:NAME of your own."""
     rules: str = "league"
     """Rules to play by: league, simple, none, or a set changed by name: league:pushing=False."""
     name: str = "policy"
@@ -62,6 +62,8 @@ class PlainSettings:
     """Folder of the run: checkpoints, best.safetensors, last.safetensors, logs, learning curve."""
     steps: int = 2_000_000
     """Decisions of learning robots to train for; a finished run goes on if this is raised; 0: by its teacher alone."""
+    rewards: str = ""
+    """MODULE:NAME of `Rewards` of your own instead of the weights below; "" for those."""
     players: str = "3v3"
     """Players a side; several, mixed in one run, with commas between them: 1v1,2v2,3v3."""
     matches: int = 128
@@ -69,9 +71,9 @@ class PlainSettings:
     minutes: float = 2.0
     """Minutes of play in a training episode, both halves together."""
     scenes: str = "kick-off"
-    """How episodes begin; several with their shares: kick-off:0.6,scattered:0.4. Play goes on from a drill's start."""
+    """How episodes begin; several with shares: kick-off:0.6,my_module:SCENE:0.4. Play goes on from a drill's start."""
     opponents: str = "still,chaser@0.5,chaser"
-    """Teams that play away, with commas between them: names of `soccer list teams`, or policy files."""
+    """Teams that play away, with commas between them: names of `soccer list teams`, policy files, or MODULE:NAME."""
     past: int = 0
     """How many past selves are among the opponents, the oldest giving way to the newest."""
     past_every: int = 40
@@ -216,7 +218,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
                 "observe='truth' needs senses='ideal', as the policy will when it plays: give --senses ideal"
             )
         self.sizes, self.hidden_sizes, self.critic_sizes, self.opponent_names, self.judges  # noqa: B018  # check texts
-        mixture(self.scenes)
+        self.scene, self.paid  # noqa: B018  # the same
 
     @property
     def sizes(self) -> tuple[tuple[int, int], ...]:
@@ -228,6 +230,18 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
         """Return the league with the rules that are played by."""
         league = find_league(self.league)
         return replace(league, rules=rule_set(league.rules, self.rules))
+
+    @property
+    def paid(self) -> Rewards:
+        """Return the rewards: a user's own, or those of the weights."""
+        own = {name: getattr(self, name) for name in NAMES}
+        return find_rewards(self.rewards) if self.rewards else Rewards(**own)
+
+    @property
+    def named(self) -> list[str]:
+        """Return what may be MODULE:NAME."""
+        scenes = [share_of(part.strip())[0] for part in self.scenes.split(",")]
+        return [self.league, self.rewards, self.teacher, *scenes, *self.opponent_names, *self.judges]
 
     @property
     def scene(self) -> Scene:

@@ -8,8 +8,7 @@ import pytest
 from soccer_env import Match, Rewards
 from soccer_env.agents.learned import first_decision
 from soccer_env.random_numbers import seeds_for
-from soccer_env.squads import Lineup
-from soccer_env.teams import make_team
+from soccer_env.teams import Lineup, make_team
 from tests.train.evaluate.staged_rows import MIXED, draw, play, rows, same
 
 pytest.importorskip("stable_baselines3")

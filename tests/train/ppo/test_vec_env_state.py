@@ -5,8 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.squads import Lineup
-from soccer_env.teams import make_team
+from soccer_env.teams import Lineup, make_team
 from tests.train.evaluate.staged_rows import MIXED, play, rows, same
 
 pytest.importorskip("stable_baselines3")

@@ -1,0 +1,63 @@
+"""A Lineup: several teams, one of which plays each episode."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from soccer_env.random_numbers import start_streams, uniform
+from soccer_env.teams.registry import make_team
+from soccer_env.teams.team import Team
+from soccer_env.types import AWAY, NOISE_STREAMS
+
+# Owner of the stream that home's lineup draws from; away's is the next; robots are 1 + 2 number + team.
+CHOOSER = 1 << 20
+
+
+class Lineup:
+    """Several teams, one of which plays each episode of a match; give it where a team is asked for.
+
+    teams: names as `make_team` takes them, or team objects. weights: relative frequencies, all alike by default;
+    `lineup.weights` (teams,) may be changed between steps, and counts from the next episode on. names: what the teams
+    are called in infos and results, each different; by default their own. Which one plays follows from the match's
+    seed, the number of the episode, the side and the weights. ValueError says what is wrong.
+
+        soccer_v0.parallel_env(opponents=Lineup(["chaser@0.2", "sacks-2001", "runs/a.safetensors"], weights=[1, 2, 3]))
+    """
+
+    def __init__(self, teams: Sequence[str | Team], weights: Any = None, names: Sequence[str] | None = None) -> None:
+        if isinstance(teams, str) or not isinstance(teams, Sequence) or not teams:
+            raise ValueError(f"a Lineup needs a list of one team at least, got {teams!r}")
+        if any(isinstance(team, Lineup) for team in teams):
+            raise ValueError("a Lineup is made of teams, not of lineups")
+        self.teams = tuple(make_team(team) for team in teams)
+        called = [given if isinstance(given, str) else made.name for given, made in zip(teams, self.teams, strict=True)]
+        self.names = tuple(called if names is None else names)
+        self.weights = np.ones(len(teams)) if weights is None else np.array(weights)
+        if len(set(self.names)) != len(teams) or len(self.names) != len(teams):
+            raise ValueError(f"names of a Lineup must be {len(teams)} different ones, got {self.names}")
+        check_weights(self.weights, len(teams))
+        self.weights = self.weights.astype(np.float64)
+
+    def __repr__(self) -> str:
+        shares = ", ".join(f"{name!r}: {weight:g}" for name, weight in zip(self.names, self.weights, strict=True))
+        return f"Lineup({{{shares}}})"
+
+    def choose(self, seed: int, episode: int, side: int = AWAY) -> int:
+        """Return the index of the team that plays an episode on a side, HOME or AWAY."""
+        noise = np.zeros(NOISE_STREAMS, np.uint64)
+        with np.errstate(over="ignore"):
+            start_streams(noise, np.uint64(seed), episode, CHOOSER + side)
+            drawn = uniform(noise, 0)
+        check_weights(self.weights, len(self.teams))
+        edges = np.cumsum(self.weights)
+        return int(min(np.searchsorted(edges, drawn * edges[-1], side="right"), np.flatnonzero(self.weights)[-1]))
+
+
+def check_weights(weights: np.ndarray, count: int) -> None:
+    """Raise ValueError unless weights are as many finite numbers, none below 0 and not all 0."""
+    numbers = weights.dtype.kind in "fiu" and weights.shape == (count,)
+    if not numbers or not (weights >= 0.0).all() or not 0.0 < weights.sum() < np.inf:
+        raise ValueError(f"weights of a Lineup must be {count} numbers from 0, not all 0, got {weights}")

@@ -1,0 +1,168 @@
+"""Teams by name: shipped ones, those of installed packages, of files and of modules of one's own.
+
+A package of one's own ships teams by name with the entry point group `soccer_env.teams`; in its pyproject.toml:
+
+    [project.entry-points."soccer_env.teams"]
+    lions = "my_package.lions:team"
+
+What an entry point names is a factory, not a team: it takes `strength` (0 to 1, what follows the @ of lions@0.5) and,
+by name, whatever settings the team has (lions:brave=True), and returns the team.
+
+    def team(strength: float = 1.0, brave: bool = False) -> Team: ...
+
+MODULE:NAME names such a factory, or a team, in a module of one's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from importlib.metadata import entry_points
+from inspect import signature
+from pathlib import Path
+from typing import Any
+
+from soccer_env.names import MODULE_PATH, of_module, unknown
+from soccer_env.teams.team import Team
+
+NAMES = {  # strings only: resolved at first use
+    "still": "soccer_env.baselines.still:team",
+    "random": "soccer_env.baselines.random:team",
+    "walker": "soccer_env.baselines.walker:team",
+    "chaser": "soccer_env.baselines.chaser:team",
+    "sacks-2001": "soccer_env.baselines.sacks_2001:team",
+    "sacks-2001-tuned": "soccer_env.baselines.sacks_2001:tuned",
+    "sacks-2001-future": "soccer_env.baselines.sacks_2001:future",
+    "heinemann-2006": "soccer_env.baselines.heinemann_2006:team",
+    "weigel-2001": "soccer_env.baselines.heinemann_2006:weigel",
+    "learned": "soccer_env.agents.learned:team",
+}
+FILES = {  # by the ending of a file that is named as a team
+    ".safetensors": "soccer_env.agents.learned:from_file",
+    ".zip": "soccer_env.agents.learned:from_zip",
+}
+ENTRY_POINTS = "soccer_env.teams"
+
+
+def registered() -> dict[str, str]:
+    """Return the names of all known teams and where they are made, those of installed packages included."""
+    found = {point.name: point.value for point in entry_points(group=ENTRY_POINTS)}
+    return {**found, **NAMES}
+
+
+def parse_team(text: str) -> tuple[str, float, dict[str, Any]]:
+    """Split NAME, NAME@STRENGTH or NAME@STRENGTH:switch=value,... into name, strength and settings.
+
+    ValueError for a strength outside 0 to 1 and for settings that are not written so.
+    """
+    if Path(text).is_file():
+        return text, 1.0, {}
+    spec, colon, switches = text.partition(":")
+    name, _, strength = spec.partition("@")
+    try:
+        number = float(strength) if "@" in spec else 1.0
+    except ValueError:
+        number = -1.0
+    if not 0.0 <= number <= 1.0:
+        raise ValueError(f"strength of team {text!r} must be a number from 0 to 1, got {strength!r}")
+    return name, number, dict(parse_switch(text, part) for part in switches.split(",")) if colon else {}
+
+
+def parse_switch(text: str, part: str) -> tuple[str, Any]:
+    """Split switch=value of a team's text; True, False and numbers become Python's own."""
+    name, equals, value = part.partition("=")
+    if not (name.isidentifier() and equals and value):
+        raise ValueError(f"settings of team {text!r} must be written as name=value,name=value, got {part!r}")
+    if value in ("True", "False"):
+        return name, value == "True"
+    for kind in (int, float):
+        try:
+            return name, kind(value)
+        except ValueError:
+            continue
+    return name, value
+
+
+def make_team(team: str | Team, strength: float | None = None, **settings: Any) -> Team:
+    """Return the team of a name (NAME, NAME@STRENGTH, NAME@STRENGTH:switch=value,...), or the team itself.
+
+    A name may be the path of a policy file, of a zip of stable-baselines3 (FILE.zip:observe=belief,action_repeat=8), or
+    MODULE:NAME: a team in a module of your own, or a function there that takes strength= and returns one. ValueError
+    says which names and settings exist.
+    """
+    if not isinstance(team, str):
+        if isinstance(team, type):
+            raise ValueError(f"a team is an object: give {team.__name__}(), not the class")
+        if not (callable(getattr(team, "act", None)) and hasattr(team, "memory_dtype")):
+            raise ValueError(f"a team needs name, memory_dtype and act, got {team!r}")
+        return team
+    if in_module(team):
+        return team_in_module(team, strength, settings)
+    name, from_name, changes = parse_team(team)
+    strength = changes.pop("strength", strength)  # NAME:strength=0.5 is NAME@0.5
+    if strength is not None:
+        from_name = parse_team(f"{name}@{strength}")[1]
+    ending, known = Path(name).suffix, registered()
+    if ending in FILES and name not in known:
+        if from_name != 1.0:
+            raise ValueError(f"a policy has no strength, got {from_name:g} for {name!r}")
+        return team_of_file(name, FILES[ending], {**changes, **settings})
+    if name not in known:
+        raise ValueError(unknown("team", name, known, more=f"a policy file ({', '.join(FILES)})"))
+    factory = found(known[name])
+    changes = {**changes, **settings}
+    check_factory(name, known[name], factory)
+    check_accepted(name, factory, changes)
+    made: Team = factory(strength=from_name, **changes)
+    return make_team(made)
+
+
+def in_module(text: str) -> bool:
+    """Tell whether a text is MODULE:NAME or MODULE:NAME@STRENGTH, and no file or known team."""
+    path = MODULE_PATH.fullmatch(text.partition("@")[0])
+    return path is not None and path[1] not in registered() and not Path(text).is_file()
+
+
+def team_in_module(text: str, strength: float | None, settings: dict[str, Any]) -> Team:
+    """Return the team that MODULE:NAME names, or what the function that it names returns for a strength."""
+    path, at, written = text.partition("@")
+    made = of_module("team", path, object)
+    if isinstance(made, type) or hasattr(made, "act"):
+        if at or strength is not None or settings:
+            raise ValueError(f"team {path!r} is no function: it takes neither strength nor settings")
+        return make_team(made)
+    if not (callable(made) and "strength" in signature(made).parameters):
+        raise ValueError(f"team {path!r} must be a team, or a function that takes strength=, got {made!r}")
+    given = parse_team(f"it@{written if at else 1.0 if strength is None else strength}")[1]
+    check_accepted(path, made, settings)
+    return make_team(made(strength=given, **settings))
+
+
+def team_of_file(path: str, where: str, settings: dict[str, Any]) -> Team:
+    """Return the team of a policy file; ValueError says what is wrong with it."""
+    factory = found(where)
+    check_accepted(path, factory, settings)
+    made: Team = factory(path, **settings)
+    return made
+
+
+def found(where: str) -> Callable[..., Any]:
+    """Return what MODULE:NAME names."""
+    module, _, attribute = where.partition(":")
+    factory: Callable[..., Any] = getattr(import_module(module), attribute)
+    return factory
+
+
+def check_factory(name: str, where: str, factory: Any) -> None:
+    """Raise ValueError unless what a named team stands for is a factory that takes a strength."""
+    accepted = signature(factory).parameters.values() if callable(factory) else ()
+    if not any(one.name == "strength" or one.kind is one.VAR_KEYWORD for one in accepted):
+        raise ValueError(f"team {name!r} must be a function that takes strength=, {where} is {factory!r}")
+
+
+def check_accepted(name: str, factory: Callable[..., Any], settings: dict[str, Any]) -> None:
+    """Raise ValueError for settings that a team's factory does not take."""
+    accepted = signature(factory).parameters
+    if not any(parameter.kind is parameter.VAR_KEYWORD for parameter in accepted.values()):
+        for unknown in settings.keys() - accepted.keys():
+            raise ValueError(f"team {name!r} has no setting {unknown!r}; it has: {', '.join(accepted)}")
