@@ -65,10 +65,11 @@ The folders baselines/, agents/ and train/ of the repository are imported as `so
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 from soccer_env.api.ids import register as _register
-from soccer_env.names import lazy_names
+from soccer_env.names import FoldersBeside, lazy_names
 
 if TYPE_CHECKING:
     from soccer_env import soccer_v0
@@ -99,4 +100,5 @@ __getattr__, __dir__ = lazy_names(  # resolved at first use, so that importing t
     },
 )
 
+sys.meta_path.append(FoldersBeside(__name__, __file__, ("baselines", "agents", "train")))  # in a checkout
 _register()

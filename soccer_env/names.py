@@ -7,7 +7,11 @@ import sys
 from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
 from importlib import import_module
+from importlib.abc import MetaPathFinder
+from importlib.machinery import ModuleSpec
+from importlib.util import spec_from_file_location
 from os import getcwd
+from pathlib import Path
 from typing import Any, NamedTuple
 
 MODULE_PATH = re.compile(r"([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*):([A-Za-z_]\w*)")  # MODULE:NAME, of a user's own
@@ -31,6 +35,25 @@ def lazy_names(package: str, modules: Mapping[str, str]) -> tuple[Callable[[str]
         return sorted({*vars(import_module(package)), *modules})
 
     return find, names
+
+
+class FoldersBeside(MetaPathFinder):
+    """Find packages that a checkout has beside the folder of the package that an installation puts them into.
+
+    An editable install does the same. Without it Python, begun in a checkout, takes the package from there even where
+    it is installed elsewhere, and would miss these.
+    """
+
+    def __init__(self, package: str, file: str, names: Iterable[str]) -> None:
+        root = Path(file).parents[1]
+        self._files = {f"{package}.{name}": root / name / "__init__.py" for name in names}
+
+    def find_spec(self, fullname: str, path: object = None, target: object = None) -> ModuleSpec | None:
+        """Return how a package is imported, or None if it is none of these or this is no checkout."""
+        file = self._files.get(fullname)
+        if file is None or not all(one.is_file() for one in self._files.values()):
+            return None
+        return spec_from_file_location(fullname, file, submodule_search_locations=[str(file.parent)])
 
 
 def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", where: str = "") -> str:

@@ -25,6 +25,7 @@ import soccer_env, soccer_env.train, soccer_env.agents, soccer_env.baselines
 for module in (soccer_env, soccer_env.train, soccer_env.agents, soccer_env.baselines):
     print(module.__file__)
 """
+NOT_EDITABLE = "sys.meta_path[:] = [f for f in sys.meta_path if 'Editable' not in getattr(f, '__name__', '')]"
 
 
 def run(*command: str, cwd: Path, **variables: str) -> str:
@@ -39,12 +40,20 @@ def run(*command: str, cwd: Path, **variables: str) -> str:
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Build the wheel from a copy, so that no build folder of the checkout leaks in or is left behind."""
     source = tmp_path_factory.mktemp("source")
-    for name in ("pyproject.toml", "README.md", "LICENSE"):
+    for name in ("pyproject.toml", "README.md", "LICENSE", "MANIFEST.in"):
         shutil.copy(ROOT / name, source)
     for folder in FOLDERS.values():
         shutil.copytree(ROOT / folder, source / folder, ignore=shutil.ignore_patterns("__pycache__"))
     target = tmp_path_factory.mktemp("wheel")
-    options = ("--no-deps", "--no-build-isolation", "--no-index", "--wheel-dir", str(target))
+    options = (
+        "--log",
+        str(target / "log"),
+        "--no-deps",
+        "--no-build-isolation",
+        "--no-index",
+        "--wheel-dir",
+        str(target),
+    )
     run(sys.executable, "-m", "pip", "wheel", *options, str(source), cwd=source)
     (built,) = target.glob("soccer_env-*.whl")
     return built
@@ -113,6 +122,12 @@ def test_wheel_holds_the_pages_but_no_pictures(wheel: Path) -> None:
     assert wheel.stat().st_size < 2_000_000
 
 
+def test_setuptools_has_no_objection(wheel: Path) -> None:
+    said = (wheel.parent / "log").read_text(encoding="utf-8")
+    assert "creating" in said
+    assert [line for line in said.splitlines() if "absent from" in line or "Deprecat" in line or "!!" in line] == []
+
+
 def test_the_source_archive_holds_every_tracked_file(tmp_path: Path) -> None:
     if not (ROOT / ".git").exists():
         pytest.skip("no checkout")
@@ -148,6 +163,20 @@ def test_this_installation_works_beside_files_of_the_same_names(tmp_path: Path) 
     research = decoys(tmp_path / "research")
     found = run(sys.executable, "-c", PROGRAM, cwd=research).split()
     assert not [file for file in found if Path(file).is_relative_to(research)]
+
+
+def test_a_script_in_the_root_of_a_checkout_works_without_an_editable_install(tmp_path: Path) -> None:
+    for folder in FOLDERS.values():
+        (tmp_path / folder).symlink_to(ROOT / folder)
+    script = tmp_path / "first.py"
+    script.write_text(f"import sys\n{NOT_EDITABLE}\n{PROGRAM}", encoding="utf-8")
+    found = run(sys.executable, str(script), cwd=tmp_path).split()
+    assert [Path(file).relative_to(tmp_path).as_posix() for file in found] == [
+        "soccer_env/__init__.py",
+        "train/__init__.py",
+        "agents/__init__.py",
+        "baselines/__init__.py",
+    ]
 
 
 def decoys(folder: Path) -> Path:
