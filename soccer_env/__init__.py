@@ -43,6 +43,7 @@ How it is played:
     senses.py            what robots perceive and believe
     saving/              save, load, branch, hash
     truth_state.py       the whole truth as one vector, for centralised critics
+    match_views.py       a match in words
     user_code.py         checks of what a user's own functions return
 
 What all of it stands on:
@@ -79,10 +80,12 @@ if TYPE_CHECKING:
     from soccer_env.rewards import OwnTerm, Rewards
     from soccer_env.scenes import Scene
     from soccer_env.teams import Lineup, Team, make_team
+    from soccer_env.truth_state import WholeTruth
 
 __version__ = "0.1.0"
 __all__ = [
-    "League", "Lineup", "Match", "OwnTerm", "Rewards", "Scene", "Team", "make_team", "soccer_v0", "team_of_function",
+    "League", "Lineup", "Match", "OwnTerm", "Rewards", "Scene", "Team", "WholeTruth", "make_team", "soccer_v0",
+    "team_of_function",
 ]  # fmt: skip
 __getattr__, __dir__ = lazy_names(  # resolved at first use, so that importing the package stays quick
     __name__,
@@ -94,6 +97,7 @@ __getattr__, __dir__ = lazy_names(  # resolved at first use, so that importing t
         "Rewards": "soccer_env.rewards",
         "Scene": "soccer_env.scenes",
         "Team": "soccer_env.teams",
+        "WholeTruth": "soccer_env.truth_state",
         "make_team": "soccer_env.teams",
         "soccer_v0": "soccer_env.soccer_v0",
         "team_of_function": "soccer_env.function_teams",

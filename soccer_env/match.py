@@ -16,11 +16,12 @@ from typing import Any
 import numpy as np
 
 from soccer_env import truth_state
-from soccer_env.actions import numbers_for, take_actions
+from soccer_env.actions import DISCRETE, numbers_for, take_actions
 from soccer_env.guards.workers import Workers
 from soccer_env.match_batch import MatchBatch, Sums
 from soccer_env.match_settings import MatchArguments, made_from
-from soccer_env.observations import layout
+from soccer_env.match_views import in_words
+from soccer_env.observations import Entry, layout
 from soccer_env.physics.engine.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import NAMES
@@ -54,7 +55,7 @@ class Match(Branching):
         self.agents = self.settings.agents
         self.observation_entries = layout(self.league, self.settings.observe)
         self.observation_names = [entry.name for entry in self.observation_entries]
-        self.state_names = [entry.name for entry in truth_state.entries(self.settings.max_players)]
+        self.state_names = [entry.name for entry in self.state_entries()]
         self.term_names = [*NAMES, *self.settings.rewards.extra]
         self._own_terms = OwnTerms(self.settings.rewards)
         self._make_arrays(asked.backend)
@@ -62,7 +63,7 @@ class Match(Branching):
         self._pool = Workers(self.threads) if self.count >= 2 * self.threads > 2 else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)
-        self.ended, self.final = np.zeros(0, np.int64), dict[str, np.ndarray]()  # see _restart_same_step
+        self.ended, self.final = np.zeros(0, np.int64), truth_state.Final(self.settings)  # see _restart_same_step
         self._started = False
         self.reset(seed=asked.seed, seeds=asked.seeds)
 
@@ -228,11 +229,11 @@ class Match(Branching):
         self.terms[ended] = 0.0
 
     def _restart_same_step(self) -> Transition:
-        """Begin new episodes at once where one ended: `ended` (rows); `final` keeps their last records, by name."""
+        """Begin new episodes at once where one ended: `ended` (rows); `final` has their last records, and "state"."""
         terminated, truncated = self.terminated.copy(), self.truncated.copy()
         self.ended = np.flatnonzero(terminated | truncated)
         if len(self.ended):
-            self.final = {name: getattr(self, name)[self.ended] for name in FINAL}
+            self.final = truth_state.Final(self.settings, {name: getattr(self, name)[self.ended] for name in FINAL})
             self._begin(self.ended, self.matches["episode"] + 1)
         return self.observations, self.rewards, terminated, truncated
 
@@ -258,9 +259,36 @@ class Match(Branching):
             raise ValueError("nobody in this match uses its sensors: give observe='percepts', or senses='sensors'")
         return self.batch.senses.percepts
 
-    def state(self) -> np.ndarray:
-        """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players a side and present flags."""
-        return truth_state.write(self)
+    def state(self, side: str | None = None) -> np.ndarray:
+        """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players a side and present flags.
+
+        side: "home" or "away", from that team's side, which attacks +x in both halves; "field", in the frame of the
+        field; None: what the setting `state_side` says. ValueError for anything else.
+        """
+        side = self.settings.state_side if side is None else truth_state.check_side(side)
+        records = {"matches": self.matches, "balls": self.balls, "robots": self.robots}
+        return truth_state.states(self.settings, records, side)
+
+    def state_entries(self, side: str | None = None) -> list[Entry]:
+        """Return what each number of `state(side)` is: its name, meaning, scale and frame."""
+        side = self.settings.state_side if side is None else truth_state.check_side(side)
+        return list(truth_state.entries(self.settings.max_players, side))
+
+    def get_env_info(self) -> dict[str, int | None]:
+        """Return the sizes that PyMARL asks for; `episode_limit` in steps, None where an episode may go on for ever.
+
+        `n_actions` of continuous actions is how many numbers one has. Only robots that no team plays are agents.
+        """
+        return {
+            "state_shape": len(self.state_names),
+            "obs_shape": len(self.observation_names),
+            "n_actions": len(DISCRETE) if self.settings.actions.name == "discrete" else self.settings.actions.size,
+            "n_agents": int(self.learns.sum()),
+            "episode_limit": self.settings.episode_limit,
+        }
+
+    def __repr__(self) -> str:
+        return in_words(self)
 
     def close(self) -> None:
         """End the threads."""

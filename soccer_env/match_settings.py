@@ -42,6 +42,7 @@ Senses = Literal["ideal", "sensors"]
 Pose = Literal["percept", "particles"]
 Placement = Literal["instant", "drive"]
 InfoKind = Literal["flat", "full", "nested", "none"]
+StateSide = Literal["field", "home", "away"]
 SIDE_BY_SIDE = Range(1, 1 << 20)
 INFOS = '"flat" numbers, "full": and statistics of play, "nested" dicts in words, or "none" (False), the fastest'
 
@@ -86,6 +87,11 @@ class MatchSettings(Checked):
     )
     memory: Mapping[str, Any] | Options | None = setting(
         None, "{name: value} that differ from the memory behind them, or an object of that kind", part="league"
+    )
+    state_side: StateSide = setting(
+        "field",
+        'whose `state()` it is: "home" or "away", always playing towards +x, or in the frame of the "field"',
+        free=True,
     )
     actions: Literal["box", "full", "discrete"] | ActionKind = setting(
         "box", '"box" (4 numbers), "full" (7, with the head) or "discrete"', free=True

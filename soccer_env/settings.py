@@ -6,7 +6,7 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
-from math import inf, isfinite
+from math import ceil, inf, isfinite
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
@@ -62,6 +62,18 @@ class Settings(MatchSettings):
     def limit(self) -> int:
         """Return the control steps after which an episode is truncated."""
         return np.iinfo(np.int64).max if self.max_cycles is None else self.max_cycles * self.action_repeat
+
+    @property
+    def episode_limit(self) -> int | None:
+        """Return the steps (of `action_repeat` control steps) that an episode lasts at most; None: it has no end."""
+        rate = self.league.control_rate
+        limits = [float(self.limit)] if self.max_cycles is not None else []
+        if self.episode == "drill":
+            limits.append(ceil(self.scene.time_limit * rate) if isfinite(self.scene.time_limit) else inf)
+        if isfinite(self.half_length) and not self.league.rules.shoot_out:
+            limits.append(2.0 * ceil(self.half_length * rate))
+        least = min(limits, default=inf)
+        return ceil(least / self.action_repeat) if isfinite(least) else None
 
     def constants(self) -> np.ndarray:
         """Return the (1,) record of numbers for compiled code."""

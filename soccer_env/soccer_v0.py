@@ -187,10 +187,19 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
             raise ValueError(f"action of {agent} must be finite, got {numbers.tolist()}")
         return numbers
 
-    def state(self) -> np.ndarray:
-        """Return the whole truth as one vector in [-1, 1]."""
-        state: np.ndarray = self.match.state()[0]
+    def state(self, side: str | None = None) -> np.ndarray:
+        """Return the whole truth as one vector in [-1, 1], from the side that is asked for, see `Match.state`."""
+        state: np.ndarray = self.match.state(side)[0]
         return state
+
+    @property
+    def state_names(self) -> list[str]:
+        """Return what the numbers of `state()` are called."""
+        return self.match.state_names
+
+    def get_env_info(self) -> dict[str, int | None]:
+        """Return the sizes of state, observation, actions and team that PyMARL asks for, see `Match.get_env_info`."""
+        return self.match.get_env_info()
 
     def render(self) -> np.ndarray | None:
         """Return a frame (H, W, 3) uint8, or show it in a window and return None, as `render_mode` says."""

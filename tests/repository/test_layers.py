@@ -36,7 +36,16 @@ LAYERS = (
     ("actions", "observations", "rewards", "scenes", "statistics"),
     ("match_settings", "function_teams"),
     ("settings", "robot_kinds"),
-    ("step", "episodes", "squads", "senses", "truth_state", "saving", "user_code"),  # the parts of a match
+    (
+        "step",
+        "episodes",
+        "squads",
+        "senses",
+        "truth_state",
+        "saving",
+        "user_code",
+        "match_views",
+    ),  # the parts of a match
     ("match_batch",),
     ("match",),
     ("soccer_v0", "gymnasium_envs", "api", "render", "replay", "staging"),
