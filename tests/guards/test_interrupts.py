@@ -133,6 +133,7 @@ SIGNALS = """
     def stop(*_):
         raise KeyboardInterrupt
     signal.signal(signal.SIGALRM, stop)
+    match.reset(seed=0)  # compiled code is loaded
     for n in range(300):
         try:
             signal.setitimer(signal.ITIMER_REAL, 1e-5 + 8e-4 * np.random.default_rng(n).random(), 2.0)

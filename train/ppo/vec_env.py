@@ -126,9 +126,8 @@ class SoccerVecEnv(VecEnv):
             spaces.Box(-1.0, 1.0, (width,), np.float32),
             spaces.Box(-1.0, 1.0, (action,), np.float32),
         )
-        self._seed = seed
+        self._seed, self._asked = seed, False  # whether a step was asked for
         self._returns, self._lengths = np.zeros(self.num_envs), np.zeros(self.num_envs, np.int64)
-        self._asked = False  # for a step
 
     # What stable-baselines3 asks for
 
