@@ -19,7 +19,6 @@ from __future__ import annotations
 
 import json
 import os
-import stat
 from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
@@ -29,6 +28,7 @@ from safetensors import SafetensorError
 from safetensors.numpy import load as tensors_of
 from safetensors.numpy import save
 
+from soccer_env import whole_files
 from soccer_env.agents.attention import TENSORS
 from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, league_of
 from soccer_env.checking import brief
@@ -101,23 +101,12 @@ def parse(data: bytes, where: str) -> Policy:
 
 
 def read_plain(path: str | os.PathLike[str], limit: int) -> bytes:
-    """Return the content of a regular file of at most `limit` bytes; ValueError for anything else.
-
-    Folders, pipes, sockets and devices are refused before they are opened, and once more after, in case they changed.
-    """
+    """Return the content of a regular file of at most `limit` bytes; ValueError for anything else names the file."""
     try:
-        path = os.fspath(path)  # no number: that would be an open file
-        _check_regular(os.stat(path), limit)
-        flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
-        with open(os.open(path, flags), "rb") as file:
-            _check_regular(os.fstat(file.fileno()), limit)
-            data = file.read(limit + 1)
-        if len(data) > limit:  # grew, or a file of /proc
-            raise ValueError(f"has more than {limit} bytes")
+        return whole_files.read_plain(path, limit)
     except (OSError, ValueError, TypeError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else error
         raise ValueError(f"policy file {file_name(path)!r}: {one_line(reason)}") from None
-    return data
 
 
 def one_line(reason: object) -> str:
@@ -160,16 +149,6 @@ def file_name(path: object) -> str:
     """Return a path as text, short enough for a message."""
     text = os.fsdecode(path) if isinstance(path, (str, bytes, Path)) else str(path)
     return text if len(text) <= 300 else f"...{text[-297:]}"
-
-
-def _check_regular(status: os.stat_result, limit: int) -> None:
-    """Raise ValueError unless a file is a regular one of at most `limit` bytes."""
-    if stat.S_ISDIR(status.st_mode):
-        raise ValueError("is a folder, not a file")
-    if not stat.S_ISREG(status.st_mode):
-        raise ValueError("is not a regular file")
-    if status.st_size > limit:
-        raise ValueError(f"has {status.st_size} bytes, more than the limit of {limit}")
 
 
 def _header(data: bytes) -> dict[str, Any]:

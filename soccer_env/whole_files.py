@@ -1,8 +1,9 @@
-"""Files that are written whole or not at all."""
+"""Files that are written whole or not at all, and files of strangers, of which no more is read than was agreed."""
 
 from __future__ import annotations
 
 import os
+import stat
 from pathlib import Path
 
 
@@ -31,3 +32,29 @@ def _sync_folder(folder: Path) -> None:
         os.fsync(handle)
     finally:
         os.close(handle)
+
+
+def read_plain(path: str | os.PathLike[str], limit: int) -> bytes:
+    """Return the content of a regular file of at most `limit` bytes; ValueError or OSError for anything else.
+
+    Folders, pipes, sockets and devices are refused before they are opened, and once more after, in case they changed.
+    """
+    path = os.fspath(path)  # no number: that would be an open file
+    check_regular(os.stat(path), limit)
+    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
+    with open(os.open(path, flags), "rb") as file:
+        check_regular(os.fstat(file.fileno()), limit)
+        data = file.read(limit + 1)
+    if len(data) > limit:  # grew, or a file of /proc
+        raise ValueError(f"has more than {limit} bytes")
+    return data
+
+
+def check_regular(status: os.stat_result, limit: int) -> None:
+    """Raise ValueError unless a file is a regular one of at most `limit` bytes."""
+    if stat.S_ISDIR(status.st_mode):
+        raise ValueError("is a folder, not a file")
+    if not stat.S_ISREG(status.st_mode):
+        raise ValueError("is not a regular file")
+    if status.st_size > limit:
+        raise ValueError(f"has {status.st_size} bytes, more than the limit of {limit}")

@@ -38,6 +38,8 @@ from soccer_env.leagues.rules import Rules
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
 
 MAX_RATE = 1000  # [1/s] control steps
+MAX_ROUNDS = 100_000  # of the contact solver in a control step: one of more would take longer than anybody waits
+MAX_LEAP = 0.25  # [m] of the ball in a substep: half of a board's thickness, beyond which it comes out behind
 
 
 @dataclass(frozen=True)
@@ -98,7 +100,10 @@ class Slots(Part):
 class Substeps(Part):
     """How finely the physics cuts a control step."""
 
-    BOUNDS = dict.fromkeys(("least", "close", "most", "travel", "iterations", "jam_iterations"), ABOVE_ZERO)
+    BOUNDS = {
+        "travel": ABOVE_ZERO,
+        **dict.fromkeys(("least", "close", "most", "iterations", "jam_iterations"), Range(1, 1000)),
+    }
     ORDER = (("least", "at most", "close"), ("close", "at most", "most"), ("iterations", "at most", "jam_iterations"))
 
     least: int
@@ -108,6 +113,12 @@ class Substeps(Part):
     iterations: int  # rounds of the contact solver
     jam_iterations: int  # the same while the ball touches two things or more, or legs hold each other
     slop: float = field(metadata=PYTHON_ONLY)  # [m] overlap of bodies that is left alone
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        rounds = self.most * self.jam_iterations
+        if rounds > MAX_ROUNDS:
+            raise ValueError(f"Substeps.most times jam_iterations must be at most {MAX_ROUNDS}, got {rounds}")
 
 
 @dataclass(frozen=True)
@@ -144,6 +155,7 @@ class League(Part):
             refuse("League.materials", "Materials", self.materials)
         if self.sensors is not None:
             check_kind(self.sensors)
+        self._check_leap()
         if self.pitch.board_foot > self.highest_foot:
             raise ValueError(
                 f"Pitch.board_foot must be at most {self.highest_foot:.4f}, got {self.pitch.board_foot}: "
@@ -157,6 +169,15 @@ class League(Part):
             raise ValueError(f"Drive.delay spans {self.delay_steps} control steps, at most {MAX_DELAY_STEPS - 1} fit")
         if 2.0 * self.body.reach > min(self.pitch.length, self.pitch.width) / 4:
             raise ValueError("Body.reach is too large for the pitch: robots need room to be placed")
+
+    def _check_leap(self) -> None:
+        """Raise ValueError if the ball could pass through a board within a substep."""
+        fastest = MAX_LEAP * self.substeps.most * self.control_rate
+        if self.ball.top_speed > fastest:
+            raise ValueError(
+                f"BallModel.top_speed must be at most {fastest:g} with {self.substeps.most} substeps in "
+                f"1/{self.control_rate} s, got {self.ball.top_speed:g}: the ball would pass through the boards"
+            )
 
     def must_be_of(self, families: tuple[str, ...], who: str) -> None:
         """Raise ValueError, for a team or scene, unless the league is of one of these families; empty: all will do."""

@@ -24,16 +24,18 @@ from soccer_env.match_settings import REPLAYED
 from soccer_env.scenes import Scene
 from soccer_env.settings import plain
 from soccer_env.types import COMMAND, GAZE
-from soccer_env.whole_files import write_whole
+from soccer_env.whole_files import read_plain, write_whole
 
 FORMAT = "soccer_env replay 2"
-LARGEST = 1 << 30  # [bytes] of a replay's parts, unpacked
+LARGEST = 1 << 29  # [bytes] of a replay's parts, unpacked: three times a match of 22 robots over half an hour
+MOST_ROBOTS = 8192  # of all matches of a replay: these take half a gigabyte of memory
 
 
 class Recorder:
     """Write down a running match. Starting to record rebuilds it, as a save does."""
 
     def __init__(self, match: Match) -> None:
+        check_room(match.count, len(match.agents))
         match.recorder = None
         self.start = saving.dump(match, memory=False)
         match.rebuild()
@@ -107,8 +109,7 @@ class Replay:
             wanted = {name: given[name] for name in (*REPLAYED, "matches")}
             wanted["league"] = rebuild(League, given["league"])
             wanted["scene"] = Scene(scene["name"], "replayed", None, scene["success"], float(scene["time_limit"]))
-            if wanted["matches"] * (given["home"] + given["away"]) > len(self.start):
-                raise ValueError(f"it has no room for {wanted['matches']} matches")
+            check_start(self.start, wanted)
             match = Match(actions="full", seed=0, **wanted)
         except (KeyError, TypeError, AttributeError, OverflowError) as error:
             raise ValueError(f"the settings of this replay are damaged: {error!r}") from error
@@ -124,7 +125,7 @@ class Replay:
         for step in range(len(self.commands) + 1):
             while pending and pending[0][0] == step:
                 _, rows, records = pending.pop(0)
-                if not all(0 <= m < match.count for m in rows):
+                if not all(0 <= m < match.count for m in rows) or len(set(rows)) < len(rows):
                     raise ValueError(f"this replay is damaged: it rebuilds matches {rows} of {match.count}")
                 saving.restore(match, records, memory=False)
                 match.rebuild(rows)
@@ -164,8 +165,9 @@ class Replay:
     def read(path: str | Path) -> Replay:
         """Read a replay file; ValueError if it is not one or is damaged. Nothing in it is executed."""
         try:
-            check_size(path)
-            with np.load(path, allow_pickle=False) as file:
+            content = io.BytesIO(read_plain(path, LARGEST))
+            check_size(content)
+            with np.load(content, allow_pickle=False) as file:
                 arrays = {name: file[name] for name in file.files}
             header = json.loads(arrays["header"].tobytes())
             if header["format"] != FORMAT:
@@ -188,12 +190,28 @@ class Replay:
             raise ValueError(f"{path} is not a replay that can be read: {error}") from error
 
 
-def check_size(path: str | Path) -> None:
+def check_size(content: io.BytesIO) -> None:
     """Raise ValueError if the parts of a file would unpack to more than a replay ever is."""
-    with ZipFile(path) as file:
+    with ZipFile(content) as file:
         total = sum(part.file_size for part in file.infolist())
     if total > LARGEST:
         raise ValueError(f"it would unpack to {total} bytes, at most {LARGEST} are read")
+
+
+def check_room(matches: int, robots: int) -> None:
+    """Raise ValueError for more robots, over all matches, than a replay may hold."""
+    if matches * robots > MOST_ROBOTS:
+        raise ValueError(f"a replay holds at most {MOST_ROBOTS} robots, {matches} matches have {matches * robots}")
+
+
+def check_start(start: bytes, wanted: dict[str, Any]) -> None:
+    """Raise ValueError unless a replay's start is a sound save of as many matches and robots as its settings say."""
+    sides = [wanted["max_players"] or wanted[side] for side in ("home", "away")]
+    matches, robots = wanted["matches"], sum(sides)
+    check_room(matches, robots)
+    parts = {name: shape for name, _, shape, _ in saving.open_save(start)[2]["parts"]}
+    if parts["robots"] != [matches, robots]:
+        raise ValueError(f"it begins with robots of shape {parts['robots']}, its settings say {[matches, robots]}")
 
 
 def as_actions(commands: np.ndarray) -> np.ndarray:

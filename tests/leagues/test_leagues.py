@@ -64,7 +64,7 @@ def test_a_number_must_be_one(part: str, bad: object) -> None:
     ("part", "field"), [("drive", "gait_steps"), ("substeps", "iterations"), ("substeps", "least")]
 )
 def test_what_is_counted_must_be_whole(part: str, field: str) -> None:
-    with pytest.raises(ValueError, match=f"{field} must be a whole number above 0, got 2.5"):
+    with pytest.raises(ValueError, match=f"{field} must be a whole number(| above 0|, 1 to 1000), got 2.5"):
         replace(getattr(legged_2001.LEAGUE, part), **{field: 2.5})
 
 
@@ -105,7 +105,7 @@ def test_a_body_must_be_a_convex_hull_within_its_reach(corners: Any, message: st
         ("slots", {"teammates": -1}, r"Slots\.teammates must be 0 to 11, got -1"),
         ("slots", {"teammates": 0, "opponents": 0}, "Slots must hold at least one"),
         ("substeps", {"least": 20}, r"Substeps\.least must be at most close 4, got 20"),
-        ("substeps", {"iterations": 0}, r"Substeps\.iterations must be a whole number above 0"),
+        ("substeps", {"iterations": 0}, r"Substeps\.iterations must be 1 to 1000, got 0"),
     ],
 )
 def test_a_number_out_of_range_is_named(part: str, changes: dict[str, Any], message: str) -> None:
