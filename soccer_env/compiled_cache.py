@@ -4,6 +4,9 @@ It stands in for numba's cache, from which it differs in two ways. The key holds
 function's file imports, so that nothing stale runs and an edit recompiles only what it could have changed. And there
 is no index file: two processes that write numba's at once can leave one version's code under another's key. Here a
 file is written aside, moved into place, and holds its full key, which is compared when it is read.
+
+What lies in it is executed. So each file begins with a hash of the rest, as flipped bits would end the process, and a
+folder that anybody may write to is not used; its owner's group is trusted.
 """
 
 import contextlib
@@ -28,6 +31,7 @@ from numba.core.dispatcher import Dispatcher
 
 from soccer_env.compiled_sources import PACKAGE, source_stamp
 
+DIGEST = hashlib.sha256().digest_size  # [bytes]
 STALE_AFTER = 30 * 24 * 3600.0  # [s] assumed; code of other versions is deleted at this age
 VERSIONS = (numba.__version__, llvmlite.__version__, np.__version__, sys.implementation.cache_tag)
 SETTINGS = ("OPT", "BOUNDSCHECK", "DEBUGINFO_DEFAULT")  # of numba.config, those that change the code
@@ -81,7 +85,7 @@ class SourceCache(Base):  # type: ignore[misc]
         stamp, key = self._key(sig, target_context.codegen())
         if key is None:
             return None
-        for folder in folders():
+        for folder in filter(_is_private, folders()):
             payload = _load(folder / self._file_name(stamp, key), key)
             if payload is not None:
                 return self._result.rebuild(target_context, payload)
@@ -96,10 +100,12 @@ class SourceCache(Base):  # type: ignore[misc]
         content = dumps((key, self._result.reduce(data)))
         for folder in folders():
             with contextlib.suppress(OSError):
-                folder.mkdir(parents=True, exist_ok=True)
-                _delete(self._outdated(folder, stamp))
-                _write(folder / self._file_name(stamp, key), content)
-                return
+                folder.parent.mkdir(parents=True, exist_ok=True)
+                folder.mkdir(mode=0o700, exist_ok=True)
+                if _is_private(folder):
+                    _delete(self._outdated(folder, stamp))
+                    _write(folder / self._file_name(stamp, key), content)
+                    return
 
     def _key(self, sig: Any, codegen: Any) -> tuple[str, Any]:
         """Return the source hash and the full key, which is None where there is nothing to tell versions apart by."""
@@ -166,20 +172,39 @@ def _user_folder() -> Path:
 
 
 def _temporary_folder() -> Iterator[Path]:
-    """Yield a temporary folder, if it is one that nobody else can write to: what lies in it is executed."""
-    user = os.getuid() if hasattr(os, "getuid") else 0
-    path = Path(tempfile.gettempdir()) / f"{PACKAGE}-{user}"
-    with contextlib.suppress(OSError):
-        path.mkdir(mode=0o700, exist_ok=True)
-        status = path.lstat()
-        if not path.is_symlink() and (os.name == "nt" or (status.st_uid == user and not status.st_mode & 0o022)):
-            yield path
+    """Yield the folder in the temporary one, unless somebody has put a link in its place."""
+    path = Path(tempfile.gettempdir()) / f"{PACKAGE}-{os.getuid() if hasattr(os, 'getuid') else 0}"
+    if not path.is_symlink():
+        yield path
+
+
+def _is_private(folder: Path) -> bool:
+    """Tell whether a folder is there that is the user's or the system's, and that not everybody can write to."""
+    try:
+        status = folder.stat()
+    except OSError:
+        return False
+    if os.name == "nt" or (status.st_uid in (os.getuid(), 0) and not status.st_mode & 0o002):
+        return True
+    _warn(folder)
+    return False
+
+
+@functools.cache
+def _warn(folder: Path) -> None:
+    """Say once that a folder is not used."""
+    if os.environ.get("SOCCER_ENV_QUIET", "0") in ("", "0"):
+        why = "it is another user's, or anybody can write to it, and compiled code in it would be executed"
+        print(f"{PACKAGE}: the cache {folder} is not used: {why}", file=sys.stderr, flush=True)
 
 
 def _load(path: Path, key: Any) -> Any:
     try:
-        found, payload = pickle.loads(path.read_bytes())
-    except Exception:  # missing, unreadable or damaged: it is compiled again and overwritten
+        content = path.read_bytes()
+        if hashlib.sha256(content[DIGEST:]).digest() != content[:DIGEST]:
+            return None
+        found, payload = pickle.loads(content[DIGEST:])
+    except Exception:  # missing, unreadable or of another kind: it is compiled again and overwritten
         return None
     return payload if found == key else None
 
@@ -188,7 +213,7 @@ def _write(path: Path, content: bytes) -> None:
     """Write a file that other processes see whole or not at all."""
     aside = path.with_name(f"{path.name}.{uuid.uuid4().hex}")
     try:
-        aside.write_bytes(content)
+        aside.write_bytes(hashlib.sha256(content).digest() + content)
         os.replace(aside, path)
     except OSError:
         _delete([aside])

@@ -207,6 +207,44 @@ def test_damaged_files_are_compiled_again(root):
     assert report(root) == ([11.0, 2.0, 111.0], [0, 0, 0])
 
 
+def test_a_flipped_bit_anywhere_in_a_file_is_noticed(root):
+    """Machine code with another bit would crash, or compute something else."""
+    report(root)
+    for share in (0.0, 0.3, 0.6, 0.9, 0.999):
+        for file in (root / "cache").iterdir():
+            content = bytearray(file.read_bytes())
+            content[int(share * len(content))] ^= 4
+            file.write_bytes(content)
+        assert report(root) == ([11.0, 2.0, 111.0], [1, 1, 1])
+        assert report(root) == ([11.0, 2.0, 111.0], [0, 0, 0])
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such permissions")
+def test_a_cache_that_anybody_can_write_to_is_not_used(root):
+    code = "from soccer_env.upper import value; print(value(1.0), sum(value.stats.cache_misses.values()))"
+    for name in ("temporary", "other", "cache"):
+        (root / name).mkdir()
+    (root / "cache").chmod(0o777)
+    for misses in ("1", "0"):
+        printed, said = run(root, code, TMPDIR=str(root / "temporary"))
+        assert printed == ["11.0", misses]
+        assert f"the cache {root / 'cache'} is not used: it is another user's, or anybody can write to it" in said
+    assert list((root / "cache").iterdir()) == []
+    (root / "cache").chmod(0o775)
+    assert run(root, code, TMPDIR=str(root / "temporary"))[0] == ["11.0", "0"], "it lies in the temporary folder"
+    assert run(root, code, TMPDIR=str(root / "other"))[0] == ["11.0", "1"]
+    assert len(list((root / "cache").glob("upper*"))) == 1 and not list((root / "other").iterdir())
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such permissions")
+def test_a_folder_of_the_cache_is_its_users_alone_and_made_only_when_it_is_needed(root):
+    (root / "temporary").mkdir()
+    code = "import os; os.umask(0); from soccer_env.upper import value; value(1.0)"
+    run(root, code, TMPDIR=str(root / "temporary"))
+    assert (root / "cache").stat().st_mode & 0o777 == 0o700
+    assert list((root / "temporary").iterdir()) == []
+
+
 def test_without_any_file_a_function_is_compiled_and_not_kept(root):
     code = """
 import pathlib
