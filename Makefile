@@ -7,6 +7,7 @@
 # make pictures  draw the pictures of the pages       make docs  build the site into site/, strictly
 # make sacks-table  measure every claim of Sacks 2001 and write baselines/sacks_2001/README.md
 # make heinemann-table  the same of Heinemann et al. 2006, in baselines/heinemann_2006/README.md
+# make lock     write requirements.lock anew: the newest versions that pyproject.toml allows, with their hashes
 # make mutants  switch every mechanism of the papers off in turn: the test that names it has to fail
 #
 # pip takes its settings from the environment and its own files; PYTHON=python3.12 chooses the interpreter of a new .venv.
@@ -18,7 +19,7 @@ BIN := $(VENV)/bin
 INNER := baselines agents train
 PARALLEL := -n auto --dist worksteal  # a process for each core; one that is done takes tests from the others
 
-.PHONY: match test test-quick lint types bench pictures docs tables tables-check sacks-table heinemann-table mutants clean
+.PHONY: match test test-quick lint types bench pictures docs tables tables-check sacks-table heinemann-table mutants lock clean
 .DELETE_ON_ERROR:
 
 LEAGUE := legged-2001
@@ -73,6 +74,11 @@ heinemann-table: $(VENV)/.has-base
 mutants: $(VENV)/.has-train
 	$(BIN)/python tests/mutation/mutate.py
 
+lock: $(VENV)/.has-base
+	$(BIN)/python -m pip install uv
+	echo 'setuptools>=77' | $(BIN)/uv pip compile pyproject.toml - --extra render --universal --python-version 3.10 \
+		--generate-hashes --no-header --no-annotate --upgrade --output-file requirements.lock
+
 # Everything here can be made again, .venv included. runs/ holds results and stays.
 clean:
 	rm -rf $(VENV) build dist site *.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis
@@ -83,8 +89,10 @@ $(VENV)/.created:
 	$(PYTHON) -m venv $(VENV)
 	touch $@
 
-$(VENV)/.has-base: $(VENV)/.created pyproject.toml Makefile
-	$(BIN)/python -m pip install -e '.[render]'
+# Every package at the version, and with one of the hashes, that the lock file says; setuptools, which builds, as well.
+$(VENV)/.has-base: $(VENV)/.created pyproject.toml Makefile requirements.lock
+	$(BIN)/python -m pip install --require-hashes -r requirements.lock
+	$(BIN)/python -m pip install --no-deps --no-build-isolation -e .
 	touch $@
 
 $(VENV)/.has-pictures: $(VENV)/.has-base
