@@ -4,8 +4,9 @@
     NAME.jsonl       a line for each finished part, on disk before the next one begins (`files.py`)
     other files      written whole or not at all
 
-A run that was stopped goes on in its folder. Other settings are refused, each difference named, and so is a folder that
-holds something else: only what a run of the same kind left is ever removed (`anew`) or written over.
+A run that was stopped goes on in its folder, and one that may grow is made larger. Other settings are refused, each
+difference named, and so is a folder that holds something else: only what a run of the same kind left is ever removed
+(`anew`) or written over.
 """
 
 from __future__ import annotations
@@ -15,8 +16,9 @@ import shutil
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypeVar, get_origin, get_type_hints
 
+from soccer_env.checking import brief
 from soccer_env.train.files import append_lines, read_lines
 from soccer_env.train.provenance import settings_hash
 from soccer_env.whole_files import write_whole
@@ -24,6 +26,8 @@ from soccer_env.whole_files import write_whole
 T = TypeVar("T")
 Self = TypeVar("Self", bound="ResultsFolder")
 SETTINGS, LOCK = "settings.json", ".lock"
+GROWN = "grown_from"  # in `about`: how large a run was before, that has grown
+NAMED = {int: "a whole number", str: "a text", dict: "a table"}  # kinds of fields
 PARTS = ("conditions", "made_with", "about")  # of settings.json
 
 
@@ -35,6 +39,7 @@ class Kind:
     marks: tuple[str, ...]  # conditions that all runs of this kind have, and no other kind
     files: tuple[str, ...]  # beside settings.json, the lines of finished parts first
     more: Callable[[dict[str, Any]], list[str]] = lambda conditions: []  # patterns of further ones, by its conditions
+    grows: str = ""  # a condition that may be larger when a run goes on: its parts follow from their seeds alone
     alone: bool = False  # one process at a time; else two may share the work, as each part follows from its seed alone
 
 
@@ -54,6 +59,7 @@ class ResultsFolder:
         self.path, self.kind = path, kind
         self.made_with, self.about = made_with, about
         self.settings = settings_hash(mine["conditions"], made_with)  # every line of a result carries it
+        self._earlier = set[str]()  # the same of this run when it was smaller
         self._lock: Any = None
         if path is None:
             return
@@ -87,10 +93,28 @@ class ResultsFolder:
         if anew:
             remove_run(path, self.kind, before)
         elif before is not None:
-            check_same(path, self.kind.what, {**before, "conditions": {**defaults, **before["conditions"]}}, mine)
-            self.about = before["about"]
-            return
+            before = {**before, "conditions": {**defaults, **before["conditions"]}}
+            sizes = self._grown(before, mine)
+            check_same(path, self.kind.what, before, mine)
+            sizes += [size for size in before["about"].get(GROWN) or () if isinstance(size, int)]
+            asked = mine["conditions"]
+            self._earlier = {settings_hash({**asked, self.kind.grows: size}, self.made_with) for size in sizes}
+            if GROWN not in mine["about"]:
+                self.about = before["about"]
+                return
+            mine["about"][GROWN] = sizes
+            self.about = mine["about"]
         write_whole(path / SETTINGS, json.dumps(mine, indent=2) + "\n")
+
+    def _grown(self, before: dict[str, Any], mine: dict[str, Any]) -> list[Any]:
+        """Let a run that may grow, and was smaller, pass for this one: return its size, [] otherwise."""
+        name = self.kind.grows
+        was, now = before["conditions"].get(name), mine["conditions"].get(name)
+        if not isinstance(was, int) or not isinstance(now, int) or was >= now:
+            return []
+        before["conditions"][name] = now
+        mine["about"][GROWN] = []
+        return [was]
 
     def results(self, name: str, kind: type[T], key: str) -> dict[Any, T]:
         """Return the finished parts in a file of lines, each once, by the field `key` of the dataclass `kind`.
@@ -104,6 +128,9 @@ class ResultsFolder:
         for record in read_lines(path):
             if sorted(record) != names:
                 raise ValueError(f"{path}: a line has the fields {', '.join(names)}, got {', '.join(sorted(record))}")
+            check_kinds(path, record, kind)
+            if record["settings"] in self._earlier:
+                record["settings"] = self.settings
             part = kind(**record)
             if record["settings"] != self.settings or found.setdefault(record[key], part) != part:
                 raise ValueError(f"{path}: {key} {record[key]} belongs to other settings; give another folder")
@@ -119,6 +146,15 @@ class ResultsFolder:
         if self.path is not None:
             (self.path / name).parent.mkdir(exist_ok=True)
             write_whole(self.path / name, content)
+
+
+def check_kinds(path: Path, record: dict[str, Any], kind: type) -> None:
+    """Raise ValueError for a line with something else where a number, a text or a table of its dataclass stands."""
+    hints = get_type_hints(kind)
+    for name, value in record.items():
+        wanted = get_origin(hints[name]) or hints[name]
+        if wanted in (int, str, dict) and (not isinstance(value, wanted) or isinstance(value, bool)):
+            raise ValueError(f"{path}: {name} of a line must be {NAMED[wanted]}, got {brief(value)}")
 
 
 def make_folder(path: Path) -> None:

@@ -88,6 +88,52 @@ def test_a_condition_that_came_later_was_at_its_default(tmp_path: Path) -> None:
         ResultsFolder(tmp_path, TOSSES, {**ASKED, "coin": "bent"}, MADE, ABOUT, defaults={"coin": "fair"})
 
 
+GROWING = Kind("a toss", ("seed",), ("tosses.jsonl", "report.md"), grows="tosses")
+
+
+def growing(path: Path, tosses: int, **changes: Any) -> ResultsFolder:
+    return ResultsFolder(path, GROWING, ASKED | {"tosses": tosses} | changes, MADE, ABOUT | {"command": f"{tosses}"})
+
+
+def test_a_run_may_grow_again_and_again_and_never_shrinks(tmp_path: Path) -> None:
+    tossed(growing(tmp_path, 2), 0, 1)
+    for size in (4, 6):
+        folder = growing(tmp_path, size)
+        assert [toss.number for toss in tosses(folder)] == list(range(size - 2))
+        assert {toss.settings for toss in tosses(folder)} <= {folder.settings}, "they count as this run's own"
+        tossed(folder, size - 2, size - 1)
+    again = growing(tmp_path, 6)
+    assert len(tosses(again)) == 6 and again.about == ABOUT | {"command": "6", "grown_from": [4, 2]}
+    with pytest.raises(ValueError, match="other settings .tosses 6 there, 4 now"):
+        growing(tmp_path, 4)
+    with pytest.raises(ValueError, match="other settings .seed 3 there, 5 now"):
+        growing(tmp_path, 8, seed=5)
+    assert len(tosses(growing(tmp_path, 6))) == 6
+
+
+def test_a_run_whose_kind_does_not_grow_is_refused(tmp_path: Path) -> None:
+    ResultsFolder(tmp_path, TOSSES, ASKED | {"tosses": 2}, MADE, ABOUT)
+    with pytest.raises(ValueError, match="tosses 2 there, 4 now"):
+        ResultsFolder(tmp_path, TOSSES, ASKED | {"tosses": 4}, MADE, ABOUT)
+
+
+@pytest.mark.parametrize(
+    ("line", "complaint"),
+    [
+        ('{"number": [], "heads": true, "settings": "a"}', r"number of a line must be a whole number, got \[\]"),
+        ('{"number": 1e308, "heads": true, "settings": "a"}', "number of a line must be a whole number, got 1e\\+308"),
+        ('{"number": true, "heads": true, "settings": "a"}', "number of a line must be a whole number, got True"),
+        ('{"number": 1, "heads": true, "settings": 7}', "settings of a line must be a text, got 7"),
+        ("[" * 100_000, "line 1: not a record"),
+    ],
+)
+def test_a_line_that_was_written_by_hand_is_refused_in_a_line(tmp_path: Path, line: str, complaint: str) -> None:
+    opened(tmp_path)
+    (tmp_path / "tosses.jsonl").write_text(f"{line}\n{line}\n")
+    with pytest.raises(ValueError, match=complaint):
+        tosses(opened(tmp_path))
+
+
 def test_lines_of_another_run_or_of_other_things_are_refused(tmp_path: Path) -> None:
     tossed(opened(tmp_path), 1, settings="other")
     with pytest.raises(ValueError, match="tosses.jsonl: number 1 belongs to other settings"):

@@ -15,7 +15,8 @@ CLEAR_POINTS = 0.95  # [1] share of the points that "beats clearly" asks for
 LEAST_PAIRS = 5  # fewer say nothing about how results scatter: no verdict
 MIRRORED = "no verdict: a team against itself plays each match of a pair twice, which says nothing"
 MATCHES = "matches.jsonl"  # of a folder: a line for each finished match
-EVALUATION = Kind("an evaluation", ("home", "away", "scene"), (MATCHES, "result.json", "report.md", "match.png"))
+FILES = (MATCHES, "result.json", "report.md", "match.png")
+EVALUATION = Kind("an evaluation", ("home", "away", "scene"), FILES, grows="matches")
 LEFT_OUT = ("settings", "statistics")  # of a line in result.json: matches.jsonl has them
 HALF_WIDTH = 0.25  # [goals a match] for which the number of matches is worked out
 
