@@ -6,20 +6,20 @@ stderr and exit code 2; SOCCER_ENV_TRACEBACK=1 shows where it came from.
 
 from __future__ import annotations
 
-import contextlib
-import io
+import json
 import os
-import re
 import sys
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, TypeVar, cast, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 from soccer_env.names import unknown
+from soccer_env.train.parsing import COMPLETION, completion, read_settings
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from rich.console import Console
 
-T = TypeVar("T")
 WRONG = 2  # exit code: the command cannot be carried out as given
 BELOW = 1  # exit code: a result is below what was asked for
 STOPPED = 130  # exit code: interrupted from the keyboard
@@ -50,6 +50,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
         print(f"soccer_env {__version__}")
         return 0
+    if name.partition("=")[0] in COMPLETION:
+        return guarded(run_completion, words)
     if name not in COMMANDS:
         return complain(unknown("command", name, COMMANDS))
     return guarded(COMMANDS[name], rest)
@@ -64,6 +66,7 @@ def help_text() -> str:
             *(f"  {name:12}{text}" for name, text in SUMMARIES.items()),
             "",
             "`soccer COMMAND --help` explains the options of one; `soccer --version` prints the version.",
+            "`soccer --print-completion bash` (or zsh, fish) prints what completes commands and options by Tab.",
         ]
     )
 
@@ -91,38 +94,31 @@ def complain(message: str) -> int:
     return WRONG
 
 
-def read_settings(kind: type[T], words: list[str], name: str, default: T | None = None) -> T:
-    """Return the settings dataclass that the words of a command describe; ValueError in one line for a wrong one.
-
-    With a `default`, which may come from a file, a yes-or-no setting has both flags: --mirror and --no-mirror.
-    """
-    import tyro
-
-    errors = io.StringIO()
-    try:
-        with contextlib.redirect_stderr(errors):
-            if default is None:
-                return tyro.cli(kind, args=words, prog=f"soccer {name}", config=(tyro.conf.FlagCreatePairsOff,))
-            return tyro.cli(kind, args=words, prog=f"soccer {name}", default=default)
-    except SystemExit as end:
-        if not end.code:  # --help
-            raise
-    raise ValueError(f"{unboxed(errors.getvalue())} (see soccer {name} --help)")
-
-
-def unboxed(text: str) -> str:
-    """Return what a box of tyro's says, in one line: its first paragraph without the frame and the title."""
-    lines = [re.sub(r"\x1b\[[0-9;]*m", "", line).strip(" │|") for line in text.splitlines()]
-    lines = [line for line in lines if line and not line.startswith(("╭", "╰"))]
-    end = next((at for at, line in enumerate(lines) if line.startswith(("─", "Got errors"))), len(lines))
-    return re.sub(r"^Error parsing \w+Settings: ", "", " ".join(lines[:end]))
-
-
 def console() -> Console:
     """Return where tables are printed: the terminal, or plain text of a fixed width."""
     from rich.console import Console
 
-    return Console(width=None if sys.stdout.isatty() else WIDTH)
+    return Console(width=None if sys.stdout.isatty() else WIDTH, markup=False)  # names of teams and files are no markup
+
+
+def print_json(found: Any) -> None:
+    """Print something as JSON on stdout, for programs: nothing else goes there."""
+    print(json.dumps(found, indent=2))
+
+
+def run_completion(words: list[str]) -> int:
+    """Run `soccer --print-completion SHELL`, or with tyro's own flag."""
+    from soccer_env.train.bench.settings import BenchSettings
+    from soccer_env.train.evaluate.play_settings import RecordSettings, ReplaySettings, WatchSettings
+    from soccer_env.train.evaluate.settings import EvaluateSettings
+    from soccer_env.train.listing import ListSettings
+    from soccer_env.train.ppo.settings import TrainSettings
+    from soccer_env.train.reproduce.settings import ReproduceSettings
+
+    kinds = (EvaluateSettings, ListSettings, BenchSettings, RecordSettings, ReplaySettings, ReproduceSettings)
+    shell = "".join([*words[0].split("=", 1), *words[1:]][1:2])
+    print(completion(shell, dict(zip(COMMANDS, (*kinds, TrainSettings, WatchSettings), strict=True)), SUMMARIES))
+    return 0
 
 
 def run_evaluate(words: list[str]) -> int:
@@ -134,32 +130,40 @@ def run_evaluate(words: list[str]) -> int:
     from soccer_env.train.evaluate.report import screen_tables
 
     result = evaluate(settings)
-    for table in screen_tables(result):
-        console().print(table)
-    if settings.out is not None:
-        files = [settings.out / name for name in ("result.json", "report.md", "match.png")]
-        print(f"written: {', '.join(str(file) for file in files if file.exists())}")
+    if settings.json:
+        print_json(result.as_dict())
+    else:
+        for table in screen_tables(result):
+            console().print(table)
+        say_written(settings.out, "result.json", "report.md", "match.png")
     if settings.at_least is not None and result.points.mean < settings.at_least:
         print(f"points {result.points.mean:.3f} are below {settings.at_least:g}", file=sys.stderr)
         return BELOW
     return 0
 
 
+def say_written(folder: Path | None, *names: str) -> None:
+    """Print which of some files of a folder were written."""
+    if folder is not None:
+        print(f"written: {', '.join(str(folder / name) for name in names if (folder / name).exists())}")
+
+
 def run_list(words: list[str]) -> int:
     """Run `soccer list`."""
     from soccer_env.train.listing import ListSettings, What, list_tables
 
-    kinds: tuple[Any, ...] = get_args(What)
-    if words and words[0] not in ("-h", "--help"):
-        if words[0] not in kinds:
-            raise ValueError(unknown("list", words[0], kinds))
-        settings = read_settings(ListSettings, words[1:], f"list {words[0]}")
-        out = console()
-        for drawn in list_tables(cast(What, words[0]), settings):
-            out.print(drawn)
+    if not words:
+        print(f"usage: soccer list {'|'.join(get_args(What))} [OPTIONS]; see soccer list --help")
+        return WRONG
+    if not words[0].startswith("-") and words[0] not in get_args(What):
+        raise ValueError(unknown("list", words[0], get_args(What)))
+    settings = read_settings(ListSettings, words, "list")
+    if settings.json:
+        print_json([table.as_dict() for table in list_tables(settings)])
         return 0
-    print(f"usage: soccer list {'|'.join(kinds)} [--league LEAGUE]")
-    return 0 if words else WRONG
+    for table in list_tables(settings):
+        console().print(table.drawn())
+    return 0
 
 
 def run_bench(words: list[str]) -> int:
@@ -170,7 +174,11 @@ def run_bench(words: list[str]) -> int:
     from soccer_env.train.bench import against, benchmark
 
     chosen = benchmark if settings.against is None else against
-    console().print(chosen.screen_table(chosen.run(settings)))
+    report = chosen.run(settings)
+    if settings.json:
+        print_json(report)
+    else:
+        console().print(chosen.screen_table(report))
     return 0
 
 
@@ -188,14 +196,12 @@ def run_record(words: list[str]) -> int:
 
 def run_replay(words: list[str]) -> int:
     """Run `soccer replay`."""
-    if len(words) != 1 or words[0] in ("-h", "--help"):
-        print("usage: soccer replay FILE: play a replay file again and check every step")
-        return 0 if words[:1] in (["-h"], ["--help"]) else WRONG
-    from pathlib import Path
+    from soccer_env.train.evaluate.play_settings import ReplaySettings
 
+    settings = read_settings(ReplaySettings, words, "replay")
     from soccer_env.train.evaluate.recording import play_again
 
-    print(f"{words[0]}: {play_again(Path(words[0]))} control steps agree")
+    print(f"{settings.file}: {play_again(settings.file)} control steps agree")
     return 0
 
 
@@ -207,9 +213,12 @@ def run_reproduce(words: list[str]) -> int:
     from soccer_env.train.reproduce.report import screen_table
     from soccer_env.train.reproduce.reproduction import reproduce
 
-    console().print(screen_table(reproduce(settings)))
-    if settings.out is not None:
-        print(f"written: {settings.out / 'report.md'}, {settings.out / 'results.json'}")
+    results = reproduce(settings)
+    if settings.json:
+        print_json([result.as_dict() for result in results])
+        return 0
+    console().print(screen_table(results))
+    say_written(settings.out, "report.md", "results.json")
     return 0
 
 
@@ -234,7 +243,8 @@ def run_train(words: list[str]) -> int:
     try:
         result = train(settings)
     except KeyboardInterrupt:
-        print(f"stopped; the same command goes on with the run in {settings.out}", file=sys.stderr)
+        same = "the same command without --anew" if settings.anew else "the same command"
+        print(f"stopped; {same} goes on with the run in {settings.out}", file=sys.stderr)
         return STOPPED
     except OSError as error:
         if not (settings.out / "latest.json").exists():
@@ -244,8 +254,7 @@ def run_train(words: list[str]) -> int:
         ) from error
     console().print(screen_table(result))
     print(best_line(result))
-    files = [settings.out / name for name in ("best.safetensors", "learning_curve.png")]
-    print(f"written: {', '.join(str(file) for file in files if file.exists())}")
+    say_written(settings.out, "best.safetensors", "learning_curve.png")
     return 0
 
 

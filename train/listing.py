@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields
 from math import isfinite
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
+
+import tyro
 
 if TYPE_CHECKING:
-    from rich.table import Table
+    from rich.table import Table as Drawn
 
     from soccer_env.leagues.options import Options
     from soccer_env.observations import Entry
@@ -23,14 +25,44 @@ What = Literal[
 class ListSettings:
     """Print what can be chosen."""
 
+    what: tyro.conf.Positional[What]
+    """Of which kind."""
     league: str = "legged-2001"
     """League whose observations, sensors or rules are listed."""
     observe: Literal["truth", "percepts", "belief"] = "truth"
     """What the listed observations are built from."""
+    json: bool = False
+    """Print JSON: a list of tables, each with its title and its rows by the names of the columns."""
 
 
-def list_tables(what: What, settings: ListSettings) -> Iterator[Table]:
+@dataclass(frozen=True)
+class Table:
+    """What a list says: rows of text under the names of their columns; a column without a name counts the rows."""
+
+    title: str
+    columns: tuple[str, ...]
+    rows: Sequence[tuple[str, ...]]
+
+    def drawn(self) -> Drawn:
+        """Return it for the terminal."""
+        from rich.table import Table as Drawn
+
+        drawn = Drawn(title=self.title, title_justify="left")
+        for index, column in enumerate(self.columns):
+            drawn.add_column(column, overflow="fold", no_wrap=index == 0)
+        for row in self.rows:
+            drawn.add_row(*row)
+        return drawn
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return it for JSON."""
+        names = [column or "index" for column in self.columns]
+        return {"title": self.title, "rows": [dict(zip(names, row, strict=True)) for row in self.rows]}
+
+
+def list_tables(settings: ListSettings) -> Iterator[Table]:
     """Yield the tables of one kind of thing."""
+    what = settings.what
     lists: dict[str, Callable[[], Iterator[Table]]] = {
         "leagues": leagues,
         "teams": teams,
@@ -67,33 +99,36 @@ def leagues() -> Iterator[Table]:
                 league.source,
             )
         )
-    yield table("Leagues", columns, rows)
+    yield Table("Leagues", columns, rows)
     pairs = {name: league.materials.pairs() for name, league in LEAGUES.items()}
     heads = ("name", *(pair.replace("_", ", ") for pair in next(iter(pairs.values()))))
     texts = [(name, *(pair.text() for pair in found.values())) for name, found in pairs.items()]
-    yield table("Materials: elasticity/friction of each pair that meets", heads, texts)
+    yield Table("Materials: elasticity/friction of each pair that meets", heads, texts)
 
 
 def teams() -> Iterator[Table]:
     """Yield the teams and the families of leagues that each plays."""
-    from soccer_env.teams import make_team, registered
+    from soccer_env.teams import NAMES, make_team, registered
 
     rows = []
     for name, where in registered().items():
+        if name not in NAMES:  # to look at it would import it, and so run it
+            rows.append((name, "", "of an installed package, which is imported when the team is asked for", where))
+            continue
         try:
             played = ", ".join(getattr(make_team(name), "families", ())) or "all"
         except (ImportError, AttributeError) as error:
             played = f"cannot be loaded: {error}"
         rows.append((name, played, first_line(where.partition(":")[0]), where))
     title = "Teams: NAME, NAME@0.5 for half its strength, NAME:switch=value,... (see `soccer list settings`)"
-    yield table(title, ("name", "family", "what it is", "made by"), rows)
+    yield Table(title, ("name", "family", "what it is", "made by"), rows)
 
 
 def settings_of_teams() -> Iterator[Table]:
     """Yield the settings of the teams that have some, as in sacks-2001:recovery=False; of a variant what differs."""
-    from soccer_env.teams import make_team, registered
+    from soccer_env.teams import NAMES, make_team
 
-    for name in registered():
+    for name in NAMES:
         try:
             options = getattr(make_team(name), "options", None)
         except (ImportError, AttributeError):
@@ -103,15 +138,13 @@ def settings_of_teams() -> Iterator[Table]:
             differing = {row[0] for row, other in zip(options.rows(), usual.rows(), strict=True) if row[1] != other[1]}
             rows = [row for row in option_rows(options) if not differing or row[0] in differing]
             title = f"Settings of {name}; changed by {name}:name=value,name=value"
-            yield table(title, ("name", "value", "allowed", "unit and source"), rows)
+            yield Table(title, ("name", "value", "allowed", "unit and source"), rows)
 
 
 def option_rows(options: Options) -> list[tuple[str, str, str, str]]:
     """Return name, value, what is allowed, unit and source of each setting, for a table."""
-    from rich.markup import escape
-
     return [
-        (key, f"{value:g}" if isinstance(value, float) else str(value), allowed, escape(note))
+        (key, f"{value:g}" if isinstance(value, float) else str(value), allowed, note)
         for key, value, allowed, note in options.rows()
     ]
 
@@ -142,7 +175,7 @@ def scenes() -> Iterator[Table]:
         )
         for x in SCENES.values()
     ]
-    yield table("Scenes", ("name", "what it is", "success", "time limit", "opponents meant", "rules", "family"), rows)
+    yield Table("Scenes", ("name", "what it is", "success", "time limit", "opponents meant", "rules", "family"), rows)
 
 
 def observations(league: str, observe: str) -> Iterator[Table]:
@@ -155,7 +188,7 @@ def observations(league: str, observe: str) -> Iterator[Table]:
     rows = [
         (f"{index}", x.name, x.meaning, x.scale, frame_of(x), changed_by_mirror(x)) for index, x in enumerate(entries)
     ]
-    yield table(title, ("", "name", "meaning", "of", "frame", "mirror changes"), rows)
+    yield Table(title, ("", "name", "meaning", "of", "frame", "mirror changes"), rows)
 
 
 def frame_of(entry: Entry) -> str:
@@ -176,13 +209,11 @@ def sensors(league: str) -> Iterator[Table]:
     for name, options in (("sensors", found.sensors), ("memory", found.memory)):
         rows = option_rows(options)
         title = f"{type(options).__name__} of {league}; changed by {name}={{name: value}}"
-        yield table(title, ("name", "value", "allowed", "unit and source"), rows)
+        yield Table(title, ("name", "value", "allowed", "unit and source"), rows)
 
 
 def rules(league: str) -> Iterator[Table]:
     """Yield the rules of a league: which are called in each set, and their numbers."""
-    from rich.markup import escape
-
     from soccer_env.leagues import find_league
     from soccer_env.leagues.options import own_notes
     from soccer_env.leagues.rules import SETS, Rules, rule_set
@@ -190,11 +221,11 @@ def rules(league: str) -> Iterator[Table]:
     sets = [rule_set(find_league(league).rules, name) for name in SETS]
     notes = own_notes(Rules)
     rows = [
-        (item.name, *(in_set(getattr(found, item.name)) for found in sets), escape(notes.get(item.name, "")))
+        (item.name, *(in_set(getattr(found, item.name)) for found in sets), notes.get(item.name, ""))
         for item in fields(Rules)
         if item.name != "name"
     ]
-    yield table(f"Rules of {league}; changed by rules=SET:rule=value,...", ("rule", *SETS, "unit and meaning"), rows)
+    yield Table(f"Rules of {league}; changed by rules=SET:rule=value,...", ("rule", *SETS, "unit and meaning"), rows)
 
 
 def in_set(value: bool | float) -> str:
@@ -211,9 +242,9 @@ def actions() -> Iterator[Table]:
     from soccer_env.actions import BOX, DISCRETE, MEANINGS
 
     rows = [(name, meaning, "box, full" if name in BOX else "full") for name, meaning in MEANINGS.items()]
-    yield table("Actions: numbers in [-1, 1]", ("name", "meaning", "in"), rows)
+    yield Table("Actions: numbers in [-1, 1]", ("name", "meaning", "in"), rows)
     sets = [(f"{n}", name, *(f"{number:g}" for number in row)) for n, (name, row) in enumerate(DISCRETE.items())]
-    yield table("Actions: discrete", ("", "name", *BOX), sets)
+    yield Table("Actions: discrete", ("", "name", *BOX), sets)
 
 
 def rewards() -> Iterator[Table]:
@@ -221,7 +252,7 @@ def rewards() -> Iterator[Table]:
     from soccer_env.rewards import PRESETS, TERMS
 
     rows = [(x.name, x.kind, x.text, *(f"{getattr(y, x.name):g}" for y in PRESETS.values())) for x in TERMS]
-    yield table("Reward terms and their weights", ("term", "kind", "meaning", *PRESETS), rows)
+    yield Table("Reward terms and their weights", ("term", "kind", "meaning", *PRESETS), rows)
 
 
 def statistics() -> Iterator[Table]:
@@ -238,7 +269,7 @@ def statistics() -> Iterator[Table]:
         for x in FIGURES
     ]
     title = "Statistics of play: matches.jsonl and infos hold each match's, reports put matches together"
-    yield table(title, ("name", "unit", "in reports", "definition"), rows)
+    yield Table(title, ("name", "unit", "in reports", "definition"), rows)
 
 
 def claims() -> Iterator[Table]:
@@ -258,16 +289,4 @@ def claims() -> Iterator[Table]:
         for x in all_claims().values()
     ]
     title = f"Claims; rules: of whole matches (`soccer reproduce --rules`), staged: {PATIENT}"
-    yield table(title, ("id", "what the paper says", "where", "rules", "counts as reproduced"), rows)
-
-
-def table(title: str, columns: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> Table:
-    """Return a table for the terminal."""
-    from rich.table import Table
-
-    drawn = Table(title=title, title_justify="left")
-    for index, column in enumerate(columns):
-        drawn.add_column(column, overflow="fold", no_wrap=index == 0)
-    for row in rows:
-        drawn.add_row(*row)
-    return drawn
+    yield Table(title, ("id", "what the paper says", "where", "rules", "counts as reproduced"), rows)

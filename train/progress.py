@@ -26,7 +26,7 @@ class Progress:
             from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
             from rich.progress import Progress as Bar
 
-            text, note = TextColumn("{task.description}"), TextColumn("{task.fields[note]}")
+            text, note = (TextColumn(part, markup=False) for part in ("{task.description}", "{task.fields[note]}"))
             columns = (text, BarColumn(), TaskProgressColumn(), note, TimeRemainingColumn())
             self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
             self._task = self._bar.add_task(title, total=total, note="")

@@ -51,12 +51,12 @@ def split_senses(senses: str) -> tuple[str, str]:
 def command_with(command: str, settings: Any, always: Collection[str] = ()) -> str:
     """Return the command that asks for settings, a dataclass; those at their default are left out, but `always` some.
 
-    `anew` is left out, too: it would throw away what the command is to go on with.
+    `anew` is left out, too: it would throw away what the command is to go on with; and `json`, which changes nothing.
     """
     words = ["soccer", command]
     for field in fields(settings):
         value, flag = getattr(settings, field.name), "--" + field.name.replace("_", "-")
-        if field.name == "anew" or (value == field.default and field.name not in always):
+        if field.name in ("anew", "json") or (value == field.default and field.name not in always):
             continue
         if isinstance(value, bool):
             words += [flag if value else f"--no-{flag[2:]}"]

@@ -51,11 +51,12 @@ LAYERS = (
     ("soccer_v0", "gymnasium_envs", "api", "render", "replay", "staging"),
     ("baselines", "agents"),
     ("train",),
+    ("__main__",),
 )
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
 PEERS = (
     set(LAYERS[0]),  # one floor
-    set(LAYERS[-3]),  # the single-agent APIs stand on the parallel one, all draw
+    set(LAYERS[-4]),  # the single-agent APIs stand on the parallel one, all draw
 )
 # Who may import what stands beside it in the same layer: one entry each, with its reason.
 BESIDE = {

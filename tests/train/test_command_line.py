@@ -1,5 +1,8 @@
 """The command line: light, plain about what is wrong, and never a traceback for a user's mistake."""
 
+import json
+import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -7,9 +10,10 @@ from typing import get_args
 
 import pytest
 
+from soccer_env.teams import NAMES, found
 from soccer_env.train import command_line
 from soccer_env.train.command_line import main
-from soccer_env.train.listing import What
+from soccer_env.train.listing import Table, What
 
 # not gymnasium and pettingzoo: importing the package registers its environments there
 HEAVY = ("numba", "torch", "pymunk", "tyro", "rich", "scipy", "matplotlib", "pygame")
@@ -48,7 +52,22 @@ def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.Capt
     ("words", "complaint"),
     [
         (["football"], "unknown command 'football'; known: evaluate"),
-        (["evaluate", "--goals", "3"], "Unrecognized options: --goals, 3"),
+        (["evaluate", "--goals", "3"], "unknown option '--goals'"),
+        (["evaluate", "--matchez", "4"], "unknown option '--matchez', did you mean '--matches'? known: --league"),
+        (["evaluate", "4"], "'4' belongs to no option; options: --league"),
+        (
+            ["evaluate", "--pose", "percpt"],
+            "unknown --pose 'percpt', did you mean 'percept'? known: particles, percept",
+        ),
+        (["evaluate", "--minutes", "none"], "--minutes must be a number above 0 and below 10000 or full, got 'none'"),
+        (["evaluate", "--matches="], "--matches must be a whole number of at least 2, got ''"),
+        (["evaluate", "--anew=yes"], "'yes' belongs to no option"),
+        (["replay"], "FILE must be given (see soccer replay --help)"),
+        (["train", "--mirorr"], "unknown option '--mirorr', did you mean '--mirror'?"),
+        (["list", "teams", "--lague", "x"], "unknown option '--lague', did you mean '--league'?"),
+        (["evalute", "--home", "still"], "unknown command 'evalute', did you mean 'evaluate'?"),
+        (["--tyro-print-completion", "bsh"], "unknown shell 'bsh', did you mean 'bash'?"),
+        (["--print-completion"], "unknown shell ''; known: bash, zsh, fish"),
         (["evaluate", "--matches", "many"], "--matches"),
         (["evaluate", "--matches", "3"], "matches must be an even whole number, for each seed is played twice"),
         (["evaluate", "--matches"], "--matches"),
@@ -102,6 +121,80 @@ def test_lists_name_what_there_is(what: str, capsys: pytest.CaptureFixture[str])
         "rewards": ("progress", "sparse"),
     }[what]
     assert all(word in text for word in expected)
+
+
+@pytest.mark.parametrize("what", get_args(What))
+def test_lists_are_json_when_asked(what: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list", what, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found and all(table["title"] and table["rows"] for table in found)
+    for table in found:
+        assert all(isinstance(value, str) for row in table["rows"] for value in row.values())
+        assert len({tuple(row) for row in table["rows"]}) == 1
+    assert what != "scenes" or found[0]["rows"][0]["name"] == "kick-off"
+
+
+def test_help_of_list_names_its_options(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["list", "--help"])
+    text = capsys.readouterr().out
+    assert all(word in text for word in ("--league", "--observe", "--json", "observations"))
+
+
+def test_a_result_is_json_when_asked_and_nothing_else_is_printed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ["evaluate", "--home", "still", "--away", "still", "--players", "1", "--matches", "2", "--minutes", "0.02"]
+    assert main([*words, "--json", "--out", str(tmp_path / "[red]")]) == 0
+    assert json.loads(capsys.readouterr().out) == json.loads((tmp_path / "[red]" / "result.json").read_text())
+    assert "--json" not in (tmp_path / "[red]" / "settings.json").read_text(), "the same run, shown in another way"
+
+
+def test_names_are_printed_as_they_are() -> None:
+    """rich takes [/x] for the end of a style, and raises."""
+    console = command_line.console()
+    with console.capture() as captured:
+        console.print(Table("[/x]", ("name",), (("a [/x] and [red] team",),)).drawn())
+    assert "a [/x] and [red] team" in captured.get() and captured.get().count("[/x]") == 2
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_every_command_and_option_can_be_completed(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--tyro-print-completion", shell]) == 0
+    text = capsys.readouterr().out
+    assert main([f"--print-completion={shell}"]) == 0 and capsys.readouterr().out == text
+    assert all(word in text for word in (*command_line.COMMANDS, "--at-least", "--teacher-steps", "--against"))
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")
+@pytest.mark.parametrize(
+    ("typed", "completed"),
+    [("soccer eva", "evaluate"), ("soccer evaluate --mat", "--matches"), ("soccer evaluate --pose part", "particles")],
+)
+def test_bash_completes(typed: str, completed: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    main(["--print-completion", "bash"])
+    (tmp_path / "completion").write_text(capsys.readouterr().out)
+    asked = f"source {tmp_path / 'completion'}; COMP_WORDS=({typed}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))\n"
+    run = ["bash", "-c", asked + '_tyro_soccer; printf "%s\\n" "${COMPREPLY[@]}"']
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    done = subprocess.run(run, capture_output=True, text=True, env={**os.environ, "PATH": path})
+    assert [line.split("\t")[0].split(" (")[0].strip() for line in done.stdout.splitlines()] == [completed], done.stderr
+
+
+def test_the_package_runs_as_the_command(tmp_path: Path) -> None:
+    run = [sys.executable, "-m", "soccer_env", "evalute"]
+    done = subprocess.run(run, capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 2 and "did you mean 'evaluate'?" in done.stderr
+
+
+def test_a_list_of_teams_runs_nothing_of_other_packages(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("soccer_env.teams.registered", lambda: {"lions": "canary_that_does_not_exist:team", **NAMES})
+    monkeypatch.setattr("soccer_env.teams.found", lambda where: where.startswith("canary") or found(where))
+    for what in ("teams", "settings"):
+        assert main(["list", what]) == 0
+    assert "canary" not in capsys.readouterr().err
 
 
 def test_a_traceback_can_be_had(monkeypatch: pytest.MonkeyPatch) -> None:

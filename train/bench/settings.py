@@ -16,6 +16,8 @@ class BenchSettings(CommandSettings):
     """Take a minute and trust the numbers less: fewer matches, steps and repetitions, no cold start."""
     out: Path | None = None
     """File for the numbers (JSON)."""
+    json: bool = False
+    """Print the same JSON on the screen instead of tables."""
     seed: int = 0
     """Seed of the play that is timed."""
     against: Path | None = None

@@ -1,10 +1,12 @@
-"""The settings of `soccer record` and `soccer watch`."""
+"""The settings of `soccer record`, `soccer replay` and `soccer watch`."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
+
+import tyro
 
 from soccer_env.train.written_settings import CommandSettings, split_players
 
@@ -45,6 +47,14 @@ class RecordSettings(PlaySettings):
 
     out: Path = Path("match.replay")
     """The file to write."""
+
+
+@dataclass(frozen=True)
+class ReplaySettings(CommandSettings):
+    """Play a replay file again and check every step."""
+
+    file: tyro.conf.Positional[Path]
+    """The file; nothing in it is executed."""
 
 
 @dataclass(frozen=True)

@@ -36,7 +36,8 @@ class EvaluateSettings(CommandSettings):
     away: str = "random"
     """The team it plays against, written like --home."""
     matches: int = 20
-    """Number of matches, even: one pair for each seed."""
+    """Number of matches, even: one pair for each seed. With a larger number than an evaluation in --out had, what it
+    lacks is played."""
     minutes: float | Literal["full"] | None = None
     """Minutes of play in a match, both halves together; `full` for the league's own, None for 10 (legged) or 4."""
     players: int | str | None = None
@@ -61,6 +62,8 @@ class EvaluateSettings(CommandSettings):
     """Remove the files that an earlier evaluation left in --out, instead of going on with it or refusing."""
     picture: bool = False
     """Draw the first match as a sheet of pictures, match.png in --out (needs pygame-ce)."""
+    json: bool = False
+    """Print what result.json holds, as JSON, instead of tables."""
     at_least: float | None = None
     """End with exit code 1 if --home's points (draws count half) are below this share of the matches, 0 to 1."""
 

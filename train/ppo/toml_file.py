@@ -36,7 +36,7 @@ def read_toml(path: Path) -> dict[str, Any]:
     """Return the settings of a TOML file; ValueError for one that cannot be read and for names that do not exist."""
     try:
         found = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:  # what is no TOML or no UTF-8 is a ValueError
+    except (OSError, ValueError, RecursionError) as error:  # what is no TOML or no UTF-8 is a ValueError
         raise ValueError(f"{path} cannot be read: {error}") from error
     known = [field.name for field in fields(TrainSettings)]
     for name in found:

@@ -54,6 +54,8 @@ class ReproduceSettings(CommandSettings):
     """Folder for claims.jsonl, results.json, report.md and plots; without it nothing is written."""
     anew: bool = False
     """Remove the files that an earlier run left in --out, instead of going on with it or refusing."""
+    json: bool = False
+    """Print what results.json holds, as JSON, instead of tables."""
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -61,6 +61,26 @@ def test_more_matches_begin_with_the_same_pairs() -> None:
     assert [line.state for line in short(matches=4).lines] == [line.state for line in short().lines[:4]]
 
 
+def test_matches_are_added_to_a_finished_evaluation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As if all had been played at once: only those that are missing are."""
+    played: list[int] = []
+    play = module.play
+    monkeypatch.setattr(
+        module, "play", lambda contest, batch, *rest: (played.extend(batch), play(contest, batch, *rest))[1]
+    )
+    short(matches=4, out=tmp_path / "a")
+    assert sorted(played) == [0, 1, 2, 3]
+    grown = short(matches=8, out=tmp_path / "a", threads=2)
+    assert sorted(played[4:]) == [4, 5, 6, 7]
+    whole = short(matches=8, out=tmp_path / "b")
+    assert grown == whole
+    first, second = ((tmp_path / name / "result.json").read_bytes() for name in "ab")
+    assert first == second
+    assert short(matches=8, out=tmp_path / "a") == whole and len(played) == 16, "nothing is left to play"
+    with pytest.raises(ValueError, match="matches 8 there, 6 now"):
+        short(matches=6, out=tmp_path / "a")
+
+
 def test_every_match_can_be_played_alone() -> None:
     for line in short(matches=4).lines:
         sides = {"home": "random", "away": "still"} if line.side == "home" else {"home": "still", "away": "random"}

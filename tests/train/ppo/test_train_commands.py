@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env.train.command_line import main, read_settings
+from soccer_env.train.command_line import main
+from soccer_env.train.parsing import read_settings
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.toml_file import settings_of
 

@@ -1,0 +1,124 @@
+"""Read the words of a command into its settings; what is wrong with them is a ValueError of one line.
+
+tyro tells a hook what is wrong, as records (`tyro._errors`, private to the version that pyproject.toml bounds); what it
+would print itself is never looked at.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+from collections.abc import Callable, Mapping
+from dataclasses import fields
+from typing import Annotated, Any, TypeVar, Union
+
+from soccer_env.checking import brief
+from soccer_env.names import unknown
+
+T = TypeVar("T")
+SHELLS = ("bash", "zsh", "fish")
+COMPLETION = ("--print-completion", "--tyro-print-completion")  # flags of `soccer` itself; the second is tyro's own
+
+
+def read_settings(kind: type[T], words: list[str], name: str, default: T | None = None) -> T:
+    """Return the settings dataclass that the words of a command describe; ValueError in one line for a wrong one.
+
+    With a `default`, which may come from a file, a yes-or-no setting has both flags: --mirror and --no-mirror.
+    """
+    import tyro
+    from tyro import _errors
+
+    def refuse(event: Any) -> None:
+        raise ValueError(f"{in_words(event, kind, words, default is not None)} (see soccer {name} --help)")
+
+    with _errors.on_parse_error(refuse):
+        if default is None:
+            return tyro.cli(kind, args=words, prog=f"soccer {name}", config=(tyro.conf.FlagCreatePairsOff,))
+        return tyro.cli(kind, args=words, prog=f"soccer {name}", default=default)
+
+
+def in_words(event: Any, kind: type, words: list[str], pairs: bool) -> str:
+    """Return what is wrong with the words of a command, as tyro's record of it says; of a kind not known, its name."""
+    what = type(event).__name__
+    if what == "UnrecognizedArgs":
+        return unknown_word(event.tokens[0], kind, pairs)
+    if what == "MissingArgs":
+        missing = [name_of(found.arg) for found in event.missing_arguments]
+        return f"{', '.join(missing)} must be given"
+    argument = getattr(event, "argument", None)
+    flag = "" if argument is None else name_of(argument)
+    if what == "InvalidChoice":
+        return unknown(flag, event.value, event.choices)
+    if what == "BadValue":
+        return f"{flag} needs a value" if event.offending_value is None else f"{flag} takes no value"
+    if what == "InstantiationFailure":
+        return wrong_value(flag, kind, words) or f"{flag}: {event.message}".removeprefix(": ")
+    return f"the words of this command cannot be read ({what})"
+
+
+def name_of(argument: Any) -> str:
+    """Return what a command's help calls an argument: its longest flag, or the name of one that has no flag."""
+    flags: tuple[str, ...] = argument.lowered.name_or_flags
+    name = max(flags, key=len, default="")
+    return name if name.startswith("-") else str(argument.field.intern_name).upper()
+
+
+def unknown_word(word: str, kind: type, pairs: bool) -> str:
+    """Return what is wrong with a word that no option takes."""
+    flags = flags_of(kind, pairs)
+    if word.startswith("-"):
+        return unknown("option", word.partition("=")[0], flags)
+    return f"{word!r} belongs to no option; options: {', '.join(flags)}"
+
+
+def flags_of(kind: Any, pairs: bool) -> list[str]:
+    """Return the flags of a settings dataclass; `pairs`: of yes-or-no settings both."""
+    found = []
+    for field in fields(kind):
+        if "Positional" in str(field.type):
+            continue
+        name = field.name.replace("_", "-")
+        found += [f"--{name}", f"--no-{name}"] if pairs and field.type in (bool, "bool") else [f"--{name}"]
+    return found
+
+
+def wrong_value(flag: str, kind: Callable[..., Any], words: list[str]) -> str:
+    """Return what the settings themselves say of the value of a flag, "" if they take it or say nothing of it."""
+    at = [index for index, word in enumerate(words) if word.partition("=")[0] == flag]
+    if not flag or not at:
+        return ""
+    value = words[at[-1]].partition("=")[2] or "".join(words[at[-1] + 1 : at[-1] + 2])
+    name = flag.removeprefix("--").replace("-", "_")
+    try:
+        kind(**{name: value})
+    except ValueError as error:
+        return f"{error}".replace(name, flag, 1) if f"{error}".startswith(name) else f"{flag} {brief(value)}: {error}"
+    except TypeError:  # settings that cannot be made from one alone
+        pass
+    return ""
+
+
+def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, str]) -> str:
+    """Return the completion script of a shell, for all commands with their settings; ValueError for another shell."""
+    import tyro
+
+    if shell not in SHELLS:
+        raise ValueError(f"{COMPLETION[0]}: {unknown('shell', shell, SHELLS)}")
+    commands = [
+        Annotated[kind, tyro.conf.subcommand(name=name, description=summaries[name])] for name, kind in kinds.items()
+    ]
+    every: Any = Union[tuple(commands)]  # noqa: UP007  # made of a tuple
+    config = (tyro.conf.FlagCreatePairsOff, tyro.conf.OmitSubcommandPrefixes)
+    script = io.StringIO()
+    with contextlib.suppress(SystemExit), contextlib.redirect_stdout(script):
+        tyro.cli(every, args=[COMPLETION[1], shell], prog="soccer", config=config)
+    return on_one_line(script.getvalue())
+
+
+def on_one_line(script: str) -> str:
+    """Return a completion script with descriptions of one line each: shells take each line for a completion."""
+    lines = script.splitlines()
+    for at, line in enumerate(lines):
+        if "COMPLETION_SPEC = {" in line:
+            lines[at] = line.replace("\\\\n", " ").replace("\\n", " ")
+    return "\n".join(lines)
