@@ -40,6 +40,7 @@ NAMES = {  # strings only: resolved at first use
 FILES = {  # by the ending of a file that is named as a team
     ".safetensors": "soccer_env.agents.learned:from_file",
     ".zip": "soccer_env.agents.learned:from_zip",
+    ".onnx": "soccer_env.agents.onnx_team:from_onnx",
 }
 ENTRY_POINTS = "soccer_env.teams"
 
@@ -86,9 +87,9 @@ def parse_switch(text: str, part: str) -> tuple[str, Any]:
 def make_team(team: str | Team, strength: float | None = None, **settings: Any) -> Team:
     """Return the team of a name (NAME, NAME@STRENGTH, NAME@STRENGTH:switch=value,...), or the team itself.
 
-    A name may be the path of a policy file, of a zip of stable-baselines3 (FILE.zip:observe=belief,action_repeat=8), or
-    MODULE:NAME: a team in a module of your own, or a function there that takes strength= and returns one. ValueError
-    says which names and settings exist.
+    A name may be the path of a policy file, of a zip of stable-baselines3 or of an ONNX file
+    (FILE.zip:observe=belief,action_repeat=8), or MODULE:NAME: a team in a module of your own, or a function there that
+    takes strength= and returns one. ValueError says which names and settings exist.
     """
     if not isinstance(team, str):
         if isinstance(team, type):

@@ -13,6 +13,7 @@ from threading import Event
 
 import numpy as np
 
+from soccer_env.function_teams import FunctionTeam
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
@@ -79,7 +80,7 @@ def find_team(name: str, teams: Mapping[str, Team]) -> str | Team:
         made = make_team(name)
     except ModuleNotFoundError as error:
         raise ValueError(f"team {name!r} cannot be loaded ({error}); known: {', '.join(registered())}") from error
-    own = isinstance(made, ObservingTeam) or in_module(name)
+    own = isinstance(made, (ObservingTeam, FunctionTeam)) or in_module(name)
     return made if own else name  # a policy is read once: its file may change meanwhile
 
 

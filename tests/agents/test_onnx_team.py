@@ -1,0 +1,129 @@
+"""ONNX files play as our own inference does, and what cannot play is refused in one line."""
+
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match, make_team
+from soccer_env.agents.learned import team_of
+from soccer_env.agents.policy import Policy
+from soccer_env.train.evaluate import EvaluateSettings, evaluate
+from tests.agents.staged_policies import lively
+
+onnx = pytest.importorskip("onnx")
+pytest.importorskip("onnxruntime")
+
+
+def exported(policy: Policy, path: Path, batch: Any = "B", double: bool = False, chosen: bool = False) -> str:
+    """Write a policy's network as an ONNX file, as libraries export it; return its path."""
+    kind = onnx.TensorProto.DOUBLE if double else onnx.TensorProto.FLOAT
+    nodes, constants, last = [], [], "seen"
+    for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases, strict=True)):
+        names = [f"w{number}", f"b{number}"]
+        for name, array in zip(names, (weight, bias), strict=True):
+            constants.append(onnx.numpy_helper.from_array(array.astype(np.float64 if double else np.float32), name))
+        nodes.append(onnx.helper.make_node("Gemm", [last, *names], [f"h{number}"], transB=1))
+        last = f"h{number}"
+        if number < len(policy.weights) - 1:
+            nodes.append(onnx.helper.make_node("Tanh", [last], [f"t{number}"]))
+            last = f"t{number}"
+    shape, out = [batch, len(policy.biases[-1])], kind
+    if chosen:
+        nodes.append(onnx.helper.make_node("ArgMax", [last], ["best"], axis=1, keepdims=0))
+        last, shape, out = "best", [batch], onnx.TensorProto.INT64
+    inputs = [onnx.helper.make_tensor_value_info("seen", kind, [batch, len(policy.inputs)])]
+    outputs = [onnx.helper.make_tensor_value_info(last, out, shape)]
+    graph = onnx.helper.make_graph(nodes, "policy", inputs, outputs, constants)
+    model = onnx.helper.make_model(graph, opset_imports=[onnx.helper.make_opsetid("", 17)], ir_version=9)
+    path.write_bytes(model.SerializeToString())
+    return str(path)
+
+
+CASES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "box": ({}, {}),
+    "full": ({"actions": "full"}, {}),
+    "values of discrete actions": ({"actions": "discrete"}, {}),
+    "a chosen discrete action": ({"actions": "discrete"}, {"chosen": True}),
+    "one robot at a time": ({}, {"batch": 1}),
+    "double precision": ({}, {"double": True}),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_it_plays_as_our_own_inference(case: str, tmp_path: Path) -> None:
+    fields, written = CASES[case]
+    policy = lively(16, 12, **fields)
+    path = exported(policy, tmp_path / "mine.onnx", **written)
+    settings: dict[str, Any] = {"home": 2, "away": 2, "matches": 3, "seed": 1}
+    theirs = Match(controllers={"home": f"{path}:observe=belief", "away": "chaser"}, **settings)
+    ours = Match(controllers={"home": team_of(policy, at_once=True), "away": "chaser"}, **settings)
+    for _ in range(40):
+        theirs.step()
+        ours.step()
+        for name in ("forward", "left", "turn", "kick", "head", "pan", "tilt"):
+            gap = np.abs(theirs.robots["command"][name] - ours.robots["command"][name])
+            assert gap.max() < 1e-3, name
+    assert len(np.unique(ours.robots["command"]["forward"])) > 2
+
+
+def test_it_is_evaluated_and_goes_on_only_as_the_same_file(tmp_path: Path) -> None:
+    path = exported(lively(8), tmp_path / "mine.onnx")
+    settings = EvaluateSettings(
+        home=f"{path}:action_repeat=8", away="still", players=1, matches=2, minutes=0.1, out=tmp_path / "run"
+    )
+    assert evaluate(settings).conditions.home.endswith("mine.onnx:action_repeat=8")
+    evaluate(settings)
+    exported(lively(8, seed=2), tmp_path / "mine.onnx")
+    with pytest.raises(ValueError, match="home_team"):
+        evaluate(settings)
+
+
+def test_a_match_with_it_is_copied(tmp_path: Path) -> None:
+    match = Match(home=1, away=1, opponents=exported(lively(8), tmp_path / "mine.onnx"), seed=1)
+    match.step(np.zeros((1, 2, 4)))
+    other = pickle.loads(pickle.dumps(match))
+    for one in (match, other):
+        one.step(np.zeros((1, 2, 4)))
+    assert other.state_hash() == match.state_hash()
+
+
+def test_what_cannot_play_is_refused_in_one_line(tmp_path: Path) -> None:
+    (tmp_path / "bad.onnx").write_bytes(b"nonsense")
+    with pytest.raises(ValueError, match="policy file '.*bad.onnx': .*") as error:
+        make_team(str(tmp_path / "bad.onnx"))
+    assert "\n" not in str(error.value)
+    with pytest.raises(ValueError, match=r"policy file '.*none.onnx': No such file"):
+        make_team(str(tmp_path / "none.onnx"))
+    path = exported(lively(8, observe="truth"), tmp_path / "truth.onnx")
+    match = Match(home=1, away=1, opponents=path, seed=1)
+    before = match.state_hash()
+    with pytest.raises(ValueError, match="takes 73 inputs, the observation has 93: give observe= as in its training"):
+        match.step(np.zeros((1, 2, 4)))
+    assert match.state_hash() == before
+    with pytest.raises(ValueError, match="observe must be one of truth, percepts, belief, got 'all'"):
+        make_team(f"{path}:observe=all")
+    with pytest.raises(ValueError, match="has no setting 'repeat'"):
+        make_team(f"{path}:repeat=3")
+
+
+def test_two_inputs_are_refused(tmp_path: Path) -> None:
+    kind = onnx.TensorProto.FLOAT
+    inputs = [onnx.helper.make_tensor_value_info(name, kind, ["B", 4]) for name in ("seen", "hidden")]
+    outputs = [onnx.helper.make_tensor_value_info("sum", kind, ["B", 4])]
+    graph = onnx.helper.make_graph([onnx.helper.make_node("Add", ["seen", "hidden"], ["sum"])], "g", inputs, outputs)
+    model = onnx.helper.make_model(graph, opset_imports=[onnx.helper.make_opsetid("", 17)], ir_version=9)
+    (tmp_path / "two.onnx").write_bytes(model.SerializeToString())
+    with pytest.raises(ValueError, match=r"must have one input \(B, n\), got seen \['B', 4\], hidden \['B', 4\]"):
+        make_team(str(tmp_path / "two.onnx"))
+
+
+def test_without_onnxruntime_the_message_says_what_to_install(tmp_path: Path) -> None:
+    path = exported(lively(8), tmp_path / "mine.onnx")
+    code = f"import sys; sys.modules['onnxruntime'] = None\nfrom soccer_env import make_team; make_team({path!r})"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert "ImportError: an ONNX file plays by onnxruntime: pip install soccer_env[onnx]" in ran.stderr
