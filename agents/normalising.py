@@ -32,7 +32,7 @@ def table_of(normaliser: Any) -> dict[str, Any]:
     if isinstance(normaliser, Mapping):
         plain = {key: np.asarray(value, np.float64).tolist() for key, value in normaliser.items()}
         return plain if "limit" in plain else {**plain, "limit": MOST}
-    seen = getattr(normaliser, "obs_rms", None)
+    seen: Any = getattr(normaliser, "obs_rms", None)
     if not (hasattr(seen, "mean") and hasattr(seen, "var")):
         got = brief(normaliser)
         raise ValueError(
@@ -60,7 +60,7 @@ def check_normalise(table: object, inputs: int) -> float:
             check_number(key, value, least)
     check_number("limit", table["limit"], LEAST)
     farthest = max((1.0 + abs(mean)) / deviation for mean, deviation in zip(table["mean"], table["deviation"]))
-    return max(1.0, min(table["limit"], farthest))
+    return float(max(1.0, min(table["limit"], farthest)))
 
 
 def check_number(key: str, value: object, least: float) -> None:

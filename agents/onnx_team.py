@@ -10,6 +10,7 @@ A file is read once, and only numbers are computed: onnxruntime runs no code out
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -56,7 +57,7 @@ class OnnxPolicy:
             raise ValueError(f"policy file {self.where!r}: {taken}: give observe= as in its training")
         parts = [observations] if size != 1 else list(observations[:, None])  # of exports for one robot at a time
         kind = np.float64 if "double" in self._input.type else np.float32
-        runs = [self._asked(lambda part=part: self._run(part.astype(kind))) for part in parts]
+        runs = [self._asked(partial(self._run, part.astype(kind))) for part in parts]
         found = np.concatenate(runs)
         if found.dtype.kind == "f" and found.shape[1:] == (len(DISCRETE),):
             return np.asarray(found.argmax(axis=1))

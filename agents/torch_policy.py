@@ -113,7 +113,7 @@ def normalised(policy: Policy, rows: np.ndarray) -> np.ndarray:
     if not table:
         return rows
     scaled = (rows.astype(np.float64) - table["mean"]) / table["deviation"]
-    return np.clip(scaled, -table["limit"], table["limit"]).astype(np.float32)
+    return np.asarray(np.clip(scaled, -table["limit"], table["limit"]), np.float32)
 
 
 def outputs_of(policy: Policy, rows: np.ndarray) -> np.ndarray:

@@ -119,7 +119,8 @@ def states(settings: Settings, records: Records, side: str = "field", players: i
     columns, swapped, turned = orders(players, team)
     direction = records["matches"]["home_direction"] * (1.0 if team == HOME else -1.0)
     signs = np.where(direction[:, None] < 0.0, turned, np.float32(1.0)) * swapped
-    return (signs * state)[:, columns]
+    turned_state: np.ndarray = (signs * state)[:, columns]
+    return turned_state
 
 
 @cache

@@ -141,7 +141,7 @@ def check_text(what: str, text: Any, least: int) -> str:
 def checked_memory(memory: Any) -> np.dtype[Any]:
     """Return a dtype of plain numbers; ValueError for anything else."""
     try:
-        dtype = np.dtype(memory)
+        dtype: np.dtype[Any] = np.dtype(memory)
     except (TypeError, ValueError) as error:
         raise ValueError(f"memory must be a dtype of plain numbers, got {memory!r}: {error}") from error
     if dtype.hasobject or dtype.itemsize == 0:

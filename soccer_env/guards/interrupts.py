@@ -7,7 +7,7 @@ signals does not help: the system then hands them to another thread, and Python 
 
 from __future__ import annotations
 
-import _signal  # the functions of `signal` without its enumerations, which take ten times as long
+import _signal  # type: ignore[import-not-found]  # the functions of `signal` without its enumerations, which take ten times as long
 import signal
 import threading
 from types import FrameType

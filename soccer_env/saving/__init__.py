@@ -8,7 +8,7 @@ whole.py      what guards them: one thread at a time, whole or not at all
 """
 
 from soccer_env.saving.branching import Branching
-from soccer_env.saving.saves import by_save, dump, parts, play_hash, restore, state_hash
+from soccer_env.saving.saves import by_save, dump, open_save, parts, play_hash, restore, state_hash
 from soccer_env.saving.whole import calls_python, undoing, whole
 
 __all__ = [
@@ -16,6 +16,7 @@ __all__ = [
     "by_save",
     "calls_python",
     "dump",
+    "open_save",
     "parts",
     "play_hash",
     "restore",

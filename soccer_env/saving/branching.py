@@ -11,10 +11,15 @@ import numpy as np
 
 from soccer_env.match_settings import MatchArguments, part_of
 from soccer_env.names import Made
+from soccer_env.random_numbers import seeds_for
 from soccer_env.saving import branches, saves
 
 if TYPE_CHECKING:
     from typing_extensions import Self
+
+    from soccer_env.match_batch import MatchBatch
+    from soccer_env.settings import Settings
+    from soccer_env.squads import Squad
 
 
 class Branching:
@@ -23,9 +28,9 @@ class Branching:
     if TYPE_CHECKING:
         asked: MatchArguments
         count: int
-        settings: Any
-        squads: list[Any]
-        batch: Any
+        settings: Settings
+        squads: list[Squad]
+        batch: MatchBatch
         recorder: Any
         rewards: np.ndarray
         terms: np.ndarray
@@ -90,7 +95,7 @@ class Branching:
         if len(found) not in (1, len(over)):
             raise ValueError(f"rows must be one match or as many as are overwritten, {len(over)}, got {len(found)}")
         if noise is not None:
-            branches.seeds_for(noise, 1)
+            seeds_for(noise, 1)
         self.rebuild(np.unique(found).tolist())
         branches.copy_rows(self, found, other, over)
         if noise is not None:

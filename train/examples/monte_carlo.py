@@ -7,11 +7,13 @@ first walk of the best one is carried out. Nothing is learned. Of the 16 drills 
 in 12, `chaser` in 1; both together take about a minute of a core.
 """
 
+from typing import Any
+
 import numpy as np
 
 from soccer_env import Match
 
-DRILL = {"scene": "dribble-past-one", "episode": "drill", "home": 1, "away": 1, "senses": "ideal"}
+DRILL: dict[str, Any] = {"scene": "dribble-past-one", "episode": "drill", "home": 1, "away": 1, "senses": "ideal"}
 PLANS, WALKS, STEPS = 128, 6, 8  # plans tried, walks of each, control steps of a walk: one gait step
 
 
@@ -26,7 +28,7 @@ def best_plan(match: Match, planner: Match, rng: np.random.Generator, last: np.n
         actions[:, 0] = plans[:, t // STEPS]
         _, rewards, _, _ = planner.step(actions)
         value += rewards[:, 0] + 3.0 * planner.events["drill"]  # 1: success, -1: failure
-    return plans[np.argmax(value)]
+    return np.asarray(plans[np.argmax(value)])
 
 
 def play(seed: int, home: str | None = None, plans: int = PLANS) -> bool:

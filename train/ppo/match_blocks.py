@@ -84,7 +84,8 @@ def taken(actions: Any, shape: tuple[int, int], matches: Sequence[Match]) -> np.
         row = int(wrong[0])
         whose = [f"{agent} of match {m}" for block in matches for m, agent in learners_of(block)][row]
         raise ValueError(f"action of row {row}, {whose} of its block, is not finite: {numbers[row].tolist()}")
-    return np.clip(numbers, -1.0, 1.0)
+    within: np.ndarray = np.clip(numbers, -1.0, 1.0)
+    return within
 
 
 def learners_of(match: Match) -> list[tuple[int, str]]:

@@ -29,14 +29,7 @@ from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
 from soccer_env.saving import by_save, calls_python
 from soccer_env.train.ppo.critic_state import last_state, team_state, with_state
-from soccer_env.train.ppo.match_blocks import (
-    check_request,
-    playing,
-    shared_out,
-    stagger_clocks,
-    taken,
-    undone_together,
-)
+from soccer_env.train.ppo.match_blocks import check_request, playing, shared_out, stagger_clocks, taken, undone_together
 
 
 @dataclass(frozen=True)
@@ -70,6 +63,8 @@ class SoccerVecEnv(VecEnv):
         model = A2C("MlpPolicy", env).learn(100_000)
         model.save("mine.zip")  # soccer evaluate --home mine.zip:action_repeat=8,at_once=False --senses ideal
     """
+
+    _given: dict[str, Any]
 
     def __new__(cls, league: Any = "legged-2001", **settings: Any) -> SoccerVecEnv:
         """Keep the settings for copies."""

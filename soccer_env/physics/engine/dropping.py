@@ -7,6 +7,7 @@ breaks, whenever and in whichever thread it runs next. Without the handles all o
 from __future__ import annotations
 
 import weakref
+from typing import Any
 
 import pymunk
 
@@ -17,7 +18,8 @@ def drop(spaces: list[pymunk.Space]) -> None:
     Interrupts have to be held back: half a Space must not stay behind.
     """
     space = spaces.pop(0)
-    handled, shapes = [*space.constraints, *space.bodies, space.static_body], list(space.shapes)
+    handled: list[Any] = [*space.constraints, *space.bodies, space.static_body]
+    shapes: list[Any] = list(space.shapes)
     kept = weakref.ref(space)
     del space
     if kept() is None:

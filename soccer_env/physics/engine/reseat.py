@@ -14,6 +14,8 @@ Boards, posts and nets stay. Chipmunk's stamps go on, and are only compared; its
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pymunk
 from numpy.typing import NDArray
@@ -88,7 +90,7 @@ def forget(memory, first, address, rows):
 class Memory:
     """What the solver remembers of M matches, and how it was at first: alike in all matches but for addresses."""
 
-    def __init__(self, records: NDArray) -> None:
+    def __init__(self, records: NDArray[Any]) -> None:
         self.words = records.view(np.uint64).reshape(len(records), -1)
         self.first: NDArray[np.uint64] | None = None
         offsets = [offset for kind, offset, *_ in (records.dtype.fields or {}).values() if kind == np.uint64]
@@ -109,7 +111,7 @@ class Memory:
 class Seats:
     """What is needed to put the Spaces of M matches back: where their shapes are, and the solver's first memory."""
 
-    def __init__(self, matches: int, solvers: NDArray, stances: NDArray) -> None:
+    def __init__(self, matches: int, solvers: NDArray[Any], stances: NDArray[Any]) -> None:
         self.known = np.zeros(matches, bool)  # whose Spaces can be put back
         self.seats = np.zeros((matches, 3), np.int64)
         self.shapes = np.zeros((matches, 0), np.uint64)  # addresses, in the order of coming
@@ -128,7 +130,7 @@ class Seats:
             memory.remember(m)
         self.known[m] = True
 
-    def put_back(self, links: Links, bodies: NDArray, velocities: NDArray, rows: NDArray[np.int64]) -> None:
+    def put_back(self, links: Links, bodies: NDArray[Any], velocities: NDArray[Any], rows: NDArray[np.int64]) -> None:
         """Put the Spaces of some matches back, with ball and robots as `bodies` says."""
         for memory in self._memories:
             memory.put_back(rows)
