@@ -28,7 +28,7 @@ from soccer_env.rewards import NAMES
 from soccer_env.saving import Branching, whole
 from soccer_env.senses import sensing_sides
 from soccer_env.settings import make_settings
-from soccer_env.squads import TeamArrays, assign, choose_teams, make_squads, run_compiled, run_python
+from soccer_env.squads import Squad, TeamArrays, assign, choose_teams, make_squads, run_compiled, run_python
 from soccer_env.user_code import OwnTerms, checked
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
@@ -45,6 +45,9 @@ class Match(Branching):
     Its settings are the fields of `MatchArguments`, `help(Match.__init__)` explains them; ValueError names a setting
     that is wrong, and what is allowed.
     """
+
+    batch: MatchBatch
+    squads: list[Squad]
 
     @made_from(MatchArguments)
     def __init__(self, asked: MatchArguments) -> None:

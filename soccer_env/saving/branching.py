@@ -17,9 +17,7 @@ from soccer_env.saving import branches, saves
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from soccer_env.match_batch import MatchBatch
     from soccer_env.settings import Settings
-    from soccer_env.squads import Squad
 
 
 class Branching:
@@ -29,8 +27,8 @@ class Branching:
         asked: MatchArguments
         count: int
         settings: Settings
-        squads: list[Squad]
-        batch: MatchBatch
+        squads: list[Any]
+        batch: Any
         recorder: Any
         rewards: np.ndarray
         terms: np.ndarray
