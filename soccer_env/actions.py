@@ -123,6 +123,7 @@ def expand_discrete(actions: Any, agents: list[str], matches: int) -> np.ndarray
     if numbers.dtype.kind not in "iu" or numbers.min() < 0 or numbers.max() >= len(DISCRETE_TABLE):
         for m, r in np.ndindex(*shape):
             discrete_index(numbers[m, r], f"{agents[r]} in match {m}")
+        raise ValueError(f"actions must be integers of shape {shape}, got {numbers.dtype}")
     expanded: np.ndarray = DISCRETE_TABLE[numbers]
     return expanded
 

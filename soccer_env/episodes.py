@@ -18,7 +18,7 @@ from soccer_env.physics.kicker import holds_ball
 from soccer_env.physics.parking import parking_place
 from soccer_env.random_numbers import start_streams, uniform
 from soccer_env.referee.restarts import carry_out_restart
-from soccer_env.scenes import Draw
+from soccer_env.scenes import SCENES, Draw
 from soccer_env.settings import Settings
 from soccer_env.types import AWAY, HOME, NO_TEAM, MatchStream, Phase
 
@@ -79,12 +79,28 @@ def start_match(
     begin_episode_of(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length, drill)
     if scene.place is not None:
         scene.place(settings.league, ball[0], robots[0], Draw(match[0]))
+        if SCENES.get(scene.name) is not scene:
+            check_placed(f"scene {scene.name!r}", settings, ball, robots)
     if scene.in_play:
         match["phase"], match["restart_team"] = PLAY, NO_TEAM
         match["restart_x"], match["restart_y"] = ball["x"], ball["y"]
     match["still_x"], match["still_y"] = ball["x"], ball["y"]
     robots["placed"] = robots["active"]
     note_possession_of(ball, robots, constants)
+
+
+def check_placed(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
+    """Raise ValueError if a scene of a user's own left a number that is not finite, or changed who is who."""
+    lined_up = np.zeros(robots.shape[1], robots.dtype)
+    line_up(settings, lined_up)
+    for who, record in (("the ball", ball[0]), *zip(settings.agents, robots[0], strict=True)):
+        for name in record.dtype.names:
+            if record.dtype[name].kind == "f" and not np.isfinite(record[name]).all():
+                raise ValueError(f"{scene} must leave finite numbers, got {name} {record[name]} of {who}")
+    for name in ("team", "number", "keeper"):
+        for agent, found, wanted in zip(settings.agents, robots[0][name], lined_up[name], strict=True):
+            if found != wanted:
+                raise ValueError(f"{scene} must leave {name} of {agent} {wanted}, got {found}")
 
 
 @compiled

@@ -8,11 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.checking import SHARE, check_names, number, one_of, refuse
+from soccer_env.checking import SHARE, Range, check_names, number, one_of, refuse
 from soccer_env.names import of_module
 from soccer_env.rewards.terms import approach, cover, crowding, effort, foul, guard, progress, score, shot, strength
 
 KINDS = ("potential", "event", "cost")
+
+
+WEIGHT = Range(-1e9, 1e9)  # of a term: beyond it rewards would not be finite
 
 
 @dataclass(frozen=True)
@@ -38,7 +41,7 @@ class OwnTerm:
         if not callable(self.function):
             refuse("OwnTerm.function", "a function of the Match", self.function)
         one_of("OwnTerm.kind", self.kind, KINDS)
-        number("OwnTerm.weight", self.weight)
+        number("OwnTerm.weight", self.weight, WEIGHT)
 
 
 TERMS = (
@@ -99,7 +102,7 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
 
     def __post_init__(self) -> None:
         for name in NAMES:
-            number(f"Rewards.{name}", getattr(self, name))
+            number(f"Rewards.{name}", getattr(self, name), WEIGHT)
         number("Rewards.gamma", self.gamma, SHARE)
         own = {}
         for name, term in self.extra.items():

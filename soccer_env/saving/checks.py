@@ -11,22 +11,22 @@ from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 Match = Any  # soccer_env.match.Match, which stands above this file
 
-RANGES = {  # of whole numbers in matches and robots, both ends allowed
+FAR = 1e6  # no number of a match is larger; the length of a half may be infinite
+RANGES = {  # of numbers in matches and robots, both ends allowed
     "half": (0, 1), "over": (0, 1), "phase": (0, max(Phase)), "placing": (0, 1), "restart_team": (NO_TEAM, AWAY),
     "kick_off_team": (HOME, AWAY), "last_touch_team": (NO_TEAM, AWAY), "active": (0, 1), "has_ball": (0, 1),
     "whistled": (NO_TEAM, AWAY), "kick_off_shot": (NO_TEAM, AWAY),
     "step": (0, 1 << 60), "episode": (0, 1 << 60), "gait_phase": (0, 1 << 20), "score": (0, 1 << 31),
     "indirect": (0, 1), "shoot_out": (0, 1 << 20), "shoot_out_score": (0, 1 << 20), "banned": (0, 1),
-    "yellow": (0, 1 << 20), "fouls": (0, 1 << 20),
+    "yellow": (0, 1 << 20), "fouls": (0, 1 << 20), "clock": (0.0, FAR), "pan": (-np.pi, np.pi), "tilt": (-np.pi, np.pi),
 }  # fmt: skip
 SENSED = ("percepts", "sensor_states", "pending", "beliefs", "tracks", "memories", "messages", "particles")
 COMMON = Limits(  # of what all kinds of robots sense, believe and say
     greatest={"latest": 1, "known": 1, "fresh": 1, "flying": 1, "word": 15},
     endless=("age", "distance", "seconds_left"),  # never seen, nobody tells, no end
-    ranges={"confidence": (0.0, 100.0), "weight": (0.0, 1e6)},
+    ranges={"confidence": (0.0, 100.0), "weight": (0.0, 1e6), "fast": (0.0, 1.0), "slow": (0.0, 1.0)},
 )
 FIXED = ("team", "number", "keeper")  # of a robot: as the match lined up
-FAR = 1e6  # no number of a match is larger; the length of a half may be infinite
 
 
 def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:

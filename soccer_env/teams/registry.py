@@ -94,7 +94,7 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
     if not isinstance(team, str):
         if isinstance(team, type):
             raise ValueError(f"a team is an object: give {team.__name__}(), not the class")
-        if not (callable(getattr(team, "act", None)) and hasattr(team, "memory_dtype")):
+        if not (callable(getattr(team, "act", None)) and hasattr(team, "memory_dtype") and hasattr(team, "name")):
             raise ValueError(f"a team needs name, memory_dtype and act, got {team!r}")
         return team
     if in_module(team):
@@ -142,6 +142,8 @@ def team_in_module(text: str, strength: float | None, settings: dict[str, Any]) 
 def team_of_file(path: str, where: str, settings: dict[str, Any]) -> Team:
     """Return the team of a policy file; ValueError says what is wrong with it."""
     factory = found(where)
+    if "path" in settings:
+        raise ValueError(f"the file of team {path!r} is given by its name, not by a setting path")
     check_accepted(path, factory, settings)
     made: Team = factory(path, **settings)
     return made

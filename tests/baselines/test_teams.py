@@ -196,3 +196,19 @@ def test_a_team_for_other_leagues_is_refused() -> None:
     Match("legged-2001", controllers={"home": dogs, "away": dogs}, seed=1)
     with pytest.raises(ValueError, match="'dogs' is for legged leagues, 'middle-size-2006' is"):
         Match("middle-size-2006", controllers={"home": dogs}, seed=1)
+
+
+def test_a_file_is_given_once() -> None:
+    with pytest.raises(ValueError, match="the file of team 'x.zip' is given by its name, not by a setting path"):
+        make_team("x.zip:path=y")
+
+
+def test_a_team_without_a_name_is_no_team() -> None:
+    class Nameless:
+        memory_dtype = np.dtype([])
+
+        def act(self, view: Any, memory: np.ndarray, rng: Any) -> np.ndarray:
+            return np.zeros(0)
+
+    with pytest.raises(ValueError, match="a team needs name, memory_dtype and act"):
+        make_team(Nameless())  # type: ignore[arg-type]

@@ -124,3 +124,11 @@ def test_rows_that_teams_play_may_hold_anything() -> None:
     actions[:, 1] = np.nan
     match.step(actions)
     assert np.isfinite(match.robots["x"]).all()
+
+
+def test_discrete_actions_that_are_objects_are_refused() -> None:
+    match = Match(home=3, away=3, seed=1, actions="discrete")
+    before = match.state_hash()
+    with pytest.raises(ValueError, match=r"actions must be integers of shape \(1, 6\), got object"):
+        match.step(np.zeros((1, 6), object))
+    assert match.state_hash() == before

@@ -156,6 +156,30 @@ def test_a_scene_of_ones_own_places_what_it_likes() -> None:
     assert len(set(match.balls["x"])) == 8
 
 
+@pytest.mark.parametrize(
+    ("change", "complaint"),
+    [
+        (lambda ball, robots: robots["x"].__setitem__(1, np.nan), "finite numbers, got x nan of away_0"),
+        (lambda ball, robots: ball.__setitem__("vy", np.inf), "finite numbers, got vy inf of the ball"),
+        (lambda ball, robots: robots["team"].__setitem__(0, 7), "leave team of home_0 0, got 7"),
+        (lambda ball, robots: robots["number"].__setitem__(1, 5), "leave number of away_0 0, got 5"),
+    ],
+)
+def test_a_scene_that_places_what_cannot_be_is_named(change: Any, complaint: str) -> None:
+    """It is no bug of this package, and kernels index by team and number."""
+    asked: list[Any] = [lambda ball, robots: None]
+
+    def place(league: Any, ball: Any, robots: Any, draw: Any) -> None:
+        asked[-1](ball, robots)
+
+    match = Match(home=1, away=1, scene=Scene("own", "as it likes", place), seed=1)
+    before = match.state_hash()
+    asked.append(change)
+    with pytest.raises(ValueError, match=f"scene 'own' must .*{complaint}"):
+        match.reset()
+    assert match.state_hash() == before
+
+
 def test_a_league_of_ones_own_is_checked_and_played() -> None:
     legged = find_league("legged-2001")
     fast = replace(legged, name="fast", drive=replace(legged.drive, forward=0.3, slip=0.0))

@@ -197,6 +197,7 @@ def test_a_team_without_memory_can_be_saved() -> None:
         ("robots", "team", 10**6), ("robots", "number", 7), ("robots", "x", np.inf), ("robots", "place_x", 1e300),
         ("matches", "phase", 99), ("matches", "clock", np.nan), ("matches", "last_touch_robot", 10**6),
         ("matches", "home_direction", 0.5), ("matches", "step", -1), ("balls", "angle", np.nan),
+        ("robots", "pan", 100.0), ("robots", "tilt", -100.0), ("matches", "clock", -1e6),
     ],
 )  # fmt: skip
 def test_a_forged_save_is_refused(records: str, field: str, value: float) -> None:
