@@ -10,7 +10,7 @@ from typing import get_args
 
 import pytest
 
-from soccer_env.teams import NAMES, found
+from soccer_env.teams import registry
 from soccer_env.train import command_line
 from soccer_env.train.command_line import main
 from soccer_env.train.listing import Table, What
@@ -190,8 +190,11 @@ def test_the_package_runs_as_the_command(tmp_path: Path) -> None:
 def test_a_list_of_teams_runs_nothing_of_other_packages(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("soccer_env.teams.registered", lambda: {"lions": "canary_that_does_not_exist:team", **NAMES})
-    monkeypatch.setattr("soccer_env.teams.found", lambda where: where.startswith("canary") or found(where))
+    monkeypatch.setattr(
+        "soccer_env.teams.registered", lambda: {"lions": "canary_that_does_not_exist:team", **registry.NAMES}
+    )
+    found = registry.found
+    monkeypatch.setattr(registry, "found", lambda where: found(where) if "canary" not in where else pytest.fail(where))
     for what in ("teams", "settings"):
         assert main(["list", what]) == 0
     assert "canary" not in capsys.readouterr().err
