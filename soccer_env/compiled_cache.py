@@ -33,6 +33,7 @@ from soccer_env.compiled_sources import PACKAGE, source_stamp
 
 DIGEST = hashlib.sha256().digest_size  # [bytes]
 STALE_AFTER = 30 * 24 * 3600.0  # [s] assumed; code of other versions is deleted at this age
+EVERY = 20.0  # [s] between two lines that say how far compiling is, at least
 VERSIONS = (numba.__version__, llvmlite.__version__, np.__version__, sys.implementation.cache_tag)
 SETTINGS = ("OPT", "BOUNDSCHECK", "DEBUGINFO_DEFAULT")  # of numba.config, those that change the code
 
@@ -94,6 +95,7 @@ class SourceCache(Base):  # type: ignore[misc]
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Keep a compile result, unless a source file has changed since this process read it."""
+        _count()
         stamp, key = self._key(sig, data.codegen)
         if key is None or not self._result.check_cachable(data):
             return
@@ -233,4 +235,25 @@ def _announce() -> None:
         return
     filled = any(folder.is_dir() and any(folder.iterdir()) for folder in folders())
     what = "what is new" if filled else "kernels (once, one to two minutes)"
+    COMPILED.said = COMPILED.began = time.monotonic()
     print(f"{PACKAGE}: compiling {what} ...", file=sys.stderr, flush=True)
+
+
+class Compiled:
+    """What this process has compiled so far."""
+
+    functions = 0  # versions of functions, found on disk ones not among them
+    began = said = float("inf")  # [s] when compiling was announced, and when a line last said how far it is
+
+
+COMPILED = Compiled()
+
+
+def _count() -> None:
+    """Count a function that was compiled, and say now and then how many they are."""
+    COMPILED.functions += 1
+    now = time.monotonic()
+    if now - COMPILED.said >= EVERY:
+        COMPILED.said = now
+        words = f"{COMPILED.functions} functions in {now - COMPILED.began:.0f} s"
+        print(f"{PACKAGE}: compiling ... {words}", file=sys.stderr, flush=True)

@@ -134,7 +134,10 @@ def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int,
         senses = settings.senses[int(players[0] >= settings.rows[0])]
         needed = NEEDED_SENSES.get(team.observe, senses) if isinstance(team.observe, str) else senses
         if senses != needed:
-            raise ValueError(f"team {team.name!r} observes {team.observe}: it needs senses={needed!r}, got {senses!r}")
+            raise ValueError(
+                f"team {team.name!r} observes {team.observe}: it needs senses={needed!r}, got {senses!r} "
+                f"(a command takes --senses {needed}; a policy trained with observe='belief' plays by either)"
+            )
         observed = len(names_of(settings.league, team.observe))
     memory = np.zeros((matches, len(players)), check_memory(team))
     return Squad(team, players, memory, np.zeros((matches, robots, observed), np.float32), team.name)

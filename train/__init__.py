@@ -6,6 +6,7 @@ ppo/                 train a policy                                             
 reproduce/           what the papers claim, measured                                 tables/      tables of the pages
 play/                how matches are played, measured                                examples/    small programs
 parsing.py           the words of a command into its settings, or one line that says what is wrong; completion of shells
+warm_up.py           compile everything ahead of time
 written_settings.py  how settings are written: out of a user's words, and back into a command
 results_folder.py    the folder of a run's results, that goes on and touches nothing of others
 files.py             files of lines that survive a crash

@@ -34,6 +34,7 @@ SUMMARIES = {
     "replay": "play a replay file again and check every step",
     "train": "train a policy",
     "reproduce": "measure what the two papers claim and say whether it holds",
+    "warm-up": "compile everything ahead of time, for images and clusters",
     "watch": "show a match in a window",
 }
 
@@ -270,6 +271,14 @@ def taken_out(words: list[str], flag: str) -> tuple[str, list[str]]:
     return "", words
 
 
+def run_warm_up(words: list[str]) -> int:
+    """Run `soccer warm-up`."""
+    from soccer_env.train.warm_up import WarmUpSettings, warm_up
+
+    print(warm_up(read_settings(WarmUpSettings, words, "warm-up")))
+    return 0
+
+
 def run_watch(words: list[str]) -> int:
     """Run `soccer watch`."""
     from soccer_env.train.evaluate.play_settings import WatchSettings
@@ -289,6 +298,7 @@ COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "replay": run_replay,
     "reproduce": run_reproduce,
     "train": run_train,
+    "warm-up": run_warm_up,
     "watch": run_watch,
 }
 

@@ -274,7 +274,8 @@ def test_senses_that_cannot_give_what_it_observes_are_refused(observe: str, need
     team = team_of(lively(observe=observe))
     with pytest.raises(ValueError) as error:
         Match(home=1, away=1, opponents=team, senses={"away": got, "home": needed}, seed=1)
-    assert str(error.value) == f"team 'lively' observes {observe}: it needs senses={needed!r}, got {got!r}"
+    said = f"team 'lively' observes {observe}: it needs senses={needed!r}, got {got!r} "
+    assert str(error.value).startswith(f"{said}(a command takes --senses {needed};")
     Match(home=1, away=1, opponents=team, senses={"away": needed, "home": got}, seed=1)
 
 

@@ -1,0 +1,92 @@
+"""`soccer warm-up`: compile what matches need ahead of time, so that an image or a job of a cluster begins at once.
+
+Machine code is kept in the folder that SOCCER_ENV_CACHE names, by the content of the source files, the versions of
+numba and numpy, and the kind of processor: warm up on the kind of machine that will play.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env import Match, make_team
+from soccer_env.compiled_cache import COMPILED, folders
+from soccer_env.leagues import LEAGUES, find_league
+from soccer_env.scenes import SCENES
+from soccer_env.teams import NAMES
+from soccer_env.train.progress import Progress
+from soccer_env.train.written_settings import CommandSettings
+
+Part = Callable[[], object]
+BASE_LEAGUES = ("legged-2001", "middle-size-2006")  # their variants run the same code
+WAYS: tuple[dict[str, Any], ...] = (  # to sense, to observe and to act, between them all that is compiled
+    {"senses": "sensors", "observe": "belief", "pose": "particles"},
+    {"senses": "sensors", "observe": "percepts", "actions": "full"},
+    {"senses": "ideal", "observe": "belief", "actions": "discrete", "action_repeat": 2},
+    {"senses": "ideal", "observe": "truth", "placement": "drive"},
+)
+
+
+@dataclass(frozen=True)
+class WarmUpSettings(CommandSettings):
+    """Compile everything ahead of time and keep it in the cache; what is there already takes a second.
+
+    Without flags: both leagues, with every shipped team. It takes some minutes on one core.
+    """
+
+    NAMES = {"league": ("all", *LEAGUES)}
+
+    league: str = "all"
+    """A league that will be played, or "all"."""
+    team: str = "all"
+    """A team that will play, besides learners and the chaser; or "all" that are shipped."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.team != "all":
+            make_team(self.team)
+
+
+def warm_up(settings: WarmUpSettings) -> str:
+    """Play every part once; return in words what was compiled."""
+    started, before = time.monotonic(), COMPILED.functions
+    parts = list(parts_of(settings))
+    with Progress("soccer_env: compiling", len(parts)) as progress:
+        for name, part in parts:
+            progress.note(name)
+            part()
+            progress.advance(1)
+    found, seconds = COMPILED.functions - before, time.monotonic() - started
+    words = f"{found} functions compiled in {seconds:.0f} s" if found else "nothing was left to compile"
+    return f"{words}; the cache is in {folders()[0]}"
+
+
+def parts_of(settings: WarmUpSettings) -> Iterator[tuple[str, Part]]:
+    """Yield name and work of everything that compiles code of its own."""
+    for league in BASE_LEAGUES if settings.league == "all" else (settings.league,):
+        for way in WAYS:
+            yield f"{league}, {' '.join(map(str, way.values()))}", partial(play, league, "chaser", **way)
+        family = find_league(league).family
+        drills = [
+            scene for scene in SCENES.values() if scene.success != "none" and family in (scene.families or (family,))
+        ]
+        alone = {"home": 1, "away": 1, "episode": "drill", "scene": drills[0].name}
+        yield f"{league}, a drill", partial(play, league, "chaser", **alone)
+        for team in NAMES if settings.team == "all" else (settings.team,):
+            if family in (getattr(make_team(team), "families", ()) or (family,)):
+                yield f"{league}, {team}", partial(play, league, team)
+
+
+def play(league: str, team: str, **settings: Any) -> None:
+    """Let a team play a step against learners, then load what was saved."""
+    match = Match(league, **{"home": 2, "away": 2, "seed": 0, "opponents": team, **settings})
+    kind = match.settings.actions
+    shape = (1, len(match.agents)) if kind.name == "discrete" else (1, len(match.agents), kind.size)
+    match.step(np.zeros(shape, np.int64))
+    match.load(match.save())
+    match.state()
