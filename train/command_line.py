@@ -30,6 +30,7 @@ SUMMARIES = {
     "list": "print the leagues, teams, settings, scenes, observations, sensors, rules, actions, rewards, statistics or "
     "claims",
     "bench": "measure the speed against the bare physics",
+    "export": "make a film or a page for the browser of a replay file",
     "record": "play a match into a replay file",
     "replay": "play a replay file again and check every step",
     "train": "train a policy",
@@ -191,18 +192,31 @@ def run_record(words: list[str]) -> int:
     from soccer_env.train.evaluate.recording import record
 
     replay = record(settings)
-    print(f"written: {settings.out}, {len(replay)} control steps")
+    rate = settings.out.stat().st_size / 1e3 / max(settings.minutes, 1e-9)
+    print(f"written: {settings.out}, {len(replay)} control steps, {rate:.0f} kB a minute")
     return 0
 
 
 def run_replay(words: list[str]) -> int:
     """Run `soccer replay`."""
+    words = [word for word in words if word != "--verify"]  # which is what it does
     from soccer_env.train.evaluate.play_settings import ReplaySettings
 
     settings = read_settings(ReplaySettings, words, "replay")
     from soccer_env.train.evaluate.recording import play_again
 
     print(f"{settings.file}: {play_again(settings.file)} control steps agree")
+    return 0
+
+
+def run_export(words: list[str]) -> int:
+    """Run `soccer export`."""
+    from soccer_env.train.evaluate.export_settings import ExportSettings
+
+    settings = read_settings(ExportSettings, words, "export")
+    from soccer_env.train.evaluate.exporting import export
+
+    print(f"written: {export(settings)}")
     return 0
 
 
@@ -294,6 +308,7 @@ COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "evaluate": run_evaluate,
     "list": run_list,
     "bench": run_bench,
+    "export": run_export,
     "record": run_record,
     "replay": run_replay,
     "reproduce": run_reproduce,

@@ -6,7 +6,7 @@ header.py       the bar above the pitch            captions.py     what it says
 substitutes.py  robots that do not play            overlays.py     points, paths and arrows on top
 view.py         where things lie in a picture      canvas.py       smooth drawing
 colours.py      the colours                        sheet.py        frames on disk and side by side
-window.py       a window, in real time
+window.py       a window, in real time             video.py       frames as MP4 or GIF
 """
 
 from __future__ import annotations

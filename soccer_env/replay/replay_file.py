@@ -10,19 +10,21 @@ from __future__ import annotations
 import io
 import json
 from collections.abc import Iterator
-from dataclasses import fields, is_dataclass
+from dataclasses import fields
 from pathlib import Path
-from typing import Any, get_type_hints
-from zipfile import ZipFile
+from typing import Any
+from zipfile import BadZipFile, ZipFile
 
 import numpy as np
 
 from soccer_env import saving
+from soccer_env.checking import check_names
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
-from soccer_env.match_settings import REPLAYED
+from soccer_env.match_settings import REPLAYED, version
+from soccer_env.replay.parts import as_actions, as_numbers, as_records, describe, rebuild
+from soccer_env.replay.thoughts import Notes, Thoughts
 from soccer_env.scenes import Scene
-from soccer_env.settings import plain
 from soccer_env.types import COMMAND, GAZE
 from soccer_env.whole_files import read_plain, write_whole
 
@@ -32,9 +34,12 @@ MOST_ROBOTS = 8192  # of all matches of a replay: these take half a gigabyte of 
 
 
 class Recorder:
-    """Write down a running match. Starting to record rebuilds it, as a save does."""
+    """Write down a running match. Starting to record rebuilds it, as a save does.
 
-    def __init__(self, match: Match) -> None:
+    With `thoughts` the replay also keeps what robots saw, believed and decided, for `soccer export` to show.
+    """
+
+    def __init__(self, match: Match, thoughts: Thoughts | None = None) -> None:
         check_room(match.count, len(match.agents))
         match.recorder = None
         self.start = saving.dump(match, memory=False)
@@ -44,6 +49,7 @@ class Recorder:
         self.gazes: list[np.ndarray] = []
         self.hashes: list[str] = []
         self.log: list[tuple[int, list[int], bytes]] = []  # (control steps before it, matches, all records)
+        self.thoughts = thoughts
         self._match = match
         match.recorder = self
 
@@ -55,6 +61,8 @@ class Recorder:
     def note_state(self, match: Match) -> None:
         """Note the hash of the play after a control step."""
         self.hashes.append(saving.play_hash(match))
+        if self.thoughts is not None:
+            self.thoughts.note(match, len(self.hashes))
 
     def note_rebuild(self, rows: Any) -> None:
         """Note that the physics of some matches was rebuilt from records that may be new.
@@ -71,13 +79,17 @@ class Recorder:
         """Forget what was written down after that `length`."""
         commands, hashes, log = length
         del self.commands[commands:], self.gazes[commands:], self.hashes[hashes:], self.log[log:]
+        if self.thoughts is not None:
+            self.thoughts.cut(hashes)
 
     def stop(self) -> Replay:
         """Stop recording and return the replay."""
         self._match.recorder = None
         commands = np.array(self.commands) if self.commands else np.zeros((0, *self._match.robots.shape), COMMAND)
         gazes = np.array(self.gazes) if self.gazes else np.zeros(commands.shape, GAZE)
-        return Replay(describe(self._match), self.start, commands, gazes, list(self.hashes), list(self.log))
+        settings = describe(self._match)
+        thoughts = {} if self.thoughts is None else self.thoughts.packed()
+        return Replay(settings, self.start, commands, gazes, list(self.hashes), list(self.log), version(), thoughts)
 
 
 class Replay:
@@ -91,7 +103,11 @@ class Replay:
         gazes: np.ndarray,
         hashes: list[str],
         log: list[tuple[int, list[int], bytes]],
+        made_by: str = "",
+        thoughts: dict[str, np.ndarray] | None = None,
     ) -> None:
+        self.thoughts = thoughts or {}  # what robots thought, as `Thoughts.packed` makes it; empty: it was not noted
+        self.made_by = made_by  # the version of soccer_env that recorded it; "" of old files, which do not say it
         self.settings = settings
         self.start = start
         self.hashes = hashes
@@ -100,6 +116,16 @@ class Replay:
 
     def __len__(self) -> int:
         return len(self.commands)
+
+    @property
+    def teams(self) -> tuple[str, str]:
+        """Return who played home and away; "learner" for robots that were played from outside."""
+        players, sides = self.settings.get("teams"), []
+        known = players if isinstance(players, dict) else {}
+        for side in ("home", "away"):
+            names = [str(name) for agent, name in known.items() if agent.startswith(side)]
+            sides.append(" + ".join(dict.fromkeys(names)) or "learner")
+        return sides[0], sides[1]
 
     def make_match(self) -> Match:
         """Return the match as it was when the recording began, all robots played from outside."""
@@ -134,7 +160,7 @@ class Replay:
             match.robots["gaze"] = self.gazes[step]
             match.step(as_actions(self.commands[step]))
             if saving.play_hash(match) != self.hashes[step]:
-                raise ValueError(f"this replay differs from the recorded match at control step {step}")
+                raise ValueError(f"this replay differs from the recorded match at control step {step}{self._other()}")
             yield match
 
     def check(self) -> int:
@@ -144,10 +170,36 @@ class Replay:
         """
         return sum(1 for _ in self.play()) - 1
 
+    def _other(self) -> str:
+        """Say that another version recorded it, if one did."""
+        other = self.made_by not in ("", version())
+        return f"; soccer_env {self.made_by} recorded it, and this is {version()}" if other else ""
+
+    def notes(self) -> Notes | None:
+        """Return what robots thought, None where that was not recorded; ValueError if it is damaged."""
+        if not self.thoughts:
+            return None
+        try:
+            return Notes(self.thoughts, self.commands.shape[2])
+        except (KeyError, TypeError, RecursionError, OverflowError) as error:
+            raise ValueError(f"the thoughts of this replay are damaged: {error!r}") from error
+
+    def video(self, path: str | Path, *, anew: bool = False, **settings: Any) -> Path:
+        """Write the first match as a film, MP4 or GIF by the path's ending; return the path. No display is needed.
+
+        settings: fps, speed, width, start and seconds, as in `film.FilmSettings`. ValueError for a wrong one, for a
+        file that exists (unless `anew`), and where the play differs; ImportError if the extra `video` is missing.
+        """
+        from soccer_env.replay.film import FilmSettings, make_film
+
+        check_names("setting", settings, [item.name for item in fields(FilmSettings)], TypeError)
+        return make_film(self, path, FilmSettings(**settings), anew)
+
     def write(self, path: str | Path) -> Path:
         """Write the replay to a file, in one piece or not at all; return its path."""
         path = Path(path)
-        header = {"format": FORMAT, "settings": self.settings, "log": [[step, rows] for step, rows, _ in self.log]}
+        log = [[step, rows] for step, rows, _ in self.log]
+        header = {"format": FORMAT, "version": self.made_by, "settings": self.settings, "log": log}
         arrays = {
             "header": np.frombuffer(json.dumps(header).encode(), np.uint8),
             "start": np.frombuffer(self.start, np.uint8),
@@ -155,6 +207,7 @@ class Replay:
             "gazes": as_numbers(self.gazes),
             "hashes": np.array(self.hashes, "S32"),
             **{f"records_{index}": np.frombuffer(entry[2], np.uint8) for index, entry in enumerate(self.log)},
+            **self.thoughts,
         }
         content = io.BytesIO()
         np.savez_compressed(content, **arrays)  # type: ignore[arg-type]  # numpy's stubs take them for allow_pickle
@@ -169,9 +222,10 @@ class Replay:
             check_size(content)
             with np.load(content, allow_pickle=False) as file:
                 arrays = {name: file[name] for name in file.files}
+            if "header" not in arrays:
+                raise ValueError("it is an archive of something else")
             header = json.loads(arrays["header"].tobytes())
-            if header["format"] != FORMAT:
-                raise ValueError(f"its format is {header['format']!r}, this version reads {FORMAT!r}")
+            check_format(header)
             log = [
                 (int(step), [int(m) for m in rows], arrays[f"records_{index}"].tobytes())
                 for index, (step, rows) in enumerate(header["log"])
@@ -183,11 +237,27 @@ class Replay:
                 raise ValueError(f"it has commands of shape {commands.shape} and gazes of {gazes.shape}")
             if len(commands) != len(hashes):
                 raise ValueError(f"it has {len(commands)} commands and {len(hashes)} hashes")
-            return Replay(header["settings"], arrays["start"].tobytes(), commands, gazes, hashes, log)
+            made_by = str(header.get("version", ""))
+            thoughts = {name: arrays[name] for name in ("thoughts", "thoughts_about") if name in arrays}
+            start = arrays["start"].tobytes()
+            return Replay(header["settings"], start, commands, gazes, hashes, log, made_by, thoughts)
         except FileNotFoundError:
             raise
+        except BadZipFile as error:
+            raise ValueError(
+                f"{path} is not a replay that can be read: it is cut short, damaged or no replay"
+            ) from error
         except Exception as error:  # zipfile, zlib, tokenize, ...: a damaged file can raise almost anything
             raise ValueError(f"{path} is not a replay that can be read: {error}") from error
+
+
+def check_format(header: Any) -> None:
+    """Raise ValueError for the header of a replay that this version cannot read; it says which version wrote it."""
+    if not isinstance(header, dict) or "format" not in header:
+        raise ValueError("it does not say which format it has")
+    if header["format"] != FORMAT:
+        wrote = f", written by soccer_env {header['version']}" if header.get("version") else ""
+        raise ValueError(f"its format is {header['format']!r}{wrote}; soccer_env {version()} reads {FORMAT!r}")
 
 
 def check_size(content: io.BytesIO) -> None:
@@ -212,62 +282,3 @@ def check_start(start: bytes, wanted: dict[str, Any]) -> None:
     parts = {name: shape for name, _, shape, _ in saving.open_save(start)[2]["parts"]}
     if parts["robots"] != [matches, robots]:
         raise ValueError(f"it begins with robots of shape {parts['robots']}, its settings say {[matches, robots]}")
-
-
-def as_actions(commands: np.ndarray) -> np.ndarray:
-    """Return commands as numbers (..., 7)."""
-    return as_numbers(commands)
-
-
-def as_numbers(records: np.ndarray) -> np.ndarray:
-    """Return records of numbers as numbers (..., fields)."""
-    return np.stack([records[name] for name in records.dtype.names or ()], axis=-1)
-
-
-def as_records(numbers: np.ndarray, dtype: np.dtype, what: str) -> np.ndarray:
-    """Return numbers (T, M, R, fields) as records (T, M, R); ValueError if they are not finite."""
-    names = dtype.names or ()
-    well = numbers.ndim == 4 and numbers.shape[-1] == len(names) and numbers.dtype == np.float64
-    if not well or not np.isfinite(numbers).all():
-        raise ValueError(f"its {what} are {numbers.dtype} {numbers.shape}, not finite (T, M, R, {len(names)}) float64")
-    records = np.zeros(numbers.shape[:-1], dtype)
-    for index, name in enumerate(names):
-        records[name] = numbers[..., index]
-    return records
-
-
-def rebuild(kind: type, values: dict[str, Any]) -> Any:
-    """Return a settings record from the plain values that `settings.plain` made of it; its own checks apply."""
-    types = get_type_hints(kind)
-    known = {item.name for item in fields(kind)}
-    if set(values) != known:
-        raise ValueError(f"{kind.__name__} has the fields {', '.join(sorted(known))}, got {', '.join(sorted(values))}")
-    made = {}
-    for name, value in values.items():
-        if is_dataclass(types[name]):
-            value = rebuild(types[name], value)
-        elif name in ("sensors", "memory"):
-            value = None  # a replay gives commands; nobody senses
-        elif name == "corners":
-            value = tuple(tuple(corner) for corner in value)
-        made[name] = value
-    return kind(**made)
-
-
-def describe(match: Match) -> dict[str, Any]:
-    """Return what a replay needs to know of a match's settings."""
-    settings = match.settings
-    return {
-        "league": plain(settings.league),
-        **{name: getattr(settings, name) for name in REPLAYED},
-        "max_players": settings.max_players if settings.padded else None,
-        "max_cycles": settings.max_cycles,
-        "action_repeat": settings.action_repeat,
-        "scene": {
-            "name": settings.scene.name,
-            "success": settings.scene.success,
-            "time_limit": str(settings.scene.time_limit),
-        },
-        "matches": match.count,
-        "teams": {match.agents[r]: squad.team.name for squad in match.squads for r in squad.players},
-    }

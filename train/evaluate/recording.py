@@ -9,7 +9,7 @@ from pathlib import Path
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
-from soccer_env.replay import Recorder, Replay
+from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.train.evaluate.play_settings import PlaySettings, RecordSettings, WatchSettings
 from soccer_env.train.progress import Progress
 from soccer_env.train.written_settings import split_players
@@ -38,7 +38,7 @@ def record(settings: RecordSettings) -> Replay:
     """Play a match, write its replay file and return it; a path that cannot be written is refused before the match."""
     check_target(settings.out)
     match = start(settings)
-    recorder = Recorder(match)
+    recorder = Recorder(match, Thoughts(match, shown_of_memory()))
     with Progress(
         f"{settings.home} against {settings.away}", 60.0 * settings.minutes * match.league.control_rate
     ) as bar:
@@ -49,6 +49,16 @@ def record(settings: RecordSettings) -> Replay:
     replay = recorder.stop()
     replay.write(settings.out)
     return replay
+
+
+def shown_of_memory() -> dict[str, tuple[str, ...]]:
+    """Return which fields of teams' memories a recording keeps for people, with the words for their values."""
+    from soccer_env.baselines.heinemann_2006.memory import ROLES
+    from soccer_env.baselines.sacks_2001.memory import BEHAVIOURS
+
+    numbers = ("rank", "stuck", "tries", "left", "wriggle", "back_off", "detour")
+    words = {"behaviour": BEHAVIOURS, "role": ROLES, "attacks": ("supporter", "attacker")}
+    return words | dict.fromkeys(numbers, ())
 
 
 def check_target(path: Path) -> None:

@@ -1,0 +1,71 @@
+"""The parts of a replay file: records as plain numbers and back, and the settings of a match as plain values."""
+
+from __future__ import annotations
+
+from dataclasses import fields, is_dataclass
+from typing import Any, get_type_hints
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.match_settings import REPLAYED
+from soccer_env.settings import plain
+
+
+def as_actions(commands: np.ndarray) -> np.ndarray:
+    """Return commands as numbers (..., 7)."""
+    return as_numbers(commands)
+
+
+def as_numbers(records: np.ndarray) -> np.ndarray:
+    """Return records of numbers as numbers (..., fields)."""
+    return np.stack([records[name] for name in records.dtype.names or ()], axis=-1)
+
+
+def as_records(numbers: np.ndarray, dtype: np.dtype, what: str) -> np.ndarray:
+    """Return numbers (T, M, R, fields) as records (T, M, R); ValueError if they are not finite."""
+    names = dtype.names or ()
+    well = numbers.ndim == 4 and numbers.shape[-1] == len(names) and numbers.dtype == np.float64
+    if not well or not np.isfinite(numbers).all():
+        raise ValueError(f"its {what} are {numbers.dtype} {numbers.shape}, not finite (T, M, R, {len(names)}) float64")
+    records = np.zeros(numbers.shape[:-1], dtype)
+    for index, name in enumerate(names):
+        records[name] = numbers[..., index]
+    return records
+
+
+def rebuild(kind: type, values: dict[str, Any]) -> Any:
+    """Return a settings record from the plain values that `settings.plain` made of it; its own checks apply."""
+    types = get_type_hints(kind)
+    known = {item.name for item in fields(kind)}
+    if set(values) != known:
+        raise ValueError(f"{kind.__name__} has the fields {', '.join(sorted(known))}, got {', '.join(sorted(values))}")
+    made = {}
+    for name, value in values.items():
+        if is_dataclass(types[name]):
+            value = rebuild(types[name], value)
+        elif name in ("sensors", "memory"):
+            value = None  # a replay gives commands; nobody senses
+        elif name == "corners":
+            value = tuple(tuple(corner) for corner in value)
+        made[name] = value
+    return kind(**made)
+
+
+def describe(match: Match) -> dict[str, Any]:
+    """Return what a replay needs to know of a match's settings."""
+    settings = match.settings
+    return {
+        "league": plain(settings.league),
+        **{name: getattr(settings, name) for name in REPLAYED},
+        "max_players": settings.max_players if settings.padded else None,
+        "max_cycles": settings.max_cycles,
+        "action_repeat": settings.action_repeat,
+        "scene": {
+            "name": settings.scene.name,
+            "success": settings.scene.success,
+            "time_limit": str(settings.scene.time_limit),
+        },
+        "matches": match.count,
+        "teams": {match.agents[r]: squad.team.name for squad in match.squads for r in squad.players},
+    }

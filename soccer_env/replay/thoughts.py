@@ -1,0 +1,203 @@
+"""What robots saw, believed and decided, some times a second: kept beside the commands, for people to look at.
+
+Nobody decides in a replay, so what robots thought cannot be played again. A `Thoughts` notes it while the match runs,
+as whole numbers of 16 bits; the replay plays the same without. Only the first match of several is noted.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.squads import Squad
+from soccer_env.types import HOME
+
+PER_SECOND = 5  # [1/s] notes, at least
+MOST = 32767  # of 16 bits
+MILLI, CENTI = 1000.0, 100.0  # [1] steps in a metre or radian; in a second, a unit of confidence or of a command
+TABLE = (  # columns of each robot; lengths in mm, angles in mrad, times in 10 ms, all in the field frame
+    "x", "y", "heading", "confidence", "ball_x", "ball_y", "ball_confidence", "ball_age",
+    "sees", "players", "marks", "infrared", "spread", "narrow", "axis", "forward", "left", "turn", "kick",
+)  # fmt: skip
+TRACK = ("x", "y", "age")  # of each slot: age in 0.1 s, 1 and more, below 0 of an opponent; 0: an empty slot
+SEES = {"ball": 1, "own_goal": 2, "opponent_goal": 4, "held": 8, "thinks": 16}  # bits of `sees`
+MOST_FIELDS = 12  # of a team's memory
+
+
+class Thoughts:
+    """Notes of one match, taken every `every` control steps.
+
+    `shown` maps fields of the teams' memories to the words for their values, () for a plain number; None: all whole
+    numbers that a memory has.
+    """
+
+    def __init__(self, match: Match, shown: Mapping[str, tuple[str, ...]] | None = None) -> None:
+        self.every = max(1, match.league.control_rate // PER_SECOND)
+        self.slots = int(match.tracks.shape[2]) if thinks(match) else 0
+        self.fields = [fields_of(match, r, shown) for r in range(len(match.agents))]
+        self.steps: list[int] = []
+        self.rows: list[np.ndarray] = []  # each (R, C) int16
+
+    def note(self, match: Match, step: int) -> None:
+        """Take a note of the match after a control step, if it is time for one."""
+        if step % self.every == 0 and self.slots:
+            self.steps.append(step)
+            self.rows.append(note_of(match, self.fields, self.slots))
+
+    def cut(self, step: int) -> None:
+        """Forget what was noted after a control step."""
+        while self.steps and self.steps[-1] > step:
+            self.steps.pop()
+            self.rows.pop()
+
+    def packed(self) -> dict[str, np.ndarray]:
+        """Return the notes as arrays for a file: changes from note to note, which compress well."""
+        if not self.rows:
+            return {}
+        about = {"steps": self.steps, "slots": self.slots, "fields": self.fields}
+        changes = np.diff(np.stack(self.rows), axis=0, prepend=np.int16(0))
+        return {
+            "thoughts": np.ascontiguousarray(np.moveaxis(changes, 0, -1)),  # (R, C, T), wraps round
+            "thoughts_about": np.frombuffer(json.dumps(about).encode(), np.uint8),
+        }
+
+
+class Notes:
+    """Thoughts that were read from a file: `numbers` (T, R, C) int16, taken after the control steps `steps` (T,)."""
+
+    def __init__(self, arrays: Mapping[str, np.ndarray], robots: int) -> None:
+        about = json.loads(arrays["thoughts_about"].tobytes())
+        changes = arrays["thoughts"]
+        self.slots, self.fields = int(about["slots"]), [checked_fields(fields) for fields in about["fields"]]
+        self.steps = np.array(about["steps"], np.int64)
+        width = len(TABLE) + self.slots * len(TRACK) + max((len(fields) for fields in self.fields), default=0)
+        if changes.dtype != np.int16 or changes.shape != (robots, width, len(self.steps)) or len(self.fields) != robots:
+            raise ValueError(f"its thoughts are {changes.dtype} {changes.shape}, not int16 of {robots} robots")
+        self.numbers = np.cumsum(np.moveaxis(changes, -1, 0), axis=0, dtype=np.int16)
+
+
+def checked_fields(fields: Any) -> list[list[Any]]:
+    """Return the names, words and steps of a robot's memory; ValueError for anything else."""
+    found = [[str(name), [str(word) for word in words], float(step)] for name, words, step in fields]
+    if len(found) > MOST_FIELDS or not all(step > 0.0 for _, _, step in found):
+        raise ValueError("the fields of its thoughts are damaged")
+    return found
+
+
+def thinks(match: Match) -> bool:
+    """Tell whether anybody in a match believes anything."""
+    return bool(match.batch.senses is not None or match.batch.ideal.any())
+
+
+def fields_of(match: Match, r: int, shown: Mapping[str, tuple[str, ...]] | None) -> list[list[Any]]:
+    """Return what is noted of the memory of robot r: [name, words of its values, steps in a unit] each."""
+    found: list[list[Any]] = []
+    for squad in of_one_team(match):
+        for path, kind in leaves(squad.memory.dtype) if r in squad.players else ():
+            name = path.rpartition(".")[2]
+            if (shown is None and kind == "i" and name != "begun") or (shown is not None and name in shown):
+                found.append([path, list((shown or {}).get(name, ())), 1.0 if kind in "iu" else CENTI])
+    return found[:MOST_FIELDS]
+
+
+def of_one_team(match: Match) -> list[Squad]:
+    """Return the squads whose players one team plays for good: a lineup's memory is its present team's."""
+    return [squad for squad in match.squads if squad.lineup is None]
+
+
+def leaves(dtype: np.dtype, path: str = "") -> list[tuple[str, str]]:
+    """Return the single numbers of a record by their dotted path, with the kind of number."""
+    found: list[tuple[str, str]] = []
+    for name in dtype.names or ():
+        inner = dtype[name]
+        if inner.names:
+            found += leaves(inner, f"{path}{name}.")
+        elif inner.shape == () and inner.kind in "iuf":
+            found.append((path + name, inner.kind))
+    return found
+
+
+def note_of(match: Match, fields: list[list[list[Any]]], slots: int) -> np.ndarray:
+    """Return what all robots of the first match think now, (R, C) int16."""
+    robots, beliefs = match.robots[0], match.beliefs[0]
+    sign = np.where((robots["team"] == HOME) == (match.matches["home_direction"][0] > 0.0), 1.0, -1.0)
+    own = (sign * beliefs["own"]["x"], sign * beliefs["own"]["y"])
+    heading = beliefs["own"]["heading"] + np.where(sign > 0.0, 0.0, np.pi)
+    heading = np.arctan2(np.sin(heading), np.cos(heading))
+    ball_x, ball_y = placed(own, heading, beliefs["ball"])
+    columns = [MILLI * own[0], MILLI * own[1], MILLI * heading, CENTI * beliefs["own"]["confidence"]]
+    columns += [MILLI * ball_x, MILLI * ball_y, CENTI * beliefs["ball"]["confidence"], CENTI * beliefs["ball"]["age"]]
+    columns += seen(match) + cloud(match, sign)
+    columns += [CENTI * robots["command"][name] for name in ("forward", "left", "turn", "kick")]
+    for slot in range(slots):
+        track = match.tracks[0, :, slot]
+        x, y = placed(own, heading, track)
+        age = np.where(track["teammate"] == 1, 1.0, -1.0) * (1.0 + np.minimum(10.0 * track["age"], MOST - 1))
+        columns += [np.where(track["present"] == 1, values, 0.0) for values in (MILLI * x, MILLI * y, age)]
+    memory = remembered(match, fields)
+    return np.column_stack([whole(np.stack(columns, axis=1)), memory])
+
+
+def placed(own: tuple[np.ndarray, np.ndarray], heading: np.ndarray, thing: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return where things of the robots' frames lie in the field frame, for robots that stand where they believe."""
+    cosine, sine = np.cos(heading), np.sin(heading)
+    return own[0] + cosine * thing["x"] - sine * thing["y"], own[1] + sine * thing["x"] + cosine * thing["y"]
+
+
+def whole(numbers: np.ndarray) -> np.ndarray:
+    """Return numbers as whole ones of 16 bits, the largest for those beyond."""
+    return np.rint(np.nan_to_num(np.clip(numbers, -MOST, MOST))).astype(np.int16)
+
+
+def seen(match: Match) -> list[np.ndarray]:
+    """Return bits of SEES, how many players and landmarks (or lines) are seen, and the infrared range, each (R,)."""
+    robots = match.robots[0]
+    bits = np.where(match.batch.believing, SEES["thinks"], 0) | np.where(robots["has_ball"] == 1, SEES["held"], 0)
+    none = np.zeros(len(robots))
+    if match.batch.senses is None:
+        return [bits, none, none, none]
+    percepts = match.batch.senses.percepts[0]
+    if "infrared" in (percepts.dtype.names or ()):
+        ball, goals = percepts["ball"]["area"][:, 0] > 0, [percepts[n]["area"][:, 0] > 0 for n in SEEN_GOALS]
+        others = (percepts["teammates"]["area"] > 0).sum(axis=1) + (percepts["opponents"]["area"] > 0).sum(axis=1)
+        marks, infrared = (percepts["landmarks"]["area"] > 0).sum(axis=1), MILLI * percepts["infrared"]
+    else:
+        ball, goals = percepts["ball"]["seen"] > 0, [percepts[name]["seen"] > 0 for name in SEEN_GOALS]
+        others, marks = percepts["players"]["seen"].sum(axis=1), (percepts["lines"] > 0.0).sum(axis=1)
+        infrared = none
+    for name, present in zip(("ball", *SEEN_GOALS), (ball, *goals), strict=True):
+        bits = bits | np.where(present, SEES[name], 0)
+    return [bits, others, marks, infrared]
+
+
+SEEN_GOALS = ("own_goal", "opponent_goal")
+
+
+def cloud(match: Match, sign: np.ndarray) -> list[np.ndarray]:
+    """Return how far the poses that each robot thinks possible are spread: standard deviations [mm] and axis [mrad]."""
+    senses = match.batch.senses
+    if senses is None or senses.particles.shape[2] < 2:
+        return [np.zeros(len(sign))] * 3
+    x, y = (sign[:, None] * senses.particles[0][name] for name in ("x", "y"))
+    x, y = x - x.mean(axis=1, keepdims=True), y - y.mean(axis=1, keepdims=True)
+    across, along, mixed = (x * x).mean(axis=1), (y * y).mean(axis=1), (x * y).mean(axis=1)
+    middle, apart = (across + along) / 2, np.hypot((across - along) / 2, mixed)
+    least = np.sqrt(np.maximum(middle - apart, 0.0))
+    return [MILLI * np.sqrt(middle + apart), MILLI * least, MILLI * 0.5 * np.arctan2(2.0 * mixed, across - along)]
+
+
+def remembered(match: Match, fields: list[list[list[Any]]]) -> np.ndarray:
+    """Return what is noted of the robots' memories, (R, fields) int16."""
+    found = np.zeros((len(fields), max((len(names) for names in fields), default=0)))
+    for squad in of_one_team(match):
+        for place, r in enumerate(squad.players):
+            for column, (path, _, step) in enumerate(fields[r]):
+                value = squad.memory[0, place]
+                for name in path.split("."):
+                    value = value[name]
+                found[r, column] = step * float(value)
+    return whole(found)

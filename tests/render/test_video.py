@@ -1,0 +1,140 @@
+"""Films of replays: how long they are, what they refuse, and that a film that fails leaves nothing behind."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.render import video
+from soccer_env.replay import Recorder, Replay
+from soccer_env.replay.film import FilmSettings, drawn_steps
+from soccer_env.train.command_line import main
+
+pytest.importorskip("pygame")
+
+
+@pytest.fixture(scope="module")
+def replay() -> Replay:
+    match = Match("middle-size-2006", home=1, away=1, controllers={"home": "chaser", "away": "random"}, seed=3)
+    recorder = Recorder(match)
+    for _ in range(60):
+        match.step()
+    return recorder.stop()
+
+
+def test_an_mp4_has_as_many_frames_as_its_length_asks_for(replay: Replay, tmp_path: Path) -> None:
+    ffmpeg = pytest.importorskip("imageio_ffmpeg")
+    path = replay.video(tmp_path / "a.mp4", width=321)
+    frames, seconds = ffmpeg.count_frames_and_secs(str(path))
+    assert (frames, round(seconds, 2)) == (31, 31 / 25)  # 1.2 s and the start, at 25 frames a second
+    assert [file.name for file in tmp_path.iterdir()] == ["a.mp4"]
+
+
+def test_a_gif_shows_real_time_in_hundredths_of_a_second(replay: Replay, tmp_path: Path) -> None:
+    image = pytest.importorskip("PIL.Image")
+    with image.open(replay.video(tmp_path / "a.gif", width=240, speed=2.0)) as film:
+        assert film.n_frames == 8  # 1.2 s in 0.6, each 0.08 s
+        assert film.info["duration"] == 80 and film.info["loop"] == 0
+
+
+def test_speed_and_the_part_that_is_shown_choose_the_steps() -> None:
+    settings = FilmSettings(speed=4.0, start=1.0, seconds=2.0)
+    steps, fps = drawn_steps(settings, ".mp4", 50, 500)
+    assert fps == 25.0 and steps.tolist() == list(range(50, 151, 8))
+    slow, fps = drawn_steps(FilmSettings(speed=0.25), ".mp4", 16, 4)
+    assert fps == 4.0 and slow.tolist() == [0, 1, 2, 3, 4]
+    with pytest.raises(ValueError, match="start must be at most 10, the length of the replay in seconds, got 11"):
+        drawn_steps(FilmSettings(start=11.0), ".mp4", 50, 500)
+
+
+def test_a_file_that_exists_is_not_written_over(replay: Replay, tmp_path: Path) -> None:
+    pytest.importorskip("PIL")
+    path = tmp_path / "a.gif"
+    path.write_bytes(b"mine")
+    with pytest.raises(ValueError, match=r"a\.gif exists already; give another path or anew"):
+        replay.video(path)
+    assert path.read_bytes() == b"mine"
+    replay.video(path, anew=True, width=240)
+    assert path.read_bytes().startswith(b"GIF89a")
+
+
+@pytest.mark.parametrize("ending", [".mp4", ".gif"])
+def test_a_film_that_fails_leaves_nothing_behind(replay: Replay, tmp_path: Path, ending: str) -> None:
+    pytest.importorskip("imageio_ffmpeg")
+    forged = Replay(replay.settings, replay.start, replay.commands, replay.gazes, ["0" * 32] * 60, replay.log)
+    with pytest.raises(ValueError, match="differs from the recorded match at control step 0"):
+        forged.video(tmp_path / f"a{ending}", width=240)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [({"speed": 0.0}, "speed must be"), ({"fps": -1.0}, "fps must be"), ({"width": 3}, "width must be 240 to 2560")],
+)
+def test_wrong_settings_are_named(replay: Replay, tmp_path: Path, settings: dict[str, float], message: str) -> None:
+    pytest.importorskip("PIL")
+    with pytest.raises(ValueError, match=message):
+        replay.video(tmp_path / "a.gif", **settings)
+    with pytest.raises(TypeError, match="unknown setting 'sped', did you mean 'speed'"):
+        replay.video(tmp_path / "a.gif", sped=1.0)
+
+
+@pytest.mark.parametrize(("ending", "module"), [(".mp4", "imageio_ffmpeg"), (".gif", "PIL.Image")])
+def test_a_missing_extra_is_named(
+    replay: Replay, tmp_path: Path, ending: str, module: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(ImportError, match=r'not installed: pip install "soccer_env\[video\]"'):
+        replay.video(tmp_path / f"a{ending}")
+    with pytest.raises(ValueError, match=r"must end with .mp4 or .gif, got '.*a.avi'"):
+        replay.video(tmp_path / "a.avi")
+
+
+def test_a_gif_that_would_be_too_long_is_refused_before_it_is_drawn(tmp_path: Path) -> None:
+    pytest.importorskip("PIL")
+    with pytest.raises(ValueError, match="at most 1500 frames, this one would have 1501: write an MP4"):
+        video.write_video(tmp_path / "a.gif", iter(()), 12.5, 1501)
+
+
+def test_a_gif_has_every_colour_of_the_pictures(tmp_path: Path) -> None:
+    image = pytest.importorskip("PIL.Image")
+    grey, amber = np.full((64, 64, 3), 120, np.uint8), np.zeros((64, 64, 3), np.uint8)
+    amber[:] = (255, 190, 40)
+    with image.open(video.write_video(tmp_path / "a.gif", iter([grey, amber]), 10.0, 2)) as film:
+        film.seek(1)
+        assert np.abs(np.asarray(film.convert("RGB"))[32, 32].astype(int) - (255, 190, 40)).max() <= 8
+
+
+def test_a_replay_is_exported_by_the_command(
+    replay: Replay, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("PIL")
+    source, out = replay.write(tmp_path / "a.replay"), tmp_path / "new" / "a.gif"
+    assert main(["export", str(source), "--out", str(out), "--width", "240", "--seconds", "0.5"]) == 0
+    assert "a.gif, 0." in capsys.readouterr().out
+    assert main(["export", str(source), "--out", str(out)]) == 2
+    assert main(["export", str(source), "--out", str(tmp_path / "a.avi")]) == 2
+    source.write_bytes(source.read_bytes()[:-100])
+    assert main(["export", str(source), "--out", str(tmp_path / "b.gif")]) == 2
+    exists, ending, short = capsys.readouterr().err.splitlines()
+    assert "exists already; give another --out, or --anew" in exists
+    assert "--out must end with " in ending
+    assert "is not a replay that can be read: it is cut short, damaged or no replay" in short
+    assert not (tmp_path / "b.gif").exists()
+
+
+def test_gymnasium_records_a_video(tmp_path: Path) -> None:
+    pytest.importorskip("moviepy")
+    import gymnasium
+    from gymnasium.wrappers import RecordVideo
+
+    env = RecordVideo(
+        gymnasium.make("soccer_env/Legged2001-1v1-v0", render_mode="rgb_array"), str(tmp_path), disable_logger=True
+    )
+    env.reset(seed=1)
+    for _ in range(5):
+        env.step(env.action_space.sample())
+    env.close()
+    assert [file.suffix for file in tmp_path.iterdir()] == [".mp4"]

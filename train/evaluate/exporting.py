@@ -1,0 +1,37 @@
+"""`soccer export`: a replay file as a film or as a page for the browser."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+from soccer_env.replay import Replay
+from soccer_env.replay.film import FilmSettings, drawn_steps, make_film
+from soccer_env.train.evaluate.export_settings import ExportSettings
+from soccer_env.train.evaluate.recording import check_target
+from soccer_env.train.progress import Progress
+
+KINDS = (".mp4", ".gif")
+
+
+def export(settings: ExportSettings) -> str:
+    """Write what `out` asks for by its ending; return its name and size in words. See `Replay.video` for errors."""
+    kind = settings.out.suffix.lower()
+    if kind not in KINDS:
+        raise ValueError(f"--out must end with {', '.join(KINDS)}, got {str(settings.out)!r}")
+    check_target(settings.out)
+    if settings.out.exists() and not settings.anew:
+        raise ValueError(f"{settings.out} exists already; give another --out, or --anew to write over it")
+    replay = Replay.read(settings.file)
+    write_film(replay, settings)
+    minutes = len(replay) / replay.settings["league"]["control_rate"] / 60.0
+    size = settings.out.stat().st_size
+    return f"{settings.out}, {size / 1e6:.2f} MB, {size / 1e3 / max(minutes, 1e-9):.0f} kB a minute of play"
+
+
+def write_film(replay: Replay, settings: ExportSettings) -> None:
+    """Write a film, with a bar that says how far it is."""
+    film = FilmSettings(**{item.name: getattr(settings, item.name) for item in fields(FilmSettings)})
+    rate = replay.settings["league"]["control_rate"]
+    count = len(drawn_steps(film, settings.out.suffix.lower(), rate, len(replay))[0])
+    with Progress(settings.out.name, count) as bar:
+        make_film(replay, settings.out, film, settings.anew, bar.advance)
