@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, get_args
 
 from soccer_env.names import unknown
+from soccer_env.train.export_command import run_export
 from soccer_env.train.parsing import COMPLETION, completion, read_settings
 
 if TYPE_CHECKING:
@@ -206,17 +207,6 @@ def run_replay(words: list[str]) -> int:
     from soccer_env.train.evaluate.recording import play_again
 
     print(f"{settings.file}: {play_again(settings.file)} control steps agree")
-    return 0
-
-
-def run_export(words: list[str]) -> int:
-    """Run `soccer export`."""
-    from soccer_env.train.evaluate.export_settings import ExportSettings
-
-    settings = read_settings(ExportSettings, words, "export")
-    from soccer_env.train.evaluate.exporting import export
-
-    print(f"written: {export(settings)}")
     return 0
 
 

@@ -195,6 +195,15 @@ class Replay:
         check_names("setting", settings, [item.name for item in fields(FilmSettings)], TypeError)
         return make_film(self, path, FilmSettings(**settings), anew)
 
+    def html(self, path: str | Path, *, anew: bool = False) -> Path:
+        """Write the first match as one page for any browser, no network needed; return the path.
+
+        ValueError for a file that exists (unless `anew`), and where the play differs.
+        """
+        from soccer_env.replay.browser import write_page
+
+        return write_page(self, path, anew)
+
     def write(self, path: str | Path) -> Path:
         """Write the replay to a file, in one piece or not at all; return its path."""
         path = Path(path)
@@ -237,7 +246,7 @@ class Replay:
                 raise ValueError(f"it has commands of shape {commands.shape} and gazes of {gazes.shape}")
             if len(commands) != len(hashes):
                 raise ValueError(f"it has {len(commands)} commands and {len(hashes)} hashes")
-            made_by = str(header.get("version", ""))
+            made_by = str(header.get("version", ""))[:40]
             thoughts = {name: arrays[name] for name in ("thoughts", "thoughts_about") if name in arrays}
             start = arrays["start"].tobytes()
             return Replay(header["settings"], start, commands, gazes, hashes, log, made_by, thoughts)
@@ -256,8 +265,10 @@ def check_format(header: Any) -> None:
     if not isinstance(header, dict) or "format" not in header:
         raise ValueError("it does not say which format it has")
     if header["format"] != FORMAT:
-        wrote = f", written by soccer_env {header['version']}" if header.get("version") else ""
-        raise ValueError(f"its format is {header['format']!r}{wrote}; soccer_env {version()} reads {FORMAT!r}")
+        wrote = f", written by soccer_env {str(header['version'])[:40]}" if header.get("version") else ""
+        raise ValueError(
+            f"its format is {str(header['format'])[:40]!r}{wrote}; soccer_env {version()} reads {FORMAT!r}"
+        )
 
 
 def check_size(content: io.BytesIO) -> None:

@@ -1,6 +1,7 @@
 """Films of replays: how long they are, what they refuse, and that a film that fails leaves nothing behind."""
 
 import sys
+from copy import copy
 from pathlib import Path
 
 import numpy as np
@@ -123,6 +124,29 @@ def test_a_replay_is_exported_by_the_command(
     assert "--out must end with " in ending
     assert "is not a replay that can be read: it is cut short, damaged or no replay" in short
     assert not (tmp_path / "b.gif").exists()
+
+
+def test_a_replay_of_another_version_says_which(
+    replay: Replay, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    replay = copy(replay)
+    replay.made_by = "0.0.1"
+    path = replay.write(tmp_path / "a.replay")
+    assert Replay.read(path).made_by == "0.0.1"
+    forged = Replay(replay.settings, replay.start, replay.commands, replay.gazes, ["0" * 32] * 60, replay.log, "0.0.1")
+    with pytest.raises(ValueError, match=r"step 0; soccer_env 0\.0\.1 recorded it, and this is \d"):
+        forged.check()
+    monkeypatch.setattr("soccer_env.replay.replay_file.FORMAT", "soccer_env replay 99")
+    with pytest.raises(ValueError, match=r"'soccer_env replay 2', written by soccer_env 0\.0\.1; soccer_env .* reads"):
+        Replay.read(path)
+    monkeypatch.undo()
+    replay.settings = {"league": "mine"}
+    assert main(["export", str(replay.write(path)), "--out", str(tmp_path / "b.html")]) == 2
+    np.savez(tmp_path / "c.npz", a=np.zeros(3))
+    assert main(["export", str(tmp_path / "c.npz"), "--out", str(tmp_path / "b.html")]) == 2
+    damaged, foreign = capsys.readouterr().err.splitlines()
+    assert "the settings of this replay are damaged" in damaged and "it is an archive of something else" in foreign
+    assert not (tmp_path / "b.html").exists()
 
 
 def test_gymnasium_records_a_video(tmp_path: Path) -> None:

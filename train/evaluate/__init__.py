@@ -8,6 +8,7 @@ statistics.py      statistics of play: of a line, totals with intervals, tables
 report.py          the result in Markdown and on the screen
 pictures.py        a sheet of pictures of one match
 recording.py       a match into a replay file, out of it again, and into a window
+exporting.py       a replay as a film or a page                                     export_settings.py
 """
 
 from typing import TYPE_CHECKING

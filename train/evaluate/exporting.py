@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import fields
 
 from soccer_env.replay import Replay
+from soccer_env.replay.browser import write_page
 from soccer_env.replay.film import FilmSettings, drawn_steps, make_film
 from soccer_env.train.evaluate.export_settings import ExportSettings
 from soccer_env.train.evaluate.recording import check_target
 from soccer_env.train.progress import Progress
 
-KINDS = (".mp4", ".gif")
+KINDS = (".html", ".mp4", ".gif")
 
 
 def export(settings: ExportSettings) -> str:
@@ -22,16 +23,20 @@ def export(settings: ExportSettings) -> str:
     if settings.out.exists() and not settings.anew:
         raise ValueError(f"{settings.out} exists already; give another --out, or --anew to write over it")
     replay = Replay.read(settings.file)
-    write_film(replay, settings)
-    minutes = len(replay) / replay.settings["league"]["control_rate"] / 60.0
+    rate = replay.make_match().league.control_rate  # its settings are sound, too
+    if kind == ".html":
+        with Progress(settings.out.name, len(replay)) as bar:
+            write_page(replay, settings.out, settings.anew, bar.advance)
+    else:
+        write_film(replay, settings, rate)
+    minutes = len(replay) / rate / 60.0
     size = settings.out.stat().st_size
     return f"{settings.out}, {size / 1e6:.2f} MB, {size / 1e3 / max(minutes, 1e-9):.0f} kB a minute of play"
 
 
-def write_film(replay: Replay, settings: ExportSettings) -> None:
+def write_film(replay: Replay, settings: ExportSettings, rate: int) -> None:
     """Write a film, with a bar that says how far it is."""
     film = FilmSettings(**{item.name: getattr(settings, item.name) for item in fields(FilmSettings)})
-    rate = replay.settings["league"]["control_rate"]
     count = len(drawn_steps(film, settings.out.suffix.lower(), rate, len(replay))[0])
     with Progress(settings.out.name, count) as bar:
         make_film(replay, settings.out, film, settings.anew, bar.advance)

@@ -1,0 +1,111 @@
+// What is true, and what a robot thinks, at a time; times are control steps.
+
+const JUMP = 0.6; // [m] farther in a row's time: it was put there, and nothing lies between
+
+class Recording {
+  constructor(data, places, thoughts) {
+    Object.assign(this, data);
+    this.places = places;
+    this.notes = thoughts;
+    this.last = this.steps;
+    this.general = Object.fromEntries(data.columns.general.map((name, at) => [name, at]));
+    this.each = Object.fromEntries(data.columns.each.map((name, at) => [name, at]));
+    this.noteWidth = thoughts ? thoughts.length / this.robots.length : 0;
+  }
+
+  static async from(data) {
+    const width = data.columns.general.length + data.robots.length * data.columns.each.length;
+    const places = await unpack(data.tables.places, data.rows, width);
+    if (!data.thoughts) return new Recording(data, places, null);
+    const { table, track, slots, fields, steps } = data.thoughts;
+    const most = Math.max(0, ...fields.map((names) => names.length));
+    const columns = (table.length + track.length * slots + most) * data.robots.length;
+    return new Recording(data, places, await unpack(data.tables.thoughts, steps.length, columns));
+  }
+
+  value(name, row) {
+    return this.places[this.general[name]][row];
+  }
+
+  robotValue(r, name, row) {
+    return this.places[this.columns.general.length + r * this.columns.each.length + this.each[name]][row];
+  }
+
+  // Return where everything is at a time, between two rows if need be.
+  at(time) {
+    const exact = Math.min(Math.max(time / this.every, 0), this.rows - 1);
+    const row = Math.floor(exact), next = Math.min(row + 1, this.rows - 1), share = exact - row;
+    const near = share < 0.5 ? row : next;
+    const state = (name) => this.value(name, row);
+    const ball = between(state("ball_x"), state("ball_y"), this.value("ball_x", next), this.value("ball_y", next), share);
+    const robots = this.robots.map(([team, number, keeper], r) => {
+      const get = (name, at = row) => this.robotValue(r, name, at);
+      const place = between(get("x"), get("y"), get("x", next), get("y", next), share);
+      const flags = get("state", near), bits = this.columns.states;
+      return {
+        r, team, number, keeper, ...place,
+        heading: turned(get("heading") / 1e3, get("heading", next) / 1e3, share),
+        pan: get("pan") / 1e3,
+        active: (flags & bits.active) !== 0, hasBall: (flags & bits.has_ball) !== 0,
+        fallen: (flags & bits.fallen) !== 0, kicks: (flags & bits.kicks) !== 0,
+      };
+    });
+    return {
+      row, ball, robots, clock: state("clock") / 10, half: state("half"), phase: state("phase"), team: state("team"),
+      score: [state("score_home"), state("score_away")], direction: state("direction"), touch: state("touch"),
+    };
+  }
+
+  // Return what robot r thought at the last note before a time, or null.
+  thought(r, time) {
+    if (!this.notes) return null;
+    const { steps, table, track, slots, fields, sees } = this.thoughts;
+    let low = 0, high = steps.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (steps[middle] <= time + 1e-6) low = middle + 1; else high = middle;
+    }
+    if (low === 0) return null;
+    const get = (column) => this.notes[r * this.noteWidth + column][low - 1];
+    const of = Object.fromEntries(table.map((name, at) => [name, get(at)]));
+    if ((of.sees & sees.thinks) === 0 && !fields[r].length) return null;
+    const players = [];
+    for (let slot = 0; slot < slots; slot++) {
+      const [x, y, age] = track.map((_, at) => get(table.length + slot * track.length + at));
+      if (age !== 0) players.push({ x: x / 1e3, y: y / 1e3, mate: age > 0, age: (Math.abs(age) - 1) / 10 });
+    }
+    const memory = fields[r].map(([name, words, unit], at) => {
+      const number = get(table.length + slots * track.length + at);
+      return { name, word: words[number], number: number / unit };
+    });
+    const saw = Object.fromEntries(Object.entries(sees).map(([name, bit]) => [name, (of.sees & bit) !== 0]));
+    return {
+      step: steps[low - 1], saw, players, memory, knows: saw.thinks,
+      own: { x: of.x / 1e3, y: of.y / 1e3, heading: of.heading / 1e3, confidence: of.confidence / 100,
+        spread: of.spread / 1e3, narrow: of.narrow / 1e3, axis: of.axis / 1e3 },
+      ball: { x: of.ball_x / 1e3, y: of.ball_y / 1e3, confidence: of.ball_confidence / 100, age: of.ball_age / 100 },
+      seen: { players: of.players, marks: of.marks, infrared: of.infrared / 1e3 },
+      command: ["forward", "left", "turn", "kick"].map((name) => [name, of[name] / 100]),
+    };
+  }
+
+  name(r) {
+    const [team, number, keeper] = this.robots[r];
+    return `${["red", "blue"][team]} ${number}${keeper ? " (keeper)" : ""}`;
+  }
+}
+
+function between(x, y, nextX, nextY, share) {
+  const jumps = Math.hypot(nextX - x, nextY - y) > JUMP * 1e3;
+  const part = jumps ? 0 : share;
+  return { x: (x + (nextX - x) * part) / 1e3, y: (y + (nextY - y) * part) / 1e3 };
+}
+
+function turned(from, to, share) {
+  return from + Math.atan2(Math.sin(to - from), Math.cos(to - from)) * share;
+}
+
+function minutes(seconds) {
+  const whole = Math.max(0, Math.floor(seconds + 1e-6));
+  return `${String(Math.floor(whole / 60)).padStart(2, "0")}:${String(whole % 60).padStart(2, "0")}`;
+}

@@ -1,0 +1,19 @@
+"""Tables of whole numbers as text: changes from row to row, low bytes apart from high ones, deflated, base64.
+
+`unpack.js` reads them.
+"""
+
+from __future__ import annotations
+
+import base64
+import zlib
+
+import numpy as np
+
+
+def pack(table: np.ndarray) -> str:
+    """Return a table (T, C) int16 as text; differences wrap round."""
+    changes = np.diff(table, axis=0, prepend=np.int16(0)).T  # (C, T): a column's changes lie together
+    folded = ((changes.astype(np.int32) << 1) ^ (changes.astype(np.int32) >> 15)).astype("<u2")  # 0, -1, 1, -2, ...
+    planes = np.concatenate([(folded & 255).astype(np.uint8).ravel(), (folded >> 8).astype(np.uint8).ravel()])
+    return base64.b64encode(zlib.compress(planes.tobytes(), 9)).decode()

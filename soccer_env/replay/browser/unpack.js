@@ -1,0 +1,22 @@
+// Data out of the page: see packing.py.
+
+// Return the columns of a packed table as Int16Arrays of that many rows.
+async function unpack(text, rows, columns) {
+  const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const planes = new Uint8Array(await new Response(stream).arrayBuffer());
+  const size = rows * columns;
+  if (planes.length !== 2 * size) throw new Error("the data of this page are damaged");
+  const found = [];
+  for (let c = 0; c < columns; c++) {
+    const column = new Int16Array(rows);
+    let value = 0;
+    for (let t = 0, at = c * rows; t < rows; t++, at++) {
+      const folded = planes[at] | (planes[size + at] << 8);
+      value += (folded >>> 1) ^ -(folded & 1);
+      column[t] = value; // wraps round, as the changes do
+    }
+    found.push(column);
+  }
+  return found;
+}

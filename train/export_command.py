@@ -1,0 +1,15 @@
+"""`soccer export`, as command_line.py runs it."""
+
+from __future__ import annotations
+
+
+def run_export(words: list[str]) -> int:
+    """Run `soccer export`."""
+    from soccer_env.train.command_line import read_settings
+    from soccer_env.train.evaluate.export_settings import ExportSettings
+
+    settings = read_settings(ExportSettings, words, "export")
+    from soccer_env.train.evaluate.exporting import export
+
+    print(f"written: {export(settings)}")
+    return 0
