@@ -37,7 +37,7 @@ SUMMARIES = {
     "train": "train a policy",
     "reproduce": "measure what the two papers claim and say whether it holds",
     "warm-up": "compile everything ahead of time, for images and clusters",
-    "watch": "show a match in a window",
+    "watch": "show a match or a replay file in a window",
 }
 
 
@@ -288,7 +288,7 @@ def run_watch(words: list[str]) -> int:
     from soccer_env.train.evaluate.play_settings import WatchSettings
 
     settings = read_settings(WatchSettings, words, "watch")
-    from soccer_env.train.evaluate.recording import watch
+    from soccer_env.train.evaluate.watching import watch
 
     watch(settings)
     return 0

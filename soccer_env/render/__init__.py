@@ -14,7 +14,7 @@ from __future__ import annotations
 from soccer_env.render.frame import Picture
 from soccer_env.render.overlays import Area, Arrows, Label, Overlay, Points, Polyline
 from soccer_env.render.sheet import contact_sheet, save_png
-from soccer_env.render.window import Window
+from soccer_env.render.window import Window, check_display
 
 __all__ = [
     "Area",
@@ -25,6 +25,7 @@ __all__ = [
     "Points",
     "Polyline",
     "Window",
+    "check_display",
     "contact_sheet",
     "save_png",
 ]

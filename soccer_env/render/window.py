@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,24 @@ from soccer_env.render.sheet import check_frame
 
 if TYPE_CHECKING:
     import pygame
+
+
+UNSEEN = ("offscreen", "dummy")  # what SDL falls back on where there is no display
+
+
+def check_display() -> None:
+    """Raise ValueError where no window can be seen; a driver that SDL_VIDEODRIVER names is taken as it is."""
+    require_pygame()
+    import pygame
+
+    try:
+        pygame.display.init()
+        driver = pygame.display.get_driver()
+    except pygame.error as error:
+        raise ValueError(f"there is no display to open a window on: {error}") from error
+    if driver in UNSEEN and os.environ.get("SDL_VIDEODRIVER") != driver:
+        pygame.display.quit()
+        raise ValueError("there is no display to open a window on; soccer export makes a film or a page of a replay")
 
 
 class Window:
@@ -30,6 +49,18 @@ class Window:
         self.closed_by_user = False
         self._window: pygame.Window | None = None
         self._due = 0.0  # [s] of the performance counter: when the next frame may be shown
+        self._pressed: list[str] = []
+
+    def pressed(self) -> list[str]:
+        """Return the names of the keys that were pressed in this window since the last call, as pygame names them."""
+        keys, self._pressed = self._pressed, []
+        return keys
+
+    def say(self, caption: str) -> None:
+        """Change what stands above the window."""
+        self.caption = caption
+        if self._window is not None:
+            self._window.title = caption
 
     @property
     def is_open(self) -> bool:
@@ -91,6 +122,8 @@ class Window:
             mine = getattr(event, "window", None) is self._window
             if event.type == pygame.QUIT or (mine and (escape or event.type == pygame.WINDOWCLOSE)):
                 self.closed_by_user = True
+            elif mine and event.type == pygame.KEYDOWN:
+                self._pressed.append(pygame.key.name(event.key))
             elif not mine:
                 pygame.event.post(event)
         if self.closed_by_user:

@@ -7,7 +7,8 @@ results.py         one line for each match; the result that follows from the lin
 statistics.py      statistics of play: of a line, totals with intervals, tables
 report.py          the result in Markdown and on the screen
 pictures.py        a sheet of pictures of one match
-recording.py       a match into a replay file, out of it again, and into a window
+recording.py       a match into a replay file, and out of it again
+watching.py        a match or a replay in a window: pause, step, speed, seek
 exporting.py       a replay as a film or a page                                     export_settings.py
 """
 

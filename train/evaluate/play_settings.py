@@ -59,8 +59,14 @@ class ReplaySettings(CommandSettings):
 
 @dataclass(frozen=True)
 class WatchSettings(PlaySettings):
-    """Play a match in a window (needs pygame-ce); Escape ends it."""
+    """Show a match in a window (needs pygame-ce): a replay FILE, or one that is played now as the options say.
 
+    Space pauses, comma and full stop step, left and right go 5 s, up and down change the speed, Home goes to the
+    start, Escape ends.
+    """
+
+    file: tyro.conf.Positional[Path | None] = None
+    """A replay file to show; None: a match is played."""
     width: int = 960
     """Width of the picture [pixels]."""
     speed: float = 1.0

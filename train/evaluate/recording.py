@@ -1,16 +1,14 @@
-"""`soccer record`, `soccer replay` and `soccer watch`: a match into a file, out of it again, and onto the screen."""
+"""`soccer record` and `soccer replay`: a match into a file, and out of it again."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
 from pathlib import Path
 
 from soccer_env.leagues import find_league
-from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.train.evaluate.play_settings import PlaySettings, RecordSettings, WatchSettings
+from soccer_env.train.evaluate.play_settings import PlaySettings, RecordSettings
 from soccer_env.train.progress import Progress
 from soccer_env.train.written_settings import split_players
 
@@ -80,31 +78,3 @@ def play_again(path: Path) -> int:
         for _ in replay.play():
             bar.advance(1)
     return len(replay)
-
-
-def moving(match: Match) -> Iterable[Match]:
-    """Yield a match after every control step until it ends."""
-    while not match.terminated.all():
-        match.step()
-        yield match
-
-
-def show(league: League, matches: Iterable[Match], teams: tuple[str, str], width: int, speed: float) -> None:
-    """Show the first match of each state in a window, in real time times `speed`."""
-    from soccer_env.render import Picture, Window
-
-    if not 0.0 < speed <= 100.0:
-        raise ValueError(f"speed must be above 0 and at most 100, got {speed}")
-    picture, window = Picture(league, width), Window("soccer_env", min(league.control_rate * speed, 1000.0))
-    try:
-        for match in matches:
-            if not window.show(picture.draw(match.matches[0], match.balls[0], match.robots[0], title=teams)):
-                return
-    finally:
-        window.close()
-
-
-def watch(settings: WatchSettings) -> None:
-    """Play a match in a window."""
-    match = start(settings)
-    show(match.league, moving(match), (settings.home, settings.away), settings.width, settings.speed)

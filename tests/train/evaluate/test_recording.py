@@ -15,6 +15,7 @@ def test_a_recorded_match_plays_again(league: str, tmp_path: Path, capsys: pytes
     command = ["--league", league, "--away", "random", "--minutes", "0.1", "--players", "2v3", "--out", str(path)]
     assert main(["record", *command]) == 0
     assert main(["replay", str(path)]) == 0
+    assert main(["replay", str(path), "--verify"]) == 0
     steps = {"legged-2001": 96, "middle-size-2006": 300}[league]
     assert f"{steps} control steps agree" in capsys.readouterr().out
 
@@ -63,5 +64,6 @@ def test_a_replay_that_cannot_be_written_leaves_nothing_behind(tmp_path: Path) -
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.replay", "folder"]
 
 
-def test_a_match_can_be_watched_to_its_end() -> None:
+def test_a_match_can_be_watched_to_its_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     assert main(["watch", "--minutes", "0.02", "--speed", "50", "--width", "320"]) == 0
