@@ -4,6 +4,7 @@
 # make test-quick  run those that notice most of what an edit breaks (tests/quick.txt), in a minute or so
 # make bench    measure the speed        make tables        measure the tables of the pages
 # make clean    remove what make built   make tables-check  replay a small part of each table
+# make examples  run the examples of train/examples/: what needs more than `train` in an environment of its own
 # make pictures  draw the pictures of the pages       make docs  build the site into site/, strictly
 # make sacks-table  measure every claim of Sacks 2001 and write baselines/sacks_2001/README.md
 # make heinemann-table  the same of Heinemann et al. 2006, in baselines/heinemann_2006/README.md
@@ -19,7 +20,7 @@ BIN := $(VENV)/bin
 INNER := baselines agents train
 PARALLEL := -n auto --dist worksteal  # a process for each core; one that is done takes tests from the others
 
-.PHONY: match test test-quick lint types bench pictures docs tables tables-check sacks-table heinemann-table mutants lock clean
+.PHONY: match test test-quick lint types bench pictures docs tables tables-check sacks-table heinemann-table mutants examples lock clean
 .DELETE_ON_ERROR:
 
 LEAGUE := legged-2001
@@ -78,6 +79,26 @@ lock: $(VENV)/.has-base
 	$(BIN)/python -m pip install uv
 	echo 'setuptools>=77' | $(BIN)/uv pip compile pyproject.toml - --extra render --universal --python-version 3.10 \
 		--generate-hashes --no-header --no-annotate --upgrade --output-file requirements.lock
+
+# Each page of train/examples/ says in its first lines what it needs. STEPS=2000 runs them all in a shortened form;
+# `make -k examples` goes on after one that fails, `make example-mappo` runs one.
+HERE := mappo ppo_cleanrl ppo_sb3
+APART := cloning_minari ppo_supersuit ppo_torchrl
+EXAMPLE = bin/python -W ignore -m soccer_env.train.examples $* $(STEPS:%=--steps %)
+
+examples: $(HERE:%=example-%) $(APART:%=example-%)
+
+$(HERE:%=example-%): example-%: $(VENV)/.has-train
+	$(VENV)/$(EXAMPLE)
+
+$(APART:%=example-%): example-%: build/examples/%/.installed
+	MINARI_DATASETS_PATH=$(CURDIR)/runs/minari build/examples/$*/$(EXAMPLE)
+
+build/examples/%/.installed: train/examples/%.py pyproject.toml
+	$(PYTHON) -m venv $(@D)
+	$(@D)/bin/python -m pip install $(TORCH)
+	$(@D)/bin/python -m pip install $(TORCH) -e '.[train]' $$(sed -n 's/^Needs: //p' $<)
+	touch $@
 
 # Everything here can be made again, .venv included. runs/ holds results and stays.
 clean:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 def run_export(words: list[str]) -> int:
     """Run `soccer export`."""
-    from soccer_env.train.command_line import read_settings
+    from soccer_env.train.parsing import read_settings
     from soccer_env.train.evaluate.export_settings import ExportSettings
 
     settings = read_settings(ExportSettings, words, "export")

@@ -1,4 +1,14 @@
-"""Small programs that show how something is done, each run by a test.
+"""Pages of at most 40 lines of code, each with another library: copy one and go on from there. Nothing imports them.
 
-monte_carlo.py   Monte Carlo search in branches of a match, which beats `chaser` in a drill
+    python -m soccer_env.train.examples ppo_sb3 --steps 100000        make example-ppo_torchrl       make examples
+
+A page says in its first lines what it needs, and what it reached in how long. One that needs more than the extra
+`train` is run by make, in an environment of its own under build/examples/.
+
+ppo_sb3.py          stable-baselines3 over `SoccerVecEnv`      ppo_supersuit.py    over PettingZoo, by SuperSuit
+ppo_cleanrl.py      PPO in one file, straight on `Match`       mappo.py            MAPPO in one file, 5 v 5
+cloning_minari.py   a Minari dataset of scripted play, imitated
+ppo_torchrl.py      a collector of TorchRL over PettingZoo
+empty_goal.py       the task that most of them learn, and how well they learned it
+monte_carlo.py      Monte Carlo search in branches of a match, which beats `chaser` in a drill
 """

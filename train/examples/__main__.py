@@ -1,0 +1,39 @@
+"""Run an example and say what it reached: python -m soccer_env.train.examples NAME [--steps 10000]."""
+
+import ast
+import importlib
+import re
+import sys
+import time
+from pathlib import Path
+
+import tyro
+
+FOLDER = Path(__file__).parent
+PAGES = sorted({file.stem for file in FOLDER.glob("*.py")} - {"__init__", "__main__", "empty_goal"})
+
+
+def needs(name: str) -> str:
+    """Return what a page has to have installed beside the package, as pip takes it."""
+    text = ast.get_docstring(ast.parse((FOLDER / f"{name}.py").read_text(encoding="utf-8"))) or ""
+    found = re.search(r"^Needs: (.+)$", text, re.MULTILINE)
+    return found[1] if found else ""
+
+
+def main() -> None:
+    """Run the page that the first word names; the others are arguments of its `main`."""
+    name = sys.argv[1] if len(sys.argv) > 1 else ""
+    if name not in PAGES:
+        sys.exit(f"name an example: {', '.join(PAGES)}; got {name!r}")
+    started = time.perf_counter()
+    try:
+        page = importlib.import_module(f"soccer_env.train.examples.{name}")
+    except ModuleNotFoundError as error:
+        sys.exit(f"{error}: {name} needs {needs(name)}; in a checkout `make example-{name}` installs it and runs")
+    reached = tyro.cli(page.main, args=sys.argv[2:], prog=f"python -m soccer_env.train.examples {name}")
+    seconds = time.perf_counter() - started
+    print(f"{name}: reached {reached:.2f} in {seconds:.0f} s, {time.process_time():.0f} s of the processor")
+
+
+if __name__ == "__main__":
+    main()
