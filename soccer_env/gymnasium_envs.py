@@ -14,6 +14,7 @@ import gymnasium
 import numpy as np
 from gymnasium.envs.registration import EnvSpec
 
+from soccer_env.api.shown import Shown
 from soccer_env.checking import check_names
 from soccer_env.match_settings import LearnerSetup, MatchSetup, SoloArguments, by_settings, made_from, part_of
 from soccer_env.names import Made
@@ -41,7 +42,7 @@ def choose_learner(asked: LearnerSetup) -> tuple[str, dict[str, Any]]:
     return agent, given
 
 
-class SoloSoccer(gymnasium.Env[np.ndarray, Any]):
+class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
     """One learner in one match; a `soccer_v0.parallel_env` inside whose other robots are played by teams.
 
     Its settings are the fields of `SoloArguments`, `help(SoloSoccer.__init__)` explains them; ValueError names what is

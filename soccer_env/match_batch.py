@@ -13,6 +13,7 @@ after it. What a robot believes is one row of `beliefs` and `tracks`, which its 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from typing import Any
 
 import numpy as np
 
@@ -187,7 +188,7 @@ class MatchBatch:
         if self.observations.shape[2]:
             self.write_observations(self.observations, self.settings.observe, self.everyone, first, last)
 
-    def write_observations(self, out: np.ndarray, observe: str, rows: np.ndarray, first: int, last: int) -> None:
+    def write_observations(self, out: np.ndarray, observe: Any, rows: np.ndarray, first: int, last: int) -> None:
         """Write observations of a slice into out (M, R, n): of the truth for all robots, else for `rows` alone."""
         if observe == "truth":
             observe_slice(self.matches, self.balls, self.robots, out, self.constants, first, last)

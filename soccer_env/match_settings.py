@@ -24,10 +24,13 @@ from soccer_env.names import Made
 from soccer_env.types import MAX_TEAM
 
 if TYPE_CHECKING:
+    from gymnasium.vector import AutoresetMode
+
     from soccer_env.actions import ActionKind
     from soccer_env.leagues.league import League
     from soccer_env.leagues.options import Options
     from soccer_env.leagues.rules import Rules
+    from soccer_env.observations import Observation
     from soccer_env.rewards import Rewards
     from soccer_env.scenes import Scene
 
@@ -71,7 +74,7 @@ class MatchSettings(Checked):
     max_players: int | None = setting(
         None, "room for robots a side, those too many are inactive; None: as many as play", TEAM_SIZE, replayed=True
     )
-    observe: Any = setting(
+    observe: Literal["truth", "percepts", "belief"] | Observation = setting(
         "truth",
         '"truth", "percepts", "belief", or an object with `names` or `entries` that is called with the Match',
         free=True,
@@ -105,7 +108,9 @@ class MatchSettings(Checked):
         '"league", "simple", "none", "league:pushing=False", or Rules; None: "league", or what a drill says',
         part="league",
     )
-    rewards: str | Rewards = setting("default", "a name of `soccer list rewards`, or Rewards", free=True)
+    rewards: Literal["default", "sparse", "training"] | Rewards = setting(
+        "default", "a name of `soccer list rewards`, or Rewards", free=True
+    )
     placement: Placement = setting("instant", "how robots reach their places at a restart", replayed=True)
     keeper: int = setting(0, "number of the goalkeeper, in teams of two or more", replayed=True)
     minutes: float | None = setting(
@@ -145,7 +150,7 @@ class MatchArguments(MatchSetup):
 class EnvArguments(MatchSetup):
     """What a PettingZoo env is made from."""
 
-    render_mode: str | None = setting(None, '"rgb_array" for frames, "human" for a window')
+    render_mode: Literal["rgb_array", "human"] | None = setting(None, '"rgb_array" for frames, "human" for a window')
     infos: InfoKind | bool = setting("flat", INFOS)
 
 
@@ -156,7 +161,7 @@ class LearnerSetup(MatchSetup):
     opponents: Any = setting("chaser", "the team that plays away")
     teammates: Any = setting("chaser", "the team that plays the other home robots")
     agent: str | None = setting(None, "the learner; None: home's last robot")
-    render_mode: str | None = setting(None, '"rgb_array" for frames, "human" for a window')
+    render_mode: Literal["rgb_array", "human"] | None = setting(None, '"rgb_array" for frames, "human" for a window')
     infos: InfoKind | bool = setting("flat", INFOS)
 
 
@@ -171,7 +176,9 @@ class VectorArguments(LearnerSetup):
 
     num_envs: int = field(default=1, metadata={"text": "matches side by side", "bounds": SIDE_BY_SIDE}, kw_only=False)
     max_episode_steps: int | None = setting(None, "Gymnasium's word for max_cycles; the fewer of the two count", STEPS)
-    autoreset_mode: Any = setting("NextStep", '"NextStep", "SameStep" or Gymnasium\'s AutoresetMode')
+    autoreset_mode: Literal["NextStep", "SameStep", "next_step", "same_step"] | AutoresetMode = setting(
+        "NextStep", '"NextStep", "SameStep" or Gymnasium\'s AutoresetMode'
+    )
     threads: int = setting(1, "that step the matches", THREADS)
 
 

@@ -42,6 +42,7 @@ from soccer_env.api.report import (
     check_render_mode,
     kind_of_infos,
 )
+from soccer_env.api.shown import Shown
 from soccer_env.match import Match
 from soccer_env.match_settings import EnvArguments, InfoKind, MatchArguments, MatchSetup, by_settings, part_of, takes
 from soccer_env.names import Made
@@ -49,7 +50,7 @@ from soccer_env.names import Made
 FLOATS = "fd"  # dtype characters of float32 and float64
 
 
-class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
+class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
     """A match (M = 1, autoreset "off") as PettingZoo's ParallelEnv; `parallel_env` makes match and env together."""
 
     metadata: dict[str, Any] = {"name": "soccer_v0", "render_modes": [*RENDER_MODES], "is_parallelizable": True}
@@ -59,7 +60,7 @@ class ParallelSoccer(ParallelEnv[str, np.ndarray, Any]):
             raise ValueError(f"needs 1 match and autoreset 'off', got {match.count} and {match.autoreset!r}")
         if not match.learns.any():
             raise ValueError("teams play all robots, so no agent is left: step a Match instead, or watch")
-        self.match = match
+        self.match, self.asked = match, match.asked
         self.render_mode = check_render_mode(render_mode)
         self.screen = Screen(match)
         self.metadata = {**self.metadata, "render_fps": self.screen.fps}
@@ -248,6 +249,12 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
     """One agent acts after the other, the match is stepped when all have. A bad action is refused at once."""
 
     env: ParallelSoccer
+
+    def __repr__(self) -> str:
+        return repr(self.env).replace("ParallelSoccer", "TurnSoccer", 1)
+
+    def _repr_png_(self) -> bytes | None:
+        return self.env._repr_png_()
 
     def __reduce__(self) -> Made:
         """Copy by settings: the copy is to be reset."""

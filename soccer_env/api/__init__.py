@@ -4,5 +4,6 @@ ids.py                the ids by which registries find the environments
 infos.py              infos as flat numbers
 report.py             nested infos in words, frames and windows, and checks of what callers pass
 nested_arrays.py      nested infos of many matches
+shown.py              what a console and a notebook show of an env
 gymnasium_vector.py   many matches as one Gymnasium VectorEnv
 """

@@ -12,6 +12,7 @@ from gymnasium.vector.utils import batch_space
 from soccer_env.api.infos import FlatArrays
 from soccer_env.api.nested_arrays import NestedArrays
 from soccer_env.api.report import Screen, check_options, check_render_mode, kind_of_infos
+from soccer_env.api.shown import Shown
 from soccer_env.gymnasium_envs import choose_learner
 from soccer_env.match import Match
 from soccer_env.match_settings import InfoKind, VectorArguments, by_settings, made_from, part_of
@@ -24,7 +25,7 @@ MODES: dict[AutoresetMode, Literal["next_step", "same_step"]] = {
 OPTIONS = ("match_seeds",)  # of reset
 
 
-class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
+class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
     """One learner in each of `num_envs` matches, straight over the batched core.
 
     Its settings are the fields of `VectorArguments`, `help(SoccerVectorEnv.__init__)` explains them. Infos are
@@ -131,7 +132,8 @@ class SoccerVectorEnv(VectorEnv[np.ndarray, Any, np.ndarray]):
 
     def _observations(self) -> np.ndarray:
         """Return the learners' observations (num_envs, n), in an array of their own."""
-        return self.match.observations[:, self._row].copy()
+        observations: np.ndarray = self.match.observations[:, self._row].copy()
+        return observations
 
     def _infos(self) -> dict[str, Any]:
         return {} if self._report is None else self._report.infos()

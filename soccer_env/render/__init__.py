@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from soccer_env.render.frame import Picture
 from soccer_env.render.overlays import Area, Arrows, Label, Overlay, Points, Polyline
-from soccer_env.render.sheet import contact_sheet, save_png
+from soccer_env.render.sheet import contact_sheet, png_of_frame, save_png
 from soccer_env.render.window import Window, check_display
 
 __all__ = [
@@ -27,5 +27,6 @@ __all__ = [
     "Window",
     "check_display",
     "contact_sheet",
+    "png_of_frame",
     "save_png",
 ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from io import BytesIO
 from os import PathLike, fspath
 
 import numpy as np
@@ -28,6 +29,17 @@ def save_png(frame: np.ndarray, path: str | PathLike[str]) -> None:
         raise ValueError(f"the path of a picture must end with .png, got {fspath(path)!r}")
     size = (frame.shape[1], frame.shape[0])
     pygame.image.save(pygame.image.frombuffer(np.ascontiguousarray(frame).tobytes(), size, "RGB"), fspath(path))
+
+
+def png_of_frame(frame: np.ndarray) -> bytes:
+    """Return a frame as the bytes of a PNG file."""
+    require_pygame()
+    import pygame
+
+    check_frame(frame)
+    held, size = BytesIO(), (frame.shape[1], frame.shape[0])
+    pygame.image.save(pygame.image.frombuffer(np.ascontiguousarray(frame).tobytes(), size, "RGB"), held, "frame.png")
+    return held.getvalue()
 
 
 def contact_sheet(frames: Sequence[np.ndarray], columns: int = 3, gap: int = 8) -> np.ndarray:

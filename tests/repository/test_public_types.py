@@ -22,6 +22,10 @@ Match(homee=2)
 Match(home="two")
 Match(senses="sensor")
 soccer_v0.parallel_env(render_modes="human")
+soccer_v0.parallel_env(render_mode="humn")
+soccer_v0.parallel_env(infos="flatt")
+Match(observe="thruth")
+Match(rewards="sprase")
 """
 
 
@@ -39,6 +43,8 @@ def test_mypy_knows_the_public_names_and_refuses_wrong_settings(tmp_path: Path) 
     assert 'Argument "home" to "Match" has incompatible type "str"' in found[8]
     assert 'Argument "senses" to "Match" has incompatible type "Literal[' in found[9]
     assert 'Unexpected keyword argument "render_modes"' in found[10]
+    for line, name in enumerate(("render_mode", "infos", "observe", "rewards"), start=11):
+        assert f'Argument "{name}" to ' in found[line] and "has incompatible type" in found[line]
 
 
 def test_dir_lists_what_can_be_imported() -> None:

@@ -30,7 +30,7 @@ START_TIMES = {  # Python programs by what they start
 class ApiLoad:
     """`parallel_env.step` with random actions: dictionaries in and out, one match."""
 
-    def __init__(self, league: str, seed: int, observe: str = "truth") -> None:
+    def __init__(self, league: str, seed: int, observe: Any = "truth") -> None:
         from soccer_env import soccer_v0
 
         rng, rate = np.random.default_rng(seed), find_league(league).control_rate

@@ -1,0 +1,54 @@
+"""What a console and a notebook show of an env: the settings it was made from, and a picture of its match."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import Any
+
+from soccer_env.checking import brief
+from soccer_env.match_settings import MatchSettings
+
+ALWAYS = ("league", "home", "away")
+
+
+class Shown:
+    """Something with a `match`, which `asked` says how to make."""
+
+    match: Any
+    asked: Any
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({in_words(self.asked, self.match)})"
+
+    def _repr_png_(self) -> bytes | None:
+        """Return what a notebook shows: the first match as it stands, or None without the extra `render`."""
+        return png_of(self.match)
+
+
+def in_words(asked: MatchSettings, match: Any) -> str:
+    """Return league, team sizes and the settings that were changed, as they are written in a call."""
+    settings = match.settings
+    found = {"league": settings.league.name, "home": settings.home, "away": settings.away}
+    for item in fields(asked):
+        value = getattr(asked, item.name)
+        if item.name not in ALWAYS and value is not item.default and not (is_plain(value) and value == item.default):
+            found[item.name] = value if is_plain(value) else getattr(value, "name", value)
+    return ", ".join(f"{name}={brief(value)}" for name, value in found.items())
+
+
+def is_plain(value: Any) -> bool:
+    """Tell whether a value is a number or a text, which can be compared."""
+    return isinstance(value, (str, int, float))
+
+
+def png_of(match: Any, m: int = 0) -> bytes | None:
+    """Return a picture of a match as PNG, or None where the extra `render` is not installed."""
+    from soccer_env.api.report import Screen
+    from soccer_env.render import png_of_frame
+
+    try:
+        return png_of_frame(Screen(match).frame(m))
+    except ImportError as error:
+        if (error.name or "").startswith("soccer_env"):
+            raise
+        return None
