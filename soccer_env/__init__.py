@@ -43,7 +43,7 @@ How it is played:
     senses.py            what robots perceive and believe
     saving/              save, load, branch, hash
     truth_state.py       the whole truth as one vector, for centralised critics
-    match_views.py       a match in words
+    match_views.py       beliefs, states and words of a match, to be read
     user_code.py         checks of what a user's own functions return
 
 What all of it stands on:

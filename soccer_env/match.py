@@ -16,20 +16,21 @@ from typing import Any
 import numpy as np
 
 from soccer_env import truth_state
-from soccer_env.actions import DISCRETE, numbers_for, take_actions
+from soccer_env.actions import numbers_for, take_actions
 from soccer_env.guards.workers import Workers
 from soccer_env.match_batch import MatchBatch, Sums
 from soccer_env.match_settings import MatchArguments, made_from
-from soccer_env.match_views import in_words
-from soccer_env.observations import Entry, layout
+from soccer_env.match_views import Views
+from soccer_env.observations import layout
+from soccer_env.observations.own import pick
 from soccer_env.physics.engine.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import NAMES
 from soccer_env.saving import Branching, whole
 from soccer_env.senses import sensing_sides
 from soccer_env.settings import make_settings
-from soccer_env.squads import Squad, TeamArrays, assign, choose_teams, make_squads, run_compiled, run_python
-from soccer_env.user_code import OwnTerms, checked
+from soccer_env.squads import TeamArrays, assign, choose_teams, make_squads, run_compiled, run_python
+from soccer_env.user_code import OwnTerms, Seen
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
@@ -39,15 +40,12 @@ FINAL = (  # kept of ended episodes
 
 
 @whole
-class Match(Branching):
+class Match(Views, Branching):
     """M matches of one league, stepped together.
 
     Its settings are the fields of `MatchArguments`, `help(Match.__init__)` explains them; ValueError names a setting
     that is wrong, and what is allowed.
     """
-
-    batch: MatchBatch
-    squads: list[Squad]
 
     @made_from(MatchArguments)
     def __init__(self, asked: MatchArguments) -> None:
@@ -56,31 +54,32 @@ class Match(Branching):
         self.settings = make_settings(asked)
         self.league = self.settings.league
         self.agents = self.settings.agents
-        self.observation_entries = layout(self.league, self.settings.observe)
-        self.observation_names = [entry.name for entry in self.observation_entries]
         self.state_names = [entry.name for entry in self.state_entries()]
         self.term_names = [*NAMES, *self.settings.rewards.extra]
-        self._own_terms = OwnTerms(self.settings.rewards)
+        self.seen, self._own_terms = Seen(self.settings, self.count), OwnTerms(self.settings.rewards)
+        entries = {group.side: layout(self.league, group.observe) for group in self.seen.groups}
+        names = {side: [entry.name for entry in told] for side, told in entries.items()}
+        self.observation_entries: Any = entries if self.seen.by_side else entries[""]
+        self.observation_names: Any = names if self.seen.by_side else names[""]  # by "home" and "away" if they differ
         self._make_arrays(asked.backend)
         self._make_squads(assign(self.agents, self.settings.home, asked.opponents, asked.teammates, asked.controllers))
         self._pool = Workers(self.threads) if self.count >= 2 * self.threads > 2 else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)
         self.ended, self.final = np.zeros(0, np.int64), truth_state.Final(self.settings)  # see _restart_same_step
-        self._started = False
+        self.started = False
         self.reset(seed=asked.seed, seeds=asked.seeds)
 
     def _make_arrays(self, backend: Backend | None) -> None:
         """Make the arrays and show them as attributes; those for a user's own observations are separate."""
-        own = not isinstance(self.settings.observe, str)
-        count, robots, observed = self.count, len(self.agents), len(self.observation_names)
-        self.batch = batch = MatchBatch(self.settings, count, robots, 0 if own else observed, backend)
+        observed = 0 if self.seen.own else len(self.observation_names)
+        self.batch = batch = MatchBatch(self.settings, self.count, len(self.agents), observed, backend)
         self.matches, self.balls, self.robots = batch.matches, batch.balls, batch.robots
         self.events, self.robot_events = batch.events, batch.robot_events
         self.rewards, self.terms = batch.rewards, batch.terms
         self.terminated, self.truncated = batch.terminated, batch.truncated
         self.statistics = batch.statistics
-        self.observations = np.zeros((count, robots, observed), np.float32) if own else batch.observations
+        self.observations: Any = self.seen.arrays if self.seen.own else batch.observations
 
     def _make_squads(self, who: dict[str, Any]) -> None:
         """Make the teams that play inside, with their memories, and the senses that somebody uses."""
@@ -105,17 +104,17 @@ class Match(Branching):
         """
         if seed is not None and seeds is not None:
             raise ValueError("give seed or seeds, not both")
-        fresh = seed is not None or seeds is not None or not self._started
+        fresh = seed is not None or seeds is not None or not self.started
         if seeds is not None:
             self.seeds[:] = check_seeds(seeds, self.count)
         elif fresh:
             self.seeds[:] = seeds_for(seed, self.count)
-        self._started = True
-        episodes = np.zeros(self.count, np.int64) if fresh else self.matches["episode"] + 1
-        self._begin(range(self.count), episodes)
+        self._begin(range(self.count), np.zeros(self.count, np.int64) if fresh else self.matches["episode"] + 1)
         self.rewards[:] = 0.0
         self.terms[:] = 0.0
-        return self.observations
+        self.started = True
+        observations: np.ndarray = self.observations
+        return observations
 
     def _begin(self, rows: Iterable[int], episodes: np.ndarray) -> None:
         """Begin the given episodes (M,) in some matches, and observe them."""
@@ -220,8 +219,8 @@ class Match(Branching):
 
     def _observe_own(self) -> None:
         """Fill the observations that a user's own code makes."""
-        if not isinstance(self.settings.observe, str):
-            self.observations[:] = checked(self.settings.observe(self), self.observations.shape, "observe", limit=1.0)
+        if self.seen.own:
+            self.seen.fill(self)
 
     # Starting again
 
@@ -236,62 +235,11 @@ class Match(Branching):
         terminated, truncated = self.terminated.copy(), self.truncated.copy()
         self.ended = np.flatnonzero(terminated | truncated)
         if len(self.ended):
-            self.final = truth_state.Final(self.settings, {name: getattr(self, name)[self.ended] for name in FINAL})
+            self.final = truth_state.Final(
+                self.settings, {name: pick(getattr(self, name), self.ended) for name in FINAL}
+            )
             self._begin(self.ended, self.matches["episode"] + 1)
         return self.observations, self.rewards, terminated, truncated
-
-    # Looking
-
-    @property
-    def beliefs(self) -> np.ndarray:
-        """Return what every robot believes (M, R); nothing (confidence 0) of robots whose sensors nobody uses.
-
-        ValueError if nobody uses any.
-        """
-        return self.batch.read_all()[0]
-
-    @property
-    def tracks(self) -> np.ndarray:
-        """Return what every robot believes about other players (M, R, slots); ValueError as for `beliefs`."""
-        return self.batch.read_all()[1]
-
-    @property
-    def percepts(self) -> np.ndarray:
-        """Return what every robot's sensors delivered (M, R); ValueError if nobody uses them."""
-        if self.batch.senses is None:
-            raise ValueError("nobody in this match uses its sensors: give observe='percepts', or senses='sensors'")
-        return self.batch.senses.percepts
-
-    def state(self, side: str | None = None) -> np.ndarray:
-        """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players a side and present flags.
-
-        side: "home" or "away", from that team's side, which attacks +x in both halves; "field", in the frame of the
-        field; None: what the setting `state_side` says. ValueError for anything else.
-        """
-        side = self.settings.state_side if side is None else truth_state.check_side(side)
-        records = {"matches": self.matches, "balls": self.balls, "robots": self.robots}
-        return truth_state.states(self.settings, records, side)
-
-    def state_entries(self, side: str | None = None) -> list[Entry]:
-        """Return what each number of `state(side)` is: its name, meaning, scale and frame."""
-        side = self.settings.state_side if side is None else truth_state.check_side(side)
-        return list(truth_state.entries(self.settings.max_players, side))
-
-    def get_env_info(self) -> dict[str, int | None]:
-        """Return the sizes that PyMARL asks for; `episode_limit` in steps, None where an episode may go on for ever.
-
-        `n_actions` of continuous actions is how many numbers one has. Only robots that no team plays are agents.
-        """
-        return {
-            "state_shape": len(self.state_names),
-            "obs_shape": len(self.observation_names),
-            "n_actions": len(DISCRETE) if self.settings.actions.name == "discrete" else self.settings.actions.size,
-            "n_agents": int(self.learns.sum()),
-            "episode_limit": self.settings.episode_limit,
-        }
-
-    def __repr__(self) -> str:
-        return in_words(self)
 
     def close(self) -> None:
         """End the threads."""

@@ -1,12 +1,87 @@
-"""A match in a line of words, as Python shows it."""
+"""What is read of a Match: the methods that `Match` inherits, in which nothing changes."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from soccer_env import truth_state
+from soccer_env.actions import DISCRETE
+from soccer_env.observations import Entry
+from soccer_env.observations.own import size_of
+from soccer_env.settings import Settings
 from soccer_env.types import HOME, Phase
 
 Match = Any  # soccer_env.match.Match, which stands above this file
+
+
+class Views:
+    """Beliefs, percepts, states, sizes and words of the matches of a Match."""
+
+    if TYPE_CHECKING:
+        settings: Settings
+        batch: Any
+        matches: np.ndarray
+        balls: np.ndarray
+        robots: np.ndarray
+
+    @property
+    def beliefs(self) -> np.ndarray:
+        """Return what every robot believes (M, R); nothing (confidence 0) of robots whose sensors nobody uses.
+
+        ValueError if nobody uses any.
+        """
+        return self.batch.read_all()[0]
+
+    @property
+    def tracks(self) -> np.ndarray:
+        """Return what every robot believes about other players (M, R, slots); ValueError as for `beliefs`."""
+        return self.batch.read_all()[1]
+
+    @property
+    def percepts(self) -> np.ndarray:
+        """Return what every robot's sensors delivered (M, R); ValueError if nobody uses them."""
+        if self.batch.senses is None:
+            raise ValueError("nobody in this match uses its sensors: give observe='percepts', or senses='sensors'")
+        return self.batch.senses.percepts
+
+    def state(self, side: str | None = None) -> np.ndarray:
+        """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players a side and present flags.
+
+        side: "home" or "away", from that team's side, which attacks +x in both halves; "field", in the frame of the
+        field; None: what the setting `state_side` says. ValueError for anything else.
+        """
+        side = self.settings.state_side if side is None else truth_state.check_side(side)
+        records = {"matches": self.matches, "balls": self.balls, "robots": self.robots}
+        return truth_state.states(self.settings, records, side)
+
+    def state_entries(self, side: str | None = None) -> list[Entry]:
+        """Return what each number of `state(side)` is: its name, meaning, scale and frame."""
+        side = self.settings.state_side if side is None else truth_state.check_side(side)
+        return list(truth_state.entries(self.settings.max_players, side))
+
+    def get_env_info(self) -> dict[str, int | None]:
+        """Return the sizes that PyMARL asks for; `episode_limit` in steps, None where an episode may go on for ever.
+
+        `n_actions` of continuous actions is how many numbers one has. Only robots that no team plays are agents.
+        """
+        return env_info(self)
+
+    def __repr__(self) -> str:
+        return in_words(self)
+
+
+def env_info(match: Match) -> dict[str, int | None]:
+    """Return the sizes that PyMARL asks for."""
+    settings, learner = match.settings, int(np.argmax(match.learns))
+    return {
+        "state_shape": len(match.state_names),
+        "obs_shape": size_of(match.seen.group_of(learner).form),
+        "n_actions": len(DISCRETE) if settings.actions.name == "discrete" else settings.actions.size,
+        "n_agents": int(match.learns.sum()),
+        "episode_limit": settings.episode_limit,
+    }
 
 
 def in_words(match: Match) -> str:

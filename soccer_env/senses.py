@@ -36,8 +36,12 @@ def sensing_sides(settings: Settings, squads: list[tuple[Any, np.ndarray]], lear
     for side, rows in ((HOME, range(home)), (AWAY, range(home, len(learns)))):
         teams = [team for team, players in squads if players[0] in rows]
         played = not all(getattr(team, "blind", False) for team in teams)
-        watched = settings.observe != "truth" and any(learns[r] == 1 for r in rows)
-        if (settings.senses[side] == "sensors" and (played or watched)) or (watched and settings.observe == "percepts"):
+        observe = settings.observes[side]
+        tells = (
+            observe if isinstance(observe, str) else "belief" if getattr(observe, "needs_beliefs", True) else "truth"
+        )
+        watched = tells != "truth" and any(learns[r] == 1 for r in rows)
+        if (settings.senses[side] == "sensors" and (played or watched)) or (watched and tells == "percepts"):
             found.append(side)
     return tuple(found)
 

@@ -18,7 +18,7 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import Rules, rule_set
 from soccer_env.match_settings import FREE, MatchSettings, Senses, part_of
-from soccer_env.observations import OBSERVE
+from soccer_env.observations.own import Sides, check_observe
 from soccer_env.rewards import Rewards, find_rewards
 from soccer_env.scenes import SUCCESS, Scene, find_scene
 from soccer_env.types import MAX_TEAM
@@ -50,6 +50,12 @@ class Settings(MatchSettings):
     def agents(self) -> list[str]:
         """Return the names of the robots, a row each, home first."""
         return [f"{side}_{i}" for side, size in zip(("home", "away"), self.rows, strict=True) for i in range(size)]
+
+    @property
+    def observes(self) -> tuple[Any, Any]:
+        """Return what home and away observe."""
+        found = self.observe
+        return (found.home, found.away) if isinstance(found, Sides) else (found, found)
 
     @property
     def half_length(self) -> float:
@@ -150,15 +156,6 @@ def find_rules(league: League, rules: Any, scene: Scene, episode: str) -> League
     if rules is None:
         rules = scene.rules if episode == "drill" else "league"
     return replace(league, rules=rule_set(league.rules, rules)) if rules != "league" else league
-
-
-def check_observe(observe: Any) -> Any:
-    """Return what observations are built from: a name, or an object with `names` or `entries` to call with a match."""
-    if callable(observe) and (hasattr(observe, "names") or hasattr(observe, "entries")):
-        return observe
-    if not isinstance(observe, str):
-        refuse("observe", "a name, or an object with `names` or `entries` to call with a match", observe)
-    return one_of("observe", observe, OBSERVE)
 
 
 def check_keeper(keeper: Any, home: int, away: int) -> int:

@@ -3,7 +3,7 @@
 | | |
 |---|---|
 | agents | `home_0`, ..., `away_0`, ...: every robot that no team plays |
-| observation | one float32 vector in [-1, 1] a robot, see `soccer_env.observations.layout` |
+| observation | one float32 vector in [-1, 1] a robot, see `soccer_env.observations.layout`, or what a user's own has |
 | action | Box(4): forward, left, turn, kick; or Box(7): and head, pan, tilt; or Discrete; see `soccer_env.actions` |
 | reward | weighted terms, see `soccer_env.rewards.TERMS` |
 | state | the whole truth of the match in [-1, 1], see `soccer_env.truth_state` |
@@ -46,6 +46,7 @@ from soccer_env.api.shown import Shown
 from soccer_env.match import Match
 from soccer_env.match_settings import EnvArguments, InfoKind, MatchArguments, MatchSetup, by_settings, part_of, takes
 from soccer_env.names import Made
+from soccer_env.observations.own import copied, pick, space_of
 
 FLOATS = "fd"  # dtype characters of float32 and float64
 
@@ -67,8 +68,8 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         rows = np.flatnonzero(match.learns)
         self.possible_agents = [match.agents[row] for row in rows]
         self.agents: list[str] = []
-        size = len(match.observation_names)
-        self.observation_spaces: dict[str, Any] = {a: Box(-1.0, 1.0, (size,), np.float32) for a in self.possible_agents}
+        forms = {match.agents[row]: match.seen.group_of(row).form for row in rows.tolist()}
+        self.observation_spaces: dict[str, Any] = {agent: space_of(form) for agent, form in forms.items()}
         self.action_spaces = {agent: match.settings.actions.space() for agent in self.possible_agents}
         self.state_space = Box(-1.0, 1.0, match.state().shape[1:], np.float32)
         self.info_kind = kind_of_infos(infos)
@@ -151,9 +152,14 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         self._show()
         return self._observations(), self._infos()
 
-    def _observations(self) -> dict[str, np.ndarray]:
-        """Return an array of its own for each agent: callers write into them."""
-        return dict(zip(self.possible_agents, self.match.observations[0, self._rows].copy(), strict=True))
+    def _observations(self) -> dict[str, Any]:
+        """Return an array of its own, or a dict of such, for each agent: callers write into them."""
+        match, agents = self.match, self.possible_agents
+        if isinstance(match.observations, np.ndarray):
+            return dict(zip(agents, match.observations[0, self._rows].copy(), strict=True))
+        rows = np.arange(len(match.agents))[self._rows].tolist()
+        told = {agent: match.seen.of_robot(match.observations, row) for agent, row in zip(agents, rows, strict=True)}
+        return {agent: copied(pick(seen, 0)) for agent, seen in told.items()}
 
     def _infos(self) -> Infos:
         return {agent: {} for agent in self.possible_agents} if self._report is None else self._report.infos()

@@ -241,6 +241,8 @@ class WholeTruth:
     side; numbers of players are the same at every team size up to that. ValueError for a match of larger teams.
     """
 
+    needs_beliefs = False  # of the robots that observe it: nobody has to sense for them
+
     def __init__(self, players: int) -> None:
         self.players = whole_number("players", players, 1, MAX_TEAM)
         self.entries = [self._told(entry) for entry in entries(self.players, "home")]

@@ -1,30 +1,72 @@
-"""Ask for a user's own reward terms and functions that play, and check what user code returns, where it enters."""
+"""Ask for a user's own observations, reward terms and functions that play, and check what they return."""
 
 from __future__ import annotations
 
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
 from soccer_env.function_teams import ask_functions
+from soccer_env.observations import layout
+from soccer_env.observations.own import Form, Part, Sides, as_numbers, check_within, fill, form_of, pick, zeros
 from soccer_env.rewards import COUNT, OwnTerm, Rewards
+from soccer_env.settings import Settings
+from soccer_env.types import HOME
 
 Match = Any  # soccer_env.match.Match, which stands above this file
 
 
-def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.inf) -> np.ndarray:
-    """Return what user code returned as numbers of a shape; ValueError says which code returned what instead."""
-    try:
-        numbers = np.broadcast_to(np.asarray(values, np.float64), shape)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{what} must return numbers of shape {shape}, got shape {np.shape(values)}") from error
-    with np.errstate(invalid="ignore"):
-        wrong = ~(np.abs(numbers) <= limit) | ~np.isfinite(numbers)
-    if wrong.any():
-        at = tuple(int(i) for i in np.argwhere(wrong)[0])
-        allowed = "finite numbers" if limit == np.inf else f"numbers in [{-limit:g}, {limit:g}]"
-        raise ValueError(f"{what} must return {allowed}, got {numbers[at]} at {at}")
-    return numbers
+ANY = Part((), np.asarray(-np.inf), np.asarray(np.inf), np.dtype(float))  # a finite number
+
+
+class Group(NamedTuple):
+    """Robots that observe the same."""
+
+    side: str  # "" where both teams do
+    observe: Any
+    rows: slice
+    form: Form
+
+
+class Seen:
+    """What learners observe where no kernel writes it: by a user's own object, or something else for each team.
+
+    `arrays` is (M, R, ...), or a dict of such; of layouts by team {"home": (M, H, ...), "away": (M, A, ...)}.
+    """
+
+    def __init__(self, settings: Settings, matches: int) -> None:
+        home, self._agents = settings.rows[HOME], settings.agents
+        self.by_side = isinstance(settings.observe, Sides)
+        self.own = not isinstance(settings.observe, str)
+        who = {"home": slice(0, home), "away": slice(home, None)} if self.by_side else {"": slice(0, None)}
+        observes = settings.observes if self.by_side else (settings.observe,)
+        self.groups = [
+            Group(side, observe, rows, form_of(observe, len(layout(settings.league, observe))))
+            for (side, rows), observe in zip(who.items(), observes, strict=True)
+        ]
+        self._all = [zeros(group.form, matches if self.own else 0, len(self._agents)) for group in self.groups]
+        views = [pick(seen, (slice(None), group.rows)) for group, seen in zip(self.groups, self._all, strict=True)]
+        self.arrays = dict(zip(who, views, strict=True)) if self.by_side else views[0]
+
+    def fill(self, match: Match) -> None:
+        """Ask for all observations anew; ValueError for what a user's object must not return."""
+        for group, seen in zip(self.groups, self._all, strict=True):
+            if isinstance(group.observe, str):
+                rows = np.arange(len(self._agents))[group.rows]
+                match.batch.write_observations(seen, group.observe, rows, 0, match.count)
+            else:
+                what = f"observe of {group.side}" if group.side else "observe"
+                fill(group.form, seen, group.observe(match), what, self._agents, group.rows)
+
+    def group_of(self, row: int) -> Group:
+        """Return whom a robot observes alike with."""
+        return next(group for group in self.groups if row in range(len(self._agents))[group.rows])
+
+    def of_robot(self, observations: Any, row: int) -> Any:
+        """Return what one robot observes (M, ...) out of all observations, or out of those of some matches."""
+        group = self.group_of(row)
+        seen = observations[group.side] if self.by_side else observations
+        return pick(seen, (slice(None), row - (group.rows.start or 0)))
 
 
 class OwnTerms:
@@ -61,5 +103,8 @@ class OwnTerms:
 
 
 def ask(match: Match, name: str, term: OwnTerm) -> np.ndarray:
-    """Return the numbers (M, R) of a term; ValueError names the term and what it returned instead."""
-    return checked(term.function(match), match.rewards.shape, f"reward term {name!r}")
+    """Return the numbers (M, R) of a term; ValueError names the term, the robot, and what it returned instead."""
+    what = f"reward term {name!r}"
+    numbers = as_numbers(term.function(match), match.rewards.shape, what, match.agents)
+    check_within(ANY, numbers, what, match.agents)
+    return numbers.astype(float)

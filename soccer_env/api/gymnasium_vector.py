@@ -17,6 +17,7 @@ from soccer_env.gymnasium_envs import choose_learner
 from soccer_env.match import Match
 from soccer_env.match_settings import InfoKind, VectorArguments, by_settings, made_from, part_of
 from soccer_env.names import Made
+from soccer_env.observations.own import copied, pick, space_of
 
 MODES: dict[AutoresetMode, Literal["next_step", "same_step"]] = {
     AutoresetMode.NEXT_STEP: "next_step",
@@ -49,8 +50,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         self._report = report_of(kind_of_infos(asked.infos), self.match, self._row)
         self._screen = Screen(self.match)
         self.metadata = {**self.metadata, "autoreset_mode": mode, "render_fps": self._screen.fps}
-        size = len(self.match.observation_names)
-        self.single_observation_space = gymnasium.spaces.Box(-1.0, 1.0, (size,), np.float32)
+        self.single_observation_space = space_of(self.match.seen.group_of(self._row).form)
         self.single_action_space = self.match.settings.actions.space()
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
         self.action_space = batch_space(self.single_action_space, self.num_envs)
@@ -130,10 +130,9 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
             raise ValueError(f"actions of {self.agent} must be {word} of shape {self.action_space.shape}, got {got}")
         return numbers
 
-    def _observations(self) -> np.ndarray:
-        """Return the learners' observations (num_envs, n), in an array of their own."""
-        observations: np.ndarray = self.match.observations[:, self._row].copy()
-        return observations
+    def _observations(self) -> Any:
+        """Return the learners' observations (num_envs, n), in an array of their own, or in a dict of such."""
+        return copied(self.match.seen.of_robot(self.match.observations, self._row))
 
     def _infos(self) -> dict[str, Any]:
         return {} if self._report is None else self._report.infos()
@@ -143,7 +142,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         report, match = self._report, self.match
         for index, m in enumerate(match.ended):
             last = {
-                "final_obs": match.final["observations"][index, self._row].copy(),
+                "final_obs": copied(pick(match.seen.of_robot(match.final["observations"], self._row), index)),
                 "final_info": {} if report is None else report.last(index),
             }
             infos = self._add_info(infos, last, int(m))

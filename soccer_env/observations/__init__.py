@@ -10,6 +10,7 @@ its name, its meaning, its scale, its frame and axis (so that mirrors know its s
       omni.py          ... what the middle-size robots see
     body.py          what a body feels exactly: part of all three
     entry.py         Entry: one number and what it means; layouts as records
+    own.py           observations of a user's own, and those that differ by team
     row.py           part of an observation as a record, for the compiled writers
     reflection.py    what a left-right mirror does to observations and actions
 """
@@ -23,8 +24,9 @@ from soccer_env.leagues.league import League
 from soccer_env.leagues.robot_kind import kind_of
 from soccer_env.observations import belief, truth
 from soccer_env.observations.entry import Entry, Observation
+from soccer_env.observations.own import BUILT_IN
 
-OBSERVE = ("truth", "percepts", "belief")
+OBSERVE = BUILT_IN
 
 
 def layout(league: League, observe: str | Observation = "truth") -> list[Entry]:
@@ -32,7 +34,7 @@ def layout(league: League, observe: str | Observation = "truth") -> list[Entry]:
     if isinstance(observe, str):
         return LAYOUTS[observe](league)
     entries = getattr(observe, "entries", None)
-    found = [Entry(name) for name in observe.names] if entries is None else list(entries)
+    found = [Entry(name) for name in getattr(observe, "names", ())] if entries is None else list(entries)
     wrong = [entry for entry in found if not isinstance(entry, Entry)]
     if wrong:
         raise ValueError(f"entries of observe must be of soccer_env.observations.Entry, got {wrong[0]!r}")

@@ -66,14 +66,17 @@ class Entry:
 class Observation(Protocol):
     """A user's own observation: `soccer_v0.parallel_env(observe=MyObservation())`.
 
-    What mirrors observations or attends to players asks for `entries` that say their frame or their slot.
+    What mirrors observations or attends to players asks for `entries` that say their frame or their slot. Numbers of
+    `names` and `entries` lie in [-1, 1] unless `low` and `high` say otherwise; `space` is of any shape, or a Dict.
+    With `needs_beliefs = False` no robot senses for its sake.
     """
 
     names: Sequence[str]  # one for each number, or instead:
     entries: Sequence[Entry]
+    space: Any  # or instead: a gymnasium Box of what one robot observes, or a Dict of such
 
-    def __call__(self, match: Any) -> np.ndarray:
-        """Return (M, R, numbers) in [-1, 1] from a match's records."""
+    def __call__(self, match: Any) -> Any:
+        """Return (M, R, ...) of all robots from a match's records, or a dict of such, as the space is one."""
         ...
 
 

@@ -95,11 +95,15 @@ class Branching:
         if noise is not None:
             seeds_for(noise, 1)
         self.rebuild(np.unique(found).tolist())
-        branches.copy_rows(self, found, other, over)
-        if noise is not None:
-            branches.draw_anew(other, over, noise)
-        other._go_on(over)
+        other._take(self, found, over, noise)
         return other
+
+    def _take(self, other: Self, rows: np.ndarray, over: np.ndarray, noise: int | None) -> None:
+        """Go on, in the matches `over`, as the matches `rows` of another Match do."""
+        branches.copy_rows(other, rows, self, over)
+        if noise is not None:
+            branches.draw_anew(self, over, noise)
+        self._go_on(over)
 
     def _go_on(self, rows: np.ndarray) -> None:
         """Play matches on from records that were just written."""

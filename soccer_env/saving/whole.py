@@ -13,7 +13,7 @@ from soccer_env.scenes import is_own
 
 Match = Any  # soccer_env.match.Match, which stands above this file
 T = TypeVar("T")
-METHODS = ("reset", "step", "rebuild", "decide", "save", "load", "branch")
+METHODS = ("reset", "step", "rebuild", "decide", "save", "load", "branch", "_take")
 
 
 def whole(kind: type[T]) -> type[T]:
@@ -27,7 +27,7 @@ def undoing(match: Match, doing: str) -> GoBack | None:
     The physics is left alone if it has not moved, else it is rebuilt as by a load.
     """
     begun = match.batch.physics.spaces[0] is not None
-    if doing not in ("reset", "step", "load") or not begun:
+    if doing not in ("reset", "step", "load", "_take") or not begun:
         return None
     arrays = shown(match)
     before = {name: array.copy() for name, array in arrays.items()}

@@ -5,7 +5,7 @@ A block is a Match of up to `BLOCK` matches that one thread plays by itself for 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -27,6 +27,9 @@ def check_request(
         raise ValueError("SoccerVecEnv needs opponents, a team or a Lineup: 'still' for robots that stand")
     if not players or not all(len(sizes) == 2 for sizes in players):
         raise ValueError(f"players must be team sizes (home, away), at least one, got {players!r}")
+    observe = settings.get("observe")
+    if isinstance(observe, Mapping) or any(hasattr(observe, name) for name in ("space", "low", "high")):
+        raise ValueError(f"SoccerVecEnv needs one vector in [-1, 1] for every robot, got observe={observe!r}")
     if settings.get("actions") == "discrete":
         raise ValueError("SoccerVecEnv has actions 'box' or 'full', not 'discrete'")
     whole_number("action_repeat", repeat, 1, 1000)

@@ -1,0 +1,151 @@
+"""Observations of a user's own: of any shape, with bounds of any size, in dicts, and other ones for each team.
+
+form     Part, or a dict of forms: what one robot observes
+Sides    what home observes and what away does
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from soccer_env.checking import brief, check_names, one_of, refuse
+
+BUILT_IN = ("truth", "percepts", "belief")
+WHAT = "a name, an object with `names`, `entries` or `space` to call with a match, or {'home': ..., 'away': ...}"
+
+
+@dataclass(frozen=True)
+class Sides:
+    """What the robots of each team observe: names, or objects of a user's own."""
+
+    home: Any
+    away: Any
+
+
+@dataclass(frozen=True)
+class Part:
+    """Numbers of one shape that a robot observes, with the least and the greatest that each may be."""
+
+    shape: tuple[int, ...]
+    low: np.ndarray
+    high: np.ndarray
+    dtype: np.dtype
+
+    def limits(self, at: tuple[int, ...]) -> str:
+        """Return in words which numbers are allowed at a place."""
+        low, high = (np.broadcast_to(bound, self.shape)[at] for bound in (self.low, self.high))
+        return f"numbers in [{low:g}, {high:g}]" if np.isfinite([low, high]).any() else "finite numbers"
+
+
+Form = Part | dict[str, Any]  # whose values are forms
+
+
+def check_observe(observe: Any) -> Any:
+    """Return what observations are built from, the sides of a mapping as Sides; ValueError says what is allowed."""
+    if isinstance(observe, Mapping):
+        check_names("side of observe", observe, ("home", "away"))
+        home, away = (check_observe(observe.get(side, "truth")) for side in ("home", "away"))
+        if isinstance(home, Sides) or isinstance(away, Sides):
+            refuse("observe", WHAT, observe)
+        return home if isinstance(home, str) and home == away else Sides(home, away)
+    if isinstance(observe, (str, Sides)):
+        return one_of("observe", observe, BUILT_IN) if isinstance(observe, str) else observe
+    if not callable(observe) or not any(hasattr(observe, name) for name in ("names", "entries", "space")):
+        refuse("observe", WHAT, observe)
+    if hasattr(observe, "space"):
+        form_of_space(observe.space, "space of observe")
+    return observe
+
+
+def form_of(observe: Any, numbers: int) -> Form:
+    """Return what one robot observes: a vector of so many numbers unless a user's own object has a `space`."""
+    if not isinstance(observe, str) and hasattr(observe, "space"):
+        return form_of_space(observe.space, "space of observe")
+    low, high = (np.asarray(getattr(observe, name, usual), float) for name, usual in (("low", -1.0), ("high", 1.0)))
+    for name, bound in (("low", low), ("high", high)):
+        if bound.shape not in ((), (numbers,)) or np.isnan(bound).any():
+            raise ValueError(f"{name} of observe must be a number or {numbers} of them, got {brief(bound.tolist())}")
+    if not (low < high).all():
+        raise ValueError(f"low of observe must be below high, got {brief(low.tolist())} and {brief(high.tolist())}")
+    return Part((numbers,), low, high, np.dtype(np.float32))
+
+
+def form_of_space(space: Any, what: str) -> Form:
+    """Return the form that a gymnasium space stands for; ValueError unless it is a Box, or a Dict of such."""
+    if isinstance(getattr(space, "spaces", None), Mapping) and space.spaces:
+        return {name: form_of_space(part, f"{what}[{name!r}]") for name, part in space.spaces.items()}
+    if not all(hasattr(space, name) for name in ("low", "high", "shape", "dtype")):
+        refuse(what, "a gymnasium Box, or a Dict of them", space)
+    return Part(tuple(space.shape), np.asarray(space.low), np.asarray(space.high), np.dtype(space.dtype))
+
+
+def space_of(form: Form) -> Any:
+    """Return a new gymnasium space of what one robot observes."""
+    from gymnasium import spaces
+
+    if isinstance(form, dict):
+        return spaces.Dict({name: space_of(part) for name, part in form.items()})
+    low, high = (np.broadcast_to(bound, form.shape).astype(form.dtype) for bound in (form.low, form.high))
+    return spaces.Box(low, high, form.shape, form.dtype.type)  # type: ignore[arg-type]
+
+
+def size_of(form: Form) -> int:
+    """Return how many numbers one robot observes."""
+    return sum(map(size_of, form.values())) if isinstance(form, dict) else math.prod(form.shape)
+
+
+def zeros(form: Form, matches: int, robots: int) -> Any:
+    """Return what robots of M matches observe, all zero: an array (M, R, ...) or a dict of such."""
+    if isinstance(form, dict):
+        return {name: zeros(part, matches, robots) for name, part in form.items()}
+    return np.zeros((matches, robots, *form.shape), form.dtype)
+
+
+def pick(seen: Any, at: Any) -> Any:
+    """Return `array[at]` of an array, or of each array of a dict."""
+    return {name: pick(part, at) for name, part in seen.items()} if isinstance(seen, dict) else seen[at]
+
+
+def copied(seen: Any) -> Any:
+    """Return copies of an array or of each array of a dict."""
+    return {name: copied(part) for name, part in seen.items()} if isinstance(seen, dict) else seen.copy()
+
+
+def fill(form: Form, into: Any, values: Any, what: str, agents: list[str], rows: slice) -> None:
+    """Write what a user's function returned, for the robots of some rows; ValueError names the robot and the value."""
+    if isinstance(form, dict):
+        if not isinstance(values, Mapping) or set(values) != set(form):
+            got = f"the keys {', '.join(map(str, values))}" if isinstance(values, Mapping) else brief(values)
+            raise ValueError(f"{what} must return a dict with the keys {', '.join(form)}, got {got}")
+        for name, part in form.items():
+            fill(part, into[name], values[name], f"{what}[{name!r}]", agents, rows)
+        return
+    numbers = as_numbers(values, into.shape, what, agents)[:, rows]
+    check_within(form, numbers, what, agents[rows])
+    into[:, rows] = numbers
+
+
+def check_within(part: Part, numbers: np.ndarray, what: str, agents: list[str]) -> None:
+    """Raise ValueError for the first number (M, R, ...) that is not finite or out of bounds."""
+    wrong = ~((numbers >= part.low) & (numbers <= part.high) & np.isfinite(numbers))
+    if wrong.any():
+        at = tuple(int(i) for i in np.argwhere(wrong)[0])
+        got = f"{numbers[at]} at {at}: {agents[at[1]]} of match {at[0]}"
+        raise ValueError(f"{what} must return {part.limits(at[2:])}, got {got}")
+
+
+def as_numbers(values: Any, shape: tuple[int, ...], what: str, agents: list[str]) -> np.ndarray:
+    """Return numbers of a shape (M, R, ...), or one number for all; ValueError says who the robots are."""
+    try:
+        numbers = np.asarray(values)
+    except ValueError:
+        numbers = np.asarray(None)
+    if numbers.dtype.kind not in "fiub" or numbers.shape not in ((), shape):
+        got = f"shape {numbers.shape}" if numbers.dtype.kind in "fiub" else brief(values)
+        raise ValueError(f"{what} must return numbers of shape {shape}, got {got}; by match and by {', '.join(agents)}")
+    return np.broadcast_to(numbers, shape)
