@@ -8,9 +8,11 @@ import numpy as np
 
 from soccer_env import truth_state
 from soccer_env.actions import DISCRETE
+from soccer_env.match_batch import MatchBatch
 from soccer_env.observations import Entry
 from soccer_env.observations.own import size_of
 from soccer_env.settings import Settings
+from soccer_env.squads import Squad
 from soccer_env.types import HOME, Phase
 
 Match = Any  # soccer_env.match.Match, which stands above this file
@@ -21,7 +23,8 @@ class Views:
 
     if TYPE_CHECKING:
         settings: Settings
-        batch: Any
+        batch: MatchBatch
+        squads: list[Squad]
         matches: np.ndarray
         balls: np.ndarray
         robots: np.ndarray

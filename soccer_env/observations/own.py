@@ -91,7 +91,7 @@ def space_of(form: Form) -> Any:
     if isinstance(form, dict):
         return spaces.Dict({name: space_of(part) for name, part in form.items()})
     low, high = (np.broadcast_to(bound, form.shape).astype(form.dtype) for bound in (form.low, form.high))
-    return spaces.Box(low, high, form.shape, form.dtype.type)  # type: ignore[arg-type]
+    return spaces.Box(low, high, form.shape, form.dtype.type)
 
 
 def size_of(form: Form) -> int:

@@ -46,7 +46,8 @@ LAYERS = (
         "user_code",
         "match_views",
     ),  # the parts of a match
-    ("match_batch", "match_views"),
+    ("match_batch",),
+    ("match_views",),
     ("match",),
     ("soccer_v0", "gymnasium_envs", "api", "render", "replay", "staging"),
     ("baselines", "agents"),
