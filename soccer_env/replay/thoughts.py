@@ -82,8 +82,8 @@ class Notes:
 
 def checked_fields(fields: Any) -> list[list[Any]]:
     """Return the names, words and steps of a robot's memory; ValueError for anything else."""
-    found = [[str(name), [str(word) for word in words], float(step)] for name, words, step in fields]
-    if len(found) > MOST_FIELDS or not all(step > 0.0 for _, _, step in found):
+    found: list[list[Any]] = [[str(name), [str(word) for word in words], float(step)] for name, words, step in fields]
+    if len(found) > MOST_FIELDS or not all(field[2] > 0.0 for field in found):
         raise ValueError("the fields of its thoughts are damaged")
     return found
 
@@ -150,7 +150,8 @@ def placed(own: tuple[np.ndarray, np.ndarray], heading: np.ndarray, thing: np.nd
 
 def whole(numbers: np.ndarray) -> np.ndarray:
     """Return numbers as whole ones of 16 bits, the largest for those beyond."""
-    return np.rint(np.nan_to_num(np.clip(numbers, -MOST, MOST))).astype(np.int16)
+    found: np.ndarray = np.rint(np.nan_to_num(np.clip(numbers, -MOST, MOST))).astype(np.int16)
+    return found
 
 
 def seen(match: Match) -> list[np.ndarray]:
