@@ -79,6 +79,7 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
     ) -> tuple[np.ndarray, dict[str, Any]]:
         """Begin an episode, as `ParallelSoccer.reset` says; return observation and info."""
         observations, infos = self._parallel.reset(seed, options)
+        self.match = self._parallel.match
         super().reset(seed=None if seed is None else int(seed))
         return observations[self.agent], infos[self.agent]
 

@@ -10,7 +10,7 @@
 
 `infos[agent]` are numbers under keys that never change, which `soccer_env.api.infos` lists: "active", "score_for",
 "phase", "reward_goal", "event_goal" ...; infos="full" adds statistics of play. infos="nested" has dicts in words:
-"active", "score" (own goals, the opponents'), "phase", "rewards" (term -> weighted reward), "events" (only what
+"active", "score" (own goals, the opponents'), "phase", "opponent" (its name: a team, one of a Lineup, "learner"), "rewards" (term -> weighted reward), "events" (only what
 happened in this step) and, at the end of an episode, "statistics" from the side of the agent's team. infos="none" is
 the fastest. Finite actions outside [-1, 1] are clipped.
 
@@ -31,6 +31,7 @@ from pettingzoo.utils.wrappers import OrderEnforcingWrapper
 
 from soccer_env.actions import discrete_index
 from soccer_env.api.infos import FlatReport
+from soccer_env.api.opponents import against
 from soccer_env.api.report import (
     OPTIONS,
     RENDER_MODES,
@@ -96,17 +97,29 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         """Begin an episode; return observations and infos by agent.
 
         With a seed the match starts its random streams anew, without it goes on to its next episode. The option
-        "match_seed" is one of a Match's `seeds`: this env then plays that one of its matches. ValueError, and the
-        running episode goes on, for anything else.
+        "match_seed" is one of a Match's `seeds`: this env then plays that one of its matches. The option "opponents"
+        is a team, its name or a Lineup that plays against the learners from now on; `match` is then another object.
+        ValueError, and the running episode goes on, for anything else.
         """
         wanted = check_options(options, OPTIONS)
         if seed is not None and "match_seed" in wanted:
             raise ValueError("reset takes a seed or the option match_seed, got both")
-        self.match.reset(seed=seed, seeds=[wanted["match_seed"]] if "match_seed" in wanted else None)
+        match = against(self.match, wanted["opponents"]) if "opponents" in wanted else self.match
+        match.reset(seed=seed, seeds=[wanted["match_seed"]] if "match_seed" in wanted else None)
+        self._turn_to(match)
         self.agents = list(self.possible_agents)
         self._begun = True
         self._show()
         return self._observations(), self._infos()
+
+    def _turn_to(self, match: Match) -> None:
+        """Play a match whose episode has just begun."""
+        if match is not self.match:
+            self.match.close()
+            self.match = match
+            self.screen.turn_to(match)
+        if self._report is not None:
+            self._report.turn_to(match)
 
     def step(
         self, actions: Mapping[str, Any]

@@ -231,11 +231,10 @@ def checked_commands(name: str, returned: Any, shape: tuple[int, ...]) -> np.nda
     return np.clip(commands, -1.0, 1.0)
 
 
-def who_plays(squads: list[Squad], row: int, matches: int) -> list[str]:
-    """Return what the team is called that plays a robot (row) now, for each match; "" for a learner."""
-    names = [""] * matches
+def who_plays(squads: list[Squad], row: int, matches: int) -> np.ndarray:
+    """Return what the team is called that plays a robot (row) now, (M,) objects; "" for a learner."""
+    names = np.full(matches, "", object)
     for squad in squads:
         if row in squad.players:
-            for m in range(matches) if squad.plays is None else np.flatnonzero(squad.plays):
-                names[m] = squad.name
+            names[slice(None) if squad.plays is None else squad.plays] = squad.name
     return names

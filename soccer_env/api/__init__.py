@@ -5,5 +5,6 @@ infos.py              infos as flat numbers
 report.py             nested infos in words, frames and windows, and checks of what callers pass
 nested_arrays.py      nested infos of many matches
 shown.py              what a console and a notebook show of an env
+opponents.py          who the learners play against
 gymnasium_vector.py   many matches as one Gymnasium VectorEnv
 """

@@ -11,6 +11,7 @@ from gymnasium.vector.utils import batch_space
 
 from soccer_env.api.infos import FlatArrays
 from soccer_env.api.nested_arrays import NestedArrays
+from soccer_env.api.opponents import against
 from soccer_env.api.report import Screen, check_options, check_render_mode, kind_of_infos
 from soccer_env.api.shown import Shown
 from soccer_env.gymnasium_envs import choose_learner
@@ -23,7 +24,7 @@ MODES: dict[AutoresetMode, Literal["next_step", "same_step"]] = {
     AutoresetMode.NEXT_STEP: "next_step",
     AutoresetMode.SAME_STEP: "same_step",
 }
-OPTIONS = ("match_seeds",)  # of reset
+OPTIONS = ("match_seeds", "opponents")  # of reset
 
 
 class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
@@ -68,17 +69,24 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         """Begin an episode in all matches; return observations (num_envs, n) and infos.
 
         seed: a number that all matches follow from (match 0 as `SoloSoccer` with it), or one for each, with which it
-        is `SoloSoccer` with that seed. The option "match_seeds" takes a Match's `seeds` as they are. ValueError, and
-        the running episodes go on, for anything else.
+        is `SoloSoccer` with that seed. The option "match_seeds" takes a Match's `seeds` as they are, "opponents" a team
+        or Lineup that plays from now on. ValueError, and the running episodes go on, for anything else.
         """
-        seeds = check_options(options, OPTIONS).get("match_seeds")
+        wanted = check_options(options, OPTIONS)
+        seeds = wanted.get("match_seeds")
         if seed is not None and seeds is not None:
             raise ValueError("reset takes a seed or the option match_seeds, got both")
+        match = against(self.match, wanted["opponents"]) if "opponents" in wanted else self.match
         if isinstance(seed, (list, tuple, np.ndarray)):
-            self.match.reset(seeds=seeds_of_each(seed))
+            match.reset(seeds=seeds_of_each(seed))
         else:
-            self.match.reset(seed=seed, seeds=seeds)
+            match.reset(seed=seed, seeds=seeds)
             super().reset(seed=None if seed is None else int(seed))
+        if match is not self.match:
+            self.match.close()
+            self.match = match
+            self._screen.turn_to(match)
+            self._report = report_of(kind_of_infos(self.asked.infos), match, self._row)
         self._begun = True
         return self._observations(), self._infos()
 

@@ -48,6 +48,10 @@ class FlatReport:
         keys = (*STANDING, *self._rewards, *self._events, *self._own)
         self._nothing = dict(zip(keys, (True, 0, 0, 0, *(0.0,) * len(self._rewards), *self._quiet, *self._own_quiet)))
 
+    def turn_to(self, match: Match) -> None:
+        """Tell of another match of the same robots from now on."""
+        self._match = match
+
     def infos(self) -> Infos:
         """Return the infos of the first match, by agent."""
         match = self._match

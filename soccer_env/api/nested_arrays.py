@@ -22,10 +22,13 @@ class NestedArrays:
     def __init__(self, match: Match, row: int) -> None:
         self._match, self._row, self._team = match, row, side_of(match.agents[row])
         self._one = Report(match, np.array([row]))
+        self._before = self._one.opponents
 
     def infos(self) -> dict[str, Any]:
         """Return what `Report.infos` says of each match, in Gymnasium's arrays and masks."""
         match, row = self._match, self._row
+        self._before = self._one.opponents  # of the episodes that a step may have ended
+        self._one.turn_to(match)
         score = match.matches["score"]
         shares = zip(match.term_names, match.terms[:, row].T.copy(), strict=True)
         return self._masked(
@@ -35,6 +38,7 @@ class NestedArrays:
                 "rewards": self._masked(dict(shares)),
                 "score": np.stack([score[:, self._team], score[:, 1 - self._team]], axis=1),
                 "phase": np.array(PHASES, object)[match.matches["phase"]],
+                "opponent": self._one.opponents[self._team].copy(),
             }
         )
 
@@ -71,7 +75,8 @@ class NestedArrays:
     def last(self, index: int) -> dict[str, Any]:
         """Return the robot's last info of an episode that ended, a row of `match.final`."""
         (info,) = self._one.last(index).values()
-        return {**info, "score": np.array(info["score"])}
+        opponent = self._before[self._team][self._match.ended[index]]
+        return {**info, "score": np.array(info["score"]), "opponent": opponent}
 
     def forget(self, infos: dict[str, Any], ended: np.ndarray) -> None:
         """Take the rewards of episodes that ended out of the infos of those that have begun."""

@@ -7,6 +7,7 @@ from typing import Any, get_args
 
 import numpy as np
 
+from soccer_env.api.opponents import opponents_of
 from soccer_env.checking import check_names, one_of, refuse
 from soccer_env.match import Match
 from soccer_env.match_settings import InfoKind
@@ -14,7 +15,7 @@ from soccer_env.statistics.figures import flat
 from soccer_env.types import AWAY, HOME, QUIET, ROBOT_EVENTS, Phase
 
 RENDER_MODES = ("rgb_array", "human")
-OPTIONS = ("match_seed",)  # of reset
+OPTIONS = ("match_seed", "opponents")  # of reset
 IGNORED_OPTION = "options"  # what PettingZoo's parallel_api_test passes to every env
 TEAMS = ("home", "away")
 PHASES = tuple(phase.name.lower().replace("_", "-") for phase in Phase)
@@ -35,7 +36,6 @@ class Report:
     """Describe in words what happened in a step of a match, for the infos of some robots (rows)."""
 
     def __init__(self, match: Match, rows: np.ndarray) -> None:
-        self._match = match
         self.words = {**WORDS, "scorer": match.agents}
         self._events = [
             (index, name, int(QUIET[name]), self.words.get(name))
@@ -45,17 +45,23 @@ class Report:
         self._robots = [(match.agents[row], int(row), side_of(match.agents[row])) for row in rows]
         self._robot_events = ROBOT_EVENTS.names or ()
         self._robot_quiet = (0,) * len(self._robot_events)
+        self.turn_to(match)
+
+    def turn_to(self, match: Match) -> None:
+        """Take note of who plays, at the beginning of an episode; the match may be another one of the same robots."""
+        self._match = match
+        self.opponents = opponents_of(match, 0), opponents_of(match, 1)  # of each team, by match
 
     def infos(self) -> Infos:
         """Return the infos of the first match, by agent; at the end of an episode with its statistics."""
         match = self._match
-        found = self.of(match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
+        found = self.of(match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0], 0)
         return self.add_statistics(found, match.statistics[0]) if match.terminated[0] or match.truncated[0] else found
 
     def last(self, index: int) -> Infos:
         """Return the last infos of an episode that ended, a row of `match.final`, by agent."""
         final = self._match.final
-        found = self.of(*(final[name][index] for name in FINAL_RECORDS))
+        found = self.of(*(final[name][index] for name in FINAL_RECORDS), m=int(self._match.ended[index]))
         return self.add_statistics(found, final["statistics"][index])
 
     def add_statistics(self, infos: Infos, statistics: Any) -> Infos:
@@ -64,8 +70,10 @@ class Report:
             infos[agent]["statistics"] = flat(statistics, team)
         return infos
 
-    def of(self, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray) -> Infos:
-        """Return the infos that follow from the records of one match, by agent."""
+    def of(
+        self, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray, m: int
+    ) -> Infos:
+        """Return the infos that follow from the records of match m, by agent."""
         happened = dict(self._say(events.item()))
         home, away = match["score"].tolist()
         scores, phase = ((home, away), (away, home)), PHASES[match["phase"]]
@@ -83,6 +91,7 @@ class Report:
                 "rewards": dict(zip(self._match.term_names, shares[row], strict=True)),
                 "score": scores[team],
                 "phase": phase,
+                "opponent": self.opponents[team][m],
             }
         return infos
 
@@ -115,6 +124,10 @@ class Screen:
         self._title = title_of(match)
         self._picture: Any = None
         self._window: Any = None
+
+    def turn_to(self, match: Match) -> None:
+        """Show another match of the same league from now on."""
+        self._match, self._title = match, title_of(match)
 
     def frame(self, m: int = 0) -> np.ndarray:
         """Return a frame (H, W, 3) uint8 of match m."""

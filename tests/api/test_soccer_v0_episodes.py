@@ -30,6 +30,7 @@ def test_infos_tell_of_a_goal_in_words(league):
         "rewards": dict.fromkeys(NAMES, 0.0),
         "score": (0, 0),
         "phase": "kick-off",
+        "opponent": "learner",
     }
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from soccer_env.checking import whole_number
 from soccer_env.match import BLOCK, Match
 from soccer_env.saving import calls_python, undoing
+from soccer_env.squads import who_plays
 
 
 def check_request(
@@ -67,13 +68,8 @@ def stagger_clocks(match: Match, repeat: int) -> None:
 
 
 def playing(match: Match) -> list[str]:
-    """Return the name of the team that plays the last away robot now, for each match."""
-    names = [""] * match.count
-    for squad in match.squads:
-        if squad.players[-1] == len(match.agents) - 1:
-            for m in range(match.count) if squad.plays is None else np.flatnonzero(squad.plays):
-                names[m] = squad.name
-    return names
+    """Return the name of the team that plays the last away robot now, for each match; "" for a learner."""
+    return list(who_plays(match.squads, len(match.agents) - 1, match.count))
 
 
 def taken(actions: Any, shape: tuple[int, int], matches: Sequence[Match]) -> np.ndarray:
