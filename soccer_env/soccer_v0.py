@@ -10,9 +10,9 @@
 
 `infos[agent]` are numbers under keys that never change, which `soccer_env.api.infos` lists: "active", "score_for",
 "phase", "reward_goal", "event_goal" ...; infos="full" adds statistics of play. infos="nested" has dicts in words:
-"active", "score" (own goals, the opponents'), "phase", "opponent" (its name: a team, one of a Lineup, "learner"), "rewards" (term -> weighted reward), "events" (only what
-happened in this step) and, at the end of an episode, "statistics" from the side of the agent's team. infos="none" is
-the fastest. Finite actions outside [-1, 1] are clipped.
+"active", "score" (own goals, the opponents'), "phase", "opponent" (a team's name, "learner" for none), "rewards" (term
+-> weighted reward), "events" (only what happened in this step) and, at the end of an episode, "statistics" from the
+side of the agent's team. infos="none" is the fastest. Finite actions outside [-1, 1] are clipped.
 
 Version history: v0, the first.
 """

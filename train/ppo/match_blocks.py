@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.actions import DISCRETE
+from soccer_env.api.opponents import LEARNER
 from soccer_env.checking import whole_number
 from soccer_env.match import BLOCK, Match
 from soccer_env.saving import calls_python, undoing
@@ -18,21 +20,24 @@ from soccer_env.squads import who_plays
 
 
 def check_request(
-    players: Sequence[tuple[int, int]], opponents: Any, repeat: int, threads: int, settings: dict[str, Any]
+    players: Sequence[tuple[int, int]], both: bool, state: bool, repeat: int, threads: int, settings: dict[str, Any]
 ) -> None:
-    """Raise ValueError for settings that leave robots without a player, or rows without a robot."""
+    """Raise ValueError for settings that leave robots without a player, or rows without a robot.
+
+    both: the robots of both sides learn.
+    """
     for name in ("teammates", "controllers", "autoreset"):
         if name in settings:
             raise ValueError(f"SoccerVecEnv takes no {name}: all home robots learn, and matches begin anew at once")
-    if opponents is None:
-        raise ValueError("SoccerVecEnv needs opponents, a team or a Lineup: 'still' for robots that stand")
+    if both and state:
+        raise ValueError("state is told from home's side: where both sides learn (opponents=None) it must be False")
+    if both and settings.get("max_players") is not None:
+        raise ValueError("max_players must be None where both sides learn: rows without a robot would learn too")
     if not players or not all(len(sizes) == 2 for sizes in players):
         raise ValueError(f"players must be team sizes (home, away), at least one, got {players!r}")
     observe = settings.get("observe")
     if isinstance(observe, Mapping) or any(hasattr(observe, name) for name in ("space", "low", "high")):
         raise ValueError(f"SoccerVecEnv needs one vector in [-1, 1] for every robot, got observe={observe!r}")
-    if settings.get("actions") == "discrete":
-        raise ValueError("SoccerVecEnv has actions 'box' or 'full', not 'discrete'")
     whole_number("action_repeat", repeat, 1, 1000)
     whole_number("threads", threads, 1, 256)
 
@@ -68,8 +73,8 @@ def stagger_clocks(match: Match, repeat: int) -> None:
 
 
 def playing(match: Match) -> list[str]:
-    """Return the name of the team that plays the last away robot now, for each match; "" for a learner."""
-    return list(who_plays(match.squads, len(match.agents) - 1, match.count))
+    """Return the name of what plays the last away robot now, for each match: a team, or a learner."""
+    return [name or LEARNER for name in who_plays(match.squads, len(match.agents) - 1, match.count)]
 
 
 def taken(actions: Any, shape: tuple[int, int], matches: Sequence[Match]) -> np.ndarray:
@@ -89,7 +94,8 @@ def taken(actions: Any, shape: tuple[int, int], matches: Sequence[Match]) -> np.
 
 def learners_of(match: Match) -> list[tuple[int, str]]:
     """Return (m, agent) of each learning robot of a block, as its rows are in order."""
-    return [(m, agent) for m in range(match.count) for agent in match.agents[: match.settings.home]]
+    learners = [agent for agent, learns in zip(match.agents, match.learns, strict=True) if learns]
+    return [(m, agent) for m in range(match.count) for agent in learners]
 
 
 @contextmanager
@@ -105,3 +111,14 @@ def undone_together(matches: Sequence[Match], opponents: list[list[str]]) -> Ite
                     go_back()
             opponents[:] = names
         raise
+
+
+def discrete_rows(actions: Any, rows: int) -> np.ndarray:
+    """Return discrete actions (rows,); ValueError for another shape, for other numbers and for unknown actions."""
+    found = np.asarray(actions)
+    if found.dtype.kind not in "iu" or found.shape != (rows,):
+        raise ValueError(f"actions must be {rows} whole numbers, got {found.dtype} of shape {found.shape}")
+    if found.min() < 0 or found.max() >= len(DISCRETE):
+        row = int(np.argmax((found < 0) | (found >= len(DISCRETE))))
+        raise ValueError(f"action of row {row} must be 0 to {len(DISCRETE) - 1}, got {found[row]}")
+    return found

@@ -1,6 +1,7 @@
 """A stable-baselines3 VecEnv straight over the batched core: a row for each learning robot of each match.
 
-    rows = blocks of matches of one team size x matches x home robots; the away robots are played by opponents inside
+    rows = blocks of matches of one team size x matches x home robots; the away robots are played by opponents inside,
+           or learn as well and come behind those of home
 
 No dicts, no processes: matches are stepped by compiled loops on one thread or more. All robots of a match begin and
 end together. An action is kept for `action_repeat` control steps; a match that ends within them begins anew at once,
@@ -29,7 +30,15 @@ from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
 from soccer_env.saving import by_save, calls_python
 from soccer_env.train.ppo.critic_state import last_state, team_state, with_state
-from soccer_env.train.ppo.match_blocks import check_request, playing, shared_out, stagger_clocks, taken, undone_together
+from soccer_env.train.ppo.match_blocks import (
+    check_request,
+    discrete_rows,
+    playing,
+    shared_out,
+    stagger_clocks,
+    taken,
+    undone_together,
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -48,16 +57,17 @@ class Result:
 
 
 class SoccerVecEnv(VecEnv):
-    """Matches whose home robots learn, as rows of one environment.
+    """Matches whose home robots learn, or those of both sides, as rows of one environment.
 
     players: team sizes (home, away), the matches being shared evenly among them; ideal_share: share of each size's
-    matches in which all robots have ideal senses, whatever `senses` says; opponents: a team, its name, or a
-    `squads.Lineup` whose weights choose anew for each episode; gamma: discount of one step, which the shaping of
-    `rewards` takes over; state: append `Match.state()` to every observation, for a centralised critic; stagger: begin
-    the first episodes at different times of play. max_cycles counts steps of `action_repeat` control steps. Other
-    settings are those of `Match` (observe="truth" unless told otherwise, box or full actions). `results` collects how
-    episodes ended until somebody takes them, `seconds` the time [s] that steps took. Every reset plays the episodes of
-    the seed again. An episode that does not last whole steps shifts the next one's decisions within the gait.
+    matches in which all robots have ideal senses, whatever `senses` says; opponents: a team, its name, a `Lineup` whose
+    weights choose anew for each episode, or None: both sides learn (self-play), the rows of home first in each match;
+    gamma: discount of one step, which the shaping of `rewards` takes over; state: append `Match.state()` to every
+    observation, for a centralised critic; stagger: begin the first episodes at different times of play. max_cycles
+    counts steps of `action_repeat` control steps. Other settings are those of `Match` (observe="truth" unless told
+    otherwise). `results` collects how episodes ended until somebody takes them, `seconds` the time [s] that steps took.
+    Every reset plays the episodes of the seed again. An episode that does not last whole steps shifts the next one's
+    decisions within the gait.
 
         env = SoccerVecEnv(players=[(2, 2)], matches=64, opponents="chaser", action_repeat=8, minutes=2.0)
         model = A2C("MlpPolicy", env).learn(100_000)
@@ -92,7 +102,7 @@ class SoccerVecEnv(VecEnv):
         self.repeat, self.stagger = action_repeat, stagger
         self.results = list[Result]()
         self.render_mode, self.seconds = None, 0.0
-        check_request(players, opponents, action_repeat, threads, settings)
+        check_request(players, opponents is None, state, action_repeat, threads, settings)
         blocks = shared_out(players, matches, ideal_share)
         inner = max(1, threads // len(blocks))  # threads of a block; more than one where there are few blocks
         if settings.get("max_cycles") is not None:
@@ -106,21 +116,18 @@ class SoccerVecEnv(VecEnv):
         ]  # fmt: skip
         self._workers = Workers(1 if any(map(calls_python, self.matches)) else min(threads, len(blocks)))
         self.largest, self.state = max(match.settings.max_players for match in self.matches), state
-        self.learners = [match.settings.home for match in self.matches]
+        both = opponents is None
+        self.learners = [match.settings.home + both * match.settings.away for match in self.matches]  # the first rows
         self.observed = len(self.matches[0].observation_names)  # entries before the state
         self.first_decision = first_decision(self.matches[0].league.delay_steps, action_repeat)
-        rows = [match.count * home for match, home in zip(self.matches, self.learners, strict=True)]
+        rows = [match.count * learners for match, learners in zip(self.matches, self.learners, strict=True)]
         self._order = np.argsort([-match.count * len(match.agents) for match in self.matches]).tolist()  # longest first
         self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()
         self.opponents = [playing(match) for match in self.matches]
         width = self._observations().shape[1]
-        action = self.matches[0].settings.actions.size
-        self._actions = np.zeros((self.edges[-1], action))
-        super().__init__(
-            self.edges[-1],
-            spaces.Box(-1.0, 1.0, (width,), np.float32),
-            spaces.Box(-1.0, 1.0, (action,), np.float32),
-        )
+        action = self.matches[0].settings.actions.space()
+        self._actions = np.zeros((self.edges[-1], *action.shape), np.int64 if action.shape == () else np.float64)
+        super().__init__(self.edges[-1], spaces.Box(-1.0, 1.0, (width,), np.float32), action)
         self._seed, self._asked = seed, False  # whether a step was asked for
         self._returns, self._lengths = np.zeros(self.num_envs), np.zeros(self.num_envs, np.int64)
 
@@ -142,7 +149,7 @@ class SoccerVecEnv(VecEnv):
             until = self.first_decision
             if self.stagger and until == 0:
                 until = self.repeat  # so that observations show the new clock
-            still = np.tile(self._stand(), (match.count, len(match.agents), 1))
+            still = self._standing(match)
             for _ in range(until):
                 match.step(still)
         self.opponents = [playing(match) for match in self.matches]
@@ -150,8 +157,11 @@ class SoccerVecEnv(VecEnv):
         return self._observations()
 
     def step_async(self, actions: np.ndarray) -> None:
-        """Take the actions (rows, 4 or 7) of the next step; ValueError names the first row that is wrong."""
-        self._actions[:] = taken(actions, self._actions.shape, self.matches)
+        """Take the actions (rows, 4 or 7) of the next step, or discrete ones (rows,); ValueError names the first wrong row."""
+        discrete = self._actions.ndim == 1
+        self._actions[:] = (
+            discrete_rows(actions, self.num_envs) if discrete else taken(actions, self._actions.shape, self.matches)
+        )
         self._asked = True
 
     def step_wait(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
@@ -182,18 +192,19 @@ class SoccerVecEnv(VecEnv):
     def _play(self, index: int, rewards: np.ndarray, dones: np.ndarray, infos: list[dict[str, Any]]) -> list[Result]:
         """Play one step of a block of matches, into their rows; return how episodes ended."""
         results: list[Result] = []
-        match, home = self.matches[index], self.learners[index]
+        match, learners = self.matches[index], self.learners[index]
         rows = slice(self.edges[index], self.edges[index + 1])
-        actions = np.zeros((match.count, len(match.agents), self._actions.shape[1]))
-        actions[:, :home] = self._actions[rows].reshape(match.count, home, -1)
-        gained, over = rewards[rows].reshape(match.count, home), np.zeros(match.count, bool)
+        stand = self._standing(match)
+        actions = stand.copy()
+        actions[:, :learners] = self._actions[rows].reshape(match.count, learners, *self._actions.shape[1:])
+        gained, over = rewards[rows].reshape(match.count, learners), np.zeros(match.count, bool)
         for step in range(self.repeat):
             _, paid, terminated, _ = match.step(actions, last=step == self.repeat - 1)
-            gained += np.where(over[:, None], 0.0, paid[:, :home])
+            gained += np.where(over[:, None], 0.0, paid[:, :learners])
             if len(match.ended):
                 results += self._note_ends(index, terminated, over, infos)
-                over[match.ended], actions[match.ended] = True, self._stand()
-        dones[rows] = np.repeat(over, home)
+                over[match.ended], actions[match.ended] = True, stand[match.ended]
+        dones[rows] = np.repeat(over, learners)
         return results
 
     def _note_ends(
@@ -201,15 +212,15 @@ class SoccerVecEnv(VecEnv):
     ) -> list[Result]:
         """Write the last observations of matches that ended into the infos of their rows; return how they ended."""
         results = []
-        match, home = self.matches[index], self.learners[index]
-        last = match.final["observations"][:, :home]
+        match, learners = self.matches[index], self.learners[index]
+        last = match.final["observations"][:, :learners]
         if self.state:
             last = with_state(last, last_state(match, self.largest))
         for i, m in enumerate(match.ended):
             if over[m]:
                 continue
-            first = self.edges[index] + int(m) * home
-            for r in range(home):
+            first = self.edges[index] + int(m) * learners
+            for r in range(learners):
                 infos[first + r]["terminal_observation"] = last[i, r]
                 infos[first + r]["TimeLimit.truncated"] = not terminated[m]
             score = match.final["matches"]["score"][i]
@@ -218,20 +229,21 @@ class SoccerVecEnv(VecEnv):
         self.opponents[index] = playing(match)
         return results
 
-    def _stand(self) -> np.ndarray:
-        """Return the action (4,) or (7,) of a robot that stands, its head tracking the ball by itself."""
-        action = np.zeros(self._actions.shape[1])
-        action[FULL.index("head") :][:1] = -1.0  # of "full" alone
-        return action
+    def _standing(self, match: Match) -> np.ndarray:
+        """Return actions (M, R) or (M, R, 4 or 7) of robots that stand, their heads tracking the ball by themselves."""
+        actions = np.zeros((match.count, len(match.agents), *self._actions.shape[1:]), self._actions.dtype)
+        if actions.shape[2:] == (len(FULL),):
+            actions[..., FULL.index("head")] = -1.0
+        return actions
 
     def _observations(self) -> np.ndarray:
         """Return the observations (rows, n) of all learners, in an array of their own."""
         parts = []
-        for match, home in zip(self.matches, self.learners, strict=True):
-            seen = match.observations[:, :home]
+        for match, learners in zip(self.matches, self.learners, strict=True):
+            seen = match.observations[:, :learners]
             if self.state:
                 seen = with_state(seen, team_state(match, self.largest))
-            parts.append(seen.reshape(match.count * home, -1))
+            parts.append(seen.reshape(match.count * learners, -1))
         return np.concatenate(parts)
 
     def take_results(self) -> list[Result]:
