@@ -86,7 +86,7 @@ class Settings(MatchSettings):
         record = constants_of(self.league)
         record["placement_by_driving"] = self.placement == "drive"
         record["end_at_goal"] = self.episode == "goal"
-        if self.episode == "drill":
+        if self.episode == "drill" and isinstance(self.scene.success, str):  # a function is asked in `user_code`
             record["drill"], record["drill_time"] = SUCCESS[self.scene.success], self.scene.time_limit
         return record
 

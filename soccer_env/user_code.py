@@ -1,4 +1,7 @@
-"""Ask for a user's own observations, reward terms and functions that play, and check what they return."""
+"""Ask a user's own code in a control step, and check what it returns, where it enters.
+
+Functions that play are asked before anybody moves; scenes then say which matches ended, and reward terms what is paid.
+"""
 
 from __future__ import annotations
 
@@ -9,9 +12,10 @@ import numpy as np
 from soccer_env.function_teams import ask_functions
 from soccer_env.observations import layout
 from soccer_env.observations.own import Form, Part, Sides, as_numbers, check_within, fill, form_of, pick, zeros
-from soccer_env.rewards import COUNT, OwnTerm, Rewards
+from soccer_env.rewards import COUNT, POTENTIALS, TERMS, OwnTerm, Rewards, measure_potentials
+from soccer_env.scenes import Scene
 from soccer_env.settings import Settings
-from soccer_env.types import HOME
+from soccer_env.types import HOME, Phase
 
 Match = Any  # soccer_env.match.Match, which stands above this file
 
@@ -86,10 +90,17 @@ class OwnTerms:
         if self._terms:
             self._waiting = match.matches["over"] == 1
             shaping = {name: term for name, term in self._terms.items() if term.kind == "potential"}
-            self._before = {name: ask(match, name, term) for name, term in shaping.items()}
+            self._before = {
+                name: ask(match, name, term).copy() for name, term in shaping.items()
+            }  # it may show a record
 
     def pay(self, match: Match) -> None:
-        """Add what a control step pays to `terms` and `rewards`; a match that was over gets nothing."""
+        """Let a scene of one's own end matches, and add what a control step pays to `terms` and `rewards`.
+
+        A match that was over gets nothing.
+        """
+        if callable(match.settings.scene.success) and match.settings.episode == "drill":
+            judge(match, match.settings.scene)
         if not self._terms:  # the usual case: the lines below would cost a match alone 1 us of the 15 us of a step
             return
         over, gamma = match.matches["over"] == 1, float(match.batch.weights["gamma"][0])
@@ -100,6 +111,54 @@ class OwnTerms:
             value = -term.weight * value if term.kind == "cost" else term.weight * value
             match.terms[..., column] = np.where(self._waiting[:, None], 0.0, value)
             match.rewards += match.terms[..., column]
+
+
+def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.inf) -> np.ndarray:
+    """Return what user code returned as numbers of a shape; ValueError says which code returned what instead."""
+    try:
+        numbers = np.broadcast_to(np.asarray(values, np.float64), shape)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{what} must return numbers of shape {shape}, got shape {np.shape(values)}") from error
+    with np.errstate(invalid="ignore"):
+        wrong = ~(np.abs(numbers) <= limit) | ~np.isfinite(numbers)
+    if wrong.any():
+        at = tuple(int(i) for i in np.argwhere(wrong)[0])
+        allowed = "finite numbers" if limit == np.inf else f"numbers in [{-limit:g}, {limit:g}]"
+        raise ValueError(f"{what} must return {allowed}, got {numbers[at]} at {at}")
+    return numbers
+
+
+def judge(match: Match, scene: Scene) -> None:
+    """End the matches that a scene's own function decides: 1 success, -1 failure, 0 goes on; others by its time limit.
+
+    What ends here has potential 0, as what the referee ends.
+    """
+    said = checked(scene.success(match), (match.count,), f"success of scene {scene.name!r}", limit=1.0)  # type: ignore[operator]
+    if (said != np.rint(said)).any():
+        m = int(np.argmax(said != np.rint(said)))
+        raise ValueError(
+            f"success of scene {scene.name!r} must return 1, -1 or 0 for each match, got {said[m]} for {m}"
+        )
+    goes_on = match.matches["over"] == 0
+    for m in np.flatnonzero(goes_on & (said != 0)):
+        take_back_shaping(match, m)
+        match.matches["over"][m], match.matches["phase"][m] = 1, Phase.OVER
+        match.events["drill"][m] = int(said[m])
+        match.terminated[m], match.truncated[m] = True, False
+    played = match.matches["step"] * match.league.dt
+    match.truncated |= goes_on & (said == 0) & (played >= scene.time_limit - 0.5 * match.league.dt)
+
+
+def take_back_shaping(match: Match, m: int) -> None:
+    """Take what shaping paid for the potential at the end of match m out of its terms and rewards."""
+    potentials, weights = np.zeros(POTENTIALS), match.batch.weights
+    records = match.matches[m], match.balls[m], match.robots[m]
+    measure_potentials(*records, match.batch.constants[0], weights[0], potentials)
+    columns = [column for column, term in enumerate(TERMS) if term.kind == "potential"]
+    for index, column in enumerate(columns):
+        share = weights["gamma"][0] * weights["term"][0, column] * potentials[match.robots["team"][m], index]
+        match.terms[m, :, column] -= share
+        match.rewards[m] -= share
 
 
 def ask(match: Match, name: str, term: OwnTerm) -> np.ndarray:

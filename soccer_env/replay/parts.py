@@ -63,7 +63,7 @@ def describe(match: Match) -> dict[str, Any]:
         "action_repeat": settings.action_repeat,
         "scene": {
             "name": settings.scene.name,
-            "success": settings.scene.success,
+            "success": settings.scene.success if isinstance(settings.scene.success, str) else "none",
             "time_limit": str(settings.scene.time_limit),
         },
         "matches": match.count,

@@ -41,6 +41,8 @@ class Recorder:
 
     def __init__(self, match: Match, thoughts: Thoughts | None = None) -> None:
         check_room(match.count, len(match.agents))
+        if callable(match.settings.scene.success) and match.settings.episode == "drill":
+            raise ValueError("a drill that a function of your own ends cannot be recorded: replays hold no code")
         match.recorder = None
         self.start = saving.dump(match, memory=False)
         match.rebuild()

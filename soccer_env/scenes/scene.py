@@ -38,14 +38,17 @@ Place = Callable[[League, Any, Any, Draw], None]
 class Scene:
     """A start: `place(league, ball, robots, draw)` moves what the kick-off formation put down.
 
-    Field frame, home attacks +x. `opponents` names the teams that a drill is meant for, one for each opponent that has
-    a part in it (the last rows of away): a suggestion that lists show; the caller decides who plays.
+    Field frame, home attacks +x. `success` makes it a drill: words of `judging.SUCCESS`, or a function of the Match
+    that returns for each of its matches (M,), after every control step, 1 for a success, -1 for a failure and 0 where
+    play goes on; a goal then ends nothing by itself. `opponents` names the teams that a drill is meant for, one for
+    each opponent that has a part in it (the last rows of away): a suggestion that lists show; the caller decides who
+    plays.
     """
 
     name: str
     description: str
     place: Place | None = None
-    success: str = "none"
+    success: str | Callable[[Any], Any] = "none"
     time_limit: float = inf  # [s]
     in_play: bool = False  # True: play is on; False: a kick-off
     opponents: tuple[str, ...] = ()  # names of teams, with strengths
@@ -56,8 +59,9 @@ class Scene:
     shows: Place | None = None  # moves the ball to where robots see it in their first look; it is back at once
 
     def __post_init__(self) -> None:
-        if self.success not in SUCCESS:
-            raise ValueError(f"Scene.success must be one of {', '.join(SUCCESS)}, got {self.success!r}")
+        if not callable(self.success) and self.success not in SUCCESS:
+            words = f"one of {', '.join(SUCCESS)}, or a function of the match"
+            raise ValueError(f"Scene.success must be {words}, got {self.success!r}")
         if not self.time_limit > 0.0:
             raise ValueError(f"Scene.time_limit must be above zero, got {self.time_limit}")
 

@@ -77,8 +77,11 @@ def playing(match: Match) -> list[str]:
     return [name or LEARNER for name in who_plays(match.squads, len(match.agents) - 1, match.count)]
 
 
-def taken(actions: Any, shape: tuple[int, int], matches: Sequence[Match]) -> np.ndarray:
-    """Return the actions of all rows as numbers in [-1, 1]; ValueError for other shapes, and for what is not finite."""
+def taken(actions: Any, like: np.ndarray, matches: Sequence[Match]) -> np.ndarray:
+    """Return the actions of all rows as numbers in [-1, 1], or discrete ones; ValueError for what is neither."""
+    if like.ndim == 1:
+        return discrete_rows(actions, len(like))
+    shape = like.shape
     numbers = np.asarray(actions)
     if numbers.dtype.kind not in "fiu" or numbers.shape != shape:
         raise ValueError(f"actions must be numbers of shape {shape}, got {numbers.dtype} of shape {numbers.shape}")

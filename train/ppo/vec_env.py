@@ -32,7 +32,6 @@ from soccer_env.saving import by_save, calls_python
 from soccer_env.train.ppo.critic_state import last_state, team_state, with_state
 from soccer_env.train.ppo.match_blocks import (
     check_request,
-    discrete_rows,
     playing,
     shared_out,
     stagger_clocks,
@@ -157,11 +156,8 @@ class SoccerVecEnv(VecEnv):
         return self._observations()
 
     def step_async(self, actions: np.ndarray) -> None:
-        """Take the actions (rows, 4 or 7) of the next step, or discrete ones (rows,); ValueError names the first wrong row."""
-        discrete = self._actions.ndim == 1
-        self._actions[:] = (
-            discrete_rows(actions, self.num_envs) if discrete else taken(actions, self._actions.shape, self.matches)
-        )
+        """Take the actions (rows, 4 or 7) of the next step, or discrete ones (rows,); ValueError names a wrong row."""
+        self._actions[:] = taken(actions, self._actions, self.matches)
         self._asked = True
 
     def step_wait(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
