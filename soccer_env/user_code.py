@@ -140,7 +140,7 @@ def judge(match: Match, scene: Scene) -> None:
             f"success of scene {scene.name!r} must return 1, -1 or 0 for each match, got {said[m]} for {m}"
         )
     goes_on = match.matches["over"] == 0
-    for m in np.flatnonzero(goes_on & (said != 0)):
+    for m in np.flatnonzero(goes_on & (said != 0)).tolist():
         take_back_shaping(match, m)
         match.matches["over"][m], match.matches["phase"][m] = 1, Phase.OVER
         match.events["drill"][m] = int(said[m])

@@ -167,7 +167,7 @@ def scenes() -> Iterator[Table]:
         (
             x.name,
             x.description,
-            x.success,
+            str(x.success),
             f"{x.time_limit:g} s" if isfinite(x.time_limit) else "none",
             ", ".join(x.opponents),
             x.rules,

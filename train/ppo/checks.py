@@ -19,6 +19,7 @@ from soccer_env.agents.policy_file import load
 from soccer_env.checking import brief
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
+from soccer_env.teams import CompiledTeam, make_team
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
 from soccer_env.train.ppo.match_blocks import shared_out
@@ -49,6 +50,10 @@ def check_playable(settings: TrainSettings) -> None:
             check_contest(policy, opponent, settings)
     if settings.teacher:
         with said_by("teacher"):
+            if settings.rounds and not isinstance(make_team(settings.teacher), CompiledTeam):
+                raise ValueError(
+                    f"rounds=0 is needed for {settings.teacher!r}: a team in Python plays, but cannot advise"
+                )
             for sizes, (_, senses) in product(settings.sizes, settings.kinds_of_senses):
                 lesson(settings, sizes, senses).close()
 

@@ -16,7 +16,7 @@ from openskill.models import PlackettLuce
 from soccer_env.agents.learned import team_of
 from soccer_env.agents.perceptron import pack
 from soccer_env.agents.policy import Policy
-from soccer_env.teams import CompiledTeam, Lineup, make_team
+from soccer_env.teams import Lineup
 
 MEMORY = 0.95  # what a result leaves of the share of points before it
 FLOOR = 0.1  # weight of an opponent against which the learner always or never wins, of that of an even one
@@ -44,8 +44,7 @@ class Curriculum:
         self.filled = [0] * past  # the step at which each past self was taken, 0: not yet
         self.leaving = dict.fromkeys(self.past_names, 0)  # episodes that began against the past self of before
         self.standings = {name: Standing() for name in (LEARNER, *self.names)}
-        teams = (*(compiled_team(name) for name in names), *self._past)
-        self.lineup = Lineup(teams, np.ones(len(teams)), tuple(self.names))
+        self.lineup = Lineup([*names, *self._past], names=self.names)
         self.model = PlackettLuce()
         self._weigh()
 
@@ -105,11 +104,3 @@ class Curriculum:
         sides = [[self.model.rating(mu=side.mu, sigma=side.sigma)] for side in (learner, opponent)]
         for side, (rated,) in zip((learner, opponent), self.model.rate(sides, ranks=ranks), strict=True):
             side.mu, side.sigma = rated.mu, rated.sigma
-
-
-def compiled_team(name: str) -> CompiledTeam:
-    """Return the team of a name or policy file; ValueError for one that cannot play among others at full speed."""
-    team = make_team(name)
-    if not isinstance(team, CompiledTeam):
-        raise ValueError(f"opponent {name!r} is a team in Python: only compiled teams and policies can train others")
-    return team

@@ -7,7 +7,7 @@ import pytest
 
 from soccer_env.agents.perceptron import pack
 from soccer_env.leagues import find_league
-from soccer_env.train.ppo.curriculum import FLOOR, LEARNER, Curriculum, compiled_team
+from soccer_env.train.ppo.curriculum import FLOOR, LEARNER, Curriculum
 from soccer_env.train.ppo.networks import blank_policy
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.vec_env import Result
@@ -144,15 +144,3 @@ def test_standings_survive_a_checkpoint() -> None:
     assert other.lineup.weights.tobytes() == again.lineup.weights.tobytes()
     for own, theirs in zip(other.lineup.teams, again.lineup.teams):
         assert own.settings.tobytes() == theirs.settings.tobytes()
-
-
-def test_a_team_in_python_cannot_train_others(monkeypatch: pytest.MonkeyPatch) -> None:
-    class Mine:
-        name, memory_dtype = "mine", np.dtype("i8")
-
-        def act(self, view: Any, memory: Any, rng: Any) -> np.ndarray:
-            return np.zeros((*view.beliefs.shape, 4))
-
-    monkeypatch.setattr("soccer_env.train.ppo.curriculum.make_team", lambda name: Mine())
-    with pytest.raises(ValueError, match="opponent 'mine' is a team in Python: only compiled teams and policies"):
-        compiled_team("mine")
