@@ -29,7 +29,8 @@ def export(settings: ExportSettings) -> str:
             write_page(replay, settings.out, settings.anew, bar.advance)
     else:
         write_film(replay, settings, rate)
-    minutes = len(replay) / rate / 60.0
+    shown = len(replay) / rate - (settings.start if kind != ".html" else 0.0)
+    minutes = (shown if kind == ".html" or settings.seconds is None else min(shown, settings.seconds)) / 60.0
     size = settings.out.stat().st_size
     return f"{settings.out}, {size / 1e6:.2f} MB, {size / 1e3 / max(minutes, 1e-9):.0f} kB a minute of play"
 
