@@ -1,7 +1,7 @@
 """Play, train and measure: everything behind the command `soccer`.
 
 command_line.py      the command: which settings it reads and what it prints         listing.py   `soccer list`
-export_command.py    `soccer export`
+match_commands.py    `soccer record`, `replay`, `export` and `watch`
 evaluate/            one team against another; record, replay and watch a match      bench/       `soccer bench`
 ppo/                 train a policy                                                  pictures/    of the pages
 reproduce/           what the papers claim, measured                                 tables/      tables of the pages

@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, get_args
 
 from soccer_env.names import unknown
-from soccer_env.train.export_command import run_export
+from soccer_env.train.match_commands import run_export, run_record, run_replay, run_watch
 from soccer_env.train.parsing import COMPLETION, completion, read_settings
 
 if TYPE_CHECKING:
@@ -112,15 +112,21 @@ def print_json(found: Any) -> None:
 def run_completion(words: list[str]) -> int:
     """Run `soccer --print-completion SHELL`, or with tyro's own flag."""
     from soccer_env.train.bench.settings import BenchSettings
+    from soccer_env.train.evaluate.export_settings import ExportSettings
     from soccer_env.train.evaluate.play_settings import RecordSettings, ReplaySettings, WatchSettings
     from soccer_env.train.evaluate.settings import EvaluateSettings
     from soccer_env.train.listing import ListSettings
     from soccer_env.train.ppo.settings import TrainSettings
     from soccer_env.train.reproduce.settings import ReproduceSettings
+    from soccer_env.train.warm_up import WarmUpSettings
 
-    kinds = (EvaluateSettings, ListSettings, BenchSettings, RecordSettings, ReplaySettings, ReproduceSettings)
+    kinds = {
+        "evaluate": EvaluateSettings, "list": ListSettings, "bench": BenchSettings, "export": ExportSettings,
+        "record": RecordSettings, "replay": ReplaySettings, "reproduce": ReproduceSettings, "train": TrainSettings,
+        "warm-up": WarmUpSettings, "watch": WatchSettings,
+    }  # fmt: skip
     shell = "".join([*words[0].split("=", 1), *words[1:]][1:2])
-    print(completion(shell, dict(zip(COMMANDS, (*kinds, TrainSettings, WatchSettings), strict=True)), SUMMARIES))
+    print(completion(shell, kinds, SUMMARIES))
     return 0
 
 
@@ -182,31 +188,6 @@ def run_bench(words: list[str]) -> int:
         print_json(report)
     else:
         console().print(chosen.screen_table(report))
-    return 0
-
-
-def run_record(words: list[str]) -> int:
-    """Run `soccer record`."""
-    from soccer_env.train.evaluate.play_settings import RecordSettings
-
-    settings = read_settings(RecordSettings, words, "record")
-    from soccer_env.train.evaluate.recording import record
-
-    replay = record(settings)
-    rate = settings.out.stat().st_size / 1e3 / max(settings.minutes, 1e-9)
-    print(f"written: {settings.out}, {len(replay)} control steps, {rate:.0f} kB a minute")
-    return 0
-
-
-def run_replay(words: list[str]) -> int:
-    """Run `soccer replay`."""
-    words = [word for word in words if word != "--verify"]  # which is what it does
-    from soccer_env.train.evaluate.play_settings import ReplaySettings
-
-    settings = read_settings(ReplaySettings, words, "replay")
-    from soccer_env.train.evaluate.recording import play_again
-
-    print(f"{settings.file}: {play_again(settings.file)} control steps agree")
     return 0
 
 
@@ -280,17 +261,6 @@ def run_warm_up(words: list[str]) -> int:
     from soccer_env.train.warm_up import WarmUpSettings, warm_up
 
     print(warm_up(read_settings(WarmUpSettings, words, "warm-up")))
-    return 0
-
-
-def run_watch(words: list[str]) -> int:
-    """Run `soccer watch`."""
-    from soccer_env.train.evaluate.play_settings import WatchSettings
-
-    settings = read_settings(WatchSettings, words, "watch")
-    from soccer_env.train.evaluate.watching import watch
-
-    watch(settings)
     return 0
 
 

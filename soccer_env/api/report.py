@@ -55,13 +55,13 @@ class Report:
     def infos(self) -> Infos:
         """Return the infos of the first match, by agent; at the end of an episode with its statistics."""
         match = self._match
-        found = self.of(match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0], 0)
+        found = self.of(0, match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
         return self.add_statistics(found, match.statistics[0]) if match.terminated[0] or match.truncated[0] else found
 
     def last(self, index: int) -> Infos:
         """Return the last infos of an episode that ended, a row of `match.final`, by agent."""
         final = self._match.final
-        found = self.of(*(final[name][index] for name in FINAL_RECORDS), m=int(self._match.ended[index]))
+        found = self.of(int(self._match.ended[index]), *(final[name][index] for name in FINAL_RECORDS))
         return self.add_statistics(found, final["statistics"][index])
 
     def add_statistics(self, infos: Infos, statistics: Any) -> Infos:
@@ -71,7 +71,7 @@ class Report:
         return infos
 
     def of(
-        self, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray, m: int
+        self, m: int, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray
     ) -> Infos:
         """Return the infos that follow from the records of match m, by agent."""
         happened = dict(self._say(events.item()))

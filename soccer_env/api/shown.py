@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import fields
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from soccer_env.checking import brief
 from soccer_env.match_settings import MatchSettings
+
+if TYPE_CHECKING:
+    from soccer_env.match import Match
 
 ALWAYS = ("league", "home", "away")
 
@@ -14,7 +17,7 @@ ALWAYS = ("league", "home", "away")
 class Shown:
     """Something with a `match`, which `asked` says how to make."""
 
-    match: Any
+    match: Match
     asked: Any
 
     def __repr__(self) -> str:

@@ -55,6 +55,8 @@ class ReplaySettings(CommandSettings):
 
     file: tyro.conf.Positional[Path]
     """The file; nothing in it is executed."""
+    verify: bool = False
+    """Prove the hash of every step: what this command does anyway."""
 
 
 @dataclass(frozen=True)

@@ -30,14 +30,7 @@ from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
 from soccer_env.saving import by_save, calls_python
 from soccer_env.train.ppo.critic_state import last_state, team_state, with_state
-from soccer_env.train.ppo.match_blocks import (
-    check_request,
-    playing,
-    shared_out,
-    stagger_clocks,
-    taken,
-    undone_together,
-)  # fmt: skip
+from soccer_env.train.ppo.match_blocks import check_request, playing, shared_out, stagger_clocks, taken, undone_together
 
 
 @dataclass(frozen=True)
