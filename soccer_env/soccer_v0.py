@@ -30,13 +30,12 @@ from pettingzoo.utils.conversions import parallel_to_aec_wrapper
 from pettingzoo.utils.wrappers import OrderEnforcingWrapper
 
 from soccer_env.actions import discrete_index
-from soccer_env.api.infos import FlatReport
+from soccer_env.api.infos import report_of
 from soccer_env.api.opponents import against
 from soccer_env.api.report import (
     OPTIONS,
     RENDER_MODES,
     Infos,
-    Report,
     Screen,
     check_agents,
     check_options,
@@ -75,12 +74,10 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         self.state_space = Box(-1.0, 1.0, match.state().shape[1:], np.float32)
         self.info_kind = kind_of_infos(infos)
         self._report = report_of(self.info_kind, match, rows)
-        together = len(rows) == rows[-1] - rows[0] + 1
-        self._rows = slice(rows[0], rows[-1] + 1) if together else rows
+        self._rows = slice(rows[0], rows[-1] + 1) if len(rows) == rows[-1] - rows[0] + 1 else rows
         self._discrete = match.settings.actions.name == "discrete"
         self._action_shape = () if self._discrete else (match.settings.actions.size,)
-        kind = np.int64 if self._discrete else np.float64
-        self._actions = np.zeros((1, len(match.agents), *self._action_shape), kind)
+        self._actions = np.zeros((1, len(match.agents), *self._action_shape), np.int64 if self._discrete else float)
         self._begun = False
 
     def observation_space(self, agent: str) -> Any:
@@ -250,13 +247,6 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
     def unwrapped(self) -> ParallelSoccer:
         """Return the env itself; `env.unwrapped.match` is the match inside, whatever the wrappers."""
         return self
-
-
-def report_of(infos: InfoKind, match: Match, rows: np.ndarray) -> Report | FlatReport | None:
-    """Return what makes the infos of some robots (rows)."""
-    if infos == "none":
-        return None
-    return Report(match, rows) if infos == "nested" else FlatReport(match, rows, infos == "full")
 
 
 def _env_of(*, render_mode: str | None, infos: InfoKind, **settings: Any) -> ParallelSoccer:

@@ -18,8 +18,9 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.api.report import FINAL_RECORDS, NO_EVENTS, Infos, side_of
+from soccer_env.api.report import FINAL_RECORDS, NO_EVENTS, Infos, Report, side_of
 from soccer_env.match import Match
+from soccer_env.match_settings import InfoKind
 from soccer_env.statistics.figures import flat, numbers_of
 from soccer_env.types import EVENTS, QUIET, ROBOT_EVENTS
 
@@ -136,3 +137,10 @@ class FlatArrays:
 def as_python(numbers: np.ndarray) -> np.ndarray:
     """Return a copy with the dtype that Python's own numbers have in an array."""
     return numbers.astype({"i": np.int64, "f": np.float64}.get(numbers.dtype.kind, numbers.dtype))
+
+
+def report_of(infos: InfoKind, match: Match, rows: np.ndarray) -> Report | FlatReport | None:
+    """Return what makes the infos of some robots (rows)."""
+    if infos == "none":
+        return None
+    return Report(match, rows) if infos == "nested" else FlatReport(match, rows, infos == "full")

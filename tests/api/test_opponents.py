@@ -9,7 +9,8 @@ import pytest
 from soccer_env import Lineup, Match, soccer_v0, team_of_function
 from soccer_env.replay import Recorder
 
-SHORT: dict[str, Any] = {"home": 1, "away": 1, "max_cycles": 3}
+NESTED: dict[str, Any] = {"infos": "nested"}
+SHORT: dict[str, Any] = {"home": 1, "away": 1, "max_cycles": 3, **NESTED}
 
 
 def rested(observations: np.ndarray) -> np.ndarray:
@@ -40,7 +41,7 @@ def test_infos_name_the_opponent_of_the_episode() -> None:
 
 
 def test_learners_meet_a_learner() -> None:
-    env = soccer_v0.parallel_env(home=2, away=1, teammates="chaser")
+    env = soccer_v0.parallel_env(home=2, away=1, teammates="chaser", infos="nested")
     _, infos = env.reset(seed=1)
     assert {agent: info["opponent"] for agent, info in infos.items()} == {"home_1": "learner", "away_0": "learner"}
 
@@ -62,7 +63,7 @@ def test_a_reset_changes_the_opponents_and_goes_on_with_the_seeds_episodes() -> 
 
 
 def test_functions_and_policies_come_and_go() -> None:
-    env = soccer_v0.parallel_env(home=1, away=2, max_cycles=3, opponents="chaser")
+    env = soccer_v0.parallel_env(home=1, away=2, max_cycles=3, opponents="chaser", infos="nested")
     for opponents, name in (
         (team_of_function(rested), "rested"),
         ("learned", "learned-legged-2001"),
@@ -111,7 +112,9 @@ def test_a_match_that_is_written_down_keeps_its_opponents() -> None:
 
 @pytest.mark.parametrize("agent", ["home_1", "away_0"])
 def test_the_gymnasium_env_takes_others_on_either_side(agent: str) -> None:
-    env: Any = gymnasium.make("soccer_env/Legged2001-2v2-v0", agent=agent, opponents="still", teammates="random")
+    env: Any = gymnasium.make(
+        "soccer_env/Legged2001-2v2-v0", agent=agent, opponents="still", teammates="random", infos="nested"
+    )
     env.reset(seed=2)
     _, info = env.reset(options={"opponents": "chaser@0.5"})
     assert info["opponent"] == "chaser"
@@ -126,7 +129,12 @@ def test_the_gymnasium_env_takes_others_on_either_side(agent: str) -> None:
 def test_the_vector_env_names_the_opponents_of_all_matches(mode: str) -> None:
     chooser = Lineup(["still", "chaser"])
     envs: Any = gymnasium.make_vec(
-        "soccer_env/Legged2001-1v1-v0", num_envs=6, opponents="random", max_cycles=2, autoreset_mode=mode
+        "soccer_env/Legged2001-1v1-v0",
+        num_envs=6,
+        opponents="random",
+        max_cycles=2,
+        autoreset_mode=mode,
+        infos="nested",
     )
     _, infos = envs.reset(seed=1)
     assert infos["opponent"].tolist() == ["random"] * 6

@@ -10,7 +10,7 @@ from pathlib import Path
 import tyro
 
 FOLDER = Path(__file__).parent
-PAGES = sorted({file.stem for file in FOLDER.glob("*.py")} - {"__init__", "__main__", "empty_goal"})
+PAGES = sorted({file.stem for file in FOLDER.glob("*.py")} - {"__init__", "__main__", "empty_goal", "monte_carlo"})
 
 
 def needs(name: str) -> str:
