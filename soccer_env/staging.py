@@ -125,6 +125,7 @@ def constants_of(match: Match) -> np.ndarray:
 
 def set_mass(match: Match, rows: Iterable[int], mass: float, moment: float) -> None:
     """Give robots another mass [kg] and moment of inertia [kg m2], until their Space is rebuilt."""
+    match.batch.physics.forget()
     for space in match.batch.physics.spaces:
         bodies = [] if space is None else list(space.bodies)
         for r in rows:

@@ -35,10 +35,14 @@ class Branching:
 
         def _observe_own(self) -> None: ...
 
-    @cached_property
+    @property
     def played_by(self) -> tuple[str, list[Any]]:
-        """Return the fingerprint of the settings, and who plays: what a save must agree with."""
-        return self.settings.fingerprint(), [squad.describe() for squad in self.squads]
+        """Return the fingerprint of the settings, and who plays now: what a save must agree with."""
+        return self._fingerprint, [squad.describe() for squad in self.squads]
+
+    @cached_property
+    def _fingerprint(self) -> str:
+        return self.settings.fingerprint()
 
     @cached_property
     def _fitting(self) -> WeakSet[Any]:

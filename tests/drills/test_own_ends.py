@@ -76,7 +76,7 @@ def test_shaping_ends_with_potential_0() -> None:
 
 
 def test_envs_tell_of_it() -> None:
-    env = soccer_v0.parallel_env(**{name: value for name, value in SETTINGS.items() if name != "seed"})
+    env = soccer_v0.parallel_env(**{name: value for name, value in SETTINGS.items() if name != "seed"}, infos="nested")
     env.reset(seed=1)
     while env.agents:
         _, _, terminations, _, infos = env.step({"home_0": np.array([1.0, 0, 0, 0])})

@@ -90,9 +90,7 @@ def test_other_threads_hold_nothing_back_and_may_ask(handlers: object) -> None:
 
 def reset_with_another_space(match: Match) -> None:
     """Reset a match so that it gets a new Space, which a reset else puts back as good as new."""
-    seats = match.batch.physics.seats
-    if seats is not None:
-        seats.known[:] = False
+    match.batch.physics.forget()
     match.reset(seed=2)
 
 
@@ -126,10 +124,7 @@ SIGNALS = """
     import signal, numpy as np
     from soccer_env import Match
     match = Match("legged-2001", home=1, away=1, seed=1)
-    def renew():  # a known Space would be put back in place of making another
-        seats = match.batch.physics.seats
-        if seats is not None:
-            seats.known[:] = False
+    renew = match.batch.physics.forget  # a known Space would be put back in place of making another
     def stop(*_):
         raise KeyboardInterrupt
     signal.signal(signal.SIGALRM, stop)
@@ -152,10 +147,7 @@ LINES = """
     from soccer_env.physics.engine import dropping, space, space_batch
     from soccer_env.physics.solver import rounds
     match = Match("legged-2001", home=1, away=1, seed=1)
-    def renew():  # a known Space would be put back in place of making another
-        seats = match.batch.physics.seats
-        if seats is not None:
-            seats.known[:] = False
+    renew = match.batch.physics.forget  # a known Space would be put back in place of making another
     def stop(*_):
         raise KeyboardInterrupt
     signal.signal(signal.SIGALRM, stop)

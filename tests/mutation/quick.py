@@ -61,8 +61,8 @@ QUICK = [
     Mutant(
         "broken flag",
         "train/command_line.py",
-        "words[1:]",
-        "words[2:]",
+        "words[0] not in get_args(What)",
+        "words[0] not in ()",
         "tests/train/test_command_line.py::test_a_mistake_is_one_line_and_exit_code_2",
         where="run_list",
     ),

@@ -119,6 +119,11 @@ class SpaceBatch:
         """Tell whether match m has a Space that `put_back` can use once more."""
         return self.seats is not None and bool(self.seats.known[m])
 
+    def forget(self) -> None:
+        """Let every match get another Space at its next rebuild: somebody changed what `put_back` leaves alone."""
+        if self.seats is not None:
+            self.seats.known[:] = False
+
     def put_back(self, rows: NDArray[np.int64]) -> None:
         """Make the Spaces of some matches as if they were made anew, ball and robots as `bodies[rows]` says."""
         assert self.seats is not None and self.seats.known[rows].all()

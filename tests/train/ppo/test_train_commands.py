@@ -65,7 +65,7 @@ def test_a_wrong_file_is_named(tmp_path: Path, content: str, message: str | None
         (["--steps", "-1"], "steps must be a whole number of at least 0, got -1"),
         (["--learning-rate", "nan"], "learning_rate must be a number above 0 and at most 1, got nan"),
         (["--decay", "maybe"], "maybe"),
-        (["--opponent", "still"], "Unrecognized options: --opponent"),
+        (["--opponent", "still"], "unknown option '--opponent'"),
         (["--observe", "x-rays"], "--observe"),
     ],
 )

@@ -89,7 +89,7 @@ def test_drills_run_under_their_own_rules_and_where_opponents_play_under_those_o
 
 def test_lists_state_the_rules_of_scenes() -> None:
     (table,) = listing.scenes()
-    cells = {str(column.header): list(column.cells) for column in table.columns}
+    cells = dict(zip(table.columns, zip(*table.rows, strict=True), strict=True))
     assert dict(zip(cells["name"], cells["rules"], strict=True)) == {name: x.rules for name, x in SCENES.items()}
 
 

@@ -20,8 +20,8 @@ from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
         (["reproduce", "S05", "--minutes", "3", "--quick"], "give quick or minutes, not both"),
         (["reproduce", "S05", "--seed", "-1"], "seeds must be a whole number"),
         (["reproduce", "S05", "--seeds", "1", "2", "1"], "seeds must be whole numbers, at least one and each once"),
-        (["reproduce", "S05", "--pose", "compass"], "invalid choice 'compass'"),
-        (["reproduce", "S05", "--rules", "street"], "invalid choice 'street'"),
+        (["reproduce", "S05", "--pose", "compass"], "unknown --pose 'compass'"),
+        (["reproduce", "S05", "--rules", "street"], "unknown --rules 'street'"),
     ],
 )
 def test_a_mistake_is_one_line(words: list[str], complaint: str, capsys: pytest.CaptureFixture[str]) -> None:
