@@ -12,6 +12,7 @@ from soccer_env.baselines.carrying import SLOW, is_opposed, line_speed, turn_to_
 from soccer_env.baselines.set_pieces import strength_for
 from soccer_env.baselines.sight import rolls_to, side_of
 from soccer_env.baselines.skills import (
+    braking_speed,
     choose_shot,
     choose_way,
     go,
@@ -23,6 +24,7 @@ from soccer_env.baselines.skills import (
 )
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, wrap
+from soccer_env.leagues.robot import WHEELS_OMNI
 
 MEET = 1.0  # [m/s] at which a base that steps aside runs in at most, assumed
 MET = 0.3  # [m/s] of the ball and the robot towards each other when they meet, assumed
@@ -30,6 +32,7 @@ GIVE_TIME = 0.35  # [s] in which a robot slows down to that, assumed
 RECEIVED = 0.35  # [m/s] at which a ball that comes is received, assumed
 RECEIVE_TIME = 1.5  # [s] before it comes, at most, assumed
 RECEIVE_ASIDE = 0.6  # [m] that it would pass beside the robot, at most, assumed
+PASSED = 0.03  # [m] kept between a robot and a ball that it goes round, assumed
 NEAR_BALL = 0.8  # [m] to the ball within which it does, assumed
 DEFENDED = 2.5  # [m] from the middle of the own goal within which the ball is played clear of it, assumed
 UPFIELD = ASIDE = sqrt(0.5)  # [1] way of a ball out of the mouth of the own goal: 45 degrees off its line, assumed
@@ -221,6 +224,21 @@ def go_round(command, sight, memory, k, play, x, y, ux, uy):
     to_x, to_y = turned(away_x / away, away_y / away, way * step)
     facing = atan2(uy, ux) if play.square_up > 0.0 else atan2(-away_y, -away_x)
     go(command, sight, k, play, x + radius * to_x, y + radius * to_y, facing, play.orbit_speed)
+    if k.drive_kind == WHEELS_OMNI:
+        pass_ball(command, sight, k, play)
+
+
+@compiled
+def pass_ball(command, sight, k, play):
+    """Take from a velocity what would drive into the ball: towards it, as it rolls, only what the gap lets brake."""
+    away = max(sight.distance, 1e-6)
+    ux, uy = into_frame((sight.ball_x - sight.x) / away, (sight.ball_y - sight.y) / away, sight.cosine, sight.sine)
+    rolls_x, rolls_y = into_frame(sight.ball_vx, sight.ball_vy, sight.cosine, sight.sine)
+    vx, vy = k.drive_forward * command.forward, k.drive_sideways * command.left
+    closing = (vx - rolls_x) * ux + (vy - rolls_y) * uy
+    excess = max(closing - braking_speed(k, play, max(away - sight.touch - PASSED, 0.0)), 0.0)
+    command.forward = clip((vx - excess * ux) / k.drive_forward, -1.0, 1.0)
+    command.left = clip((vy - excess * uy) / k.drive_sideways, -1.0, 1.0)
 
 
 @compiled

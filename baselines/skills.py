@@ -13,8 +13,9 @@ from math import atan2, cos, sin, sqrt
 from soccer_env.baselines.sight import side_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, wrap
-from soccer_env.leagues.robot import GAIT, WHEELS_DIFFERENTIAL
+from soccer_env.leagues.robot import GAIT, WHEELS_DIFFERENTIAL, WHEELS_OMNI
 
+TURNING = 0.4  # [1] share of the acceleration that turning at speed may take, as heinemann-2006's, assumed
 SIDESTEP_CONE = 1.2  # [rad] a base that cannot step aside drives only towards what lies within it ahead, assumed
 REVERSE_ROOM = 0.6  # [m] such a base backs up to what lies nearer than this behind it, assumed
 BRAKE_SHARE = 0.7  # [1] of the acceleration is counted on for braking, assumed
@@ -44,8 +45,15 @@ def stand(command):
 
 @compiled
 def turn_by(command, sight, k, play, angle):
-    """Turn by an angle [rad] within the settling time."""
-    command.turn = clip(angle / (play.settle * k.drive_turn), -1.0, 1.0) * sight.pace
+    """Turn by an angle [rad] within the settling time; on wheels that step aside slower at speed.  MH01
+
+    Who turns by w at speed v has to bend its way in its own frame by v w, and has no acceleration left to brake with.
+    """
+    most = 1.0
+    if k.drive_kind == WHEELS_OMNI:
+        speed = max(length(sight.vx, sight.vy), 1e-6)
+        most = min(TURNING * k.drive_acceleration / (speed * k.drive_turn), 1.0)
+    command.turn = clip(angle / (play.settle * k.drive_turn), -most, most) * sight.pace
 
 
 @compiled

@@ -17,7 +17,7 @@ from soccer_env.geometry import clip, length
 
 PATIENCE = 5.0  # [s] of standing, assumed
 DETOUR = 2.0  # [s] of going round, assumed
-STANDS = 0.1  # [m/s] below which a robot believes that it stands, assumed
+STAYS = 0.6  # [m] within which a robot stands that does not get there, assumed: wheels that spin tell it nothing
 LEAST_RADIUS = 1.2  # [m] about the ball, assumed
 
 
@@ -26,8 +26,9 @@ def note_standing(told, memory, sight):
     """Note for how long a field player has stood in play without the ball and away from its place."""
     memory.detour = max(memory.detour - sight.elapsed, 0.0)
     waits = (memory.arrived == 1 and memory.skill.rank > 0) or sight.held == 1
-    stands = length(sight.vx, sight.vy) < STANDS and told.phase == PLAY
-    memory.stood = memory.stood + sight.elapsed if stands and not waits else 0.0
+    if waits or told.phase != PLAY or length(sight.x - memory.stands_x, sight.y - memory.stands_y) > STAYS:
+        memory.stood, memory.stands_x, memory.stands_y = 0.0, sight.x, sight.y
+    memory.stood += sight.elapsed
     if memory.stood > PATIENCE:
         memory.stood, memory.detour = 0.0, DETOUR
         if memory.detour_side == 0.0:

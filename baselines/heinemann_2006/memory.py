@@ -37,6 +37,8 @@ MEMORY = np.dtype(
         ("drive_y", "f8"),  # [m/s]
         ("arrived", "i8"),  # 1: it is at the place that it last wanted to be at
         ("stood", "f8"),  # [s] for which it has stood though it is not
+        ("stands_x", "f8"),  # [m] team frame: where
+        ("stands_y", "f8"),  # [m]
         ("detour", "f8"),  # [s] left of going round the ball
         ("detour_side", "f8"),  # +1 counter-clockwise, -1 clockwise, 0 not chosen yet
         ("skill", SKILL_MEMORY),  # what the skills that are shared with the chaser remember; rank 0 the attacker

@@ -19,7 +19,7 @@ GOLDEN = {
     ("legged-2001", "senses"): "ec32de6cf9057640215746e48bc71b22",
     ("middle-size-2006", "actions"): "8b6a0c8d171a825bf46762fd4efbb2fe",
     ("middle-size-2006", "teams"): "b71533ba224171d3f75899016b15551e",
-    ("middle-size-2006", "senses"): "0c570b0fadf3cc49f82d8c767facbc4f",
+    ("middle-size-2006", "senses"): "67a4d3de73bc39592ef530c823e23536",
 }
 
 

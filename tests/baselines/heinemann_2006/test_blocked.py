@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.heinemann_2006.blocked import DETOUR, LEAST_RADIUS, PATIENCE, go_round, note_standing
+from soccer_env.baselines.heinemann_2006.blocked import DETOUR, LEAST_RADIUS, PATIENCE, STAYS, go_round, note_standing
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, MEMORY, SCRATCH
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -86,7 +86,7 @@ def test_who_stands_away_from_its_place_goes_round_the_ball_after_a_while_and_al
     for _ in range(steps - 1):
         note_standing(told, memory, sight)
     assert memory["detour"] == 0.0
-    sight["y"] = 0.3
+    sight["y"], sight["vy"] = -0.3 + 0.9 * STAYS, 1.0  # its wheels spin: only where it believes to be tells it
     for _ in range(3):
         note_standing(told, memory, sight)
     assert memory["detour_side"] == 1.0 and memory["detour"] == pytest.approx(DETOUR, abs=3 * STEP)
