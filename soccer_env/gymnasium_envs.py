@@ -98,6 +98,11 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
         observations, infos = self._parallel.load(saved)
         return observations[self.agent], infos[self.agent]
 
+    @property
+    def opponent_names(self) -> list[str]:
+        """Return the names of those that the learner has met, which "opponent" in flat infos counts; 0: a learner."""
+        return self._parallel.opponent_names
+
     def __reduce__(self) -> Made:
         """Copy by settings: the copy is to be reset."""
         return by_settings(SoloSoccer, part_of(self.asked, SoloArguments))

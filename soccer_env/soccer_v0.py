@@ -9,10 +9,11 @@
 | state | the whole truth of the match in [-1, 1], see `soccer_env.truth_state` |
 
 `infos[agent]` are numbers under keys that never change, which `soccer_env.api.infos` lists: "active", "score_for",
-"phase", "reward_goal", "event_goal" ...; infos="full" adds statistics of play. infos="nested" has dicts in words:
-"active", "score" (own goals, the opponents'), "phase", "opponent" (a team's name, "learner" for none), "rewards" (term
--> weighted reward), "events" (only what happened in this step) and, at the end of an episode, "statistics" from the
-side of the agent's team. infos="none" is the fastest. Finite actions outside [-1, 1] are clipped.
+"phase", "opponent", "reward_goal", "event_goal" ...; infos="full" adds statistics of play. infos="nested" has dicts in
+words: "active", "score" (own goals, the opponents'), "phase", "opponent" (a team's name, "learner" for none; flat infos
+have its place in `env.opponent_names`), "rewards" (term -> weighted reward), "events" (only what happened in this step)
+and, at the end of an episode, "statistics" from the side of the agent's team. infos="none" is the fastest. Finite
+actions outside [-1, 1] are clipped.
 
 Version history: v0, the first.
 """
@@ -26,12 +27,10 @@ import numpy as np
 from gymnasium import logger
 from gymnasium.spaces import Box
 from pettingzoo import AECEnv, ParallelEnv
-from pettingzoo.utils.conversions import parallel_to_aec_wrapper
-from pettingzoo.utils.wrappers import OrderEnforcingWrapper
 
 from soccer_env.actions import discrete_index
 from soccer_env.api.infos import report_of
-from soccer_env.api.opponents import against
+from soccer_env.api.opponents import Met, against
 from soccer_env.api.report import (
     OPTIONS,
     RENDER_MODES,
@@ -43,6 +42,7 @@ from soccer_env.api.report import (
     kind_of_infos,
 )
 from soccer_env.api.shown import Shown
+from soccer_env.api.turn_env import OrderedSoccer, TurnSoccer
 from soccer_env.match import Match
 from soccer_env.match_settings import EnvArguments, InfoKind, MatchArguments, MatchSetup, by_settings, part_of, takes
 from soccer_env.names import Made
@@ -73,7 +73,8 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         self.action_spaces = {agent: match.settings.actions.space() for agent in self.possible_agents}
         self.state_space = Box(-1.0, 1.0, match.state().shape[1:], np.float32)
         self.info_kind = kind_of_infos(infos)
-        self._report = report_of(self.info_kind, match, rows)
+        self._met = Met(match, rows)
+        self._report = report_of(self.info_kind, match, rows, self._met)
         self._rows = slice(rows[0], rows[-1] + 1) if len(rows) == rows[-1] - rows[0] + 1 else rows
         self._discrete = match.settings.actions.name == "discrete"
         self._action_shape = () if self._discrete else (match.settings.actions.size,)
@@ -115,8 +116,13 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
             self.match.close()
             self.match = match
             self.screen.turn_to(match)
+        self._tell_who_plays()
+
+    def _tell_who_plays(self) -> None:
+        """Take note of the opponents of an episode that has begun, or that is gone on with."""
+        self._met.turn_to(self.match)
         if self._report is not None:
-            self._report.turn_to(match)
+            self._report.turn_to(self.match)
 
     def step(
         self, actions: Mapping[str, Any]
@@ -156,6 +162,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         Also out of an episode that has ended. ValueError, and the running episode goes on, for anything else.
         """
         self.match.load(saved)
+        self._tell_who_plays()
         over = self.match.terminated[0] or self.match.truncated[0]
         self.agents = [] if over else list(self.possible_agents)
         self._begun = True
@@ -214,6 +221,14 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         """Return what the numbers of `state()` are called."""
         return self.match.state_names
 
+    @property
+    def opponent_names(self) -> list[str]:
+        """Return the names of those that learners have met, which "opponent" in flat infos counts: 0 is a learner.
+
+        The teams follow, those of a Lineup in its order; others that a reset brings come behind them.
+        """
+        return self._met.names
+
     def get_env_info(self) -> dict[str, int | None]:
         """Return the sizes of state, observation, actions and team that PyMARL asks for, see `Match.get_env_info`."""
         return self.match.get_env_info()
@@ -254,31 +269,6 @@ def _env_of(*, render_mode: str | None, infos: InfoKind, **settings: Any) -> Par
     return ParallelSoccer(Match(**settings), render_mode, infos)
 
 
-class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
-    """One agent acts after the other, the match is stepped when all have. A bad action is refused at once."""
-
-    env: ParallelSoccer
-
-    def __repr__(self) -> str:
-        return repr(self.env).replace("ParallelSoccer", "TurnSoccer", 1)
-
-    def _repr_png_(self) -> bytes | None:
-        return self.env._repr_png_()
-
-    def __reduce__(self) -> Made:
-        """Copy by settings: the copy is to be reset."""
-        return TurnSoccer, (self.env,)
-
-    def step(self, action: Any) -> None:
-        """Take the action of `agent_selection`; ValueError, and nothing has changed, if it is wrong."""
-        agent = self.agent_selection
-        if not (self.terminations[agent] or self.truncations[agent]):
-            self.env.check_action(agent, action)
-        elif action is not None:
-            raise ValueError(f"the episode of {agent} has ended: its action must be None, got {action!r}")
-        super().step(action)
-
-
 @takes(EnvArguments)
 def parallel_env(asked: EnvArguments) -> ParallelSoccer:
     """Return one match as a PettingZoo ParallelEnv; ValueError names a setting that is wrong, and what is allowed."""
@@ -294,7 +284,7 @@ def raw_env(asked: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
 @takes(EnvArguments)
 def env(asked: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
     """Return `raw_env` with PettingZoo's check of the order of calls; the settings are those of `parallel_env`."""
-    return OrderEnforcingWrapper(raw_env(**part_of(asked, EnvArguments)))
+    return OrderedSoccer(raw_env(**part_of(asked, EnvArguments)))
 
 
 __all__ = ["ParallelSoccer", "TurnSoccer", "env", "parallel_env", "raw_env"]

@@ -6,5 +6,6 @@ report.py             nested infos in words, frames and windows, and checks of w
 nested_arrays.py      nested infos of many matches
 shown.py              what a console and a notebook show of an env
 opponents.py          who the learners play against
+turn_env.py           one agent after the other (AEC), and saves within a turn
 gymnasium_vector.py   many matches as one Gymnasium VectorEnv
 """

@@ -11,7 +11,7 @@ from gymnasium.vector.utils import batch_space
 
 from soccer_env.api.infos import FlatArrays
 from soccer_env.api.nested_arrays import NestedArrays
-from soccer_env.api.opponents import against
+from soccer_env.api.opponents import Met, against
 from soccer_env.api.report import Screen, check_options, check_render_mode, kind_of_infos
 from soccer_env.api.shown import Shown
 from soccer_env.gymnasium_envs import choose_learner
@@ -48,7 +48,8 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         self.match = Match(**given, matches=asked.num_envs, threads=asked.threads, autoreset=MODES[mode])
         self.num_envs = self.match.count
         self._row = self.match.agents.index(self.agent)
-        self._report = report_of(kind_of_infos(asked.infos), self.match, self._row)
+        self._met = Met(self.match, np.array([self._row]))
+        self._report = report_of(kind_of_infos(asked.infos), self.match, self._row, self._met)
         self._screen = Screen(self.match)
         self.metadata = {**self.metadata, "autoreset_mode": mode, "render_fps": self._screen.fps}
         self.single_observation_space = space_of(self.match.seen.group_of(self._row).form)
@@ -86,7 +87,8 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
             self.match.close()
             self.match = match
             self._screen.turn_to(match)
-            self._report = report_of(kind_of_infos(self.asked.infos), match, self._row)
+            self._met.turn_to(match)
+            self._report = report_of(kind_of_infos(self.asked.infos), match, self._row, self._met)
         self._begun = True
         return self._observations(), self._infos()
 
@@ -108,6 +110,11 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
             elif self._report is not None:
                 infos |= self._report.ended(ended)
         return self._observations(), rewards[:, self._row].copy(), terminated.copy(), truncated.copy(), infos
+
+    @property
+    def opponent_names(self) -> list[str]:
+        """Return the names of those that the learner has met, which "opponent" in flat infos counts; 0: a learner."""
+        return self._met.names
 
     def save(self, rows: Any = None) -> bytes:
         """Return everything that the future of all matches or of some depends on, as `Match.save` does."""
@@ -172,11 +179,11 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         self.match.close()
 
 
-def report_of(infos: InfoKind, match: Match, row: int) -> FlatArrays | NestedArrays | None:
+def report_of(infos: InfoKind, match: Match, row: int, met: Met) -> FlatArrays | NestedArrays | None:
     """Return what makes the infos of a robot (row) in each match."""
     if infos == "none":
         return None
-    return NestedArrays(match, row) if infos == "nested" else FlatArrays(match, row, infos == "full")
+    return NestedArrays(match, row) if infos == "nested" else FlatArrays(match, row, infos == "full", met)
 
 
 def check_mode(mode: str | AutoresetMode) -> AutoresetMode:

@@ -5,6 +5,7 @@
 | `active` | False for a robot that is sent off or only fills a row |
 | `score_for`, `score_against` | goals of the agent's team, of its opponents |
 | `phase` | phase of play, a `types.Phase` |
+| `opponent` | who plays the other team: its place in `env.opponent_names`, 0 for a learner |
 | `reward_NAME` | share of each term of the reward: `soccer list rewards` |
 | `event_NAME` | what happened in the match in this step: the fields of `types.EVENTS` but for the ball's place |
 | `own_NAME` | what happened to the robot itself: the fields of `types.ROBOT_EVENTS` |
@@ -18,13 +19,14 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.api.opponents import Met
 from soccer_env.api.report import FINAL_RECORDS, NO_EVENTS, Infos, Report, side_of
 from soccer_env.match import Match
 from soccer_env.match_settings import InfoKind
 from soccer_env.statistics.figures import flat, numbers_of
 from soccer_env.types import EVENTS, QUIET, ROBOT_EVENTS
 
-STANDING = ("active", "score_for", "score_against", "phase")
+STANDING = ("active", "score_for", "score_against", "phase", "opponent")
 EVENT_NAMES = tuple(name for name in EVENTS.names or () if name not in NO_EVENTS)
 OWN_NAMES = ROBOT_EVENTS.names or ()
 
@@ -38,8 +40,7 @@ def keys_of(match: Match) -> tuple[list[str], list[str], list[str]]:
 class FlatReport:
     """Describe in numbers what happened in a step of a match, for the infos of some robots (rows)."""
 
-    def __init__(self, match: Match, rows: np.ndarray, full: bool) -> None:
-        self._match = match
+    def __init__(self, match: Match, rows: np.ndarray, full: bool, met: Met) -> None:
         self._full = full
         self._robots = [(match.agents[row], int(row), side_of(match.agents[row])) for row in rows]
         names = EVENTS.names or ()
@@ -47,11 +48,15 @@ class FlatReport:
         self._quiet, self._own_quiet = self._chosen(QUIET.item()), (0,) * len(OWN_NAMES)
         self._rewards, self._events, self._own = keys_of(match)
         keys = (*STANDING, *self._rewards, *self._events, *self._own)
-        self._nothing = dict(zip(keys, (True, 0, 0, 0, *(0.0,) * len(self._rewards), *self._quiet, *self._own_quiet)))
+        nothing = True, 0, 0, 0, 0, *(0.0,) * len(self._rewards), *self._quiet, *self._own_quiet
+        self._nothing = dict(zip(keys, nothing, strict=True))
+        self._met = met
+        self.turn_to(match)
 
     def turn_to(self, match: Match) -> None:
-        """Tell of another match of the same robots from now on."""
+        """Take note of who plays, at the beginning of an episode; the match may be another one of the same robots."""
         self._match = match
+        self.opponents = int(self._met.now(0)[0]), int(self._met.now(1)[0])  # of each team, in the first match
 
     def infos(self) -> Infos:
         """Return the infos of the first match, by agent."""
@@ -78,6 +83,7 @@ class FlatReport:
             infos[agent] = info = common.copy()  # much faster than a dict of so many pairs
             info["active"] = active[row] == 1
             info["score_for"], info["score_against"] = score[team], score[1 - team]
+            info["opponent"] = self.opponents[team]
             info.update(zip(self._rewards, shares[row]))
             if own[row] != self._own_quiet:
                 info.update(zip(self._own, own[row]))
@@ -91,19 +97,23 @@ class FlatReport:
 class FlatArrays:
     """The same for one robot in each of many matches: an array (M,) for each key."""
 
-    def __init__(self, match: Match, row: int, full: bool) -> None:
+    def __init__(self, match: Match, row: int, full: bool, met: Met) -> None:
         self._match, self._row, self._team = match, row, side_of(match.agents[row])
         self._full = full
         self._keys = (*STANDING, *(key for keys in keys_of(match) for key in keys))
-        self._one = FlatReport(match, np.array([row]), full)
+        self._one = FlatReport(match, np.array([row]), full, met)
+        self._met = met
+        self._before = self._now = met.now(self._team)
 
     def infos(self) -> dict[str, Any]:
         """Return arrays of their own, and for each a mask `_key` of the matches that have it: all."""
         match, row = self._match, self._row
+        self._before, self._now = self._now, self._met.now(self._team)  # a step may have ended episodes
         score, own = match.matches["score"], match.robot_events[:, row]
         values = (
             *(match.robots["active"][:, row] == 1, score[:, self._team], score[:, 1 - self._team]),
             match.matches["phase"],
+            self._now,
             *match.terms[:, row].T,
             *(match.events[name] for name in EVENT_NAMES),
             *(own[name] for name in OWN_NAMES),
@@ -126,6 +136,7 @@ class FlatArrays:
     def last(self, index: int) -> dict[str, Any]:
         """Return the robot's last info of an episode that ended, a row of `match.final`."""
         (info,) = self._one.last(index).values()
+        info["opponent"] = int(self._before[self._match.ended[index]])
         return info
 
     def forget(self, infos: dict[str, Any], ended: np.ndarray) -> None:
@@ -139,8 +150,8 @@ def as_python(numbers: np.ndarray) -> np.ndarray:
     return numbers.astype({"i": np.int64, "f": np.float64}.get(numbers.dtype.kind, numbers.dtype))
 
 
-def report_of(infos: InfoKind, match: Match, rows: np.ndarray) -> Report | FlatReport | None:
+def report_of(infos: InfoKind, match: Match, rows: np.ndarray, met: Met) -> Report | FlatReport | None:
     """Return what makes the infos of some robots (rows)."""
     if infos == "none":
         return None
-    return Report(match, rows) if infos == "nested" else FlatReport(match, rows, infos == "full")
+    return Report(match, rows) if infos == "nested" else FlatReport(match, rows, infos == "full", met)

@@ -8,15 +8,47 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.match_settings import MatchArguments, part_of
-from soccer_env.squads import who_plays
+from soccer_env.squads import Squad, who_plays
 
 LEARNER = "learner"  # what infos call a robot that no team plays
 
 
+class Met:
+    """Whom some robots (rows) of a match play against: names, and as numbers their places among those ever met."""
+
+    def __init__(self, match: Match, rows: np.ndarray) -> None:
+        self.names = [LEARNER]
+        self._sides = sorted({int(match.agents[row].startswith("away")) for row in rows.tolist()})
+        self.turn_to(match)
+
+    def turn_to(self, match: Match) -> None:
+        """Take note of who can play; the match may be another one of the same robots."""
+        self._count = match.count
+        self._squads: list[list[tuple[int, Squad]]] = [[], []]  # of the other side of each team, by number
+        for team in self._sides:
+            last = last_opponent(match, team)
+            for squad in match.squads:
+                if last in squad.players:
+                    if squad.name not in self.names:
+                        self.names.append(squad.name)
+                    self._squads[team].append((self.names.index(squad.name), squad))
+
+    def now(self, team: int) -> np.ndarray:
+        """Return the number of what plays the last robot of the other team now (M,)."""
+        found = np.zeros(self._count, np.int64)
+        for number, squad in self._squads[team]:
+            found[slice(None) if squad.plays is None else squad.plays] = number
+        return found
+
+
+def last_opponent(match: Match, team: int) -> int:
+    """Return the row of the last robot of the other team."""
+    return match.settings.rows[0] - 1 if team == 1 else len(match.agents) - 1
+
+
 def opponents_of(match: Match, team: int) -> np.ndarray:
     """Return the name of what plays the last robot of the other team now, (M,) objects; a lineup's own names."""
-    last = match.settings.rows[0] - 1 if team == 1 else len(match.agents) - 1
-    names = who_plays(match.squads, last, match.count)
+    names = who_plays(match.squads, last_opponent(match, team), match.count)
     names[names == ""] = LEARNER
     return names
 

@@ -208,12 +208,13 @@ class SoccerVecEnv(VecEnv):
         for i, m in enumerate(match.ended):
             if over[m]:
                 continue
-            first = self.edges[index] + int(m) * learners
+            first, opponent = self.edges[index] + int(m) * learners, self.opponents[index][m]
             for r in range(learners):
                 infos[first + r]["terminal_observation"] = last[i, r]
                 infos[first + r]["TimeLimit.truncated"] = not terminated[m]
+                infos[first + r]["opponent"] = opponent
             score = match.final["matches"]["score"][i]
-            players, opponent = (match.settings.home, match.settings.away), self.opponents[index][m]
+            players = match.settings.home, match.settings.away
             results.append(Result(players, opponent, int(score[0]), int(score[1])))
         self.opponents[index] = playing(match)
         return results
