@@ -12,5 +12,5 @@ written_settings.py  how settings are written: out of a user's words, and back i
 results_folder.py    the folder of a run's results, that goes on and touches nothing of others
 files.py             files of lines that survive a crash
 provenance.py        what a result was made with: versions, hashes of code and teams, date, commit
-statistics.py        intervals      plots.py   figures of results      progress.py   how far a long piece of work is
+statistics.py        intervals        plots/   pictures of results        progress.py   how far a long piece of work is
 """

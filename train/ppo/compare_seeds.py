@@ -20,7 +20,7 @@ import numpy as np
 import tyro
 
 from soccer_env.train.files import read_lines
-from soccer_env.train.plots import draw
+from soccer_env.train.plots import draw_curves
 from soccer_env.train.ppo.reports import decisions_of, scale
 from soccer_env.train.ppo.run_folder import EVALUATIONS
 from soccer_env.train.results_folder import SETTINGS
@@ -61,7 +61,7 @@ def check_alike(runs: Sequence[Run]) -> None:
 
 
 def figure_of(runs: Sequence[Run]) -> dict[str, Any]:
-    """Return the curves of goal differences, one for each opponent and run, for `plots.draw`."""
+    """Return the curves of goal differences, one for each opponent and run, for `plots.draw_curves`."""
     unit, words = scale(max(count for run in runs for count in decisions_of(run.evaluations)))
     curves = []
     for index, opponent in enumerate(opponents_of(runs)):
@@ -107,7 +107,7 @@ def main(runs: tuple[Path, ...], /, out: Path = Path("spread.png")) -> None:
         raise ValueError(f"a spread needs two runs at least, got {len(found)}")
     check_alike(found)
     print("\n".join(table_of(found)))
-    write_whole(out, draw(figure_of(found)))
+    write_whole(out, draw_curves(figure_of(found)))
 
 
 if __name__ == "__main__":

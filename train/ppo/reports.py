@@ -15,7 +15,7 @@ from soccer_env.leagues import find_league
 from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
 from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
-from soccer_env.train.plots import draw
+from soccer_env.train.plots import can_draw, draw_curves
 from soccer_env.train.ppo.curriculum import LEARNER, Curriculum
 from soccer_env.train.ppo.run_folder import TENSORBOARD, RunFolder, flattened
 from soccer_env.train.ppo.settings import TrainSettings
@@ -160,11 +160,8 @@ def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, A
 
 def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> bytes:
     """Return the learning curve as a PNG, goal differences with 95 % intervals over steps; b"" without matplotlib."""
-    try:
-        import matplotlib
-    except ImportError:
+    if not can_draw():
         return b""
-    matplotlib.use("agg")  # no window, whatever the screen
     decisions = decisions_of(evaluations)
     unit, words = scale(max(decisions))
     curves = []
@@ -181,7 +178,7 @@ def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSetting
         )
     title = f"{settings.name}: {settings.league}, {settings.players}, seed {settings.seed}"
     matches = f"{settings.evaluate_matches} matches of {settings.evaluate_minutes:g} min"
-    return draw(
+    return draw_curves(
         {"title": title, "x_label": f"decisions{words}", "y_label": f"goals - goals against, a match\n({matches})",
          "curves": curves, "rules": [0.0], "rule": "even"}
     )  # fmt: skip

@@ -11,11 +11,11 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 
-from soccer_env.train.plots import draw_all
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import LIBRARIES, digest, made_now, module_hash, version_of
 from soccer_env.train.reproduce.claim import Claim
 from soccer_env.train.reproduce.claims import all_claims, find_claims
+from soccer_env.train.reproduce.drawing import draw_all
 from soccer_env.train.reproduce.examination import examine
 from soccer_env.train.reproduce.report import markdown
 from soccer_env.train.reproduce.results import CLAIMS, REPRODUCTION, ClaimResult

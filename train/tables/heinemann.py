@@ -10,7 +10,6 @@ paper's figure, planned and travelled paths of both planners, is drawn anew each
 
 from __future__ import annotations
 
-import io
 import json
 import sys
 from collections.abc import Callable, Iterable, Mapping
@@ -20,6 +19,7 @@ from typing import Any
 from soccer_env.baselines.heinemann_2006 import settings as heinemann_settings
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings
 from soccer_env.baselines.weigel_2001.planner import PlannerSettings
+from soccer_env.train.plots.style import canvas, plot
 from soccer_env.train.reproduce.claim import HEINEMANN
 from soccer_env.train.reproduce.claims import all_claims
 from soccer_env.train.reproduce.reproduction import reproduce
@@ -77,29 +77,22 @@ def take_run(path: Path) -> dict[str, dict[str, Any]]:
     return take_folder(path, CLAIMS, HEINEMANN)
 
 
-def draw_paths() -> bytes:
+@plot
+def draw_paths() -> Any:
     """Return the paper's figure as a PNG: both planners in crossing a after 1, 30 and 60 cycles.  MH18"""
-    import matplotlib
-
-    matplotlib.use("agg")
-    import matplotlib.pyplot as plt
-
     from soccer_env.baselines.weigel_2001.planner.drawing import draw_travel
     from soccer_env.train.reproduce.claims.ways.crossings import CYCLES
     from soccer_env.train.reproduce.claims.ways.runs import PLANNERS, travel
     from soccer_env.train.reproduce.claims.ways.scenes import CANONICAL
 
-    canvas, rows = plt.subplots(2, len(CYCLES), figsize=(10.0, 5.2), dpi=90, sharex=True, sharey=True)
+    drawn, rows = canvas(5.2, 10.0, 2, len(CYCLES), sharex=True, sharey=True)
     for row, (name, changes) in zip(rows, PLANNERS.items(), strict=True):
         one = travel(CANONICAL["a"], **changes)
         for axes, cycle in zip(row, CYCLES, strict=True):
             draw_travel(axes, one, cycle)
             axes.set_title(f"{'conventional' if name == 'old' else 'time-variant'}, t = {cycle}", fontsize="small")
             axes.set(xlim=(-4.0, 4.0), ylim=(-2.5, 2.5))
-    file = io.BytesIO()
-    canvas.savefig(file, format="png", bbox_inches="tight", metadata={"Software": ""})
-    plt.close(canvas)
-    return file.getvalue()
+    return drawn
 
 
 def main(arguments: Iterable[str]) -> int:

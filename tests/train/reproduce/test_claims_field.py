@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.baselines.sacks_2001.forces import repulsion
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.train.plots import draw
+from soccer_env.train.plots import draw_curves
 from soccer_env.train.reproduce.claim import Batch, as_plain
 from soccer_env.train.reproduce.claims import all_claims
 from soccer_env.train.reproduce.claims.field import constants as field_constants
@@ -77,7 +77,7 @@ def test_arrows_point_to_the_goal_where_nobody_is() -> None:
 def test_a_field_is_drawn_with_its_arrows() -> None:
     figure = as_plain(field_forces.cosine_figures({})[0])
     assert set(figure["arrows"]) == {"x", "y", "along_x", "along_y"}
-    assert draw(figure)[:4] == b"\x89PNG" and draw(figure) == draw(figure)
+    assert draw_curves(figure)[:4] == b"\x89PNG" and draw_curves(figure) == draw_curves(figure)
     assert figure_table(figure) == "Forces with the cosine factor: a picture of the field, which needs matplotlib"
 
 

@@ -1,0 +1,73 @@
+"""Pictures of results: repeatable, labelled, told apart without colour, with names of teams as they are."""
+
+import re
+import subprocess
+import sys
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+
+from soccer_env.train.plots import MISSING, draw_bars, draw_curves, draw_heat_table, draw_intervals
+from soccer_env.train.plots.intervals import Row
+from soccer_env.train.plots.style import COLOURS, LINES, MARKERS, for_page
+
+pytest.importorskip("matplotlib")
+NAME = r"$\frac{</script>&$"  # of a team: bad mathematics, and markup
+
+
+def curves(names: tuple[str, ...], points: int = 3) -> dict[str, Any]:
+    x = list(range(points))
+    given = [{"name": name, "x": x, "y": x, "low": x, "high": [v + 1 for v in x]} for name in names]
+    return {"title": NAME, "x_label": "range [cm]", "y_label": "error [cm]", "curves": given, "rules": [1.0]}
+
+
+PICTURES = {
+    "curves": lambda form: draw_curves(curves((NAME, "b")), form=form),
+    "bands": lambda form: draw_curves(curves(("a", "b"), 40), form=form),
+    "bars": lambda form: draw_bars(NAME, "goals", "matches", [(NAME, [0, 1], [3, 4])], ("mean", 0.5, 0, 1), form=form),
+    "intervals": lambda form: draw_intervals(NAME, [Row(NAME, "3 %", 3.0, 2.0, float("inf"), least=1.0)], form=form),
+    "table": lambda form: draw_heat_table(NAME, [NAME, "b"], ["c"], [[None], [-1.0]], "x", "y", form=form),
+}
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_a_picture_is_the_same_each_time(name: str) -> None:
+    for form, begin in (("png", b"\x89PNG"), ("svg", b"<?xml")):
+        once, again = PICTURES[name](form), PICTURES[name](form)
+        assert once == again and once.startswith(begin)
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_a_part_of_a_page_is_whole_takes_its_colours_and_leaves_names_as_they_are(name: str) -> None:
+    part = for_page(PICTURES[name]("svg"), "p1")
+    root = ElementTree.fromstring(part)
+    ids = [element.get("id") for element in root.iter() if element.get("id")]
+    assert all(one.startswith("p1-") for one in ids) and len(ids) == len(set(ids))
+    assert set(re.findall(r"(?:url\(|href=\")#([^)\"]+)", part)) <= set(ids)
+    assert "var(--ink)" in part and not re.search("#171b22", part)
+    assert "width" not in root.attrib and "viewBox" in root.attrib
+    if name != "bands":
+        assert NAME in "".join(root.itertext())
+        assert "<script" not in part
+
+
+def test_quantities_stand_at_the_axes() -> None:
+    words = "".join(ElementTree.fromstring(draw_curves(curves(("a",)), form="svg")).itertext())
+    assert "range [cm]" in words and "error [cm]" in words and "in the criteria: 1" in words
+
+
+def test_curves_differ_without_colour() -> None:
+    assert len(COLOURS) == len(set(COLOURS)) == len(set(MARKERS)) == len(set(map(str, LINES)))
+
+
+def test_no_matplotlib_no_picture_but_a_word() -> None:
+    program = (
+        "import sys; sys.modules['matplotlib'] = None\n"
+        "from soccer_env.train.plots import can_draw, draw_heat_table\n"
+        "assert not can_draw()\n"
+        "try: draw_heat_table('', ['a'], ['b'], [[1.0]])\n"
+        "except ImportError as error: print(error)"
+    )
+    found = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == MISSING
