@@ -12,8 +12,8 @@
 "phase", "opponent", "reward_goal", "event_goal" ...; infos="full" adds statistics of play. infos="nested" has dicts in
 words: "active", "score" (own goals, the opponents'), "phase", "opponent" (a team's name, "learner" for none; flat infos
 have its place in `env.opponent_names`), "rewards" (term -> weighted reward), "events" (only what happened in this step)
-and, at the end of an episode, "statistics" from the side of the agent's team. infos="none" is the fastest. Finite
-actions outside [-1, 1] are clipped.
+and, at the end of an episode, "statistics" and "maps" (`statistics.maps.maps_of`) from the side of the agent's team.
+infos="none" is the fastest. Finite actions outside [-1, 1] are clipped.
 
 Version history: v0, the first.
 """

@@ -39,6 +39,7 @@ from soccer_env.rewards import POTENTIALS, measure_potentials, reward_robots
 from soccer_env.scenes import judge_drill
 from soccer_env.statistics.counting import count_calls, count_step, is_notable
 from soccer_env.statistics.players import count_player
+from soccer_env.statistics.records import OFTEN
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
 from soccer_env.world import World
 
@@ -266,8 +267,8 @@ def make_scratch(robots):
 def fetch_match(links, robots, statistics, m):
     """Fetch what the step of match m touches into the cache, if there is such a match."""
     if fetch(links, m):
-        fetch_row(robots, m)
-        fetch_row(statistics, m)
+        fetch_row(robots, m, robots.strides[0])
+        fetch_row(statistics, m, OFTEN)
 
 
 @inlined

@@ -258,6 +258,7 @@ def rewards() -> Iterator[Table]:
 def statistics() -> Iterator[Table]:
     """Yield the statistics of play with their definitions."""
     from soccer_env.statistics.figures import FIGURES, SHARE
+    from soccer_env.statistics.maps import MAP_TEXTS
 
     rows = [
         (
@@ -270,6 +271,7 @@ def statistics() -> Iterator[Table]:
     ]
     title = "Statistics of play: matches.jsonl and infos hold each match's, reports put matches together"
     yield Table(title, ("name", "unit", "in reports", "definition"), rows)
+    yield Table("Maps: result.json and final nested infos hold them", ("name", "definition"), list(MAP_TEXTS.items()))
 
 
 def claims() -> Iterator[Table]:

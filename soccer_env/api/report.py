@@ -12,6 +12,7 @@ from soccer_env.checking import check_names, one_of, refuse
 from soccer_env.match import Match
 from soccer_env.match_settings import InfoKind
 from soccer_env.statistics.figures import flat
+from soccer_env.statistics.maps import maps_of
 from soccer_env.types import AWAY, HOME, QUIET, ROBOT_EVENTS, Phase
 
 RENDER_MODES = ("rgb_array", "human")
@@ -65,9 +66,11 @@ class Report:
         return self.add_statistics(found, final["statistics"][index])
 
     def add_statistics(self, infos: Infos, statistics: Any) -> Infos:
-        """Add the statistics of the episode to the infos of its agents, each from its team's side."""
+        """Add the statistics and maps of the episode to the infos of its agents, each from its team's side."""
+        maps = [maps_of(statistics, team, self._match.settings.rows) for team in (HOME, AWAY)]
         for agent, _, team in self._robots:
             infos[agent]["statistics"] = flat(statistics, team)
+            infos[agent]["maps"] = maps[team]
         return infos
 
     def of(

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.leagues.robot_kind import Limits
+from soccer_env.statistics.records import SHOTS, STATISTICS
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 Match = Any  # soccer_env.match.Match, which stands above this file
@@ -53,14 +54,31 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
 
 def check_statistics(statistics: np.ndarray, robots: int) -> None:
     """Raise ValueError if the statistics of a save name a robot or a restart that there is not, or hold NaN."""
-    check_floats("statistics", statistics)
+    numbers = np.ascontiguousarray(statistics).view("f8").reshape(len(statistics), -1)[:, FLOATS]
+    if not within(numbers, -FAR, FAR) or not within(statistics["maps"]["shots"]["place"], -FAR, FAR):
+        raise ValueError("this save is damaged: a number of statistics is not finite or too large")
     trail, last = statistics["trail"], robots - 1
     for field, low, high in (
         ("player", -1, last), ("player_team", HOME, AWAY), ("flight", -1, last), ("flight_team", HOME, AWAY),
-        ("kicker", -1, last), ("kicker_team", HOME, AWAY), ("kind", 0, max(Phase)),
+        ("kicker", -1, last), ("kicker_team", HOME, AWAY), ("kind", 0, max(Phase)), ("shot", -1, SHOTS - 1),
     ):  # fmt: skip
         if not within(trail[field], low, high):
             raise ValueError(f"this save is damaged: {field} of statistics is out of range")
+    if not within(statistics["maps"]["shots_kept"], 0, SHOTS):
+        raise ValueError("this save is damaged: shots_kept of statistics is out of range")
+
+
+def floats_of(dtype: np.dtype, at: int = 0) -> list[int]:
+    """Return which words of eight bytes of a record are numbers of 64 bits with a fraction."""
+    found: list[int] = []
+    for field, start in ((inner[0], at + inner[1]) for inner in (dtype.fields or {}).values()):
+        base, size = field.base, field.base.itemsize
+        for place in range(start, start + field.itemsize, size):
+            found += floats_of(base, place) if base.names else [place // 8] * (base == np.float64)
+    return found
+
+
+FLOATS = np.array(floats_of(STATISTICS))
 
 
 def check_sensed(name: str, array: np.ndarray, limits: Limits) -> None:

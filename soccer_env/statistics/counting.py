@@ -9,7 +9,9 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, length
 from soccer_env.statistics.flights import end_flight, follow_ball
 from soccer_env.statistics.goals import count_goal
+from soccer_env.statistics.maps import BALL, note_place
 from soccer_env.statistics.players import share_out
+from soccer_env.statistics.records import LOOK
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 PLAY, DROP_BALL, OVER = int(Phase.PLAY), int(Phase.DROP_BALL), int(Phase.OVER)
@@ -23,14 +25,14 @@ def count_step(match, ball, robots, events, k, tally):
     trail = tally.trail
     tally.played += k.dt
     if match.phase == PLAY and match.placing == 0:
-        count_ball(ball, k, tally)
+        count_ball(match, ball, k, tally)
         share_out(match.step, k, tally, trail)
     row = -1
     if events.touch_team != NO_TEAM:
         row = events.scorer if events.goal != NO_TEAM else match.last_touch_robot
     follow_ball(match, ball, robots[max(row, 0)], row, events, k, tally, trail)
     if events.goal != NO_TEAM:
-        count_goal(match.step, events, k, tally, trail)
+        count_goal(match, events, k, tally, trail)
     if events.in_play == 1:
         trail.in_play = match.step
     elif match.phase != PLAY and match.phase != OVER:
@@ -61,7 +63,7 @@ def count_calls(match, robots, events, robot_events, bodies, tally):
 
 
 @compiled
-def count_ball(ball, k, tally):
+def count_ball(match, ball, k, tally):
     """Count the time of a ball in play: where it is, and whether it lies still."""
     tally.in_play += k.dt
     if ball.vx * ball.vx + ball.vy * ball.vy < STILL * STILL:
@@ -71,6 +73,8 @@ def count_ball(ball, k, tally):
         tally.at_boards += k.dt
     if along < IN_CORNER and aside < IN_CORNER:
         tally.in_corner += k.dt
+    if match.step % LOOK == 0:
+        note_place(ball, BALL, direction_of(match, HOME), k, tally.maps)
 
 
 @compiled

@@ -13,7 +13,7 @@ import numpy as np
 from soccer_env.statistics.records import BINS_PER_OCTAVE, SHORTEST, STATISTICS, GoalKind
 from soccer_env.types import Foul, Phase
 
-PLAYED, IN_PLAY, MATES = "played", "in_play", "mates"
+PLAYED, IN_PLAY, MATES, PRESENT = "played", "in_play", "mates", "present"
 RATE, SHARE, MOST, LENGTH = "rate", "share", "most", "length"
 SIDES = ("for", "against")
 RESTARTS = tuple(p for p in Phase if p not in (Phase.PLAY, Phase.OVER))
@@ -109,6 +109,17 @@ FIGURES: tuple[Statistic, ...] = (
         "mates", "s", "Time in play of field players that are not nearest to the ball in their team.", SHARE, IN_PLAY
     ),
     of_team("idle", "s", "Time of those that move slower than 1 cm/s (middle size: 5 cm/s).", SHARE, MATES),
+    of_team("present", "s", "Time in play of the robots on the pitch, of all together.", SHARE, IN_PLAY),
+    of_team(
+        "stuck", "s",
+        "Time of those that are stuck: a robot that aims at 15 % of its top speed or more makes less than a quarter of "
+        "what it aims at, for 1.5 s and more; breaks of up to 0.5 s do not end it.",
+        SHARE, PRESENT,
+    ),
+    of_team(
+        "distance", "m",
+        "Distance covered in play by all robots together: their centres' way from control step to control step.",
+    ),
     of_team(
         "keeper_away", "s", "Time in play with the goalkeeper a quarter of the pitch from its goal.", SHARE, IN_PLAY
     ),

@@ -11,10 +11,12 @@ from __future__ import annotations
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, length
 from soccer_env.leagues.robot import DRIVE_KINDS
-from soccer_env.statistics.records import LONG_AGO, Aim
+from soccer_env.statistics.maps import note_shot
+from soccer_env.statistics.records import LONG_AGO, Aim, Outcome
 
 GAIT = DRIVE_KINDS["gait"]
 ELSEWHERE, AT_GOAL, ON_TARGET = int(Aim.ELSEWHERE), int(Aim.AT_GOAL), int(Aim.ON_TARGET)
+OFF_TARGET, SAVED, BLOCKED = int(Outcome.OFF_TARGET), int(Outcome.SAVED), int(Outcome.BLOCKED)
 FREE = 0.25  # [s] untouched that make a ball free, assumed
 PASS_LEGS, PASS_WHEELS = 0.3, 1.0  # [m] that a pass goes at least
 BESIDE = 0.25  # [1] of the goal's width beside either post: a shot that misses by more is none, assumed
@@ -63,12 +65,14 @@ def is_over(step, k, trail):
 def touch(step, robot, row, x, y, k, tally, trail):
     """Note that a robot touches the ball at x, y [m, field frame], and count what it makes of another's play."""
     if trail.player >= 0 and trail.player != row:
-        receive(step, robot.team, x, y, k, tally, trail)
+        receive(step, robot.team, row, x, y, k, tally, trail)
     if trail.flight >= 0 and row != trail.flight:
         if trail.deflected == LONG_AGO:
             trail.deflected = step
             keeper = robot.keeper == 1 and robot.team != trail.flight_team
             trail.saved = 1 if keeper and trail.aim == ON_TARGET else 0
+            if trail.shot >= 0:
+                tally.maps.shots[trail.shot].outcome = SAVED if trail.saved == 1 else BLOCKED
     elif trail.flight >= 0 and step - trail.flight_step > steps_in(SWING, k):
         end_flight(tally, trail)
     trail.player, trail.player_team, trail.touched = row, robot.team, step
@@ -77,14 +81,15 @@ def touch(step, robot, row, x, y, k, tally, trail):
 
 
 @compiled
-def receive(step, team, x, y, k, tally, trail):
-    """Count a pass that arrives at a robot of a team, a mate or an opponent; a shot is none."""
+def receive(step, team, row, x, y, k, tally, trail):
+    """Count a pass that arrives at a robot (row) of a team, a mate or an opponent; a shot is none."""
     least = PASS_LEGS if k.drive_kind == GAIT else PASS_WHEELS
     x, y = x - trail.played_x, y - trail.played_y
     shot = trail.flight == trail.player and trail.aim != ELSEWHERE
     if shot or step - trail.touched < steps_in(FREE, k) or x * x + y * y <= least * least:
         return
     tally.passes_tried[trail.player_team] += 1
+    tally.maps.passes[trail.player, row] += 1
     if team == trail.player_team:
         tally.passes[team] += 1
     else:
@@ -101,8 +106,10 @@ def begin_flight(match, ball, row, team, events, k, tally, trail):
     trail.aim = ELSEWHERE
     if events.restart == 0:
         trail.aim = aim_of(ball, direction_of(match, team), k)
+    trail.shot = -1
     if trail.aim != ELSEWHERE:
         tally.shots[team] += 1
+        note_shot(match, row, team, OFF_TARGET, tally, trail)
     if trail.aim == ON_TARGET:
         tally.on_target[team] += 1
 

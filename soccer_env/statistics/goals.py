@@ -7,12 +7,14 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.statistics.flights import steps_in
-from soccer_env.statistics.records import LONG_AGO, ROWS, Aim, GoalKind
+from soccer_env.statistics.maps import note_shot
+from soccer_env.statistics.records import LONG_AGO, ROWS, Aim, GoalKind, Outcome
 
 CLEAN_KICK, DEFLECTED_KICK = int(GoalKind.CLEAN_KICK), int(GoalKind.DEFLECTED_KICK)
 CLEAN_DRIBBLE, PUSHED_IN = int(GoalKind.CLEAN_DRIBBLE), int(GoalKind.PUSHED_IN)
 SCRUM, OWN_GOAL = int(GoalKind.SCRUM), int(GoalKind.OWN_GOAL)
 ELSEWHERE, ON_TARGET = int(Aim.ELSEWHERE), int(Aim.ON_TARGET)
+GOAL = int(Outcome.GOAL)
 KEPT = 1.0  # [s] with the ball after which a robot carried it, whoever stands around, assumed
 JUST = 0.5  # [s] before the goal in which there was a scrum, or its scorer still had the ball, assumed
 CONTACT = 3.0  # [s] before the goal in which the scorer touched an opponent, assumed
@@ -20,14 +22,18 @@ SEPARATION, RESTART, PUSHED_KEEPER = 6.0, 10.0, 10.0  # [s] before the goal
 
 
 @compiled
-def count_goal(step, events, k, tally, trail):
+def count_goal(match, events, k, tally, trail):
     """Count a goal; a clean kick that is in before it could be judged is a shot on target all the same."""
-    team = events.goal
+    step, team = match.step, events.goal
     kind = kind_of(step, team, events.scorer, k, trail)
     tally.goals[team, kind] += 1
     if kind == CLEAN_KICK and trail.aim != ON_TARGET:
         tally.shots[team] += trail.aim == ELSEWHERE
         tally.on_target[team] += 1
+        if trail.aim == ELSEWHERE:
+            note_shot(match, trail.flight, team, GOAL, tally, trail)
+    if trail.shot >= 0 and kind in (CLEAN_KICK, DEFLECTED_KICK):
+        tally.maps.shots[trail.shot].outcome = GOAL
     trail.saved = 0
     if step - trail.separated <= steps_in(SEPARATION, k):
         tally.after_separation[team] += 1

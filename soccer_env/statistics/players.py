@@ -11,6 +11,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of
 from soccer_env.leagues.robot import DRIVE_KINDS
 from soccer_env.physics.contacts import TOUCH_GAP, robots_touch
+from soccer_env.statistics.moving import count_moving
 from soccer_env.statistics.records import BINS, BINS_PER_OCTAVE, NOBODY, SHORTEST
 from soccer_env.types import AWAY, HOME, Phase
 
@@ -47,6 +48,7 @@ def count_player(match, ball, robots, events, r, k, tally):
         if robot.has_ball == 1 or player.held_since > 0:
             count_possession(robot, player, match.step, k, tally, trail)
         count_standing(match, ball, robot, player.contact, k, tally, trail)
+        count_moving(match, robot, r, player, k, tally)
     elif player.held_since > 0:
         end_spell(robot.team, player, k, tally)
 

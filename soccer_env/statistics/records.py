@@ -16,6 +16,9 @@ BINS = 40  # of the lengths of spells
 SHORTEST, BINS_PER_OCTAVE = 0.02, 3.0  # [s] lower end of the first bin; the last one has no upper end
 NOBODY = 1e5  # [m2]
 LONG_AGO = -(1 << 30)  # [steps]
+CELLS_LONG, CELLS_WIDE = 24, 16  # of a heat map, along and across the pitch
+LOOK = 4  # control steps from one look at where everybody is to the next, a power of two
+SHOTS = 64  # of a match whose places are kept; `shots` counts all
 
 
 class GoalKind(IntEnum):
@@ -37,6 +40,15 @@ class Aim(IntEnum):
     ON_TARGET = 2
 
 
+class Outcome(IntEnum):
+    """What became of a shot."""
+
+    OFF_TARGET = 0
+    GOAL = 1
+    SAVED = 2
+    BLOCKED = 3
+
+
 PLAYER = np.dtype(
     [  # what is remembered of a robot
         ("held_since", "i4"),  # first step of its spell with the ball, 0 without one
@@ -45,6 +57,13 @@ PLAYER = np.dtype(
         ("touched", "i4"),  # last step in which it touched the ball in play
         ("contact", "i8"),  # last step in which it touched an opponent
         ("locked", "f8"),  # [s] its time in contact after the last step, see `separation.watch_contacts`
+        ("seen", "i8"),  # last step in which it was on the pitch and the ball in play
+        ("x", "f8"),  # [m] field frame: where it stood then
+        ("y", "f8"),  # [m] field frame
+        ("stuck_since", "i4"),  # step in which it began to be stuck
+        ("stuck_last", "i4"),  # last step in which it was
+        ("stuck_steps", "i4"),  # of that time that are counted
+        ("spare", "i4"),  # eight bytes in a row for what follows
     ]
 )
 
@@ -67,6 +86,7 @@ TRAIL = np.dtype(
         ("aim", "i8"),  # Aim of that kick or push
         ("deflected", "i8"),  # step in which another robot first touched it on its way, or LONG_AGO
         ("saved", "i8"),  # 1: the goalkeeper touched a shot on target first
+        ("shot", "i8"),  # which of the shots that are kept it is, or -1
         ("players", PLAYER, (ROWS,)),
         # Found out in one control step, robot by robot
         ("crowd", "i8"),  # robots about the ball
@@ -75,6 +95,30 @@ TRAIL = np.dtype(
         ("kicker_team", "i8"),
         ("nearest", "f8", (2,)),  # [m2] squared distance of a team's nearest robot from the ball
         ("nearest_counts", "i8", (2,)),  # 2: that robot is a field player and idle, 1: a field player, 0: neither
+    ]
+)
+
+SHOT = np.dtype(
+    [  # places are in the frame of the team that shoots: it attacks +x
+        ("step", "i4"),  # in which the ball was on its way
+        ("row", "i2"),  # of the robot that kicked or pushed it
+        ("team", "i1"),  # its team
+        ("outcome", "i1"),  # an Outcome
+        ("place", "f4", (2,)),  # [m] the ball as it was played
+    ]
+)
+
+MAPS = np.dtype(
+    [  # where things happen, in play; each team's places are in the frame in which it attacks +x
+        ("heat", "i4", (3, CELLS_WIDE, CELLS_LONG)),  # looks at home's robots, away's, and the ball in home's frame
+        (
+            "places",
+            "f8",
+            (ROWS, 3),
+        ),  # [m s, m s, s] of each robot: its place times the time that it was there, and that
+        ("passes", "i2", (ROWS, ROWS)),  # balls played by one row and touched by another, see `passes_tried`
+        ("shots_kept", "i8"),
+        ("shots", SHOT, (SHOTS,)),
     ]
 )
 
@@ -109,6 +153,9 @@ STATISTICS = np.dtype(
         ("keeper_in_goal", "f8", (2,)),  # [s]
         ("mates", "f8", (2,)),  # [s]
         ("idle", "f8", (2,)),  # [s]
+        ("present", "f8", (2,)),  # [s]
+        ("stuck", "f8", (2,)),  # [s]
+        ("distance", "f8", (2,)),  # [m]
         ("goals", "i8", (2, len(GoalKind))),
         ("after_separation", "i8", (2,)),
         ("after_pushed_keeper", "i8", (2,)),
@@ -117,14 +164,16 @@ STATISTICS = np.dtype(
         ("restarts", "i8", (2, len(Phase))),
         ("fouls", "i8", (2, len(Foul))),
         ("trail", TRAIL),
+        ("maps", MAPS),  # last: a step touches a few places of it
     ]
 )
+OFTEN = STATISTICS.itemsize - MAPS.itemsize  # [bytes] at the start of the record: what most steps touch
 
 FRESH = np.zeros((), STATISTICS)  # of a match that begins
 for _name in ("in_play", "separated", "crowded", "touched", "deflected", "keeper_pushed"):
     FRESH["trail"][_name] = LONG_AGO
-for _name in ("held_last", "touched", "contact"):
+for _name in ("held_last", "touched", "contact", "seen", "stuck_last"):
     FRESH["trail"]["players"][_name] = LONG_AGO
-for _name in ("player", "flight", "kicker"):
+for _name in ("player", "flight", "kicker", "shot"):
     FRESH["trail"][_name] = -1
 FRESH["trail"]["nearest"] = NOBODY

@@ -5,6 +5,7 @@ evaluation.py      `evaluate`: the matches that a folder lacks are played, the r
 contest.py         the matches: pairs from the same seeds with sides swapped, many at once
 results.py         one line for each match; the result that follows from the lines
 statistics.py      statistics of play: of a line, totals with intervals, tables
+map_tables.py      where things happened, as tables of a report
 report.py          the result in Markdown and on the screen
 pictures.py        a sheet of pictures of one match
 recording.py       a match into a replay file, and out of it again

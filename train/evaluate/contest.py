@@ -18,6 +18,7 @@ from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
 from soccer_env.scenes import find_scene
+from soccer_env.statistics.maps import maps_of
 from soccer_env.teams import CompiledTeam, ObservingTeam, Team, in_module, make_team, registered
 from soccer_env.train.evaluate.results import MatchLine
 from soccer_env.train.evaluate.settings import Conditions
@@ -172,4 +173,5 @@ def line_of_match(match: Match, m: int, number: int, settings: str) -> MatchLine
         state=match.state_hash(m),
         settings=settings,
         statistics=line_of_statistics(match.statistics[m], ours),
+        maps=maps_of(match.statistics[m], ours, match.settings.rows),
     )

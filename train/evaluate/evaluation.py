@@ -43,7 +43,7 @@ def evaluate(
     about = {"command": command_of(settings), **made_now()}
     folder = ResultsFolder(settings.out, EVALUATION, asdict(contest.conditions), made, about, settings.anew)
     lines = play_missing(contest, folder, settings.threads)
-    result = summarise(contest.conditions, made, lines)
+    result = summarise(contest.conditions, made, lines, contest.league.pitch)
     folder.write("result.json", json.dumps(result.as_dict(), indent=2) + "\n")
     folder.write("report.md", markdown(result, folder.about))
     if settings.picture:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from soccer_env.train.evaluate.map_tables import map_rows, player_rows
 from soccer_env.train.evaluate.results import HALF_WIDTH, EvaluationResult
 from soccer_env.train.evaluate.statistics import goal_rows, play_rows
 from soccer_env.train.statistics import interquartile_mean, wilson_interval
@@ -113,6 +114,20 @@ def play_tables(result: EvaluationResult) -> list[str]:
         table(head, play_rows(result.statistics)),
         "How goals fell:",
         table(head, goal_rows(result.statistics)),
+        *map_parts(result, head),
+    ]
+
+
+def map_parts(result: EvaluationResult, head: tuple[str, ...]) -> list[str]:
+    """Return where things happened, in Markdown; nothing if lines lack it."""
+    if not result.maps:
+        return []
+    return [
+        "Where it happened; the middle of three thirds is a third of the pitch's length:",
+        table(head, map_rows(result.maps)),
+        "Mean places in play (x, y) in metres, as each team attacks +x, and completed passes to mates:",
+        table(("player", *head[1:]), player_rows(result.maps)),
+        "`soccer export result.json --out maps.png` draws heat maps, pass networks and shot maps.",
     ]
 
 

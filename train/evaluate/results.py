@@ -6,6 +6,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
+from soccer_env.leagues.league import Pitch
+from soccer_env.settings import plain
+from soccer_env.statistics.maps import added
 from soccer_env.train.evaluate.settings import Conditions
 from soccer_env.train.evaluate.statistics import Total, totals
 from soccer_env.train.results_folder import Kind
@@ -17,7 +20,7 @@ MIRRORED = "no verdict: a team against itself plays each match of a pair twice, 
 MATCHES = "matches.jsonl"  # of a folder: a line for each finished match
 FILES = (MATCHES, "result.json", "report.md", "match.png")
 EVALUATION = Kind("an evaluation", ("home", "away", "scene"), FILES, grows="matches")
-LEFT_OUT = ("settings", "statistics")  # of a line in result.json: matches.jsonl has them
+LEFT_OUT = ("settings", "statistics", "maps")  # of a line in result.json: matches.jsonl has them
 HALF_WIDTH = 0.25  # [goals a match] for which the number of matches is worked out
 
 
@@ -35,6 +38,7 @@ class MatchLine:
     state: str  # hash of the last state: the same match again has the same
     settings: str  # hash of the conditions and of what the match was made with
     statistics: dict[str, Any] = field(default_factory=dict)  # of the match, see `soccer list statistics`
+    maps: dict[str, Any] = field(default_factory=dict)  # where things happened, see `statistics.maps.maps_of`
 
     @property
     def points(self) -> float:
@@ -68,6 +72,7 @@ class EvaluationResult:
     matches_needed: int | None  # for +-HALF_WIDTH goals a match; None if pairs do not scatter
     verdict: str
     statistics: dict[str, Total]  # of play, by name; nothing if lines lack them
+    maps: dict[str, Any]  # of all matches together; nothing if lines lack them
     lines: tuple[MatchLine, ...]  # sorted
 
     def as_dict(self) -> dict[str, Any]:
@@ -81,8 +86,10 @@ class EvaluationResult:
         return {**conditions, **record}
 
 
-def summarise(conditions: Conditions, made_with: dict[str, str], lines: Sequence[MatchLine]) -> EvaluationResult:
-    """Return the result of all matches of an evaluation."""
+def summarise(
+    conditions: Conditions, made_with: dict[str, str], lines: Sequence[MatchLine], pitch: Pitch | None = None
+) -> EvaluationResult:
+    """Return the result of all matches of an evaluation; the measures of their pitch stand with the maps."""
     ordered = tuple(sorted(lines, key=lambda line: line.match))
     if [line.match for line in ordered] != list(range(conditions.matches)):
         raise ValueError(f"expected matches 0 to {conditions.matches - 1}, got {len(ordered)} lines")
@@ -103,8 +110,16 @@ def summarise(conditions: Conditions, made_with: dict[str, str], lines: Sequence
         matches_needed=required_matches(differences, HALF_WIDTH) if len(set(differences)) > 1 else None,
         verdict=MIRRORED if is_mirrored(conditions) else judge(difference, points, len(differences)),
         statistics=totals([line.statistics for line in ordered]),
+        maps=maps_on(pitch, [line.maps for line in ordered]),
         lines=ordered,
     )
+
+
+def maps_on(pitch: Pitch | None, maps: list[dict[str, Any]]) -> dict[str, Any]:
+    """Return the maps of all matches together; nothing if lines lack them."""
+    if not all(maps):
+        return {}
+    return added(maps) | ({} if pitch is None else {"pitch": plain(pitch)})
 
 
 def pair_means(lines: Sequence[MatchLine], value: Callable[[MatchLine], float]) -> list[float]:

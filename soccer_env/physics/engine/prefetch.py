@@ -109,10 +109,10 @@ def fetch_spans(spans):
 
 
 @compiled
-def fetch_row(array, m):
-    """Fetch row m of an array into the cache."""
+def fetch_row(array, m, size):
+    """Fetch so many bytes [1] of row m of an array into the cache, from its start."""
     at = np.int64(array.ctypes.data) + m * array.strides[0]
-    for byte in range(0, array.strides[0], LINE):
+    for byte in range(0, size, LINE):
         _fetch_line(at + byte)
 
 

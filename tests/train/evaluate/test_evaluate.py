@@ -114,7 +114,10 @@ def test_goals_count_for_the_team_that_scored_them() -> None:
     """5 : 2 for the side called home is 5 : 2 for the first team in an even match and 2 : 5 in an odd one."""
     record = np.zeros(1, [("score", "i8", (2,)), ("step", "i8")])
     record["score"] = (5, 2)
-    match: Any = SimpleNamespace(matches=record, seeds=[7], statistics=np.full(1, FRESH), state_hash=lambda m: "f")
+    match: Any = SimpleNamespace(
+        matches=record, seeds=[7], statistics=np.full(1, FRESH), state_hash=lambda m: "f",
+        settings=SimpleNamespace(rows=(1, 1)),
+    )  # fmt: skip
     first, second = (module.line_of_match(match, 0, number, "s") for number in (8, 9))
     assert (first.side, first.goals_for, first.goals_against) == ("home", 5, 2)
     assert (second.side, second.goals_for, second.goals_against) == ("away", 2, 5)

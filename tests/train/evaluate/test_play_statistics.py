@@ -2,6 +2,7 @@
 
 import json
 
+import numpy as np
 import pytest
 
 from soccer_env.statistics.figures import FIGURES
@@ -56,8 +57,15 @@ def test_an_evaluation_keeps_them_by_match_and_shows_them(tmp_path) -> None:
     assert record["statistics"]["touches_for"]["total"] == sum(one["statistics"]["touches_for"] for one in lines) > 0
     assert record["statistics"]["touches_against"]["total"] < record["statistics"]["touches_for"]["total"]
     assert "statistics" not in record["results"][0]
+    assert record["maps"]["heat_ball"] == np.sum([one["maps"]["heat_ball"] for one in lines], axis=0).tolist()
+    shots = [len(record["maps"][f"shots_{side}"]) for side in ("for", "against")]
+    assert shots == [record["statistics"][f"shots_{side}"]["total"] for side in ("for", "against")]
+    assert record["maps"]["pitch"]["length"] == 3.0
+    assert "maps" not in record["results"][0]
     report = (tmp_path / "report.md").read_text()
     assert "| shots on target |" in report
+    assert "| shots: saved |" in report
+    assert "| ball in the middle third |" in report
     assert "| pushed in |" in report
     assert {row[0] for row in play_rows(result.statistics)} >= {"ball in play", "whistles", "saves"}
     assert len(goal_rows(result.statistics)) == len(GoalKind) + 3
@@ -68,6 +76,8 @@ def test_a_folder_whose_lines_lack_statistics_is_refused_in_words(tmp_path) -> N
     evaluate(EvaluateSettings(**PLAY, out=tmp_path))
     file = tmp_path / "matches.jsonl"
     lines = [json.loads(text) for text in file.read_text().splitlines()]
-    file.write_text("".join(json.dumps({k: v for k, v in x.items() if k != "statistics"}) + "\n" for x in lines))
+    file.write_text(
+        "".join(json.dumps({k: v for k, v in x.items() if k not in ("statistics", "maps")}) + "\n" for x in lines)
+    )
     with pytest.raises(ValueError, match="a line has the fields .*statistics"):
         evaluate(EvaluateSettings(**PLAY, out=tmp_path))

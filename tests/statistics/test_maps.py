@@ -1,0 +1,188 @@
+"""Shot maps and pass networks: what became of each shot, who passed to whom; and the maps of whole matches."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
+from soccer_env.leagues import find_league
+from soccer_env.random_numbers import seeds_for
+from soccer_env.statistics.maps import added, maps_of
+from soccer_env.statistics.records import LOOK, SHOTS
+from soccer_env.train.play.recording import Recording, moment_of, running
+from soccer_env.train.play.runs import bridged, runs_of
+from soccer_env.types import AWAY, HOME, Phase
+from tests.statistics.counted_steps import KEEPER, KICKER, MATE, SECOND, THEIR_KEEPER, THEIR_PLAYER, Steps, shoot
+
+ROWS = (3, 3)
+MINUTES = {"legged-2001": 3.0, "middle-size-2006": 1.5}
+
+
+def shots(steps: Steps, team: int = HOME) -> list[Any]:
+    """Return the shots of a team."""
+    found: list[Any] = maps_of(steps.tally[0], team, ROWS)["shots_for"]
+    return found
+
+
+@pytest.mark.parametrize("direction", [1.0, -1.0])
+def test_a_shot_is_noted_where_the_ball_was_played(direction: float) -> None:
+    steps = Steps(direction=direction)
+    shoot(steps, x=1.0, y=direction * 0.1)
+    assert shots(steps) == [[1, KICKER, "off_target", 1.0, 0.1]]
+    assert shots(steps, AWAY) == []
+    assert maps_of(steps.tally[0], AWAY, ROWS)["shots_against"] == shots(steps)
+
+
+@pytest.mark.parametrize(
+    ("y", "touches", "outcome"),
+    [
+        (0.0, [], "off_target"), (0.4, [], "off_target"), (0.0, [THEIR_KEEPER], "saved"),
+        (0.0, [THEIR_PLAYER], "blocked"), (0.0, [MATE], "blocked"), (0.4, [THEIR_KEEPER], "blocked"),
+        (0.0, [THEIR_PLAYER, THEIR_KEEPER], "blocked"), (0.0, [THEIR_KEEPER, THEIR_PLAYER], "saved"),
+        (0.0, [KEEPER], "blocked"),
+    ],
+)  # fmt: skip
+def test_who_touches_a_shot_first_saves_or_blocks_it(y: float, touches: list[int], outcome: str) -> None:
+    steps = Steps()
+    shoot(steps, y=y)
+    for row in touches:
+        steps.count(touch=row)
+    steps.count(steps=6 * SECOND)
+    assert [shot[2] for shot in shots(steps)] == [outcome]
+
+
+@pytest.mark.parametrize("touches", [[], [THEIR_KEEPER], [THEIR_PLAYER]])
+def test_a_shot_that_goes_in_is_a_goal_whoever_touched_it(touches: list[int]) -> None:
+    steps = Steps()
+    shoot(steps)
+    for row in touches:
+        steps.count(touch=row)
+    steps.score(HOME)
+    assert [shot[2] for shot in shots(steps)] == ["goal"]
+
+
+def test_a_kick_that_is_in_before_it_could_be_judged_is_on_the_map() -> None:
+    """It would not have rolled there, the physics says otherwise: the shot that `shots` counts has a place too."""
+    steps = Steps()
+    shoot(steps, x=1.4, vx=0.3)
+    assert shots(steps) == []
+    steps.score(HOME)
+    assert shots(steps) == [[2, KICKER, "goal", 1.4, 0.0]]
+    assert steps.of("shots") == [1, 0]
+
+
+def test_a_goal_after_the_shot_was_over_does_not_change_it() -> None:
+    steps = Steps()
+    shoot(steps)
+    steps.count(touch=THEIR_KEEPER)
+    steps.count(steps=6 * SECOND)
+    steps.count(touch=THEIR_PLAYER)
+    steps.score(HOME)
+    assert [shot[2] for shot in shots(steps)] == ["saved"]
+
+
+def test_shots_beyond_the_first_64_are_counted_and_not_noted() -> None:
+    steps = Steps()
+    for _ in range(SHOTS + 3):
+        shoot(steps)
+        steps.count(touch=THEIR_KEEPER)
+        steps.count(steps=6 * SECOND, restart=Phase.DROP_BALL)
+    assert steps.of("shots") == [SHOTS + 3, 0]
+    assert [shot[2] for shot in shots(steps)] == ["saved"] * SHOTS
+
+
+def test_passes_are_noted_from_player_to_player() -> None:
+    steps = Steps()
+    for sender, receiver in ((KICKER, MATE), (MATE, KICKER), (KICKER, THEIR_PLAYER), (THEIR_PLAYER, THEIR_KEEPER)):
+        steps.ball(0.0, 0.0)
+        steps.count(touch=sender)
+        steps.count(steps=SECOND)
+        steps.ball(0.5, 0.0)
+        steps.count(touch=receiver)
+        steps.count(restart=Phase.DROP_BALL)
+    found = maps_of(steps.tally[0], HOME, ROWS)
+    assert found["passes_for"] == [[0, 0, 0], [0, 0, 1], [0, 1, 0]]
+    assert found["passes_against"] == [[0, 0, 0], [1, 0, 0], [0, 0, 0]]
+    assert [steps.of(name) for name in ("passes", "interceptions")] == [[2, 1], [0, 1]]
+
+
+def chasers(name: str, **settings: Any) -> Match:
+    """Return matches of the chaser against itself that see the truth."""
+    players = find_league(name).team_size
+    given = {"home": players, "away": players, "senses": "ideal", "minutes": MINUTES[name], **settings}
+    given["matches"] = len(given["seeds"])
+    return Match(name, controllers={"home": "chaser", "away": "chaser"}, **given)
+
+
+@pytest.fixture(scope="module", params=["legged-2001", "middle-size-2006"])
+def played(request: pytest.FixtureRequest) -> tuple[Match, Recording, np.ndarray]:
+    """Return finished matches with their recording, and who was put somewhere in each step (T, M, R)."""
+    match = chasers(request.param, seeds=seeds_for(5, 3).tolist())
+    moments, placed = [], []
+    for live in running(match):
+        moments.append((live, *moment_of(match)))
+        placed.append(match.robots["placed"].copy())
+    return (
+        match,
+        Recording(match.league, *(np.stack(column) for column in zip(*moments, strict=True))),
+        np.stack(placed),
+    )
+
+
+def by_team(values: np.ndarray, robots: np.ndarray) -> np.ndarray:
+    """Return numbers (T, M, R) added up over steps and the robots of each team, (M, 2)."""
+    return np.stack([np.where(robots["team"] == team, values, 0.0).sum(axis=(0, 2)) for team in (HOME, AWAY)], axis=-1)
+
+
+def test_distance_and_presence_follow_from_the_places(played: Any) -> None:
+    match, recording, placed = played
+    robots, inside = recording.robots, recording.in_play[..., None] & (recording.robots["active"] == 1)
+    ways = np.hypot(*(np.diff(robots[name], axis=0) for name in ("x", "y")))
+    ways = ways * (inside[1:] & inside[:-1] & (placed[1:] == 0))
+    assert match.statistics["distance"] == pytest.approx(by_team(ways, robots[1:]))
+    assert match.statistics["present"] == pytest.approx(by_team(inside * match.league.dt, robots))
+    assert (match.statistics["distance"] > 1.0).all()
+
+
+def test_stuck_time_is_that_of_the_runs_of_steps_in_which_robots_are_stopped(played: Any) -> None:
+    match, recording, _ = played
+    robots, inside = recording.robots, recording.in_play[..., None] & (recording.robots["active"] == 1)
+    wanted = np.hypot(robots["target"]["forward"], robots["target"]["left"])
+    stopped = (wanted > 0.15 * match.league.drive.forward) & (np.hypot(robots["vx"], robots["vy"]) < 0.25 * wanted)
+    stopped &= (robots["kick_clock"] <= 0.0) & (robots["fallen"] <= 0.0) & inside
+    runs = runs_of(bridged(stopped, recording.steps(0.5)))
+    long = runs.where(runs.steps >= recording.steps(1.5))
+    assert match.statistics["stuck"].sum() == pytest.approx(long.steps.sum() * match.league.dt)
+    assert match.statistics["stuck"].sum() > 0.0
+
+
+def test_maps_and_counts_tell_the_same(played: Any) -> None:
+    match = played[0]
+    look = LOOK * match.league.dt
+    for record in match.statistics:
+        mine, theirs = (maps_of(record, team, match.settings.rows) for team in (HOME, AWAY))
+        assert np.sum(mine["heat_ball"]) == pytest.approx(record["in_play"] / look, rel=0.05)
+        assert mine["heat_ball"] == np.array(theirs["heat_ball"])[::-1, ::-1].tolist()
+        for team, side in ((HOME, "for"), (AWAY, "against")):
+            other = "against" if side == "for" else "for"
+            assert all(mine[f"{name}_{side}"] == theirs[f"{name}_{other}"] for name in ("heat", "passes", "shots"))
+            assert np.sum(mine[f"heat_{side}"]) == pytest.approx(record["present"][team] / look, rel=0.05)
+            assert np.sum(mine[f"heat_{side}"]) == pytest.approx(np.sum(mine[f"players_{side}"], axis=0)[2] / look)
+            assert np.sum(mine[f"passes_{side}"]) == record["passes"][team]
+            outcomes = [shot[2] for shot in mine[f"shots_{side}"]]
+            assert len(outcomes) == record["shots"][team]
+            assert outcomes.count("saved") == record["saves"][1 - team]
+    total = added([maps_of(record, HOME, match.settings.rows) for record in match.statistics])
+    assert np.sum(total["heat_ball"]) == match.statistics["maps"]["heat"][:, 2].sum()
+    assert len(total["shots_for"]) == match.statistics["shots"][:, HOME].sum()
+
+
+@pytest.mark.parametrize("name", [*MINUTES])
+def test_a_match_among_others_has_the_maps_that_it_has_alone(name: str) -> None:
+    seeds = seeds_for(8, 4).tolist()
+    together, alone = chasers(name, seeds=seeds, minutes=0.5), chasers(name, seeds=seeds[2:3], minutes=0.5)
+    for match in (together, alone):
+        while not match.terminated.all():
+            match.step()
+    assert together.statistics[2].tobytes() == alone.statistics[0].tobytes()

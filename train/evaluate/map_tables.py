@@ -1,0 +1,53 @@
+"""Where things happened in an evaluation, as tables of its report: shots, thirds of the pitch, mean places, passes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from soccer_env.statistics.maps import OUTCOMES
+
+SIDES = ("for", "against")
+THIRDS = ("in its own third", "in the middle third", "in the opponents' third")
+MOST_PASSES = 5  # shown of a team
+
+
+def map_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
+    """Return rows of name, first team and second team: shots by outcome, ball and robots by thirds."""
+    rows: list[tuple[str, str, str]] = []
+    for outcome in sorted(OUTCOMES, key=("goal", "saved", "blocked", "off_target").index):
+        ours, theirs = (sum(shot[2] == outcome for shot in maps[f"shots_{side}"]) for side in SIDES)
+        rows.append((f"shots: {outcome.replace('_', ' ')}", f"{ours}", f"{theirs}"))
+    ball = np.array(maps["heat_ball"])
+    layers = [(ball, ball[::-1, ::-1]), tuple(np.array(maps[f"heat_{side}"]) for side in SIDES)]
+    for what, (first, second) in zip(("ball", "robots"), layers, strict=True):
+        shares = zip(THIRDS, thirds(first), thirds(second), strict=True)
+        rows += [(f"{what} {where}", f"{one:.0f} %", f"{other:.0f} %") for where, one, other in shares]
+    return rows
+
+
+def thirds(heat: np.ndarray) -> list[float]:
+    """Return the share [%] of a heat map (16, 24) in each third of the pitch, the own one first."""
+    total = max(int(heat.sum()), 1)
+    return [100.0 * float(part.sum()) / total for part in np.split(heat, 3, axis=1)]
+
+
+def player_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
+    """Return rows of player, mean place of the first team's and of the second team's, and the passes that it plays."""
+    teams = [(np.array(maps[f"players_{side}"]), np.array(maps[f"passes_{side}"])) for side in SIDES]
+    rows = []
+    for number in range(max(len(players) for players, _ in teams)):
+        ours, theirs = (player_words(players, passes, number) for players, passes in teams)
+        rows.append((f"{number}", ours, theirs))
+    return rows
+
+
+def player_words(players: np.ndarray, passes: np.ndarray, number: int) -> str:
+    """Return where a player is on the average [m] and to whom it passes; "-" for one that is not there."""
+    if number >= len(players) or players[number, 2] <= 0.0:
+        return "-"
+    x, y = players[number, :2] / players[number, 2]
+    best = np.argsort(-passes[number], kind="stable")[:MOST_PASSES]
+    told = ", ".join(f"{passes[number, mate]} to {mate}" for mate in best if passes[number, mate] > 0)
+    return f"({x:+.2f}, {y:+.2f})" + (f"; {told}" if told else "")
