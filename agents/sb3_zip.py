@@ -90,7 +90,11 @@ def load_sb3(
         inputs = names_of(preset, observe)
         if read["weights"][0].shape[1] != len(inputs):
             taken = read["weights"][0].shape[1]
-            raise ValueError(f"takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}")
+            fitting = [other for other in OBSERVE if len(names_of(preset, other)) == taken]
+            hint = (
+                f": give observe={fitting[0]}" if fitting else ": was it trained in another league, or with state=True?"
+            )
+            raise ValueError(f"takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}{hint}")
         return Policy(
             **{**read, **league_of(preset), "name": _stem(path) if name is None else name},
             observe=observe, inputs=tuple(inputs), action_repeat=action_repeat, kind="slots", mirror=False,

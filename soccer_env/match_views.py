@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from soccer_env.settings import Settings
 from soccer_env.squads import Squad
 from soccer_env.types import HOME, Phase
 
+PICTURES = "soccer_env.api.shown"  # stands above this file, and is found when a notebook asks
 Match = Any  # soccer_env.match.Match, which stands above this file
 
 
@@ -73,6 +75,11 @@ class Views:
 
     def __repr__(self) -> str:
         return in_words(self)
+
+    def _repr_png_(self) -> bytes | None:
+        """Return what a notebook shows: the first match as it stands, or None where it cannot be drawn."""
+        drawn: bytes | None = import_module(PICTURES).png_of(self)
+        return drawn
 
 
 def env_info(match: Match) -> dict[str, int | None]:

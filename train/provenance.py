@@ -35,7 +35,7 @@ def made_with(league: League, home: str | Team, away: str | Team) -> dict[str, s
     """Return what must be the same for matches to be the same: versions, code, the two teams and the league."""
     versions = {name: version_of(name) for name in LIBRARIES}
     hashes = {"code": module_hash("soccer_env.match"), "home_team": team_hash(home), "away_team": team_hash(away)}
-    own = {} if LEAGUES.get(league.name) is league else {"league": digest(repr(league))}
+    own = {} if LEAGUES.get(league.name) is league else {"league": digest(league.in_full())}
     return {**versions, **hashes, **own}
 
 

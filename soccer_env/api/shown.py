@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +12,7 @@ from soccer_env.match_settings import MatchSettings
 if TYPE_CHECKING:
     from soccer_env.match import Match
 
+LOG = logging.getLogger("soccer_env")
 ALWAYS = ("league", "home", "away")
 
 
@@ -45,13 +47,12 @@ def is_plain(value: Any) -> bool:
 
 
 def png_of(match: Any, m: int = 0) -> bytes | None:
-    """Return a picture of a match as PNG, or None where the extra `render` is not installed."""
-    from soccer_env.api.report import Screen
-    from soccer_env.render import png_of_frame
-
+    """Return a picture of a match as PNG, or None where it cannot be drawn, as without the extra `render`."""
     try:
+        from soccer_env.api.report import Screen
+        from soccer_env.render import png_of_frame
+
         return png_of_frame(Screen(match).frame(m))
-    except ImportError as error:
-        if (error.name or "").startswith("soccer_env"):
-            raise
+    except Exception as error:  # a notebook then shows the words of `repr`, and goes on
+        LOG.debug("no picture of %r: %s", match, error)
         return None

@@ -25,7 +25,7 @@ A walled pitch has no band: boards stand on the touchlines and goal lines, and t
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from math import sqrt
 from typing import Any, Literal
 
@@ -169,6 +169,17 @@ class League(Part):
             raise ValueError(f"Drive.delay spans {self.delay_steps} control steps, at most {MAX_DELAY_STEPS - 1} fit")
         if 2.0 * self.body.reach > min(self.pitch.length, self.pitch.width) / 4:
             raise ValueError("Body.reach is too large for the pitch: robots need room to be placed")
+
+    def __repr__(self) -> str:
+        """Return what tells it from others at a glance; `in_full` has every number."""
+        size = f"{self.pitch.length:g} x {self.pitch.width:g} m"
+        return (
+            f"<League {self.name}: {self.family}, {size}, {self.team_size} a side, {self.control_rate} steps a second>"
+        )
+
+    def in_full(self) -> str:
+        """Return every number of the league, as Python writes it."""
+        return f"League({', '.join(f'{item.name}={getattr(self, item.name)!r}' for item in fields(self))})"
 
     def _check_leap(self) -> None:
         """Raise ValueError if the ball could pass through a board within a substep."""

@@ -7,7 +7,7 @@ teams also offer a compiled `kernel`, which a match runs without Python between 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import MISSING, dataclass, fields
 from typing import Protocol, runtime_checkable
 
 import numpy as np
@@ -94,7 +94,7 @@ class Team(Protocol):
         ...
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class CompiledTeam:
     """A shipped team: a kernel that decides for all its players in a slice of matches.
 
@@ -109,6 +109,16 @@ class CompiledTeam:
     families: tuple[str, ...] = ()  # of leagues that it plays (`League.family`); empty: all
     options: Options | None = None  # the team's settings by name, for lists
     blind: bool = False  # True: it reads no belief, so that nothing has to be sensed for it
+
+    def __repr__(self) -> str:
+        """Return its name and what was asked of it otherwise than by default."""
+        strength = "strength" in (self.settings.dtype.names or ()) and float(self.settings["strength"][0])
+        asked = {"strength": strength} if strength not in (False, 1.0) else {}
+        if self.options is not None:
+            held = [(item.name, item.default, getattr(self.options, item.name)) for item in fields(self.options)]
+            asked |= {name: value for name, default, value in held if value != default and default is not MISSING}
+        asked |= {"observe": self.observe} if isinstance(self, ObservingTeam) else {}
+        return f"{type(self).__name__}({', '.join([repr(self.name), *(f'{k}={v!r}' for k, v in asked.items())])})"
 
     def __reduce__(self) -> Made:
         """Copy with the kernel that stands in the team's module."""
@@ -141,7 +151,7 @@ class CompiledTeam:
         return np.stack([commands[name] for name in COMMAND.names or ()], axis=-1)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ObservingTeam(CompiledTeam):
     """A compiled team that decides from the observations that learners get, as learned policies do.
 

@@ -22,7 +22,7 @@ from soccer_env.match import Match
 from soccer_env.teams import CompiledTeam, make_team
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
-from soccer_env.train.ppo.match_blocks import shared_out
+from soccer_env.train.ppo.match_blocks import shares
 from soccer_env.train.ppo.networks import blank_policy
 from soccer_env.train.ppo.reports import evaluation_of
 from soccer_env.train.ppo.settings import TrainSettings, command_of, senses_of
@@ -44,7 +44,7 @@ def check_playable(settings: TrainSettings) -> None:
         for share in (0.0, 1.0) if settings.ideal_share else (0.0,):
             make_matches(replace(settings, matches=len(settings.sizes), ideal_share=share), curriculum).close()
     check_minutes(settings, league)
-    shared_out(settings.sizes, settings.matches, settings.ideal_share)
+    shares(settings.sizes, settings.matches, settings.ideal_share)
     with said_by("evaluate_against"):
         for opponent in settings.judges:
             check_contest(policy, opponent, settings)

@@ -1,6 +1,8 @@
-"""What a centralised critic sees beside a robot's observation: the whole truth of its match, from home's side."""
+"""What a centralised critic sees beside a robot's observation: the whole truth of its match, from its team's side."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 
@@ -8,16 +10,26 @@ from soccer_env import truth_state
 from soccer_env.match import Match
 
 
-def with_state(observations: np.ndarray, state: np.ndarray) -> np.ndarray:
-    """Return observations (M, H, n) with the state (M, s) of their match behind each."""
-    told = np.broadcast_to(state[:, None], (*observations.shape[:2], state.shape[1]))
-    return np.concatenate([observations, told], axis=2)
+def with_state(observations: np.ndarray, match: Match, records: Any, players: int) -> np.ndarray:
+    """Return observations (M, L, n) of home's robots, and maybe away's, with their side's state (M, s) behind each.
+
+    records: the match's own, or those of episodes that have ended (`match.final`); players: room a side.
+    """
+    home = match.settings.home
+    sides = [truth_state.states(match.settings, records, "home", players)] * home
+    if observations.shape[1] > home:
+        sides += [truth_state.states(match.settings, records, "away", players)] * match.settings.away
+    return np.concatenate([observations, np.stack(sides, axis=1)], axis=2)
+
+
+def records_of(match: Match) -> dict[str, np.ndarray]:
+    """Return the records that states are told from, as they stand."""
+    return {"matches": match.matches, "balls": match.balls, "robots": match.robots}
 
 
 def team_state(match: Match, players: int) -> np.ndarray:
-    """Return `state()` (M, s) with room for `players` a side, turned so that home plays towards +x."""
-    records = {"matches": match.matches, "balls": match.balls, "robots": match.robots}
-    return truth_state.states(match.settings, records, "home", players)
+    """Return `state("home")` (M, s) with room for `players` a side."""
+    return truth_state.states(match.settings, records_of(match), "home", players)
 
 
 def last_state(match: Match, players: int) -> np.ndarray:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,8 +20,23 @@ from soccer_env.saving import calls_python, undoing
 from soccer_env.squads import who_plays
 
 
+@dataclass(frozen=True)
+class Result:
+    """How an episode ended, from the learners' side."""
+
+    players: tuple[int, int]  # a side
+    opponent: str
+    goals_for: int
+    goals_against: int
+
+    @property
+    def points(self) -> float:
+        """Return 1 for a win, 0.5 for a draw, 0 for a defeat."""
+        return 0.5 + 0.5 * float(np.sign(self.goals_for - self.goals_against))
+
+
 def check_request(
-    players: Sequence[tuple[int, int]], both: bool, state: bool, repeat: int, threads: int, settings: dict[str, Any]
+    players: Sequence[tuple[int, int]], both: bool, repeat: int, threads: int, settings: dict[str, Any]
 ) -> None:
     """Raise ValueError for settings that leave robots without a player, or rows without a robot.
 
@@ -29,8 +45,6 @@ def check_request(
     for name in ("teammates", "controllers", "autoreset"):
         if name in settings:
             raise ValueError(f"SoccerVecEnv takes no {name}: all home robots learn, and matches begin anew at once")
-    if both and state:
-        raise ValueError("state is told from home's side: where both sides learn (opponents=None) it must be False")
     if both and settings.get("max_players") is not None:
         raise ValueError("max_players must be None where both sides learn: rows without a robot would learn too")
     if not players or not all(len(sizes) == 2 for sizes in players):
@@ -42,7 +56,7 @@ def check_request(
     whole_number("threads", threads, 1, 256)
 
 
-def shared_out(
+def shares(
     players: Sequence[tuple[int, int]], matches: int, ideal_share: float
 ) -> list[tuple[tuple[int, int], int, dict[str, str]]]:
     """Return blocks (team size, matches, settings): every size has as many, of which a share has ideal senses."""
@@ -102,7 +116,7 @@ def learners_of(match: Match) -> list[tuple[int, str]]:
 
 
 @contextmanager
-def undone_together(matches: Sequence[Match], opponents: list[list[str]]) -> Iterator[None]:
+def undone(matches: Sequence[Match], opponents: list[list[str]]) -> Iterator[None]:
     """Make all matches, and who plays in them, again what they were if code of a user raises in one of them."""
     before, names = [undoing(match, "step") for match in matches if calls_python(match)], list(opponents)
     try:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -23,29 +23,15 @@ from stable_baselines3.common.vec_env import VecEnv
 
 from soccer_env.actions import FULL
 from soccer_env.agents.learned import first_decision
+from soccer_env.checking import brief
 from soccer_env.guards.workers import Workers
 from soccer_env.match import Match
 from soccer_env.names import Made
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
 from soccer_env.saving import by_save, calls_python
-from soccer_env.train.ppo.critic_state import last_state, team_state, with_state
-from soccer_env.train.ppo.match_blocks import check_request, playing, shared_out, stagger_clocks, taken, undone_together
-
-
-@dataclass(frozen=True)
-class Result:
-    """How an episode ended, from the learners' side."""
-
-    players: tuple[int, int]  # a side
-    opponent: str
-    goals_for: int
-    goals_against: int
-
-    @property
-    def points(self) -> float:
-        """Return 1 for a win, 0.5 for a draw, 0 for a defeat."""
-        return 0.5 + 0.5 * float(np.sign(self.goals_for - self.goals_against))
+from soccer_env.train.ppo.critic_state import records_of, with_state
+from soccer_env.train.ppo.match_blocks import Result, check_request, playing, shares, stagger_clocks, taken, undone
 
 
 class SoccerVecEnv(VecEnv):
@@ -54,12 +40,12 @@ class SoccerVecEnv(VecEnv):
     players: team sizes (home, away), the matches being shared evenly among them; ideal_share: share of each size's
     matches in which all robots have ideal senses, whatever `senses` says; opponents: a team, its name, a `Lineup` whose
     weights choose anew for each episode, or None: both sides learn (self-play), the rows of home first in each match;
-    gamma: discount of one step, which the shaping of `rewards` takes over; state: append `Match.state()` to every
-    observation, for a centralised critic; stagger: begin the first episodes at different times of play. max_cycles
-    counts steps of `action_repeat` control steps. Other settings are those of `Match` (observe="truth" unless told
-    otherwise). `results` collects how episodes ended until somebody takes them, `seconds` the time [s] that steps took.
-    Every reset plays the episodes of the seed again. An episode that does not last whole steps shifts the next one's
-    decisions within the gait.
+    gamma: discount of one step, which the shaping of `rewards` takes over; state: append the state from the robot's own
+    side, `Match.state("home")` or "away", to every observation, for a centralised critic; stagger: begin the first
+    episodes at different times of play. max_cycles counts steps of `action_repeat` control steps. Other settings are
+    those of `Match` (observe="truth" unless told otherwise). `results` collects how episodes ended until somebody takes
+    them, `seconds` the time [s] that steps took. Every reset plays the episodes of the seed again. An episode that does
+    not last whole steps shifts the next one's decisions within the gait.
 
         env = SoccerVecEnv(players=[(2, 2)], matches=64, opponents="chaser", action_repeat=8, minutes=2.0)
         model = A2C("MlpPolicy", env).learn(100_000)
@@ -94,8 +80,8 @@ class SoccerVecEnv(VecEnv):
         self.repeat, self.stagger = action_repeat, stagger
         self.results = list[Result]()
         self.render_mode, self.seconds = None, 0.0
-        check_request(players, opponents is None, state, action_repeat, threads, settings)
-        blocks = shared_out(players, matches, ideal_share)
+        check_request(players, opponents is None, action_repeat, threads, settings)
+        blocks = shares(players, matches, ideal_share)
         inner = max(1, threads // len(blocks))  # threads of a block; more than one where there are few blocks
         if settings.get("max_cycles") is not None:
             settings["max_cycles"] *= action_repeat
@@ -164,7 +150,7 @@ class SoccerVecEnv(VecEnv):
         started = time.perf_counter()
         rewards, dones = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs, bool)
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
-        with undone_together(self.matches, self.opponents):
+        with undone(self.matches, self.opponents):
             found = self._workers.map(lambda index: self._play(index, rewards, dones, infos), self._order)
         results = dict(zip(self._order, found, strict=True))
         for index in range(len(self.matches)):
@@ -204,7 +190,7 @@ class SoccerVecEnv(VecEnv):
         match, learners = self.matches[index], self.learners[index]
         last = match.final["observations"][:, :learners]
         if self.state:
-            last = with_state(last, last_state(match, self.largest))
+            last = with_state(last, match, match.final, self.largest)
         for i, m in enumerate(match.ended):
             if over[m]:
                 continue
@@ -232,7 +218,7 @@ class SoccerVecEnv(VecEnv):
         for match, learners in zip(self.matches, self.learners, strict=True):
             seen = match.observations[:, :learners]
             if self.state:
-                seen = with_state(seen, team_state(match, self.largest))
+                seen = with_state(seen, match, records_of(match), self.largest)
             parts.append(seen.reshape(match.count * learners, -1))
         return np.concatenate(parts)
 
@@ -274,6 +260,14 @@ class SoccerVecEnv(VecEnv):
         """Return False for each row asked for."""
         return [False] * len(list(self._get_indices(indices)))
 
+    def __repr__(self) -> str:
+        given = ", ".join(f"{name}={brief(value)}" for name, value in self._given.items())
+        return f"<SoccerVecEnv of {self.num_envs} robots in {len(self.playing())} matches: {given}>"
+
+    def _repr_png_(self) -> bytes | None:
+        """Return what a notebook shows: the first match as it stands, or None where it cannot be drawn."""
+        return self.matches[0]._repr_png_()
+
     # Saving
 
     def save(self) -> dict[str, Any]:
@@ -295,3 +289,6 @@ class SoccerVecEnv(VecEnv):
     def __reduce__(self) -> Made:
         """Copy by settings and `save`: what pickle, cloudpickle and copy.deepcopy make has the same future."""
         return by_save(self, type(self), {**self._given, "seed": self._seed})
+
+
+__all__ = ["Result", "SoccerVecEnv"]

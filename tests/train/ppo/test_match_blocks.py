@@ -8,17 +8,17 @@ from soccer_env.match import BLOCK
 
 pytest.importorskip("stable_baselines3")
 
-from soccer_env.train.ppo.match_blocks import parts, shared_out
+from soccer_env.train.ppo.match_blocks import parts, shares
 
 IDEAL = {"senses": "ideal"}
 
 
 def test_every_size_has_as_many_matches_in_blocks_of_up_to_64() -> None:
     assert BLOCK == 64
-    assert shared_out([(3, 3)], 64, 0.0) == [((3, 3), 64, {})]
-    assert shared_out([(3, 3)], 129, 0.0) == [((3, 3), 43, {})] * 3
-    assert shared_out([(1, 1), (3, 3)], 9, 0.0) == [((1, 1), 4, {}), ((3, 3), 5, {})]
-    assert shared_out([(1, 1), (2, 2)], 200, 0.25) == [
+    assert shares([(3, 3)], 64, 0.0) == [((3, 3), 64, {})]
+    assert shares([(3, 3)], 129, 0.0) == [((3, 3), 43, {})] * 3
+    assert shares([(1, 1), (3, 3)], 9, 0.0) == [((1, 1), 4, {}), ((3, 3), 5, {})]
+    assert shares([(1, 1), (2, 2)], 200, 0.25) == [
         ((1, 1), 37, {}), ((1, 1), 38, {}), ((1, 1), 25, IDEAL), ((2, 2), 37, {}), ((2, 2), 38, {}), ((2, 2), 25, IDEAL)
     ]  # fmt: skip
 
@@ -27,7 +27,7 @@ def test_every_size_has_as_many_matches_in_blocks_of_up_to_64() -> None:
 def test_matches_add_up_and_no_block_is_empty_or_too_large(sizes: int, matches: int, share: float) -> None:
     players = [(size, size) for size in range(1, sizes + 1)]
     try:
-        blocks = shared_out(players, matches, share)
+        blocks = shares(players, matches, share)
     except ValueError as error:
         assert "at least one for each" in str(error)
         return

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import Match
+from soccer_env import Match, truth_state
 from soccer_env.actions import DISCRETE
 from soccer_env.random_numbers import seeds_for
 
@@ -113,7 +113,21 @@ def test_wrong_discrete_actions_are_named_and_nothing_moves(actions: np.ndarray,
 
 
 def test_what_self_play_cannot_do_is_said() -> None:
-    with pytest.raises(ValueError, match="state is told from home's side"):
-        SoccerVecEnv(**SETTINGS, opponents=None, state=True)
     with pytest.raises(ValueError, match="max_players must be None where both sides learn"):
         SoccerVecEnv(**SETTINGS, opponents=None, max_players=3)
+
+
+def test_each_side_has_the_state_from_its_own_side_and_so_at_the_end() -> None:
+    env = SoccerVecEnv(**{**SETTINGS, "minutes": None}, opponents=None, state=True, max_cycles=6)
+    match, rng = env.matches[0], np.random.default_rng(2)
+    seen = env.reset()
+    for step in range(6):
+        rows = seen.reshape(3, 3, -1)[..., env.observed :]
+        assert (rows[:, :2] == match.state("home")[:, None]).all() and (rows[:, 2] == match.state("away")).all()
+        assert (rows[:, 0] != rows[:, 2]).any()
+        seen, _, dones, infos = env.step(rng.uniform(-1.0, 1.0, (9, 4)))
+        assert dones.all() == (step == 5)
+    last = np.array([info["terminal_observation"] for info in infos]).reshape(3, 3, -1)[..., env.observed :]
+    for side, row in (("home", 0), ("home", 1), ("away", 2)):
+        assert (last[:, row] == truth_state.states(match.settings, match.final, side, 2)).all()
+    env.load(env.save())

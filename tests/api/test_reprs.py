@@ -1,0 +1,63 @@
+"""What consoles and notebooks show of matches, teams, leagues and rows: short words, and a picture or nothing."""
+
+import sys
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from soccer_env import Match, make_team
+from soccer_env.api.report import Screen
+from soccer_env.leagues import find_league
+
+
+def test_a_notebook_shows_a_match_as_it_stands() -> None:
+    pytest.importorskip("pygame")
+    match = Match("legged-2001", home=1, away=1, matches=2, seed=1)
+    pictures = [match._repr_png_() for _ in range(2) if match.robots["x"].__iadd__(0.1) is not None]
+    assert all(png is not None and png.startswith(b"\x89PNG\r\n") for png in pictures) and pictures[0] != pictures[1]
+
+
+@pytest.mark.parametrize("error", [ImportError("no pygame"), RuntimeError("no video"), OSError("no disk")])
+def test_what_cannot_be_drawn_is_shown_in_words(monkeypatch: pytest.MonkeyPatch, error: Exception) -> None:
+    def fail(*_: Any) -> None:
+        raise error
+
+    match = Match(home=1, away=1, seed=1)
+    monkeypatch.setattr(Screen, "frame", fail)
+    assert match._repr_png_() is None and repr(match).startswith("<Match legged-2001: 1 learners v 1 learners")
+    monkeypatch.setitem(sys.modules, "pygame", None)
+    assert match._repr_png_() is None
+
+
+@pytest.mark.parametrize(
+    ("team", "shown"),
+    [
+        ("chaser", "CompiledTeam('chaser')"),
+        ("chaser@0.5", "CompiledTeam('chaser', strength=0.5)"),
+        ("heinemann-2006:passes=False", "CompiledTeam('heinemann-2006', passes=False)"),
+        ("learned", "LearnedTeam('learned', observe='belief')"),
+    ],
+)
+def test_a_team_is_shown_by_what_was_asked_of_it(team: str, shown: str) -> None:
+    assert repr(make_team(team)) == shown
+
+
+def test_a_league_is_shown_by_its_size_and_told_in_full_by_every_number() -> None:
+    league = find_league("legged-2001")
+    assert repr(league) == "<League legged-2001: legged, 3 x 2 m, 3 a side, 16 steps a second>"
+    other = replace(league, ball=replace(league.ball, radius=0.05))
+    assert repr(other) == repr(league) and other.in_full() != league.in_full()
+    assert "radius=0.05" in other.in_full()
+
+
+def test_rows_are_shown_by_the_call_that_makes_them() -> None:
+    pytest.importorskip("stable_baselines3")
+    from soccer_env.train.ppo.vec_env import SoccerVecEnv
+
+    env = SoccerVecEnv(players=[(2, 1)], matches=3, opponents="still")
+    words = (
+        "<SoccerVecEnv of 6 robots in 3 matches: league='legged-2001', players=[(2, 1)], matches=3, opponents='still'>"
+    )
+    assert repr(env) == words
+    assert env._repr_png_() == env.matches[0]._repr_png_()
