@@ -1,0 +1,61 @@
+"""What was trained is evaluated on the senses that it learned by: by default, or as the error says."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from soccer_env.train.command_line import main
+
+pytest.importorskip("stable_baselines3")
+
+import stable_baselines3 as sb3
+
+from soccer_env.train.ppo.vec_env import SoccerVecEnv
+
+AGAINST = ["--away", "still", "--players", "1", "--matches", "2", "--minutes", "0.05", "--seed", "1"]
+
+
+def saved(folder: Path, **settings: Any) -> str:
+    """Return the path of a zip that PPO saved after a moment in a SoccerVecEnv."""
+    rows = SoccerVecEnv(players=[(1, 1)], matches=2, opponents="still", minutes=0.1, **settings)
+    model = sb3.PPO("MlpPolicy", rows, n_steps=8, batch_size=8, n_epochs=1, seed=1, device="cpu").learn(16)
+    model.save(folder / "mine.zip")
+    return str(folder / "mine.zip")
+
+
+def evaluated(home: str, *words: str) -> int:
+    """Return the exit code of `soccer evaluate`."""
+    return main(["evaluate", "--home", home, *AGAINST, *words])
+
+
+def test_what_soccer_train_writes_is_evaluated_by_default_settings(tmp_path: Path) -> None:
+    short = "--players 1v1 --steps 64 --matches 2 --minutes 0.05 --teacher-steps 0 --rollout 16 --batch 32"
+    judged = "--evaluate-every 1000000 --evaluate-matches 2 --evaluate-minutes 0.05 --evaluate-against still"
+    words = ["train", *short.split(), *judged.split(), "--no-tensorboard", "--teacher", "", "--no-mirror"]
+    assert main([*words, "--critic-first", "0", "--opponents", "still", "--out", str(tmp_path / "run")]) == 0
+    assert evaluated(str(tmp_path / "run/last.safetensors")) == 0
+
+
+def test_rows_of_the_truth_are_evaluated_with_the_flag_that_the_error_names(tmp_path: Path, capsys: Any) -> None:
+    path = saved(tmp_path)  # by default a SoccerVecEnv shows the truth, robots of an evaluation use their sensors
+    assert evaluated(f"{path}:at_once=False") == 2
+    said = re.sub(r"\s+", " ", capsys.readouterr().err)
+    flags = re.search(r"a command takes (--senses \w+)", said)
+    assert flags is not None, said
+    assert evaluated(f"{path}:at_once=False", *flags[1].split()) == 0
+
+
+def test_rows_of_beliefs_are_evaluated_as_the_error_says(tmp_path: Path, capsys: Any) -> None:
+    path = saved(tmp_path, observe="belief", action_repeat=8)
+    assert evaluated(path) == 2
+    said = re.sub(r"\s+", " ", capsys.readouterr().err)
+    assert "takes 93 inputs, 'truth' of 'legged-2001' has 73: give observe=belief" in said
+    assert evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False") == 0
+
+
+def test_a_policy_that_learned_with_the_critics_state_is_told_so(tmp_path: Path, capsys: Any) -> None:
+    path = saved(tmp_path, state=True)
+    assert evaluated(path) == 2
+    assert "with state=True?" in re.sub(r"\s+", " ", capsys.readouterr().err)
