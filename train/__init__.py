@@ -6,6 +6,7 @@ evaluate/            one team against another; record, replay and watch a match 
 ppo/                 train a policy                                                  pictures/    of the pages
 reproduce/           what the papers claim, measured                                 tables/      tables of the pages
 play/                how matches are played, measured                                examples/    small programs
+keeping/             replays of matches worth keeping                                report_pages/   reports as pages
 parsing.py           the words of a command into its settings, or one line that says what is wrong; completion of shells
 warm_up.py           compile everything ahead of time
 written_settings.py  how settings are written: out of a user's words, and back into a command

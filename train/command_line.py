@@ -144,7 +144,8 @@ def run_evaluate(words: list[str]) -> int:
     else:
         for table in screen_tables(result):
             console().print(table)
-        say_written(settings.out, "result.json", "report.md", "match.png")
+        say_written(settings.out, "result.json", "report.md", "report.html", "match.png")
+        say_kept(settings.out)
     if settings.at_least is not None and result.points.mean < settings.at_least:
         print(f"points {result.points.mean:.3f} are below {settings.at_least:g}", file=sys.stderr)
         return BELOW
@@ -155,6 +156,16 @@ def say_written(folder: Path | None, *names: str) -> None:
     """Print which of some files of a folder were written."""
     if folder is not None:
         print(f"written: {', '.join(str(folder / name) for name in names if (folder / name).exists())}")
+
+
+def say_kept(folder: Path | None) -> None:
+    """Print how many replays a folder keeps, and how large they are."""
+    from soccer_env.train.keeping import kept_in
+    from soccer_env.train.report_pages.replays import summary
+
+    kept = kept_in(folder) if folder is not None else []
+    if folder is not None and kept:
+        print(f"kept: {folder / 'replays'}, {summary(kept)}")
 
 
 def run_list(words: list[str]) -> int:

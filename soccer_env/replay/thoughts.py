@@ -56,14 +56,17 @@ class Thoughts:
 
     def packed(self) -> dict[str, np.ndarray]:
         """Return the notes as arrays for a file: changes from note to note, which compress well."""
-        if not self.rows:
-            return {}
-        about = {"steps": self.steps, "slots": self.slots, "fields": self.fields}
-        changes = np.diff(np.stack(self.rows), axis=0, prepend=np.int16(0))
-        return {
-            "thoughts": np.ascontiguousarray(np.moveaxis(changes, 0, -1)),  # (R, C, T), wraps round
-            "thoughts_about": np.frombuffer(json.dumps(about).encode(), np.uint8),
-        }
+        return packed(self.steps, np.stack(self.rows), self.slots, self.fields) if self.rows else {}
+
+
+def packed(steps: list[int], numbers: np.ndarray, slots: int, fields: list[list[list[Any]]]) -> dict[str, np.ndarray]:
+    """Return notes (T, R, C) as arrays for a file."""
+    about = {"steps": steps, "slots": slots, "fields": fields}
+    changes = np.diff(numbers, axis=0, prepend=np.int16(0))
+    return {
+        "thoughts": np.ascontiguousarray(np.moveaxis(changes, 0, -1)),  # (R, C, T), wraps round
+        "thoughts_about": np.frombuffer(json.dumps(about).encode(), np.uint8),
+    }
 
 
 class Notes:
@@ -78,6 +81,13 @@ class Notes:
         if changes.dtype != np.int16 or changes.shape != (robots, width, len(self.steps)) or len(self.fields) != robots:
             raise ValueError(f"its thoughts are {changes.dtype} {changes.shape}, not int16 of {robots} robots")
         self.numbers = np.cumsum(np.moveaxis(changes, -1, 0), axis=0, dtype=np.int16)
+
+    def between(self, first: int, last: int) -> dict[str, np.ndarray]:
+        """Return, packed, the notes after a control step and up to another, counted from the first."""
+        inside = (self.steps > first) & (self.steps <= last)
+        if not inside.any():
+            return {}
+        return packed((self.steps[inside] - first).tolist(), self.numbers[inside], self.slots, self.fields)
 
 
 def checked_fields(fields: Any) -> list[list[Any]]:

@@ -7,6 +7,7 @@ results.py         one line for each match; the result that follows from the lin
 statistics.py      statistics of play: of a line, totals with intervals, tables
 map_tables.py      where things happened, as tables of a report
 report.py          the result in Markdown and on the screen
+page.py             the same as a page for the browser, with pictures
 pictures.py        a sheet of pictures of one match
 recording.py       a match into a replay file, and out of it again
 watching.py        a match or a replay in a window: pause, step, speed, seek

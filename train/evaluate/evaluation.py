@@ -17,9 +17,11 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.teams import Team
 from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
+from soccer_env.train.evaluate.page import page_of
 from soccer_env.train.evaluate.report import markdown
 from soccer_env.train.evaluate.results import EVALUATION, MATCHES, EvaluationResult, MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
+from soccer_env.train.keeping import Keep, keep_replays
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import check_told_apart, made_now, made_with, of_modules
 from soccer_env.train.results_folder import ResultsFolder
@@ -46,6 +48,9 @@ def evaluate(
     result = summarise(contest.conditions, made, lines, contest.league.pitch)
     folder.write("result.json", json.dumps(result.as_dict(), indent=2) + "\n")
     folder.write("report.md", markdown(result, folder.about))
+    if folder.path is not None:
+        kept = keep_replays(contest, result.lines, Keep(settings.keep, settings.keep_pages), folder.path)
+        folder.write("report.html", page_of(result, folder.about, kept))
     if settings.picture:
         draw_first_match(contest, folder, result)
     return result

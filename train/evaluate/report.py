@@ -65,7 +65,27 @@ def percent(share: float) -> str:
 def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
     """Return the report; `about` holds the command, date and commit of the evaluation's start."""
     conditions = result.conditions
-    settings = [
+    lines = [
+        f"# {conditions.home} against {conditions.away}",
+        f"{sentence(result)} Results are {conditions.home}'s; intervals are 95 % bootstraps over pairs.",
+        table(("", "value", "95 % interval"), rows(result)),
+        needed(result),
+        *play_tables(result),
+        "## Conditions",
+        table(("", ""), conditions_rows(result, about)),
+        "This command plays what is missing and writes this report again:",
+        f"```bash\n{about.get('command', '')}\n```",
+        "## Matches",
+        f"Score of {conditions.home} first, as home and as away.",
+        *pairs(result),
+    ]
+    return "\n\n".join(line for line in lines if line) + "\n"
+
+
+def conditions_rows(result: EvaluationResult, about: dict[str, str]) -> list[tuple[str, str]]:
+    """Return under which conditions, and with what, the matches were played."""
+    conditions = result.conditions
+    return [
         ("league", conditions.league),
         ("players", conditions.sizes),
         ("minutes of play", f"{conditions.minutes:g}"),
@@ -76,21 +96,6 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         ("settings hash", result.lines[0].settings),
         *((name.replace("_", " "), value) for name, value in result.made_with.items()),
     ]
-    lines = [
-        f"# {conditions.home} against {conditions.away}",
-        f"{sentence(result)} Results are {conditions.home}'s; intervals are 95 % bootstraps over pairs.",
-        table(("", "value", "95 % interval"), rows(result)),
-        needed(result),
-        *play_tables(result),
-        "## Conditions",
-        table(("", ""), settings),
-        "This command plays what is missing and writes this report again:",
-        f"```bash\n{about.get('command', '')}\n```",
-        "## Matches",
-        f"Score of {conditions.home} first, as home and as away.",
-        *pairs(result),
-    ]
-    return "\n\n".join(line for line in lines if line) + "\n"
 
 
 def needed(result: EvaluationResult) -> str:

@@ -18,9 +18,11 @@ CLEAR_POINTS = 0.95  # [1] share of the points that "beats clearly" asks for
 LEAST_PAIRS = 5  # fewer say nothing about how results scatter: no verdict
 MIRRORED = "no verdict: a team against itself plays each match of a pair twice, which says nothing"
 MATCHES = "matches.jsonl"  # of a folder: a line for each finished match
-FILES = (MATCHES, "result.json", "report.md", "match.png")
-EVALUATION = Kind("an evaluation", ("home", "away", "scene"), FILES, grows="matches")
 LEFT_OUT = ("settings", "statistics", "maps")  # of a line in result.json: matches.jsonl has them
+FILES = (MATCHES, "result.json", "report.md", "report.html", "match.png")
+REPLAYS, KEPT = "replays", "kept.json"  # of replays that were kept: their folder, and the list of them in it
+KEPT_FILES = [f"{REPLAYS}/*-match-[0-9]*-seed-[0-9]*.{kind}" for kind in ("replay", "html")] + [f"{REPLAYS}/{KEPT}"]
+EVALUATION = Kind("an evaluation", ("home", "away", "scene"), FILES, lambda _: KEPT_FILES, grows="matches")
 HALF_WIDTH = 0.25  # [goals a match] for which the number of matches is worked out
 
 

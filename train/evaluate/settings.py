@@ -12,6 +12,7 @@ from typing import Literal
 from soccer_env.checking import SHARE, Range
 from soccer_env.leagues.league import League
 from soccer_env.match_settings import Placement, Pose
+from soccer_env.train.keeping.asking import Keep
 from soccer_env.train.written_settings import CommandSettings, command_with, split_players, split_senses
 
 FULL = "full"  # minutes: the league's own length of a match
@@ -57,9 +58,13 @@ class EvaluateSettings(CommandSettings):
     placement: Literal["instant", "drive"] | None = None
     """How robots reach their places at a restart; None for the league's choice in evaluations."""
     out: Path | None = None
-    """Folder for matches.jsonl, result.json and report.md; without it nothing is written."""
+    """Folder for matches.jsonl, result.json, report.md and report.html; without it nothing is written."""
     anew: bool = False
     """Remove the files that an earlier evaluation left in --out, instead of going on with it or refusing."""
+    keep: str = ""
+    """Replays to keep in --out, with commas between them: best, worst (for --home), goals (a clip of every goal)."""
+    keep_pages: bool = False
+    """Make of every replay that is kept a page for the browser as well."""
     picture: bool = False
     """Draw the first match as a sheet of pictures, match.png in --out (needs pygame-ce)."""
     json: bool = False
@@ -75,6 +80,8 @@ class EvaluateSettings(CommandSettings):
         super().__post_init__()
         if self.picture and self.out is None:
             raise ValueError("picture needs a folder: give out as well")
+        if (Keep(self.keep).each or self.keep_pages) and self.out is None:
+            raise ValueError("replays are kept in a folder: give out as well")
         split_senses(self.senses)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from soccer_env.train.plots.style import COLOURS, HATCHES, INK, add_legend, canvas, label, plot
+from soccer_env.train.plots.style import COLOURS, HATCHES, INK, add_legend, canvas, count_along, label, plot
 
 MARGIN = 1.12  # [1] height of the axes over the highest bar
 
@@ -27,16 +27,9 @@ def draw_bars(
         axes.plot([low, high], [height, height], color=INK, marker="|", markersize=9.0, linewidth=1.4)
         axes.plot([value], [height], color=INK, marker="D", linestyle="", label=words)
     axes.set_ylim(0.0, MARGIN * top)
-    whole_numbers(axes)
+    count_along(axes.xaxis)
+    count_along(axes.yaxis)
     axes.grid(visible=False, axis="x")
     label(axes, title, x_label, y_label)
     add_legend(drawn, axes)
     return drawn
-
-
-def whole_numbers(axes: Any) -> None:
-    """Let both axes count in whole numbers."""
-    from matplotlib.ticker import MaxNLocator
-
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(MaxNLocator(integer=True))

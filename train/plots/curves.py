@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from soccer_env.train.plots.style import DIM, add_legend, canvas, label, looks, plot
+from soccer_env.train.plots.style import DIM, add_legend, canvas, count_along, label, looks, plot
 
 FEW = 14  # points of a curve whose intervals are bars; a band of more
 
@@ -26,6 +26,8 @@ def draw_curves(figure: Mapping[str, Any]) -> Any:
     if "arrows" in figure:
         axes.quiver(*figure["arrows"].values(), color=DIM, scale=40.0, width=0.002)
         axes.set_aspect("equal")
+    if all(isinstance(x, int) for curve in figure["curves"] for x in curve["x"]):
+        count_along(axes.xaxis)
     label(axes, figure["title"], figure["x_label"], figure["y_label"])
     add_legend(drawn, axes)
     return drawn

@@ -73,6 +73,13 @@ def label(axes: Any, title: str, x_label: str, y_label: str) -> None:
     axes.set_ylabel(y_label)
 
 
+def count_along(axis: Any) -> None:
+    """Let an axis count in whole numbers."""
+    from matplotlib.ticker import MaxNLocator
+
+    axis.set_major_locator(MaxNLocator(integer=True))
+
+
 def add_legend(figure: Any, axes: Any) -> None:
     """Put the legend below the axes, where it hides no curve; the figure grows by it."""
     handles, names = axes.get_legend_handles_labels()

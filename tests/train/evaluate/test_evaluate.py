@@ -184,7 +184,7 @@ def test_a_finished_evaluation_is_not_played_again(tmp_path: Path, monkeypatch: 
     monkeypatch.setattr(module, "play", None)
     assert short(out=tmp_path) == first
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == files
-    assert set(files) == {"settings.json", "matches.jsonl", "result.json", "report.md"}
+    assert set(files) == {"settings.json", "matches.jsonl", "result.json", "report.md", "report.html"}
 
 
 def test_other_settings_in_the_same_folder_are_refused_unless_anew(tmp_path: Path) -> None:

@@ -1,0 +1,111 @@
+"""The report of an evaluation as a page for the browser: the same as in Markdown, with pictures and replays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+from soccer_env.train.evaluate.report import PAIRS_SHOWN, conditions_rows, needed, rows, sentence
+from soccer_env.train.evaluate.results import EvaluationResult, pair_means
+from soccer_env.train.evaluate.statistics import goal_rows, play_rows
+from soccer_env.train.keeping import Kept
+from soccer_env.train.plots import MISSING, can_draw, draw_bars, draw_curves
+from soccer_env.train.report_pages import ReportPage
+from soccer_env.train.report_pages.replays import add_replays
+from soccer_env.train.statistics import paired_bootstrap
+
+LOOKS = 24  # points of the curve of the mean over pairs
+Drawn = tuple[bytes, str]  # an SVG and its caption
+FigureMaker = Callable[[EvaluationResult], Iterator[Drawn]]
+
+
+def page_of(result: EvaluationResult, about: dict[str, str], kept: Sequence[Kept] = ()) -> str:
+    """Return the page; `about`: command, date and commit of the evaluation's start."""
+    conditions = result.conditions
+    page = ReportPage(f"{conditions.home} against {conditions.away}", f"soccer evaluate, {conditions.league}")
+    page.say(sentence(result), strong=True)
+    page.section("Result")
+    page.table(("", "value", "95 % interval"), rows(result))
+    page.say(f"Results are {conditions.home}'s; intervals are 95 % bootstraps over pairs. {needed(result)}")
+    add_figures(page, result)
+    add_replays(page, kept)
+    head = ("", conditions.home, conditions.away)
+    if result.statistics:
+        page.section("Play")
+        page.table(head, play_rows(result.statistics))
+        page.say(
+            "One value is of both teams together. `soccer list statistics` says what each is; result.json has all."
+        )
+        page.heading("How goals fell")
+        page.table(head, goal_rows(result.statistics))
+    page.section("Conditions")
+    page.say("This command plays what is missing and writes this report again:")
+    page.command(about.get("command", ""))
+    page.table(("", ""), conditions_rows(result, about))
+    add_matches(page, result)
+    return page.html()
+
+
+def add_figures(page: ReportPage, result: EvaluationResult) -> None:
+    """Add the pictures of FIGURE_MAKERS, or say what they need."""
+    if not can_draw():
+        page.say(MISSING[0].upper() + MISSING[1:])
+        return
+    for make in FIGURE_MAKERS:
+        for drawn in make(result):
+            page.figure(*drawn)
+
+
+def add_matches(page: ReportPage, result: EvaluationResult) -> None:
+    """Add the table of pairs, folded away."""
+    page.section("Matches")
+    both = list(zip(result.lines[::2], result.lines[1::2], strict=True))
+    page.fold(f"scores of {len(both)} pairs, {result.conditions.home} first")
+    cells = [
+        (f"{first.pair}", f"{first.seed}", *(f"{line.goals_for} : {line.goals_against}" for line in (first, second)))
+        for first, second in both[:PAIRS_SHOWN]
+    ]
+    page.table(("pair", "seed", "as home", "as away"), cells, sorts=True)
+    page.unfold()
+    if len(both) > PAIRS_SHOWN:
+        page.say(f"{len(both) - PAIRS_SHOWN} more pairs stand in matches.jsonl.")
+
+
+def draw_differences(result: EvaluationResult) -> Iterator[Drawn]:
+    """Draw how many matches ended with which goal difference."""
+    ended = [line.goals_for - line.goals_against for line in result.lines]
+    kinds = {
+        "won": [difference for difference in ended if difference > 0],
+        "drawn": [difference for difference in ended if difference == 0],
+        "lost": [difference for difference in ended if difference < 0],
+    }
+    groups = [
+        (name, sorted(set(those)), [those.count(difference) for difference in sorted(set(those))])
+        for name, those in kinds.items()
+        if those
+    ]
+    found = result.goal_difference
+    mark = (f"mean {found.mean:+.2f} ({found.low:+.2f} to {found.high:+.2f})", found.mean, found.low, found.high)
+    title = f"Goal differences of {len(result.lines)} matches"
+    yield (
+        draw_bars(title, "goals - goals against in a match", "matches", groups, mark, form="svg"),
+        f"How the matches ended for {result.conditions.home}; the bar above is the mean with its 95 % interval.",
+    )
+
+
+def draw_mean(result: EvaluationResult) -> Iterator[Drawn]:
+    """Draw how the mean goal difference and its interval came about, pair by pair."""
+    means = pair_means(result.lines, lambda line: line.goals_for - line.goals_against)
+    if len(means) < 3:
+        return
+    counts = sorted({round(2 + (len(means) - 2) * look / (LOOKS - 1)) for look in range(LOOKS)})
+    found = [paired_bootstrap(means[:count]) for count in counts]
+    value, low, high = (list(values) for values in zip(*found, strict=True))
+    curve = {"name": "mean, 95 % interval", "x": counts, "y": value, "low": low, "high": high}
+    figure = {
+        "title": "Mean goal difference, pair by pair", "x_label": "pairs of matches", "rules": [0.0], "rule": "even",
+        "y_label": "goals - goals against, a match", "curves": [curve],
+    }  # fmt: skip
+    yield draw_curves(figure, form="svg"), "How sure the mean has become: what the first pairs alone would have said."
+
+
+FIGURE_MAKERS: list[FigureMaker] = [draw_differences, draw_mean]  # pictures of the page, in order

@@ -1,0 +1,31 @@
+"""Keep replays of matches that were played: the best, the worst, every goal as a clip.
+
+    contest = contest_of(conditions, league, {})
+    kept = keep_replays(contest, lines, Keep("best,goals"), Path("runs/match"))
+
+Nothing is recorded as matches are played: a match follows from its seed, so the few that are worth keeping are played
+once more. Each has to end in the state that its line tells, and its file proves every control step.
+
+asking.py      which matches are asked for
+playing.py     a match once more, with a recorder; its goals as clips
+keeping.py     `keep_replays`: files by meaning and seed, and kept.json, which lists them
+"""
+
+from typing import TYPE_CHECKING
+
+from soccer_env.names import lazy_names
+
+if TYPE_CHECKING:
+    from soccer_env.train.keeping.asking import Keep
+    from soccer_env.train.keeping.keeping import Kept, keep_replays, kept_in
+
+__all__ = ["Keep", "Kept", "keep_replays", "kept_in"]
+__getattr__, __dir__ = lazy_names(
+    __name__,
+    {
+        "Keep": "soccer_env.train.keeping.asking",
+        "Kept": "soccer_env.train.keeping.keeping",
+        "keep_replays": "soccer_env.train.keeping.keeping",
+        "kept_in": "soccer_env.train.keeping.keeping",
+    },
+)

@@ -1,0 +1,55 @@
+"""Which matches are worth keeping: the best and the worst of the first team, and all with goals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from soccer_env.names import unknown
+
+if TYPE_CHECKING:
+    from soccer_env.train.evaluate.results import MatchLine
+
+BEST, WORST, GOALS = "best", "worst", "goals"
+KINDS = (BEST, WORST, GOALS)
+ORDER: dict[str, Callable[[MatchLine], Any]] = {  # the least is kept: by goal difference, goals, and who came first
+    BEST: lambda line: (line.goals_against - line.goals_for, -line.goals_for, line.match),
+    WORST: lambda line: (line.goals_for - line.goals_against, -line.goals_against, line.match),
+}
+
+
+@dataclass(frozen=True)
+class Keep:
+    """What is asked for: `kinds`, words of KINDS with commas between them; `pages`: as a page for the browser, too.
+
+    ValueError for a word that is none of them.
+    """
+
+    kinds: str = ""
+    pages: bool = False
+
+    def __post_init__(self) -> None:
+        for kind in self.each:
+            if kind not in KINDS:
+                raise ValueError(unknown("keep", kind, KINDS))
+
+    @property
+    def each(self) -> list[str]:
+        """Return the kinds, each once, as KINDS orders them."""
+        asked = [word.strip() for word in self.kinds.split(",") if word.strip()]
+        return [kind for kind in KINDS if kind in asked] + [word for word in asked if word not in KINDS]
+
+    def joined(self, before: Keep) -> Keep:
+        """Return this with what was asked for before."""
+        return Keep(",".join(kind for kind in KINDS if kind in {*self.each, *before.each}), self.pages or before.pages)
+
+    def chosen(self, lines: Sequence[MatchLine]) -> list[tuple[str, MatchLine]]:
+        """Return the matches to keep, each with its kind."""
+        found: list[tuple[str, MatchLine]] = []
+        for kind in self.each if lines else ():
+            if kind == GOALS:
+                found += [(GOALS, line) for line in lines if line.goals_for + line.goals_against]
+            else:
+                found.append((kind, min(lines, key=ORDER[kind])))
+        return found
