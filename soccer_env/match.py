@@ -154,6 +154,9 @@ class Match(Views, Branching):
             return self._restart_same_step()
         if len(ended):
             self._restart_next_step(np.asarray(ended))
+        elif np.count_nonzero(self.terminated):
+            for m in np.flatnonzero(self.terminated).tolist():  # who stands still shows what was asked of it, too
+                self.batch.observe_anew(m, m + 1)
         return self.observations, self.rewards, self.terminated, self.truncated
 
     def _check_actions(self, actions: Any) -> np.ndarray:

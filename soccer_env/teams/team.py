@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import MISSING, dataclass, fields
-from typing import Protocol, runtime_checkable
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -112,11 +112,13 @@ class CompiledTeam:
 
     def __repr__(self) -> str:
         """Return its name and what was asked of it otherwise than by default."""
-        strength = "strength" in (self.settings.dtype.names or ()) and float(self.settings["strength"][0])
-        asked = {"strength": strength} if strength not in (False, 1.0) else {}
+        asked: dict[str, Any] = {}
+        if "strength" in (self.settings.dtype.names or ()) and self.settings["strength"][0] != 1.0:
+            asked["strength"] = float(self.settings["strength"][0])
         if self.options is not None:
-            held = [(item.name, item.default, getattr(self.options, item.name)) for item in fields(self.options)]
-            asked |= {name: value for name, default, value in held if value != default and default is not MISSING}
+            held = type(self.options).__dataclass_fields__.values()  # type: ignore[attr-defined]
+            asked |= {item.name: getattr(self.options, item.name) for item in held if item.default is not MISSING}
+            asked = {name: value for name, value in asked.items() if value != getattr(type(self.options), name, value)}
         asked |= {"observe": self.observe} if isinstance(self, ObservingTeam) else {}
         return f"{type(self).__name__}({', '.join([repr(self.name), *(f'{k}={v!r}' for k, v in asked.items())])})"
 

@@ -1,6 +1,7 @@
 """Saves, loads, rebuilds and replays: one save has one future, and a replay plays again exactly."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -215,3 +216,17 @@ def test_a_save_of_the_same_team_at_another_strength_is_refused() -> None:
     strong = Match(home=1, away=1, seed=1, controllers={"home": "chaser", "away": "still"})
     with pytest.raises(ValueError, match="teams differ"):
         strong.load(weak.save())
+
+
+@pytest.mark.parametrize("observe", ["truth", "belief", "percepts"])
+def test_a_match_that_is_over_is_observed_alike_after_a_step_and_after_a_load(observe: str) -> None:
+    settings: dict[str, Any] = {"home": 1, "away": 1, "minutes": 0.02, "observe": observe, "opponents": "chaser"}
+    match, other = Match(**settings, seed=1), Match(**settings, seed=1)
+    for step in range(40):  # of which the last ones come after the end
+        match.step(np.full((1, 2, 4), 0.01 * step))
+    assert match.terminated.all()
+    seen = match.observations.copy()
+    other.load(match.save())
+    assert (other.observations == seen).all()
+    if observe == "truth":
+        assert seen[0, 0, match.observation_names.index("last_kick")] == np.float32(0.39)
