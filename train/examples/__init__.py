@@ -9,6 +9,7 @@ ppo_sb3.py          stable-baselines3 over `SoccerVecEnv`      ppo_supersuit.py 
 ppo_cleanrl.py      PPO in one file, straight on `Match`       mappo.py            MAPPO in one file, 5 v 5
 cloning_minari.py   a Minari dataset of play, imitated         ppo_rllib.py        RLlib, with a worker
 ppo_torchrl.py      a collector of TorchRL over PettingZoo     ppo_tianshou.py     Tianshou over the Gymnasium id
+mappo_benchmarl.py  a task of BenchMARL, and its MAPPO         ippo_agilerl.py    AgileRL's IPPO, two processes
 empty_goal.py       the task that most of them learn, and how well they learned it
 monte_carlo.py      Monte Carlo search in branches of a match, which beats `chaser` in a drill
 """

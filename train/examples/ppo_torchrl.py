@@ -1,7 +1,7 @@
 """A TorchRL collector over the PettingZoo env, and TorchRL's PPO for two robots that share an actor and a critic.
 
 Needs: torchrl==0.14.1
-Reached: 2,000 steps take 13 s of the processor, and teach nothing yet; with torch 2.13.0.
+Reached: they score in none of 200 episodes after 20,000 steps of seed 1, 38 s of the processor; with torch 2.13.0.
 """
 
 import torch
