@@ -58,7 +58,8 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
 
         self.asked = asked
         self.agent, given = choose_learner(asked)
-        self._parallel = parallel_env(**given, render_mode=asked.render_mode, infos=asked.infos)
+        shown = {"render_mode": asked.render_mode, "infos": asked.infos, "overlays": asked.overlays}
+        self._parallel = parallel_env(**given, **shown)
         self.match, self.render_mode = self._parallel.match, asked.render_mode
         self.metadata = {**self.metadata, "render_fps": self._parallel.metadata["render_fps"]}
         self.observation_space = self._parallel.observation_space(self.agent)

@@ -152,6 +152,7 @@ class EnvArguments(MatchSetup):
 
     render_mode: Literal["rgb_array", "human"] | None = setting(None, '"rgb_array" for frames, "human" for a window')
     infos: InfoKind | bool = setting("flat", INFOS)
+    overlays: Any = setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -168,6 +169,8 @@ class LearnerSetup(MatchSetup):
 @dataclass(frozen=True, kw_only=True)
 class SoloArguments(LearnerSetup):
     """What a Gymnasium Env is made from."""
+
+    overlays: Any = setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
 
 
 @dataclass(frozen=True, kw_only=True)

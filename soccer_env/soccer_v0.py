@@ -56,14 +56,14 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
 
     metadata: dict[str, Any] = {"name": "soccer_v0", "render_modes": [*RENDER_MODES], "is_parallelizable": True}
 
-    def __init__(self, match: Match, render_mode: str | None = None, infos: InfoKind | bool = "flat") -> None:
+    def __init__(self, match: Match, render_mode: str | None = None, infos: Any = "flat", overlays: Any = None) -> None:
         if match.count != 1 or match.autoreset != "off":
             raise ValueError(f"needs 1 match and autoreset 'off', got {match.count} and {match.autoreset!r}")
         if not match.learns.any():
             raise ValueError("teams play all robots, so no agent is left: step a Match instead, or watch")
         self.match, self.asked = match, match.asked
         self.render_mode = check_render_mode(render_mode)
-        self.screen = Screen(match)
+        self.screen = Screen(match, overlays)
         self.metadata = {**self.metadata, "render_fps": self.screen.fps}
         rows = np.flatnonzero(match.learns)
         self.possible_agents = [match.agents[row] for row in rows]
@@ -255,8 +255,8 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
 
     def __reduce__(self) -> Made:
         """Copy by settings: the copy is to be reset."""
-        settings = part_of(self.match.asked, MatchArguments)
-        return by_settings(_env_of, {**settings, "render_mode": self.render_mode, "infos": self.info_kind})
+        settings = {**part_of(self.match.asked, MatchArguments), "render_mode": self.render_mode}
+        return by_settings(_env_of, {**settings, "infos": self.info_kind, "overlays": self.screen.overlays})
 
     @property
     def unwrapped(self) -> ParallelSoccer:
@@ -264,15 +264,15 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         return self
 
 
-def _env_of(*, render_mode: str | None, infos: InfoKind, **settings: Any) -> ParallelSoccer:
+def _env_of(*, render_mode: str | None, infos: InfoKind, overlays: Any, **settings: Any) -> ParallelSoccer:
     """Return the env that was pickled."""
-    return ParallelSoccer(Match(**settings), render_mode, infos)
+    return ParallelSoccer(Match(**settings), render_mode, infos, overlays)
 
 
 @takes(EnvArguments)
 def parallel_env(asked: EnvArguments) -> ParallelSoccer:
     """Return one match as a PettingZoo ParallelEnv; ValueError names a setting that is wrong, and what is allowed."""
-    return ParallelSoccer(Match(**part_of(asked, MatchSetup)), asked.render_mode, asked.infos)
+    return ParallelSoccer(Match(**part_of(asked, MatchSetup)), asked.render_mode, asked.infos, asked.overlays)
 
 
 @takes(EnvArguments)

@@ -2,7 +2,8 @@
 
 command_line.py      the command: which settings it reads and what it prints         listing.py   `soccer list`
 match_commands.py    `soccer record`, `replay`, `export` and `watch`
-evaluate/            one team against another; record, replay and watch a match      bench/       `soccer bench`
+evaluate/            one team against another; record and replay a match             bench/       `soccer bench`
+watching/            a match or a replay in a window: `soccer watch`
 ppo/                 train a policy                                                  pictures/    of the pages
 reproduce/           what the papers claim, measured                                 tables/      tables of the pages
 play/                how matches are played, measured                                examples/    small programs

@@ -113,12 +113,13 @@ def run_completion(words: list[str]) -> int:
     """Run `soccer --print-completion SHELL`, or with tyro's own flag."""
     from soccer_env.train.bench.settings import BenchSettings
     from soccer_env.train.evaluate.export_settings import ExportSettings
-    from soccer_env.train.evaluate.play_settings import RecordSettings, ReplaySettings, WatchSettings
+    from soccer_env.train.evaluate.play_settings import RecordSettings, ReplaySettings
     from soccer_env.train.evaluate.settings import EvaluateSettings
     from soccer_env.train.listing import ListSettings
     from soccer_env.train.ppo.settings import TrainSettings
     from soccer_env.train.reproduce.settings import ReproduceSettings
     from soccer_env.train.warm_up import WarmUpSettings
+    from soccer_env.train.watching.settings import WatchSettings
 
     kinds = {
         "evaluate": EvaluateSettings, "list": ListSettings, "bench": BenchSettings, "export": ExportSettings,

@@ -42,10 +42,10 @@ def run_export(words: list[str]) -> int:
 
 def run_watch(words: list[str]) -> int:
     """Run `soccer watch`."""
-    from soccer_env.train.evaluate.play_settings import WatchSettings
+    from soccer_env.train.watching.settings import WatchSettings
 
     settings = read_settings(WatchSettings, words, "watch")
-    from soccer_env.train.evaluate.watching import watch
+    from soccer_env.train.watching.watching import watch
 
     watch(settings)
     return 0

@@ -6,6 +6,7 @@ tells is here; what any team on wheels does near the ball and at restarts is sha
 Files:
 
     team.py        the teams, and the kernel that decides for all players
+    explaining.py  what a player tells people who watch: role or behaviour, way, forces
     settings.py    every number and switch             memory.py      what a player remembers, and scratch arrays
     playing.py     chooses what to do and does it      roles.py       who attacks, who defends, who supports
     driving.py     along a plan, within limits         crowd.py       the obstacles that a way is planned round

@@ -45,13 +45,22 @@ def drive_to(command, memory, k, play, scratch, x, y, facing, final):
 @compiled
 def plan_to(k, play, scratch, x, y):
     """Plan the way to a point in the league's pitch at the league's speed, by what is believed now.  MH14"""
-    sight, ways = scratch.sight, scratch.ways[0]
+    sight = scratch.sight
+    ways_of(scratch, k, play)
+    side = 1 if side_of(y - sight.y if y != sight.y else y) > 0.0 else -1
+    plan_way(
+        sight.x, sight.y, x, y, side, scratch.crowd[: scratch.count], scratch.ways[0], scratch.work[0], scratch.plan[0]
+    )
+
+
+@compiled
+def ways_of(scratch, k, play):
+    """Fill in the planner's settings for the league's pitch, its robots and the pace of this one."""
+    ways = scratch.ways[0]
     scratch.ways[0] = play.ways[0]
     ways.pitch_length, ways.pitch_width = k.pitch_length, k.pitch_width
     ways.margin = min(k.pitch_band_side, k.pitch_band_end)
-    ways.speed, ways.robot_radius = k.drive_forward * sight.pace, k.body_reach
-    side = 1 if side_of(y - sight.y if y != sight.y else y) > 0.0 else -1
-    plan_way(sight.x, sight.y, x, y, side, scratch.crowd[: scratch.count], ways, scratch.work[0], scratch.plan[0])
+    ways.speed, ways.robot_radius = k.drive_forward * scratch.sight.pace, k.body_reach
 
 
 @compiled

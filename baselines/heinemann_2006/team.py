@@ -17,6 +17,7 @@ from soccer_env.team_kernels import per_player
 from soccer_env.teams import CompiledTeam
 
 FAMILIES = ("middle-size",)
+EXPLAINS = "soccer_env.baselines.heinemann_2006.explaining:EXPLANATION"
 
 
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
@@ -32,7 +33,7 @@ def weigel(strength: float = 1.0, **changes: Any) -> CompiledTeam:
 def made(name: str, changes: dict[str, Any]) -> CompiledTeam:
     """Return the team of a name with some settings changed."""
     settings = HeinemannSettings().changed(changes)
-    return CompiledTeam(name, KERNEL, MEMORY, settings_of(settings), FAMILIES, settings)
+    return CompiledTeam(name, KERNEL, MEMORY, settings_of(settings), FAMILIES, settings, explains=EXPLAINS)
 
 
 @compiled

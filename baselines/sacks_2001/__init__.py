@@ -9,6 +9,7 @@ Each player decides for itself, from its own belief and tracks, in the three par
 Files:
 
     team.py        the teams, and the kernel that decides for all players
+    explaining.py  what a player tells people who watch: role or behaviour, way, forces
     settings.py    every number and switch             memory.py      what a player remembers
     planner.py     chooses a behaviour and does it     xla.py         what legs and head can do
     ball_notes.py  what it notes of the ball           positions.py   who goes to the ball, where others stand

@@ -18,6 +18,7 @@ from soccer_env.team_kernels import per_player
 from soccer_env.teams import CompiledTeam
 
 FAMILIES = ("legged",)
+EXPLAINS = "soccer_env.baselines.sacks_2001.explaining:EXPLANATION"
 TUNED = {"step_length": 0.06, "near_step": 1.0, "choose_shots": True}
 FUTURE = {"passes": True, "keeper_speed": True, "keeper_blocks": True, "free_side": True, "decisive": True}
 
@@ -25,19 +26,19 @@ FUTURE = {"passes": True, "keeper_speed": True, "keeper_blocks": True, "free_sid
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team; `changes` are settings by name, ValueError for one that does not exist or cannot be."""
     settings = SacksSettings().changed({"strength": strength, **changes})
-    return CompiledTeam("sacks-2001", KERNEL, MEMORY, settings.record(), FAMILIES, settings)
+    return CompiledTeam("sacks-2001", KERNEL, MEMORY, settings.record(), FAMILIES, settings, explains=EXPLAINS)
 
 
 def future(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team with what the paper leaves to the future: passes, better goalkeeper, sidesteps and decisions."""
     settings = SacksSettings().changed({"strength": strength, **FUTURE, **changes})
-    return CompiledTeam("sacks-2001-future", KERNEL, MEMORY, settings.record(), FAMILIES, settings)
+    return CompiledTeam("sacks-2001-future", KERNEL, MEMORY, settings.record(), FAMILIES, settings, explains=EXPLAINS)
 
 
 def tuned(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team with other numbers than the paper's: what plays better here, see README.md beside this file."""
     settings = SacksSettings().changed({"strength": strength, **TUNED, **changes})
-    return CompiledTeam("sacks-2001-tuned", KERNEL, MEMORY, settings.record(), FAMILIES, settings)
+    return CompiledTeam("sacks-2001-tuned", KERNEL, MEMORY, settings.record(), FAMILIES, settings, explains=EXPLAINS)
 
 
 @compiled

@@ -119,18 +119,26 @@ def kind_of_infos(infos: InfoKind | bool) -> InfoKind:
 
 
 class Screen:
-    """Frames of a Match, and a window for its first; pygame is imported when the first frame is drawn."""
+    """Frames of a Match, and a window for its first; pygame is imported when the first frame is drawn.
 
-    def __init__(self, match: Match) -> None:
-        self._match = match
+    `overlays`, as in `render.overlays.flags.flags_of`, lie over frames of the first match; ValueError for wrong ones.
+    """
+
+    def __init__(self, match: Match, overlays: Any = None) -> None:
+        self._match, self.overlays = match, None
+        if overlays is not None:
+            from soccer_env.render.overlays.flags import flags_of
+
+            self.overlays = flags_of(overlays)
         self.fps = match.league.control_rate / match.settings.action_repeat  # [1/s] steps, in real time
         self._title = title_of(match)
         self._picture: Any = None
         self._window: Any = None
+        self._onlooker: Any = None
 
     def turn_to(self, match: Match) -> None:
         """Show another match of the same league from now on."""
-        self._match, self._title = match, title_of(match)
+        self._match, self._title, self._onlooker = match, title_of(match), None
 
     def frame(self, m: int = 0) -> np.ndarray:
         """Return a frame (H, W, 3) uint8 of match m."""
@@ -138,9 +146,22 @@ class Screen:
             from soccer_env.render import Picture
 
             self._picture = Picture(self._match.league)
-        match = self._match
-        frame: np.ndarray = self._picture.draw(match.matches[m], match.balls[m], match.robots[m], title=self._title)
+        match, over = self._match, self._over() if m == 0 else []
+        frame: np.ndarray = self._picture.draw(
+            match.matches[m], match.balls[m], match.robots[m], title=self._title, overlays=over
+        )
         return frame
+
+    def _over(self) -> list[Any]:
+        """Return what lies over a frame of the first match."""
+        if self.overlays is None:
+            return []
+        if self._onlooker is None:
+            from soccer_env.render.overlays.onlooker import Onlooker
+
+            self._onlooker = Onlooker(self._match, self.overlays)
+        found: list[Any] = self._onlooker.see(self._match, self._picture.width)
+        return found
 
     def show(self) -> None:
         """Show a frame of the first match, in real time; nothing happens once the user has closed the window."""

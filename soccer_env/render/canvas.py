@@ -158,6 +158,18 @@ class Canvas:
         self._touched.append(self.large.blit(image, (x - shift * image.get_width(), y - image.get_height() * 0.48)))
         return image.get_width() / FACTOR
 
+    def word_width(self, words: str, size: float) -> float:
+        """Return how wide words are at a size [px]."""
+        return self.letters.word(words, max(6, round(size * FACTOR)), (255, 255, 255)).get_width() / FACTOR
+
+    def polygons(self, shapes: Sequence[tuple[Sequence[Point], Colour]]) -> None:
+        """Fill many small polygons that lie near each other: what they touch is shrunk as one."""
+        import pygame
+
+        rects = [pygame.draw.polygon(self.large, tint, [enlarge(point) for point in shape]) for shape, tint in shapes]
+        if rects:
+            self._touched.append(rects[0].unionall(rects[1:]))
+
     def stamp(self, image: pygame.Surface, centre: Point) -> None:
         """Put an image of the large size with its middle at a place, alpha blended."""
         x, y = enlarge(centre)
@@ -168,11 +180,13 @@ class Canvas:
         import pygame
 
         large = [enlarge(point) for point in points]
-        left, top = min(x for x, _ in large), min(y for _, y in large)
-        wide, high = max(x for x, _ in large) - left, max(y for _, y in large) - top
-        if wide > self.large.get_width() or high > self.large.get_height():
+        left, top = (int(max(min(place), 0.0)) for place in zip(*large))
+        right, bottom = (max(place) for place in zip(*large))
+        wide = int(min(right, self.large.get_width()) - left) + 2
+        high = int(min(bottom, self.large.get_height()) - top) + 2
+        if wide <= 2 or high <= 2:
             return
-        pane = new_surface(int(wide) + 2, int(high) + 2, glass=True)
+        pane = new_surface(wide, high, glass=True)
         pygame.draw.polygon(pane, (*colour, alpha), [(x - left, y - top) for x, y in large])
         self._touched.append(self.large.blit(pane, (left, top)))
 
@@ -190,6 +204,12 @@ class Canvas:
         for rect in self._stale:
             self.large.blit(self._background, rect, rect)
 
+    def cover(self, other: Canvas, left: float, top: float) -> None:
+        """Show a part of another canvas, from a place of it [px], as what is drawn upon from now on."""
+        area = (round(left * FACTOR), round(top * FACTOR), *self.large.get_size())
+        self.large.blit(other.large, (0, 0), area)
+        self._touched = [self.large.get_rect()]
+
     def shrink(self) -> None:
         """Bring every touched part onto the small surface."""
         import pygame
@@ -204,7 +224,10 @@ class Canvas:
 
 def enlarge(point: Point) -> Point:
     """Return a place in pixels of the large surface, held within what SDL can count."""
-    return min(max(point[0], -FAR), FAR) * FACTOR, min(max(point[1], -FAR), FAR) * FACTOR
+    x, y = point
+    if -FAR < x < FAR and -FAR < y < FAR:
+        return x * FACTOR, y * FACTOR
+    return min(max(x, -FAR), FAR) * FACTOR, min(max(y, -FAR), FAR) * FACTOR
 
 
 def merged(rects: list[pygame.Rect], bounds: pygame.Rect) -> list[pygame.Rect]:

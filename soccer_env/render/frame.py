@@ -14,9 +14,9 @@ from soccer_env.render.colours import TEAM_NAMES
 from soccer_env.render.header import Header, height_of, story_of
 from soccer_env.render.overlays import Overlay
 from soccer_env.render.pitch import Ground
-from soccer_env.render.robots import Players, figures_of
+from soccer_env.render.robots import Figure, Players, figures_of
 from soccer_env.render.substitutes import draw_bench
-from soccer_env.render.view import view_of
+from soccer_env.render.view import View, view_of
 
 LEAST_WIDTH, MOST_WIDTH = 240, 2560  # [px]
 
@@ -70,17 +70,23 @@ class Picture:
         self._canvas.clean()
         self._ground.draw_directions(float(match["home_direction"]))
         figures = figures_of(robots, self.league, float(match["handedness"]))
+        self._draw_play(self.view, self._players, figures, ball, overlays)
+        return self._pixels()
+
+    def _draw_play(
+        self, view: View, players: Players, figures: list[Figure], ball: np.void, overlays: Sequence[Overlay]
+    ) -> None:
+        """Draw what moves, and what lies under and over it."""
         for overlay in overlays:
             if overlay.under:
-                overlay.draw_on(self._canvas, self.view)
-        self._players.draw_robots(figures)
-        draw_bench(figures, self.view, self._canvas)
-        self._players.draw_ball(*(float(ball[name]) for name in ("x", "y", "vx", "vy")))
+                overlay.draw_on(self._canvas, view)
+        players.draw_robots(figures)
+        draw_bench(figures, view, self._canvas)
+        players.draw_ball(*(float(ball[name]) for name in ("x", "y", "vx", "vy")))
         for overlay in overlays:
             if not overlay.under:
-                overlay.draw_on(self._canvas, self.view)
+                overlay.draw_on(self._canvas, view)
         self._canvas.shrink()
-        return self._pixels()
 
     def _pixels(self) -> np.ndarray:
         import pygame

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import time
 from typing import TYPE_CHECKING
 
@@ -15,12 +16,16 @@ if TYPE_CHECKING:
     import pygame
 
 
+SEATS = ("DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR", "SDL_VIDEODRIVER")  # one is set where there is a display
+NO_DISPLAY = "there is no display to open a window on; soccer export makes a film, a picture or a page of a replay"
 UNSEEN = ("offscreen", "dummy")  # what SDL falls back on where there is no display
 
 
 def check_display() -> None:
     """Raise ValueError where no window can be seen; a driver that SDL_VIDEODRIVER names is taken as it is."""
     require_pygame()
+    if sys.platform.startswith("linux") and not any(map(os.environ.get, SEATS)):
+        raise ValueError(NO_DISPLAY)  # libraries of displays would complain in lines of their own
     import pygame
 
     try:
@@ -30,7 +35,7 @@ def check_display() -> None:
         raise ValueError(f"there is no display to open a window on: {error}") from error
     if driver in UNSEEN and os.environ.get("SDL_VIDEODRIVER") != driver:
         pygame.display.quit()
-        raise ValueError("there is no display to open a window on; soccer export makes a film or a page of a replay")
+        raise ValueError(NO_DISPLAY)
 
 
 class Window:

@@ -1,10 +1,13 @@
 """Replays: matches on disk that play again exactly, step by step, or say where they do not.
 
 replay_file.py   `Recorder` writes a running match down; `Replay` is the file, and plays it again
+pictured.py      what a replay shows: frames, films, pages
 parts.py         its parts: records and settings as plain values
 clips.py         parts of a recording that play again bit for bit
 thoughts.py      what robots saw, believed and decided, noted beside the commands
 browser/         a replay as one page for the browser
+groups.py        what the camera delivered and where robots plan to go, noted with it
+thought.py       such a note as numbers in metres, for drawing
 film.py          a replay as MP4 or GIF
 """
 

@@ -11,21 +11,23 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from soccer_env.checking import ABOVE_ZERO, FROM_ZERO, Checked, Range
+from soccer_env.checking import ABOVE_ZERO, FROM_ZERO, Range
 from soccer_env.render.frame import LEAST_WIDTH, MOST_WIDTH, Picture
+from soccer_env.render.overlays.flags import OverlayFlags, part_of_flags
+from soccer_env.render.overlays.layers import overlays_of
+from soccer_env.render.overlays.onlooker import Reel, past_of
 from soccer_env.render.video import gif_rate, video_kind, write_video
 
 if TYPE_CHECKING:
     from soccer_env.replay.replay_file import Replay
 
-SMOOTH = {".mp4": 25.0, ".gif": 12.5}  # [1/s] frames, unless there are fewer control steps
+SMOOTH = {".mp4": 25.0, ".gif": 12.5, ".png": 25.0}  # [1/s] frames, unless there are fewer control steps
 
 
 @dataclass(frozen=True, kw_only=True)
-class FilmSettings(Checked):
-    """How a film shows a replay."""
+class FilmSettings(OverlayFlags):
+    """How a film shows a replay, and what lies over it."""
 
-    TITLED = False
     BOUNDS = {
         "fps": Range(0.0, 100.0, above=True),
         "speed": Range(0.0, 100.0, above=True),
@@ -69,22 +71,36 @@ def make_film(
     """Write the first match of a replay as a film; `note` is told of each frame. See `Replay.video`."""
     kind = video_kind(path)
     check_new(path, anew)
-    match = replay.make_match()
-    picture = Picture(match.league, settings.width)
-    steps, fps = drawn_steps(settings, kind, match.league.control_rate, len(replay))
+    count, frames, fps = film_frames(replay, settings, kind, note)
+    return write_video(path, frames, fps, count)
+
+
+def film_frames(
+    replay: Replay, settings: FilmSettings, kind: str, note: Callable[[int], None] | None = None
+) -> tuple[int, Iterator[np.ndarray], float]:
+    """Return how many frames (H, W, 3) uint8 a film has, the frames, and how many a second it shows [1/s]."""
+    flags = part_of_flags(settings)
+    reel = Reel(replay, flags.any)
+    league = reel.cast.league
+    steps, fps = drawn_steps(settings, kind, league.control_rate, len(replay))
+    picture = Picture(league, settings.width)
+    reel.cast.picked(flags, reel.first)
 
     def frames() -> Iterator[np.ndarray]:
-        playing, at = replay.play(), -1
+        shots, past, at = reel.shots(), past_of(reel.cast), -1
+        frame = np.zeros(0)
         for step in steps.tolist():
             if step > at:
-                match = next(islice(playing, step - at - 1, None))
+                for shot in islice(shots, step - at):
+                    past.append(shot)
                 at = step
-                frame = picture.draw(match.matches[0], match.balls[0], match.robots[0], title=replay.teams)
+                overlays = overlays_of(flags, reel.cast, past[-1], list(past)[:-1], settings.width)
+                frame = picture.draw(*past[-1][:3], title=replay.teams, overlays=overlays)
             yield frame
             if note is not None:
                 note(1)
 
-    return write_video(path, frames(), fps, len(steps))
+    return len(steps), frames(), fps
 
 
 def check_new(path: str | os.PathLike[str], anew: bool) -> None:

@@ -10,7 +10,6 @@ from __future__ import annotations
 import io
 import json
 from collections.abc import Iterator
-from dataclasses import fields
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile, ZipFile
@@ -18,12 +17,12 @@ from zipfile import BadZipFile, ZipFile
 import numpy as np
 
 from soccer_env import saving
-from soccer_env.checking import check_names
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.match_settings import REPLAYED, version
 from soccer_env.replay.parts import as_actions, as_numbers, as_records, describe, rebuild
-from soccer_env.replay.thoughts import Notes, Thoughts
+from soccer_env.replay.pictured import Pictured
+from soccer_env.replay.thoughts import Thoughts
 from soccer_env.scenes import Scene
 from soccer_env.types import COMMAND, GAZE
 from soccer_env.whole_files import read_plain, write_whole
@@ -94,7 +93,7 @@ class Recorder:
         return Replay(settings, self.start, commands, gazes, list(self.hashes), list(self.log), version(), thoughts)
 
 
-class Replay:
+class Replay(Pictured):
     """A recorded match: `play` runs it again, `write` and `read` keep it in a file."""
 
     def __init__(
@@ -176,35 +175,6 @@ class Replay:
         """Say that another version recorded it, if one did."""
         other = self.made_by not in ("", version())
         return f"; soccer_env {self.made_by} recorded it, and this is {version()}" if other else ""
-
-    def notes(self) -> Notes | None:
-        """Return what robots thought, None where that was not recorded; ValueError if it is damaged."""
-        if not self.thoughts:
-            return None
-        try:
-            return Notes(self.thoughts, self.commands.shape[2])
-        except (KeyError, TypeError, RecursionError, OverflowError) as error:
-            raise ValueError(f"the thoughts of this replay are damaged: {error!r}") from error
-
-    def video(self, path: str | Path, *, anew: bool = False, **settings: Any) -> Path:
-        """Write the first match as a film, MP4 or GIF by the path's ending; return the path. No display is needed.
-
-        settings: fps, speed, width, start and seconds, as in `film.FilmSettings`. ValueError for a wrong one, for a
-        file that exists (unless `anew`), and where the play differs; ImportError if the extra `video` is missing.
-        """
-        from soccer_env.replay.film import FilmSettings, make_film
-
-        check_names("setting", settings, [item.name for item in fields(FilmSettings)], TypeError)
-        return make_film(self, path, FilmSettings(**settings), anew)
-
-    def html(self, path: str | Path, *, anew: bool = False) -> Path:
-        """Write the first match as one page for any browser, no network needed; return the path.
-
-        ValueError for a file that exists (unless `anew`), and where the play differs.
-        """
-        from soccer_env.replay.browser import write_page
-
-        return write_page(self, path, anew)
 
     def write(self, path: str | Path) -> Path:
         """Write the replay to a file, in one piece or not at all; return its path."""

@@ -13,7 +13,9 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.replay.groups import Group, checked_groups, group_columns, groups_of, width_of
 from soccer_env.squads import Squad
+from soccer_env.teams import explanation_of
 from soccer_env.types import HOME
 
 PER_SECOND = 5  # [1/s] notes, at least
@@ -31,14 +33,15 @@ MOST_FIELDS = 12  # of a team's memory
 class Thoughts:
     """Notes of one match, taken every `every` control steps.
 
-    `shown` maps fields of the teams' memories to the words for their values, () for a plain number; None: all whole
-    numbers that a memory has.
+    `shown` maps fields of the teams' memories to the words for their values, () for a plain number; None: what each
+    team explains of itself, and of one that does not all whole numbers that its memory has.
     """
 
     def __init__(self, match: Match, shown: Mapping[str, tuple[str, ...]] | None = None) -> None:
         self.every = max(1, match.league.control_rate // PER_SECOND)
         self.slots = int(match.tracks.shape[2]) if thinks(match) else 0
         self.fields = [fields_of(match, r, shown) for r in range(len(match.agents))]
+        self.groups = groups_of(match) if self.slots else []
         self.steps: list[int] = []
         self.rows: list[np.ndarray] = []  # each (R, C) int16
 
@@ -46,7 +49,13 @@ class Thoughts:
         """Take a note of the match after a control step, if it is time for one."""
         if step % self.every == 0 and self.slots:
             self.steps.append(step)
-            self.rows.append(note_of(match, self.fields, self.slots))
+            self.rows.append(self.look(match))
+
+    def look(self, match: Match) -> np.ndarray:
+        """Return what all robots of the first match think now, (R, C) int16."""
+        columns = [*of_all(match), *of_tracks(match, self.slots)]
+        more = whole(group_columns(match, self.groups))
+        return np.column_stack([whole(np.stack(columns, axis=1)), more, remembered(match, self.fields)])
 
     def cut(self, step: int) -> None:
         """Forget what was noted after a control step."""
@@ -56,12 +65,16 @@ class Thoughts:
 
     def packed(self) -> dict[str, np.ndarray]:
         """Return the notes as arrays for a file: changes from note to note, which compress well."""
-        return packed(self.steps, np.stack(self.rows), self.slots, self.fields) if self.rows else {}
+        if not self.rows:
+            return {}
+        return packed(self.steps, np.stack(self.rows), self.slots, self.fields, self.groups)
 
 
-def packed(steps: list[int], numbers: np.ndarray, slots: int, fields: list[list[list[Any]]]) -> dict[str, np.ndarray]:
+def packed(
+    steps: list[int], numbers: np.ndarray, slots: int, fields: list[list[list[Any]]], groups: list[Group]
+) -> dict[str, np.ndarray]:
     """Return notes (T, R, C) as arrays for a file."""
-    about = {"steps": steps, "slots": slots, "fields": fields}
+    about = {"steps": steps, "slots": slots, "fields": fields, "groups": groups}
     changes = np.diff(numbers, axis=0, prepend=np.int16(0))
     return {
         "thoughts": np.ascontiguousarray(np.moveaxis(changes, 0, -1)),  # (R, C, T), wraps round
@@ -76,8 +89,10 @@ class Notes:
         about = json.loads(arrays["thoughts_about"].tobytes())
         changes = arrays["thoughts"]
         self.slots, self.fields = int(about["slots"]), [checked_fields(fields) for fields in about["fields"]]
+        self.groups = checked_groups(about.get("groups", []))  # files of older versions have none
         self.steps = np.array(about["steps"], np.int64)
-        width = len(TABLE) + self.slots * len(TRACK) + max((len(fields) for fields in self.fields), default=0)
+        width = len(TABLE) + self.slots * len(TRACK) + width_of(self.groups)
+        width += max((len(fields) for fields in self.fields), default=0)
         if changes.dtype != np.int16 or changes.shape != (robots, width, len(self.steps)) or len(self.fields) != robots:
             raise ValueError(f"its thoughts are {changes.dtype} {changes.shape}, not int16 of {robots} robots")
         self.numbers = np.cumsum(np.moveaxis(changes, -1, 0), axis=0, dtype=np.int16)
@@ -87,7 +102,7 @@ class Notes:
         inside = (self.steps > first) & (self.steps <= last)
         if not inside.any():
             return {}
-        return packed((self.steps[inside] - first).tolist(), self.numbers[inside], self.slots, self.fields)
+        return packed((self.steps[inside] - first).tolist(), self.numbers[inside], self.slots, self.fields, self.groups)
 
 
 def checked_fields(fields: Any) -> list[list[Any]]:
@@ -107,10 +122,12 @@ def fields_of(match: Match, r: int, shown: Mapping[str, tuple[str, ...]] | None)
     """Return what is noted of the memory of robot r: [name, words of its values, steps in a unit] each."""
     found: list[list[Any]] = []
     for squad in of_one_team(match):
+        explanation = explanation_of(squad.team)
+        known = explanation.shown if shown is None and explanation is not None else shown
         for path, kind in leaves(squad.memory.dtype) if r in squad.players else ():
             name = path.rpartition(".")[2]
-            if (shown is None and kind == "i" and name != "begun") or (shown is not None and name in shown):
-                found.append([path, list((shown or {}).get(name, ())), 1.0 if kind in "iu" else CENTI])
+            if (known is None and kind == "i" and name != "begun") or (known is not None and name in known):
+                found.append([path, list((known or {}).get(name, ())), 1.0 if kind in "iu" else CENTI])
     return found[:MOST_FIELDS]
 
 
@@ -131,25 +148,36 @@ def leaves(dtype: np.dtype, path: str = "") -> list[tuple[str, str]]:
     return found
 
 
-def note_of(match: Match, fields: list[list[list[Any]]], slots: int) -> np.ndarray:
-    """Return what all robots of the first match think now, (R, C) int16."""
+def of_all(match: Match) -> list[np.ndarray]:
+    """Return the columns of TABLE, each (R,), not yet whole numbers."""
     robots, beliefs = match.robots[0], match.beliefs[0]
     sign = np.where((robots["team"] == HOME) == (match.matches["home_direction"][0] > 0.0), 1.0, -1.0)
-    own = (sign * beliefs["own"]["x"], sign * beliefs["own"]["y"])
-    heading = beliefs["own"]["heading"] + np.where(sign > 0.0, 0.0, np.pi)
-    heading = np.arctan2(np.sin(heading), np.cos(heading))
+    own, heading = own_poses(match)
     ball_x, ball_y = placed(own, heading, beliefs["ball"])
     columns = [MILLI * own[0], MILLI * own[1], MILLI * heading, CENTI * beliefs["own"]["confidence"]]
     columns += [MILLI * ball_x, MILLI * ball_y, CENTI * beliefs["ball"]["confidence"], CENTI * beliefs["ball"]["age"]]
     columns += seen(match) + cloud(match, sign)
-    columns += [CENTI * robots["command"][name] for name in ("forward", "left", "turn", "kick")]
+    return columns + [CENTI * robots["command"][name] for name in ("forward", "left", "turn", "kick")]
+
+
+def own_poses(match: Match) -> tuple[tuple[np.ndarray, np.ndarray], np.ndarray]:
+    """Return where all robots believe they are, and their heading [m, rad], field frame, each (R,)."""
+    robots, own = match.robots[0], match.beliefs[0]["own"]
+    sign = np.where((robots["team"] == HOME) == (match.matches["home_direction"][0] > 0.0), 1.0, -1.0)
+    heading = own["heading"] + np.where(sign > 0.0, 0.0, np.pi)
+    return (sign * own["x"], sign * own["y"]), np.arctan2(np.sin(heading), np.cos(heading))
+
+
+def of_tracks(match: Match, slots: int) -> list[np.ndarray]:
+    """Return the columns of TRACK of each slot, each (R,), not yet whole numbers."""
+    columns: list[np.ndarray] = []
+    own, heading = own_poses(match)
     for slot in range(slots):
         track = match.tracks[0, :, slot]
         x, y = placed(own, heading, track)
         age = np.where(track["teammate"] == 1, 1.0, -1.0) * (1.0 + np.minimum(10.0 * track["age"], MOST - 1))
         columns += [np.where(track["present"] == 1, values, 0.0) for values in (MILLI * x, MILLI * y, age)]
-    memory = remembered(match, fields)
-    return np.column_stack([whole(np.stack(columns, axis=1)), memory])
+    return columns
 
 
 def placed(own: tuple[np.ndarray, np.ndarray], heading: np.ndarray, thing: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

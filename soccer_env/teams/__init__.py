@@ -1,6 +1,7 @@
 """What a team is, and the registry of named teams.
 
     team.py       the protocol, and compiled teams
+    explaining.py what a team tells people who watch it
     lineup.py     several teams, one of which plays each episode
     registry.py   teams by name: shipped, of packages, of files, of modules of one's own
 
@@ -9,11 +10,12 @@ The teams themselves stand in `baselines/` and `agents/`.
 
 from __future__ import annotations
 
+from soccer_env.teams.explaining import Explanation, Mind, explanation_of, shipped_team
 from soccer_env.teams.lineup import Lineup
 from soccer_env.teams.registry import ENTRY_POINTS, NAMES, in_module, make_team, parse_team, registered
 from soccer_env.teams.team import CompiledTeam, ObservingTeam, Team, TeamRandom, View
 
 __all__ = [
-    "ENTRY_POINTS", "NAMES", "CompiledTeam", "Lineup", "ObservingTeam", "Team", "TeamRandom", "View", "in_module",
-    "make_team", "parse_team", "registered",
+    "ENTRY_POINTS", "NAMES", "CompiledTeam", "Explanation", "Lineup", "Mind", "ObservingTeam", "Team", "TeamRandom",
+    "View", "explanation_of", "in_module", "make_team", "parse_team", "registered", "shipped_team",
 ]  # fmt: skip

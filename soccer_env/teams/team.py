@@ -109,6 +109,7 @@ class CompiledTeam:
     families: tuple[str, ...] = ()  # of leagues that it plays (`League.family`); empty: all
     options: Options | None = None  # the team's settings by name, for lists
     blind: bool = False  # True: it reads no belief, so that nothing has to be sensed for it
+    explains: str = ""  # "MODULE:NAME" of what it tells people who watch, see explaining.py
 
     def __repr__(self) -> str:
         """Return its name and what was asked of it otherwise than by default."""

@@ -11,6 +11,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.replay.browser.page import as_script, write_page
+from soccer_env.replay.thought import Reader
 from soccer_env.train.evaluate.recording import shown_of_memory
 from tests.render.chromium import Chromium, find_chromium
 
@@ -90,6 +91,40 @@ def test_a_page_shows_what_a_robot_believes(browser: Chromium, page: tuple[Repla
     )
     row = int(np.flatnonzero(notes.steps <= 150)[-1])
     assert found == [int(notes.steps[row]), int(notes.numbers[row, 1, 0])]
+
+
+@needs_chromium
+def test_each_overlay_draws_something_and_has_a_button_and_a_key(browser: Chromium) -> None:
+    browser.run("(() => { window.player.pick(1); window.player.seek(150); })()")
+    look = "(() => { window.player.show(0); return window.player.pitch.canvas.toDataURL(); })()"
+    for name, key in (
+        ("belief", "b"),
+        ("sight", "v"),
+        ("path", "w"),
+        ("roles", "o"),
+        ("infrared", "i"),
+        ("trail", "t"),
+    ):
+        before, pressed = browser.run(look), browser.run(f"window.player.shown.{name}")
+        browser.press(key, ord(key.upper()), key)
+        assert browser.run(f"window.player.shown.{name}") is not pressed
+        if name != "trail":  # the ball may lie still
+            assert browser.run(look) != before, name
+        browser.run(f"document.getElementById('{name}').click()")
+        assert browser.run(f"document.getElementById('{name}').getAttribute('aria-pressed')") == str(pressed).lower()
+    browser.run("window.player.pick(-1)")
+    assert browser.errors == []
+
+
+@needs_chromium
+def test_a_page_knows_the_blobs_and_ways_that_were_noted(browser: Chromium, page: tuple[Replay, Path]) -> None:
+    notes = page[0].notes()
+    assert notes is not None
+    row = int(np.flatnonzero(notes.steps <= 150)[-1])
+    found = browser.run("window.player.recording.thought(1, 150).more")
+    thought = Reader.of(notes).thought(notes.numbers[row], 1)
+    for name, _, parts in notes.groups:
+        assert [[one[part] for part in parts] for one in found[name]] == thought.groups[name].tolist(), name
 
 
 @needs_chromium

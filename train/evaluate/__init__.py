@@ -10,7 +10,6 @@ report.py          the result in Markdown and on the screen
 page.py             the same as a page for the browser, with pictures
 pictures.py        a sheet of pictures of one match
 recording.py       a match into a replay file, and out of it again
-watching.py        a match or a replay in a window: pause, step, speed, seek
 exporting.py       a replay as a film or a page                                     export_settings.py
 """
 

@@ -1,9 +1,11 @@
-"""`soccer export`: a replay file as a film or as a page for the browser."""
+"""`soccer export`: a replay file as a film, a picture or a page for the browser."""
 
 from __future__ import annotations
 
 from dataclasses import fields
 
+from soccer_env.render import save_png
+from soccer_env.render.overlays.flags import OverlayFlags, part_of_flags
 from soccer_env.replay import Replay
 from soccer_env.replay.browser import write_page
 from soccer_env.replay.film import FilmSettings, drawn_steps, make_film
@@ -11,7 +13,7 @@ from soccer_env.train.evaluate.export_settings import ExportSettings
 from soccer_env.train.evaluate.recording import check_target
 from soccer_env.train.progress import Progress
 
-KINDS = (".html", ".mp4", ".gif")
+KINDS = (".html", ".mp4", ".gif", ".png")
 
 
 def export(settings: ExportSettings) -> str:
@@ -26,13 +28,22 @@ def export(settings: ExportSettings) -> str:
     rate = replay.make_match().league.control_rate  # its settings are sound, too
     if kind == ".html":
         with Progress(settings.out.name, len(replay)) as bar:
-            write_page(replay, settings.out, settings.anew, bar.advance)
+            write_page(replay, settings.out, settings.anew, bar.advance, part_of_flags(settings))
+    elif kind == ".png":
+        return write_picture(replay, settings)
     else:
         write_film(replay, settings, rate)
     shown = len(replay) / rate - (settings.start if kind != ".html" else 0.0)
     minutes = (shown if kind == ".html" or settings.seconds is None else min(shown, settings.seconds)) / 60.0
     size = settings.out.stat().st_size
     return f"{settings.out}, {size / 1e6:.2f} MB, {size / 1e3 / max(minutes, 1e-9):.0f} kB a minute of play"
+
+
+def write_picture(replay: Replay, settings: ExportSettings) -> str:
+    """Write one frame; return its name and size in words."""
+    overlays = {item.name: getattr(settings, item.name) for item in fields(OverlayFlags)}
+    save_png(replay.frame(settings.start, width=settings.width, **overlays), settings.out)
+    return f"{settings.out}, {settings.out.stat().st_size / 1e3:.0f} kB"
 
 
 def write_film(replay: Replay, settings: ExportSettings, rate: int) -> None:

@@ -1,4 +1,4 @@
-"""The settings of `soccer record`, `soccer replay` and `soccer watch`."""
+"""The settings of `soccer record` and `soccer replay`, and of a match that is played."""
 
 from __future__ import annotations
 
@@ -57,19 +57,3 @@ class ReplaySettings(CommandSettings):
     """The file; nothing in it is executed."""
     verify: bool = False
     """Prove the hash of every step: what this command does anyway."""
-
-
-@dataclass(frozen=True)
-class WatchSettings(PlaySettings):
-    """Show a match in a window (needs pygame-ce): a replay FILE, or one that is played now as the options say.
-
-    Space pauses, comma and full stop step, left and right go 5 s, up and down change the speed, Home goes to the
-    start, Escape ends.
-    """
-
-    file: tyro.conf.Positional[Path | None] = None
-    """A replay file to show; None: a match is played."""
-    width: int = 960
-    """Width of the picture [pixels]."""
-    speed: float = 1.0
-    """How many times as fast as real time, above 0."""

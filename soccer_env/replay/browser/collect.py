@@ -6,6 +6,7 @@ Tables hold whole numbers of 16 bits: lengths in mm, angles in mrad, clocks in 0
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,10 +16,12 @@ from soccer_env.match import Match
 from soccer_env.match_settings import version
 from soccer_env.render.captions import PHASES
 from soccer_env.render.frame import one_line
+from soccer_env.render.overlays.flags import OverlayFlags
+from soccer_env.render.overlays.scene import camera_of, directions_of
 from soccer_env.render.robots import parts_of
 from soccer_env.replay.browser.events import Storyteller
 from soccer_env.replay.browser.packing import pack
-from soccer_env.replay.thoughts import SEES, TABLE, TRACK, whole
+from soccer_env.replay.thoughts import SEES, TABLE, TRACK, Notes, whole
 from soccer_env.types import Phase
 
 if TYPE_CHECKING:
@@ -31,8 +34,10 @@ STATES = {"active": 1, "has_ball": 2, "fallen": 4, "kicks": 8}  # bits of `state
 MILLI, DECI = 1000.0, 10.0
 
 
-def collect(replay: Replay, note: Callable[[int], None] | None = None) -> dict[str, Any]:
-    """Play the first match of a replay and return what a page shows, as plain values."""
+def collect(
+    replay: Replay, note: Callable[[int], None] | None = None, flags: OverlayFlags | None = None
+) -> dict[str, Any]:
+    """Play the first match of a replay and return what a page shows, as plain values; `flags`: at first."""
     playing = replay.play()
     match = next(playing)
     every = max(1, match.league.control_rate // PER_SECOND)
@@ -56,14 +61,16 @@ def collect(replay: Replay, note: Callable[[int], None] | None = None) -> dict[s
         "rows": len(rows),
         "columns": {"general": GENERAL, "each": EACH, "states": STATES},
         "events": stories.events,
-        "thoughts": None if notes is None else {"steps": notes.steps.tolist(), **noted(notes.slots, notes.fields)},
+        "shown": None if flags is None or not flags.any else {**asdict(flags), "robot": flags.agent},
+        "thoughts": None if notes is None else {"steps": notes.steps.tolist(), **noted(notes)},
         "tables": tables,
     }
 
 
-def noted(slots: int, fields: list[list[list[Any]]]) -> dict[str, Any]:
+def noted(notes: Notes) -> dict[str, Any]:
     """Return what the columns of the table of thoughts are."""
-    return {"slots": slots, "fields": fields, "table": TABLE, "track": TRACK, "sees": SEES}
+    about = {"slots": notes.slots, "fields": notes.fields, "groups": notes.groups}
+    return about | {"table": TABLE, "track": TRACK, "sees": SEES}
 
 
 def flat(numbers: np.ndarray) -> np.ndarray:
@@ -100,7 +107,7 @@ def about(match: Match, replay: Replay) -> dict[str, Any]:
         "phases": {int(phase): words for phase, words in PHASES.items()} | {int(Phase.OVER): "final whistle"},
         "pitch": field_of(league),
         "body": body_of(league),
-        "view": view_of(replay),
+        **camera_on_head(replay),
     }
 
 
@@ -114,14 +121,18 @@ def field_of(league: League) -> dict[str, Any]:
     return {name: getattr(pitch, name) for name in names} | {"ball": league.ball.radius}
 
 
-def view_of(replay: Replay) -> float:
-    """Return how wide the camera on a head sees [rad], 0 for one that sees all round.
+def camera_on_head(replay: Replay) -> dict[str, Any]:
+    """Return how wide the camera on a head sees [rad], 0 for one that sees all round; its picture [px] and neck [m].
 
-    A league that is replayed has no sensors.
+    A league that is replayed has no sensors: they are read out of the settings.
     """
     sensors = replay.settings["league"].get("sensors")
-    width = sensors.get("view_width", 0.0) if isinstance(sensors, dict) else 0.0
-    return min(max(float(width), 0.0), 6.28) if isinstance(width, (int, float)) and np.isfinite(width) else 0.0
+    camera = camera_of(sensors)
+    found: dict[str, Any] = {"view": 0.0, "neck": 0.0, "focal": 1.0, "image": [0, 0]}
+    if camera is not None:
+        size = [camera.width, camera.height]
+        found = {"view": camera.view, "neck": camera.neck, "focal": camera.focal, "image": size}
+    return {**found, "directions": directions_of(sensors)}
 
 
 def body_of(league: League) -> dict[str, Any]:

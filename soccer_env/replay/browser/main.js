@@ -2,6 +2,7 @@
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16];
 const LEAD = 1.5; // [s] before a goal or foul at which its event begins to play
+const SWITCHES = ["belief", "sight", "path", "roles", "infrared", "trail"];
 const byId = (id) => document.getElementById(id);
 
 class Player {
@@ -12,7 +13,7 @@ class Player {
     this.time = 0; // control steps
     this.playing = false;
     this.speed = 3;
-    this.shown = { picked: -1, belief: true, trail: true, sight: true };
+    this.shown = { belief: true, sight: true, path: false, roles: false, infrared: false, trail: true, ...recording.shown, picked: -1 };
     this.stale = true;
     this.told = { second: -1, picked: -2 };
     this.fill();
@@ -35,6 +36,10 @@ class Player {
       chip.addEventListener("click", () => this.pick(this.shown.picked === r ? -1 : r));
       byId("chips").append(chip);
     });
+    for (const id of SWITCHES) byId(id).setAttribute("aria-pressed", String(this.shown[id]));
+    byId("infrared").hidden = !recording.body.legs;
+    const asked = recording.shown && recording.shown.robot;
+    this.pick(recording.robots.findIndex(([team, number]) => `${["home", "away"][team]}_${number}` === asked));
     this.fillEvents();
   }
 
@@ -53,7 +58,7 @@ class Player {
     press("after", () => this.toEvent(1));
     press("theme", () => this.turnTheme());
     press("ask", () => byId("help").showModal());
-    for (const id of ["belief", "trail", "sight"]) press(id, () => this.flip(id));
+    for (const id of SWITCHES) press(id, () => this.flip(id));
     byId("speed").addEventListener("change", (event) => this.setSpeed(Number(event.target.value)));
     byId("kicks").addEventListener("change", () => this.fillEvents());
     byId("scrub").addEventListener("input", (event) => this.seek(Number(event.target.value)));
@@ -77,7 +82,8 @@ class Player {
       ArrowUp: () => this.setSpeed(this.speed + 1), ArrowDown: () => this.setSpeed(this.speed - 1),
       ",": () => this.step(-1), ".": () => this.step(1), p: () => this.toEvent(-1), n: () => this.toEvent(1),
       r: () => this.pick((this.shown.picked + 1) % this.recording.robots.length), Escape: () => this.pick(-1),
-      b: () => this.flip("belief"), t: () => this.flip("trail"), v: () => this.flip("sight"), d: () => this.turnTheme(),
+      b: () => this.flip("belief"), v: () => this.flip("sight"), w: () => this.flip("path"), o: () => this.flip("roles"),
+      i: () => this.flip("infrared"), t: () => this.flip("trail"), d: () => this.turnTheme(),
       "?": () => byId("help").showModal(),
     };
     if (!(event.key in keys) || (typing && event.target.matches("select"))) return;

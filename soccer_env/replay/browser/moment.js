@@ -17,9 +17,10 @@ class Recording {
     const width = data.columns.general.length + data.robots.length * data.columns.each.length;
     const places = await unpack(data.tables.places, data.rows, width);
     if (!data.thoughts) return new Recording(data, places, null);
-    const { table, track, slots, fields, steps } = data.thoughts;
+    const { table, track, slots, groups, fields, steps } = data.thoughts;
     const most = Math.max(0, ...fields.map((names) => names.length));
-    const columns = (table.length + track.length * slots + most) * data.robots.length;
+    const more = groups.reduce((sum, [, count, parts]) => sum + count * parts.length, 0);
+    const columns = (table.length + track.length * slots + more + most) * data.robots.length;
     return new Recording(data, places, await unpack(data.tables.thoughts, steps.length, columns));
   }
 
@@ -59,7 +60,7 @@ class Recording {
   // Return what robot r thought at the last note before a time, or null.
   thought(r, time) {
     if (!this.notes) return null;
-    const { steps, table, track, slots, fields, sees } = this.thoughts;
+    const { steps, table, track, slots, groups, fields, sees } = this.thoughts;
     let low = 0, high = steps.length;
     while (low < high) {
       const middle = (low + high) >> 1;
@@ -67,23 +68,32 @@ class Recording {
     }
     if (low === 0) return null;
     const get = (column) => this.notes[r * this.noteWidth + column][low - 1];
+    const span = low < steps.length ? steps[low] - steps[low - 1] : 0;
+    const share = span > 0 ? Math.min(Math.max((time - steps[low - 1]) / span, 0), 1) : 0;
+    const late = (column) => this.notes[r * this.noteWidth + column][Math.min(low, steps.length - 1)];
+    // A place between two notes: what is believed lies on things that move, the early note alone would lag behind.
+    const place = (column, same = true) => between(get(column), get(column + 1), late(column), late(column + 1), same ? share : 0);
     const of = Object.fromEntries(table.map((name, at) => [name, get(at)]));
     if ((of.sees & sees.thinks) === 0 && !fields[r].length) return null;
     const players = [];
     for (let slot = 0; slot < slots; slot++) {
-      const [x, y, age] = track.map((_, at) => get(table.length + slot * track.length + at));
-      if (age !== 0) players.push({ x: x / 1e3, y: y / 1e3, mate: age > 0, age: (Math.abs(age) - 1) / 10 });
+      const first = table.length + slot * track.length, age = get(first + 2);
+      if (age !== 0) players.push({ ...place(first, Math.sign(late(first + 2)) === Math.sign(age)), mate: age > 0, age: (Math.abs(age) - 1) / 10 });
     }
+    const more = {};
+    let next = table.length + slots * track.length;
+    for (const [name, count, parts] of groups)
+      more[name] = Array.from({ length: count }, () => Object.fromEntries(parts.map((part) => [part, get(next++)])));
     const memory = fields[r].map(([name, words, unit], at) => {
-      const number = get(table.length + slots * track.length + at);
+      const number = get(next + at);
       return { name, word: words[number], number: number / unit };
     });
     const saw = Object.fromEntries(Object.entries(sees).map(([name, bit]) => [name, (of.sees & bit) !== 0]));
     return {
-      step: steps[low - 1], saw, players, memory, knows: saw.thinks,
-      own: { x: of.x / 1e3, y: of.y / 1e3, heading: of.heading / 1e3, confidence: of.confidence / 100,
+      step: share > 0 ? time : steps[low - 1], saw, players, memory, more, knows: saw.thinks,
+      own: { ...place(0), heading: turned(of.heading / 1e3, late(2) / 1e3, share), confidence: of.confidence / 100,
         spread: of.spread / 1e3, narrow: of.narrow / 1e3, axis: of.axis / 1e3 },
-      ball: { x: of.ball_x / 1e3, y: of.ball_y / 1e3, confidence: of.ball_confidence / 100, age: of.ball_age / 100 },
+      ball: { ...place(table.indexOf("ball_x")), confidence: of.ball_confidence / 100, age: of.ball_age / 100 },
       seen: { players: of.players, marks: of.marks, infrared: of.infrared / 1e3 },
       command: ["forward", "left", "turn", "kick"].map((name) => [name, of[name] / 100]),
     };

@@ -10,6 +10,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.replay.browser.collect import collect
 from soccer_env.replay.film import check_new
 from soccer_env.whole_files import write_whole
@@ -17,19 +18,23 @@ from soccer_env.whole_files import write_whole
 if TYPE_CHECKING:
     from soccer_env.replay.replay_file import Replay
 
-SCRIPTS = ("unpack.js", "moment.js", "pitch.js", "charts.js", "panel.js", "main.js")
+SCRIPTS = ("unpack.js", "moment.js", "pitch.js", "overlays.js", "charts.js", "panel.js", "main.js")
 ESCAPED = {ord(letter): f"\\u{ord(letter):04x}" for letter in "<>&\u2028\u2029"}
 
 
 def write_page(
-    replay: Replay, path: str | os.PathLike[str], anew: bool = False, note: Callable[[int], None] | None = None
+    replay: Replay,
+    path: str | os.PathLike[str],
+    anew: bool = False,
+    note: Callable[[int], None] | None = None,
+    flags: OverlayFlags | None = None,
 ) -> Path:
     """Write the first match of a replay as a page; `note` is told of each control step. See `Replay.html`."""
     target = Path(path)
     if target.suffix.lower() != ".html":
         raise ValueError(f"the path of a page must end with .html, got {str(path)!r}")
     check_new(target, anew)
-    write_whole(target, page_of(collect(replay, note)))
+    write_whole(target, page_of(collect(replay, note, flags)))
     return target
 
 

@@ -38,7 +38,8 @@ function called(path) {
 
 function decision(thought) {
   const words = thought.memory.filter((field) => field.word !== undefined).map((field) => field.word);
-  return words.length ? [...new Set(words)].join(", ") : "";
+  const longer = (word) => words.some((other) => other !== word && other.startsWith(word));
+  return [...new Set(words.filter((word) => !longer(word)))].join(", ");
 }
 
 function showRecord(panel, recording, r, time, moment) {
@@ -68,6 +69,25 @@ function showRecord(panel, recording, r, time, moment) {
   panel.append(element("h3", "sees"), facts([["ball", yes(saw.ball)], ["own goal", yes(saw.own_goal)], ["other goal", yes(saw.opponent_goal)],
     ["players", String(seen.players)], [recording.body.legs ? "landmarks" : "lines", String(seen.marks)],
     ...(recording.body.legs ? [["infrared", seen.infrared > 0 ? `${seen.infrared.toFixed(2)} m` : "nothing"]] : [])]));
+  const picture = cameraPicture(recording, robot, moment, thought);
+  if (picture) panel.append(picture);
+}
+
+// The picture of the camera with a box for each blob in it, or null where nothing of it was noted.
+function cameraPicture(recording, robot, moment, thought) {
+  if (!thought.more.head || !(recording.image[0] > 0)) return null;
+  const canvas = element("canvas"), [width, height] = recording.image, zoom = 2, c = canvas.getContext("2d");
+  [canvas.width, canvas.height] = [zoom * width, zoom * height];
+  canvas.setAttribute("aria-label", "blobs in the picture of its camera");
+  c.fillStyle = "#10161d";
+  c.fillRect(0, 0, canvas.width, canvas.height);
+  const seen = new Overlays(window.player.pitch, c, moment), tints = seen.tints(robot);
+  for (const [name, boxes] of Object.entries(seen.blobs(robot, thought.more)))
+    for (const { left, right, high, low } of boxes) {
+      c.fillStyle = tints[name];
+      c.fillRect(zoom * (width / 2 - left), zoom * (height / 2 - high), Math.max(2, zoom * (left - right)), Math.max(2, zoom * (high - low)));
+    }
+  return canvas;
 }
 
 // What the scorer thought at the last note before a goal.

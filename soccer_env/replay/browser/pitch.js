@@ -99,12 +99,17 @@ class Pitch {
     const c = this.context, moment = this.recording.at(time);
     c.drawImage(this.ground, 0, 0);
     const picked = shown.picked >= 0 ? moment.robots[shown.picked] : null;
-    if (picked && shown.sight && this.recording.view > 0 && picked.active) this.drawSight(c, picked);
+    const thought = picked ? this.recording.thought(shown.picked, time) : null;
+    const over = new Overlays(this, c, moment);
+    if (picked && picked.active && shown.sight) over.drawSight(picked, thought);
     if (shown.trail) this.drawTrail(c, moment);
+    if (picked && shown.path) over.drawTravelled(picked);
     for (const robot of moment.robots) if (robot.active) this.drawRobot(c, robot, robot === picked);
     this.drawBall(c, moment.ball);
-    const thought = picked && shown.belief ? this.recording.thought(shown.picked, time) : null;
-    if (thought && thought.knows) this.drawBelief(c, moment, picked, thought);
+    if (thought && shown.path) over.drawPlan(thought);
+    if (shown.infrared) over.drawBeams(time);
+    if (thought && thought.knows && shown.belief) over.drawBelief(picked, thought);
+    if (shown.roles) over.drawRoles(time);
     this.drawDirections(c, moment.direction);
     return moment;
   }
@@ -119,20 +124,6 @@ class Pitch {
       const words = `${["red", "blue"][team]} attacks`;
       c.fillText(ahead > 0 ? `${words} ›››` : `‹‹‹ ${words}`, this.px((-ahead * this.recording.pitch.length) / 4), this.py(y + 1.4 * size));
     }
-  }
-
-  drawSight(c, robot) {
-    const middle = robot.heading + robot.pan, half = this.recording.view / 2, far = 2 * this.half[0];
-    c.save();
-    c.beginPath();
-    c.rect(this.px(-this.recording.pitch.length / 2), this.py(this.recording.pitch.width / 2),
-      this.recording.pitch.length * this.scale, this.recording.pitch.width * this.scale);
-    c.clip();
-    const edge = (angle) => [robot.x + far * Math.cos(angle), robot.y + far * Math.sin(angle)];
-    this.path(c, [[robot.x, robot.y], edge(middle - half), edge(middle), edge(middle + half)], true);
-    c.fillStyle = "rgba(255,246,190,.2)";
-    c.fill();
-    c.restore();
   }
 
   drawTrail(c, moment) {
@@ -190,54 +181,13 @@ class Pitch {
     c.fillText(robot.fallen ? `${robot.number}↯` : String(robot.number), this.px(robot.x), this.py(robot.y));
   }
 
-  // What a robot believes, dashed, with lines to what is true.
-  drawBelief(c, moment, robot, thought) {
-    const thin = 1.6 * this.ratio, dash = [5 * this.ratio, 4 * this.ratio], { own, ball } = thought;
-    const link = (from, to, colour) => {
-      this.path(c, [[from.x, from.y], [to.x, to.y]]);
-      c.strokeStyle = colour;
-      c.lineWidth = thin;
-      c.setLineDash([2 * this.ratio, 3 * this.ratio]);
-      c.stroke();
-      c.setLineDash([]);
-    };
-    link(robot, own, BELIEF);
-    c.setLineDash(dash);
-    for (const [role, points] of this.recording.body.pieces) {
-      if (role !== "body") continue;
-      this.path(c, this.outline(own, points), true);
-      c.strokeStyle = BELIEF;
-      c.lineWidth = 2.2 * this.ratio;
-      c.stroke();
-    }
-    c.setLineDash([]);
-    if (own.spread > 0) {
-      c.beginPath();
-      c.ellipse(this.px(own.x), this.py(own.y), 2 * own.spread * this.scale, 2 * own.narrow * this.scale, -own.axis, 0, 7);
-      c.fillStyle = "rgba(255,220,30,.16)";
-      c.strokeStyle = "rgba(255,220,30,.9)";
-      c.lineWidth = thin;
-      c.fill();
-      c.stroke();
-    }
-    for (const player of thought.players) {
-      const team = player.mate ? robot.team : 1 - robot.team;
-      this.ring(c, player.x, player.y, 0.9 * this.recording.body.reach, LIGHT[team], 2 * this.ratio, dash);
-      if (player.age >= 0.5) this.label(c, player, `${player.age.toFixed(1)} s`, LIGHT[team]);
-    }
-    if (ball.confidence > 0 || ball.age < 60) {
-      link(moment.ball, ball, "#ffc480");
-      this.ring(c, ball.x, ball.y, Math.max(1.5 * this.recording.pitch.ball, (7 * this.ratio) / this.scale), "#ffc480", 2.4 * this.ratio, dash);
-    }
-  }
-
-  label(c, at, words, colour) {
+  label(c, at, words, colour, align = "left", right = 8, down = -8) {
     c.font = `${11 * this.ratio}px system-ui, sans-serif`;
-    c.textAlign = "left";
+    c.textAlign = align;
     c.lineWidth = 3 * this.ratio;
     c.strokeStyle = INK;
     c.fillStyle = colour;
-    const x = this.px(at.x) + 8 * this.ratio, y = this.py(at.y) - 8 * this.ratio;
+    const x = this.px(at.x) + right * this.ratio, y = this.py(at.y) + down * this.ratio;
     c.strokeText(words, x, y);
     c.fillText(words, x, y);
   }

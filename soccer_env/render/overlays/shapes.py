@@ -110,6 +110,36 @@ class Arrows:
 
 
 @dataclass(frozen=True, eq=False)
+class ArrowGrid:
+    """Many arrows about their middles, as of a force field; colours tell how strong each is."""
+
+    middles: ArrayLike  # (N, 2) [m] field frame
+    vectors: ArrayLike  # (N, 2) [m] from tail to tip, field frame
+    shares: ArrayLike  # (N,) [1] from the weak colour to the strong one
+    weak: Colour
+    strong: Colour
+    width: float = 2.0  # [px]
+    under: bool = True
+
+    def draw_on(self, canvas: Canvas, view: View) -> None:
+        """Draw every arrow as one polygon."""
+        middles, vectors = np.array(pairs("ArrowGrid.middles", self.middles)), np.asarray(self.vectors, float)
+        half, thick = 0.5 * view.scale * vectors * (1.0, -1.0), 0.5 * self.width
+        centres = np.array([view.pixel(x, y) for x, y in middles.tolist()])
+        long = np.maximum(np.hypot(*half.T)[:, None], 1e-9)
+        ahead = half / long
+        aside, head = np.column_stack([-ahead[:, 1], ahead[:, 0]]), np.minimum(2.8 * self.width, 1.2 * long)
+        tip, tail, neck = centres + half, centres - half, centres + half - head * ahead
+        rims = [tail + thick * aside, neck + thick * aside, neck + 0.42 * head * aside, tip]
+        rims += [neck - 0.42 * head * aside, neck - thick * aside, tail - thick * aside]
+        tints = np.rint(
+            np.array(self.weak) + np.outer(np.asarray(self.shares, float), np.subtract(self.strong, self.weak))
+        )
+        corners = np.stack(rims, axis=1).tolist()
+        canvas.polygons(list(zip(corners, map(tuple, tints.astype(int).tolist()), strict=True)))
+
+
+@dataclass(frozen=True, eq=False)
 class Area:
     """A region that the ground shines through, as of what a camera has in view."""
 

@@ -1,0 +1,69 @@
+"""What a player of heinemann-2006 and weigel-2001 tells people who watch: its role, its plan, its potential field.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from soccer_env.baselines.heinemann_2006.crowd import note_crowd
+from soccer_env.baselines.heinemann_2006.driving import ways_of
+from soccer_env.baselines.heinemann_2006.memory import ROLES, SCRATCH
+from soccer_env.baselines.heinemann_2006.team import act
+from soccer_env.baselines.sight import look
+from soccer_env.baselines.weigel_2001.planner.potential import gradient
+from soccer_env.compiled import compiled
+from soccer_env.teams import Explanation, Mind
+from soccer_env.types import COMMAND
+
+
+def plan(mind: Mind) -> np.ndarray:
+    """Return the path of the plan that it would drive along now: it is asked again, with a copy of its memory."""
+    scratch, memory = np.zeros(1, SCRATCH), mind.memory.copy()
+    memory["skill"]["wait"] = 0.0
+    plan_again(mind.beliefs, mind.tracks, memory, mind.noise.copy(), mind.constants, settings_of(mind), scratch)
+    made = scratch["plan"][0, 0]
+    path = made["path"][: made["count"]]
+    return np.column_stack([path["x"], path["y"]])
+
+
+def forces(mind: Mind, target: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """Return the direction of descent of the potential at each point, the others where they are now."""
+    scratch, found = np.zeros(1, SCRATCH), np.zeros((len(points), 2))
+    scratch["place"][0, 0] = tuple(target)
+    descent(mind.beliefs, mind.tracks, mind.constants, settings_of(mind), scratch, points, found)
+    return found
+
+
+def settings_of(mind: Mind) -> np.ndarray:
+    """Return the (1,) settings for the league's kind of base."""
+    kind = int(mind.constants["drive_kind"][0])
+    return mind.settings[kind : kind + 1]
+
+
+@compiled
+def plan_again(beliefs, tracks, memory, noise, constants, settings, scratch):
+    """Decide as the team does, in a scratch record that can be looked at afterwards."""
+    command = np.zeros(1, COMMAND)
+    act(beliefs[0], tracks[0], memory[0], noise[0], command[0], constants[0], settings[0], scratch[0])
+
+
+@compiled
+def descent(beliefs, tracks, constants, settings, scratch, points, found):
+    """Fill in minus the gradient of the potential at each point.  MH10"""
+    k, play, work = constants[0], settings[0], scratch[0]
+    work.sight.pace = 1.0
+    look(work.sight, beliefs[0], tracks[0], k)
+    note_crowd(work, k, play, False)
+    ways_of(work, k, play)
+    ways = work.ways[0]
+    for i in range(len(points)):
+        u, v = points[i, 0] / ways.cell, points[i, 1] / ways.cell
+        x, y = gradient(u, v, 0.0, work.place[0], work.crowd[: work.count], ways)
+        found[i, 0], found[i, 1] = -x, -y
+
+
+SHOWN: dict[str, tuple[str, ...]] = {"role": ROLES}
+NUMBERS = ("rank", "stuck", "tries", "left", "wriggle", "back_off", "detour")
+EXPLANATION = Explanation(SHOWN | dict.fromkeys(NUMBERS, ()), plan, forces, needs_target=True)

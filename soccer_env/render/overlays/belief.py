@@ -1,0 +1,89 @@
+"""What one robot believes, over what is true: itself, its possible poses, the ball, the others."""
+
+from __future__ import annotations
+
+from math import cos, hypot, pi, sin
+
+import numpy as np
+
+from soccer_env.geometry import point_of_frame
+from soccer_env.leagues.league import League
+from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Colour
+from soccer_env.render.overlays.scene import Cast, Shot
+from soccer_env.render.overlays.shapes import Area, Label, Overlay, Points, Polyline
+from soccer_env.render.robots import parts_of
+from soccer_env.replay.thought import Thought
+
+JUST_SEEN = 0.5  # [s] what was seen so lately is not marked with its age
+DEVIATIONS = 2.0  # of the cloud that its ellipse goes round
+CORNERS = np.linspace(0.0, 2.0 * pi, 33)[:-1]
+
+Pose = tuple[float, float, float]
+
+
+def believed(cast: Cast, shot: Shot, row: int, thought: Thought, unit: float) -> list[Overlay]:
+    """Return what robot `row` believes; links lead from what is true to where it believes it."""
+    robot = shot.robots[row]
+    true = (float(robot["x"]), float(robot["y"]))
+    found = cloud(thought, unit)
+    found.append(Polyline([true, thought.pose[:2]], WHITE, 1.4 * unit))
+    found += trunk(cast.league, thought.pose, WHITE, 2.6 * unit)
+    for player in thought.players:
+        team = int(robot["team"]) if player.mate else 1 - int(robot["team"])
+        found.append(Points([(player.x, player.y)], TEAMS_LIGHT[team], ring_of(cast.league, unit), hollow=True))
+        if player.age >= JUST_SEEN:
+            away = (13.0 * unit, -13.0 * unit)
+            words = f"{player.age:.0f} s" if player.age >= 9.5 else f"{player.age:.1f} s"
+            found.append(Label((player.x, player.y), words, TEAMS_LIGHT[team], letters(unit), away, "left"))
+    if thought.ball is not None:
+        found.append(Polyline([(float(shot.ball["x"]), float(shot.ball["y"])), thought.ball], BALL_SHINE, 1.6 * unit))
+        found.append(Points([thought.ball], BALL_SHINE, 9.0 * unit, hollow=True))
+    return found
+
+
+def letters(unit: float) -> float:
+    """Return the size of letters beside things [px], legible in small pictures too."""
+    return max(15.0, 19.0 * unit)
+
+
+def ring_of(league: League, unit: float) -> float:
+    """Return the radius of the ring round a believed player [px]."""
+    return (15.0 if league.body.legs else 12.0) * unit
+
+
+def cloud(thought: Thought, unit: float) -> list[Overlay]:
+    """Return an ellipse round the poses that the robot thinks possible, two deviations wide; nothing without them."""
+    wide, narrow, axis = thought.cloud
+    if wide <= 0.0:
+        return []
+    across, up = DEVIATIONS * wide * np.cos(CORNERS), DEVIATIONS * narrow * np.sin(CORNERS)
+    x = thought.pose[0] + across * cos(axis) - up * sin(axis)
+    y = thought.pose[1] + across * sin(axis) + up * cos(axis)
+    rim = np.column_stack([x, y])
+    return [Area(rim, KEEPER, 50), Polyline(rim, KEEPER, 1.4 * unit, closed=True)]
+
+
+def trunk(league: League, pose: Pose, colour: Colour, width: float) -> list[Overlay]:
+    """Return the outline of a robot's trunk at a pose, with a line to where it looks."""
+    x, y, heading = pose
+    corners = [
+        point_of_frame(x, y, u, v, cos(heading), sin(heading))
+        for part in parts_of(league.body, 0.0, walks=league.drive.kind == "gait")
+        if part.role == "body"
+        for u, v in part.outline
+    ]
+    if not corners:
+        radius = league.body.disc_radius
+        corners = [(x + radius * cos(angle), y + radius * sin(angle)) for angle in CORNERS]
+    ahead = 1.25 * max(hypot(u - x, v - y) for u, v in corners)
+    nose = (x + ahead * cos(heading), y + ahead * sin(heading))
+    return [Polyline(corners, colour, width, closed=True), Polyline([(x, y), nose], colour, width)]
+
+
+def belief_words(name: str, thought: Thought) -> str:
+    """Return what the robot believes in a line."""
+    words = f"{name} believes: itself {thought.confidence:.0f} %"
+    if thought.ball is None:
+        return f"{words}, the ball was never seen"
+    seen = "seen now" if thought.ball_age < JUST_SEEN else f"seen {thought.ball_age:.1f} s ago"
+    return f"{words}, ball {thought.ball_confidence:.0f} %, {seen}"

@@ -1,0 +1,88 @@
+"""What is to be drawn over a picture, and of which robot."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+from soccer_env.checking import Checked, check_names, refuse
+
+AT_BALL = "ball"
+NUMBERED = re.compile(r"(home|away|red|blue)[ _-]?(\d+)")
+
+
+@dataclass(frozen=True, kw_only=True)
+class OverlayFlags(Checked):
+    """What pictures, films and windows show over the match."""
+
+    TITLED = False
+
+    belief: bool = False
+    """What one robot believes: itself, ball and players, with confidence, age and possible poses, against the truth."""
+    sight: bool = False
+    """What its camera sees: the field of view, and the blobs or sightings in it."""
+    field: bool = False
+    """The potential field that its team computes from what it believes, as arrows."""
+    path: bool = False
+    """The path that it plans, and the one that it has travelled."""
+    roles: bool = False
+    """Role, behaviour and recovery state of every robot."""
+    infrared: bool = False
+    """The beam and the reading of every robot's infrared ranger."""
+    trail: bool = False
+    """The ball's way of the last seconds."""
+    robot: str = AT_BALL
+    """Whose belief, sight, field and path: an agent as home_1 or blue 2, or ball: whoever is nearest to it."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.robot != AT_BALL and not NUMBERED.fullmatch(self.robot):
+            refuse("robot", "an agent, as home_1 or blue 2, or ball", self.robot)
+
+    @property
+    def any(self) -> bool:
+        """Tell whether anything is to be shown."""
+        return any(getattr(self, name) for name in FLAGS)
+
+    @property
+    def agent(self) -> str | None:
+        """Return the agent that is asked for, None for whoever is nearest to the ball."""
+        found = NUMBERED.fullmatch(self.robot)
+        if found is None:
+            return None
+        side = {"red": "home", "blue": "away"}.get(found[1], found[1])
+        return f"{side}_{int(found[2])}"
+
+    def turned(self, name: str) -> OverlayFlags:
+        """Return the flags with one of them turned over."""
+        changed: dict[str, Any] = {name: not getattr(self, name)}
+        return replace(self, **changed)
+
+
+FLAGS = tuple(item.name for item in fields(OverlayFlags) if item.type == "bool")
+
+
+def flags_of(given: OverlayFlags | Mapping[str, Any] | str | None) -> OverlayFlags:
+    """Return flags from flags, a mapping, or names as in "belief,trail"; None: nothing is shown.
+
+    ValueError names what is not known.
+    """
+    if given is None:
+        return OverlayFlags()
+    if isinstance(given, str):
+        names = [name.strip() for name in given.split(",") if name.strip()]
+        check_names("overlay", names, FLAGS)
+        given = dict.fromkeys(names, True)
+    if isinstance(given, Mapping):
+        check_names("overlay", given, (*FLAGS, "robot"))
+        return OverlayFlags(**given)
+    if not isinstance(given, OverlayFlags):
+        refuse("overlays", f"names of {', '.join(FLAGS)}, a mapping of them or OverlayFlags", given)
+    return given
+
+
+def part_of_flags(settings: OverlayFlags) -> OverlayFlags:
+    """Return the flags alone out of settings that have more."""
+    return OverlayFlags(**{item.name: getattr(settings, item.name) for item in fields(OverlayFlags)})

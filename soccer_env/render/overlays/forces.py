@@ -1,0 +1,68 @@
+"""The potential field that a robot's team computes from what the robot believes, over the whole pitch."""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+import numpy as np
+
+from soccer_env.belief_types import BELIEF, TRACK
+from soccer_env.render.colours import Colour
+from soccer_env.render.overlays.scene import Cast, Shot
+from soccer_env.render.overlays.shapes import ArrowGrid, Overlay
+from soccer_env.replay.groups import CENTI
+from soccer_env.replay.thought import Thought
+from soccer_env.teams import Mind
+
+ACROSS = 24  # arrows along the pitch
+WEAK: Colour = (126, 190, 140)
+STRONG: Colour = (255, 236, 130)
+
+
+def force_arrows(cast: Cast, shot: Shot, row: int, thought: Thought, target: np.ndarray, unit: float) -> list[Overlay]:
+    """Return arrows on a grid: their direction is that of the force, length and colour tell how strong it is."""
+    part = cast.parts[row]
+    points, cell = grid(cast.league.pitch.length, cast.league.pitch.width)
+    home_ahead = float(shot.match["home_direction"]) > 0.0
+    sign = 1.0 if home_ahead == (int(shot.robots["team"][row]) == 0) else -1.0
+    assert part.explanation is not None and part.explanation.forces is not None and part.settings is not None
+    mind = mind_of(thought, sign, cast.constants, part.settings)
+    vectors = sign * part.explanation.forces(mind, sign * target, sign * points)
+    size = np.hypot(*vectors.T)
+    share = size / (size + np.median(size) + 1e-12)  # one half for the middle one
+    long = cell * (0.25 + 0.7 * share) / np.maximum(size, 1e-12)
+    return [ArrowGrid(points, long[:, None] * vectors, share, WEAK, STRONG, 1.9 * unit)]
+
+
+def grid(length: float, width: float) -> tuple[np.ndarray, float]:
+    """Return the middles (P, 2) [m] of square cells that fill a pitch, and the side of a cell [m]."""
+    cell = length / ACROSS
+    up = max(1, round(width / cell))
+    x = (np.arange(ACROSS) + 0.5) * cell - length / 2
+    y = (np.arange(up) + 0.5) * width / up - width / 2
+    return np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2), cell
+
+
+def mind_of(thought: Thought, sign: float, constants: np.ndarray, settings: np.ndarray) -> Mind:
+    """Return the records that a team decides from, as far as a note has them; `sign` -1 turns the field frame."""
+    beliefs, tracks = np.zeros(1, BELIEF), np.zeros((1, max(1, len(thought.players))), TRACK)
+    x, y, heading = thought.pose
+    own = beliefs["own"][0]
+    own["x"], own["y"] = sign * x, sign * y
+    own["heading"] = heading if sign > 0.0 else heading + np.pi
+    for track, player in zip(tracks[0], thought.players, strict=False):
+        track["present"], track["teammate"], track["age"] = 1, int(player.mate), player.age
+        track["x"], track["y"] = seen_from(thought.pose, player.x, player.y)
+        track["distance"], track["bearing"] = np.hypot(track["x"], track["y"]), np.arctan2(track["y"], track["x"])
+    if thought.ball is not None:
+        beliefs["ball"]["x"][0], beliefs["ball"]["y"][0] = seen_from(thought.pose, *thought.ball)
+    if "obstacle" in thought.groups:
+        bearing, distance = (thought.groups["obstacle"][0] / CENTI).tolist()
+        beliefs["obstacle"]["bearing"], beliefs["obstacle"]["distance"] = bearing, distance
+    return Mind(beliefs, tracks, np.zeros(1), np.zeros((1, 1)), constants, settings)
+
+
+def seen_from(pose: tuple[float, float, float], x: float, y: float) -> tuple[float, float]:
+    """Return a place of the field ahead and left of a pose [m]."""
+    across, up, heading = x - pose[0], y - pose[1], pose[2]
+    return cos(heading) * across + sin(heading) * up, cos(heading) * up - sin(heading) * across

@@ -1,0 +1,161 @@
+"""From flags and a moment to overlays; a flag that has nothing to show says why in a corner of the picture."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from soccer_env.render.colours import TEAM_NAMES
+from soccer_env.render.overlays.belief import belief_words, believed
+from soccer_env.render.overlays.flags import OverlayFlags
+from soccer_env.render.overlays.forces import force_arrows
+from soccer_env.render.overlays.panel import CameraPicture, Words
+from soccer_env.render.overlays.scene import Cast, Shot
+from soccer_env.render.overlays.shapes import Overlay
+from soccer_env.render.overlays.sight import in_sight
+from soccer_env.render.overlays.states import beams, mark_of_picked, roles
+from soccer_env.render.overlays.ways import ball_trail, planned, travelled
+from soccer_env.replay.groups import CENTI
+from soccer_env.replay.thought import Thought
+
+LEAST_UNIT = 0.7  # of sizes in a picture of 960 px: letters stay legible in smaller ones
+
+
+class Look(NamedTuple):
+    """One moment as a layer sees it."""
+
+    cast: Cast
+    shot: Shot
+    past: Sequence[Shot]  # the latest last, `shot` not among them
+    row: int  # of the robot that is looked into
+    thought: Thought | None  # of that robot
+    unit: float  # [1] scale of lines and letters
+
+    @property
+    def name(self) -> str:
+        """Return what people call that robot."""
+        robot = self.shot.robots[self.row]
+        return f"{TEAM_NAMES[int(robot['team'])]} {int(robot['number'])}"
+
+
+def overlays_of(flags: OverlayFlags, cast: Cast, shot: Shot, past: Sequence[Shot], width: int) -> list[Overlay]:
+    """Return what the flags ask for, in the order in which it is drawn; `width` [px] of the picture scales it."""
+    if not flags.any:
+        return []
+    row = cast.picked(flags, shot)
+    look = Look(cast, shot, past, row, cast.thought(shot, row), max(LEAST_UNIT, width / 960.0))
+    found: list[Overlay] = []
+    words: list[str] = []
+    for name, layer in LAYERS.items():
+        if getattr(flags, name):
+            drawn, said = layer(look)
+            found += drawn
+            words += said
+    if flags.belief or flags.sight or flags.field or flags.path:
+        found.insert(0, mark_of_picked(look))
+    if flags.sight and cast.camera is not None and look.thought is not None and "head" in look.thought.groups:
+        found.append(CameraPicture(look))
+    if words:
+        found.append(Words(tuple(dict.fromkeys(words)), look.unit, not shot.robots["active"].all()))
+    return found
+
+
+Drawn = tuple[list[Overlay], list[str]]
+
+
+def why_none(look: Look) -> str:
+    """Return why nothing is known of what the robot thinks, "" if it is known."""
+    if look.cast.reader is None or look.shot.note is None:
+        return look.cast.why_no_notes
+    if look.thought is None or not look.thought.knows:
+        return f"{look.name} believes nothing"
+    return ""
+
+
+def show_belief(look: Look) -> Drawn:
+    """Draw what the robot believes."""
+    why = why_none(look)
+    if why or look.thought is None:
+        return [], [f"belief: {why}"]
+    return believed(look.cast, look.shot, look.row, look.thought, look.unit), [belief_words(look.name, look.thought)]
+
+
+def show_sight(look: Look) -> Drawn:
+    """Draw what its camera delivered."""
+    groups = {} if look.thought is None else look.thought.groups
+    if not ("head" in groups or "players" in groups):
+        known = look.cast.reader is not None and look.shot.note is not None
+        return [], [f"sight: {'no camera was played or noted' if known else look.cast.why_no_notes}"]
+    return in_sight(look.cast, look.shot, look.row, groups, look.unit), []
+
+
+def show_field(look: Look) -> Drawn:
+    """Draw the potential field of its team."""
+    part = look.cast.parts.get(look.row)
+    if part is None or part.explanation is None or part.explanation.forces is None or part.settings is None:
+        who = "a learner" if part is None else part.name
+        return [], [f"field: {who} computes no forces"]
+    why = why_none(look)
+    if why or look.thought is None:
+        return [], [f"field: {why}"]
+    plan = plan_of(look.thought)
+    if part.explanation.needs_target and not len(plan):
+        return [], [f"field: {look.name} plans no way now"]
+    target = plan[-1] if len(plan) else np.zeros(2)
+    return force_arrows(look.cast, look.shot, look.row, look.thought, target, look.unit), []
+
+
+def show_path(look: Look) -> Drawn:
+    """Draw where it plans to go, and where it came from."""
+    found = travelled(look.past, look.shot, look.row, look.cast.league.control_rate, look.unit)
+    part = look.cast.parts.get(look.row)
+    if part is None or part.explanation is None or part.explanation.plan is None:
+        return found, [f"path: {'a learner' if part is None else part.name} plans no ways; travelled only"]
+    why = why_none(look)
+    if why or look.thought is None:
+        return found, [f"path: {why}"]
+    if "plan" not in look.thought.groups:
+        return found, ["path: no plans were noted"]
+    return found + planned(plan_of(look.thought), look.unit), []
+
+
+def plan_of(thought: Thought) -> np.ndarray:
+    """Return the planned way (N, 2) [m], field frame, empty where there is none."""
+    way = thought.groups.get("plan", np.zeros((0, 2))) / CENTI
+    return way if np.any(way) else np.zeros((0, 2))
+
+
+def show_roles(look: Look) -> Drawn:
+    """Write what every robot does."""
+    found = roles(look.cast, look.shot, look.unit)
+    if found:
+        return found, []
+    known = look.cast.reader is not None and look.shot.note is not None
+    return [], [f"roles: {'these teams tell none' if known else look.cast.why_no_notes}"]
+
+
+def show_infrared(look: Look) -> Drawn:
+    """Draw the beams of the rangers."""
+    if not look.cast.ranger:
+        return [], [f"infrared: robots of {look.cast.league.name} have no ranger"]
+    if look.cast.reader is None or look.shot.note is None:
+        return [], [f"infrared: {look.cast.why_no_notes}"]
+    return beams(look.cast, look.shot, look.unit), []
+
+
+def show_trail(look: Look) -> Drawn:
+    """Draw where the ball came from."""
+    return ball_trail(look.past, look.shot, look.cast.league.control_rate, look.unit), []
+
+
+LAYERS = {
+    "field": show_field,
+    "sight": show_sight,
+    "trail": show_trail,
+    "path": show_path,
+    "infrared": show_infrared,
+    "belief": show_belief,
+    "roles": show_roles,
+}

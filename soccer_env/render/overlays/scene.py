@@ -1,0 +1,159 @@
+"""Who plays, and what is drawn of one moment: a live match and a replay give the same."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from math import pi, tan
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from soccer_env.leagues.constants import constants_of
+from soccer_env.leagues.league import League
+from soccer_env.match import Match
+from soccer_env.percept_types import LINES
+from soccer_env.render.overlays.flags import OverlayFlags
+from soccer_env.replay.thought import Reader, Thought
+from soccer_env.settings import plain
+from soccer_env.teams import Explanation, explanation_of, shipped_team
+
+if TYPE_CHECKING:
+    from soccer_env.replay.replay_file import Replay
+
+PIXELS = re.compile(r"([1-9]\d{1,3})x([1-9]\d{1,3})")
+
+
+class Shot(NamedTuple):
+    """What is drawn of the first match at one moment, in copies."""
+
+    match: np.void
+    ball: np.void
+    robots: np.ndarray  # (R,)
+    note: np.ndarray | None = None  # (R, C) int16 what robots think, see `replay.thoughts`
+
+
+def shot_of(match: Match, note: np.ndarray | None = None) -> Shot:
+    """Return a shot of the first match now."""
+    return Shot(match.matches[0].copy(), match.balls[0].copy(), match.robots[0].copy(), note)
+
+
+class Camera(NamedTuple):
+    """A camera on a head."""
+
+    view: float  # [rad] how wide it sees
+    neck: float  # [m] ahead of the robot's middle where the head turns
+    width: float  # [px] of its picture
+    height: float  # [px]
+
+    @property
+    def focal(self) -> float:
+        """Return the focal length for widths [px]."""
+        return 0.5 * self.width / tan(0.5 * self.view)
+
+
+def camera_of(sensors: object) -> Camera | None:
+    """Return the camera that the settings of sensors describe, None for one that sees all round or is not known."""
+    given = sensors if isinstance(sensors, Mapping) else {}
+    view, neck = given.get("view_width"), given.get("neck_ahead")
+    pixels = PIXELS.fullmatch(str(given.get("resolution")))
+    if not isinstance(view, (int, float)) or not isinstance(neck, (int, float)) or pixels is None:
+        return None
+    if not (0.0 < view < pi and abs(neck) < 1.0):
+        return None
+    return Camera(float(view), float(neck), float(pixels[1]), float(pixels[2]))
+
+
+class Part(NamedTuple):
+    """A team as far as it explains itself: what it is called, and what it was set to."""
+
+    name: str
+    explanation: Explanation | None
+    settings: np.ndarray | None
+
+
+@dataclass(frozen=True)
+class Cast:
+    """What stays the same in a match: the league, who plays, and what notes mean."""
+
+    league: League
+    agents: Sequence[str]
+    camera: Camera | None
+    ranger: bool  # whether robots have an infrared ranger
+    parts: Mapping[int, Part]  # of robots that a team plays
+    reader: Reader | None = None
+    constants: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    why_no_notes: str = ""
+    line_directions: int = LINES  # in which an omnidirectional camera looks for white lines
+
+    def thought(self, shot: Shot, r: int) -> Thought | None:
+        """Return what robot r thinks, None where nobody noted it."""
+        if self.reader is None or shot.note is None:
+            return None
+        return self.reader.thought(shot.note, r)
+
+    def picked(self, flags: OverlayFlags, shot: Shot) -> int:
+        """Return the row of the robot that is looked into; ValueError for one that does not play."""
+        agent = flags.agent
+        if agent is not None:
+            if agent not in self.agents:
+                raise ValueError(f"robot must be one of {', '.join(self.agents)}, or ball, got {flags.robot!r}")
+            return list(self.agents).index(agent)
+        robots = shot.robots
+        away = np.hypot(robots["x"] - shot.ball["x"], robots["y"] - shot.ball["y"])
+        away = np.where((robots["active"] == 1) & self.thinkers(shot), away, np.inf)
+        return int(np.argmin(away))
+
+    def thinkers(self, shot: Shot) -> np.ndarray:
+        """Return who believes anything (R,); everybody if nobody does."""
+        found = np.array([(one := self.thought(shot, r)) is not None and one.knows for r in range(len(shot.robots))])
+        return found if found.any() else np.ones(len(found), bool)
+
+
+def cast_of(match: Match, reader: Reader | None) -> Cast:
+    """Return the cast of a match that is played now."""
+    parts = {}
+    for squad in match.squads:
+        for r in squad.players.tolist():
+            explanation = None if squad.lineup is not None else explanation_of(squad.team)
+            parts[r] = Part(squad.team.name, explanation, getattr(squad.team, "settings", None))
+    sensors = match.league.sensors
+    return Cast(
+        match.league,
+        match.agents,
+        camera_of(plain(sensors)),
+        bool(getattr(sensors, "HAS_RANGER", False)),
+        parts,
+        reader,
+        match.batch.constants,
+        "nobody here believes anything",
+        directions_of(plain(sensors)),
+    )
+
+
+def cast_of_replay(replay: Replay, match: Match, reader: Reader | None) -> Cast:
+    """Return the cast of a replay; `match` is the one that it plays. Teams are known by name, with their own settings.
+
+    Only shipped teams are asked: a name in a file loads nothing else.
+    """
+    given, sensors = replay.settings, replay.settings["league"].get("sensors")
+    teams = given.get("teams")
+    parts = {}
+    for row, agent in enumerate(match.agents):
+        name = str(teams[agent]) if isinstance(teams, dict) and agent in teams else None
+        team = None if name is None else shipped_team(name)
+        if name is not None:
+            parts[row] = Part(name, None if team is None else explanation_of(team), getattr(team, "settings", None))
+    why = "this replay keeps no thoughts: soccer record does"
+    ranger = bool(match.league.body.legs)  # the legged robots, which have a head with a ranger in it
+    constants = constants_of(match.league)
+    return Cast(
+        match.league, match.agents, camera_of(sensors), ranger, parts, reader, constants, why, directions_of(sensors)
+    )
+
+
+def directions_of(sensors: object) -> int:
+    """Return in how many directions the settings of sensors look for white lines."""
+    lines = sensors.get("lines") if isinstance(sensors, Mapping) else None
+    return lines if isinstance(lines, int) and 1 <= lines <= LINES else LINES

@@ -1,0 +1,108 @@
+"""Every robot's role and recovery state in words, and the beam of its ranger."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos, sin
+from typing import TYPE_CHECKING
+
+from soccer_env.render.canvas import Canvas
+from soccer_env.render.colours import AMBER, TEAMS_LIGHT, WHITE, Colour
+from soccer_env.render.overlays.belief import letters
+from soccer_env.render.overlays.scene import Cast, Shot
+from soccer_env.render.overlays.shapes import Label, Overlay, Points, Polyline
+from soccer_env.render.view import View
+from soccer_env.replay.groups import CENTI
+from soccer_env.replay.thought import Thought
+
+if TYPE_CHECKING:
+    from soccer_env.render.overlays.layers import Look
+
+BEAM: Colour = (255, 84, 150)
+FIELD_ROLES = ("attacker", "supporter")
+RECOVERIES = ("back", "sidestep", "rotate")  # behaviours of a robot that is stuck
+COUNTED = {"detour": "goes round", "wriggle": "wriggles", "back_off": "backs off"}  # [s] left of such a recovery
+
+
+@dataclass(frozen=True, eq=False)
+class Tags:
+    """Words under robots, or above them or farther down where others stand there already."""
+
+    tags: tuple[tuple[tuple[float, float], str, Colour], ...]  # place of a robot [m], words, colour
+    away: float  # [m] from a robot's middle to its words
+    size: float  # [px]
+    under: bool = False
+
+    def draw_on(self, canvas: Canvas, view: View) -> None:
+        """Write them, one after the other."""
+        taken: list[tuple[float, float, float]] = []  # middles and half widths
+        for (x, y), words, tint in self.tags:
+            half = canvas.word_width(words, self.size) / 2 + 2.0
+            column, row = view.pixel(x, y)
+            column = min(max(column, half), canvas.width - half)
+            down = self.away * view.scale + 0.5 * self.size
+            rows = (row + down, row - down, row + down + self.size, row - down - self.size)
+            row = next((one for one in rows if self._free(taken, column, one, half)), rows[0])
+            taken.append((column, row, half))
+            place = ((column - view.centre_x) / view.scale, (view.centre_y - row) / view.scale)
+            Label(place, words, tint, self.size).draw_on(canvas, view)
+
+    def _free(self, taken: list[tuple[float, float, float]], column: float, row: float, half: float) -> bool:
+        return all(abs(row - y) > 0.8 * self.size or abs(column - x) > half + wide for x, y, wide in taken)
+
+
+def roles(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
+    """Return the words of every robot whose team tells what it does; amber for one that gets itself free."""
+    tags: list[tuple[tuple[float, float], str, Colour]] = []
+    for row, robot in enumerate(shot.robots):
+        thought = cast.thought(shot, row)
+        if not robot["active"] or thought is None:
+            continue
+        words, recovers = words_of(thought, bool(robot["keeper"]), bool(robot["fallen"] > 0.0))
+        if words:
+            tint = AMBER if recovers else TEAMS_LIGHT[int(robot["team"])]
+            tags.append(((float(robot["x"]), float(robot["y"])), words, tint))
+    return [Tags(tuple(tags), 1.1 * cast.league.body.reach, letters(unit))] if tags else []
+
+
+def words_of(thought: Thought, keeper: bool, fallen: bool) -> tuple[str, bool]:
+    """Return what a robot does, in words, and whether it gets itself free."""
+    words = [word for word in thought.words if not (keeper and word in FIELD_ROLES)]
+    words = [word for word in words if not any(other != word and other.startswith(word) for other in words)]
+    if not words and "rank" in thought.numbers:
+        words = ["goalkeeper" if keeper else FIELD_ROLES[min(1, int(thought.numbers["rank"]))]]
+    words += [word for name, word in COUNTED.items() if thought.numbers.get(name, 0.0) > 0.0]
+    recovers = any(word in RECOVERIES or word in COUNTED.values() for word in words)
+    if recovers and thought.numbers.get("tries", 0.0) > 0.0:
+        words.append(f"try {thought.numbers['tries']:.0f}")
+    return ", ".join(["fallen", *words] if fallen else words), recovers or fallen
+
+
+def beams(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
+    """Return the beam of every ranger that reads something, as long as it reads, along the camera's axis."""
+    found: list[Overlay] = []
+    neck = cast.camera.neck if cast.camera is not None else 0.0
+    for row, robot in enumerate(shot.robots):
+        thought = cast.thought(shot, row)
+        if not robot["active"] or thought is None or thought.infrared <= 0.0:
+            continue
+        heading = float(robot["heading"])
+        gaze = heading + (float(thought.groups["head"][0, 0]) / CENTI if "head" in thought.groups else 0.0)
+        start = (float(robot["x"]) + neck * cos(heading), float(robot["y"]) + neck * sin(heading))
+        end = (start[0] + thought.infrared * cos(gaze), start[1] + thought.infrared * sin(gaze))
+        found.append(Polyline([start, end], BEAM, 2.2 * unit))
+        found.append(Points([end], BEAM, 3.6 * unit))
+        away = (8.0 * unit, -8.0 * unit)
+        found.append(Label(end, f"{thought.infrared:.2f} m", BEAM, 0.85 * letters(unit), away, "left"))
+    return found
+
+
+def mark_of_picked(look: Look) -> Overlay:
+    """Return a ring round the robot that is looked into."""
+    robot = look.shot.robots[look.row]
+    reach = look.cast.league.body.reach
+    corners = [
+        (float(robot["x"]) + 1.3 * reach * cos(0.262 * i), float(robot["y"]) + 1.3 * reach * sin(0.262 * i))
+        for i in range(24)
+    ]
+    return Polyline(corners, WHITE, 1.6 * look.unit, closed=True, under=True)

@@ -1,0 +1,78 @@
+"""Where a robot plans to go, where it and the ball came from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import hypot
+
+import numpy as np
+
+from soccer_env.render.colours import BALL_SHINE, CARPET, INK, TEAMS_LIGHT, WHITE, Colour
+from soccer_env.render.overlays.scene import Shot
+from soccer_env.render.overlays.shapes import Overlay, Points, Polyline
+
+TRAVELLED = 6.0  # [s] of a robot's way that are shown
+TRAIL = 2.5  # [s] of the ball's way
+JUMP = 0.6  # [m] from shot to shot: it was put there
+PIECES = 10  # of a trail, each paler than the one before
+LEAST_STEP = 0.01  # [m] of a way between two of its points
+
+
+def planned(way: np.ndarray, unit: float) -> list[Overlay]:
+    """Return the planned way, a light line with a dark rim, and a ring round its end."""
+    if len(way) < 2:
+        return []
+    rim = Polyline(way, INK, 4.6 * unit)
+    return [rim, Polyline(way, WHITE, 2.4 * unit), Points([way[-1]], WHITE, 7.0 * unit, hollow=True)]
+
+
+def travelled(past: Sequence[Shot], shot: Shot, row: int, rate: float, unit: float) -> list[Overlay]:
+    """Return the way that a robot has come in the last seconds; `rate`: control steps a second."""
+    tint = TEAMS_LIGHT[int(shot.robots["team"][row])]
+    way = [(float(one.robots["x"][row]), float(one.robots["y"][row])) for one in latest(past, shot, TRAVELLED * rate)]
+    return [Polyline(unbroken(way), tint, 2.0 * unit, under=True)]
+
+
+def ball_trail(past: Sequence[Shot], shot: Shot, rate: float, unit: float) -> list[Overlay]:
+    """Return the ball's way of the last seconds, the older the paler."""
+    way = [(float(one.ball["x"]), float(one.ball["y"])) for one in latest(past, shot, TRAIL * rate)]
+    piece = unbroken(way)
+    ends = np.linspace(0, len(piece) - 1, PIECES + 1).round().astype(int).tolist()
+    return [
+        Polyline(piece[first : last + 1], mixed(CARPET, BALL_SHINE, (at + 1) / PIECES), 3.0 * unit, under=True)
+        for at, (first, last) in enumerate(zip(ends, ends[1:]))
+        if last > first
+    ]
+
+
+def latest(past: Sequence[Shot], shot: Shot, steps: float) -> list[Shot]:
+    """Return the shots of the last control steps, this one the last; none from before the match began anew."""
+    found = [shot]
+    for one in reversed(past):
+        if step_of(shot) - step_of(one) > steps or step_of(one) >= step_of(found[-1]):
+            break
+        found.append(one)
+    return found[::-1]
+
+
+def step_of(shot: Shot) -> int:
+    """Return the control steps that the match has taken."""
+    return int(shot.match["step"])
+
+
+def unbroken(way: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return the part of a way since the last jump, without points that hardly differ."""
+    piece = [way[-1]]
+    for x, y in reversed(way[:-1]):
+        away = hypot(x - piece[-1][0], y - piece[-1][1])
+        if away > JUMP:
+            break
+        if away > LEAST_STEP:
+            piece.append((x, y))
+    return piece[::-1]
+
+
+def mixed(one: Colour, other: Colour, share: float) -> Colour:
+    """Return a colour between two."""
+    red, green, blue = (round(a + share * (b - a)) for a, b in zip(one, other, strict=True))
+    return red, green, blue

@@ -1,0 +1,244 @@
+"""Overlays are what robots believe, see and plan, live and in a replay alike; what is missing is said."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+pytest.importorskip("pygame")
+
+from soccer_env import Match
+from soccer_env.geometry import out_of_frame
+from soccer_env.render import Picture
+from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, flags_of
+from soccer_env.render.overlays.forces import force_arrows, grid, mind_of
+from soccer_env.render.overlays.layers import overlays_of, plan_of
+from soccer_env.render.overlays.onlooker import Onlooker, Reel
+from soccer_env.render.overlays.panel import Words
+from soccer_env.render.overlays.scene import Cast, Shot, cast_of, shot_of
+from soccer_env.render.overlays.sight import to_board
+from soccer_env.render.overlays.states import words_of
+from soccer_env.render.overlays.ways import JUMP, unbroken
+from soccer_env.replay import Recorder, Replay, Thoughts
+from soccer_env.replay.thought import Player, Reader, Thought, between, note_at
+from soccer_env.teams import explanation_of, shipped_team
+
+TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}
+
+
+@cache
+def played(league: str, away: str = "chaser", steps: int = 90) -> tuple[Match, Replay]:
+    match = Match(league, home=2, away=2, controllers={"home": TEAMS[league], "away": away}, seed=5)
+    recorder = Recorder(match, Thoughts(match))
+    for _ in range(steps):
+        match.step()
+    return match, recorder.stop()
+
+
+def looked_at(match: Match) -> tuple[Cast, Shot]:
+    thoughts = Thoughts(match)
+    return cast_of(match, Reader.of(thoughts)), shot_of(match, thoughts.look(match))
+
+
+def thought_of(match: Match, r: int) -> Thought:
+    cast, shot = looked_at(match)
+    thought = cast.thought(shot, r)
+    assert thought is not None
+    return thought
+
+
+def said(flags: str, cast: Cast, shot: Shot, robot: str = "home_1") -> list[str]:
+    given = dict.fromkeys(flags.split(","), True)
+    overlays = overlays_of(flags_of({**given, "robot": robot}), cast, shot, [shot], 480)
+    return [line for one in overlays if isinstance(one, Words) for line in one.lines]
+
+
+@pytest.mark.parametrize("league", TEAMS)
+def test_a_note_is_read_as_what_the_robot_believes(league: str) -> None:
+    match = played(league)[0]
+    cast, shot = looked_at(match)
+    for r in range(4):
+        thought, belief = cast.thought(shot, r), match.beliefs[0, r]
+        assert thought is not None and thought.knows
+        sign = 1.0 if r < 2 else -1.0
+        assert thought.pose[:2] == pytest.approx((sign * belief["own"]["x"], sign * belief["own"]["y"]), abs=1e-3)
+        assert len(thought.players) == match.tracks[0, r]["present"].sum()
+
+
+@pytest.mark.parametrize("league", TEAMS)
+def test_a_replay_draws_what_the_match_drew(league: str, tmp_path: Path) -> None:
+    match, replay = played(league)
+    reel = Reel(Replay.read(replay.write(tmp_path / "a.replay")))
+    shots = list(reel.shots())
+    cast, shot = looked_at(match)
+    flags = OverlayFlags(**dict.fromkeys(FLAGS, True), robot="home_1")
+    picture = Picture(league, 480)
+    frames = [
+        picture.draw(*last[:3], overlays=overlays_of(flags, who, last, shots[:-1], 480))
+        for who, last in ((reel.cast, shots[-1]), (cast, shot))
+    ]
+    assert np.array_equal(*frames)
+    assert np.array_equal(replay.frame(90 / match.league.control_rate, width=480)[200:], picture.draw(*shot[:3])[200:])
+
+
+def test_the_field_pulls_to_the_goal_and_players_ahead_push_back() -> None:
+    match = played("legged-2001")[0]
+    cast, shot = looked_at(match)
+    thought, part = cast.thought(shot, 1), cast.parts[1]
+    assert thought is not None and part.explanation is not None and part.explanation.forces is not None
+    points, cell = grid(3.0, 2.0)
+    assert cell == 0.125 and abs(points).max(axis=0) == pytest.approx((1.4375, 0.9375))
+    assert len(force_arrows(cast, shot, 1, thought, np.zeros(2), 1.0)[0].middles) == len(points) == 24 * 16
+    here = np.array([[-0.5, 0.0], [0.5, 0.0], [0.0, 0.9]])
+    alone = replace(thought, pose=(0.0, 0.0, 0.0), players=(), groups={})
+    free = part.explanation.forces(mind_of(alone, 1.0, cast.constants, part.settings), np.zeros(2), here)
+    assert (free[:, 0] > 0.0).all() and free[:2, 1] == pytest.approx(0.0, abs=1e-9)
+    assert free[2, 1] < -0.5  # off the near side wall
+    facing = replace(alone, players=(Player(0.9, 0.0, False, 0.0),))
+    held = part.explanation.forces(mind_of(facing, 1.0, cast.constants, part.settings), np.zeros(2), here)
+    assert held[1, 0] < free[1, 0] - 0.5 and held[0, 0] > held[1, 0]  # the nearer the more
+    away = part.explanation.forces(mind_of(facing, -1.0, cast.constants, part.settings), np.zeros(2), -here)
+    assert away[1, 0] > 0.0  # whoever attacks the other way does so too
+
+
+def test_the_plan_is_the_teams_own_and_leads_from_the_robot_to_its_end() -> None:
+    match = Match("middle-size-2006", home=2, away=2, controllers={"home": "heinemann-2006", "away": "chaser"}, seed=5)
+    for _ in range(150):
+        match.step()
+        if len(plan_of(thought_of(match, 1))):
+            break
+    before = (match.squads[0].memory.tobytes(), match.robots["noise"].tobytes(), match.beliefs.tobytes())
+    thought = thought_of(match, 1)
+    assert before == (match.squads[0].memory.tobytes(), match.robots["noise"].tobytes(), match.beliefs.tobytes())
+    plan = plan_of(thought)
+    assert np.hypot(*(plan[0] - thought.pose[:2])) < 2.6 * 0.1 + 0.02  # from where it will be, 0.1 s on, at 2.6 m/s
+    steps = np.hypot(*np.diff(plan, axis=0).T)
+    assert len(plan) == 10 and steps.max() < 1.5 * steps.mean() + 0.03  # evenly spaced along the path
+
+
+def test_a_flag_without_data_says_so() -> None:
+    legged, middle = looked_at(played("legged-2001")[0]), looked_at(played("middle-size-2006")[0])
+    assert said("field", *legged, robot="away_1") == ["field: chaser computes no forces"]
+    assert said("path", *legged, robot="blue 1") == ["path: chaser plans no ways; travelled only"]
+    assert said("infrared", *middle) == ["infrared: robots of middle-size-2006 have no ranger"]
+    blind = Match(home=1, away=1, seed=1)
+    lines = said("belief,sight,field,path,roles,infrared", cast_of(blind, None), shot_of(blind), "home_0")
+    assert [line.partition(":")[0] for line in lines] == ["field", "sight", "path", "infrared", "belief", "roles"]
+    assert "field: a learner computes no forces" in lines and "belief: nobody here believes anything" in lines
+    with pytest.raises(ValueError, match="robot must be one of home_0, away_0, or ball, got 'home_7'"):
+        said("belief", cast_of(blind, None), shot_of(blind), "home_7")
+
+
+def test_a_replay_without_thoughts_says_so_and_names_load_nothing() -> None:
+    match = Match(home=1, away=1, controllers={"home": "chaser", "away": "random"}, seed=3)
+    recorder = Recorder(match)
+    match.step()
+    replay = recorder.stop()
+    replay.settings["teams"]["home_0"] = "os:getcwd"
+    reel = Reel(replay)
+    assert said("belief,field", reel.cast, reel.first, "home_0") == [
+        "field: os:getcwd computes no forces",
+        "belief: this replay keeps no thoughts: soccer record does",
+    ]
+    assert shipped_team("os:getcwd") is None and explanation_of(shipped_team("sacks-2001")) is not None
+
+
+def test_notes_of_older_versions_still_read() -> None:
+    replay = played("legged-2001")[1]
+    notes = replay.notes()
+    assert notes is not None
+    about = bytes(replay.thoughts["thoughts_about"]).decode()
+    start = about.index(', "groups"')
+    wide = sum(count * len(parts) for _, count, parts in notes.groups)
+    first = 19 + 3 * notes.slots
+    changes = np.delete(replay.thoughts["thoughts"], np.s_[first : first + wide], axis=1)
+    old = {"thoughts": changes, "thoughts_about": np.frombuffer((about[:start] + "}").encode(), np.uint8)}
+    older = Replay(replay.settings, replay.start, replay.commands, replay.gazes, replay.hashes, replay.log, "", old)
+    reel = Reel(older)
+    assert said("belief,sight,path", reel.cast, list(reel.shots())[-1]) == [
+        "sight: no camera was played or noted",
+        "path: no plans were noted",
+        said("belief", *last_of(older))[0],
+    ]
+
+
+def last_of(replay: Replay) -> tuple[Cast, Shot]:
+    reel = Reel(replay)
+    return reel.cast, list(reel.shots())[-1]
+
+
+def test_between_two_notes_places_move_evenly_and_jumps_do_not() -> None:
+    notes = played("middle-size-2006")[1].notes()
+    assert notes is not None
+    early, late = notes.numbers[3].copy(), notes.numbers[4].copy()
+    early[0, :3], late[0, :3] = (1000, 0, 3100), (1200, -100, -3100)
+    early[1, :2], late[1, :2] = (0, 0), (3000, 0)
+    middle = between(early, late, 0.5, notes.slots)
+    assert middle[0, :2].tolist() == [1100, -50] and abs(abs(int(middle[0, 2])) - 3142) < 3
+    assert middle[1, :2].tolist() == [0, 0]
+    assert note_at(notes, int(notes.steps[0]) - 1) is None
+    assert np.array_equal(note_at(notes, 10_000), notes.numbers[-1])
+
+
+def test_a_way_is_cut_where_it_jumps() -> None:
+    way = [(0.0, 0.0), (0.1, 0.0), (0.1 + 2 * JUMP, 0.0), (0.2 + 2 * JUMP, 0.0)]
+    assert unbroken(way) == way[2:]
+    assert to_board_is_on_the_line((0.3, 0.2), 0.7)
+
+
+def to_board_is_on_the_line(place: tuple[float, float], angle: float) -> bool:
+    from soccer_env.leagues import find_league
+
+    x, y = to_board(find_league("legged-2001"), *place, angle)
+    way = np.hypot(x - place[0], y - place[1])
+    ahead = out_of_frame(way, 0.0, np.cos(angle), np.sin(angle))
+    return max(abs(x) - 1.5, abs(y) - 1.0) == pytest.approx(0.0) and (x, y) == pytest.approx(np.add(place, ahead))
+
+
+def test_recovery_is_told_in_words() -> None:
+    cast, shot = looked_at(played("legged-2001")[0])
+    thought = cast.thought(shot, 1)
+    assert thought is not None
+
+    def told(words: tuple[str, ...], numbers: dict[str, float], keeper: bool = False) -> tuple[str, bool]:
+        fields = {**vars(thought), "words": words, "numbers": numbers}
+        return words_of(type(thought)(**fields), keeper, False)
+
+    assert told(("back", "attacker"), {"tries": 2.0}) == ("back, attacker, try 2", True)
+    assert told(("support", "supporter"), {}) == ("supporter", False)
+    assert told((), {"rank": 0.0}, keeper=True) == ("goalkeeper", False)
+    assert told(("defender",), {"detour": 0.4}) == ("defender, goes round", True)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ("belief,trial", "unknown overlay 'trial', did you mean 'trail'"),
+        ({"robot": "goalie"}, "robot must be an agent, as home_1 or blue 2, or ball, got 'goalie'"),
+        ({"belief": 3}, "belief must be"),
+        (7, "overlays must be names of belief, sight"),
+    ],
+)
+def test_wrong_overlays_are_named(given: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        flags_of(given)
+
+
+def test_an_env_draws_them_and_without_flags_nothing_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    from soccer_env import soccer_v0
+
+    make: Callable[..., Any] = soccer_v0.parallel_env
+    frames = []
+    for overlays in (None, "belief,roles"):
+        env = make(home=1, away=1, opponents="chaser", render_mode="rgb_array", overlays=overlays)
+        env.reset(seed=3)
+        env.step({"home_0": np.zeros(4, np.float32)})
+        frames.append(env.render())
+    assert not np.array_equal(*frames)
+    monkeypatch.setattr(Thoughts, "look", None)
+    match = played("legged-2001")[0]
+    assert Onlooker(match, None).see(match, 480) == []

@@ -1,0 +1,68 @@
+"""Shots of a match or a replay, one after the other, that can be gone back to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import islice
+
+from soccer_env.match import Match
+from soccer_env.render.overlays.scene import Shot, shot_of
+from soccer_env.replay import Thoughts
+
+KEPT = 6000  # shots in memory, some 16 kB each
+
+
+class Tape:
+    """Shots, one for every `stride` control steps; those that were shown can be gone back to."""
+
+    def __init__(self, shots: Iterable[Shot], stride: int = 1) -> None:
+        self._coming = iter(shots)
+        self._stride = stride
+        self.shots: list[Shot] = [next(self._coming)]
+        self.at = 0
+        self.ended = False
+
+    def go(self, shots: int) -> None:
+        """Go on or back by some shots, as far as there are any."""
+        self.at = max(0, self.at + shots)
+        while self.at >= len(self.shots) and not self.ended:
+            self._take()
+        self.at = min(self.at, len(self.shots) - 1)
+
+    def _take(self) -> None:
+        """Take the next shot; the oldest are given up where there are too many."""
+        latest = None
+        for shot in islice(self._coming, self._stride):
+            latest = shot
+        if latest is None:
+            self.ended = True
+            return
+        self.shots.append(latest)
+        if len(self.shots) > KEPT:
+            del self.shots[: KEPT // 4]
+            self.at -= KEPT // 4
+
+    @property
+    def shot(self) -> Shot:
+        """Return the shot that is shown."""
+        return self.shots[self.at]
+
+    def past(self, shots: int) -> list[Shot]:
+        """Return at most so many shots before the one that is shown."""
+        return self.shots[max(0, self.at - shots) : self.at]
+
+
+def live(match: Match, thoughts: Thoughts | None = None) -> Iterator[Shot]:
+    """Play a match and yield a shot of its kick-off and of every control step until it ends.
+
+    What robots think is noted now and then, as in a replay: an overlay can be turned on at any moment.
+    """
+    step, note = 0, None
+    while True:
+        if thoughts is not None and thoughts.slots and step % thoughts.every == 0:
+            note = thoughts.look(match)
+        yield shot_of(match, note)
+        if match.terminated.all():
+            return
+        match.step()
+        step += 1
