@@ -7,6 +7,7 @@ How to use it:
     api/                 what both share
     match.py             `Match`: many matches at once, without dictionaries
     replay/              matches on disk that play again exactly
+    data_out/            replays as tables and in the formats of football data
     render/              pictures, windows and overlays
     staging.py           robots and ball put somewhere, for experiments
 

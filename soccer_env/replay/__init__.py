@@ -2,6 +2,7 @@
 
 replay_file.py   `Recorder` writes a running match down; `Replay` is the file, and plays it again
 pictured.py      what a replay shows: frames, films, pages
+checks.py        whether a stranger's file is one, and no larger than one ever is
 parts.py         its parts: records and settings as plain values
 clips.py         parts of a recording that play again bit for bit
 thoughts.py      what robots saw, believed and decided, noted beside the commands

@@ -1,4 +1,4 @@
-"""What a replay shows: frames, films, pages, and what robots thought."""
+"""What a replay shows: frames, films, pages, data, and what robots thought."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Pictured:
-    """What a replay can be looked at by."""
+    """What a replay can be looked at by, and taken out as."""
 
     commands: np.ndarray
     thoughts: dict[str, np.ndarray]
@@ -64,3 +64,19 @@ class Pictured:
 
         check_names("overlay", overlays, [item.name for item in fields(OverlayFlags)], TypeError)
         return write_page(self, path, anew, flags=OverlayFlags(**overlays) if overlays else None)
+
+    def to_kloppy(self: Replay) -> Any:  # type: ignore[misc]
+        """Return the first match as a kloppy TrackingDataset in metres; ImportError if the extra `data` is missing."""
+        from soccer_env.data_out.collect import collect
+        from soccer_env.data_out.kloppy_data import require_kloppy, tracking_dataset
+
+        require_kloppy()
+        return tracking_dataset(collect(self))
+
+    def to_kloppy_events(self: Replay) -> Any:  # type: ignore[misc]
+        """Return the first match as a kloppy EventDataset: passes, shots, interceptions, saves, fouls, calls."""
+        from soccer_env.data_out.collect import collect
+        from soccer_env.data_out.kloppy_data import event_dataset, require_kloppy
+
+        require_kloppy()
+        return event_dataset(collect(self))

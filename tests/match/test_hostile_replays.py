@@ -14,7 +14,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.replay import Recorder, Replay
-from soccer_env.replay.replay_file import MOST_ROBOTS
+from soccer_env.replay.checks import MOST_ROBOTS
 
 
 @pytest.fixture

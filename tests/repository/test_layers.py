@@ -49,7 +49,7 @@ LAYERS = (
     ("match_batch",),
     ("match_views",),
     ("match",),
-    ("soccer_v0", "gymnasium_envs", "api", "render", "replay", "staging"),
+    ("soccer_v0", "gymnasium_envs", "api", "render", "replay", "data_out", "staging"),
     ("baselines", "agents"),
     ("train",),
     ("__main__",),

@@ -10,7 +10,9 @@ report.py          the result in Markdown and on the screen
 page.py             the same as a page for the browser, with pictures
 pictures.py        a sheet of pictures of one match
 recording.py       a match into a replay file, and out of it again
-exporting.py       a replay as a film or a page                                     export_settings.py
+exporting.py       a replay as a film, a page, data or a picture                    export_settings.py
+data_exports.py    the data: of a replay, or of all below a folder
+map_pictures.py    heat maps, pass networks and shot maps as a picture
 """
 
 from typing import TYPE_CHECKING

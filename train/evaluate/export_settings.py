@@ -15,7 +15,17 @@ from soccer_env.train.written_settings import CommandSettings
 
 @dataclass(frozen=True)
 class ExportSettings(OverlayFlags, CommandSettings):
-    """Make a film (.mp4, .gif), a picture (.png) or a page for the browser (.html) of a replay file."""
+    """Make a film, a page for the browser, data or pictures of a replay.
+
+    .mp4, .gif   a film
+    .html        a page for the browser
+    .csv, .parquet   tidy tables: a row for each frame and object, and NAME_events with a row for each event
+    .cdf         the Common Data Format: a folder of JSON and JSON lines
+    .xml         tracking data of the German league (DFL, Sportec), which kloppy reads
+    .png         one picture of the match
+
+    With --maps, .png, .svg and .pdf show heat maps, pass networks and shot maps, also of a result.json.
+    """
 
     BOUNDS = {
         "fps": Range(0.0, 100.0, above=True),
@@ -26,9 +36,11 @@ class ExportSettings(OverlayFlags, CommandSettings):
     }
 
     file: tyro.conf.Positional[Path]
-    """The replay file; nothing in it is executed."""
+    """The replay file, nothing in it is executed; for data also a folder of them, for maps also a result.json."""
     out: Path = Path("match.html")
-    """The file to write; its ending says what it is: .html, .mp4, .gif or .png."""
+    """The file to write; its ending says what it is. Of a folder, .xml and .cdf are written once for each match."""
+    maps: bool = False
+    """Draw heat maps, pass networks and shot maps, into .png, .svg or .pdf."""
     anew: bool = False
     """Write over a file that exists."""
     fps: float | None = None

@@ -1,4 +1,4 @@
-"""`soccer export`: a replay file as a film, a picture or a page for the browser."""
+"""`soccer export`: a replay file as a film, a picture, a page for the browser, as data, or its maps as a picture."""
 
 from __future__ import annotations
 
@@ -9,21 +9,32 @@ from soccer_env.render.overlays.flags import OverlayFlags, part_of_flags
 from soccer_env.replay import Replay
 from soccer_env.replay.browser import write_page
 from soccer_env.replay.film import FilmSettings, drawn_steps, make_film
+from soccer_env.train.evaluate import data_exports
 from soccer_env.train.evaluate.export_settings import ExportSettings
+from soccer_env.train.evaluate.map_pictures import KINDS as MAPS
+from soccer_env.train.evaluate.map_pictures import export_maps
 from soccer_env.train.evaluate.recording import check_target
 from soccer_env.train.progress import Progress
 
-KINDS = (".html", ".mp4", ".gif", ".png")
+KINDS = (".html", ".mp4", ".gif", ".png", *data_exports.KINDS)
 
 
 def export(settings: ExportSettings) -> str:
     """Write what `out` asks for by its ending; return its name and size in words. See `Replay.video` for errors."""
     kind = settings.out.suffix.lower()
-    if kind not in KINDS:
-        raise ValueError(f"--out must end with {', '.join(KINDS)}, got {str(settings.out)!r}")
+    if kind not in (MAPS if settings.maps else KINDS):
+        must = f"--maps must end with {', '.join(MAPS)}" if settings.maps else f"must end with {', '.join(KINDS)}"
+        raise ValueError(f"--out {'with ' if settings.maps else ''}{must}, got {str(settings.out)!r}")
+    if kind in data_exports.KINDS:
+        check_target(settings.out.with_suffix(".tmp"))  # its folder: NAME.cdf is one itself, see `check_free`
+        targets = data_exports.export_data(settings)
+        total = sum(data_exports.size_of(path) for path in targets)
+        return f"{', '.join(str(path) for path in targets)}, {total / 1e6:.2f} MB"
     check_target(settings.out)
     if settings.out.exists() and not settings.anew:
         raise ValueError(f"{settings.out} exists already; give another --out, or --anew to write over it")
+    if settings.maps:
+        return str(export_maps(settings.file, settings.out))
     replay = Replay.read(settings.file)
     rate = replay.make_match().league.control_rate  # its settings are sound, too
     if kind == ".html":

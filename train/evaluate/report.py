@@ -132,7 +132,7 @@ def map_parts(result: EvaluationResult, head: tuple[str, ...]) -> list[str]:
         table(head, map_rows(result.maps)),
         "Mean places in play (x, y) in metres, as each team attacks +x, and completed passes to mates:",
         table(("player", *head[1:]), player_rows(result.maps)),
-        "`soccer export result.json --out maps.png` draws heat maps, pass networks and shot maps.",
+        "`soccer export result.json --maps --out maps.png` draws heat maps, pass networks and shot maps.",
     ]
 
 

@@ -1,0 +1,123 @@
+"""Play a replay and gather what data formats hold of its first match: where everything was, and what happened.
+
+Frame 0 is the start of the recording, frame n comes after control step n. Places are in the field frame: origin at
+the centre spot, x along the pitch, y to the left of it; home attacks +x where `direction` is +1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from soccer_env.data_out.events import Event, Listener
+from soccer_env.leagues.league import League
+from soccer_env.match import Match
+from soccer_env.types import AWAY, HOME, Phase
+
+if TYPE_CHECKING:
+    from soccer_env.replay.replay_file import Replay
+
+SHOOT_OUT = 5  # period, as kloppy and the Common Data Format number it
+SIDES = {HOME: "home", AWAY: "away"}
+PHASES = {int(phase): phase.name.lower() for phase in Phase}
+ROBOT_FIELDS = ("x", "y", "heading", "vx", "vy", "active", "has_ball")
+MATCH_FIELDS = ("half", "clock", "phase", "placing", "home_direction", "shoot_out")
+
+
+@dataclass(frozen=True)
+class Player:
+    """A robot: its row, `home_0` and the like, its side, the number within its team, and whether it keeps the goal."""
+
+    row: int
+    name: str
+    side: str
+    number: int
+    keeper: bool
+
+
+@dataclass(frozen=True)
+class Collected:
+    """The first match of a replay; arrays have a row for each of T frames."""
+
+    name: str  # of the match: the file's
+    league: League
+    teams: tuple[str, str]  # who played home and away
+    players: tuple[Player, ...]
+    robots: dict[str, np.ndarray]  # (T, R) of ROBOT_FIELDS
+    ball: np.ndarray  # (T, 4): x, y [m], vx, vy [m/s]
+    match: dict[str, np.ndarray]  # (T,) of MATCH_FIELDS
+    score: np.ndarray  # (T, 2)
+    events: list[Event]
+
+    def __len__(self) -> int:
+        return len(self.ball)
+
+    @property
+    def time(self) -> np.ndarray:
+        """Return the time of each frame [s since the recording began]."""
+        return np.arange(len(self)) / self.league.control_rate
+
+    @property
+    def periods(self) -> np.ndarray:
+        """Return the period of each frame: 1 and 2 are the halves, 5 is a shoot-out."""
+        return np.where(self.match["shoot_out"] > 0, SHOOT_OUT, self.match["half"] + 1)
+
+    @property
+    def in_play(self) -> np.ndarray:
+        """Return whether the ball is in play in each frame (T,)."""
+        found: np.ndarray = (self.match["phase"] == Phase.PLAY) & (self.match["placing"] == 0)
+        return found
+
+    def owners(self) -> np.ndarray:
+        """Return whose robots alone have the ball in each frame (T,): HOME, AWAY, or -1 for nobody or both."""
+        home = np.array([player.side == "home" for player in self.players])
+        has = self.robots["has_ball"] == 1
+        ours, theirs = has[:, home].any(axis=1), has[:, ~home].any(axis=1)
+        return np.where(ours & ~theirs, HOME, np.where(theirs & ~ours, AWAY, -1))
+
+
+def collect(replay: Replay, name: str = "match", note: Callable[[int], None] | None = None) -> Collected:
+    """Play the first match of a replay and return what happened; `note` is told of each control step.
+
+    ValueError names the first step that differs from what was recorded.
+    """
+    playing = replay.play()
+    match = next(playing)
+    teams, players = replay.teams, players_of(match)
+    listener = Listener(match)
+    frames = [shot_of(match)]
+    for step, played in enumerate(playing, 1):
+        listener.listen(played, step)
+        frames.append(shot_of(played))
+        if note is not None:
+            note(1)
+    robots, balls, matches, scores = (np.stack(column) for column in zip(*frames, strict=True))
+    return Collected(
+        name=name,
+        league=match.league,
+        teams=teams,
+        players=players,
+        robots={field: robots[field] for field in ROBOT_FIELDS},
+        ball=balls,
+        match={field: matches[field] for field in MATCH_FIELDS},
+        score=scores,
+        events=listener.told(),
+    )
+
+
+def shot_of(match: Match) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return copies of what is kept of a moment: robots (R,), the ball (4,), the match, the score (2,)."""
+    ball, record = match.balls[0], match.matches[0]
+    state = np.array([ball["x"], ball["y"], ball["vx"], ball["vy"]])
+    return match.robots[list(ROBOT_FIELDS)][0].copy(), state, record[list(MATCH_FIELDS)].copy(), record["score"].copy()
+
+
+def players_of(match: Match) -> tuple[Player, ...]:
+    """Return the robots of the first match, in the order of their rows."""
+    return tuple(
+        Player(row, name, SIDES[int(robot["team"])], int(robot["number"]), bool(robot["keeper"]))
+        for row, (name, robot) in enumerate(zip(match.agents, match.robots[0], strict=True))
+    )

@@ -1,0 +1,279 @@
+"""A match in the Common Data Format [Anzer et al. 2025, arXiv 2505.15820], version 0.3.2: a folder of four files.
+
+| file | what it holds |
+|---|---|
+| meta.json | pitch, players, periods and who plays on which side |
+| match.json | the match sheet: result, players, goals, cards |
+| tracking.jsonl | a line for each frame: robots on the pitch and the ball [m] |
+| event.jsonl | a line for each pass, shot, interception, save, foul and whistle |
+
+The format wants one direction of play: home attacks +x in all periods, so places of the second half are turned by
+180 degrees (`left_team_id` says who truly plays on the left). It wants dates: a match begins at KICK_OFF, which is no
+date of anything. A goal without a shot (carried or bumped in) is a shot of its scorer's, which is how the format tells
+goals; so is an own goal.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from datetime import datetime, timedelta, timezone
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from soccer_env.data_out.collect import SHOOT_OUT, SIDES, Collected, Player
+from soccer_env.data_out.events import NOBODY, Event
+from soccer_env.match_settings import version
+from soccer_env.whole_files import write_whole
+
+VERSION = "0.3.2"  # of the Common Data Format
+KICK_OFF = datetime(2000, 1, 1, tzinfo=timezone.utc)
+FILES = ("meta.json", "match.json", "tracking.jsonl", "event.jsonl")
+PERIODS = {1: "first_half", 2: "second_half", SHOOT_OUT: "shootout"}
+OUTCOMES = {"goal": "successful", "saved": "saved", "blocked": "blocked", "off_target": "wide"}
+REFEREE = "referee"
+WHISTLES = {"half_time": "half_time", "final_whistle": "final_whistle"}
+DIGITS = 4  # of a metre: tenths of a millimetre
+
+
+def write_standard(found: Collected, folder: Path) -> Path:
+    """Write a match as four files of a folder, which is made; files of the same names are replaced."""
+    folder.mkdir(parents=True, exist_ok=True)
+    match = Standard(found)
+    write_whole(folder / "meta.json", json.dumps(match.meta(), indent=2) + "\n")
+    write_whole(folder / "match.json", json.dumps(match.sheet(), indent=2) + "\n")
+    write_whole(folder / "tracking.jsonl", as_lines(match.tracking()))
+    write_whole(folder / "event.jsonl", as_lines(match.events()))
+    return folder
+
+
+def as_lines(records: Iterator[dict[str, Any]]) -> str:
+    """Return records as JSON, one a line."""
+    return "".join(json.dumps(record, separators=(",", ":"), allow_nan=False) + "\n" for record in records)
+
+
+class Standard:
+    """A match in the words of the Common Data Format."""
+
+    def __init__(self, found: Collected) -> None:
+        self.found = found
+        self.periods = found.periods
+        self.direction = found.match["home_direction"]
+        self.shot_in = {(event.end_frame, event.team) for event in found.events if event.outcome == "goal"}
+
+    def time(self, frame: int) -> str:
+        """Return when a frame is, as UTC."""
+        at = KICK_OFF + timedelta(seconds=frame / self.found.league.control_rate)
+        return at.isoformat(timespec="microseconds").replace("+00:00", "Z")
+
+    def period(self, frame: int) -> str:
+        """Return the name of the period of a frame."""
+        return PERIODS[int(self.periods[frame])]
+
+    def place(self, frame: int, x: float, y: float) -> tuple[float, float]:
+        """Return a place [m] in the frame in which home attacks +x."""
+        sign = float(self.direction[frame])
+        return round(sign * x, DIGITS) + 0.0, round(sign * y, DIGITS) + 0.0
+
+    def meta(self) -> dict[str, Any]:
+        """Return meta.json."""
+        found, pitch = self.found, self.found.league.pitch
+        vendor = {"version": version(), "name": "soccer_env"}
+        return {
+            "competition": {"id": "soccer_env", "name": "soccer_env"},
+            "season": {"id": "none"},
+            "match": {
+                "id": found.name,
+                "kickoff_time": self.time(0),
+                "periods": [self.about_period(period) for period in self.numbers()],
+                "whistles": list(self.whistles()),
+            },
+            "teams": {
+                side: {"id": side, "name": team, "players": [self.about(player) for player in self.of(side)]}
+                for side, team in zip(("home", "away"), found.teams, strict=True)
+            },
+            "venue": {
+                "id": found.league.name, "pitch_length": float(pitch.length), "pitch_width": float(pitch.width),
+            },
+            "meta": {
+                "video": None, "landmarks": None, "ball": None, "meta": vendor, "cdf": {"version": VERSION},
+                "tracking": {**vendor, "fps": found.league.control_rate, "collection_timing": "live"},
+                "event": {**vendor, "collection_timing": "post_match"},
+            },
+        }  # fmt: skip
+
+    def numbers(self) -> list[int]:
+        """Return the periods that the recording has frames of."""
+        found: list[int] = np.unique(self.periods).tolist()
+        return found
+
+    def about_period(self, period: int) -> dict[str, Any]:
+        """Return what meta.json says of a period."""
+        frames = np.flatnonzero(self.periods == period)
+        first, last = int(frames[0]), int(frames[-1])
+        left, right = ("home", "away") if self.direction[last] > 0.0 else ("away", "home")
+        return {
+            "period": PERIODS[period], "play_direction": "left_right", "left_team_id": left, "right_team_id": right,
+            "start_time": self.time(first), "end_time": self.time(last),
+            "frame_id_start": first, "frame_id_end": last,
+        }  # fmt: skip
+
+    def whistles(self) -> Iterator[dict[str, str]]:
+        """Yield the start and the end of each period."""
+        for period in map(self.about_period, self.numbers()):
+            for sub_type in ("start", "end"):
+                yield {"type": period["period"], "sub_type": sub_type, "time": period[f"{sub_type}_time"]}
+
+    def of(self, side: str) -> list[Player]:
+        """Return the robots of a side."""
+        return [player for player in self.found.players if player.side == side]
+
+    def about(self, player: Player) -> dict[str, Any]:
+        """Return what meta.json says of a robot."""
+        starter = bool(self.found.robots["active"][0, player.row] == 1)
+        return {
+            "id": player.name, "team_id": player.side, "jersey_number": player.number, "is_starter": starter,
+            "first_name": player.side, "last_name": str(player.number),
+        }  # fmt: skip
+
+    def sheet(self) -> dict[str, Any]:
+        """Return match.json."""
+        found, home, away = self.found, *self.found.score[-1].tolist()
+        first = found.score[self.periods == 1]
+        half = first[-1].tolist() if len(first) else [0, 0]
+        played = (found.robots["active"] == 1).any(axis=0)
+        return {
+            "match": {
+                "id": found.name,
+                "status": {"is_neutral": True, "has_extratime": False, "has_shootout": False},
+                "result": {
+                    "final": {
+                        "home": home, "away": away,
+                        "winning_team_id": None if home == away else "home" if home > away else "away",
+                    },
+                    "first_half": dict(zip(("home", "away"), half, strict=True)),
+                    "second_half": {"home": home - half[0], "away": away - half[1]},
+                },
+            },
+            "teams": {
+                side: {
+                    "id": side,
+                    "players": [
+                        {**self.about(player), "has_played": bool(played[player.row])} for player in self.of(side)
+                    ],
+                }
+                for side in ("home", "away")
+            },
+            "officials": [{"id": REFEREE, "type": "main_referee"}],
+            "events": {"goals": list(self.goals()), "substitutions": None, "cards": None},
+            "meta": {"vendor": "soccer_env"},
+        }  # fmt: skip
+
+    def goals(self) -> Iterator[dict[str, Any]]:
+        """Yield the goals of the match sheet; who scored without a touch is "unknown"."""
+        for goal in self.found.events:
+            if goal.kind == "goal":
+                yield {
+                    "time": self.time(goal.frame), "period": self.period(goal.frame), "team_id": SIDES[goal.team],
+                    "player_id": self.name(goal.row), "assist_id": None, "is_penalty": False,
+                    "is_own_goal": goal.outcome == "own_goal",
+                    "score": dict(zip(("home", "away"), self.found.score[goal.frame].tolist(), strict=True)),
+                }  # fmt: skip
+
+    def name(self, row: int) -> str:
+        """Return the id of a robot."""
+        return self.found.players[row].name if row != NOBODY else "unknown"
+
+    def tracking(self) -> Iterator[dict[str, Any]]:
+        """Yield the lines of tracking.jsonl."""
+        found, in_play = self.found, self.found.in_play
+        sides = [(side, self.of(side)) for side in ("home", "away")]
+        speeds = np.hypot(found.robots["vx"], found.robots["vy"])
+        for frame in range(len(found)):
+            x, y = self.place(frame, found.ball[frame, 0], found.ball[frame, 1])
+            yield {
+                "frame_id": frame, "timestamp": self.time(frame), "period": self.period(frame),
+                "match": {"id": found.name},
+                "teams": {
+                    side: {"id": side, "players": [self.tracked(frame, player, speeds) for player in players
+                                                   if found.robots["active"][frame, player.row] == 1]}
+                    for side, players in sides
+                },
+                "ball": {"x": x, "y": y, "z": found.league.ball.radius, "status": bool(in_play[frame])},
+            }  # fmt: skip
+
+    def tracked(self, frame: int, player: Player, speeds: np.ndarray) -> dict[str, Any]:
+        """Return where a robot is in a frame."""
+        robots, row = self.found.robots, player.row
+        x, y = self.place(frame, robots["x"][frame, row], robots["y"][frame, row])
+        return {"id": player.name, "x": x, "y": y, "vel": round(float(speeds[frame, row]), DIGITS)}
+
+    def events(self) -> Iterator[dict[str, Any]]:
+        """Yield the lines of event.jsonl."""
+        number = 0
+        for event in self.found.events:
+            told = self.told(event)
+            if told is None:
+                continue
+            number += 1
+            yield {
+                "match": {"id": self.found.name},
+                "meta": {"is_synced": True},
+                "event": {"id": f"event_{number}", **told},
+                "tracking": {"frame_id": event.frame},
+            }
+
+    def told(self, event: Event) -> dict[str, Any] | None:
+        """Return an event in the words of the format; None for one that it has none for."""
+        if event.kind == "pass":
+            return self.played(event, "pass", None, event.outcome, event.outcome == "successful")
+        if event.kind == "shot":
+            return self.played(event, "shot", None, OUTCOMES[event.outcome], event.outcome == "goal")
+        if event.kind == "goal" and (event.frame, event.team) not in self.shot_in:
+            own = event.outcome == "own_goal"
+            return self.played(event, "shot", None, "own_goal" if own else "successful", not own)
+        if event.kind == "interception":
+            return self.played(event, "defending", "interception", "interception", True)
+        if event.kind == "save":
+            return self.played(event, "goalkeeping", "save", "save", True)
+        if event.kind == "foul":
+            return self.called(event, "foul", event.outcome)
+        if event.kind in WHISTLES:
+            return self.called(event, WHISTLES[event.kind], "end")
+        return None
+
+    def common(self, event: Event) -> dict[str, Any]:
+        """Return what every event has."""
+        x, y = self.place(event.frame, event.x, event.y)
+        return {
+            "time": self.time(event.frame), "period": self.period(event.frame), "x": x, "y": y,
+            "receiver_id": None, "receiver_time": None, "receiver_team_id": None,
+            "x_end": None, "y_end": None, "body_part": None, "related_event_ids": None,
+        }  # fmt: skip
+
+    def called(self, event: Event, sub_type: str, outcome: str) -> dict[str, Any]:
+        """Return a call of the referee's."""
+        return {
+            **self.common(event), "type": "referee", "sub_type": sub_type, "outcome_type": outcome,
+            "is_successful": True, "official_id": REFEREE,
+        }  # fmt: skip
+
+    def played(self, event: Event, kind: str, sub_type: str | None, outcome: str, good: bool) -> dict[str, Any]:
+        """Return what a robot did."""
+        told = {
+            **self.common(event), "type": kind, "sub_type": sub_type, "outcome_type": outcome, "is_successful": good,
+            "player_id": self.name(event.row), "team_id": SIDES[event.team],
+        }  # fmt: skip
+        if kind in ("pass", "shot"):
+            end = event.end_frame if event.end_frame != NOBODY else event.frame
+            x, y = (event.end_x, event.end_y) if event.end_frame != NOBODY else (event.x, event.y)
+            told["x_end"], told["y_end"] = self.place(end, x, y)
+            told["body_part"] = "other"
+        if event.receiver != NOBODY:
+            told |= {
+                "receiver_id": self.name(event.receiver), "receiver_time": self.time(event.end_frame),
+                "receiver_team_id": self.found.players[event.receiver].side,
+            }  # fmt: skip
+        return told

@@ -1,0 +1,130 @@
+"""Tables as files: CSV, or Parquet by pyarrow (extra `data`). Two files: NAME.csv tracks, NAME_events.csv tells events.
+
+Matches are written one after another, so that a folder of many takes no more memory than its longest match. Files
+appear whole or not at all.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from soccer_env.data_out.tables import TABLES, Column, Table
+
+HOW = 'pip install "soccer_env[data]"'
+
+
+def paths_of(path: Path) -> dict[str, Path]:
+    """Return the files of both tables by name."""
+    return {"tracking": path, "events": path.with_name(f"{path.stem}_events{path.suffix}")}
+
+
+def require(kind: str) -> None:
+    """Raise ImportError, which says what to install, if files of that ending cannot be written."""
+    if kind == ".parquet":
+        try:
+            import pyarrow.parquet  # noqa: F401
+        except ImportError as error:
+            raise ImportError(f"Parquet needs pyarrow: {HOW}") from error
+
+
+def write_tables(matches: Iterable[dict[str, Table]], path: Path) -> dict[str, Path]:
+    """Write the tables of matches as CSV or Parquet, by the path's ending; return the files by the table's name.
+
+    ImportError if pyarrow is missing. Files that exist are replaced once all is written.
+    """
+    kind: type[CsvFile] | type[ParquetFile] = CsvFile if path.suffix.lower() == ".csv" else ParquetFile
+    paths = paths_of(path)
+    files: dict[str, CsvFile | ParquetFile] = {
+        name: kind(target.with_name(f".{target.name}.{os.getpid()}.tmp"), TABLES[name])
+        for name, target in paths.items()
+    }
+    try:
+        for tables in matches:
+            for name, file in files.items():
+                file.add(tables[name])
+        for file in files.values():
+            file.close()
+        for name, file in files.items():
+            os.replace(file.path, paths[name])
+    finally:
+        for file in files.values():
+            file.close()
+            file.path.unlink(missing_ok=True)
+    return paths
+
+
+class CsvFile:
+    """A table as CSV: comma, quotes where needed, LF, a first line with the names; flags are true and false."""
+
+    def __init__(self, path: Path, columns: tuple[Column, ...]) -> None:
+        self.path, self._columns = path, columns
+        self._file = path.open("w", encoding="utf-8", newline="")
+        self._writer = csv.writer(self._file, lineterminator="\n")
+        self._writer.writerow([column.name for column in columns])
+
+    def add(self, table: Table) -> None:
+        """Write rows at the end."""
+        self._writer.writerows(zip(*(as_text(table[column.name], column) for column in self._columns), strict=True))
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
+
+def as_text(values: np.ndarray, column: Column) -> list[Any]:
+    """Return a column as text: numbers to a micrometre, what is missing empty."""
+    if column.kind == "flag":
+        return ["true" if value else "false" for value in values.tolist()]
+    if column.kind == "number":
+        return [round(value, 6) if value == value else "" for value in values.tolist()]
+    if column.kind == "text":
+        return [plain_cell(value) for value in values.tolist()]
+    found: list[Any] = values.tolist()
+    return found
+
+
+def plain_cell(text: str) -> str:
+    """Return a word that no spreadsheet takes for a formula: names of matches come from files of strangers."""
+    return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r") else text
+
+
+class ParquetFile:
+    """A table as Parquet; unit and meaning of each column stand in the metadata of its field."""
+
+    def __init__(self, path: Path, columns: tuple[Column, ...]) -> None:
+        require(".parquet")
+        import pyarrow
+        from pyarrow import parquet
+
+        kinds = {
+            "text": pyarrow.string(),
+            "whole": pyarrow.int64(),
+            "number": pyarrow.float64(),
+            "flag": pyarrow.bool_(),
+        }
+        self.path = path
+        self._table = pyarrow.table
+        self._schema = pyarrow.schema(
+            [
+                pyarrow.field(column.name, kinds[column.kind], metadata={"unit": column.unit, "text": column.text})
+                for column in columns
+            ]
+        )
+        self._writer = parquet.ParquetWriter(path, self._schema)
+
+    def add(self, table: Table) -> None:
+        """Write rows at the end; numbers that do not apply are null."""
+        import pyarrow
+
+        columns = [pyarrow.array(table[field.name], field.type, from_pandas=True) for field in self._schema]
+        self._writer.write_table(self._table(columns, schema=self._schema))
+
+    def close(self) -> None:
+        """Close the file."""
+        self._writer.close()

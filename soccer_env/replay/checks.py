@@ -1,0 +1,49 @@
+"""Whether a stranger's file is a replay, and no larger than one ever is: looked at before anything is made of it."""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+from zipfile import ZipFile
+
+from soccer_env import saving
+from soccer_env.match_settings import version
+
+FORMAT = "soccer_env replay 2"
+LARGEST = 1 << 29  # [bytes] of a replay's parts, unpacked: three times a match of 22 robots over half an hour
+MOST_ROBOTS = 8192  # of all matches of a replay: these take half a gigabyte of memory
+
+
+def check_format(header: Any) -> None:
+    """Raise ValueError for the header of a replay that this version cannot read; it says which version wrote it."""
+    if not isinstance(header, dict) or "format" not in header:
+        raise ValueError("it does not say which format it has")
+    if header["format"] != FORMAT:
+        wrote = f", written by soccer_env {str(header['version'])[:40]}" if header.get("version") else ""
+        raise ValueError(
+            f"its format is {str(header['format'])[:40]!r}{wrote}; soccer_env {version()} reads {FORMAT!r}"
+        )
+
+
+def check_size(content: io.BytesIO) -> None:
+    """Raise ValueError if the parts of a file would unpack to more than a replay ever is."""
+    with ZipFile(content) as file:
+        total = sum(part.file_size for part in file.infolist())
+    if total > LARGEST:
+        raise ValueError(f"it would unpack to {total} bytes, at most {LARGEST} are read")
+
+
+def check_room(matches: int, robots: int) -> None:
+    """Raise ValueError for more robots, over all matches, than a replay may hold."""
+    if matches * robots > MOST_ROBOTS:
+        raise ValueError(f"a replay holds at most {MOST_ROBOTS} robots, {matches} matches have {matches * robots}")
+
+
+def check_start(start: bytes, wanted: dict[str, Any]) -> None:
+    """Raise ValueError unless a replay's start is a sound save of as many matches and robots as its settings say."""
+    sides = [wanted["max_players"] or wanted[side] for side in ("home", "away")]
+    matches, robots = wanted["matches"], sum(sides)
+    check_room(matches, robots)
+    parts = {name: shape for name, _, shape, _ in saving.open_save(start)[2]["parts"]}
+    if parts["robots"] != [matches, robots]:
+        raise ValueError(f"it begins with robots of shape {parts['robots']}, its settings say {[matches, robots]}")

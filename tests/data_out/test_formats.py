@@ -1,0 +1,125 @@
+"""What others read of our files: the validator of the Common Data Format, kloppy's loader, kloppy's datasets."""
+
+import json
+import warnings
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from soccer_env.data_out.collect import Collected
+from soccer_env.data_out.sportec import RATE, write_sportec
+from soccer_env.data_out.standard import FILES, write_standard
+from soccer_env.replay import Replay
+
+HOSTILE = '</PutDataRequest><script>alert("&")</script>'
+
+
+def test_the_validator_of_the_common_data_format_accepts_every_line(found: Collected, tmp_path: Path) -> None:
+    cdf = pytest.importorskip("cdf")
+    folder = write_standard(found, tmp_path / "x.cdf")
+    assert sorted(path.name for path in folder.iterdir()) == sorted(FILES)
+    validators = (
+        cdf.MetaSchemaValidator,
+        cdf.MatchSchemaValidator,
+        cdf.TrackingSchemaValidator,
+        cdf.EventSchemaValidator,
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for name, validator in zip(FILES, validators, strict=True):
+            validator().validate_schema(sample=folder / name, mode="extreme", limit=None)
+
+
+def test_the_common_data_format_has_home_attack_one_way_and_tells_each_goal_once(
+    found: Collected, tmp_path: Path
+) -> None:
+    folder = write_standard(found, tmp_path / "x.cdf")
+    lines = [json.loads(line) for line in (folder / "tracking.jsonl").read_text().splitlines()]
+    assert len(lines) == len(found)
+    sign, x = found.match["home_direction"], [line["ball"]["x"] for line in lines]
+    assert x == pytest.approx(sign * found.ball[:, 0], abs=1e-4)
+    events = [json.loads(line)["event"] for line in (folder / "event.jsonl").read_text().splitlines()]
+    told = [
+        event for event in events if event["type"] == "shot" and event["outcome_type"] in ("successful", "own_goal")
+    ]
+    sheet = json.loads((folder / "match.json").read_text())
+    assert len(told) == len(sheet["events"]["goals"]) == found.score[-1].sum() > 0
+    assert sheet["match"]["result"]["final"]["home"] == found.score[-1, 0]
+    left = [period["left_team_id"] for period in json.loads((folder / "meta.json").read_text())["match"]["periods"]]
+    assert sorted(left) == ["away", "home"]
+
+
+def test_kloppy_reads_the_xml(found: Collected, tmp_path: Path) -> None:
+    sportec = pytest.importorskip("kloppy.sportec")
+    path = write_sportec(found, tmp_path / "x.xml")
+    with path.open("rb") as about, path.open("rb") as positions:
+        dataset = sportec.load_tracking(meta_data=about, raw_data=positions, coordinates="sportec:tracking")
+    assert dataset.metadata.frame_rate == RATE
+    assert [team.name for team in dataset.metadata.teams] == list(found.teams)
+    assert (dataset.metadata.score.home, dataset.metadata.score.away) == tuple(found.score[-1])
+    assert dataset.metadata.pitch_dimensions.pitch_length == found.league.pitch.length
+    periods = found.periods
+    for period in (1, 2):
+        inside = np.flatnonzero(periods == period)
+        frames = [frame for frame in dataset.frames if frame.period.id == period]
+        assert len(frames) == pytest.approx(len(inside) * RATE / found.league.control_rate, abs=2)
+        for frame in frames[:: max(1, len(frames) // 20)]:
+            at = inside[0] + round(frame.timestamp.total_seconds() * found.league.control_rate)
+            assert frame.ball_coordinates.x == pytest.approx(found.ball[at, 0], abs=1e-4)
+            places = {player.player_id: data.coordinates for player, data in frame.players_data.items()}
+            for player in found.players:
+                assert places[player.name].y == pytest.approx(found.robots["y"][at, player.row], abs=1e-4)
+
+
+def test_xml_escapes_what_came_from_a_file(found: Collected, tmp_path: Path) -> None:
+    hostile = replace(found, name=HOSTILE, teams=(HOSTILE, "a\x00b\x1b"))
+    root = ElementTree.parse(write_sportec(hostile, tmp_path / "x.xml")).getroot()
+    assert root.find("MatchInformation/General").get("HomeTeamName") == HOSTILE  # type: ignore[union-attr]
+    assert not [*root.iter("script")]
+    write_standard(hostile, tmp_path / "x.cdf")
+    assert json.loads((tmp_path / "x.cdf" / "meta.json").read_text())["match"]["id"] == HOSTILE
+
+
+def test_kloppys_dataset_holds_every_place_and_turns_it_there_and_back(replay: Replay, found: Collected) -> None:
+    pytest.importorskip("kloppy")
+    dataset = replay.to_kloppy()
+    assert len(dataset) == len(found)
+    assert dataset.metadata.frame_rate == found.league.control_rate
+    ours = dataset.metadata.coordinate_system
+    normed = dataset.transform(to_coordinate_system="kloppy")
+    back = normed.transform(to_coordinate_system=ours)
+    pitch = found.league.pitch
+    for frame in range(0, len(found), 97):
+        here, there, again = dataset.frames[frame], normed.frames[frame], back.frames[frame]
+        assert (here.ball_coordinates.x, here.ball_coordinates.y) == tuple(found.ball[frame, :2])
+        assert there.ball_coordinates.x == pytest.approx(0.5 + found.ball[frame, 0] / pitch.length)
+        assert there.ball_coordinates.y == pytest.approx(0.5 - found.ball[frame, 1] / pitch.width)
+        for player, data in here.players_data.items():
+            row = next(one.row for one in found.players if one.name == player.player_id)
+            assert (data.coordinates.x, data.coordinates.y) == (
+                found.robots["x"][frame, row], found.robots["y"][frame, row],
+            )  # fmt: skip
+            returned = again.players_data[player].coordinates
+            assert (returned.x, returned.y) == pytest.approx((data.coordinates.x, data.coordinates.y), abs=1e-9)
+
+
+def test_kloppys_events_tell_goals_passes_and_shots(replay: Replay, found: Collected) -> None:
+    pytest.importorskip("kloppy")
+    dataset = replay.to_kloppy_events()
+    kinds = [event.kind for event in found.events]
+    goals: Any = [*dataset.filter("shot.goal")]
+    own = [*dataset.filter("shot.own_goal")]
+    assert len(goals) + len(own) == found.score[-1].sum()
+    assert len([*dataset.filter("pass")]) == kinds.count("pass")
+    assert len([*dataset.filter("interception")]) == kinds.count("interception")
+    assert [team.team_id for team in dataset.metadata.teams] == ["home", "away"]
+
+
+def test_without_kloppy_it_says_what_to_install(replay: Replay, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "kloppy", None)
+    with pytest.raises(ImportError, match=r'pip install "soccer_env\[data\]"'):
+        replay.to_kloppy()
