@@ -67,6 +67,7 @@ class MatchBatch:
         seen = self.observations if self._sees_truth else np.zeros((count, robots, 0), np.float32)
         outcome = Outcome(self.rewards, self.terms, seen, self.terminated, self.truncated, self.statistics)
         numbers = Numbers(self.constants, self.weights, self.settings.limit)
+        self._discounts: bool | None = None  # whether the coming control step does
         physics = Physics(self.physics.bodies, self.physics.velocities, self.physics.solvers)
         self._truth = tuple(self.world)
         self._step = self._truth, tuple(physics), tuple(outcome), tuple(numbers)
@@ -79,7 +80,9 @@ class MatchBatch:
 
     def discount(self, last: bool) -> None:
         """Let the shaping of the coming control step discount, as the last one of an action does, or not."""
-        self.weights["gamma"] = self.settings.rewards.gamma if last else 1.0
+        if last != self._discounts:
+            self._discounts = last
+            self.weights["gamma"] = self.settings.rewards.gamma if last else 1.0
 
     def start(self, m: int, seed: int, episode: int) -> None:
         """Begin an episode in match m, in a Space of its own."""

@@ -79,6 +79,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         self._discrete = match.settings.actions.name == "discrete"
         self._action_shape = () if self._discrete else (match.settings.actions.size,)
         self._actions = np.zeros((1, len(match.agents), *self._action_shape), np.int64 if self._discrete else float)
+        self._flat = self._actions[0, self._rows].reshape(-1) if isinstance(self._rows, slice) else None  # a view
         self._begun = False
 
     def observation_space(self, agent: str) -> Any:
@@ -184,6 +185,9 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
     def _gather(self, actions: Any) -> np.ndarray:
         """Return the actions as the match takes them; ValueError names what is wrong with them."""
         usual = self._usual(actions)
+        if usual is not None and self._flat is not None:
+            np.concatenate(usual, out=self._flat)
+            return self._actions
         if usual is None:
             check_agents(actions, self.agents)
             usual = [self.check_action(agent, actions[agent]) for agent in self.agents]

@@ -19,7 +19,11 @@ from typing import Any
 
 import numpy as np
 from gymnasium import spaces
-from stable_baselines3.common.vec_env import VecEnv
+
+try:
+    from stable_baselines3.common.vec_env import VecEnv
+except ModuleNotFoundError as error:
+    raise ImportError(f'SoccerVecEnv needs stable-baselines3: pip install "soccer_env[train]" ({error})') from error
 
 from soccer_env.actions import FULL
 from soccer_env.agents.learned import first_decision

@@ -43,6 +43,7 @@ def test_a_file_gives_settings_and_flags_overrule_it(tmp_path: Path) -> None:
         ("steps 3\n", "cannot be read: "),
         ("steps = 3\nsteps = 4\n", "cannot be read: "),
         ("name = '\udcff'\n", "cannot be read: "),
+        ("a = " + "[" * 5000, "cannot be read: maximum recursion depth"),
     ],
 )
 def test_a_wrong_file_is_named(tmp_path: Path, content: str, message: str | None) -> None:

@@ -1,0 +1,50 @@
+"""Numbers of a user's own that no match could be played with: refused with what is allowed, and whose they are."""
+
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+
+from soccer_env import Match, Rewards, soccer_v0
+from soccer_env.scenes import Scene
+
+
+def no_place(league: Any, ball: Any, robots: Any, draw: Any) -> None:
+    """Put the ball nowhere."""
+    ball["x"] = np.nan
+
+
+def no_team(league: Any, ball: Any, robots: Any, draw: Any) -> None:
+    """Give a robot to a team that there is not."""
+    robots["team"][0] = 7
+
+
+def no_number(league: Any, ball: Any, robots: Any, draw: Any) -> None:
+    """Give a robot another number."""
+    robots["number"][1] = -3
+
+
+@pytest.mark.parametrize(
+    ("place", "message"),
+    [
+        (no_place, "scene 'mine' must leave finite numbers, got x nan of the ball"),
+        (no_team, "scene 'mine' must leave team of home_0 0, got 7"),
+        (no_number, "scene 'mine' must leave number of away_0 0, got -3"),
+    ],
+)
+def test_a_scene_that_leaves_nonsense_is_blamed_itself(place: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        Match(home=1, away=1, scene=Scene("mine", "nonsense", place=place), seed=1)
+
+
+def test_weights_that_overflow_are_refused() -> None:
+    with pytest.raises(ValueError, match="Rewards.effort must be -1000000000 to 1000000000, got 1.7e"):
+        Rewards(effort=1.7e308)
+
+
+def test_near_misses_of_settings_are_named_by_every_maker() -> None:
+    with pytest.raises(TypeError, match="unknown setting 'opponent', did you mean 'opponents'"):
+        soccer_v0.parallel_env(opponent="chaser")  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match="unknown setting 'autoreset', did you mean 'autoreset_mode'"):
+        gymnasium.make_vec("soccer_env/Legged2001-1v1-v0", num_envs=2, autoreset="same_step")
