@@ -252,7 +252,8 @@ def run_train(words: list[str]) -> int:
         ) from error
     console().print(screen_table(result))
     print(best_line(result))
-    say_written(settings.out, "best.safetensors", "learning_curve.png")
+    say_written(settings.out, "best.safetensors", "learning_curve.png", "report.html")
+    say_kept(settings.out)
     return 0
 
 

@@ -1,12 +1,14 @@
 """Train a policy: `soccer train`. PPO of stable-baselines3 over the batched core; `train` below tells it from above.
 
     settings.py        what the command line asks for              toml_file.py      or a file
+    bounds.py          what its numbers may be
     checks.py          found playable before a run begins          training.py       a run: what it keeps and writes
     vec_env.py         many matches as one VecEnv                  match_blocks.py   shared out among sizes and senses
     curriculum.py      who the learners meet                       teaching/         a scripted teacher, before rewards
     networks.py        actor and critic                            critic_state.py   what the critic sees besides
     learner.py         PPO, and what of it has to be kept          checkpoints.py    so that a cut run goes on
     run_folder.py      what a run leaves behind                    reports.py        its log, evaluations and curve
+    reporting/         logs of other kinds, the report as a page, replays
     compare_kinds.py   the two kinds of networks on the same task
     compare_seeds.py   how much a training varies from seed to seed
 
@@ -65,4 +67,6 @@ def train(settings: TrainSettings) -> TrainResult:
                 if run.evaluation_is_due():
                     run.evaluate()  # and keep the best policy
                 run.save_checkpoint()
-            return run.result()
+            result = run.result()
+        run.keep_replays()  # of the best policy, if they are asked for
+        return result

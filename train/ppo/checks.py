@@ -24,6 +24,7 @@ from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
 from soccer_env.train.ppo.match_blocks import shares
 from soccer_env.train.ppo.networks import blank_policy
+from soccer_env.train.ppo.reporting.loggers import check_packages
 from soccer_env.train.ppo.reports import evaluation_of
 from soccer_env.train.ppo.settings import TrainSettings, command_of, senses_of
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
@@ -35,6 +36,7 @@ TRAINING_SEED = 3_000_017  # added to the run's seed: a policy is not evaluated 
 def check_playable(settings: TrainSettings) -> None:
     """Raise ValueError, with the setting's name, for teams, sizes and times that cannot be played or written down."""
     check_device(settings.device)
+    check_packages(settings.logs)
     league = settings.played
     blank = blank_policy(settings, league)
     check_start(settings, blank)

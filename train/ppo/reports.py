@@ -17,7 +17,7 @@ from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
 from soccer_env.train.plots import can_draw, draw_curves
 from soccer_env.train.ppo.curriculum import LEARNER, Curriculum
-from soccer_env.train.ppo.run_folder import TENSORBOARD, RunFolder, flattened
+from soccer_env.train.ppo.run_folder import RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.progress import Progress
 
@@ -42,7 +42,8 @@ class Board:
         self.folder = folder
         self._spent = dict.fromkeys(STAGES, 0.0)  # [s] since the last line
         self._words, self._shown = "", 0  # of the last evaluation; steps shown by the bar
-        self._tensorboard = tensorboard(settings, folder)
+        self._settings = settings
+        self._logs: Any = None  # those that were asked for, once it is known where the run begins
         self._steps = settings.steps
         self._progress: Progress | None = None  # until the first step: a teacher shows a bar of its own
 
@@ -84,45 +85,36 @@ class Board:
             "seconds": {name: round(value, 3) for name, value in seconds.items()},
         }
         self.folder.log(record)
-        self._to_tensorboard(record)
+        if self._logs is not None:
+            self._logs.write(record)
         if self._progress is not None:
             shares = ", ".join(f"{100 * share:.0f} % v {name}" for name, share in points.items() if name != LEARNER)
             self._progress.note(f"points {shares}{self._words}")
 
-    def note_evaluation(self, rows: Sequence[dict[str, Any]]) -> None:
-        """Let the bar show an evaluation."""
+    def open_logs(self, step: int) -> Any:
+        """Open the logs that were asked for; return the logger that stable-baselines3 is to record into."""
+        from soccer_env.train.ppo.reporting.loggers import Logs
+
+        self._logs = Logs(self._settings, self.folder, step)
+        return self._logs.logger
+
+    def note_evaluation(self, step: int, rows: Sequence[dict[str, Any]]) -> None:
+        """Let the bar show an evaluation, and the logs tell it."""
+        if self._logs is not None:
+            self._logs.write_evaluation(step, rows)
         self._words = "; evaluated " + ", ".join(f"{row['goal_difference']:+.2f} v {row['opponent']}" for row in rows)
 
     def close(self) -> None:
-        """End the bar and the TensorBoard log."""
+        """End the bar and the logs."""
         if self._progress is not None:
             self._progress.__exit__()
-        if self._tensorboard is not None:
-            self._tensorboard.close()
-
-    def _to_tensorboard(self, record: dict[str, Any]) -> None:
-        """Write the numbers of a line for TensorBoard."""
-        if self._tensorboard is None:
-            return
-        for name, value in flattened(record).items():
-            if isinstance(value, (int, float)):
-                self._tensorboard.add_scalar(name, value, record["step"])
+        if self._logs is not None:
+            self._logs.close()
 
 
 def rounded(value: Any) -> float | None:
     """Return a number as logs have it: None where there is none, and for NaN, which JSON does not know."""
     return round(float(value), 6) if value is not None and np.isfinite(value) else None
-
-
-def tensorboard(settings: TrainSettings, folder: RunFolder) -> Any:
-    """Return a writer of TensorBoard logs, None if it is not installed or not wanted."""
-    if not settings.tensorboard:
-        return None
-    try:
-        from torch.utils.tensorboard import SummaryWriter
-    except ImportError:
-        return None
-    return SummaryWriter(folder.path / TENSORBOARD)
 
 
 def evaluation_of(policy: Policy, opponent: str, settings: TrainSettings) -> Contest:
@@ -160,8 +152,11 @@ def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, A
 
 def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> bytes:
     """Return the learning curve as a PNG, goal differences with 95 % intervals over steps; b"" without matplotlib."""
-    if not can_draw():
-        return b""
+    return draw_curves(curve_of(evaluations, settings)) if can_draw() else b""
+
+
+def curve_of(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> dict[str, Any]:
+    """Return the learning curve as `draw_curves` takes it."""
     decisions = decisions_of(evaluations)
     unit, words = scale(max(decisions))
     curves = []
@@ -178,10 +173,10 @@ def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSetting
         )
     title = f"{settings.name}: {settings.league}, {settings.players}, seed {settings.seed}"
     matches = f"{settings.evaluate_matches} matches of {settings.evaluate_minutes:g} min"
-    return draw_curves(
-        {"title": title, "x_label": f"decisions{words}", "y_label": f"goals - goals against, a match\n({matches})",
-         "curves": curves, "rules": [0.0], "rule": "even"}
-    )  # fmt: skip
+    return {
+        "title": title, "x_label": f"decisions{words}", "y_label": f"goals - goals against, a match\n({matches})",
+         "curves": curves, "rules": [0.0], "rule": "even",
+    }  # fmt: skip
 
 
 def decisions_of(evaluations: Sequence[dict[str, Any]]) -> list[int]:

@@ -1,7 +1,8 @@
 """The folder of a training run: one training at a time, logs that go on, files written whole.
 
 settings.json  log.jsonl  progress.csv  evaluations.jsonl  best.safetensors  last.safetensors  learning_curve.png
-checkpoint-0.pt  checkpoint-1.pt  latest.json  rounds (while a teacher advises)  tensorboard (if it is installed)
+checkpoint-0.pt  checkpoint-1.pt  latest.json  rounds (while a teacher advises)  report.html
+csv tensorboard wandb (the logs asked for)  replays (those asked for)
 """
 
 from __future__ import annotations
@@ -12,7 +13,9 @@ import json
 from pathlib import Path
 from typing import Any
 
+from soccer_env.train.evaluate.results import KEPT_FILES
 from soccer_env.train.files import read_lines
+from soccer_env.train.ppo.bounds import LOGS
 from soccer_env.train.ppo.checkpoints import LATEST, NAMES
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.provenance import of_modules
@@ -25,10 +28,12 @@ EVALUATIONS = "evaluations.jsonl"
 BEST = "best.safetensors"
 LAST = "last.safetensors"
 CURVE = "learning_curve.png"
-TENSORBOARD, ROUNDS = "tensorboard", "rounds"  # folders
+REPORT = "report.html"
+ROUNDS = "rounds"  # a folder
 TRAINING = Kind(
     "a training", ("league", "matches", "opponents", "past", "rollout", "epochs"),
-    (LOG, TABLE, EVALUATIONS, BEST, LAST, CURVE, LATEST, *NAMES), lambda _: [TENSORBOARD, ROUNDS], alone=True,
+    (LOG, TABLE, EVALUATIONS, BEST, LAST, CURVE, REPORT, LATEST, *NAMES),
+    lambda _: [*LOGS, ROUNDS, *KEPT_FILES], alone=True,
 )  # fmt: skip
 
 

@@ -11,12 +11,14 @@ from typing import Annotated, Any, Literal
 
 import tyro
 
-from soccer_env.checking import ABOVE_ZERO, FROM_ZERO, Range
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import rule_set
+from soccer_env.names import unknown
 from soccer_env.rewards import NAMES, PRESETS, TERMS, Rewards, find_rewards
 from soccer_env.scenes import Scene, mixture, share_of
+from soccer_env.train.keeping.asking import Keep
+from soccer_env.train.ppo.bounds import BOUNDS, LOGS
 from soccer_env.train.written_settings import (
     CommandSettings,
     command_with,
@@ -26,26 +28,9 @@ from soccer_env.train.written_settings import (
     split_senses,
 )
 
-FREE = ("out", "threads", "torch_threads", "steps", "anew", "tensorboard", "device")  # may differ when a run goes on
-MAX_SEED = 2**32 - 1  # of numpy's global generator, with which stable-baselines3 shuffles
-SHARE = Range(0.0, 1.0, above=True)
-MINUTES = Range(0.0, 10_000.0, above=True, below=True)
-MOST = 65_536
-BOUNDS: dict[str, tuple[Any, ...]] = {
-    **dict.fromkeys(("action_repeat", "batch", "epochs", "evaluate_every", "past_every"), Range(1)),
-    **dict.fromkeys(("rollout", "matches"), Range(1, MOST)),
-    **dict.fromkeys(("steps", "past", "teacher_steps", "teacher_epochs", "rounds", "critic_first"), FROM_ZERO),
-    **dict.fromkeys(("gae_lambda", "clip", "gamma", "learning_rate"), SHARE),
-    **dict.fromkeys(("minutes", "evaluate_minutes"), MINUTES),
-    **dict.fromkeys(("entropy", "value_weight", "target_kl"), FROM_ZERO),
-    **dict.fromkeys(NAMES, Range(0.0, 1e9)),
-    "evaluate_matches": Range(1),
-    "torch_threads": Range(1, 256),
-    "noise": Range(0.0, 10.0, above=True),
-    "gradient_limit": ABOVE_ZERO,
-    **dict.fromkeys(("ideal_share", "teacher_until", "hold_keeper"), Range(0.0, 1.0)),
-    "seed": Range(0, MAX_SEED),
-}
+FREE = (  # may differ when a run goes on
+    "out", "threads", "torch_threads", "steps", "anew", "log", "keep", "keep_pages", "device",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -164,8 +149,12 @@ class PlainSettings:
     """Threads of torch; more than one helps only where cores are idle."""
     device: Literal["auto", "cpu", "cuda"] = "auto"
     """Where the networks are trained: auto takes a GPU if there is one."""
-    tensorboard: bool = True
-    """Write a TensorBoard log as well, if the package is installed."""
+    log: str = ""
+    """Further logs, with commas between them: csv, tensorboard, wandb, as stable-baselines3 writes them."""
+    keep: str = ""
+    """Replays to keep of best.safetensors in its evaluation: best, worst, goals (clips), with commas between them."""
+    keep_pages: bool = False
+    """Make of every replay that is kept a page for the browser as well."""
     anew: bool = False
     """Remove what an earlier run left in --out instead of going on with it."""
 
@@ -218,7 +207,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
                 "observe='truth' needs senses='ideal', as the policy will when it plays: give --senses ideal"
             )
         self.sizes, self.hidden_sizes, self.critic_sizes, self.opponent_names, self.judges  # noqa: B018  # check texts
-        self.scene, self.paid  # noqa: B018  # the same
+        self.scene, self.paid, self.logs, Keep(self.keep)  # the same
 
     @property
     def sizes(self) -> tuple[tuple[int, int], ...]:
@@ -268,6 +257,15 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     def opponent_names(self) -> tuple[str, ...]:
         """Return the opponents' names."""
         return different("opponents", self.opponents)
+
+    @property
+    def logs(self) -> tuple[str, ...]:
+        """Return the kinds of further logs; ValueError for an unknown one."""
+        asked = different("log", self.log) if self.log else ()
+        for kind in asked:
+            if kind not in LOGS:
+                raise ValueError(unknown("log", kind, LOGS))
+        return asked
 
     @property
     def judges(self) -> tuple[str, ...]:

@@ -15,13 +15,16 @@ import numpy as np
 
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump
+from soccer_env.train.keeping import Kept
 from soccer_env.train.ppo.checkpoints import generators, read_checkpoint, restore_generators, write_checkpoint
 from soccer_env.train.ppo.checks import made_by
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import Learner
 from soccer_env.train.ppo.networks import policy_from
+from soccer_env.train.ppo.reporting.page import page_of
+from soccer_env.train.ppo.reporting.replays import keep_best
 from soccer_env.train.ppo.reports import Board, evaluate_policy, learning_curve
-from soccer_env.train.ppo.run_folder import BEST, CURVE, LAST, RunFolder
+from soccer_env.train.ppo.run_folder import BEST, CURVE, LAST, REPORT, RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
 from soccer_env.train.ppo.teaching.lessons import Lessons
@@ -121,7 +124,19 @@ class Training:
             curve = learning_curve(self.folder.evaluations(), self.settings)
             if curve:
                 self.folder.write(CURVE, curve)
-        self.board.note_evaluation(rows)
+            self.report()
+        self.board.note_evaluation(self.learner.steps, rows)
+
+    def report(self, kept: Sequence[Kept] = ()) -> None:
+        """Write the report as a page, with replays that were kept."""
+        page = page_of(self.settings, self.folder.lines(), self.folder.evaluations(), kept)
+        self.folder.write(REPORT, page)
+
+    def keep_replays(self) -> None:
+        """Keep the replays asked for of the best policy, once the run and its bar have ended."""
+        kept = keep_best(self.settings, self.folder)
+        if kept:
+            self.report(kept)
 
     def result(self) -> TrainResult:
         """Return what the run came to."""
@@ -153,6 +168,7 @@ class Training:
         else:
             self._restore(saved)
         self.folder.forget_after(self.learner.steps if saved else -1)
+        self.learner.model.set_logger(self.board.open_logs(self.learner.steps))
         return saved is not None
 
     def _restore(self, saved: dict[str, Any]) -> None:

@@ -21,7 +21,7 @@ TINY: dict[str, Any] = {
     "past_every": 2, "teacher": "chaser", "teacher_steps": 60, "teacher_epochs": 1, "critic_first": 2, "hidden": "8",
     "critic": "8", "mirror": True, "central_critic": True, "rollout": 8, "batch": 20, "epochs": 2,
     "learning_rate": 0.01, "evaluate_every": 150, "evaluate_matches": 2, "evaluate_minutes": 0.1,
-    "evaluate_against": "still", "noise": 0.6, "seed": 3, "tensorboard": False, "device": "cpu",
+    "evaluate_against": "still", "noise": 0.6, "seed": 3, "device": "cpu",
 }  # fmt: skip
 ROLLOUT = 48  # decisions: 8 of each of 6 robots
 

@@ -70,7 +70,7 @@ def test_other_settings_are_refused_and_all_are_named(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "change", [{"steps": 900}, {"threads": 2}, {"torch_threads": 2}, {"device": "auto"}, {"tensorboard": True}]
+    "change", [{"steps": 900}, {"threads": 2}, {"torch_threads": 2}, {"device": "auto"}, {"log": "csv"}]
 )
 def test_what_does_not_decide_may_change(tmp_path: Path, change: dict) -> None:
     opened(tiny(tmp_path))

@@ -14,9 +14,10 @@ from soccer_env.agents.learned import BUNDLED
 from soccer_env.rewards import NAMES, TERMS
 from soccer_env.train.command_line import main
 from soccer_env.train.parsing import read_settings
+from soccer_env.train.ppo.bounds import BOUNDS
 from soccer_env.train.ppo.checks import check_playable
 from soccer_env.train.ppo.learner import part_size
-from soccer_env.train.ppo.settings import BOUNDS, TrainSettings, command_of
+from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.written_settings import split
 from tests.train.ppo.staged_training import tiny
 

@@ -25,9 +25,10 @@ from soccer_env.checking import Range
 from soccer_env.leagues import find_league
 from soccer_env.leagues.rules import rule_set
 from soccer_env.train.ppo import reports, train, training
+from soccer_env.train.ppo.bounds import BOUNDS
 from soccer_env.train.ppo.checks import lesson, make_curriculum, make_matches
 from soccer_env.train.ppo.reports import Board, evaluation_of, learning_curve, rounded, scale
-from soccer_env.train.ppo.settings import BOUNDS, TrainSettings, command_of
+from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.ppo.teaching import lessons
 from soccer_env.train.progress import Progress
 from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run

@@ -1,0 +1,6 @@
+"""What people see of a training run beside its logs.
+
+loggers.py   TensorBoard, Weights & Biases and CSV, through stable-baselines3's own logger
+page.py      the report as a page for the browser
+replays.py   replays of matches that the best policy plays
+"""

@@ -1,0 +1,102 @@
+"""The report of a training run as a page: its learning curve, evaluations, how PPO went, and its settings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from soccer_env.train.keeping import Kept
+from soccer_env.train.plots import MISSING, can_draw, draw_curves, draw_heat_table
+from soccer_env.train.ppo.reports import curve_of, decisions_of, scale
+from soccer_env.train.ppo.settings import TrainSettings, command_of
+from soccer_env.train.provenance import LIBRARIES, made_now, version_of
+from soccer_env.train.report_pages import ReportPage
+from soccer_env.train.report_pages.replays import add_replays
+
+MOST_COLUMNS = 9  # evaluations in the table of opponents
+POINTS = 300  # of a curve of the log
+COURSES = (  # title, quantity, and which numbers of the log's lines
+    ("Points won against opponents in training", "points (a draw is half)", ("points",)),
+    ("How far each update went", "divergence, share", ("kl", "clipped")),
+    ("The critic", "explained variance", ("explained",)),
+    ("Noise of the actions", "standard deviation", ("noise",)),
+)
+Lines = Sequence[dict[str, Any]]
+
+
+def page_of(settings: TrainSettings, lines: Lines, evaluations: Lines, kept: Sequence[Kept] = ()) -> str:
+    """Return the page of a run: `lines` of its log, its evaluations, and replays that were kept."""
+    page = ReportPage(f"{settings.name}, {settings.league}, {settings.players}", "soccer train")
+    if evaluations:
+        best = max(evaluations, key=lambda one: one["mean"])
+        page.say(f"Best: {best['mean']:+.2f} goals a match on average, after {best['step']:,} steps.", strong=True)
+        page.say("The largest of several is a lucky one: evaluate best.safetensors with another seed.")
+        add_evaluations(page, settings, evaluations)
+    add_replays(page, kept)
+    if lines:
+        page.section("Training")
+        for figure in courses(lines) if can_draw() else ():
+            page.figure(draw_curves(figure, form="svg"), figure["title"])
+        last = lines[-1]["seconds"]
+        page.table(("last rollout", "seconds"), [(name, f"{value:.2f}") for name, value in last.items()])
+    page.section("Conditions")
+    page.say("This command goes on with the run, and writes this report again:")
+    page.command(command_of(settings))
+    made = {**made_now(), **{name: version_of(name) for name in (*LIBRARIES, "torch", "stable-baselines3")}}
+    page.table(("", ""), list(made.items()))
+    page.fold("all settings")
+    page.table(("setting", "value"), [(name, str(value)) for name, value in settings.as_dict().items()])
+    page.unfold()
+    return page.html()
+
+
+def add_evaluations(page: ReportPage, settings: TrainSettings, evaluations: Lines) -> None:
+    """Add the learning curve and the evaluations as tables."""
+    page.section("Evaluations")
+    if can_draw():
+        page.figure(
+            draw_curves(curve_of(evaluations, settings), form="svg"), "The policy without noise, 95 % intervals."
+        )
+        page.figure(opponents_table(evaluations), "Goals - goals against, a match: blue above 0, hatched below.")
+    else:
+        page.say(MISSING[0].upper() + MISSING[1:])
+    rows = [
+        (f"{decisions:,}", row["opponent"], f"{100 * row['points']:.0f} %",
+         f"{row['goal_difference']:+.2f} ({row['low']:+.2f} to {row['high']:+.2f})")
+        for decisions, one in zip(decisions_of(evaluations), evaluations, strict=True)
+        for row in one["rows"]
+    ]  # fmt: skip
+    page.table(("decisions", "against", "points", "goal difference a match (95 % interval)"), rows, sorts=True)
+
+
+def opponents_table(evaluations: Lines) -> bytes:
+    """Draw goal differences by opponent and evaluation; of many evaluations some, the last among them."""
+    every = -(-len(evaluations) // MOST_COLUMNS)
+    shown = list(range(len(evaluations) - 1, -1, -every))[::-1]
+    decisions = decisions_of(evaluations)
+    unit, words = scale(max(decisions))
+    columns = [f"{decisions[at] / unit:.3g}" for at in shown]
+    opponents = [row["opponent"] for row in evaluations[-1]["rows"]]
+    values = [[evaluations[at]["rows"][index]["goal_difference"] for at in shown] for index in range(len(opponents))]
+    title = "Goal difference a match"
+    return draw_heat_table(title, opponents, columns, values, f"decisions{words}", "against", form="svg")
+
+
+def courses(lines: Lines) -> Iterator[dict[str, Any]]:
+    """Yield the curves of a log, as `draw_curves` takes them."""
+    lines = lines[:: max(1, len(lines) // POINTS)]
+    unit, words = scale(max(line["step"] for line in lines))
+    for title, quantity, names in COURSES:
+        columns: dict[str, list[Any]] = {}
+        for name in names:
+            if isinstance(lines[-1].get(name), dict):
+                columns |= {key: [line[name].get(key) for line in lines] for key in lines[-1][name]}
+            else:
+                columns[name] = [line.get(name) for line in lines]
+        curves = [
+            {"name": name, "x": [line["step"] / unit for line in lines], "y": values, "low": [], "high": []}
+            for name, values in columns.items()
+            if any(value is not None for value in values)
+        ]
+        if curves:
+            yield {"title": title, "x_label": f"decisions{words}", "y_label": quantity, "curves": curves, "rules": []}
