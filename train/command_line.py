@@ -216,7 +216,7 @@ def run_reproduce(words: list[str]) -> int:
         print_json([result.as_dict() for result in results])
         return 0
     console().print(screen_table(results))
-    say_written(settings.out, "report.md", "results.json")
+    say_written(settings.out, "report.md", "report.html", "results.json")
     return 0
 
 

@@ -67,6 +67,4 @@ def train(settings: TrainSettings) -> TrainResult:
                 if run.evaluation_is_due():
                     run.evaluate()  # and keep the best policy
                 run.save_checkpoint()
-            result = run.result()
-        run.keep_replays()  # of the best policy, if they are asked for
-        return result
+            return run.result()

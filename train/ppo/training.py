@@ -62,6 +62,8 @@ class Training:
     def __exit__(self, *error: object) -> None:
         self.learner.close()
         self.board.close()
+        if error[0] is None:
+            self.keep_replays()
 
     def timed(self, stage: str) -> AbstractContextManager[None]:
         """Return a context that adds its time to a stage of the rollout's line in the log."""

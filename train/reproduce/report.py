@@ -115,12 +115,17 @@ def section(result: ClaimResult, plots: Sequence[str]) -> str:
 
 def findings_table(findings: Sequence[dict[str, Any]], units: int) -> str:
     """Return the criteria of a claim with what was found in so many units; "" without any."""
+    cells = finding_rows(findings, units)
+    return table(("criterion", "asked", "estimate (95 % interval)", "n", "verdict"), cells) if cells else ""
+
+
+def finding_rows(findings: Sequence[dict[str, Any]], units: int) -> list[tuple[str, ...]]:
+    """Return the criteria of a claim as rows of a table."""
     verdicts = ["reported" if found["verdict"] == CONTEXT else found["verdict"] for found in findings]
-    cells = [
+    return [
         (found["criterion"], found["asked"], with_interval(found), units_of(found["n"], units), verdict)
         for found, verdict in zip(findings, verdicts, strict=True)
     ]
-    return table(("criterion", "asked", "estimate (95 % interval)", "n", "verdict"), cells) if cells else ""
 
 
 def figure_table(figure: dict[str, Any]) -> str:

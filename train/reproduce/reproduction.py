@@ -17,6 +17,7 @@ from soccer_env.train.reproduce.claim import Claim
 from soccer_env.train.reproduce.claims import all_claims, find_claims
 from soccer_env.train.reproduce.drawing import draw_all
 from soccer_env.train.reproduce.examination import examine
+from soccer_env.train.reproduce.page import page_of
 from soccer_env.train.reproduce.report import markdown
 from soccer_env.train.reproduce.results import CLAIMS, REPRODUCTION, ClaimResult
 from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
@@ -45,6 +46,8 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
     folder.write("results.json", json.dumps([result.as_dict() for result in results], indent=2) + "\n")
     plots, trouble = draw_all(results, folder)
     folder.write("report.md", markdown(results, folder, plots, trouble))
+    if folder.path is not None:
+        folder.write("report.html", page_of(results, folder))
     return results
 
 

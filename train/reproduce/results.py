@@ -93,4 +93,6 @@ def plots_of(conditions: dict[str, Any]) -> list[str]:
 
 
 CLAIMS = "claims.jsonl"  # of a folder: a line for each claim that has been measured
-REPRODUCTION = Kind("a reproduction run", ("claims", "budget"), (CLAIMS, "results.json", "report.md"), plots_of)
+REPRODUCTION = Kind(
+    "a reproduction run", ("claims", "budget"), (CLAIMS, "results.json", "report.md", "report.html"), plots_of
+)

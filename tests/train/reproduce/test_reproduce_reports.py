@@ -94,6 +94,9 @@ def test_the_report_shows_each_claim_and_draws_its_figures(tmp_path: Path) -> No
     assert "With the ingredient off (the shift)" in report
     assert "![A title](plots/A1-1.png)" in report
     assert (tmp_path / "plots" / "A1-1.png").read_bytes().startswith(b"\x89PNG")
+    page = (tmp_path / "report.html").read_text()
+    assert "3 claims: 1 reproduced, 1 not, 1 by construction." in page and "With the ingredient off (the shift)" in page
+    assert "Paper against measured" in page and page.count("<svg") == page.count("</svg>") > 1
 
 
 def test_without_matplotlib_the_report_says_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
