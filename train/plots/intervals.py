@@ -11,8 +11,8 @@ from typing import Any
 from soccer_env.train.plots.style import COLOURS, INK, WIDTH, canvas, plot
 
 ROW = 0.4  # [inch] of height
-LEFT, RIGHT = 0.47, 0.83  # [1] of the width: where the scales begin and end
-LETTERS = 44  # of a row's name
+LEFT, RIGHT = 0.44, 0.70  # [1] of the width: where the scales begin and end
+LETTERS = 42  # of a row's name
 
 
 @dataclass(frozen=True)
@@ -42,8 +42,8 @@ def draw_intervals(title: str, rows: Sequence[Row], asked: str = "asked for") ->
     place = len(rows)
     axes.fill_betweenx([place - 0.2, place + 0.2], LEFT, LEFT + 0.05, **BAND)
     axes.text(LEFT + 0.06, place, asked, va="center", fontsize=8.5)
-    axes.plot([LEFT + 0.2, LEFT + 0.25], [place, place], color=INK, linewidth=2.0, marker="|", markersize=7.0)
-    axes.text(LEFT + 0.26, place, "measured, 95 %", va="center", fontsize=8.5)
+    axes.plot([LEFT + 0.26, LEFT + 0.31], [place, place], color=INK, linewidth=2.0, marker="|", markersize=7.0)
+    axes.text(LEFT + 0.32, place, "measured, 95 %", va="center", fontsize=8.5)
     return drawn
 
 
