@@ -19,7 +19,7 @@ def main(steps: int = 40_000, batch: int = 2_000, workers: int = 1, seed: int = 
     config = (
         PPOConfig()
         .environment(SOLO_ID, env_config=SOLO)  # the id names its module, so that the worker imports it
-        .env_runners(num_env_runners=workers, num_envs_per_env_runner=8)
+        .env_runners(num_env_runners=workers, num_envs_per_env_runner=8, sample_timeout_s=600.0)  # on busy machines
         .training(lr=1e-3, train_batch_size_per_learner=batch, minibatch_size=500, num_epochs=10, vf_clip_param=1e3)
         .rl_module(model_config=model)
         .debugging(seed=seed)
