@@ -62,7 +62,8 @@ def frames_of(found: Collected, period: int) -> np.ndarray:
         return inside
     rate = found.league.control_rate
     count = (len(inside) - 1) * RATE // rate + 1
-    return inside[0] + np.rint(np.arange(count) * rate / RATE).astype(np.int64).clip(0, len(inside) - 1)
+    shown: np.ndarray = np.rint(np.arange(count) * rate / RATE).astype(np.int64).clip(0, len(inside) - 1) + inside[0]
+    return shown
 
 
 def element(name: str, closed: bool = True, **attributes: object) -> str:

@@ -140,7 +140,8 @@ class Standard:
 
     def sheet(self) -> dict[str, Any]:
         """Return match.json."""
-        found, home, away = self.found, *self.found.score[-1].tolist()
+        found = self.found
+        home, away = (int(goals) for goals in found.score[-1])
         first = found.score[self.periods == 1]
         half = first[-1].tolist() if len(first) else [0, 0]
         played = (found.robots["active"] == 1).any(axis=0)

@@ -80,4 +80,5 @@ def begin_wandb(settings: TrainSettings, folder: Path) -> Callable[[], None]:
         project=PROJECT, name=settings.out.name, id=name.read_text(encoding="utf-8"), resume="allow",
         dir=str(folder), config=settings.as_dict(), sync_tensorboard=True,
     )  # fmt: skip
-    return wandb.finish
+    end: Callable[[], None] = wandb.finish
+    return end
