@@ -24,6 +24,7 @@ from soccer_env.train.bench.apis import (
     start_time,
     wrapper_bytes,
 )
+from soccer_env.train.bench.drawing import PictureLoad
 from soccer_env.train.bench.loads import CoreLoad, Load, OwnFloor, ParticlesLoad, ReferenceFloor, SensesLoad
 from soccer_env.train.bench.plans import PlanLoad, TeamLoad
 from soccer_env.train.bench.settings import BenchSettings
@@ -48,6 +49,7 @@ RESET_TIME = 1e-3  # [s]
 BRANCH_TIME = 0.6e-3  # [s] of a match copied over another one in mid-play, its Space included
 PASS_TIME, PLAN_TIME = 25e-6, 60e-6  # [s] of the middle-size planner: one pass, one plan, over 5 m past nine others
 PLAN_TIME_99 = 1e-3  # [s] of one plan in a hundred
+PICTURE_TIME = 5e-3  # [s] of a frame, 960 px wide
 TEAM_TIME, TEAM_SPEED = 25e-6, 2500.0  # [s] of a robot's decision in the team of 2006, [1/s] match steps of its 5 v 5
 RECORD_BYTES = 16 * 1024  # of a match outside Chipmunk
 START_LIMITS = {"import soccer_env": 1.5, "soccer --help": 0.6, "start of an evaluation": 3.0}  # [s]
@@ -96,6 +98,7 @@ def run(settings: BenchSettings) -> dict[str, Any]:
         rows += plan_rows(settings)
         rows += team_rows(settings)
         progress.advance(1)
+        rows += picture_rows(settings)
         progress.note("starting")
         rows += start_rows(settings)
     report |= {"rows": [asdict(row) for row in rows], "samples": samples}
@@ -207,6 +210,20 @@ def team_rows(settings: BenchSettings) -> Iterator[Row]:
     yield at_most("heinemann-2006: a robot's decision", decision, "us", TEAM_TIME, 1e6)
     speed = 1 / median(load.run(25) for _ in range(tries))
     yield at_least("heinemann-2006: 5 v 5 by sensors and particles", speed, "match steps/s", TEAM_SPEED)
+
+
+def picture_rows(settings: BenchSettings) -> Iterator[Row]:
+    """Yield how long a picture takes, if the extra `render` is there to draw it."""
+    frames = 50 if settings.quick else 250
+    for league in LEAGUES:
+        try:
+            load = PictureLoad(league, settings.seed)
+        except ImportError:
+            return
+        plain = median(load.sample(frames, False))
+        yield at_most(f"{league}: a picture, 960 px wide", plain, "ms", PICTURE_TIME, 1e3)
+        over = median(load.sample(frames, True))
+        yield Row(f"{league}: the same with belief, trail and roles", over, f"{1e3 * over:.3g} ms")
 
 
 def start_rows(settings: BenchSettings) -> Iterator[Row]:
