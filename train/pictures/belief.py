@@ -15,6 +15,7 @@ from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.render import Area, Label, Overlay, Picture, Points, Polyline
 from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Colour
+from soccer_env.render.overlays.sight import fan
 from soccer_env.render.robots import parts_of
 from soccer_env.train.pictures.legend import Entry, with_legend
 from soccer_env.train.pictures.settings import PictureSettings
@@ -104,20 +105,8 @@ def field_of_view(league: League, pose: Pose, pan: float) -> list[Overlay]:
     neck = league.sensors.neck_ahead
     x, y = pose[0] + neck * cos(pose[2]), pose[1] + neck * sin(pose[2])
     half, middle = league.sensors.view_width / 2, pose[2] + pan
-    edge = [to_board(league, x, y, middle + half * side) for side in np.linspace(-1.0, 1.0, RAYS)]
+    edge = fan(league, x, y, middle - half, middle + half, RAYS)
     return [Area([(x, y), *edge], SIGHT, 70), Polyline([edge[0], (x, y), edge[-1]], SIGHT, 1.5, under=True)]
-
-
-def to_board(league: League, x: float, y: float, angle: float) -> tuple[float, float]:
-    """Return where a ray from a point of the pitch leaves it."""
-    across, up = cos(angle), sin(angle)
-    ways = []
-    if abs(across) > 1e-9:
-        ways.append((np.copysign(league.pitch.length / 2, across) - x) / across)
-    if abs(up) > 1e-9:
-        ways.append((np.copysign(league.pitch.width / 2, up) - y) / up)
-    way = max(0.0, float(min(ways)))
-    return x + way * across, y + way * up
 
 
 def particles(match: Match, row: int, size: float) -> list[Overlay]:

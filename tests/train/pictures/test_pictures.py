@@ -17,8 +17,9 @@ from soccer_env.belief_types import TRACK
 from soccer_env.leagues import find_league
 from soccer_env.render import Area, Label, Picture, Points, Polyline
 from soccer_env.render.colours import BALL, BALL_SHINE, TEAMS_LIGHT
+from soccer_env.render.overlays.sight import to_board
 from soccer_env.train.pictures.animation import frames_of, scoring_ball, write_gif
-from soccer_env.train.pictures.belief import belief_overlays, belief_picture, believed_player, field_of_view, to_board
+from soccer_env.train.pictures.belief import belief_overlays, belief_picture, believed_player, field_of_view
 from soccer_env.train.pictures.frames import frames_picture
 from soccer_env.train.pictures.settings import FOLDER, PictureSettings
 from soccer_env.types import NO_TEAM
