@@ -109,7 +109,7 @@ def test_what_a_module_does_not_hold_is_named(name: str, message: str) -> None:
     [
         ({"league": "my_own:ICI"}, "unknown league 'ICI' in module 'my_own', did you mean 'ICY'?"),
         ({"league": "my_own:PAID"}, "league 'my_own:PAID' must be a League, got Rewards("),
-        ({"rewards": "my_own:ICY"}, "rewards 'my_own:ICY' must be a Rewards, got League("),
+        ({"rewards": "my_own:ICY"}, "rewards 'my_own:ICY' must be a Rewards, got <League icy"),
         ({"scene": "my_own:number"}, "scene 'my_own:number' must be a Scene, got 3"),
     ],
 )

@@ -136,7 +136,7 @@ def test_a_replay_of_another_version_says_which(
     forged = Replay(replay.settings, replay.start, replay.commands, replay.gazes, ["0" * 32] * 60, replay.log, "0.0.1")
     with pytest.raises(ValueError, match=r"step 0; soccer_env 0\.0\.1 recorded it, and this is \d"):
         forged.check()
-    monkeypatch.setattr("soccer_env.replay.replay_file.FORMAT", "soccer_env replay 99")
+    monkeypatch.setattr("soccer_env.replay.checks.FORMAT", "soccer_env replay 99")
     with pytest.raises(ValueError, match=r"'soccer_env replay 2', written by soccer_env 0\.0\.1; soccer_env .* reads"):
         Replay.read(path)
     monkeypatch.undo()

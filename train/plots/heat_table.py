@@ -20,7 +20,7 @@ def draw_heat_table(
     title: str, rows: Sequence[str], columns: Sequence[str], values: Sequence[Sequence[float | None]],
     x_label: str = "", y_label: str = "", form_of_number: str = "{:+.2f}",
 ) -> Any:  # fmt: skip
-    """Draw values[row][column], None for an empty cell: blue above 0, orange and hatched below, the deeper the more."""
+    """Draw `values[row][column]`, None for an empty cell: blue above 0, orange and hatched below, deeper for more."""
     long = max(map(len, columns), default=1) * LETTER > (WIDTH - 1.5) / max(len(columns), 1)
     head = 0.5 + (max(map(len, columns), default=1) * LETTER * 0.75 if long else 0.25)
     drawn, axes = canvas(ROW * len(rows) + head + (0.7 if x_label else 0.3), WIDTH)

@@ -29,7 +29,7 @@ def result(**maps: Any) -> dict[str, Any]:
 def export(folder: Path, record: Any, name: str = "x.png") -> int:
     """Return the exit code of drawing a record."""
     (folder / "result.json").write_text(json.dumps(record))
-    return main(["export", str(folder / "result.json"), "--out", str(folder / name)])
+    return main(["export", str(folder / "result.json"), "--maps", "--out", str(folder / name)])
 
 
 @pytest.mark.parametrize(("name", "start"), [("x.png", b"\x89PNG"), ("x.svg", b"<?xml"), ("x.pdf", b"%PDF")])

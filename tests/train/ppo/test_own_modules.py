@@ -79,7 +79,7 @@ def test_all_parts_of_ones_own_are_trained_with(mine: Path) -> None:
     ("changes", "message"),
     [
         ({"league": "own_parts:ICE"}, "unknown league 'ICE' in module 'own_parts', did you mean 'ICY'?"),
-        ({"rewards": "own_parts:ICY"}, "rewards 'own_parts:ICY' must be a Rewards, got League"),
+        ({"rewards": "own_parts:ICY"}, "rewards 'own_parts:ICY' must be a Rewards, got <League icy"),
         ({"scenes": "own_parts:BESIDES:0.5"}, "unknown scene 'BESIDES' in module 'own_parts', did you mean 'BESIDE'?"),
         ({"opponents": "own_parts:tem"}, "opponents: unknown team 'tem' in module 'own_parts', did you mean 'team'?"),
         (

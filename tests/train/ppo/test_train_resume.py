@@ -249,7 +249,7 @@ def test_a_torn_last_line_of_a_log_is_dropped(run: Path) -> None:
     assert_whole_logs(run)
 
 
-@pytest.mark.parametrize("write", [2, 12, 20])
+@pytest.mark.parametrize("write", [2, 15, 23])
 def test_a_full_disk_leaves_the_last_good_checkpoint(
     tmp_path: Path, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch, write: int
 ) -> None:

@@ -33,7 +33,7 @@ def evaluated(home: str, *words: str) -> int:
 def test_what_soccer_train_writes_is_evaluated_by_default_settings(tmp_path: Path) -> None:
     short = "--players 1v1 --steps 64 --matches 2 --minutes 0.05 --teacher-steps 0 --rollout 16 --batch 32"
     judged = "--evaluate-every 1000000 --evaluate-matches 2 --evaluate-minutes 0.05 --evaluate-against still"
-    words = ["train", *short.split(), *judged.split(), "--no-tensorboard", "--teacher", "", "--no-mirror"]
+    words = ["train", *short.split(), *judged.split(), "--teacher", "", "--no-mirror"]
     assert main([*words, "--critic-first", "0", "--opponents", "still", "--out", str(tmp_path / "run")]) == 0
     assert evaluated(str(tmp_path / "run/last.safetensors")) == 0
 

@@ -35,7 +35,9 @@ def test_shapes_types_and_bounds_are_those_of_the_spaces(observe: str, actions: 
         assert rewards.dtype == np.float32 and dones.dtype == bool and np.isfinite(rewards).all()
         assert isinstance(infos, list) and len(infos) == 8
         for info, done in zip(infos, dones, strict=True):
-            assert set(info) == ({"terminal_observation", "TimeLimit.truncated", "episode"} if done else set())
+            assert set(info) == (
+                {"terminal_observation", "TimeLimit.truncated", "episode", "opponent"} if done else set()
+            )
             assert not done or info["terminal_observation"] in env.observation_space
     assert sum(dones.sum() for _, _, dones, _ in history) == 8, "each row ended once"
 
