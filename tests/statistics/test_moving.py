@@ -5,20 +5,21 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.statistics.maps import BALL
-from soccer_env.statistics.moving import BREAK, MAKES, STUCK, WANTS
+from soccer_env.statistics.moving import MAKES, STUCK, WANTS
 from soccer_env.statistics.records import CELLS_LONG, CELLS_WIDE, LOOK
 from soccer_env.types import HOME, Phase
 from tests.statistics.counted_steps import KICKER, SECOND, Steps
 
 each_direction = pytest.mark.parametrize("direction", [1.0, -1.0])
 TOP = find_league("legged-2001").drive.forward  # [m/s]
-LONG, PAUSE = round(STUCK * SECOND), round(BREAK * SECOND)  # steps
+LONG, PAUSE = 24, 8  # steps: 1.5 s and half a second, of 16 a second
 
 
 def walk(steps: Steps, count: int, pace: float = 0.01) -> None:
     """Let home's player go on by a pace [m] before each of some steps."""
     for _ in range(count):
-        steps.match.robots["x"][0, KICKER] += pace
+        steps.match.robots["x"][0, KICKER] += 0.6 * pace
+        steps.match.robots["y"][0, KICKER] += 0.8 * pace
         steps.count()
 
 

@@ -7,11 +7,11 @@ MAPS = "tests/statistics/test_maps.py::test_"
 
 IN_MOVING: By = {
     MOVING + "distance_is_the_way_from_step_to_step": [
-        ("distance", "length(robot.x - player.x, robot.y - player.y)", "length(robot.x - player.x, 0.0)"),
+        ("distance covered", "length(robot.x - player.x, robot.y - player.y)", "length(robot.x - player.x, 0.0)"),
     ],
     MOVING + "nobody_covers_a_distance_as_he_is_put_somewhere_or_while_the_ball_is_out_of_play": [
-        ("distance", "player.seen == match.step - 1 and robot.placed == 0", "player.seen == match.step - 1"),
-        ("distance", "player.seen == match.step - 1 and robot.placed == 0", "robot.placed == 0"),
+        ("distance covered", "player.seen == match.step - 1 and robot.placed == 0", "player.seen == match.step - 1"),
+        ("distance covered", "player.seen == match.step - 1 and robot.placed == 0", "robot.placed == 0"),
     ],
     MOVING + "who_is_stopped_for_long_is_stuck_from_the_first_moment": [
         ("stuck", "tally.stuck[team] += (steps - player.stuck_steps) * k.dt", "tally.stuck[team] += k.dt"),
@@ -46,9 +46,6 @@ IN_MAPS: By = {
     ],
     MAPS + "shots_beyond_the_first_64_are_counted_and_not_noted": [
         ("shot map", "maps.shots_kept >= SHOTS", "maps.shots_kept >= SHOTS - 1"),
-    ],
-    MAPS + "maps_and_counts_tell_the_same": [
-        ("pass network", 'maps["passes"][first:last, first:last].tolist()', 'maps["passes"][:last, :last].tolist()'),
     ],
 }  # fmt: skip
 MUTANTS = mutants_of("soccer_env/statistics/", {"moving": IN_MOVING, "maps": IN_MAPS})
