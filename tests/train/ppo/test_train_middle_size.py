@@ -25,3 +25,21 @@ def test_a_policy_that_was_trained_for_a_moment_is_evaluated_against_the_team_of
     )
     assert len(result.lines) == 2 and {line.goals_for >= 0 for line in result.lines} == {True}
     assert result.conditions.away == "heinemann-2006" and result.conditions.league == "middle-size-2006"
+
+
+def test_a_policy_that_was_trained_for_ten_minutes_is_evaluated_against_the_team_of_2006() -> None:
+    """The file is `best.safetensors` of `soccer train --league middle-size-2006 --players 3v3 --seed 1`."""
+    policy = Path(__file__).with_name("ten-minutes-middle-size-2006.safetensors")
+    result = evaluate(
+        EvaluateSettings(
+            league="middle-size-2006",
+            home=str(policy),
+            away="heinemann-2006",
+            matches=4,
+            minutes=1.0,
+            players=3,
+            seed=3,
+        )
+    )
+    assert len(result.lines) == 4
+    assert result.goals_against >= result.goals_for, "in four minutes it loses by half a goal"
