@@ -61,7 +61,7 @@ def hook(number, act):
 
 def child(cut):
     if cut in ("write", "full"):
-        hook(draw.randrange(3, 13), tear if cut == "write" else fill)
+        hook(draw.randrange(3, 23), tear if cut == "write" else fill)
     try:
         plainly(settings)
     except OSError:
