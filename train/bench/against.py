@@ -90,8 +90,9 @@ def run(settings: BenchSettings, script: Path = WORKER) -> dict[str, Any]:
         for _ in range(settings.rounds):
             with ExitStack() as stack:
                 here, there = (stack.enter_context(started(places[n], n, settings, script)) for n in places)
-                lacking |= {row: "only here" for row in here.rows if row not in there.rows}
-                for row in here.rows:
+                rows = chosen(here.rows, settings.rows)
+                lacking |= {row: "only here" for row in rows if row not in there.rows}
+                for row in rows:
                     progress.note(row)
                     if row not in lacking:
                         lacking |= measure(row, here, there, settings.repetitions, pairs)
@@ -105,6 +106,14 @@ def run(settings: BenchSettings, script: Path = WORKER) -> dict[str, Any]:
         settings.out.parent.mkdir(parents=True, exist_ok=True)
         write_whole(settings.out, json.dumps(report, indent=2) + "\n")
     return report
+
+
+def chosen(rows: list[str], words: str) -> list[str]:
+    """Return the rows whose names contain all words; ValueError if there is none."""
+    found = [row for row in rows if all(word in row for word in words.split())]
+    if not found:
+        raise ValueError(f"no row contains {words!r}: there are {'; '.join(rows)}")
+    return found
 
 
 def measure(row: str, here: Worker, there: Worker, repetitions: int, pairs: Pairs) -> dict[str, str]:

@@ -26,6 +26,8 @@ class BenchSettings(CommandSettings):
     timed is processor time of one thread. The other checkout may be older than this option."""
     python: Path | None = None
     """Interpreter for the other checkout, if that has no .venv of its own."""
+    rows: str = ""
+    """Words: of two checkouts, only rows whose names contain all of them are timed; all of them take most of an hour."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -33,6 +35,8 @@ class BenchSettings(CommandSettings):
             raise ValueError(f"against must be the folder of a checkout, got {self.against}")
         if self.python is not None and self.against is None:
             raise ValueError("python is the interpreter of another checkout: give against as well")
+        if self.rows and self.against is None:
+            raise ValueError("rows chooses among those of two checkouts: give against as well")
 
     @property
     def matches(self) -> int:

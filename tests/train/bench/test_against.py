@@ -60,6 +60,17 @@ def test_a_checkout_is_as_fast_as_itself(script: Path, tmp_path: Path) -> None:
     assert {len(pairs) for pairs in report["pairs"].values()} == {2 * 2 * 3}, "two a repetition, in each round"
 
 
+def test_rows_are_chosen_by_words(script: Path, tmp_path: Path) -> None:
+    settings = BenchSettings(quick=True, against=checkout(tmp_path / "same", "there"), rows="pl ay")
+    assert [row["name"] for row in against.run(settings, script)["rows"]] == ["play"]
+
+
+def test_words_that_no_row_has_name_the_rows(script: Path, tmp_path: Path) -> None:
+    settings = BenchSettings(quick=True, against=checkout(tmp_path / "same", "there"), rows="plat")
+    with pytest.raises(ValueError, match="no row contains 'plat': there are play; odd; load; new"):
+        against.run(settings, script)
+
+
 def test_a_slower_checkout_is_found_out_and_missing_rows_are_named(script: Path, tmp_path: Path) -> None:
     out = tmp_path / "sub" / "bench.json"
     report = against.run(
