@@ -27,7 +27,7 @@ class BenchSettings(CommandSettings):
     python: Path | None = None
     """Interpreter for the other checkout, if that has no .venv of its own."""
     rows: str = ""
-    """Words: of two checkouts, only rows whose names contain all of them are timed; all of them take most of an hour."""
+    """Words: of two checkouts, only rows whose names contain all of them are timed; all take most of an hour."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
