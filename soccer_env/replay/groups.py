@@ -29,6 +29,8 @@ OMNI: list[list[Any]] = [  # the distance of an opponent is below 0
 ]
 OBSTACLE: list[list[Any]] = [["obstacle", 1, POLAR]]  # that the ranger meets
 PLAN: list[list[Any]] = [["plan", 10, ["x", "y"]]]  # points of the planned path in the field frame, the last is its end
+ALL = LEGGED + OMNI + OBSTACLE + PLAN
+KNOWN = {name: [parts for other, _, parts in ALL if other == name] for name, _, _ in ALL}  # parts of each
 MOST_GROUPS, MOST_COLUMNS = 32, 512
 CENTI = 100.0  # [1] steps in a metre or radian
 LINE_STEPS = 10.0  # [1/m]
@@ -48,7 +50,8 @@ def groups_of(match: Match) -> list[Group]:
 def checked_groups(groups: Any) -> list[Group]:
     """Return groups that were read from a file; ValueError for anything else."""
     found: list[Group] = [[str(name), int(count), [str(part) for part in parts]] for name, count, parts in groups]
-    if len(found) > MOST_GROUPS or width_of(found) > MOST_COLUMNS or any(count < 0 for _, count, _ in found):
+    wrong = any(count < 0 or parts not in KNOWN.get(name, [parts]) for name, count, parts in found)
+    if wrong or len(found) > MOST_GROUPS or width_of(found) > MOST_COLUMNS:
         raise ValueError("the groups of its thoughts are damaged")
     return found
 

@@ -8,8 +8,9 @@ import numpy as np
 
 from soccer_env.belief_types import BELIEF, TRACK
 from soccer_env.render.colours import Colour
-from soccer_env.render.overlays.scene import Cast, Shot
+from soccer_env.render.overlays.scene import Cast, Part, Shot
 from soccer_env.render.overlays.shapes import ArrowGrid, Overlay
+from soccer_env.render.overlays.ways import plan_of
 from soccer_env.replay.groups import CENTI
 from soccer_env.replay.thought import Thought
 from soccer_env.teams import Mind
@@ -21,17 +22,44 @@ STRONG: Colour = (255, 236, 130)
 
 def force_arrows(cast: Cast, shot: Shot, row: int, thought: Thought, target: np.ndarray, unit: float) -> list[Overlay]:
     """Return arrows on a grid: their direction is that of the force, length and colour tell how strong it is."""
-    part = cast.parts[row]
     points, cell = grid(cast.league.pitch.length, cast.league.pitch.width)
+    vectors = forces_at(cast, shot, row, thought, target, points)
+    size = np.hypot(*vectors.T)
+    share = shares_of(size)
+    long = cell * (0.25 + 0.7 * share) / np.maximum(size, 1e-12)
+    return [ArrowGrid(points, long[:, None] * vectors, share, WEAK, STRONG, 1.9 * unit)]
+
+
+def forces_at(cast: Cast, shot: Shot, row: int, thought: Thought, target: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """Return the forces (P, 2) on a robot, in its `row`, that stood at each of some points (P, 2), field frame."""
+    part = cast.parts[row]
     home_ahead = float(shot.match["home_direction"]) > 0.0
     sign = 1.0 if home_ahead == (int(shot.robots["team"][row]) == 0) else -1.0
     assert part.explanation is not None and part.explanation.forces is not None and part.settings is not None
     mind = mind_of(thought, sign, cast.constants, part.settings)
-    vectors = sign * part.explanation.forces(mind, sign * target, sign * points)
-    size = np.hypot(*vectors.T)
-    share = size / (size + np.median(size) + 1e-12)  # one half for the middle one
-    long = cell * (0.25 + 0.7 * share) / np.maximum(size, 1e-12)
-    return [ArrowGrid(points, long[:, None] * vectors, share, WEAK, STRONG, 1.9 * unit)]
+    vectors: np.ndarray = sign * part.explanation.forces(mind, sign * target, sign * points)
+    return vectors
+
+
+def shares_of(size: np.ndarray) -> np.ndarray:
+    """Return how strong forces (P,) are beside each other, from 0 to 1: one half for the middle one."""
+    shares: np.ndarray = size / (size + np.median(size) + 1e-12)
+    return shares
+
+
+def has_forces(part: Part | None) -> bool:
+    """Tell whether a team computes forces that can be asked for."""
+    explanation = None if part is None else part.explanation
+    return explanation is not None and explanation.forces is not None and part is not None and part.settings is not None
+
+
+def target_of(part: Part, thought: Thought) -> np.ndarray | None:
+    """Return where the forces pull to (2,) [m]: the end of the plan, any place if they know it; None without a plan."""
+    plan = plan_of(thought)
+    if len(plan):
+        end: np.ndarray = plan[-1]
+        return end
+    return None if part.explanation is not None and part.explanation.needs_target else np.zeros(2)
 
 
 def grid(length: float, width: float) -> tuple[np.ndarray, float]:

@@ -5,19 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy as np
-
 from soccer_env.render.colours import TEAM_NAMES
 from soccer_env.render.overlays.belief import belief_words, believed
 from soccer_env.render.overlays.flags import OverlayFlags
-from soccer_env.render.overlays.forces import force_arrows
+from soccer_env.render.overlays.forces import force_arrows, has_forces, target_of
 from soccer_env.render.overlays.panel import CameraPicture, Words
 from soccer_env.render.overlays.scene import Cast, Shot
 from soccer_env.render.overlays.shapes import Overlay
 from soccer_env.render.overlays.sight import in_sight
 from soccer_env.render.overlays.states import beams, mark_of_picked, roles
-from soccer_env.render.overlays.ways import ball_trail, planned, travelled
-from soccer_env.replay.groups import CENTI
+from soccer_env.render.overlays.ways import ball_trail, plan_of, planned, travelled
 from soccer_env.replay.thought import Thought
 
 LEAST_UNIT = 0.7  # of sizes in a picture of 960 px: letters stay legible in smaller ones
@@ -94,16 +91,15 @@ def show_sight(look: Look) -> Drawn:
 def show_field(look: Look) -> Drawn:
     """Draw the potential field of its team."""
     part = look.cast.parts.get(look.row)
-    if part is None or part.explanation is None or part.explanation.forces is None or part.settings is None:
+    if part is None or not has_forces(part):
         who = "a learner" if part is None else part.name
         return [], [f"field: {who} computes no forces"]
     why = why_none(look)
     if why or look.thought is None:
         return [], [f"field: {why}"]
-    plan = plan_of(look.thought)
-    if part.explanation.needs_target and not len(plan):
+    target = target_of(part, look.thought)
+    if target is None:
         return [], [f"field: {look.name} plans no way now"]
-    target = plan[-1] if len(plan) else np.zeros(2)
     return force_arrows(look.cast, look.shot, look.row, look.thought, target, look.unit), []
 
 
@@ -119,12 +115,6 @@ def show_path(look: Look) -> Drawn:
     if "plan" not in look.thought.groups:
         return found, ["path: no plans were noted"]
     return found + planned(plan_of(look.thought), look.unit), []
-
-
-def plan_of(thought: Thought) -> np.ndarray:
-    """Return the planned way (N, 2) [m], field frame, empty where there is none."""
-    way = thought.groups.get("plan", np.zeros((0, 2))) / CENTI
-    return way if np.any(way) else np.zeros((0, 2))
 
 
 def show_roles(look: Look) -> Drawn:

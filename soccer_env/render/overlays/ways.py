@@ -10,12 +10,20 @@ import numpy as np
 from soccer_env.render.colours import BALL_SHINE, CARPET, INK, TEAMS_LIGHT, WHITE, Colour
 from soccer_env.render.overlays.scene import Shot
 from soccer_env.render.overlays.shapes import Overlay, Points, Polyline
+from soccer_env.replay.groups import CENTI
+from soccer_env.replay.thought import Thought
 
 TRAVELLED = 6.0  # [s] of a robot's way that are shown
 TRAIL = 2.5  # [s] of the ball's way
 JUMP = 0.6  # [m] from shot to shot: it was put there
 PIECES = 10  # of a trail, each paler than the one before
 LEAST_STEP = 0.01  # [m] of a way between two of its points
+
+
+def plan_of(thought: Thought) -> np.ndarray:
+    """Return the planned way (N, 2) [m], field frame, empty where there is none."""
+    way = thought.groups.get("plan", np.zeros((0, 2))) / CENTI
+    return way if np.any(way) else np.zeros((0, 2))
 
 
 def planned(way: np.ndarray, unit: float) -> list[Overlay]:

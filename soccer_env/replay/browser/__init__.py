@@ -6,6 +6,7 @@ events.py    goals, whistles and kicks, in words
 packing.py   tables of numbers, small enough for a page
 page.html    markup                     look.css    style, light and dark, for desks and phones
 unpack.js    data out of the page       moment.js   what is true and believed at a time
+fields.py    potential fields as bytes  forces.js   and as arrows
 pitch.js     draws the field            overlays.js what robots believe, see and plan, over it
 charts.js    time line, possession, ball position
 panel.js     events, and the record of the robot that was picked

@@ -20,6 +20,7 @@ from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.scene import camera_of, directions_of
 from soccer_env.render.robots import parts_of
 from soccer_env.replay.browser.events import Storyteller
+from soccer_env.replay.browser.fields import Fields
 from soccer_env.replay.browser.packing import pack
 from soccer_env.replay.thoughts import SEES, TABLE, TRACK, Notes, whole
 from soccer_env.types import Phase
@@ -42,6 +43,8 @@ def collect(
     match = next(playing)
     every = max(1, match.league.control_rate // PER_SECOND)
     stories, rows, last = Storyteller(match.league.control_rate), [row_of(match)], match.robots[0].copy()
+    notes = replay.notes()
+    fields = None if notes is None else Fields(replay, match, notes, flags)
     staged: np.ndarray | None = None  # what was there as a restart moved everybody, since the last row
     for step, match in enumerate(playing, 1):
         stories.listen(match, step, last)
@@ -50,11 +53,14 @@ def collect(
         if step % every == 0:
             rows.append(row_of(match) if staged is None else staged)
             staged = None
+        if fields is not None:
+            fields.look(match, step)
         last = match.robots[0].copy()
         if note is not None:
             note(1)
-    notes = replay.notes()
+    pulls = None if fields is None else fields.about()
     tables = {"places": pack(np.stack(rows))} | ({} if notes is None else {"thoughts": pack(flat(notes.numbers))})
+    tables |= {} if fields is None or pulls is None else {"fields": fields.packed()}
     return {
         **about(match, replay),
         "every": every,
@@ -63,6 +69,7 @@ def collect(
         "events": stories.events,
         "shown": None if flags is None or not flags.any else {**asdict(flags), "robot": flags.agent},
         "thoughts": None if notes is None else {"steps": notes.steps.tolist(), **noted(notes)},
+        "fields": pulls,
         "tables": tables,
     }
 

@@ -2,7 +2,7 @@
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16];
 const LEAD = 1.5; // [s] before a goal or foul at which its event begins to play
-const SWITCHES = ["belief", "sight", "path", "roles", "infrared", "trail"];
+const SWITCHES = ["belief", "sight", "field", "path", "roles", "infrared", "trail"];
 const byId = (id) => document.getElementById(id);
 
 class Player {
@@ -13,7 +13,7 @@ class Player {
     this.time = 0; // control steps
     this.playing = false;
     this.speed = 3;
-    this.shown = { belief: true, sight: true, path: false, roles: false, infrared: false, trail: true, ...recording.shown, picked: -1 };
+    this.shown = { belief: true, sight: true, field: false, path: false, roles: false, infrared: false, trail: true, ...recording.shown, picked: -1 };
     this.stale = true;
     this.told = { second: -1, picked: -2 };
     this.fill();
@@ -38,6 +38,7 @@ class Player {
     });
     for (const id of SWITCHES) byId(id).setAttribute("aria-pressed", String(this.shown[id]));
     byId("infrared").hidden = !recording.body.legs;
+    byId("field").hidden = !recording.pulls;
     const asked = recording.shown && recording.shown.robot;
     this.pick(recording.robots.findIndex(([team, number]) => `${["home", "away"][team]}_${number}` === asked));
     this.fillEvents();
@@ -82,7 +83,7 @@ class Player {
       ArrowUp: () => this.setSpeed(this.speed + 1), ArrowDown: () => this.setSpeed(this.speed - 1),
       ",": () => this.step(-1), ".": () => this.step(1), p: () => this.toEvent(-1), n: () => this.toEvent(1),
       r: () => this.pick((this.shown.picked + 1) % this.recording.robots.length), Escape: () => this.pick(-1),
-      b: () => this.flip("belief"), v: () => this.flip("sight"), w: () => this.flip("path"), o: () => this.flip("roles"),
+      b: () => this.flip("belief"), v: () => this.flip("sight"), f: () => this.flip("field"), w: () => this.flip("path"), o: () => this.flip("roles"),
       i: () => this.flip("infrared"), t: () => this.flip("trail"), d: () => this.turnTheme(),
       "?": () => byId("help").showModal(),
     };

@@ -11,6 +11,7 @@ class Recording {
     this.general = Object.fromEntries(data.columns.general.map((name, at) => [name, at]));
     this.each = Object.fromEntries(data.columns.each.map((name, at) => [name, at]));
     this.noteWidth = thoughts ? thoughts.length / this.robots.length : 0;
+    this.pulls = null;
   }
 
   static async from(data) {
@@ -21,7 +22,9 @@ class Recording {
     const most = Math.max(0, ...fields.map((names) => names.length));
     const more = groups.reduce((sum, [, count, parts]) => sum + count * parts.length, 0);
     const columns = (table.length + track.length * slots + more + most) * data.robots.length;
-    return new Recording(data, places, await unpack(data.tables.thoughts, steps.length, columns));
+    const recording = new Recording(data, places, await unpack(data.tables.thoughts, steps.length, columns));
+    if (data.fields) recording.pulls = new Fields(data.fields, steps, await unpackBytes(data.tables.fields, Fields.bytes(data.fields, steps)));
+    return recording;
   }
 
   value(name, row) {
@@ -61,11 +64,7 @@ class Recording {
   thought(r, time) {
     if (!this.notes) return null;
     const { steps, table, track, slots, groups, fields, sees } = this.thoughts;
-    let low = 0, high = steps.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (steps[middle] <= time + 1e-6) low = middle + 1; else high = middle;
-    }
+    const low = upTo(steps, time);
     if (low === 0) return null;
     const get = (column) => this.notes[r * this.noteWidth + column][low - 1];
     const span = low < steps.length ? steps[low] - steps[low - 1] : 0;
@@ -103,6 +102,16 @@ class Recording {
     const [team, number, keeper] = this.robots[r];
     return `${["red", "blue"][team]} ${number}${keeper ? " (keeper)" : ""}`;
   }
+}
+
+// Return how many of some steps, in order, a time has reached.
+function upTo(steps, time) {
+  let low = 0, high = steps.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (steps[middle] <= time + 1e-6) low = middle + 1; else high = middle;
+  }
+  return low;
 }
 
 function between(x, y, nextX, nextY, share) {

@@ -16,4 +16,9 @@ def pack(table: np.ndarray) -> str:
     changes = np.diff(table, axis=0, prepend=np.int16(0)).T  # (C, T): a column's changes lie together
     folded = ((changes.astype(np.int32) << 1) ^ (changes.astype(np.int32) >> 15)).astype("<u2")  # 0, -1, 1, -2, ...
     planes = np.concatenate([(folded & 255).astype(np.uint8).ravel(), (folded >> 8).astype(np.uint8).ravel()])
-    return base64.b64encode(zlib.compress(planes.tobytes(), 9)).decode()
+    return pack_bytes(planes.tobytes())
+
+
+def pack_bytes(content: bytes) -> str:
+    """Return bytes as text."""
+    return base64.b64encode(zlib.compress(content, 9)).decode()

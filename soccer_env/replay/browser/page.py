@@ -18,7 +18,7 @@ from soccer_env.whole_files import write_whole
 if TYPE_CHECKING:
     from soccer_env.replay.replay_file import Replay
 
-SCRIPTS = ("unpack.js", "moment.js", "pitch.js", "overlays.js", "charts.js", "panel.js", "main.js")
+SCRIPTS = ("unpack.js", "forces.js", "moment.js", "pitch.js", "overlays.js", "charts.js", "panel.js", "main.js")
 ESCAPED = {ord(letter): f"\\u{ord(letter):04x}" for letter in "<>&\u2028\u2029"}
 
 

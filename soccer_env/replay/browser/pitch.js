@@ -101,6 +101,7 @@ class Pitch {
     const picked = shown.picked >= 0 ? moment.robots[shown.picked] : null;
     const thought = picked ? this.recording.thought(shown.picked, time) : null;
     const over = new Overlays(this, c, moment);
+    if (picked && picked.active && shown.field && this.recording.pulls) this.recording.pulls.draw(c, this, picked.r, time);
     if (picked && picked.active && shown.sight) over.drawSight(picked, thought);
     if (shown.trail) this.drawTrail(c, moment);
     if (picked && shown.path) over.drawTravelled(picked);

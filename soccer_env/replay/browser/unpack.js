@@ -1,12 +1,17 @@
 // Data out of the page: see packing.py.
 
-// Return the columns of a packed table as Int16Arrays of that many rows.
-async function unpack(text, rows, columns) {
+// Return packed bytes; there must be so many.
+async function unpackBytes(text, count) {
   const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
-  const planes = new Uint8Array(await new Response(stream).arrayBuffer());
-  const size = rows * columns;
-  if (planes.length !== 2 * size) throw new Error("the data of this page are damaged");
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  if (bytes.length !== count) throw new Error("the data of this page are damaged");
+  return bytes;
+}
+
+// Return the columns of a packed table as Int16Arrays of that many rows.
+async function unpack(text, rows, columns) {
+  const size = rows * columns, planes = await unpackBytes(text, 2 * size);
   const found = [];
   for (let c = 0; c < columns; c++) {
     const column = new Int16Array(rows);
