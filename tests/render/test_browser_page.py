@@ -159,8 +159,8 @@ def test_a_tap_picks_the_robot_that_stands_there(browser: Chromium) -> None:
     )
     browser.click(*place)
     shown = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done("
-    words = browser.run(f"{shown}document.getElementById('record').innerText))))")
-    assert words.startswith("red 1") and "believes" in words.lower() and "off, confidence" in words
+    words = browser.run(f"{shown}document.getElementById('record').innerText))))").replace("\u00a0", " ")
+    assert words.startswith("red 1") and "believes" in words.lower() and "% sure, wrong by" in words
     browser.press("Escape", 27)
     assert browser.run("window.player.shown.picked") == -1
     assert browser.errors == []

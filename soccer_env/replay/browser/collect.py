@@ -42,9 +42,9 @@ def collect(
     playing = replay.play()
     match = next(playing)
     every = max(1, match.league.control_rate // PER_SECOND)
-    stories, rows, last = Storyteller(match.league.control_rate), [row_of(match)], match.robots[0].copy()
+    stories, rows, last = Storyteller(match, replay.teams), [row_of(match)], match.robots[0].copy()
     notes = replay.notes()
-    fields = None if notes is None else Fields(replay, match, notes, flags)
+    fields = Fields(replay, match, notes, flags)
     staged: np.ndarray | None = None  # what was there as a restart moved everybody, since the last row
     for step, match in enumerate(playing, 1):
         stories.listen(match, step, last)
@@ -53,14 +53,13 @@ def collect(
         if step % every == 0:
             rows.append(row_of(match) if staged is None else staged)
             staged = None
-        if fields is not None:
-            fields.look(match, step)
+        fields.look(match, step)
         last = match.robots[0].copy()
         if note is not None:
             note(1)
-    pulls = None if fields is None else fields.about()
     tables = {"places": pack(np.stack(rows))} | ({} if notes is None else {"thoughts": pack(flat(notes.numbers))})
-    tables |= {} if fields is None or pulls is None else {"fields": fields.packed()}
+    pulls = fields.about()
+    tables |= {} if pulls is None else {"fields": fields.packed()}
     return {
         **about(match, replay),
         "every": every,

@@ -3,35 +3,62 @@
 from __future__ import annotations
 
 from math import hypot
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.render.captions import PHASES, player_words
 from soccer_env.render.colours import TEAM_NAMES
+from soccer_env.statistics.records import FRESH, GoalKind
 from soccer_env.types import NO_TEAM, Foul, Phase
 
-KICK_COUNTS = 3.0  # [s] a goal comes from the scorer's kick if that is no longer ago
+KICK_COUNTS = 3.0  # [s] an own goal comes from a kick of its robot if that is no longer ago
 KICKS_APART = 0.25  # [s] kicks of a robot nearer to each other are one
+NOBODY = -1
+HOW = {  # but for kicks and own goals, which say more
+    GoalKind.CLEAN_DRIBBLE: "dribbled in, without touching an opponent",
+    GoalKind.PUSHED_IN: "pushed in, in contact with an opponent",
+    GoalKind.SCRUM: "bumped in out of a scrum",
+}
+
+
+class Play(NamedTuple):
+    """A robot plays the ball."""
+
+    row: int
+    step: int  # control step of the replay
+    x: float  # [m] field frame: the ball
+    y: float  # [m]
+    kicked: bool = True
 
 
 class Storyteller:
-    """Gathers events as plain values: [step, kind, team, robot, words]; kind: goal, foul, restart, kick or half."""
+    """Gathers events as plain values: [step, kind, team, robot, words]; kind: goal, foul, restart, kick or half.
 
-    def __init__(self, rate: int) -> None:
-        self.rate = rate
+    A goal has a sixth value: its `kind` as the statistics count it, `how` it fell in words, the `score` after it, and
+    the step in which its scorer `played` the ball. Of a deflected kick the scorer is who kicked.
+    """
+
+    def __init__(self, match: Match, teams: tuple[str, str]) -> None:
+        self.rate = match.league.control_rate
         self.events: list[list[Any]] = []
-        self._kicks: dict[int, tuple[int, float, float]] = {}  # of each robot: step, and where the ball was
+        self._teams = teams
+        self._kicks: dict[int, Play] = {}  # the last of each robot
+        self._touches: dict[int, Play] = {}
+        self._flight: Play | None = None  # of the ball that is on its way
+        self._others: list[int] = []  # who touched it since, first to last
+        self._step = int(match.matches["step"][0])
+        self._goals = match.statistics["goals"][0].copy()
 
     def listen(self, match: Match, step: int, before: np.ndarray) -> None:
         """Note what happened in the first match in a control step; `before` are its robots a step earlier."""
-        events, robots = match.events[0], match.robots[0]
-        for r in np.flatnonzero(match.robot_events["kick"][0]).tolist():
-            last = self._kicks.get(r, (-self.rate,))[0]
-            self._kicks[r] = (step, float(events["ball_x"]), float(events["ball_y"]))
-            if step - last > KICKS_APART * self.rate:
-                self._tell(step, "kick", robots[r], r, f"{player_words(robots[r])} kicks")
+        events = match.events[0]
+        if match.matches["step"][0] <= self._step:
+            match.statistics[0] = FRESH  # another episode has begun
+            self._kicks, self._touches, self._flight = {}, {}, None
+        self._step = int(match.matches["step"][0])
+        self._listen_to_plays(match, step)
         if events["goal"] != NO_TEAM:
             self._tell_goal(match, step, before)
         elif events["foul"] != 0:
@@ -39,39 +66,110 @@ class Storyteller:
         elif events["restart"] not in (0, Phase.KICK_OFF):
             team = int(events["restart_team"])
             whose = "" if team == NO_TEAM else f" for {TEAM_NAMES[team]}"
-            self._add(step, "restart", team, -1, f"{PHASES[Phase(int(events['restart']))]}{whose}")
+            self._add(step, "restart", team, NOBODY, f"{PHASES[Phase(int(events['restart']))]}{whose}")
+        if events["annulled"]:
+            self._add(step, "foul", NO_TEAM, NOBODY, "the ball was in, but this is no goal")
         for name, words in (("half_time", "half-time"), ("final_whistle", "final whistle")):
             if events[name]:
-                self._add(step, "half", NO_TEAM, -1, words)
+                self._add(step, "half", NO_TEAM, NOBODY, words)
+        self._follow_flight(match, step)
+        self._goals = match.statistics["goals"][0].copy()
+
+    def _listen_to_plays(self, match: Match, step: int) -> None:
+        """Note who kicks and touches the ball, and where."""
+        x, y = float(match.events["ball_x"][0]), float(match.events["ball_y"][0])
+        for r in np.flatnonzero(match.robot_events["touch"][0]).tolist():
+            self._touches[r] = Play(r, step, x, y, kicked=False)
+            if self._flight is not None and r != self._flight.row:
+                self._others.append(r)
+        for r in np.flatnonzero(match.robot_events["kick"][0]).tolist():
+            last = self._kicks.get(r)
+            self._kicks[r] = Play(r, step, x, y)
+            if last is None or step - last.step > KICKS_APART * self.rate:
+                robot = match.robots[0, r]
+                self._add(step, "kick", int(robot["team"]), r, f"{player_words(robot)} kicks")
+
+    def _follow_flight(self, match: Match, step: int) -> None:
+        """Note whose kick or push the ball is on its way from, as the statistics see it."""
+        trail = match.statistics["trail"][0]
+        r = int(trail["flight"])
+        if r < 0:
+            self._flight = None
+        elif self._flight is None or r != self._flight.row or trail["flight_step"] == self._step:
+            self._flight, self._others = self._last_play(r, step), []
+
+    def _last_play(self, r: int, step: int) -> Play:
+        """Return how a robot last played the ball: by a kick of a moment ago, else by touching it."""
+        kick = self._kicks.get(r)
+        if kick is not None and step - kick.step <= KICKS_APART * self.rate:
+            return kick
+        return self._touches.get(r, Play(r, step, 0.0, 0.0, kicked=False))
 
     def _tell_goal(self, match: Match, step: int, before: np.ndarray) -> None:
-        """Tell who scored and how: a kick of a moment ago, or the ball walked or bumped in."""
+        """Tell who scored, and how."""
         team, r = int(match.events["goal"][0]), int(match.events["scorer"][0])
-        score = " : ".join(str(int(goals)) for goals in match.matches["score"][0])
+        kinds = np.flatnonzero(match.statistics["goals"][0, team] > self._goals[team])
+        kind = GoalKind(int(kinds[0])) if len(kinds) else GoalKind.SCRUM
+        side = self._side(team)
         if not 0 <= r < len(before):
-            self._add(step, "goal", team, -1, f"{score}: goal for {TEAM_NAMES[team]}")
-            return
-        who = player_words(before[r])
-        kicked = self._kicks.get(r)
-        goal_x = float(np.sign(match.events["ball_x"][0])) * match.league.pitch.length / 2
-        if kicked is not None and step - kicked[0] <= KICK_COUNTS * self.rate:
-            away = hypot(goal_x - kicked[1], kicked[2])
-            how = f"kicked {(step - kicked[0]) / self.rate:.1f} s earlier, {away:.1f} m from the goal"
+            self._add_goal(match, step, NOBODY, f"a goal for {side}", kind, "nobody is known to have touched it", step)
+        elif kind in (GoalKind.CLEAN_KICK, GoalKind.DEFLECTED_KICK):
+            play = self._shot(team, r, step, before)
+            words = f"{player_words(before[play.row])} scores for {self._teams[team]}"
+            self._add_goal(match, step, play.row, words, kind, self._how_shot(match, play, kind, r, before), play.step)
         else:
-            how = "walked or bumped in, without a kick"
-        own = "own goal by " if int(before["team"][r]) != team else ""
-        self._add(step, "goal", team, r, f"{score}: {own}{who}, {how}")
+            play = self._touches.get(r, Play(r, step, 0.0, 0.0, kicked=False))
+            words = f"{player_words(before[r])} scores for {self._teams[team]}"
+            how = HOW.get(kind, "")
+            if int(before["team"][r]) != team:
+                words = f"own goal by {player_words(before[r])}, counts for {side}"
+                play, how = self._own_goal(r, step, play)
+            self._add_goal(match, step, r, words, kind, how, play.step)
+
+    def _shot(self, team: int, r: int, step: int, before: np.ndarray) -> Play:
+        """Return the kick or push that a goal of a team came from; r: who touched the ball last."""
+        if self._flight is not None and int(before["team"][self._flight.row]) == team:
+            return self._flight
+        plays = [*self._touches.values(), *(kick for kick in self._kicks.values() if kick.step == step)]
+        own = [play for play in plays if int(before["team"][play.row]) == team]
+        return max(own, key=lambda play: play.step, default=self._last_play(r, step))  # in before it was followed
+
+    def _how_shot(self, match: Match, play: Play, kind: GoalKind, r: int, before: np.ndarray) -> str:
+        """Return in words how a ball was kicked or pushed in."""
+        goal_x = float(np.sign(match.events["ball_x"][0])) * match.league.pitch.length / 2
+        away = hypot(goal_x - play.x, play.y)
+        verb = "kick" if play.kicked else "hard push"
+        if kind == GoalKind.CLEAN_KICK:
+            return f"clean {verb} from {away:.1f} m, nobody else touched the ball"
+        touched = [*self._others, r]
+        other = next((row for row in touched if row != play.row), NOBODY)
+        by = f" by {player_words(before[other])}" if other >= 0 else ""
+        return f"{verb} from {away:.1f} m, deflected{by}"
+
+    def _own_goal(self, r: int, step: int, touch: Play) -> tuple[Play, str]:
+        """Return how a robot played the ball into its own goal, and that in words."""
+        kick = self._kicks.get(r)
+        if kick is None or step - kick.step > KICK_COUNTS * self.rate or kick.step < touch.step - self.rate:
+            return touch, "it touched the ball last, and no kick of the other team came before that"
+        return kick, f"it kicked the ball {(step - kick.step) / self.rate:.1f} s before"
+
+    def _side(self, team: int) -> str:
+        """Return a side in words."""
+        return f"{TEAM_NAMES[team]} ({self._teams[team]})"
+
+    def _add_goal(self, match: Match, step: int, r: int, words: str, kind: GoalKind, how: str, played: int) -> None:
+        """Add a goal."""
+        score = [int(goals) for goals in match.matches["score"][0]]
+        self._add(step, "goal", int(match.events["goal"][0]), r, words)
+        self.events[-1].append({"kind": kind.name.lower(), "how": how, "score": score, "played": min(played, step - 1)})
 
     def _tell_foul(self, match: Match, step: int) -> None:
         """Tell what was whistled against whom."""
         foul, team = Foul(int(match.events["foul"][0])), int(match.events["foul_team"][0])
         against = np.flatnonzero(match.robot_events["foul"][0] == foul)
-        r = int(against[0]) if len(against) else -1
+        r = int(against[0]) if len(against) else NOBODY
         who = player_words(match.robots[0, r]) if r >= 0 else TEAM_NAMES[team] if team != NO_TEAM else "both"
-        self._add(step, "foul", team, r, f"{foul.name.lower().replace('_', ' ')}: {who}")
-
-    def _tell(self, step: int, kind: str, robot: np.void, r: int, words: str) -> None:
-        self._add(step, kind, int(robot["team"]), r, words)
+        self._add(step, "foul", team, r, f"foul by {who}: {foul.name.lower().replace('_', ' ')}")
 
     def _add(self, step: int, kind: str, team: int, r: int, words: str) -> None:
         self.events.append([step, kind, team, r, words])

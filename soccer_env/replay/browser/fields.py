@@ -27,12 +27,15 @@ APART = 5  # notes from frame to frame, about a second; 1 for the robot whose fi
 class Fields:
     """Frames of all robots whose teams compute forces, taken while the replay is played; `flags` names one to follow.
 
-    A frame is taken at every `APART`-th note. A robot that believes nothing or plans no way then has an empty one.
+    Without notes there are none. A frame is taken at every `APART`-th note; it is empty for a robot that believes
+    nothing or plans no way then.
     """
 
-    def __init__(self, replay: Replay, match: Match, notes: Notes, flags: OverlayFlags | None) -> None:
-        self._notes, self._cast = notes, cast_of_replay(replay, match, Reader.of(notes))
-        self._numbers = {step: number for number, step in enumerate(notes.steps.tolist())}
+    def __init__(self, replay: Replay, match: Match, notes: Notes | None, flags: OverlayFlags | None) -> None:
+        self._notes = notes
+        self._cast = cast_of_replay(replay, match, None if notes is None else Reader.of(notes))
+        steps = [] if notes is None else notes.steps.tolist()
+        self._numbers = {step: number for number, step in enumerate(steps)}
         followed = flags.agent if flags is not None and flags.field else None
         rows = [row for row, part in self._cast.parts.items() if has_forces(part)]
         self._every = {row: 1 if match.agents[row] == followed else APART for row in rows}
@@ -43,7 +46,7 @@ class Fields:
     def look(self, match: Match, step: int) -> None:
         """Take the frames of a control step, if any are due."""
         number = self._numbers.get(step)
-        if number is None:
+        if number is None or self._notes is None:
             return
         for row, every in self._every.items():
             if number % every == 0:

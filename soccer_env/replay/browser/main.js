@@ -2,6 +2,7 @@
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16];
 const LEAD = 1.5; // [s] before a goal or foul at which its event begins to play
+const GOAL_SHOWN = 4; // [s] after a goal in which the page says so
 const SWITCHES = ["belief", "sight", "field", "path", "roles", "infrared", "trail"];
 const byId = (id) => document.getElementById(id);
 
@@ -39,13 +40,26 @@ class Player {
     for (const id of SWITCHES) byId(id).setAttribute("aria-pressed", String(this.shown[id]));
     byId("infrared").hidden = !recording.body.legs;
     byId("field").hidden = !recording.pulls;
-    const asked = recording.shown && recording.shown.robot;
-    this.pick(recording.robots.findIndex(([team, number]) => `${["home", "away"][team]}_${number}` === asked));
+    this.pick(this.asked());
+    const end = recording.rows - 1;
+    byId("final").textContent = `ends ${recording.value("score_home", end)} : ${recording.value("score_away", end)}`;
+    fillScorers([byId("scorers0"), byId("scorers1")], recording, (event) => this.jump(event));
+    byId("listed").value = recording.events.some(([, kind]) => kind === "goal") ? "goals" : "calls";
     this.fillEvents();
   }
 
+  // Return the robot that was asked for, whoever is nearest to the ball if its thoughts were and it was not named, or -1.
+  asked() {
+    const { shown, robots } = this.recording;
+    if (!shown) return -1;
+    if (shown.robot) return robots.findIndex(([team, number]) => `${["home", "away"][team]}_${number}` === shown.robot);
+    if (!(shown.belief || shown.sight || shown.field || shown.path)) return -1;
+    const { ball, robots: there } = this.recording.at(0), away = ({ x, y }) => Math.hypot(x - ball.x, y - ball.y);
+    return there.filter(({ active }) => active).reduce((best, one) => (!best || away(one) < away(best) ? one : best), null)?.r ?? -1;
+  }
+
   fillEvents() {
-    fillEvents(byId("events"), this.recording, byId("kicks").checked, (event) => this.jump(event));
+    fillEvents(byId("events"), this.recording, byId("listed").value, (event) => this.jump(event));
     this.told.second = -1;
     this.stale = true;
   }
@@ -61,7 +75,7 @@ class Player {
     press("ask", () => byId("help").showModal());
     for (const id of SWITCHES) press(id, () => this.flip(id));
     byId("speed").addEventListener("change", (event) => this.setSpeed(Number(event.target.value)));
-    byId("kicks").addEventListener("change", () => this.fillEvents());
+    byId("listed").addEventListener("change", () => this.fillEvents());
     byId("scrub").addEventListener("input", (event) => this.seek(Number(event.target.value)));
     byId("pitch").addEventListener("pointerup", (event) => this.pick(this.pitch.robotAt(this.time, this.pitch.place(event))));
     const drag = (event) => {
@@ -115,15 +129,22 @@ class Player {
     this.seek(Math.round(this.time / this.recording.every + steps) * this.recording.every);
   }
 
-  jump([step, kind, , robot]) {
-    if (robot >= 0) this.pick(robot);
-    this.seek(step - (kind === "goal" || kind === "foul" ? LEAD * this.recording.rate : 0));
+  jump(event) {
+    if (event[3] >= 0) this.pick(event[3]);
+    this.seek(this.start(event));
+  }
+
+  // Return the time from which an event is worth seeing: a goal from before the ball was played.
+  start([step, kind, , , , goal]) {
+    const lead = LEAD * this.recording.rate;
+    if (goal) return Math.max(0, Math.min(goal.played - lead / 2, step - lead));
+    return Math.max(0, kind === "foul" ? step - lead : step);
   }
 
   // Go to the next or the last event that is listed.
   toEvent(way) {
     const events = this.recording.events.filter(([, kind]) => kind !== "kick");
-    const times = events.map(([step, kind]) => Math.max(0, step - (kind === "goal" || kind === "foul" ? LEAD * this.recording.rate : 0)));
+    const times = events.map((event) => this.start(event));
     const order = way > 0 ? events.map((_, at) => at) : events.map((_, at) => events.length - 1 - at);
     const found = order.find((at) => way * (times[at] - this.time) > 1);
     if (found !== undefined) this.jump(events[found]);
@@ -176,7 +197,9 @@ class Player {
     const half = recording.half_length === null ? "" : `, ${["1st", "2nd"][moment.half] || ""} half`;
     byId("clock").textContent = `${minutes(moment.clock)}${half}`;
     const whose = moment.phase > 0 && moment.team >= 0 ? ` ${["red", "blue"][moment.team]}` : "";
-    byId("phase").textContent = `${recording.phases[moment.phase] || ""}${whose}`;
+    const goal = recording.goalOf(this.time, GOAL_SHOWN * recording.rate);
+    byId("phase").textContent = goal ? `GOAL: ${goal[4]}` : `${recording.phases[moment.phase] || ""}${whose}`;
+    byId("phase").classList.toggle("goal", Boolean(goal));
     byId("time").textContent = `${minutes(this.time / recording.rate)} / ${minutes(recording.last / recording.rate)}`;
     if (!this.playing || now - (this.told.at || 0) > 100 || this.told.picked !== this.shown.picked) {
       this.told = { at: now, picked: this.shown.picked };

@@ -35,6 +35,17 @@ class Recording {
     return this.places[this.columns.general.length + r * this.columns.each.length + this.each[name]][row];
   }
 
+  // Return the step of the last note before a step, or -1.
+  noteBefore(step) {
+    const { steps } = this.thoughts;
+    return steps[upTo(steps, step - 1) - 1] ?? -1;
+  }
+
+  // Return the last goal that is at most so many steps old, or undefined.
+  goalOf(time, steps) {
+    return this.events.filter(([step, kind]) => kind === "goal" && step <= time && time - step < steps).pop();
+  }
+
   // Return where everything is at a time, between two rows if need be.
   at(time) {
     const exact = Math.min(Math.max(time / this.every, 0), this.rows - 1);

@@ -7,24 +7,52 @@ function element(name, words = "", kind = "") {
   return made;
 }
 
+// Keep a number and its unit on one line.
+const tied = (words) => words.replace(/(\d) (?=(m|s|%)(?![a-z]))/g, "$1\u00a0");
+
 function facts(pairs) {
   const list = element("dl");
-  for (const [name, value] of pairs) list.append(element("dt", name), element("dd", value));
+  for (const [name, value] of pairs) list.append(element("dt", name), element("dd", tied(value)));
   return list;
 }
 
 const NAMES = { stuck: "stuck for", tries: "recoveries tried", left: "of recovery left", wriggle: "wriggles for", back_off: "backs off for" };
 const metres = (from, to) => `${Math.hypot(from.x - to.x, from.y - to.y).toFixed(2)} m`;
 const yes = (flag) => (flag ? "yes" : "no");
+const NEVER = 300; // [s] a ball that was not seen for longer was never seen
+const sureOf = (belief) => `${belief.confidence.toFixed(0)} % sure`;
+const offBy = (truth, belief) => `wrong by ${metres(truth, belief)}`;
+const agoOf = (age) => (age < 0.05 ? "just then" : `${age.toFixed(1)} s before`);
+const COMMANDS = { forward: ["forward", "back"], left: ["to the left", "to the right"], turn: ["turn left", "turn right"], kick: ["kick", ""] };
+
+// Return where a thing is from a robot that stands at a pose.
+function placeOf(thing, pose) {
+  const angle = Math.atan2(thing.y - pose.y, thing.x - pose.x) - pose.heading, turns = Math.round((2 * angle) / Math.PI);
+  return `${metres(thing, pose)} ${["ahead", "to its left", "behind it", "to its right"][((turns % 4) + 4) % 4]}`;
+}
+
+// Return by how much a believed pose is turned from the true one, where that is worth a word.
+function turnedBy(truth, belief) {
+  const turn = Math.atan2(Math.sin(belief.heading - truth.heading), Math.cos(belief.heading - truth.heading));
+  const degrees = Math.abs((turn * 180) / Math.PI);
+  return degrees < 5 ? "" : ` and ${degrees.toFixed(0)}°`;
+}
+
+// Return the command of a robot, in shares of its top speeds and of its strongest kick.
+function commandOf(thought) {
+  const said = thought.command.filter(([, value]) => Math.abs(value) >= 0.05).map(([name, value]) => {
+    const word = COMMANDS[name][value > 0 ? 0 : 1];
+    return word && `${word} ${Math.abs(100 * value).toFixed(0)} %`;
+  });
+  return said.filter(Boolean).join(", ") || "stand";
+}
 
 // Return how far a robot's belief is from the truth, as pairs of words.
-function beliefOf(recording, thought, time) {
-  const moment = recording.at(thought.step), robot = moment.robots[thought.robot];
-  const turn = Math.atan2(Math.sin(thought.own.heading - robot.heading), Math.cos(thought.own.heading - robot.heading));
-  const pairs = [["itself", `${metres(robot, thought.own)}, ${Math.abs((turn * 180) / Math.PI).toFixed(0)}° off, confidence ${thought.own.confidence.toFixed(0)}`]];
-  if (thought.own.spread > 0) pairs.push(["possible poses", `within ${(2 * thought.own.spread).toFixed(2)} m`]);
-  const age = thought.ball.age > 300 ? "never seen" : `seen ${thought.ball.age.toFixed(1)} s ago`;
-  pairs.push(["ball", `${metres(moment.ball, thought.ball)} off, confidence ${thought.ball.confidence.toFixed(0)}, ${age}`]);
+function beliefOf(recording, thought) {
+  const moment = recording.at(thought.step), robot = moment.robots[thought.robot], { own, ball } = thought;
+  const pairs = [["itself", `${sureOf(own)}, ${offBy(robot, own)}${turnedBy(robot, own)}`]];
+  if (own.spread > 0) pairs.push(["possible poses", `within ${(2 * own.spread).toFixed(2)} m`]);
+  pairs.push(["ball", ball.age > NEVER ? "never seen" : `${sureOf(ball)}, ${offBy(moment.ball, ball)}, seen ${ball.age < 0.05 ? "now" : `${ball.age.toFixed(1)} s ago`}`]);
   const mates = thought.players.filter((player) => player.mate).length;
   pairs.push(["players", `${mates} team-mates, ${thought.players.length - mates} opponents`]);
   return pairs;
@@ -60,17 +88,23 @@ function showRecord(panel, recording, r, time, moment) {
   const meant = decision(thought);
   panel.append(element("h3", "decides"));
   if (meant) panel.append(element("p", meant, "strong"));
-  const numbers = thought.memory.filter((field) => field.word === undefined);
-  panel.append(facts([...numbers.map(({ name, number }) => [called(name), String(number)]),
-    ["command", thought.command.filter(([, value]) => Math.abs(value) >= 0.05).map(([name, value]) => `${name} ${value.toFixed(1)}`).join(", ") || "stand"]]));
+  const numbers = thought.memory.filter((field) => field.word === undefined && field.number !== 0);
+  panel.append(facts([...numbers.map(({ name, number }) => [called(name), String(number)]), ["command", commandOf(thought)], ...fieldOf(recording, r, time)]));
   if (!thought.knows) return;
-  panel.append(element("h3", "believes"), facts(beliefOf(recording, thought, time)));
+  panel.append(element("h3", "believes"), facts(beliefOf(recording, thought)));
   const { saw, seen } = thought;
   panel.append(element("h3", "sees"), facts([["ball", yes(saw.ball)], ["own goal", yes(saw.own_goal)], ["other goal", yes(saw.opponent_goal)],
     ["players", String(seen.players)], [recording.body.legs ? "landmarks" : "lines", String(seen.marks)],
     ...(recording.body.legs ? [["infrared", seen.infrared > 0 ? `${seen.infrared.toFixed(2)} m` : "nothing"]] : [])]));
   const picture = cameraPicture(recording, robot, moment, thought);
   if (picture) panel.append(picture);
+}
+
+// Return why there are no forces to draw for a robot, as a pair of words; nothing where there are.
+function fieldOf(recording, r, time) {
+  const fields = recording.pulls;
+  if (!fields || fields.frame(r, time)) return [];
+  return [["field", fields.robots.includes(r) ? "none now: it plans no way" : "its team computes no forces"]];
 }
 
 // The picture of the camera with a box for each blob in it, or null where nothing of it was noted.
@@ -90,26 +124,54 @@ function cameraPicture(recording, robot, moment, thought) {
   return canvas;
 }
 
-// What the scorer thought at the last note before a goal.
-function scorerThought(recording, [step, kind, , r]) {
-  if (kind !== "goal" || r < 0) return "";
-  const thought = recording.thought(r, step - 1);
-  if (!thought) return "";
-  thought.robot = r;
-  const meant = decision(thought), moment = recording.at(thought.step);
-  const parts = [meant && `decided: ${meant}`, thought.knows && `believed the ball ${metres(moment.ball, thought.ball)} from where it was, itself ${metres(moment.robots[r], thought.own)}`];
-  return parts.filter(Boolean).join("; ");
+// Return what the scorer of a goal believed and decided at the last note before it played the ball, as pairs of words.
+function scorerThought(recording, [, , team, r, , goal]) {
+  if (r < 0 || !recording.notes) return [];
+  const thought = recording.thought(r, recording.noteBefore(goal.played));
+  if (!thought) return [["belief", "none: it is not known what it thinks"]];
+  const moment = recording.at(thought.step), robot = moment.robots[r], { own, ball } = thought, pairs = [];
+  if (thought.knows) {
+    const side = (moment.direction > 0) === (team === 0) ? 1 : -1, which = robot.team === team ? "the goal" : "its own goal";
+    const away = Math.hypot((side * recording.pitch.length) / 2 - own.x, own.y);
+    pairs.push(["ball", ball.age > NEVER ? "never seen" : `${placeOf(ball, own)} (${offBy(moment.ball, ball)}), ${sureOf(ball)}, seen ${agoOf(ball.age)}`]);
+    pairs.push(["itself", `${away.toFixed(1)} m from ${which} (${offBy(robot, own)}${turnedBy(robot, own)}), ${sureOf(own)}`]);
+  } else pairs.push(["belief", "none: it is played from outside"]);
+  return [...pairs, ["decided", [roleOf(thought, robot.keeper), commandOf(thought)].filter(Boolean).join("; ")]];
 }
 
-function fillEvents(list, recording, withKicks, jump) {
+// Return when a scorer's belief was noted, in words.
+function askedWhen(recording, { how, played }) {
+  const verb = /kick/.test(how) ? "it kicked" : "it played the ball";
+  if (!recording.notes) return "what it believed is not in this replay";
+  return `${((played - recording.noteBefore(played)) / recording.rate).toFixed(2)} s before ${verb} it believed`;
+}
+
+// A goal: the score after it, who scored, how, and what the scorer believed.
+function goalWords(recording, event) {
+  const [step, , , r, words, goal] = event, text = element("span");
+  const first = element("span", "", "headline"), score = element("b", goal.score.join(" : "));
+  const named = r >= 0 ? recording.name(r) : "", at = named ? words.indexOf(named) : -1;
+  first.append(score);
+  if (at < 0) first.append(` ${words}`);
+  else first.append(` ${words.slice(0, at)}`, element("b", named, `of${recording.robots[r][0]}`), words.slice(at + named.length));
+  const before = (step - goal.played) / recording.rate;
+  text.append(first, element("small", tied(`${goal.how}${before >= 0.15 ? `; in after ${before.toFixed(1)} s` : ""}`)));
+  if (r < 0) return text;
+  const list = facts(scorerThought(recording, event));
+  list.className = "belief";
+  text.append(element("small", askedWhen(recording, goal), "asit"), list);
+  return text;
+}
+
+// The events that are asked for: goals alone, what the referee called too, or kicks as well.
+function fillEvents(list, recording, asked, jump) {
+  const kinds = { goals: ["goal", "half"], calls: ["goal", "half", "foul", "restart"] }[asked];
   list.replaceChildren();
   recording.events.forEach((event) => {
     const [step, kind, , , words] = event;
-    if (kind === "kick" && !withKicks) return;
-    const button = element("button", "", kind), text = element("span", words), item = element("li");
-    const belief = scorerThought(recording, event);
-    if (belief) text.append(element("small", belief));
-    button.append(element("time", minutes(step / recording.rate)), text);
+    if (kinds && !kinds.includes(kind)) return;
+    const button = element("button", "", kind), item = element("li");
+    button.append(element("time", minutes(step / recording.rate)), kind === "goal" ? goalWords(recording, event) : element("span", words));
     button.dataset.step = step;
     button.addEventListener("click", () => jump(event));
     item.append(button);
@@ -118,11 +180,31 @@ function fillEvents(list, recording, withKicks, jump) {
   if (!list.children.length) list.append(element("li", "nothing happened"));
 }
 
+// Who scored for each team and when, below its name.
+function fillScorers(places, recording, jump) {
+  places.forEach((place, team) => {
+    const goals = recording.events.filter(([, kind, whose]) => kind === "goal" && whose === team);
+    for (const scorer of new Set(goals.map(([, , , r]) => r))) {
+      const own = scorer >= 0 && recording.robots[scorer][0] !== team;
+      const line = element("span", scorer < 0 ? "?" : `${recording.name(scorer)}${own ? ", own goal" : ""}`);
+      for (const event of goals.filter(([, , , r]) => r === scorer)) {
+        const button = element("button", minutes(event[0] / recording.rate));
+        button.addEventListener("click", () => jump(event));
+        line.append(" ", button);
+      }
+      place.append(line);
+    }
+  });
+}
+
 function markEvents(list, time) {
   let now = null;
   for (const button of list.querySelectorAll("button")) {
     button.classList.remove("now");
     if (Number(button.dataset.step) <= time) now = button;
   }
-  if (now) now.classList.add("now");
+  if (!now) return;
+  now.classList.add("now");
+  if (list.dataset.now !== now.dataset.step && list.scrollHeight > list.clientHeight) list.scrollTop = now.offsetTop - 4;
+  list.dataset.now = now.dataset.step;
 }
