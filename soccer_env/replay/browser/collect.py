@@ -57,9 +57,6 @@ def collect(
         last = match.robots[0].copy()
         if note is not None:
             note(1)
-    tables = {"places": pack(np.stack(rows))} | ({} if notes is None else {"thoughts": pack(flat(notes.numbers))})
-    pulls = fields.about()
-    tables |= {} if pulls is None else {"fields": fields.packed()}
     return {
         **about(match, replay),
         "every": every,
@@ -67,15 +64,25 @@ def collect(
         "columns": {"general": GENERAL, "each": EACH, "states": STATES},
         "events": stories.events,
         "shown": None if flags is None or not flags.any else {**asdict(flags), "robot": flags.agent},
-        "thoughts": None if notes is None else {"steps": notes.steps.tolist(), **noted(notes)},
-        "fields": pulls,
-        "tables": tables,
+        "thoughts": None if notes is None else noted(notes),
+        "fields": fields.about() if fields.any else None,
+        "tables": tables_of(rows, notes, fields),
     }
 
 
+def tables_of(rows: list[np.ndarray], notes: Notes | None, fields: Fields) -> dict[str, str]:
+    """Return the tables that there are, packed."""
+    tables = {"places": pack(np.stack(rows))}
+    if notes is not None:
+        tables["thoughts"] = pack(flat(notes.numbers))
+    if fields.any:
+        tables["fields"] = fields.packed()
+    return tables
+
+
 def noted(notes: Notes) -> dict[str, Any]:
-    """Return what the columns of the table of thoughts are."""
-    about = {"slots": notes.slots, "fields": notes.fields, "groups": notes.groups}
+    """Return when thoughts were noted, and what the columns of their table are."""
+    about = {"steps": notes.steps.tolist(), "slots": notes.slots, "fields": notes.fields, "groups": notes.groups}
     return about | {"table": TABLE, "track": TRACK, "sees": SEES}
 
 

@@ -63,10 +63,13 @@ class Fields:
             return np.zeros(len(self._points), np.uint8)
         return coded(forces_at(self._cast, shot, row, thought, target, self._points))
 
-    def about(self) -> dict[str, Any] | None:
-        """Return what the bytes mean, None where nobody computes forces."""
-        if not any(frame.any() for frames in self._frames.values() for frame in frames):
-            return None
+    @property
+    def any(self) -> bool:
+        """Tell whether a force acts on anybody in any frame."""
+        return any(frame.any() for frames in self._frames.values() for frame in frames)
+
+    def about(self) -> dict[str, Any]:
+        """Return what the bytes mean."""
         return {
             "across": ACROSS,
             "up": len(self._points) // ACROSS,
