@@ -24,7 +24,8 @@ class OverlayFlags(Checked):
     sight: bool = False
     """What its camera sees: the field of view, and the blobs or sightings in it."""
     field: bool = False
-    """The potential field that its team computes from what it believes, as arrows."""
+    """The potential field that its team computes from what it believes, as arrows. Pages keep it once a second
+    of all robots, and for 36 kB a minute more five times a second of the one that is named."""
     path: bool = False
     """The path that it plans, and the one that it has travelled."""
     roles: bool = False
