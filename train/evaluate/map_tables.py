@@ -10,7 +10,8 @@ from soccer_env.statistics.maps import OUTCOMES
 
 SIDES = ("for", "against")
 THIRDS = ("in its own third", "in the middle third", "in the opponents' third")
-MOST_PASSES = 5  # shown of a team
+MOST_PASSES = 5  # shown of a player
+MOST_PAIRS = 12  # of players, shown of both teams
 
 
 def map_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
@@ -41,6 +42,16 @@ def player_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
         ours, theirs = (player_words(players, passes, number) for players, passes in teams)
         rows.append((f"{number}", ours, theirs))
     return rows
+
+
+def pass_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
+    """Return rows of from whom to whom, and the completed passes of the first and second team: the most, and all."""
+    teams = [np.array(maps[f"passes_{side}"]) for side in SIDES]
+    counts = {(a, b): [int(one[a, b]) if max(a, b) < len(one) else 0 for one in teams]
+              for a, b in np.ndindex(*np.max([one.shape for one in teams], axis=0).tolist())}  # fmt: skip
+    shown = sorted((pair for pair in counts if any(counts[pair])), key=lambda pair: (-sum(counts[pair]), pair))
+    rows = [(f"{a} to {b}", *map(str, counts[a, b])) for a, b in shown[:MOST_PAIRS]]
+    return [*rows, ("all", *(f"{one.sum()}" for one in teams))]  # type: ignore[list-item]
 
 
 def player_words(players: np.ndarray, passes: np.ndarray, number: int) -> str:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
+from soccer_env.train.evaluate.map_pictures import checked
+from soccer_env.train.evaluate.map_tables import map_rows, pass_rows
 from soccer_env.train.evaluate.report import PAIRS_SHOWN, conditions_rows, needed, rows, sentence
 from soccer_env.train.evaluate.results import EvaluationResult, pair_means
 from soccer_env.train.evaluate.statistics import goal_rows, play_rows
 from soccer_env.train.keeping import Kept
 from soccer_env.train.plots import MISSING, can_draw, draw_bars, draw_curves
+from soccer_env.train.plots.pitch_maps import draw_network, draw_presence, draw_shots
 from soccer_env.train.report_pages import ReportPage
 from soccer_env.train.report_pages.replays import add_replays
 from soccer_env.train.statistics import paired_bootstrap
@@ -37,6 +40,7 @@ def page_of(result: EvaluationResult, about: dict[str, str], kept: Sequence[Kept
         )
         page.heading("How goals fell")
         page.table(head, goal_rows(result.statistics))
+    add_maps(page, result, head)
     page.section("Conditions")
     page.say("This command plays what is missing and writes this report again:")
     page.command(about.get("command", ""))
@@ -53,6 +57,22 @@ def add_figures(page: ReportPage, result: EvaluationResult) -> None:
     for make in FIGURE_MAKERS:
         for drawn in make(result):
             page.figure(*drawn)
+
+
+def add_maps(page: ReportPage, result: EvaluationResult, head: tuple[str, str, str]) -> None:
+    """Add where things happened: tables, and pictures if they can be drawn; nothing if lines lack it."""
+    if not result.maps:
+        return
+    page.section("Where it happened")
+    if can_draw() and "pitch" in result.maps:
+        maps = checked(result.maps, (result.conditions.home, result.conditions.away))
+        for draw, caption in MAPS:
+            page.figure(draw(maps, form="svg"), caption)
+    page.table(head, map_rows(result.maps))
+    page.heading("Completed passes")
+    page.table(("from, to", *head[1:]), pass_rows(result.maps))
+    page.say("Players are numbered from 0, the goalkeeper.")
+    page.say("`soccer export result.json --maps --out maps.png` draws these as one picture.")
 
 
 def add_matches(page: ReportPage, result: EvaluationResult) -> None:
@@ -108,4 +128,10 @@ def draw_mean(result: EvaluationResult) -> Iterator[Drawn]:
     yield draw_curves(figure, form="svg"), "How sure the mean has become: what the first pairs alone would have said."
 
 
+MAPS = (
+    (draw_presence, "Where robots and the ball were; each team attacks to the right, the ball is seen with the first."),
+    (draw_network, "Mean places of players, and completed passes from one to another. Discs that would hide each other "
+     "are moved apart."),
+    (draw_shots, "From where shots were taken, and what became of them; each team attacks to the right."),
+)  # fmt: skip
 FIGURE_MAKERS: list[FigureMaker] = [draw_differences, draw_mean]  # pictures of the page, in order

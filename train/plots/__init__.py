@@ -8,6 +8,7 @@ curves.py       curves with intervals: learning, robustness, error against range
 bars.py         counts as bars
 intervals.py    what was measured beside what was asked for, each on its own scale
 heat_table.py   a table of numbers with coloured cells, as of teams against teams
+pitch_maps.py   heat maps, pass networks and shot maps           spread.py   discs, moved apart
 
 Each `draw_...` takes `form="png"`, or "svg" for a page: SVG takes its colours from the page, light or dark. Matplotlib
 is imported with the first picture; without it that is an ImportError that says what to install.

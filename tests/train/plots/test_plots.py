@@ -3,16 +3,29 @@
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from typing import Any
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
 from soccer_env.train.plots import MISSING, draw_bars, draw_curves, draw_heat_table, draw_intervals
 from soccer_env.train.plots.intervals import Row
-from soccer_env.train.plots.style import COLOURS, LINES, MARKERS, for_page
+from soccer_env.train.plots.pitch_maps import LONGEST, Maps, cut, draw_network, draw_presence, draw_shots
+from soccer_env.train.plots.spread import spread
+from soccer_env.train.plots.style import COLOURS, LINES, MARKERS, for_page, shortened
 
 pytest.importorskip("matplotlib")
+MAPS = Maps(
+    ("a", "b"),
+    {"length": 3.0, "width": 2.0, "goal_width": 0.6, "goal_depth": 0.3, "circle": 0.15, "penalty_depth": 0.5,
+     "penalty_width": 1.0, "goal_area_depth": 0.2, "goal_area_width": 0.8},
+    dict.fromkeys(("for", "against", "ball"), np.arange(384.0).reshape(16, 24)),
+    dict.fromkeys(("for", "against"), np.array([[-1.0, 0.0, 1.0], [2.0, 1.0, 4.0], [2.0, 1.0, 4.0], [0.0, 0.0, 0.0]])),
+    dict.fromkeys(("for", "against"), np.array([[0, 3, 0, 0], [1, 0, 2, 0], [0, 0, 0, 0], [0, 0, 0, 0]])),
+    {"for": [("goal", 1.2, 0.1), ("off_target", 0.5, -0.2)], "against": []},
+)  # fmt: skip
 NAME = r"$\frac{</script>&$"  # of a team: bad mathematics, and markup
 
 
@@ -27,6 +40,9 @@ PICTURES = {
     "bands": lambda form: draw_curves(curves(("a", "b"), 40), form=form),
     "bars": lambda form: draw_bars(NAME, "goals", "matches", [(NAME, [0, 1], [3, 4])], ("mean", 0.5, 0, 1), form=form),
     "intervals": lambda form: draw_intervals(NAME, [Row(NAME, "3 %", 3.0, 2.0, float("inf"), least=1.0)], form=form),
+    "presence": lambda form: draw_presence(replace(MAPS, teams=(NAME, "b")), form=form),
+    "network": lambda form: draw_network(replace(MAPS, teams=(NAME, "b")), form=form),
+    "shots": lambda form: draw_shots(replace(MAPS, teams=(NAME, "b")), form=form),
     "table": lambda form: draw_heat_table(NAME, [NAME, "b"], ["c"], [[None], [-1.0]], "x", "y", form=form),
 }
 
@@ -71,3 +87,20 @@ def test_no_matplotlib_no_picture_but_a_word() -> None:
     )
     found = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert found.stdout.strip() == MISSING
+
+
+def test_discs_in_one_place_are_moved_apart_and_others_left() -> None:
+    places = np.array([[-1.0, 0.0], *[[0.5, 0.1]] * 10])
+    moved = spread(places, 0.2)
+    apart = np.hypot(*(moved[:, None] - moved).transpose(2, 0, 1)) + np.eye(11)
+    assert apart.min() > 0.19 and (moved[0] == places[0]).all() and np.abs(moved - places).max() < 0.8
+    assert (spread(places, 0.2) == moved).all()
+
+
+def test_a_name_is_cut_to_what_fits_over_a_pitch() -> None:
+    assert cut("chaser") == "chaser" and len(cut("x" * 80)) == LONGEST
+
+
+def test_lines_of_a_path_lose_letters_and_digits_and_curves_keep_theirs() -> None:
+    path = "M 1.23456 2 \nL 3 4.5678 \nL 5 6 \nz\nM 1 2 \nQ 3 4 5 6 \nL 7 8.125\n"
+    assert shortened(path) == "M 1.23 2 3 4.56 5 6 z M 1 2 Q 3 4 5 6 L 7 8.12"

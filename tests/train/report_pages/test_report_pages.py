@@ -74,7 +74,18 @@ def test_a_page_names_nothing_outside_itself(evaluated: Path) -> None:
 def test_a_report_says_what_was_run_and_links_what_was_kept(evaluated: Path) -> None:
     text = (evaluated / "report.html").read_text(encoding="utf-8")
     assert "soccer evaluate --league legged-2001 --home chaser --away still --matches 6" in text
-    for words in ("95 % interval", "numba", "settings hash", "Goal differences of 6 matches", "kB a minute"):
+    for words in (
+        "95 % interval",
+        "numba",
+        "settings hash",
+        "Goal differences of 6 matches",
+        "kB a minute",
+        "Where it happened",
+        "chaser: 0 passes",
+        "share of the time",
+        "shots: off target",
+        "Completed passes",
+    ):
         assert words in text
     links = re.findall(r'href="(replays/[^"]+)"', text)
     assert len(links) == 2 and all((evaluated / name).is_file() for name in links)
@@ -84,7 +95,12 @@ def test_without_matplotlib_a_report_has_its_tables_and_says_so(monkeypatch: pyt
     result = evaluate(EvaluateSettings(home="still", away="still", matches=2, minutes=0.05, players=1))
     monkeypatch.setattr("soccer_env.train.evaluate.page.can_draw", lambda: False)
     text = page_of(result, {"command": EVIL})
-    assert "pip install &quot;soccer_env[plot]&quot;" in text and "<svg" not in text and "<table" in text
+    assert "pip install &quot;soccer_env[plot]&quot;" in text and "<svg" not in text and "shots: off target" in text
+
+
+def test_pictures_of_maps_leave_a_page_small(evaluated: Path) -> None:
+    figures = re.findall("<figure>.*?</figure>", (evaluated / "report.html").read_text(encoding="utf-8"), re.DOTALL)
+    assert len(figures) == 5 and sum(map(len, figures)) < 150_000 and not any("<image" in one for one in figures)
 
 
 def test_columns_of_numbers_are_told_from_words() -> None:
@@ -108,7 +124,7 @@ def test_columns_of_numbers_are_told_from_words() -> None:
 def test_a_report_opens_without_an_error_or_a_request(browser: Chromium, evaluated: Path) -> None:
     browser.open(evaluated / "report.html")
     assert browser.run("document.title") == "chaser against still"
-    assert browser.run("document.querySelectorAll('figure svg').length") == 2
+    assert browser.run("document.querySelectorAll('figure svg').length") == 5
     assert browser.run("document.documentElement.scrollWidth") == 390  # nothing sticks out
     assert browser.errors == []
     assert [url for url in browser.requests if not url.startswith(("file:", "data:"))] == []
