@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.physics.gait import TIPS, most_swing, paw_offset, stance
+from soccer_env.physics.gait import LEGS, TIPS, most_swing, paw_offset, stance
 
 
 @compiled
@@ -59,6 +59,21 @@ def paw_out(k, leg, spread, handedness):
         return 0.0, 0.0
     side = handedness if leg == 0 else -handedness
     return spread * (k.block_paw_x - k.body_tip_x), side * spread * (k.block_paw_y - k.body_tip_y)
+
+
+@compiled
+def paws_off_stance(robots, k, handedness, paws):
+    """Write how far the paws of robots (R,) are off their stance [m], by their stroke and by a block, into (R, 4, 2).
+
+    Left fore, right fore, left hind, right hind, in a mirrored match as well, where legs are numbered the other way.
+    """
+    for r in range(robots.shape[0]):
+        spread = spread_of(robots[r], k, 0.0)
+        for leg in range(LEGS):
+            x, y = paw_offset(robots[r], k, leg, handedness)
+            out_x, out_y = paw_out(k, leg, spread, handedness)
+            place = leg if handedness > 0.0 else leg ^ 1
+            paws[r, place, 0], paws[r, place, 1] = x + out_x, y + out_y
 
 
 @compiled

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import importlib
 import os
-from collections.abc import Sequence
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from math import hypot
 from typing import TYPE_CHECKING
 
@@ -14,6 +16,8 @@ if TYPE_CHECKING:
     import pygame
 
 FACTOR = 2  # how much too large
+RED_FIRST = (0xFF, 0xFF00, 0xFF0000, 0) if sys.byteorder == "little" else (0xFF0000, 0xFF00, 0xFF, 0)
+PIECE = 8  # lines of a path that are shrunk as one
 LETTERS_KEPT = 1024  # rendered words in memory
 LEAST_SHRINK = 0.5  # [1] letters are not made smaller than this, to fit
 FAR = 100_000.0  # [px] nothing is drawn farther out, SDL counts in 32-bit integers
@@ -38,6 +42,13 @@ def new_surface(width: int, height: int, glass: bool = False) -> pygame.Surface:
     import pygame
 
     return pygame.Surface((width, height), pygame.SRCALPHA if glass else 0, 32)
+
+
+def packed_surface(width: int, height: int) -> pygame.Surface:
+    """Return a surface of three bytes a pixel, red first: blitting onto it is the fastest way to an array."""
+    import pygame
+
+    return pygame.Surface((width, height), 0, 24, masks=RED_FIRST)
 
 
 class Letters:
@@ -86,6 +97,14 @@ class Canvas:
         self._touched: list[pygame.Rect] = []
         self._stale: list[pygame.Rect] = []  # touched in the frame before
 
+    @contextmanager
+    def as_one(self) -> Iterator[None]:
+        """Shrink what is drawn inside as one part: for things that lie near each other."""
+        before = len(self._touched)
+        yield
+        if len(self._touched) > before + 1:
+            self._touched[before:] = [self._touched[before].unionall(self._touched[before + 1 :])]
+
     def fill(self, colour: Colour) -> None:
         """Paint everything."""
         self._touched = [self.large.fill(colour)]
@@ -116,6 +135,11 @@ class Canvas:
 
     def stroke(self, start: Point, end: Point, width: float, colour: Colour) -> None:
         """Draw a straight line with round ends."""
+        self._bar(start, end, width, colour)
+        for point in (start, end):
+            self.disc(point, width / 2, colour)
+
+    def _bar(self, start: Point, end: Point, width: float, colour: Colour) -> None:
         away = hypot(end[0] - start[0], end[1] - start[1])
         if away > 0.0 and max(map(abs, (*start, *end))) < FAR:
             x, y = (end[0] - start[0]) / away * width / 2, (end[1] - start[1]) / away * width / 2
@@ -128,8 +152,18 @@ class Canvas:
                 ],
                 colour,
             )
-        for point in (start, end):
-            self.disc(point, width / 2, colour)
+
+    def path(self, points: Sequence[Point], width: float, colour: Colour) -> None:
+        """Draw straight lines from point to point with round joints and ends: as `stroke` does, each joint once."""
+        if len(points) < 2:
+            return
+        for at in range(0, len(points) - 1, PIECE):
+            with self.as_one():
+                piece = points[at : at + PIECE + 1]
+                for start, end in zip(piece, piece[1:]):
+                    self._bar(start, end, width, colour)
+                for point in piece[at > 0 :]:
+                    self.disc(point, width / 2, colour)
 
     def box(self, left: float, top: float, width: float, height: float, colour: Colour, rounding: float = 0.0) -> None:
         """Fill a rectangle, with round corners if asked."""
@@ -164,11 +198,9 @@ class Canvas:
 
     def polygons(self, shapes: Sequence[tuple[Sequence[Point], Colour]]) -> None:
         """Fill many small polygons that lie near each other: what they touch is shrunk as one."""
-        import pygame
-
-        rects = [pygame.draw.polygon(self.large, tint, [enlarge(point) for point in shape]) for shape, tint in shapes]
-        if rects:
-            self._touched.append(rects[0].unionall(rects[1:]))
+        with self.as_one():
+            for shape, tint in shapes:
+                self.polygon(shape, tint)
 
     def stamp(self, image: pygame.Surface, centre: Point) -> None:
         """Put an image of the large size with its middle at a place, alpha blended."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
-from soccer_env.render.canvas import Canvas, Point, new_surface, require_pygame
+from soccer_env.render.canvas import Canvas, Point, new_surface, packed_surface, require_pygame
 from soccer_env.render.colours import TEAM_NAMES
 from soccer_env.render.header import Header, height_of, story_of
 from soccer_env.render.overlays import Overlay
@@ -40,6 +40,7 @@ class Picture:
         self.header_height = height_of(self.width)
         self.height = self.header_height + pitch_height
         self._screen = new_surface(self.width, self.height)
+        self._packed = packed_surface(self.width, self.height)
         self._canvas = Canvas(self._screen.subsurface((0, self.header_height, self.width, pitch_height)))
         self._header = Header(Canvas(self._screen.subsurface((0, 0, self.width, self.header_height))), self.league)
         self._ground = Ground(self.league.pitch, self.view, self._canvas)
@@ -89,10 +90,8 @@ class Picture:
         self._canvas.shrink()
 
     def _pixels(self) -> np.ndarray:
-        import pygame
-
-        pixels = bytearray(pygame.image.tobytes(self._screen, "RGB"))
-        return np.frombuffer(pixels, np.uint8).reshape(self.height, self.width, 3)
+        self._packed.blit(self._screen, (0, 0))
+        return np.asarray(self._packed.get_view("3")).transpose(1, 0, 2).copy()
 
 
 def one_line(name: object) -> str:

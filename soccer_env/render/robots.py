@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import ceil, cos, hypot, sin
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -10,8 +11,8 @@ import numpy as np
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.robot import Body
-from soccer_env.physics.block import paw_out, spread_of
-from soccer_env.physics.gait import LEGS, TIPS, paw_offset
+from soccer_env.physics.block import paws_off_stance
+from soccer_env.physics.gait import LEGS, TIPS
 from soccer_env.render import colours
 from soccer_env.render.canvas import FACTOR, Canvas, Point, new_surface
 from soccer_env.render.colours import Colour
@@ -65,17 +66,15 @@ def figures_of(robots: np.ndarray, league: League, handedness: float = 1.0) -> l
     rows = zip(*(robots[name].tolist() for name in Figure._fields[:-1]))
     if not league.body.legs:
         return [Figure(*row) for row in rows]
-    k = constants_of(league)[0]
-    legs = range(LEGS) if handedness > 0.0 else [leg ^ 1 for leg in range(LEGS)]  # numbered the other way round
-    paws = [tuple(off_stance(robot, k, leg, handedness) for leg in legs) for robot in robots]
-    return [Figure(*row)._replace(paws=swung) for row, swung in zip(rows, paws, strict=True)]
+    paws = np.zeros((len(robots), LEGS, 2))
+    paws_off_stance(robots, numbers_of(league)[0], handedness, paws)
+    return [Figure(*row, tuple(map(tuple, legs))) for row, legs in zip(rows, paws.tolist(), strict=True)]
 
 
-def off_stance(robot: np.void, k: np.void, leg: int, handedness: float) -> Point:
-    """Return how far a paw is off its stance [m], by its stroke and by a block."""
-    x, y = paw_offset(robot, k, leg, handedness)
-    out_x, out_y = paw_out(k, leg, spread_of(robot, k, 0.0), handedness)
-    return x + out_x, y + out_y
+@lru_cache(maxsize=8)
+def numbers_of(league: League) -> np.ndarray:
+    """Return the constants of a league, made once."""
+    return constants_of(league)
 
 
 class Part(NamedTuple):
@@ -155,11 +154,12 @@ class Players:
             x, y = self.view.pixel(figure.x, figure.y)
             self.canvas.stamp(self.shadow, (x + 1.5, y + 2.5))
         for figure in playing:
-            if self.walks:
-                self._draw_walker(figure)
-            else:
-                self._draw_base(figure)
-            self._draw_number(figure)
+            with self.canvas.as_one():
+                if self.walks:
+                    self._draw_walker(figure)
+                else:
+                    self._draw_base(figure)
+                self._draw_number(figure)
         for figure in playing:
             self._draw_marks(figure)
 

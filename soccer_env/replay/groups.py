@@ -65,6 +65,8 @@ def group_columns(match: Match, groups: list[Group]) -> np.ndarray:
     """Return the columns (R, C) of all robots of the first match, not yet whole numbers."""
     rows = len(match.agents)
     known: dict[str, np.ndarray] = {}
+    if not groups:
+        return np.zeros((rows, 0))
     if match.batch.senses is not None:
         percepts = match.batch.senses.percepts[0]
         legged = "infrared" in (percepts.dtype.names or ())
@@ -74,7 +76,7 @@ def group_columns(match: Match, groups: list[Group]) -> np.ndarray:
     if any(name == "plan" for name, _, _ in groups):
         known["plan"] = plans(match)
     parts = [known[name][:, :count].reshape(rows, -1) for name, count, _ in groups]
-    return np.concatenate(parts, axis=1) if parts else np.zeros((rows, 0))
+    return np.concatenate(parts, axis=1)
 
 
 def of_head_camera(percepts: np.ndarray) -> dict[str, np.ndarray]:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from soccer_env.replay.groups import Group
+from soccer_env.replay.groups import Group, width_of
 from soccer_env.replay.thoughts import CENTI, MILLI, SEES, TABLE, TRACK, Notes, Thoughts
 
 NEVER = 300.0  # [s] a ball that was not seen for longer is not believed to be anywhere
@@ -57,6 +57,17 @@ class Reader:
         """Return the reader of notes that are taken, or that were read from a file."""
         return Reader(notes.slots, notes.fields, notes.groups)
 
+    def thinks(self, row: np.ndarray) -> np.ndarray:
+        """Return which robots believe anything (R,), out of a note (R, C)."""
+        found: np.ndarray = (row[:, TABLE.index("sees")] & SEES["thinks"]) != 0
+        return found
+
+    def memory(self, row: np.ndarray, r: int) -> tuple[tuple[str, ...], dict[str, float]]:
+        """Return the words for what robot r does, and other numbers of its memory, out of a note (R, C)."""
+        first = len(TABLE) + len(TRACK) * self.slots + width_of(self.groups)
+        memory = zip(self.fields[r], row[r, first:].tolist(), strict=False)
+        return said([(path, known, value / step) for (path, known, step), value in memory])
+
     def thought(self, row: np.ndarray, r: int) -> Thought:
         """Return what robot r thought, out of a note (R, C)."""
         numbers = row[r].tolist()
@@ -69,8 +80,7 @@ class Reader:
             size = count * len(parts)
             groups[name] = np.array(numbers[at : at + size]).reshape(count, len(parts))
             at += size
-        memory = zip(self.fields[r], numbers[at:], strict=False)
-        words, rest = said([(path, known, value / step) for (path, known, step), value in memory])
+        words, rest = self.memory(row, r)
         age = of["ball_age"] / CENTI
         return Thought(
             knows=bool(of["sees"] & SEES["thinks"]),

@@ -34,14 +34,15 @@ class Thoughts:
     """Notes of one match, taken every `every` control steps.
 
     `shown` maps fields of the teams' memories to the words for their values, () for a plain number; None: what each
-    team explains of itself, and of one that does not all whole numbers that its memory has.
+    team explains of itself, and of one that does not all whole numbers that its memory has. `grouped=False` leaves
+    out what cameras delivered and what is planned (see `groups`), which takes most of the time.
     """
 
-    def __init__(self, match: Match, shown: Mapping[str, tuple[str, ...]] | None = None) -> None:
+    def __init__(self, match: Match, shown: Mapping[str, tuple[str, ...]] | None = None, grouped: bool = True) -> None:
         self.every = max(1, match.league.control_rate // PER_SECOND)
         self.slots = int(match.tracks.shape[2]) if thinks(match) else 0
         self.fields = [fields_of(match, r, shown) for r in range(len(match.agents))]
-        self.groups = groups_of(match) if self.slots else []
+        self.groups = groups_of(match) if self.slots and grouped else []
         self.steps: list[int] = []
         self.rows: list[np.ndarray] = []  # each (R, C) int16
 

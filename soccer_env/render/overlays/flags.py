@@ -48,6 +48,11 @@ class OverlayFlags(Checked):
         return any(getattr(self, name) for name in FLAGS)
 
     @property
+    def need_groups(self) -> bool:
+        """Tell whether what cameras delivered and robots plan is to be shown: `replay.groups`."""
+        return self.sight or self.field or self.path or self.infrared
+
+    @property
     def agent(self) -> str | None:
         """Return the agent that is asked for, None for whoever is nearest to the ball."""
         found = NUMBERED.fullmatch(self.robot)

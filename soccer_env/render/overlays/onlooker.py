@@ -32,7 +32,7 @@ class Onlooker:
 
     def __init__(self, match: Match, overlays: OverlayFlags | Mapping[str, Any] | str | None) -> None:
         self.flags = flags_of(overlays)
-        self._thoughts = Thoughts(match) if self.flags.any else None
+        self._thoughts = Thoughts(match, grouped=self.flags.need_groups) if self.flags.any else None
         reads = self._thoughts is not None and self._thoughts.slots > 0
         self._cast = cast_of(match, Reader.of(self._thoughts) if reads and self._thoughts is not None else None)
         self._past: deque[Shot] = past_of(self._cast)

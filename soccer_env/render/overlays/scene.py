@@ -107,8 +107,11 @@ class Cast:
 
     def thinkers(self, shot: Shot) -> np.ndarray:
         """Return who believes anything (R,); everybody if nobody does."""
-        found = np.array([(one := self.thought(shot, r)) is not None and one.knows for r in range(len(shot.robots))])
-        return found if found.any() else np.ones(len(found), bool)
+        everybody = np.ones(len(shot.robots), bool)
+        if self.reader is None or shot.note is None:
+            return everybody
+        found = self.reader.thinks(shot.note)
+        return found if found.any() else everybody
 
 
 def cast_of(match: Match, reader: Reader | None) -> Cast:

@@ -73,8 +73,7 @@ class Polyline:
         places = [view.pixel(x, y) for x, y in pairs("Polyline.xy", self.xy)]
         if self.closed and places:
             places.append(places[0])
-        for start, end in zip(places, places[1:]):
-            canvas.stroke(start, end, self.width, self.colour)
+        canvas.path(places, self.width, self.colour)
 
 
 @dataclass(frozen=True, eq=False)

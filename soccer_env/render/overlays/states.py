@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import cos, sin
 from typing import TYPE_CHECKING
@@ -13,7 +14,6 @@ from soccer_env.render.overlays.scene import Cast, Shot
 from soccer_env.render.overlays.shapes import Label, Overlay, Points, Polyline
 from soccer_env.render.view import View
 from soccer_env.replay.groups import CENTI
-from soccer_env.replay.thought import Thought
 
 if TYPE_CHECKING:
     from soccer_env.render.overlays.layers import Look
@@ -55,26 +55,27 @@ def roles(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
     """Return the words of every robot whose team tells what it does; amber for one that gets itself free."""
     tags: list[tuple[tuple[float, float], str, Colour]] = []
     for row, robot in enumerate(shot.robots):
-        thought = cast.thought(shot, row)
-        if not robot["active"] or thought is None:
+        if not robot["active"] or cast.reader is None or shot.note is None:
             continue
-        words, recovers = words_of(thought, bool(robot["keeper"]), bool(robot["fallen"] > 0.0))
+        words, recovers = words_of(
+            *cast.reader.memory(shot.note, row), bool(robot["keeper"]), bool(robot["fallen"] > 0.0)
+        )
         if words:
             tint = AMBER if recovers else TEAMS_LIGHT[int(robot["team"])]
             tags.append(((float(robot["x"]), float(robot["y"])), words, tint))
     return [Tags(tuple(tags), 1.1 * cast.league.body.reach, letters(unit))] if tags else []
 
 
-def words_of(thought: Thought, keeper: bool, fallen: bool) -> tuple[str, bool]:
-    """Return what a robot does, in words, and whether it gets itself free."""
-    words = [word for word in thought.words if not (keeper and word in FIELD_ROLES)]
+def words_of(said: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, fallen: bool) -> tuple[str, bool]:
+    """Return what a robot does, in words, and whether it gets itself free; `said`, `numbers` as in `Thought`."""
+    words = [word for word in said if not (keeper and word in FIELD_ROLES)]
     words = [word for word in words if not any(other != word and other.startswith(word) for other in words)]
-    if not words and "rank" in thought.numbers:
-        words = ["goalkeeper" if keeper else FIELD_ROLES[min(1, int(thought.numbers["rank"]))]]
-    words += [word for name, word in COUNTED.items() if thought.numbers.get(name, 0.0) > 0.0]
+    if not words and "rank" in numbers:
+        words = ["goalkeeper" if keeper else FIELD_ROLES[min(1, int(numbers["rank"]))]]
+    words += [word for name, word in COUNTED.items() if numbers.get(name, 0.0) > 0.0]
     recovers = any(word in RECOVERIES or word in COUNTED.values() for word in words)
-    if recovers and thought.numbers.get("tries", 0.0) > 0.0:
-        words.append(f"try {thought.numbers['tries']:.0f}")
+    if recovers and numbers.get("tries", 0.0) > 0.0:
+        words.append(f"try {numbers['tries']:.0f}")
     return ", ".join(["fallen", *words] if fallen else words), recovers or fallen
 
 

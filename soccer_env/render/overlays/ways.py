@@ -55,11 +55,14 @@ def ball_trail(past: Sequence[Shot], shot: Shot, rate: float, unit: float) -> li
 
 def latest(past: Sequence[Shot], shot: Shot, steps: float) -> list[Shot]:
     """Return the shots of the last control steps, this one the last; none from before the match began anew."""
-    found = [shot]
+    found, now = [shot], step_of(shot)
+    before = now
     for one in reversed(past):
-        if step_of(shot) - step_of(one) > steps or step_of(one) >= step_of(found[-1]):
+        step = step_of(one)
+        if now - step > steps or step >= before:
             break
         found.append(one)
+        before = step
     return found[::-1]
 
 
