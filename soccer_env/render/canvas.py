@@ -10,6 +10,8 @@ from contextlib import contextmanager
 from math import hypot
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from soccer_env.render.colours import Colour
 
 if TYPE_CHECKING:
@@ -94,6 +96,7 @@ class Canvas:
         self.large = new_surface(self.width * FACTOR, self.height * FACTOR)
         self.letters = Letters()
         self._background: pygame.Surface | None = None
+        self._pane: pygame.Surface | None = None  # what `glass` is drawn on
         self._touched: list[pygame.Rect] = []
         self._stale: list[pygame.Rect] = []  # touched in the frame before
 
@@ -196,11 +199,15 @@ class Canvas:
         """Return how wide words are at a size [px]."""
         return self.letters.word(words, max(6, round(size * FACTOR)), (255, 255, 255)).get_width() / FACTOR
 
-    def polygons(self, shapes: Sequence[tuple[Sequence[Point], Colour]]) -> None:
-        """Fill many small polygons that lie near each other: what they touch is shrunk as one."""
+    def polygons(self, corners: np.ndarray, tints: Sequence[Colour]) -> None:
+        """Fill many polygons of as many corners (N, K, 2), which lie near each other, each in its colour."""
+        import pygame
+
+        large = (np.clip(corners, -FAR, FAR) * FACTOR).tolist()
         with self.as_one():
-            for shape, tint in shapes:
-                self.polygon(shape, tint)
+            self._touched += [
+                pygame.draw.polygon(self.large, tint, shape) for shape, tint in zip(large, tints, strict=True)
+            ]
 
     def stamp(self, image: pygame.Surface, centre: Point) -> None:
         """Put an image of the large size with its middle at a place, alpha blended."""
@@ -218,9 +225,11 @@ class Canvas:
         high = int(min(bottom, self.large.get_height()) - top) + 2
         if wide <= 2 or high <= 2:
             return
-        pane = new_surface(wide, high, glass=True)
-        pygame.draw.polygon(pane, (*colour, alpha), [(x - left, y - top) for x, y in large])
-        self._touched.append(self.large.blit(pane, (left, top)))
+        if self._pane is None:
+            self._pane = new_surface(*(side + 2 for side in self.large.get_size()), glass=True)
+        area = self._pane.fill((0, 0, 0, 0), (0, 0, wide, high))
+        pygame.draw.polygon(self._pane, (*colour, alpha), [(x - left, y - top) for x, y in large])
+        self._touched.append(self.large.blit(self._pane, (left, top), area))
 
     def keep(self) -> None:
         """Make what is on the canvas its background."""

@@ -134,8 +134,7 @@ class ArrowGrid:
         tints = np.rint(
             np.array(self.weak) + np.outer(np.asarray(self.shares, float), np.subtract(self.strong, self.weak))
         )
-        corners = np.stack(rims, axis=1).tolist()
-        canvas.polygons(list(zip(corners, map(tuple, tints.astype(int).tolist()), strict=True)))
+        canvas.polygons(np.stack(rims, axis=1), tints.astype(int).tolist())
 
 
 @dataclass(frozen=True, eq=False)
