@@ -32,7 +32,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
 
     Its settings are the fields of `VectorArguments`, `help(SoccerVectorEnv.__init__)` explains them. Infos are
     Gymnasium's: an array for each key of `SoloSoccer`'s, and a mask `_key` of the matches that have it. In nested ones
-    "score" is (num_envs, 2), "statistics" are of episodes that have just ended (with SameStep in "final_info").
+    "score" is (num_envs, 2), "statistics" and "maps" are of episodes that have just ended (SameStep: in "final_info").
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"]}

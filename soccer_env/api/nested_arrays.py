@@ -13,6 +13,7 @@ import numpy as np
 from soccer_env.api.report import NO_EVENTS, PHASES, Report, side_of
 from soccer_env.match import Match
 from soccer_env.statistics.figures import numbers_of
+from soccer_env.statistics.maps import maps_of
 from soccer_env.types import QUIET
 
 
@@ -66,11 +67,20 @@ class NestedArrays:
         return found
 
     def ended(self, ended: np.ndarray) -> dict[str, Any]:
-        """Return the statistics of the matches that ended (M,), from the learner's side; zeros elsewhere."""
+        """Return statistics (M,) and maps of the matches that ended, from the learner's side; 0 and None elsewhere."""
         numbers = numbers_of(self._match.statistics, self._team)
         masked = {name: np.where(ended, values, 0) for name, values in numbers.items()}
         both = {key: item for name, values in masked.items() for key, item in ((name, values), (f"_{name}", ended))}
-        return {"statistics": both, "_statistics": ended}
+        return {"statistics": both, "_statistics": ended, "maps": self._maps(ended), "_maps": ended}
+
+    def _maps(self, ended: np.ndarray) -> dict[str, Any]:
+        """Return the maps of the matches that ended, lists in arrays (M,) of objects, each with its mask."""
+        found: dict[str, Any] = {}
+        for m in np.flatnonzero(ended).tolist():
+            for name, value in maps_of(self._match.statistics[m], self._team, self._match.settings.rows).items():
+                found.setdefault(name, np.full(len(ended), None, object))[m] = value
+                found[f"_{name}"] = ended
+        return found
 
     def last(self, index: int) -> dict[str, Any]:
         """Return the robot's last info of an episode that ended, a row of `match.final`."""

@@ -36,8 +36,6 @@ ROLLING = Scene("rolling", "the ball rolls towards away's goal", roll_the_ball, 
 
 def same_infos(mine, theirs):
     """Compare infos key by key; Gymnasium puts scores, which are tuples, into arrays of objects."""
-    absent = {"maps", "_maps"} - mine.keys()  # with NextStep `match.final` has the maps
-    theirs = {key: value for key, value in theirs.items() if key not in absent}
     assert mine.keys() == theirs.keys()
     for key, value in theirs.items():
         if key == "score":
@@ -134,6 +132,20 @@ def test_the_last_observation_and_info_of_an_episode_are_kept_in_same_step_mode(
     assert all((values == 0.0).all() for name, values in infos.items() if name.startswith("reward_"))
     assert not np.array_equal(observations[1], last)
     assert np.array_equal(observations[1], solo.reset()[0])
+
+
+@pytest.mark.parametrize("agent", ["home_1", "away_0"])
+def test_nested_infos_of_an_episode_that_ended_have_its_maps_in_either_mode(agent):
+    given = {"infos": "nested", "max_cycles": 9, "agent": agent, "scene": ROLLING}
+    following, same = make_many(2, autoreset_mode="NextStep", **given), make_many(2, autoreset_mode="SameStep", **given)
+    following.reset(seed=[1, 2]), same.reset(seed=[1, 2])
+    for step in range(9):
+        infos, others = (envs.step(np.full((2, 4), 0.5, np.float32))[4] for envs in (following, same))
+        assert ("maps" in infos) == (step == 8)
+    maps, expected = infos["maps"], others["final_info"]["maps"]
+    assert infos["_maps"].all() and maps.keys() == expected.keys() >= {"heat_ball", "passes_for", "shots_against"}
+    assert all(np.array_equal(maps[name], values) for name, values in expected.items())
+    assert np.sum(maps["heat_ball"][0]) > 0
 
 
 def test_what_the_vector_env_returns_is_the_callers_to_change():

@@ -234,6 +234,6 @@ def test_an_env_draws_them_and_without_flags_nothing_is_asked(monkeypatch: pytes
         env.step({"home_0": np.zeros(4, np.float32)})
         frames.append(env.render())
     assert not np.array_equal(*frames)
-    monkeypatch.setattr(Thoughts, "look", None)
     match = played("legged-2001")[0]
+    monkeypatch.setattr(Thoughts, "look", None)
     assert Onlooker(match, None).see(match, 480) == []
