@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from soccer_env.data_out.collect import Collected, collect
@@ -30,7 +30,7 @@ def export_data(settings: ExportSettings) -> list[Path]:
     if kind in TABLES:
         targets = list(paths_of(settings.out).values())
     elif settings.file.is_dir():
-        targets = [settings.out.with_name(f"{settings.out.stem}_{flat(name)}{kind}") for name in sources]
+        targets = targets_of(settings.out, sources)
     else:
         targets = [settings.out]
     check_free(targets, settings.anew)
@@ -54,9 +54,15 @@ def replays_of(path: Path) -> dict[str, Path]:
     return found
 
 
-def flat(name: str) -> str:
-    """Return the name of a match as a part of a file's name."""
-    return name.replace("/", "_")
+def targets_of(out: Path, sources: Iterable[str]) -> list[Path]:
+    """Return a file beside `out` for each match of a folder, NAME_MATCH; ValueError where two would be one."""
+    found: dict[Path, str] = {}
+    for name in sources:
+        target = out.with_name(f"{out.stem}_{name.replace('/', '_')}{out.suffix}")
+        if target in found:
+            raise ValueError(f"{found[target]} and {name} would both be written to {target}; export them one by one")
+        found[target] = name
+    return list(found)
 
 
 def collected(sources: dict[str, Path], bar: Progress) -> Iterator[Collected]:

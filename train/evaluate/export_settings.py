@@ -36,9 +36,9 @@ class ExportSettings(OverlayFlags, CommandSettings):
     }
 
     file: tyro.conf.Positional[Path]
-    """The replay file, nothing in it is executed; for data also a folder of them, for maps also a result.json."""
+    """The replay file, nothing in it is executed, or a folder of them; for maps also a result.json."""
     out: Path = Path("match.html")
-    """The file to write; its ending says what it is. Of a folder, .xml and .cdf are written once for each match."""
+    """The file to write; its ending says what it is. Of a folder all but tables are one file a match, NAME_MATCH."""
     maps: bool = False
     """Draw heat maps, pass networks and shot maps, into .png, .svg or .pdf."""
     anew: bool = False

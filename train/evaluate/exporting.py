@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import fields, replace
 
 from soccer_env.render import save_png
 from soccer_env.render.overlays.flags import OverlayFlags, part_of_flags
@@ -30,9 +30,28 @@ def export(settings: ExportSettings) -> str:
         targets = data_exports.export_data(settings)
         total = sum(data_exports.size_of(path) for path in targets)
         return f"{', '.join(str(path) for path in targets)}, {total / 1e6:.2f} MB"
+    if settings.file.is_dir():
+        return export_each(settings)
     check_target(settings.out)
     if settings.out.exists() and not settings.anew:
         raise ValueError(f"{settings.out} exists already; give another --out, or --anew to write over it")
+    return export_one(settings, kind)
+
+
+def export_each(settings: ExportSettings) -> str:
+    """Write a film, page or picture of every replay below a folder; return how many there are, in words."""
+    sources = data_exports.replays_of(settings.file)
+    targets = data_exports.targets_of(settings.out, sources)
+    check_target(targets[0])
+    data_exports.check_free(targets, settings.anew)
+    for source, target in zip(sources.values(), targets, strict=True):
+        export_one(replace(settings, file=source, out=target), settings.out.suffix.lower())
+    total = sum(target.stat().st_size for target in targets)
+    return f"{', '.join(str(path) for path in targets)}, {total / 1e6:.2f} MB"
+
+
+def export_one(settings: ExportSettings, kind: str) -> str:
+    """Write a film, page or picture of one replay; return its name and size in words."""
     if settings.maps:
         return str(export_maps(settings.file, settings.out))
     replay = Replay.read(settings.file)
