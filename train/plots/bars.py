@@ -20,7 +20,9 @@ def draw_bars(
     top = max((count for _, _, counts in groups for count in counts), default=1.0)
     styles = zip(groups, COLOURS, HATCHES, strict=False)
     for (name, places, counts), colour, hatch in styles:
-        axes.bar(places, counts, 0.82, color=colour + "55", edgecolor=colour, hatch=hatch, linewidth=1.2, label=name)
+        axes.bar(places, counts, 0.82, color=colour + "55")
+        look = {"color": "none", "edgecolor": colour, "hatch": hatch, "linewidth": 1.2}
+        axes.bar(places, counts, 0.82, label=name, **look)  # by itself: in an SVG a hatch is as pale as what it is on
     if mark is not None:
         words, value, low, high = mark
         height = top * (MARGIN - 0.05)

@@ -22,7 +22,7 @@ INK, DIM, LINE = "#171b22", "#5c6675", "#d6dae1"  # text; what is beside the poi
 COLOURS = ("#1f4e9c", "#c4541a", "#0f7a43", "#8a3fa0", "#766200", "#b3263c")  # each as dark as print needs
 MARKERS = ("o", "s", "^", "v", "D", "P")
 LINES = ("-", "--", "-.", ":", (0, (5, 1)), (0, (3, 1, 1, 1, 1, 1)))
-HATCHES = ("", "////", "----", "xxxx", "\\\\\\\\", "++++")
+HATCHES = ("", "///", "---", "xxx", "\\\\\\", "+++")
 VARIABLES = {INK: "--ink", DIM: "--dim", LINE: "--line", "#ffffff": "--panel"} | {
     colour: f"--c{number}" for number, colour in enumerate(COLOURS, 1)
 }  # of a page's style, by which an SVG is drawn in its colours
@@ -118,6 +118,7 @@ def for_page(svg: bytes, name: str) -> str:
     """Return an SVG as a part of a page: its colours are the page's, and its ids begin with `name`."""
     text = svg.decode()
     text = re.sub(r'(?<= d=")[^"]+', lambda found: shortened(found[0]), text[text.index("<svg") :])
+    text = re.sub(r'(<rect [^>]*) fill="(#\w{6})"', r'\1 style="fill: \2"', text)  # where variables hold
     text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
     text = re.sub(r'\bid="', f'id="{name}-', text)
     text = re.sub(r'href="#', f'href="#{name}-', text).replace("url(#", f"url(#{name}-")

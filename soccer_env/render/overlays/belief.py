@@ -15,6 +15,7 @@ from soccer_env.render.robots import parts_of
 from soccer_env.replay.thought import Thought
 
 JUST_SEEN = 0.5  # [s] what was seen so lately is not marked with its age
+WHOLE = 1.95  # [s] from which an age is told in whole seconds: a point is lost in small pictures
 DEVIATIONS = 2.0  # of the cloud that its ellipse goes round
 CORNERS = np.linspace(0.0, 2.0 * pi, 33)[:-1]
 
@@ -33,7 +34,7 @@ def believed(cast: Cast, shot: Shot, row: int, thought: Thought, unit: float) ->
         found.append(Points([(player.x, player.y)], TEAMS_LIGHT[team], ring_of(cast.league, unit), hollow=True))
         if player.age >= JUST_SEEN:
             away = (13.0 * unit, -13.0 * unit)
-            words = f"{player.age:.0f} s" if player.age >= 9.5 else f"{player.age:.1f} s"
+            words = f"{player.age:.0f} s" if player.age >= WHOLE else f"{player.age:.1f} s"
             found.append(Label((player.x, player.y), words, TEAMS_LIGHT[team], letters(unit), away, "left"))
     if thought.ball is not None:
         found.append(Polyline([(float(shot.ball["x"]), float(shot.ball["y"])), thought.ball], BALL_SHINE, 1.6 * unit))

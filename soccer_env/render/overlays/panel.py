@@ -89,6 +89,9 @@ class CameraPicture:
         for start, end in zip(corners, corners[1:] + corners[:1], strict=True):
             canvas.stroke(start, end, 1.2, DIM)
         tall = 0.8 * letters(self.look.unit)
+        canvas.glass(
+            [(left, top), (left + wide, top), (left + wide, top + 1.2 * tall), (left, top + 1.2 * tall)], INK, SHADE
+        )
         canvas.text(f"camera of {self.look.name}", (left + 3.0, top + 0.6 * tall), tall, WHITE, "left", wide - 6.0)
 
     def _corner(self, canvas: Canvas, view: View, wide: float, high: float) -> tuple[float, float]:

@@ -164,9 +164,11 @@ class Label:
     under: bool = False
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
-        """Write the words."""
+        """Write the words, none for a place outside the picture."""
         ((x, y),) = pairs("Label.xy", [self.xy])
         column, row = view.pixel(x, y)
+        if not (0.0 <= column <= canvas.width and 0.0 <= row <= canvas.height):
+            return
         column, row = column + self.away[0], row + self.away[1]
         rim = max(1.0, self.size / 14.0)
         for right, down in ((-rim, 0.0), (rim, 0.0), (0.0, -rim), (0.0, rim)):

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from soccer_env.render.overlays.layers import Look
 
 BEAM: Colour = (255, 84, 150)
+READING: Colour = (255, 186, 214)  # of a beam: words in its own colour cannot be read on blue
 FIELD_ROLES = ("attacker", "supporter")
 RECOVERIES = ("back", "sidestep", "rotate")  # behaviours of a robot that is stuck
 COUNTED = {"detour": "goes round", "wriggle": "wriggles", "back_off": "backs off"}  # [s] left of such a recovery
@@ -26,7 +27,7 @@ COUNTED = {"detour": "goes round", "wriggle": "wriggles", "back_off": "backs off
 
 @dataclass(frozen=True, eq=False)
 class Tags:
-    """Words under robots, or above them or farther down where others stand there already."""
+    """Words under robots or places, or above them or farther off where others stand there already."""
 
     tags: tuple[tuple[tuple[float, float], str, Colour], ...]  # place of a robot [m], words, colour
     away: float  # [m] from a robot's middle to its words
@@ -82,6 +83,7 @@ def words_of(said: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, 
 def beams(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
     """Return the beam of every ranger that reads something, as long as it reads, along the camera's axis."""
     found: list[Overlay] = []
+    tags: list[tuple[tuple[float, float], str, Colour]] = []
     neck = cast.camera.neck if cast.camera is not None else 0.0
     for row, robot in enumerate(shot.robots):
         thought = cast.thought(shot, row)
@@ -93,9 +95,8 @@ def beams(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
         end = (start[0] + thought.infrared * cos(gaze), start[1] + thought.infrared * sin(gaze))
         found.append(Polyline([start, end], BEAM, 2.2 * unit))
         found.append(Points([end], BEAM, 3.6 * unit))
-        away = (8.0 * unit, -8.0 * unit)
-        found.append(Label(end, f"{thought.infrared:.2f} m", BEAM, 0.85 * letters(unit), away, "left"))
-    return found
+        tags.append((end, f"{thought.infrared:.2f} m", READING))
+    return [*found, Tags(tuple(tags), 0.5 * cast.league.body.reach, letters(unit))] if tags else []
 
 
 def mark_of_picked(look: Look) -> Overlay:

@@ -104,3 +104,12 @@ def test_a_name_is_cut_to_what_fits_over_a_pitch() -> None:
 def test_lines_of_a_path_lose_letters_and_digits_and_curves_keep_theirs() -> None:
     path = "M 1.23456 2 \nL 3 4.5678 \nL 5 6 \nz\nM 1 2 \nQ 3 4 5 6 \nL 7 8.125\n"
     assert shortened(path) == "M 1.23 2 3 4.56 5 6 z M 1 2 Q 3 4 5 6 L 7 8.12"
+
+
+def test_a_hatch_is_drawn_in_full_colour_on_a_pale_bar() -> None:
+    groups = [("a", [0], [1]), ("b", [1], [1])]
+    svg = for_page(draw_bars("t", "x", "y", groups, form="svg"), "p1")
+    filled = re.findall(r"fill: (url\(#[^)]*\)|var\(--c2\)); (fill-opacity: 0.33)?", svg)
+    assert ("var(--c2)", "fill-opacity: 0.33") in filled
+    assert [opacity for fill, opacity in filled if fill.startswith("url")] == ["", ""], "the bar and its legend"
+    assert not re.search(r'<rect[^>]*fill="#', svg), "a page's colours reach patterns too"
