@@ -22,7 +22,8 @@ DEPTHS = np.linspace(0.12, 0.95, len(LEVELS))  # [1] of the colour
 TILE = 0.92  # [1] of a cell that is filled
 MARKS = {"goal": ("*", 90.0, 2), "saved": ("o", 30.0, 0), "blocked": ("s", 30.0, 3), "off_target": ("x", 30.0, 1)}
 BADGE = 0.062  # [1] diameter of a player's disc, of the pitch's length
-APART = 2.8  # [1] diameters between players' middles, at least: room for arrows between them
+APART = 2.8  # [1] diameters between players' middles, at least: room for arrows between them, of a few players
+FEW = 5
 LONGEST = 20  # letters of a team's name
 BEND = 0.25  # [1] of an arrow: its height over its length is half of it
 HEIGHTS = {2: 2.5, 3: 2.25}  # [inch] of a row of so many pitches
@@ -127,11 +128,12 @@ def fill_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
     """Draw players at their mean places, and arrows from player to player, the wider the more passes."""
     for one, (side, team) in zip(axes, maps.sides(), strict=True):
         players, passes = maps.players[side], maps.passes[side]
-        draw_pitch(one, maps.pitch, f"{cut(team)}: {passes.sum():g} passes")
+        draw_pitch(one, maps.pitch, f"{cut(team)}: {counted(int(passes.sum()), 'pass', 'es')}")
         present = np.flatnonzero(players[:, 2] > 0.0)
         true = players[present, :2] / players[present, 2:]
         size = BADGE * maps.pitch["length"]
-        places = dict(zip(present.tolist(), spread(true, APART * size), strict=True))
+        apart = APART * size * min(1.0, FEW / max(len(true), 1)) ** 0.5
+        places = dict(zip(present.tolist(), spread(true, apart), strict=True))
         for (x, y), place in zip(true, places.values(), strict=True):
             one.plot([x, place[0]], [y, place[1]], color=DIM, linewidth=0.8, marker="o", markevery=[0], markersize=2)
         for sender, receiver in np.argwhere(passes > 0).tolist():
@@ -173,7 +175,7 @@ def fill_shots(part: Any, axes: Sequence[Any], maps: Maps) -> None:
     """Draw a mark for each shot where the ball was played."""
     for one, (side, team) in zip(axes, maps.sides(), strict=True):
         shots = maps.shots[side]
-        draw_pitch(one, maps.pitch, f"{cut(team)}: {len(shots)} shots")
+        draw_pitch(one, maps.pitch, f"{cut(team)}: {counted(len(shots), 'shot')}")
         for outcome, (mark, size, colour) in MARKS.items():
             places = np.array([(x, y) for found, x, y in shots if found == outcome]).reshape(-1, 2)
             look = {"c": COLOURS[colour]} if mark == "x" else {"fc": COLOURS[colour] + "55", "ec": COLOURS[colour]}
@@ -210,3 +212,8 @@ def draw_pitch(axes: Any, pitch: dict[str, float], title: str) -> None:
 def cut(name: str) -> str:
     """Return a name that fits over a pitch."""
     return name if len(name) <= LONGEST else name[: LONGEST - 1] + "…"
+
+
+def counted(number: int, thing: str, plural: str = "s") -> str:
+    """Return how many there are of a thing, in words."""
+    return f"{number} {thing}{'' if number == 1 else plural}"
