@@ -13,7 +13,8 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, get_args
 
 from soccer_env.names import unknown
-from soccer_env.train.match_commands import run_export, run_record, run_replay, run_watch
+from soccer_env.train.exit_codes import BELOW, STOPPED, WRONG
+from soccer_env.train.match_commands import run_export, run_recheck, run_record, run_replay, run_watch
 from soccer_env.train.parsing import COMPLETION, completion, read_settings
 
 if TYPE_CHECKING:
@@ -21,9 +22,6 @@ if TYPE_CHECKING:
 
     from rich.console import Console
 
-WRONG = 2  # exit code: the command cannot be carried out as given
-BELOW = 1  # exit code: a result is below what was asked for
-STOPPED = 130  # exit code: interrupted from the keyboard
 WIDTH = 120  # columns of a table that does not go to a terminal
 
 SUMMARIES = {
@@ -32,7 +30,8 @@ SUMMARIES = {
     "claims",
     "bench": "measure the speed against the bare physics",
     "export": "make a film or a page for the browser of a replay file",
-    "record": "play a match into a replay file",
+    "recheck": "play a sample of an evaluation again and compare every line",
+    "record": "play a match or a drill into a replay file",
     "replay": "play a replay file again and check every step",
     "train": "train a policy",
     "reproduce": "measure what the two papers claim and say whether it holds",
@@ -117,14 +116,15 @@ def run_completion(words: list[str]) -> int:
     from soccer_env.train.evaluate.settings import EvaluateSettings
     from soccer_env.train.listing import ListSettings
     from soccer_env.train.ppo.settings import TrainSettings
+    from soccer_env.train.rechecking.settings import RecheckSettings
     from soccer_env.train.reproduce.settings import ReproduceSettings
     from soccer_env.train.warm_up import WarmUpSettings
     from soccer_env.train.watching.settings import WatchSettings
 
     kinds = {
         "evaluate": EvaluateSettings, "list": ListSettings, "bench": BenchSettings, "export": ExportSettings,
-        "record": RecordSettings, "replay": ReplaySettings, "reproduce": ReproduceSettings, "train": TrainSettings,
-        "warm-up": WarmUpSettings, "watch": WatchSettings,
+        "recheck": RecheckSettings, "record": RecordSettings, "replay": ReplaySettings, "reproduce": ReproduceSettings,
+        "train": TrainSettings, "warm-up": WarmUpSettings, "watch": WatchSettings,
     }  # fmt: skip
     shell = "".join([*words[0].split("=", 1), *words[1:]][1:2])
     print(completion(shell, kinds, SUMMARIES))
@@ -282,6 +282,7 @@ COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "list": run_list,
     "bench": run_bench,
     "export": run_export,
+    "recheck": run_recheck,
     "record": run_record,
     "replay": run_replay,
     "reproduce": run_reproduce,

@@ -26,6 +26,17 @@ def read_lines(path: Path) -> list[dict[str, Any]]:
     if not path.exists():
         return []
     content = path.read_bytes()
+    records, complete = records_in(path, content)
+    if complete < len(content):
+        os.truncate(path, complete)
+    return records
+
+
+def records_in(path: Path, content: bytes) -> tuple[list[dict[str, Any]], int]:
+    """Return the records of JSON lines, and the bytes that are whole ones; ValueError for a line that is none.
+
+    But for the last, which a crash may have torn.
+    """
     complete, records = 0, []
     lines = content.splitlines(keepends=True)
     for number, line in enumerate(lines, 1):
@@ -36,9 +47,7 @@ def read_lines(path: Path) -> list[dict[str, Any]]:
             break
         records.append(record)
         complete += len(line)
-    if complete < len(content):
-        os.truncate(path, complete)
-    return records
+    return records, complete
 
 
 def _parse(line: bytes) -> dict[str, Any] | None:

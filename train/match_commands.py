@@ -1,8 +1,19 @@
-"""`soccer record`, `replay`, `export` and `watch`, as command_line.py runs them."""
+"""`soccer record`, `replay`, `recheck`, `export` and `watch`, as command_line.py runs them."""
 
 from __future__ import annotations
 
+import json
+import sys
+from typing import TYPE_CHECKING
+
+from soccer_env.train.exit_codes import BELOW, STOPPED
 from soccer_env.train.parsing import read_settings
+
+if TYPE_CHECKING:
+    from soccer_env.train.rechecking import RecheckResult
+    from soccer_env.train.rechecking.comparing import Difference
+
+SHOWN = 12  # fields of a pair that differ
 
 
 def run_record(words: list[str]) -> int:
@@ -27,6 +38,49 @@ def run_replay(words: list[str]) -> int:
 
     print(f"{settings.file}: {play_again(settings.file)} control steps agree")
     return 0
+
+
+def run_recheck(words: list[str]) -> int:
+    """Run `soccer recheck`."""
+    from soccer_env.train.rechecking.settings import RecheckSettings
+
+    settings = read_settings(RecheckSettings, words, "recheck")
+    from soccer_env.train.rechecking import recheck
+
+    try:
+        result = recheck(settings, tell=None if settings.json else say_pair)
+    except KeyboardInterrupt:
+        print("stopped; no file was changed", file=sys.stderr)
+        return STOPPED
+    if settings.json:
+        print(json.dumps(result.as_dict(), indent=2))
+    else:
+        say_checked(result)
+    return 0 if result.agrees else BELOW
+
+
+def say_pair(pair: int, differences: list[Difference]) -> None:
+    """Print what came of a pair that was played again."""
+    print(f"pair {pair}, matches {2 * pair} and {2 * pair + 1}: {'differs' if differences else 'agrees'}")
+    for difference in differences[:SHOWN]:
+        print(f"  {difference}")
+    if len(differences) > SHOWN:
+        print(f"  and {len(differences) - SHOWN} more fields: --json names them all")
+    sys.stdout.flush()
+
+
+def say_checked(result: RecheckResult) -> None:
+    """Print what came of all pairs that were played again, and how to do the same once more."""
+    played, differing = len(result.pairs), len(result.differing)
+    drawn = f" (drawn with --pairs {played} --seed {result.seed})" if played < result.finished else ""
+    which = f"{played} of {result.finished} finished pairs played again{drawn}"
+    print(f"{result.folder}: {which}, {played - differing} agree, {differing} differ")
+    if result.result:
+        print(f"result.json does not follow from matches.jsonl: {', '.join(result.result)}")
+    elif result.result is not None:
+        print("result.json follows from matches.jsonl")
+    for other in result.made_otherwise:
+        print(f"made otherwise, so that lines may differ: {other}")
 
 
 def run_export(words: list[str]) -> int:

@@ -3,7 +3,7 @@
 settings.py        what the command line asks for, and the conditions that follow   play_settings.py   of record, watch
 evaluation.py      `evaluate`: the matches that a folder lacks are played, the result of all is returned
 contest.py         the matches: pairs from the same seeds with sides swapped, many at once
-results.py         one line for each match; the result that follows from the lines
+results.py         one line for each match; the result that follows from the lines     line_checks.py   are they sound?
 statistics.py      statistics of play: of a line, totals with intervals, tables
 map_tables.py      where things happened, as tables of a report
 report.py          the result in Markdown and on the screen

@@ -6,7 +6,7 @@ The seed says which side kicks off first: in a pair each team does so once.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from threading import Event
@@ -95,14 +95,22 @@ def play_matches(
     once. `advance` is called from all threads, with the control steps that were done, over all matches.
     """
     conditions = contest.conditions
+    play_batches(contest, batches(conditions.matches, done, threads), settings, threads, take, advance)
+
+
+def play_batches(
+    contest: Contest, batches: Iterable[list[int]], settings: str, threads: int,
+    take: Callable[[list[MatchLine]], None], advance: Callable[[float], None],
+) -> None:  # fmt: skip
+    """Play batches of matches, the first team on the same side in all of one; `take` gets their lines in order."""
     compiled = all(isinstance(make_team(team), CompiledTeam) for team in (contest.first, contest.second))
     at_once = threads if compiled else 1
-    seeds = seeds_for(conditions.seed, conditions.matches // 2).tolist()
+    seeds = seeds_for(contest.conditions.seed, contest.conditions.matches // 2).tolist()
     stopped = Event()
     with ThreadPoolExecutor(at_once) as pool:
         jobs = [
             pool.submit(play, contest, batch, seeds, settings, threads // at_once, advance, stopped)
-            for batch in batches(conditions.matches, done, threads)
+            for batch in batches
         ]
         try:
             for job in jobs:

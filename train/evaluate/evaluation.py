@@ -17,6 +17,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.teams import Team
 from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
+from soccer_env.train.evaluate.line_checks import check_line
 from soccer_env.train.evaluate.page import page_of
 from soccer_env.train.evaluate.report import markdown
 from soccer_env.train.evaluate.results import EVALUATION, MATCHES, EvaluationResult, MatchLine, summarise
@@ -60,6 +61,8 @@ def play_missing(contest: Contest, folder: ResultsFolder, threads: int) -> list[
     """Play every match that the folder lacks; return the lines of all."""
     conditions = contest.conditions
     found = list(folder.results(MATCHES, MatchLine, "match").values())
+    for line in found:
+        check_line(line, conditions.players)
     done = {line.match for line in found}
     steps = conditions.minutes * 60.0 * contest.league.control_rate  # of a match
     with Progress(f"{conditions.home} against {conditions.away}", steps * (conditions.matches - len(done))) as progress:

@@ -1,0 +1,131 @@
+"""Play a sample of an evaluation again and compare: what differs is named, and nothing is written."""
+
+from __future__ import annotations
+
+import json
+import secrets
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from soccer_env.checking import brief
+from soccer_env.leagues.league import League
+from soccer_env.teams import Team
+from soccer_env.train.evaluate.contest import BATCH, Contest, play_batches
+from soccer_env.train.evaluate.line_checks import check_line
+from soccer_env.train.evaluate.results import MatchLine, summarise
+from soccer_env.train.evaluate.settings import Conditions
+from soccer_env.train.progress import Progress
+from soccer_env.train.provenance import settings_hash
+from soccer_env.train.rechecking.comparing import Difference, differences
+from soccer_env.train.rechecking.contest import same_contest
+from soccer_env.train.rechecking.folder import Found, read_folder, read_result
+from soccer_env.train.rechecking.settings import ALL, RecheckSettings
+
+RESULT = "result.json"
+Tell = Callable[[int, list[Difference]], None]
+
+
+@dataclass(frozen=True)
+class RecheckResult:
+    """What came of playing a sample of an evaluation again."""
+
+    folder: str
+    finished: int  # pairs that the folder tells of
+    seed: int  # of the draw
+    pairs: tuple[int, ...]  # that were played again, sorted
+    differences: tuple[Difference, ...]
+    result: tuple[str, ...] | None  # fields of result.json that do not follow from all lines; None: not looked at
+    made_otherwise: tuple[str, ...]  # versions that differ from those that made the folder: why lines may differ
+
+    @property
+    def agrees(self) -> bool:
+        """Tell whether nothing differs."""
+        return not self.differences and not self.result
+
+    @property
+    def differing(self) -> tuple[int, ...]:
+        """Return the pairs that differ."""
+        return tuple(sorted({difference.pair for difference in self.differences}))
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return this for programs."""
+        return {"agrees": self.agrees, "differing": list(self.differing), **asdict(self)}
+
+
+def recheck(
+    settings: RecheckSettings, *, league: League | None = None, teams: Mapping[str, Team] | None = None,
+    tell: Tell | None = None,
+) -> RecheckResult:  # fmt: skip
+    """Play a random sample of an evaluation's finished pairs again and compare every line bit for bit.
+
+    `league` and `teams` are what `evaluate` was given; `tell` gets each pair with its differences as it is done.
+    Raises ValueError for a folder without a finished pair, and for a contest that cannot be made again.
+    """
+    found = read_folder(settings.folder)
+    contest, made_otherwise = same_contest(found, settings, league, teams or {})
+    seed = secrets.randbits(32) if settings.seed is None else settings.seed
+    pairs = sample(found.pairs, settings.pairs, seed)
+    if not pairs:
+        raise ValueError(f"{settings.folder} has no finished pair yet")
+    differing = compare(found, contest, pairs, settings.threads, tell or (lambda pair, found: None))
+    follows = None if made_otherwise else unlike_result(found, contest)
+    return RecheckResult(
+        str(settings.folder), len(found.pairs), seed, tuple(pairs), tuple(differing), follows, tuple(made_otherwise)
+    )
+
+
+def sample(pairs: Sequence[int], count: int | str, seed: int) -> list[int]:
+    """Return so many of the pairs at random, sorted; all if there are no more."""
+    if count == ALL or int(count) >= len(pairs):
+        return list(pairs)
+    drawn = np.random.default_rng(seed).choice(np.array(pairs), int(count), replace=False)
+    return sorted(drawn.tolist())
+
+
+def compare(found: Found, contest: Contest, pairs: Sequence[int], threads: int, tell: Tell) -> list[Difference]:
+    """Play pairs again; return what differs, by match. `tell` gets each pair once both of its matches are played."""
+    differing: dict[int, list[Difference]] = {}
+    steps = sum(max(0, found.lines[number]["steps"]) for pair in pairs for number in (2 * pair, 2 * pair + 1))
+    size = -(-len(pairs) // max(-(-len(pairs) // BATCH), (threads + 1) // 2))
+    batches = [
+        [2 * pair + side for pair in pairs[first : first + size]]
+        for first in range(0, len(pairs), size)
+        for side in (0, 1)
+    ]
+    with Progress(f"{len(pairs)} pairs of {found.path.name} again", steps) as progress:
+
+        def take(lines: list[MatchLine]) -> None:
+            for line in lines:
+                differing[line.match] = differences(found.lines[line.match], asdict(line))
+                if line.match % 2:  # the second match of a pair comes after the first
+                    tell(line.pair, differing[line.match - 1] + differing[line.match])
+
+        play_batches(
+            contest, batches, settings_hash(found.conditions, found.made_with), threads, take, progress.advance
+        )
+    return [difference for number in sorted(differing) for difference in differing[number]]
+
+
+def unlike_result(found: Found, contest: Contest) -> tuple[str, ...] | None:
+    """Return the fields of a folder's result.json that do not follow from its lines.
+
+    None if the evaluation is not finished, or if the file of a finished one is not there.
+    """
+    there = read_result(found.path / RESULT)
+    if there is None or len(found.lines) < found.conditions["matches"]:
+        return None
+    asked = {**found.conditions, "players": tuple(found.conditions["players"])}
+    conditions = Conditions(**{**asked, "senses": tuple(found.conditions["senses"])})
+    lines = [MatchLine(**record) for record in found.lines.values()]
+    try:
+        for line in lines:
+            check_line(line, conditions.players)
+    except ValueError as error:
+        return (f"all of it, for {error}",)
+    result = summarise(conditions, found.made_with, lines, contest.league.pitch).as_dict()
+    again = json.loads(json.dumps(result))
+    names = dict.fromkeys([*there, *again])
+    return tuple(brief(name) for name in names if json.dumps(there.get(name)) != json.dumps(again.get(name)))
