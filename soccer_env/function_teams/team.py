@@ -31,7 +31,7 @@ PLACES: list[Any] = [
 OWN = "own"  # the field of the memory that is the function's
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class FunctionTeam:
     """A function of observations as a team; `team_of_function` makes one and explains the fields.
 
@@ -47,6 +47,15 @@ class FunctionTeam:
     at_once: bool
     fingerprint: str
 
+    def __repr__(self) -> str:
+        """Return its name, what it observes, and what was asked of it otherwise than by default."""
+        asked: dict[str, Any] = {"observe": self.observe if isinstance(self.observe, str) else kind_of(self.observe)}
+        asked |= {"action_repeat": self.action_repeat} if self.action_repeat != 1 else {}
+        asked |= {"memory": str(self.memory)} if self.memory is not None else {}
+        asked |= {"flat": True} if self.flat else {}
+        asked |= {"at_once": False} if not self.at_once else {}
+        return f"FunctionTeam({', '.join([repr(self.name), *(f'{name}={value!r}' for name, value in asked.items())])})"
+
     @property
     def memory_dtype(self) -> np.dtype[Any]:
         """Return the record of a player: its decision, how long that is kept, and what the function remembers."""
@@ -55,7 +64,7 @@ class FunctionTeam:
     @property
     def settings(self) -> np.ndarray:
         """Return what a save has to agree with, as bytes."""
-        seen = self.observe if isinstance(self.observe, str) else type(self.observe).__qualname__
+        seen = self.observe if isinstance(self.observe, str) else kind_of(self.observe)
         text = f"{seen} {self.action_repeat} {self.at_once} {self.flat} {self.fingerprint}"
         return np.frombuffer(text.encode(), np.uint8)
 
@@ -123,6 +132,11 @@ def team_of_function(
         one_of("at_once", at_once, (True, False)),
         check_text("fingerprint", fingerprint, 0),
     )
+
+
+def kind_of(observe: Observation) -> str:
+    """Return what an object of observations is called: its class."""
+    return type(observe).__qualname__
 
 
 def check_observe(observe: Any) -> None:

@@ -4,9 +4,10 @@ import sys
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 
-from soccer_env import Match, make_team
+from soccer_env import Match, make_team, team_of_function
 from soccer_env.api.report import Screen
 from soccer_env.leagues import find_league
 
@@ -41,6 +42,18 @@ def test_what_cannot_be_drawn_is_shown_in_words(monkeypatch: pytest.MonkeyPatch,
 )
 def test_a_team_is_shown_by_what_was_asked_of_it(team: str, shown: str) -> None:
     assert repr(make_team(team)) == shown
+
+
+def test_a_team_of_a_function_shows_what_was_asked_of_it() -> None:
+    """And no function, no dtype's inside and no default."""
+
+    def walk(observations: np.ndarray, memory: np.ndarray | None = None) -> np.ndarray:
+        return np.zeros((*observations.shape[:2], 4))
+
+    assert repr(team_of_function(walk)) == "FunctionTeam('walk', observe='belief')"
+    asked = team_of_function(walk, observe="truth", action_repeat=4, memory=("f4", (64,)), flat=True, name="mine")
+    words = "observe='truth', action_repeat=4, memory=\"('<f4', (64,))\", flat=True"
+    assert repr(asked) == f"FunctionTeam('mine', {words})"
 
 
 def test_a_league_is_shown_by_its_size_and_told_in_full_by_every_number() -> None:
