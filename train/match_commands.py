@@ -21,11 +21,15 @@ def run_record(words: list[str]) -> int:
     from soccer_env.train.evaluate.play_settings import RecordSettings
 
     settings = read_settings(RecordSettings, words, "record")
-    from soccer_env.train.evaluate.recording import record
+    from soccer_env.leagues import find_league
+    from soccer_env.train.evaluate.recording import record_with_outcome
 
-    replay = record(settings)
-    rate = settings.out.stat().st_size / 1e3 / max(settings.minutes, 1e-9)
+    replay, outcome = record_with_outcome(settings)
+    minutes = len(replay) / find_league(settings.league).control_rate / 60.0
+    rate = settings.out.stat().st_size / 1e3 / max(minutes, 1e-9)
     print(f"written: {settings.out}, {len(replay)} control steps, {rate:.0f} kB a minute")
+    if outcome:
+        print(f"drill {settings.scene}: {outcome}")
     return 0
 
 

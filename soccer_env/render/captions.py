@@ -34,7 +34,7 @@ def half_words(match: np.void) -> str:
     """Return which half it is and how long it takes."""
     length = float(match["half_length"])
     if not isfinite(length):
-        return "no time limit"
+        return "no halves"
     minutes = f"{length / 60.0:g} min" if length % 30.0 == 0.0 else f"{length:g} s"
     return f"{('1st', '2nd')[min(max(int(match['half']), 0), 1)]} half, {minutes}"
 

@@ -62,7 +62,7 @@ def test_the_clock_counts_minutes_and_seconds(seconds, words):
 def test_the_half_is_named():
     assert half_words(make_match(half_length=600.0)) == "1st half, 10 min"
     assert half_words(make_match(half_length=450.0, half=1)) == "2nd half, 7.5 min"
-    assert half_words(make_match(half_length=np.inf)) == "no time limit"
+    assert half_words(make_match(half_length=np.inf)) == "no halves"
 
 
 def test_possession_names_the_robot_that_has_the_ball():

@@ -13,22 +13,29 @@ from soccer_env.train.written_settings import CommandSettings, split_players
 
 @dataclass(frozen=True)
 class PlaySettings(CommandSettings):
-    """A match between two teams."""
+    """A match or a drill between two teams."""
 
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
-    home: str = "chaser"
-    """The team that plays at home: a name of `soccer list teams`, or NAME@STRENGTH."""
-    away: str = "chaser"
-    """The team that plays away."""
-    minutes: float = 1.0
-    """Minutes of play, both halves together."""
+    scene: str = "kick-off"
+    """How it begins; `soccer list scenes` names them. A drill ends as it is decided, or when its time is up."""
+    episode: Literal["match", "goal", "drill"] | None = None
+    """What ends it: the clock of a match, its first goal, or the test of a drill; None for that of the
+    scene, if it is a drill."""
+    home: str | None = None
+    """The team that plays at home: a name of `soccer list teams`, or NAME@STRENGTH; None for chaser, or
+    the one that the scene is meant for."""
+    away: str | None = None
+    """The team that plays away, in the same way."""
+    minutes: float | None = None
+    """Minutes of play, both halves together; None for 1. A drill has a limit of its own."""
     players: int | str | None = None
-    """Players a side, 1 to 11; 3v5 gives home 3 and away 5; None for the league's own number."""
+    """Players a side, 1 to 11; 3v5 gives home 3 and away 5; None for the league's own number, or the drill's."""
     seed: int = 0
     """Seed of the match, 0 or more."""
-    rules: str = "league"
-    """Which rules are called: league, simple or none; league:pushing=False,holding_time=5 changes one by name."""
+    rules: str | None = None
+    """Which rules are called: league, simple or none; league:pushing=False,holding_time=5 changes one by name. None for
+    the league's, or those of the drill."""
     placement: Literal["instant", "drive"] = "instant"
     """How robots reach their places at a restart."""
     senses: Literal["sensors", "ideal"] = "sensors"
@@ -43,7 +50,7 @@ class PlaySettings(CommandSettings):
 
 @dataclass(frozen=True)
 class RecordSettings(PlaySettings):
-    """Play a match and write it to a replay file."""
+    """Play a match or a drill and write it to a replay file."""
 
     out: Path = Path("match.replay")
     """The file to write."""

@@ -3,50 +3,72 @@
 from __future__ import annotations
 
 import os
+from math import isfinite
 from pathlib import Path
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.replay import Recorder, Replay, Thoughts
+from soccer_env.scenes import find_scene
+from soccer_env.train.casting import Cast, cast_of, sizes_of
 from soccer_env.train.evaluate.play_settings import PlaySettings, RecordSettings
 from soccer_env.train.progress import Progress
 from soccer_env.train.written_settings import split_players
 
+MINUTES = 1.0  # of a match whose length nobody says
+OUTCOMES = {1: "success", -1: "failure", 0: "out of time"}  # of a drill
 NOTE_EVERY = 50  # control steps between two movements of the progress bar
 
 
-def start(settings: PlaySettings) -> Match:
-    """Return the match at its kick-off."""
-    home, away = split_players(settings.players, find_league(settings.league).team_size)
-    return Match(
-        settings.league,
-        home=home,
-        away=away,
-        controllers={"home": settings.home, "away": settings.away},
-        minutes=settings.minutes,
+def start(settings: PlaySettings) -> tuple[Match, Cast]:
+    """Return the match at its start, and who plays it; ValueError for what the scene does not allow."""
+    scene, league = find_scene(settings.scene), find_league(settings.league)
+    is_drill = scene.success != "none"
+    episode = settings.episode or ("drill" if is_drill else "match")
+    if episode == "drill" and is_drill and not isfinite(scene.time_limit):
+        raise ValueError(f"drill {scene.name!r} might never end: give it a time_limit, or --episode match")
+    sizes = sizes_of(scene) if is_drill else (league.team_size, league.team_size)
+    if settings.players is not None:
+        sizes = split_players(settings.players, 1)
+    scene.check(league, *sizes)
+    cast = cast_of(scene, sizes, settings.home, settings.away)
+    match = Match(
+        league,
+        home=sizes[0],
+        away=sizes[1],
+        controllers=cast.controllers,
+        minutes=MINUTES if settings.minutes is None and episode != "drill" else settings.minutes,
         seed=settings.seed,
         rules=settings.rules,
         placement=settings.placement,
         senses=settings.senses,
         pose=settings.pose,
+        scene=scene,
+        episode=episode,
     )
+    return match, cast
 
 
 def record(settings: RecordSettings) -> Replay:
     """Play a match, write its replay file and return it; a path that cannot be written is refused before the match."""
+    return record_with_outcome(settings)[0]
+
+
+def record_with_outcome(settings: RecordSettings) -> tuple[Replay, str]:
+    """Record and return what came of a drill as well: success, failure, out of time; "" of a match."""
     check_target(settings.out)
-    match = start(settings)
+    match, cast = start(settings)
     recorder = Recorder(match, Thoughts(match, shown_of_memory()))
-    with Progress(
-        f"{settings.home} against {settings.away}", 60.0 * settings.minutes * match.league.control_rate
-    ) as bar:
-        while not match.terminated.all():
+    with Progress(" against ".join(cast.names), match.settings.episode_limit or 0) as bar:
+        while not (match.terminated | match.truncated).all():
             match.step()
             if match.matches["step"][0] % NOTE_EVERY == 0:
                 bar.advance(NOTE_EVERY)
     replay = recorder.stop()
     replay.write(settings.out)
-    return replay
+    outcome = OUTCOMES[int(match.events["drill"][0])] if match.settings.episode == "drill" else ""
+    match.close()
+    return replay, outcome
 
 
 def shown_of_memory() -> dict[str, tuple[str, ...]]:

@@ -10,6 +10,7 @@ import numpy as np
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.scenes import SCENES, Scene
+from soccer_env.train.casting import controllers_of, sizes_of
 from soccer_env.train.statistics import wilson_interval
 
 SEED, RUNS = 1, 400  # 400 runs of a share of a half: +-5 %
@@ -18,7 +19,6 @@ TEAMS = {
     "legged-2001": (*FIXED, "chaser", "sacks-2001", "sacks-2001-tuned", "sacks-2001-future", "learned"),
     "middle-size-2006": (*FIXED, "chaser", "weigel-2001", "heinemann-2006"),
 }
-SAVES = "away saves"  # of a drill that away's goalkeeper has to do
 
 
 def drills_of(league: str) -> Iterator[Scene]:
@@ -29,18 +29,9 @@ def drills_of(league: str) -> Iterator[Scene]:
             yield scene
 
 
-def controllers_of(scene: Scene, team: str) -> dict[str, str]:
-    """Return who plays a drill for a team: away's goalkeeper a save, home's robot everything else."""
-    if scene.success == SAVES:
-        return {"home": "still", "away": team}
-    opponents = scene.opponents or ("still",)
-    return {"home": team} | {f"away_{number}": name for number, name in enumerate(opponents)}
-
-
 def run_drill(league: str, scene: Scene, team: str, runs: int, seed: int = SEED, threads: int = 2) -> int:
     """Play a drill by sensors under its own rules; return how many runs succeed."""
-    home = 1 if scene.success == SAVES else scene.players
-    away = 2 if scene.success == SAVES else max(len(scene.opponents), 1)  # a team of one has no goalkeeper
+    home, away = sizes_of(scene)
     match = Match(
         league, home=home, away=away, matches=runs, seed=seed, threads=threads, scene=scene, episode="drill",
         controllers=controllers_of(scene, team), senses="sensors",

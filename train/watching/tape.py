@@ -62,7 +62,7 @@ def live(match: Match, thoughts: Thoughts | None = None) -> Iterator[Shot]:
         if thoughts is not None and thoughts.slots and step % thoughts.every == 0:
             note = thoughts.look(match)
         yield shot_of(match, note)
-        if match.terminated.all():
+        if (match.terminated | match.truncated).all():
             return
         match.step()
         step += 1

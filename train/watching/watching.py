@@ -32,8 +32,8 @@ def watch(settings: WatchSettings) -> None:
         tape = Tape(reel.shots(), stride)
     else:
         check_display()
-        match = start(settings)
-        teams, stride = (settings.home, settings.away), 1
+        match, played = start(settings)
+        teams, stride = played.names, 1
         thoughts = Thoughts(match)
         cast = cast_of(match, Reader.of(thoughts) if thoughts.slots else None)
         tape = Tape(live(match, thoughts), stride)

@@ -12,7 +12,7 @@ from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, sett
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.scenes import SCENES
-from soccer_env.train.tables.drills import controllers_of
+from soccer_env.train.casting import controllers_of
 from soccer_env.types import COMMAND, Phase
 from tests.scenes.staging import MIDDLE
 

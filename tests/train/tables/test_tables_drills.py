@@ -2,7 +2,8 @@
 
 from soccer_env.scenes import SCENES
 from soccer_env.teams import make_team
-from soccer_env.train.tables.drills import TEAMS, controllers_of, drills_of, drills_table, run_drill
+from soccer_env.train.casting import controllers_of
+from soccer_env.train.tables.drills import TEAMS, drills_of, drills_table, run_drill
 
 
 def test_every_drill_is_played_in_every_league_that_it_is_for() -> None:
