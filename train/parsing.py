@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import contextlib
 import io
+import re
 from collections.abc import Callable, Mapping
-from dataclasses import fields
+from dataclasses import MISSING, fields
+from pathlib import Path
 from typing import Annotated, Any, TypeVar, Union
 
 from soccer_env.checking import brief
@@ -17,6 +19,11 @@ from soccer_env.names import unknown
 
 T = TypeVar("T")
 SHELLS = ("bash", "zsh", "fish")
+AUTOLOADED_OR_SOURCED = r"""if [[ $zsh_eval_context[-1] == (loadautofunc|shfunc) ]]; then
+  \1 "$@"
+else
+  compdef \1 soccer
+fi"""
 COMPLETION = ("--print-completion", "--tyro-print-completion")  # flags of `soccer` itself; the second is tyro's own
 
 
@@ -90,12 +97,18 @@ def wrong_value(flag: str, kind: Callable[..., Any], words: list[str]) -> str:
     value = words[at[-1]].partition("=")[2] or "".join(words[at[-1] + 1 : at[-1] + 2])
     name = flag.removeprefix("--").replace("-", "_")
     try:
-        kind(**{name: value})
+        kind(**{**required(kind), name: value})
     except ValueError as error:
         return f"{error}".replace(name, flag, 1) if f"{error}".startswith(name) else f"{flag} {brief(value)}: {error}"
     except TypeError:  # settings that cannot be made from one alone
         pass
     return ""
+
+
+def required(kind: Any) -> dict[str, Path]:
+    """Return a value for each field of a settings dataclass that has to be given: they are all paths."""
+    defaults = {field.name: (field.default, field.default_factory) for field in fields(kind)}
+    return {name: Path() for name, default in defaults.items() if default == (MISSING, MISSING)}
 
 
 def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, str]) -> str:
@@ -112,7 +125,13 @@ def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, st
     script = io.StringIO()
     with contextlib.suppress(SystemExit), contextlib.redirect_stdout(script):
         tyro.cli(every, args=[COMPLETION[1], shell], prog="soccer", config=config)
-    return on_one_line(script.getvalue())
+    text = on_one_line(script.getvalue())
+    return ready_to_source(text) if shell == "zsh" else text
+
+
+def ready_to_source(script: str) -> str:
+    """Return tyro's script of zsh so that it may be sourced as well: as it is, it has to be a file of $fpath."""
+    return re.sub(r'^(_tyro_soccer) "\$@"$', AUTOLOADED_OR_SOURCED, script, flags=re.MULTILINE)
 
 
 def on_one_line(script: str) -> str:

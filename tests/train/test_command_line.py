@@ -63,6 +63,8 @@ def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.Capt
         (["evaluate", "--matches="], "--matches must be a whole number of at least 2, got ''"),
         (["evaluate", "--anew=yes"], "'yes' belongs to no option"),
         (["replay"], "FILE must be given (see soccer replay --help)"),
+        (["recheck", "x", "--pairs", "none"], "--pairs must be a whole number of at least 1 or all, got 'none'"),
+        (["export", "x", "--speed", "fast"], "--speed must be a number above 0 and at most 100, got 'fast'"),
         (["train", "--mirorr"], "unknown option '--mirorr', did you mean '--mirror'?"),
         (["list", "teams", "--lague", "x"], "unknown option '--lague', did you mean '--league'?"),
         (["evalute", "--home", "still"], "unknown command 'evalute', did you mean 'evaluate'?"),
@@ -179,6 +181,24 @@ def test_bash_completes(typed: str, completed: str, tmp_path: Path, capsys: pyte
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     done = subprocess.run(run, capture_output=True, text=True, env={**os.environ, "PATH": path})
     assert [line.split("\t")[0].split(" (")[0].strip() for line in done.stdout.splitlines()] == [completed], done.stderr
+
+
+def test_zsh_may_source_its_script_or_find_it_as_a_file(capsys: pytest.CaptureFixture[str]) -> None:
+    """As tyro makes it, sourcing it calls the completion at once, outside of one: an error, and nothing completes."""
+    main(["--print-completion", "zsh"])
+    text = capsys.readouterr().out
+    assert text.startswith("#compdef soccer\n")
+    assert "compdef _tyro_soccer soccer" in text and '\n_tyro_soccer "$@"' not in text
+
+
+@pytest.mark.skipif(shutil.which("zsh") is None, reason="there is no zsh")
+def test_zsh_completes_once_it_has_sourced_the_script(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    main(["--print-completion", "zsh"])
+    (tmp_path / "completion").write_text(capsys.readouterr().out)
+    asked = f"autoload -Uz compinit; compinit -u -d {tmp_path / 'dump'}; source {tmp_path / 'completion'}\n"
+    asked += '_describe() { print -r -- "${(P)2}" }; words=(soccer eva); CURRENT=2; $_comps[soccer]'
+    done = subprocess.run(["zsh", "-f", "-c", asked], capture_output=True, text=True)
+    assert done.stdout.strip() == "evaluate:evaluate", done.stderr
 
 
 def test_the_package_runs_as_the_command(tmp_path: Path) -> None:

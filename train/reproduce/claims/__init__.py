@@ -31,6 +31,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from importlib import import_module
 
+from soccer_env.names import unknown
 from soccer_env.train.reproduce.claim import Claim
 
 MODULES: tuple[str, ...] = (
@@ -99,5 +100,5 @@ def find_claims(ids: Iterable[str], known: Mapping[str, Claim]) -> list[Claim]:
     wanted = list(dict.fromkeys(ids))
     for name in wanted:
         if name not in known:
-            raise ValueError(f"unknown claim {name!r}; known: {', '.join(known)}")
+            raise ValueError(unknown("claim", name, known))
     return [known[name] for name in wanted]
