@@ -51,6 +51,9 @@ class Recorder:
         self._match = match
         match.recorder = self
 
+    def __repr__(self) -> str:
+        return f"<Recorder of {self._match!r}: {len(self.commands)} control steps>"
+
     def note_commands(self, commands: np.ndarray) -> None:
         """Note the commands (M, R) of a control step, and where the heads look by themselves."""
         self.commands.append(commands.copy())
@@ -114,6 +117,9 @@ class Replay(Pictured):
 
     def __len__(self) -> int:
         return len(self.commands)
+
+    def __repr__(self) -> str:
+        return f"<Replay of {' against '.join(self.teams)}: {len(self)} control steps>"
 
     @property
     def teams(self) -> tuple[str, str]:

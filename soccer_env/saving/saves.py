@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.checking import is_number
+from soccer_env.checking import brief, is_number
 from soccer_env.match_settings import made_again, version
 from soccer_env.names import Made
 from soccer_env.saving.checks import check_numbers
@@ -90,7 +90,7 @@ def restore(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | No
     rows: some matches alone; a save of one match fills every row.
     """
     body, start, header = open_save(saved)
-    count = match.count if rows is None else matches_in(header, len(rows))
+    count = matches_in(header, match.count, rows)
     there = kept(match, memory)
     wanted = {name: np.empty((count, *array.shape[1:]), array.dtype) for name, array in there.items()}
     expected = json.loads(json.dumps(header_of(match, wanted, memory)))
@@ -114,15 +114,20 @@ def as_bytes(records: np.ndarray) -> np.ndarray:
     return records.view(np.dtype((np.void, records.dtype.itemsize)))
 
 
-def matches_in(header: dict[str, Any], rows: int) -> int:
+def matches_in(header: dict[str, Any], there: int, rows: np.ndarray | None) -> int:
     """Return how many matches a save holds; ValueError unless it is one, or as many as there are rows."""
     try:
         count = header["parts"][0][2][0]
     except (KeyError, IndexError, TypeError) as error:
         raise ValueError("this save is damaged: its header lacks its parts") from error
-    if not is_number(count, whole=True) or count not in (1, rows):
-        raise ValueError(f"rows must be as many as the matches of the save, {count!r}, got {rows}; one fits any number")
-    return int(count)
+    fits = is_number(count, whole=True) and (count == there if rows is None else count in (1, len(rows)))
+    if fits:
+        return int(count)
+    if rows is None:
+        raise ValueError(f"this save is of {brief(count)} matches, not {there}: say which rows to load it into")
+    raise ValueError(
+        f"rows must be as many as the matches of the save, {brief(count)}, got {len(rows)}; one fits any number"
+    )
 
 
 def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:

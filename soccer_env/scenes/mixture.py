@@ -15,7 +15,7 @@ from soccer_env.types import NOISE_STREAMS
 CHOOSER = (1 << 20) + 2  # owner of the stream that it draws from; those before are `teams.lineup.CHOOSER`'s
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Mixture(Scene):
     """Several scenes as one: which one follows from the match's seed and the number of the episode."""
 

@@ -34,7 +34,7 @@ class Draw:
 Place = Callable[[League, Any, Any, Draw], None]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Scene:
     """A start: `place(league, ball, robots, draw)` moves what the kick-off formation put down.
 
@@ -64,6 +64,12 @@ class Scene:
             raise ValueError(f"Scene.success must be {words}, got {self.success!r}")
         if not self.time_limit > 0.0:
             raise ValueError(f"Scene.time_limit must be above zero, got {self.time_limit}")
+
+    def __repr__(self) -> str:
+        """Return what tells it from others at a glance: <Scene empty-goal: home scores, 60 s>."""
+        success = getattr(self.success, "__name__", "a function") if callable(self.success) else self.success
+        limit = f", {self.time_limit:g} s" if self.time_limit < inf else ""
+        return f"<{type(self).__name__} {self.name}: {self.description if success == 'none' else success + limit}>"
 
     def of_episode(self, seed: int, episode: int) -> Scene:
         """Return the scene in which an episode begins: this one, unless it is a mixture."""

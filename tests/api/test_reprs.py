@@ -10,6 +10,8 @@ import pytest
 from soccer_env import Match, make_team, team_of_function
 from soccer_env.api.report import Screen
 from soccer_env.leagues import find_league
+from soccer_env.replay import Recorder
+from soccer_env.scenes import SCENES, Scene, mixture
 
 
 def test_a_notebook_shows_a_match_as_it_stands() -> None:
@@ -54,6 +56,29 @@ def test_a_team_of_a_function_shows_what_was_asked_of_it() -> None:
     asked = team_of_function(walk, observe="truth", action_repeat=4, memory=("f4", (64,)), flat=True, name="mine")
     words = "observe='truth', action_repeat=4, memory=\"('<f4', (64,))\", flat=True"
     assert repr(asked) == f"FunctionTeam('mine', {words})"
+
+
+@pytest.mark.parametrize(
+    ("scene", "shown"),
+    [
+        (SCENES["kick-off"], "<Scene kick-off: a match from the kick-off on>"),
+        (SCENES["empty-goal"], "<Scene empty-goal: home scores, 60 s>"),
+        (mixture("kick-off:0.5,empty-goal:0.5"), "<Mixture kick-off:0.5,empty-goal:0.5: one of several scenes>"),
+        (Scene("own", "mine", success=np.zeros_like), "<Scene own: zeros_like>"),
+    ],
+)
+def test_a_scene_is_shown_by_what_it_asks_for(scene: Scene, shown: str) -> None:
+    assert repr(scene) == shown
+
+
+def test_a_replay_is_shown_by_who_played_and_how_long() -> None:
+    match = Match(home=1, away=1, seed=1, controllers={"home": "chaser", "away": "still"})
+    recorder = Recorder(match)
+    match.step()
+    assert repr(recorder).startswith("<Recorder of <Match legged-2001: ") and repr(recorder).endswith(
+        ": 1 control steps>"
+    )
+    assert repr(recorder.stop()) == "<Replay of chaser against still: 1 control steps>"
 
 
 def test_a_league_is_shown_by_its_size_and_told_in_full_by_every_number() -> None:
