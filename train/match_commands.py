@@ -79,8 +79,10 @@ def say_checked(result: RecheckResult) -> None:
     drawn = f" (drawn with --pairs {played} --seed {result.seed})" if played < result.finished else ""
     which = f"{played} of {result.finished} finished pairs played again{drawn}"
     print(f"{result.folder}: {which}, {played - differing} agree, {differing} differ")
+    if result.finished < result.asked:
+        print(f"{result.asked - result.finished} pairs of {result.asked} are not finished")
     if result.result:
-        print(f"result.json does not follow from matches.jsonl: {', '.join(result.result)}")
+        print(f"result.json: {', '.join(result.result)} does not follow from matches.jsonl")
     elif result.result is not None:
         print("result.json follows from matches.jsonl")
     for other in result.made_otherwise:

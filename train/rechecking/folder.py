@@ -25,6 +25,7 @@ class Found:
     path: Path
     conditions: dict[str, Any]
     made_with: dict[str, str]
+    sizes: tuple[int, ...]  # matches that it asks for, and those that it asked for before it grew
     lines: dict[int, dict[str, Any]]  # of finished matches, by number
 
     @property
@@ -46,9 +47,11 @@ def read_folder(path: Path) -> Found:
         raise ValueError(f"{path / SETTINGS}: matches must be an even number of 2 to {MOST}, got {brief(matches)}")
     if not all(isinstance(value, str) for value in made_with.values()):
         raise ValueError(f"{path / SETTINGS}: what it was made with must be texts, got {brief(made_with)}")
-    earlier = [size for size in about.get(GROWN) or () if isinstance(size, int)]
-    mine = {settings_hash({**conditions, "matches": size}, made_with) for size in [matches, *earlier]}
-    return Found(path, conditions, made_with, read_matches(path / MATCHES, matches, mine, conditions, made_with))
+    earlier = [size for size in about.get(GROWN) or () if isinstance(size, int) and not isinstance(size, bool)]
+    sizes = (matches, *earlier)
+    mine = {settings_hash({**conditions, "matches": size}, made_with) for size in sizes}
+    lines = read_matches(path / MATCHES, matches, mine, conditions, made_with)
+    return Found(path, conditions, made_with, sizes, lines)
 
 
 def read_matches(

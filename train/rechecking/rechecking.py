@@ -33,7 +33,8 @@ class RecheckResult:
     """What came of playing a sample of an evaluation again."""
 
     folder: str
-    finished: int  # pairs that the folder tells of
+    asked: int  # pairs that the evaluation asks for
+    finished: int  # pairs of which the folder tells
     seed: int  # of the draw
     pairs: tuple[int, ...]  # that were played again, sorted
     differences: tuple[Difference, ...]
@@ -73,8 +74,9 @@ def recheck(
     differing = compare(found, contest, pairs, settings.threads, tell or (lambda pair, found: None))
     follows = None if made_otherwise else unlike_result(found, contest)
     return RecheckResult(
-        str(settings.folder), len(found.pairs), seed, tuple(pairs), tuple(differing), follows, tuple(made_otherwise)
-    )
+        folder=str(settings.folder), asked=found.conditions["matches"] // 2, finished=len(found.pairs), seed=seed,
+        pairs=tuple(pairs), differences=tuple(differing), result=follows, made_otherwise=tuple(made_otherwise),
+    )  # fmt: skip
 
 
 def sample(pairs: Sequence[int], count: int | str, seed: int) -> list[int]:
@@ -110,16 +112,23 @@ def compare(found: Found, contest: Contest, pairs: Sequence[int], threads: int, 
 
 
 def unlike_result(found: Found, contest: Contest) -> tuple[str, ...] | None:
-    """Return the fields of a folder's result.json that do not follow from its lines.
+    """Return the fields of a folder's result.json that do not follow from its lines; None if there is no such file.
 
-    None if the evaluation is not finished, or if the file of a finished one is not there.
+    An evaluation that grows has the result of the smaller one until it is finished.
     """
     there = read_result(found.path / RESULT)
-    if there is None or len(found.lines) < found.conditions["matches"]:
+    if there is None:
         return None
-    asked = {**found.conditions, "players": tuple(found.conditions["players"])}
-    conditions = Conditions(**{**asked, "senses": tuple(found.conditions["senses"])})
-    lines = [MatchLine(**record) for record in found.lines.values()]
+    matches = there.get("matches")
+    if not isinstance(matches, int) or matches not in found.sizes:
+        return (f"its matches, {brief(matches)},",)
+    missing = matches - sum(number < matches for number in found.lines)
+    if missing:
+        return (f"all of it, as {missing} of its {matches} matches have no line,",)
+    asked: dict[str, Any] = {**found.conditions, "matches": matches}
+    conditions = Conditions(**{**asked, "players": tuple(asked["players"]), "senses": tuple(asked["senses"])})
+    settings = settings_hash(asked, found.made_with)
+    lines = [MatchLine(**{**found.lines[number], "settings": settings}) for number in range(matches)]
     try:
         for line in lines:
             check_line(line, conditions.players)

@@ -105,6 +105,24 @@ def test_lines_that_no_match_writes_are_refused_by_all(
         evaluate(EvaluateSettings(**SHORT, out=folder))
 
 
+def test_lines_that_were_taken_away_are_missed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    lines = (folder / "matches.jsonl").read_text().splitlines(keepends=True)
+    (folder / "matches.jsonl").write_text("".join(line for line in lines if json.loads(line)["pair"] != 1))
+    assert main(["recheck", str(folder), "--pairs", "all"]) == 1
+    printed = capsys.readouterr().out
+    assert "1 pairs of 3 are not finished" in printed
+    assert "result.json: all of it, as 2 of its 6 matches have no line, does not follow" in printed
+
+
+def test_a_result_of_before_the_evaluation_grew_follows_from_its_lines(folder: Path) -> None:
+    earlier = (folder / "result.json").read_bytes()
+    evaluate(EvaluateSettings(**{**SHORT, "matches": 8}, out=folder))
+    (folder / "result.json").write_bytes(earlier)
+    lines = (folder / "matches.jsonl").read_bytes().splitlines(keepends=True)
+    (folder / "matches.jsonl").write_bytes(b"".join(lines[:7]))
+    assert recheck(RecheckSettings(folder, pairs="all")).agrees
+
+
 def test_the_draw_follows_from_its_seed_and_else_from_nothing_known() -> None:
     pairs = list(range(100))
     assert rechecking.sample(pairs, 5, 1) == rechecking.sample(pairs, 5, 1) != rechecking.sample(pairs, 5, 2)
@@ -119,6 +137,7 @@ def test_without_a_seed_each_draw_is_another(folder: Path) -> None:
 def test_an_evaluation_that_was_stopped_or_has_grown_is_checked_as_far_as_it_is(folder: Path) -> None:
     evaluate(EvaluateSettings(**{**SHORT, "matches": 8}, out=folder))
     assert recheck(RecheckSettings(folder, pairs="all")).agrees
+    (folder / "result.json").unlink()  # else it does not follow from what is left
     lines = (folder / "matches.jsonl").read_bytes().splitlines(keepends=True)
     (folder / "matches.jsonl").write_bytes(b"".join(lines[:5]) + lines[5][:40])
     result = recheck(RecheckSettings(folder, pairs="all"))
