@@ -54,9 +54,7 @@ What all of it stands on:
     random_numbers.py    the generator that lives in the records
     ball_words.py        words of four bits for a distance to the ball
     compiled.py          the decorator that compiles a function
-    compiled_cache.py    machine code on disk
-    compiled_callback.py functions of ours that C calls
-    compiled_sources.py  which source files that code depends on
+    compiling/           how that is done, and machine code on disk
     borrowing.py         arrays in compiled code without a count of references
     names.py             names imported when they are used, and what to say of unknown ones
     checking.py          checks of what somebody gives, with one kind of message

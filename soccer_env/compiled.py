@@ -1,7 +1,7 @@
 """The decorators that compile the stages of a match.
 
 Plain Python over record fields goes in; machine code that runs without the interpreter lock comes out. Nothing is
-compiled before its first call, and what was compiled is kept on disk (`compiled_cache.py`).
+compiled before its first call, and what was compiled is kept on disk (`compiling/`).
 
 Environment variables: `SOCCER_ENV_CACHE` (folder of the cache), `SOCCER_ENV_QUIET=1` (say nothing while compiling),
 `NUMBA_DISABLE_JIT=1` (run everything as ordinary Python, for a debugger or for coverage).
@@ -20,11 +20,13 @@ import numba
 import numpy as np
 from numba.extending import overload
 
-from soccer_env.compiled_cache import SourceCache
+from soccer_env.compiling.cache import SourceCache
+from soccer_env.compiling.inner import Kernel, KernelCompiler
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 config: Any = numba.config
+OPTIONS = {"nopython": True, "nogil": True, "error_model": "numpy", "fastmath": False, "boundscheck": False}
 
 
 def compiled(function: F) -> F:
@@ -35,7 +37,9 @@ def compiled(function: F) -> F:
     """
     if config.DISABLE_JIT:
         return cast(F, _as_python(function))
-    dispatcher: Any = numba.njit(nogil=True, error_model="numpy", fastmath=False, boundscheck=False)(function)
+    dispatcher: Any = Kernel(
+        function, targetoptions={**OPTIONS, "no_cfunc_wrapper": True}, pipeline_class=KernelCompiler
+    )
     if os.path.isfile(function.__code__.co_filename):
         dispatcher._cache = SourceCache(function)  # what Dispatcher.enable_caching does with numba's own
     return cast(F, dispatcher)

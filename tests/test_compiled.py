@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from soccer_env.compiled import compiled, config, inlined, with_attributes
-from soccer_env.compiled_sources import ROOT
+from soccer_env.compiling.sources import ROOT
 
 POINT = np.dtype([("x", "f8"), ("y", "f8")])
 PERCEPT = np.dtype([("ball", POINT), ("distance", "f4"), ("seen", "?")])

@@ -6,8 +6,8 @@ import sys
 
 import pytest
 
-from soccer_env.compiled_sources import ROOT as PACKAGE
-from soccer_env.compiled_sources import sources
+from soccer_env.compiling.sources import ROOT as PACKAGE
+from soccer_env.compiling.sources import sources
 
 # A small package: lower.py and numbers.py are what upper.py stands on, beside.py stands alone.
 FILES = {
@@ -66,8 +66,8 @@ print(*results, *(sum(f.stats.cache_misses.values()) for f in (value, other, cha
 def root(tmp_path):
     for name, text in FILES.items():
         write(tmp_path, name, text)
-    for file in PACKAGE.glob("compiled*.py"):
-        write(tmp_path, f"soccer_env/{file.name}", file.read_text(encoding="utf-8"))
+    for file in (PACKAGE / "compiled.py", *PACKAGE.glob("compiling/*.py")):
+        write(tmp_path, f"soccer_env/{file.relative_to(PACKAGE)}", file.read_text(encoding="utf-8"))
     return tmp_path
 
 
@@ -265,5 +265,4 @@ def test_the_physics_kernels_depend_on_their_imports_and_on_nothing_beside_them(
     within = {file.relative_to(physics).as_posix() for file in found if file.is_relative_to(physics)}
     assert within == engine | solver | {"block.py", "gait.py"} and len(solver) > 4
     beside = {file.relative_to(PACKAGE).parts[0] for file in found} - {"physics"}
-    compiled = {"compiled.py", "compiled_cache.py", "compiled_callback.py", "compiled_sources.py"}
-    assert beside == compiled | {"checking.py", "geometry.py", "leagues", "names.py", "types.py"}
+    assert beside == {"compiled.py", "compiling", "checking.py", "geometry.py", "leagues", "names.py", "types.py"}

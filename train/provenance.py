@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.compiled_sources import ROOT, file_of, sources
+from soccer_env.compiling.sources import ROOT, file_of, sources
 from soccer_env.leagues import LEAGUES
 from soccer_env.leagues.league import League
 from soccer_env.names import MODULE_PATH

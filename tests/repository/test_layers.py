@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 FOLDERS = {"soccer_env.baselines": "baselines", "soccer_env.agents": "agents", "soccer_env.train": "train"}
 
 # Lowest first. Members of one layer do not see each other, except in the groups of PEERS and as BESIDE says.
-COMPILING = ("borrowing", "compiled", "compiled_cache", "compiled_callback", "compiled_sources")
+COMPILING = ("borrowing", "compiled", "compiling")
 LAYERS = (
     (
         "types",

@@ -14,7 +14,7 @@ else:
 
 ROOT = Path(__file__).parents[2]
 PRIVATE = {  # what would be missed, and where
-    "numba": "numba.core.caching._Cache, in soccer_env/compiled_cache.py",
+    "numba": "numba.core.caching._Cache and numba.core.codegen.JITCodeLibrary, in soccer_env/compiling/",
     "pymunk": "pymunk._chipmunk, in soccer_env/physics/",
     "tyro": "the boxes that errors are printed in, in train/command_line.py",
 }
@@ -38,7 +38,7 @@ def test_numba_still_has_the_class_that_our_cache_is_made_of() -> None:
     from numba import njit
     from numba.core import caching
 
-    where = f"numba {version('numba')} has no %s: see soccer_env/compiled_cache.py, and bound numba in pyproject.toml"
+    where = f"numba {version('numba')} has no %s: see soccer_env/compiling/, and bound numba in pyproject.toml"
     for name in ("_Cache", "CompileResultCacheImpl"):
         assert hasattr(caching, name), where % f"core.caching.{name}"
     for name in ("reduce", "rebuild", "check_cachable"):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from soccer_env import compiled_cache
+from soccer_env.compiling import cache
 from soccer_env.teams import NAMES
 from soccer_env.train import warm_up
 from soccer_env.train.command_line import main
@@ -25,7 +25,7 @@ def test_the_second_time_nothing_is_left(monkeypatch: pytest.MonkeyPatch, capsys
     for _ in range(2):
         assert main(words) == 0
     said = capsys.readouterr().out.splitlines()[-1]
-    assert said == f"nothing was left to compile; the cache is in {compiled_cache.folders()[0]}"
+    assert said == f"nothing was left to compile; the cache is in {cache.folders()[0]}"
 
 
 @pytest.mark.parametrize(
@@ -42,9 +42,9 @@ def test_wrong_words_are_refused(words: list[str], complaint: str, capsys: pytes
 
 def test_long_compiling_says_how_far_it_is(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     for name, value in (("functions", 7), ("began", 100.0), ("said", 100.0)):
-        monkeypatch.setattr(compiled_cache.COMPILED, name, value)
+        monkeypatch.setattr(cache.COMPILED, name, value)
     now = iter([119.0, 121.0, 122.0])
-    monkeypatch.setattr(compiled_cache.time, "monotonic", lambda: next(now))
+    monkeypatch.setattr(cache.time, "monotonic", lambda: next(now))
     for _ in range(3):
-        compiled_cache._count()
+        cache._count()
     assert capsys.readouterr().err == "soccer_env: compiling ... 9 functions in 21 s\n"

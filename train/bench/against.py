@@ -22,7 +22,7 @@ from typing import IO, TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from soccer_env.compiled_sources import ROOT as PACKAGE
+from soccer_env.compiling.sources import ROOT as PACKAGE
 from soccer_env.train.bench.benchmark import machine
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.progress import Progress

@@ -25,7 +25,7 @@ import pymunk
 from pymunk._chipmunk_cffi import ffi, lib
 
 from soccer_env.compiled import compiled
-from soccer_env.compiled_callback import callback
+from soccer_env.compiling.callback import callback
 from soccer_env.geometry import clip, into_frame, length, out_of_frame
 from soccer_env.leagues.constants import CONSTANTS
 from soccer_env.leagues.league import League

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env import compiled_sources
+from soccer_env.compiling import sources as stamps
 from soccer_env.agents.policy_file import load
 from tests.train.ppo.staged_training import ROLLOUT, plainly, tiny
 
@@ -68,7 +68,7 @@ def test_all_parts_of_ones_own_are_trained_with(mine: Path) -> None:
     assert load(mine / "run" / "last.safetensors").league == "icy"
     assert result.evaluations[-1]["rows"][0]["opponent"] == "own_parts:team"
     (mine / "own_parts.py").write_text(MINE.replace("rolling=0.05", "rolling=0.0625"))
-    for kept in (compiled_sources.sources, compiled_sources._read):  # once per process, and this is to be the next
+    for kept in (stamps.sources, stamps._read):  # once per process, and this is to be the next
         kept.cache_clear()
     with pytest.raises(ValueError, match="own_parts"):
         plainly(tiny(mine / "run", **OWN, steps=3 * ROLLOUT))

@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 
 PACKAGE = "soccer_env"
-ROOT = Path(__file__).resolve().parent
+ROOT = Path(__file__).resolve().parents[1]
 OUTSIDE_FOLDERS = ("baselines", "agents", "train")  # beside the package in a checkout, inside it once installed
 STARTED = time.time_ns()  # [ns] a file changed after this moment may not be what this process imported
 

@@ -29,7 +29,8 @@ import numpy as np
 from numba.core import caching, serialize
 from numba.core.dispatcher import Dispatcher
 
-from soccer_env.compiled_sources import PACKAGE, source_stamp
+from soccer_env.compiling.inner import INNER, InnerTarget, for_another, is_inner
+from soccer_env.compiling.sources import PACKAGE, source_stamp
 
 DIGEST = hashlib.sha256().digest_size  # [bytes]
 STALE_AFTER = 30 * 24 * 3600.0  # [s] assumed; code of other versions is deleted at this age
@@ -43,12 +44,28 @@ Base: Any = caching._Cache
 BaseResult: Any = caching.CompileResultCacheImpl
 
 
+def is_kept(function: Any) -> bool:
+    """Tell whether a compiled function, as its sources are now, is on disk for any types of arguments.
+
+    True as well where it cannot be kept, as a source file has changed since this process read it.
+    """
+    identity = _identity(function.py_func)
+    pattern = "" if identity is None else f"{function._cache.name}.{identity[0][:16]}.*"
+    return not pattern or any(next(folder.glob(pattern), None) for folder in folders() if _is_private(folder))
+
+
 class _Result(BaseResult):  # type: ignore[misc]
     """Turn compile results into picklable objects and back, as numba does it, without a search for a cache folder."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
         self._lineno = function.__code__.co_firstlineno
         self._locator = SimpleNamespace(_py_file=function.__code__.co_filename)  # where warnings point
+
+    def rebuild(self, target_context: Any, payload: Any) -> Any:
+        """Return the compile result of what was kept."""
+        if payload[0][1] != INNER:
+            return super().rebuild(target_context, payload)
+        return super().rebuild(InnerTarget(target_context), payload)._replace(target_context=target_context)
 
 
 class SourceCache(Base):  # type: ignore[misc]
@@ -60,7 +77,7 @@ class SourceCache(Base):  # type: ignore[misc]
         self._enabled = True
         code = function.__code__
         name = f"{Path(code.co_filename).stem}.{function.__qualname__.replace('<', '').replace('>', '')}"
-        self._base = f"{name[:100]}-{code.co_firstlineno}.{sys.implementation.cache_tag}"
+        self.name = f"{name[:100]}-{code.co_firstlineno}.{sys.implementation.cache_tag}"
 
     @property
     def cache_path(self) -> str:
@@ -78,25 +95,26 @@ class SourceCache(Base):  # type: ignore[misc]
     def flush(self) -> None:
         """Delete all versions of this function."""
         for folder in folders():
-            _delete(folder.glob(f"{self._base}.*"))
+            _delete(folder.glob(f"{self.name}.*"))
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """Return the compile result for these argument types, or None if there is none yet."""
         target_context.refresh()
-        stamp, key = self._key(sig, target_context.codegen())
-        if key is None:
-            return None
-        for folder in filter(_is_private, folders()):
-            payload = _load(folder / self._file_name(stamp, key), key)
-            if payload is not None:
-                return self._result.rebuild(target_context, payload)
+        for inner in (True, False) if for_another() else (False,):
+            stamp, key = self._key(sig, target_context.codegen(), inner)
+            if key is None:
+                return None
+            for folder in filter(_is_private, folders()):
+                payload = _load(folder / self._file_name(stamp, key), key)
+                if payload is not None:
+                    return self._result.rebuild(target_context, payload)
         _announce()
         return None
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Keep a compile result, unless a source file has changed since this process read it."""
         _count()
-        stamp, key = self._key(sig, data.codegen)
+        stamp, key = self._key(sig, data.codegen, is_inner(data))
         if key is None or not self._result.check_cachable(data):
             return
         content = dumps((key, self._result.reduce(data)))
@@ -109,7 +127,7 @@ class SourceCache(Base):  # type: ignore[misc]
                     _write(folder / self._file_name(stamp, key), content)
                     return
 
-    def _key(self, sig: Any, codegen: Any) -> tuple[str, Any]:
+    def _key(self, sig: Any, codegen: Any, inner: bool) -> tuple[str, Any]:
         """Return the source hash and the full key, which is None where there is nothing to tell versions apart by."""
         if not self._enabled or " at 0x" in str(sig):  # a function as an argument is another one in each process
             return "", None
@@ -117,13 +135,13 @@ class SourceCache(Base):  # type: ignore[misc]
         if identity is None:
             return "", None
         settings = str([getattr(config, name) for name in SETTINGS])
-        return identity[0], (identity, sig, codegen.magic_tuple(), VERSIONS, settings)
+        return identity[0], (identity, sig, codegen.magic_tuple(), VERSIONS, settings, inner)
 
     def _file_name(self, stamp: str, key: Any) -> str:
-        return f"{self._base}.{stamp[:16]}.{_sha(str(key).encode())[:16]}.nbc"
+        return f"{self.name}.{stamp[:16]}.{_sha(str(key).encode())[:16]}.nbc"
 
     def _outdated(self, folder: Path, stamp: str) -> Iterator[Path]:
-        for file in folder.glob(f"{self._base}.*"):
+        for file in folder.glob(f"{self.name}.*"):
             if stamp[:16] not in file.name and time.time() - file.stat().st_mtime > STALE_AFTER:
                 yield file
 
@@ -234,7 +252,7 @@ def _announce() -> None:
     if os.environ.get("SOCCER_ENV_QUIET", "0") not in ("", "0"):
         return
     filled = any(folder.is_dir() and any(folder.iterdir()) for folder in folders())
-    what = "what is new" if filled else "kernels (once, one to two minutes)"
+    what = "what is new" if filled else "kernels (once, about a minute)"
     COMPILED.said = COMPILED.began = time.monotonic()
     print(f"{PACKAGE}: compiling {what} ...", file=sys.stderr, flush=True)
 

@@ -16,7 +16,7 @@ from numba import types
 from numba.core.ccallback import CFunc
 
 from soccer_env.compiled import compiled, config
-from soccer_env.compiled_cache import SourceCache
+from soccer_env.compiling.cache import SourceCache
 
 TYPES = {"void": types.void, "address": types.uintp, "float64": types.float64}
 C_TYPES: dict[str, Any] = {"void": None, "address": ctypes.c_size_t, "float64": ctypes.c_double}
