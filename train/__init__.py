@@ -11,6 +11,7 @@ keeping/             replays of matches worth keeping                           
 rechecking/          a sample of an evaluation played again: `soccer recheck`
 parsing.py           the words of a command into its settings, or one line that says what is wrong; completion of shells
 warm_up.py           compile everything ahead of time         casting.py   who plays a match or a drill
+compiling_beside.py  compile in two processes, at an empty cache
 written_settings.py  how settings are written: out of a user's words, and back into a command
 results_folder.py    the folder of a run's results, that goes on and touches nothing of others
 files.py             files of lines that survive a crash

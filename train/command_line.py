@@ -15,12 +15,15 @@ from typing import TYPE_CHECKING, Any, get_args
 from soccer_env.names import unknown
 from soccer_env.train.exit_codes import BELOW, STOPPED, WRONG
 from soccer_env.train.match_commands import run_export, run_recheck, run_record, run_replay, run_watch
-from soccer_env.train.parsing import COMPLETION, completion, read_settings
+from soccer_env.train.parsing import COMPLETION, completion, read_settings, taken_out
 
 if TYPE_CHECKING:
     from pathlib import Path
+    from types import ModuleType
 
     from rich.console import Console
+
+    from soccer_env.train.ppo import TrainResult, TrainSettings
 
 WIDTH = 120  # columns of a table that does not go to a terminal
 
@@ -136,10 +139,12 @@ def run_evaluate(words: list[str]) -> int:
     from soccer_env.train.evaluate.settings import EvaluateSettings
 
     settings = read_settings(EvaluateSettings, words, "evaluate")
+    from soccer_env.train.compiling_beside import step_compiled_beside
     from soccer_env.train.evaluate.evaluation import evaluate
     from soccer_env.train.evaluate.report import screen_tables
 
-    result = evaluate(settings)
+    with step_compiled_beside():
+        result = evaluate(settings)
     if settings.json:
         print_json(result.as_dict())
     else:
@@ -229,17 +234,12 @@ def run_train(words: list[str]) -> int:
 
     config, rest = taken_out(words, "--config")
     settings = read_settings(TrainSettings, rest, "train", settings_of(Path(config) if config else None))
-    from soccer_env.train.ppo import train
+    from soccer_env.train.compiling_beside import step_compiled_beside
 
+    train, reports = training_parts()
     try:
-        import soccer_env.train.ppo.training  # noqa: F401  # torch and all that a training needs comes with it
-        from soccer_env.train.ppo.reports import best_line, screen_table
-    except ImportError as error:
-        if (error.name or "").startswith("soccer_env"):
-            raise
-        raise ValueError(f'training needs more packages: pip install "soccer_env[train]" ({error})') from error
-    try:
-        result = train(settings)
+        with step_compiled_beside():
+            result = train(settings)
     except KeyboardInterrupt:
         same = "the same command without --anew" if settings.anew else "the same command"
         print(f"stopped; {same} goes on with the run in {settings.out}", file=sys.stderr)
@@ -247,26 +247,25 @@ def run_train(words: list[str]) -> int:
     except OSError as error:
         if not (settings.out / "latest.json").exists():
             raise
-        raise ValueError(
-            f"{error}; the same command goes on with the run in {settings.out} once that is mended"
-        ) from error
-    console().print(screen_table(result))
-    print(best_line(result))
+        ends = f"the same command goes on with the run in {settings.out} once that is mended"
+        raise ValueError(f"{error}; {ends}") from error
+    console().print(reports.screen_table(result))
+    print(reports.best_line(result))
     say_written(settings.out, "best.safetensors", "learning_curve.png", "report.html")
     say_kept(settings.out)
     return 0
 
 
-def taken_out(words: list[str], flag: str) -> tuple[str, list[str]]:
-    """Return the value of a flag, "" without it, and the words without both; ValueError if the value is missing."""
-    for at, word in enumerate(words):
-        if word.startswith(flag + "="):
-            return word.partition("=")[2], words[:at] + words[at + 1 :]
-        if word == flag:
-            if at + 1 == len(words):
-                raise ValueError(f"{flag} needs a file")
-            return words[at + 1], words[:at] + words[at + 2 :]
-    return "", words
+def training_parts() -> tuple[Callable[[TrainSettings], TrainResult], ModuleType]:
+    """Return what trains, and what words its result; ValueError says how to install what that needs."""
+    try:
+        import soccer_env.train.ppo.training  # noqa: F401  # torch and all that a training needs comes with it
+        from soccer_env.train.ppo import reports, train
+    except ImportError as error:
+        if (error.name or "").startswith("soccer_env"):
+            raise
+        raise ValueError(f'training needs more packages: pip install "soccer_env[train]" ({error})') from error
+    return train, reports
 
 
 def run_warm_up(words: list[str]) -> int:

@@ -22,9 +22,11 @@ def run_record(words: list[str]) -> int:
 
     settings = read_settings(RecordSettings, words, "record")
     from soccer_env.leagues import find_league
+    from soccer_env.train.compiling_beside import step_compiled_beside
     from soccer_env.train.evaluate.recording import record_with_outcome
 
-    replay, outcome = record_with_outcome(settings)
+    with step_compiled_beside():
+        replay, outcome = record_with_outcome(settings)
     minutes = len(replay) / find_league(settings.league).control_rate / 60.0
     rate = settings.out.stat().st_size / 1e3 / max(minutes, 1e-9)
     print(f"written: {settings.out}, {len(replay)} control steps, {rate:.0f} kB a minute")
@@ -105,7 +107,9 @@ def run_watch(words: list[str]) -> int:
     from soccer_env.train.watching.settings import WatchSettings
 
     settings = read_settings(WatchSettings, words, "watch")
+    from soccer_env.train.compiling_beside import step_compiled_beside
     from soccer_env.train.watching.watching import watch
 
-    watch(settings)
+    with step_compiled_beside():
+        watch(settings)
     return 0

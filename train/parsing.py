@@ -141,3 +141,15 @@ def on_one_line(script: str) -> str:
         if "COMPLETION_SPEC = {" in line:
             lines[at] = line.replace("\\\\n", " ").replace("\\n", " ")
     return "\n".join(lines)
+
+
+def taken_out(words: list[str], flag: str) -> tuple[str, list[str]]:
+    """Return the value of a flag, "" without it, and the words without both; ValueError if the value is missing."""
+    for at, word in enumerate(words):
+        if word.startswith(flag + "="):
+            return word.partition("=")[2], words[:at] + words[at + 1 :]
+        if word == flag:
+            if at + 1 == len(words):
+                raise ValueError(f"{flag} needs a file")
+            return words[at + 1], words[:at] + words[at + 2 :]
+    return "", words
