@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env.compiling import sources as stamps
 from soccer_env.agents.policy_file import load
+from soccer_env.compiling import sources as stamps
 from tests.train.ppo.staged_training import ROLLOUT, plainly, tiny
 
 pytest.importorskip("stable_baselines3")
