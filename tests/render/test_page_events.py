@@ -7,13 +7,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+from soccer_env import Match
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.replay.browser.events import Storyteller
 from soccer_env.replay.thought import Reader
+from soccer_env.staging import put_ball
 from soccer_env.train.evaluate.play_settings import RecordSettings
 from soccer_env.train.evaluate.recording import shown_of_memory, start
 from tests.render.chromium import Chromium, find_chromium
-from tests.scenes.staging import LEGGED, each_league
+from tests.scenes.staging import LEGGED, MIDDLE, each_league, stand
 from tests.statistics.staged_play import CASES, Scene
 
 CHROMIUM = find_chromium()
@@ -124,6 +126,31 @@ def test_a_dribble_a_push_and_a_scrum(team: int, half: int) -> None:
         (_, _, side, r, words), more = scene.goal()
         assert (side, r, words) == (team, scene.row(1), f"{scene.named(scene.row(1))} scores for {TEAMS[team]}")
         assert (more["kind"], more["how"], more["score"]) == (kind, how, scene.score(team))
+
+
+def test_kicks_of_a_shoot_out_say_who_scores_and_the_score() -> None:
+    match = Match(MIDDLE, home=3, away=3, seed=1, minutes=1.0, rules="league:shoot_out=True", placement="instant")
+    match.matches["half"], match.matches["clock"] = 1, 30.0
+    stories, score = Storyteller(match, TEAMS), [0, 0]
+
+    def step(number: int) -> None:
+        before = match.robots[0].copy()
+        match.step(stand(match))
+        stories.listen(match, number, before)
+
+    step(1)
+    first = int(match.matches["kick_off_team"][0])
+    for number, scored in ((2, True), (3, False)):
+        end = np.sign(match.matches["restart_x"][0])
+        put_ball(match, end * 6.12, 0.0 if scored else 2.0)
+        match.rebuild()
+        step(number)
+    told = [event for event in stories.events if event[1] == "penalty"]
+    score[first] = 1
+    words = [f"penalty kick: {COLOURS[first]} ({TEAMS[first]}) scores, {score[0]} : {score[1]}"]
+    words += [f"penalty kick: {COLOURS[1 - first]} ({TEAMS[1 - first]}) misses, {score[0]} : {score[1]}"]
+    assert [event[4] for event in told] == words and [event[2] for event in told] == [first, 1 - first]
+    assert [event[5] for event in told] == [score, score]
 
 
 EVIL = "</b><img src=x onerror='window.evil = 1'>"

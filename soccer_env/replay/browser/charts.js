@@ -1,6 +1,6 @@
 // The time line: marks of events, who touched the ball last, and how far up the field it was.
 
-const MARKS = { goal: "★", foul: "▲", restart: "•", half: "‖", kick: "" };
+const MARKS = { goal: "★", penalty: "☆", foul: "▲", restart: "•", half: "‖", kick: "" };
 const LANES = { marks: 0.3, possession: 0.18 }; // of the height; the rest is the ball's
 
 class TimeLine {

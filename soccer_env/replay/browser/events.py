@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.referee.shoot_out import SCORED
 from soccer_env.render.captions import PHASES, player_words
 from soccer_env.render.colours import TEAM_NAMES
 from soccer_env.statistics.records import FRESH, GoalKind
@@ -34,10 +35,11 @@ class Play(NamedTuple):
 
 
 class Storyteller:
-    """Gathers events as plain values: [step, kind, team, robot, words]; kind: goal, foul, restart, kick or half.
+    """Gathers events as plain values: [step, kind, team, robot, words]; kind: goal, penalty, foul, restart, kick, half.
 
-    A goal has a sixth value: its `kind` as the statistics count it, `how` it fell in words, the `score` after it, and
-    the step in which its scorer `played` the ball. Of a deflected kick the scorer is who kicked.
+    A penalty is a kick of a shoot-out; its sixth value is the score of that. A goal has a sixth value: its `kind` as
+    the statistics count it, `how` it fell in words, the `score` after it, and the step in which its scorer `played` the
+    ball. Of a deflected kick the scorer is who kicked.
     """
 
     def __init__(self, match: Match, teams: tuple[str, str]) -> None:
@@ -50,6 +52,8 @@ class Storyteller:
         self._others: list[int] = []  # who touched it since, first to last
         self._step = int(match.matches["step"][0])
         self._goals = match.statistics["goals"][0].copy()
+        self._shooter = NO_TEAM  # whose turn it is in a shoot-out
+        self._called = 0  # in which step its kick was called
 
     def listen(self, match: Match, step: int, before: np.ndarray) -> None:
         """Note what happened in the first match in a control step; `before` are its robots a step earlier."""
@@ -59,6 +63,8 @@ class Storyteller:
             self._kicks, self._touches, self._flight = {}, {}, None
         self._step = int(match.matches["step"][0])
         self._listen_to_plays(match, step)
+        if events["penalty"] != 0:
+            self._tell_penalty(match, step)
         if events["goal"] != NO_TEAM:
             self._tell_goal(match, step, before)
         elif events["foul"] != 0:
@@ -72,6 +78,8 @@ class Storyteller:
         for name, words in (("half_time", "half-time"), ("final_whistle", "final whistle")):
             if events[name]:
                 self._add(step, "half", NO_TEAM, NOBODY, words)
+        if events["restart"] == Phase.PENALTY_KICK:
+            self._shooter, self._called = int(events["restart_team"]), step
         self._follow_flight(match, step)
         self._goals = match.statistics["goals"][0].copy()
 
@@ -162,6 +170,18 @@ class Storyteller:
         score = [int(goals) for goals in match.matches["score"][0]]
         self._add(step, "goal", int(match.events["goal"][0]), r, words)
         self.events[-1].append({"kind": kind.name.lower(), "how": how, "score": score, "played": min(played, step - 1)})
+
+    def _tell_penalty(self, match: Match, step: int) -> None:
+        """Tell how a kick of a shoot-out ended."""
+        own = np.flatnonzero(match.robots["team"][0] == self._shooter).tolist()
+        plays = [play for play in self._touches.values() if play.row in own and play.step > self._called]
+        r = min(plays, key=lambda play: play.step).row if plays else NOBODY
+        who = player_words(match.robots[0, r]) if r >= 0 else TEAM_NAMES[self._shooter]
+        score = [int(goals) for goals in match.matches["shoot_out_score"][0]]
+        did = "scores" if match.events["penalty"][0] == SCORED else "misses"
+        words = f"penalty kick: {who} ({self._teams[self._shooter]}) {did}, {score[0]} : {score[1]}"
+        self._add(step, "penalty", self._shooter, r, words)
+        self.events[-1].append(score)
 
     def _tell_foul(self, match: Match, step: int) -> None:
         """Tell what was whistled against whom."""

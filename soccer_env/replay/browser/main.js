@@ -42,9 +42,10 @@ class Player {
     byId("field").hidden = !recording.pulls;
     this.pick(this.asked());
     const end = recording.rows - 1;
-    byId("final").textContent = `ends ${recording.value("score_home", end)} : ${recording.value("score_away", end)}`;
+    const penalties = recording.events.filter(([, kind]) => kind === "penalty").map(([, , , , , score]) => score.join(" : ")).pop();
+    byId("final").textContent = `ends ${recording.value("score_home", end)} : ${recording.value("score_away", end)}${penalties ? `, penalty kicks ${penalties}` : ""}`;
     fillScorers([byId("scorers0"), byId("scorers1")], recording, (event) => this.jump(event));
-    byId("listed").value = recording.events.some(([, kind]) => kind === "goal") ? "goals" : "calls";
+    byId("listed").value = recording.events.some(([, kind]) => kind === "goal" || kind === "penalty") ? "goals" : "calls";
     this.fillEvents();
   }
 
@@ -137,8 +138,8 @@ class Player {
   // Return the time from which an event is worth seeing: a goal from before the ball was played.
   start([step, kind, , , , goal]) {
     const lead = LEAD * this.recording.rate;
-    if (goal) return Math.max(0, Math.min(goal.played - lead / 2, step - lead));
-    return Math.max(0, kind === "foul" ? step - lead : step);
+    if (kind === "goal") return Math.max(0, Math.min(goal.played - lead / 2, step - lead));
+    return Math.max(0, kind === "foul" || kind === "penalty" ? step - lead : step);
   }
 
   // Go to the next or the last event that is listed.

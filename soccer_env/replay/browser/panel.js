@@ -165,7 +165,7 @@ function goalWords(recording, event) {
 
 // The events that are asked for: goals alone, what the referee called too, or kicks as well.
 function fillEvents(list, recording, asked, jump) {
-  const kinds = { goals: ["goal", "half"], calls: ["goal", "half", "foul", "restart"] }[asked];
+  const kinds = { goals: ["goal", "penalty", "half"], calls: ["goal", "penalty", "half", "foul", "restart"] }[asked];
   list.replaceChildren();
   recording.events.forEach((event) => {
     const [step, kind, , , words] = event;
