@@ -12,8 +12,7 @@ from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.replay.browser.events import Storyteller
 from soccer_env.replay.thought import Reader
 from soccer_env.staging import put_ball
-from soccer_env.train.evaluate.play_settings import RecordSettings
-from soccer_env.train.evaluate.recording import shown_of_memory, start
+from soccer_env.train.evaluate.recording import shown_of_memory
 from tests.render.chromium import Chromium, find_chromium
 from tests.scenes.staging import LEGGED, MIDDLE, each_league, stand
 from tests.statistics.staged_play import CASES, Scene
@@ -157,9 +156,9 @@ EVIL = "</b><img src=x onerror='window.evil = 1'>"
 
 
 def with_a_goal(thinks: bool = True) -> Replay:
-    """Return a replay in which red 3 scores by a kick after 12.6 s."""
-    settings = RecordSettings(league="middle-size-2006", home="heinemann-2006", away="random", minutes=2.0, seed=2)
-    match = start(settings)
+    """Return a replay of 14 s in which red scores once, by a kick."""
+    teams = {"home": "heinemann-2006", "away": "random"}
+    match = Match("middle-size-2006", home=5, away=5, controllers=teams, minutes=2.0, seed=2, pose="particles")
     recorder = Recorder(match, Thoughts(match, shown_of_memory()) if thinks else None)
     for _ in range(14 * match.league.control_rate):
         match.step()
@@ -179,13 +178,14 @@ def test_a_page_says_who_scored_and_what_the_scorer_believed(tmp_path: Path) -> 
         browser.open(tmp_path / "a.html")
         (event,) = browser.run("player.recording.events.filter((event) => event[1] === 'goal')")
         words = browser.run("document.querySelector('#events .goal').innerText").replace("\u00a0", " ")
-        assert browser.run("document.getElementById('scorers0').innerText") == "red 3 00:12"
+        who, when = f"red {event[3]}", f"00:{event[0] // 50:02d}"
+        assert browser.run("document.getElementById('scorers0').innerText") == f"{who} {when}"
         assert browser.run("document.getElementById('final').textContent") == "ends 1 : 0"
         near = browser.run("player.shown.picked")  # belief was asked for, but not whose
         browser.run(f"(() => {{ player.seek({event[0]} + 5); player.show(0); }})()")
-        assert browser.run("document.getElementById('phase').textContent") == f"GOAL: red 3 scores for {EVIL}"
+        assert browser.run("document.getElementById('phase').textContent") == f"GOAL: {who} scores for {EVIL}"
         assert browser.run("typeof window.evil") == "undefined" and browser.errors == []
-    assert f"1 : 0 red 3 scores for {EVIL}" in words and "clean kick from 3.5 m" in words
+    assert f"{when} 1 : 0 {who} scores for {EVIL} {event[5]['how']}" in " ".join(words.split())
     assert "attacker; " in words.partition("decided")[2]
     row = int(np.flatnonzero(notes.steps < event[5]["played"])[-1])
     thought = Reader.of(notes).thought(notes.numbers[row], event[3])
@@ -213,7 +213,7 @@ def test_a_page_without_thoughts_says_so_of_the_scorer(tmp_path: Path) -> None:
     with Chromium(CHROMIUM, tmp_path / "profile") as browser:
         browser.open(tmp_path / "a.html")
         words = browser.run("document.querySelector('#events .goal').innerText")
-        assert "red 3 scores" in words and "not in this replay" in words and browser.errors == []
+        assert " scores for " in words and "not in this replay" in words and browser.errors == []
 
 
 def number(pattern: str, words: str) -> float:
