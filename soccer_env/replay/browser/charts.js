@@ -56,7 +56,7 @@ class TimeLine {
 
   drawBall(c, top, bottom, colour) {
     const { recording } = this, half = recording.pitch.length / 2, wide = c.canvas.width;
-    const py = (x) => (top + bottom) / 2 - (x / half) * 0.44 * (bottom - top);
+    const py = (x) => (top + bottom) / 2 - Math.min(Math.max(x / half, -1.1), 1.1) * 0.44 * (bottom - top);
     c.strokeStyle = colour("--line");
     c.lineWidth = this.ratio;
     for (const x of [-half, 0, half]) c.strokeRect(0, py(x), wide, 0);
@@ -68,11 +68,6 @@ class TimeLine {
       c.lineTo(x, py(recording.value("ball_x", row) / 1e3));
     }
     c.stroke();
-    c.fillStyle = colour("--dim");
-    c.font = `${10 * this.ratio}px system-ui, sans-serif`;
-    c.textAlign = "left";
-    c.textBaseline = "top";
-    c.fillText("ball along the field: yellow goal below, blue above; bars: last touch", 4 * this.ratio, bottom - 12 * this.ratio);
   }
 
   draw(time) {

@@ -32,6 +32,7 @@ class Play(NamedTuple):
     x: float  # [m] field frame: the ball
     y: float  # [m]
     kicked: bool = True
+    strength: float = 0.0  # of the kick, as a share of the strongest one
 
 
 class Storyteller:
@@ -92,7 +93,7 @@ class Storyteller:
                 self._others.append(r)
         for r in np.flatnonzero(match.robot_events["kick"][0]).tolist():
             last = self._kicks.get(r)
-            self._kicks[r] = Play(r, step, x, y)
+            self._kicks[r] = Play(r, step, x, y, strength=float(match.robots["kick_strength"][0, r]))
             if last is None or step - last.step > KICKS_APART * self.rate:
                 robot = match.robots[0, r]
                 self._add(step, "kick", int(robot["team"]), r, f"{player_words(robot)} kicks")
@@ -120,11 +121,19 @@ class Storyteller:
         kind = GoalKind(int(kinds[0])) if len(kinds) else GoalKind.SCRUM
         side = self._side(team)
         if not 0 <= r < len(before):
-            self._add_goal(match, step, NOBODY, f"a goal for {side}", kind, "nobody is known to have touched it", step)
+            self._add_goal(
+                match,
+                step,
+                NOBODY,
+                f"a goal for {side}",
+                kind,
+                "nobody is known to have touched it",
+                Play(NOBODY, step, 0.0, 0.0, kicked=False),
+            )
         elif kind in (GoalKind.CLEAN_KICK, GoalKind.DEFLECTED_KICK):
             play = self._shot(team, r, step, before)
             words = f"{player_words(before[play.row])} scores for {self._teams[team]}"
-            self._add_goal(match, step, play.row, words, kind, self._how_shot(match, play, kind, r, before), play.step)
+            self._add_goal(match, step, play.row, words, kind, self._how_shot(match, play, kind, r, before), play)
         else:
             play = self._touches.get(r, Play(r, step, 0.0, 0.0, kicked=False))
             words = f"{player_words(before[r])} scores for {self._teams[team]}"
@@ -132,7 +141,7 @@ class Storyteller:
             if int(before["team"][r]) != team:
                 words = f"own goal by {player_words(before[r])}, counts for {side}"
                 play, how = self._own_goal(r, step, play)
-            self._add_goal(match, step, r, words, kind, how, play.step)
+            self._add_goal(match, step, r, words, kind, how, play)
 
     def _shot(self, team: int, r: int, step: int, before: np.ndarray) -> Play:
         """Return the kick or push that a goal of a team came from; r: who touched the ball last."""
@@ -165,11 +174,14 @@ class Storyteller:
         """Return a side in words."""
         return f"{TEAM_NAMES[team]} ({self._teams[team]})"
 
-    def _add_goal(self, match: Match, step: int, r: int, words: str, kind: GoalKind, how: str, played: int) -> None:
+    def _add_goal(self, match: Match, step: int, r: int, words: str, kind: GoalKind, how: str, play: Play) -> None:
         """Add a goal."""
         score = [int(goals) for goals in match.matches["score"][0]]
         self._add(step, "goal", int(match.events["goal"][0]), r, words)
-        self.events[-1].append({"kind": kind.name.lower(), "how": how, "score": score, "played": min(played, step - 1)})
+        self.events[-1].append(
+            {"kind": kind.name.lower(), "how": how, "score": score, "played": min(play.step, step - 1)}
+        )
+        self.events[-1][-1]["kick"] = round(play.strength, 2) if play.kicked else None
 
     def _tell_penalty(self, match: Match, step: int) -> None:
         """Tell how a kick of a shoot-out ended."""

@@ -43,7 +43,7 @@ class Player {
     this.pick(this.asked());
     const end = recording.rows - 1;
     const penalties = recording.events.filter(([, kind]) => kind === "penalty").map(([, , , , , score]) => score.join(" : ")).pop();
-    byId("final").textContent = `ends ${recording.value("score_home", end)} : ${recording.value("score_away", end)}${penalties ? `, penalty kicks ${penalties}` : ""}`;
+    byId("final").textContent = `final score ${recording.value("score_home", end)} : ${recording.value("score_away", end)}${penalties ? `, penalty kicks ${penalties}` : ""}`;
     fillScorers([byId("scorers0"), byId("scorers1")], recording, (event) => this.jump(event));
     byId("listed").value = recording.events.some(([, kind]) => kind === "goal" || kind === "penalty") ? "goals" : "calls";
     this.fillEvents();
@@ -201,7 +201,7 @@ class Player {
     const goal = recording.goalOf(this.time, GOAL_SHOWN * recording.rate);
     byId("phase").textContent = goal ? `GOAL: ${goal[4]}` : `${recording.phases[moment.phase] || ""}${whose}`;
     byId("phase").classList.toggle("goal", Boolean(goal));
-    byId("time").textContent = `${minutes(this.time / recording.rate)} / ${minutes(recording.last / recording.rate)}`;
+    byId("time").textContent = `${tenths(this.time / recording.rate)} / ${minutes(recording.last / recording.rate)}`;
     if (!this.playing || now - (this.told.at || 0) > 100 || this.told.picked !== this.shown.picked) {
       this.told = { at: now, picked: this.shown.picked };
       showRecord(byId("record"), recording, this.shown.picked, this.time, moment);

@@ -71,14 +71,26 @@ class Recording {
     };
   }
 
+  // Tell whether somebody put robot r elsewhere between two times, or at the first row after them.
+  putElsewhere(r, early, late) {
+    const from = Math.floor(early / this.every), to = Math.min(Math.ceil(late / this.every), this.rows - 1);
+    for (let row = from; row < to; row++) {
+      const away = (name) => this.robotValue(r, name, row + 1) - this.robotValue(r, name, row);
+      if (Math.hypot(away("x"), away("y")) > JUMP * 1e3 && (row + 1) * this.every <= late) return true;
+    }
+    return false;
+  }
+
   // Return what robot r thought at the last note before a time, or null.
   thought(r, time) {
     if (!this.notes) return null;
     const { steps, table, track, slots, groups, fields, sees } = this.thoughts;
-    const low = upTo(steps, time);
+    let low = upTo(steps, time);
     if (low === 0) return null;
+    const moved = low < steps.length && this.putElsewhere(r, steps[low - 1], time);
+    if (moved) low += 1; // what it thought before it was put elsewhere is of the past: the next note tells more
     const get = (column) => this.notes[r * this.noteWidth + column][low - 1];
-    const span = low < steps.length ? steps[low] - steps[low - 1] : 0;
+    const span = low < steps.length && !moved ? steps[low] - steps[low - 1] : 0;
     const share = span > 0 ? Math.min(Math.max((time - steps[low - 1]) / span, 0), 1) : 0;
     const late = (column) => this.notes[r * this.noteWidth + column][Math.min(low, steps.length - 1)];
     // A place between two notes: what is believed lies on things that move, the early note alone would lag behind.
@@ -133,6 +145,11 @@ function between(x, y, nextX, nextY, share) {
 
 function turned(from, to, share) {
   return from + Math.atan2(Math.sin(to - from), Math.cos(to - from)) * share;
+}
+
+function tenths(seconds) {
+  const whole = Math.max(0, Math.floor(10 * seconds + 1e-6));
+  return `${minutes(Math.floor(whole / 10))}.${whole % 10}`;
 }
 
 function minutes(seconds) {

@@ -52,7 +52,7 @@ function beliefOf(recording, thought) {
   const moment = recording.at(thought.step), robot = moment.robots[thought.robot], { own, ball } = thought;
   const pairs = [["itself", `${sureOf(own)}, ${offBy(robot, own)}${turnedBy(robot, own)}`]];
   if (own.spread > 0) pairs.push(["possible poses", `within ${(2 * own.spread).toFixed(2)} m`]);
-  pairs.push(["ball", ball.age > NEVER ? "never seen" : `${sureOf(ball)}, ${offBy(moment.ball, ball)}, seen ${ball.age < 0.05 ? "now" : `${ball.age.toFixed(1)} s ago`}`]);
+  pairs.push(["ball", ball.age > NEVER ? "never seen" : `${sureOf(ball)}, ${offBy(moment.ball, ball)}, sensed ${ball.age < 0.05 ? "now" : `${ball.age.toFixed(1)} s ago`}`]);
   const mates = thought.players.filter((player) => player.mate).length;
   pairs.push(["players", `${mates} team-mates, ${thought.players.length - mates} opponents`]);
   return pairs;
@@ -80,6 +80,7 @@ function showRecord(panel, recording, r, time, moment) {
   panel.append(element("h2", recording.name(r)));
   const states = [!robot.active && "off the field", robot.hasBall && "has the ball", robot.fallen && "fallen", robot.kicks && "kicks"];
   panel.append(element("p", states.filter(Boolean).join(", ") || "plays"));
+  if (!robot.active) return;
   if (!thought) {
     panel.append(element("p", recording.notes ? "Nothing is known of what it thinks." : "This replay keeps no thoughts: soccer record does."));
     return;
@@ -93,7 +94,7 @@ function showRecord(panel, recording, r, time, moment) {
   if (!thought.knows) return;
   panel.append(element("h3", "believes"), facts(beliefOf(recording, thought)));
   const { saw, seen } = thought;
-  panel.append(element("h3", "sees"), facts([["ball", yes(saw.ball)], ["own goal", yes(saw.own_goal)], ["other goal", yes(saw.opponent_goal)],
+  panel.append(element("h3", "sees"), facts([["ball", saw.ball || recording.body.legs || thought.ball.age >= 0.05 ? yes(saw.ball) : "no: it is at the kicker's light barrier"], ["own goal", yes(saw.own_goal)], ["other goal", yes(saw.opponent_goal)],
     ["players", String(seen.players)], [recording.body.legs ? "landmarks" : "lines", String(seen.marks)],
     ...(recording.body.legs ? [["infrared", seen.infrared > 0 ? `${seen.infrared.toFixed(2)} m` : "nothing"]] : [])]));
   const picture = cameraPicture(recording, robot, moment, thought);
@@ -133,10 +134,12 @@ function scorerThought(recording, [, , team, r, , goal]) {
   if (thought.knows) {
     const side = (moment.direction > 0) === (team === 0) ? 1 : -1, which = robot.team === team ? "the goal" : "its own goal";
     const away = Math.hypot((side * recording.pitch.length) / 2 - own.x, own.y);
-    pairs.push(["ball", ball.age > NEVER ? "never seen" : `${placeOf(ball, own)} (${offBy(moment.ball, ball)}), ${sureOf(ball)}, seen ${agoOf(ball.age)}`]);
+    pairs.push(["ball", ball.age > NEVER ? "never seen" : `${placeOf(ball, own)} (${offBy(moment.ball, ball)}), ${sureOf(ball)}, sensed ${agoOf(ball.age)}`]);
     pairs.push(["itself", `${away.toFixed(1)} m from ${which} (${offBy(robot, own)}${turnedBy(robot, own)}), ${sureOf(own)}`]);
   } else pairs.push(["belief", "none: it is played from outside"]);
-  return [...pairs, ["decided", [roleOf(thought, robot.keeper), commandOf(thought)].filter(Boolean).join("; ")]];
+  pairs.push(["decided", [roleOf(thought, robot.keeper), commandOf(thought)].filter(Boolean).join("; ")]);
+  if (goal.kick !== null) pairs.push(["then", `kick ${(100 * goal.kick).toFixed(0)} %`]);
+  return pairs;
 }
 
 // Return when a scorer's belief was noted, in words.
