@@ -226,7 +226,7 @@ class Canvas:
         if wide <= 2 or high <= 2:
             return
         if self._pane is None:
-            self._pane = new_surface(*(side + 2 for side in self.large.get_size()), glass=True)
+            self._pane = new_surface(self.large.get_width() + 2, self.large.get_height() + 2, glass=True)
         area = self._pane.fill((0, 0, 0, 0), (0, 0, wide, high))
         pygame.draw.polygon(self._pane, (*colour, alpha), [(x - left, y - top) for x, y in large])
         self._touched.append(self.large.blit(self._pane, (left, top), area))

@@ -68,7 +68,8 @@ def figures_of(robots: np.ndarray, league: League, handedness: float = 1.0) -> l
         return [Figure(*row) for row in rows]
     paws = np.zeros((len(robots), LEGS, 2))
     paws_off_stance(robots, numbers_of(league)[0], handedness, paws)
-    return [Figure(*row, tuple(map(tuple, legs))) for row, legs in zip(rows, paws.tolist(), strict=True)]
+    swings = [tuple((x, y) for x, y in legs) for legs in paws.tolist()]
+    return [Figure(*row)._replace(paws=swing) for row, swing in zip(rows, swings, strict=True)]
 
 
 @lru_cache(maxsize=8)

@@ -79,7 +79,7 @@ def draw_maps(maps: Maps, form: str) -> bytes:
     with matplotlib.rc_context(STYLE):
         heights = [HEIGHTS[3], HEIGHTS[2], HEIGHTS[2] + 0.2]
         drawn = Figure(figsize=(7.6, 1.19 * sum(heights)), layout="constrained")
-        parts = drawn.subfigures(3, 1, height_ratios=heights)
+        parts: Any = drawn.subfigures(3, 1, height_ratios=heights)
         for part, columns, fill in zip(parts, (3, 2, 2), (fill_presence, fill_network, fill_shots), strict=True):
             fill(part, part.subplots(1, columns), maps)
         file = io.BytesIO()
