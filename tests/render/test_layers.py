@@ -237,3 +237,18 @@ def test_an_env_draws_them_and_without_flags_nothing_is_asked(monkeypatch: pytes
     match = played("legged-2001")[0]
     monkeypatch.setattr(Thoughts, "look", None)
     assert Onlooker(match, None).see(match, 480) == []
+
+
+@pytest.mark.parametrize("league", TEAMS)
+def test_notes_without_groups_say_the_same_of_beliefs_and_memories(league: str) -> None:
+    match, _ = played(league)
+    few, all_of = Thoughts(match, grouped=False), Thoughts(match)
+    brief, full = few.look(match), all_of.look(match)
+    assert brief.shape[1] < full.shape[1]
+    for r in range(len(match.agents)):
+        mine, theirs = Reader.of(few).thought(brief, r), Reader.of(all_of).thought(full, r)
+        assert replace(mine, groups={}) == replace(theirs, groups={}) and theirs.groups
+        assert Reader.of(few).memory(brief, r) == (theirs.words, theirs.numbers)
+        assert Reader.of(all_of).thinks(full)[r] == theirs.knows
+    assert not flags_of("belief,trail,roles").need_groups
+    assert all(flags_of(name).need_groups for name in ("sight", "field", "path", "infrared"))

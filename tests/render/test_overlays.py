@@ -60,3 +60,21 @@ def test_an_area_tints_the_ground_it_covers_and_a_label_writes_beside_its_point(
     rows, columns = np.nonzero((frame != plain).any(axis=2))
     assert column + 35 <= columns.min() < column + 45 and abs(rows.mean() - row) < 5
     assert near(frame, pink).any()
+
+
+def test_a_line_through_many_points_is_the_lines_between_them():
+    picture, records = Picture("middle-size-2006", 481), make_records(1, 0)
+    angle = np.linspace(0.0, 5.0, 30)
+    way = np.stack([angle - 2.0, np.sin(3.0 * angle)], axis=1)
+    whole = picture.draw(*records, overlays=[Polyline(way, colours.WHITE, 3.0)])
+    pieces = [Polyline(piece, colours.WHITE, 3.0) for piece in zip(way, way[1:], strict=False)]
+    assert np.array_equal(whole, picture.draw(*records, overlays=pieces))
+    assert whole.flags.writeable and whole.flags.c_contiguous and whole.shape == (picture.height, 481, 3)
+
+
+def test_nothing_is_written_about_a_place_outside_the_picture():
+    picture, records = Picture("legged-2001", 480), make_records()
+    clean = picture.draw(*records)
+    outside = [Label((0.0, -9.0), "8 s", colours.WHITE, 15.0, (0.0, away)) for away in (-2000.0, -1900.0, 0.0)]
+    assert np.array_equal(picture.draw(*records, overlays=outside), clean)
+    assert not np.array_equal(picture.draw(*records, overlays=[Label((0.0, 0.0), "8 s", colours.WHITE)]), clean)

@@ -90,9 +90,9 @@ def run(settings: BenchSettings, script: Path = WORKER) -> dict[str, Any]:
         for _ in range(settings.rounds):
             with ExitStack() as stack:
                 here, there = (stack.enter_context(started(places[n], n, settings, script)) for n in places)
-                rows = chosen(here.rows, settings.rows)
-                lacking |= {row: "only here" for row in rows if row not in there.rows}
-                for row in rows:
+                names = chosen(here.rows, settings.rows)
+                lacking |= {row: "only here" for row in names if row not in there.rows}
+                for row in names:
                     progress.note(row)
                     if row not in lacking:
                         lacking |= measure(row, here, there, settings.repetitions, pairs)
