@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 
     from rich.console import Console
 
-    from soccer_env.train.ppo import TrainResult, TrainSettings
+    from soccer_env.train.ppo.settings import TrainSettings
+    from soccer_env.train.ppo.training import TrainResult
 
 WIDTH = 120  # columns of a table that does not go to a terminal
 

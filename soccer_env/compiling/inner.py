@@ -24,6 +24,7 @@ OBJECTS = 50_000  # that are made while compiling between two looks for garbage
 Library: Any = JITCodeLibrary
 Dispatcher: Any = CPUDispatcher
 Pipeline: Any = compiler.Compiler
+normalized: Any = sigutils.normalize_signature
 
 
 class _Compiling(threading.local):
@@ -115,7 +116,7 @@ class Kernel(Dispatcher):  # type: ignore[misc]
             _compiling.depth -= 1
 
     def _compile_for_python(self, sig: Any) -> Any:
-        arguments = tuple(sigutils.normalize_signature(sig)[0])
+        arguments = tuple(normalized(sig)[0])
         if is_inner(self.overloads.get(arguments)):
             del self.overloads[arguments]
         with few_collections():
