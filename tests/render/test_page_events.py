@@ -180,13 +180,18 @@ def test_a_page_says_who_scored_and_what_the_scorer_believed(tmp_path: Path) -> 
         words = browser.run("document.querySelector('#events .goal').innerText").replace("\u00a0", " ")
         who, when = f"red {event[3]}", f"00:{event[0] // 50:02d}"
         assert browser.run("document.getElementById('scorers0').innerText") == f"{who} {when}"
-        assert browser.run("document.getElementById('final').textContent") == "ends 1 : 0"
+        assert browser.run("document.getElementById('final').textContent") == "final score 1 : 0"
         near = browser.run("player.shown.picked")  # belief was asked for, but not whose
+        after = browser.run(f"player.recording.thought({event[3]}, {event[0] + 5}).step")
         browser.run(f"(() => {{ player.seek({event[0]} + 5); player.show(0); }})()")
         assert browser.run("document.getElementById('phase').textContent") == f"GOAL: {who} scores for {EVIL}"
         assert browser.run("typeof window.evil") == "undefined" and browser.errors == []
     assert f"{when} 1 : 0 {who} scores for {EVIL} {event[5]['how']}" in " ".join(words.split())
     assert "attacker; " in words.partition("decided")[2]
+    assert after == notes.steps[notes.steps > event[0]][0], (
+        "what it thought of the place that it was taken from is past"
+    )
+    assert number(r"then\s+kick (\d+) %", words) == round(100 * event[5]["kick"]) > 0
     row = int(np.flatnonzero(notes.steps < event[5]["played"])[-1])
     thought = Reader.of(notes).thought(notes.numbers[row], event[3])
     match = next(match for step, match in enumerate(replay.play()) if step == notes.steps[row])
@@ -196,7 +201,7 @@ def test_a_page_says_who_scored_and_what_the_scorer_believed(tmp_path: Path) -> 
     assert number(r"ball\s+(.*?) m ahead", words) == pytest.approx(ahead, abs=6e-3)
     wrong = np.hypot(ball["x"] - thought.ball[0], ball["y"] - thought.ball[1])
     assert number(r"ahead \(wrong by (.*?) m", words) == pytest.approx(wrong, abs=8e-3)
-    assert number(r"m\), (\d+) % sure, seen", words) == round(thought.ball_confidence)
+    assert number(r"m\), (\d+) % sure, sensed", words) == round(thought.ball_confidence)
     wrong = np.hypot(robot["x"] - thought.pose[0], robot["y"] - thought.pose[1])
     assert number(r"from the goal \(wrong by (.*?) m", words) == pytest.approx(wrong, abs=8e-3)
     goal_x = match.matches["home_direction"][0] * match.league.pitch.length / 2
