@@ -124,7 +124,9 @@ def matches_in(header: dict[str, Any], there: int, rows: np.ndarray | None) -> i
     if fits:
         return int(count)
     if rows is None:
-        raise ValueError(f"this save is of {brief(count)} matches, not {there}: say which rows to load it into")
+        raise ValueError(
+            f"this save is of {brief(count)} matches, not {there}; a Match loads it into rows that are named"
+        )
     raise ValueError(
         f"rows must be as many as the matches of the save, {brief(count)}, got {len(rows)}; one fits any number"
     )

@@ -177,7 +177,7 @@ def test_a_save_of_some_rows_goes_into_as_many() -> None:
         ([0, 1, 2], r"rows must be as many as the matches of the save, 2, got 3"),
         ([0, 0], "rows must be different matches"),
         ([0, 6], "rows must be whole numbers from 0 to 5, got 6"),
-        (None, "this save is of 2 matches, not 6: say which rows to load it into"),
+        (None, "this save is of 2 matches, not 6; a Match loads it into rows"),
     ],
 )
 def test_a_save_of_another_number_of_matches_is_refused(rows: Any, message: str) -> None:

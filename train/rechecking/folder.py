@@ -14,6 +14,7 @@ from soccer_env.train.provenance import settings_hash
 from soccer_env.train.results_folder import GROWN, PARTS, SETTINGS, check_kinds, settings_before
 from soccer_env.whole_files import read_plain
 
+RESULT = "result.json"
 LARGEST = 1 << 30  # [bytes] of matches.jsonl and of result.json
 MOST = 10_000_000  # matches
 
@@ -27,6 +28,7 @@ class Found:
     made_with: dict[str, str]
     sizes: tuple[int, ...]  # matches that it asks for, and those that it asked for before it grew
     lines: dict[int, dict[str, Any]]  # of finished matches, by number
+    result: dict[str, Any] | None  # what result.json says, if there is one
 
     @property
     def pairs(self) -> list[int]:
@@ -38,6 +40,7 @@ def read_folder(path: Path) -> Found:
     """Return what a folder says; ValueError if it is none of an evaluation, or damaged."""
     if not path.is_dir():
         raise ValueError(f"{path} is no folder" if path.exists() else f"there is no folder {path}")
+    result = read_result(path / RESULT)  # before the lines, from which it follows: an evaluation may go on just now
     before = settings_before(path, EVALUATION)
     if before is None:
         raise ValueError(f"{path} holds no evaluation: there is no {SETTINGS}")
@@ -51,7 +54,7 @@ def read_folder(path: Path) -> Found:
     sizes = (matches, *earlier)
     mine = {settings_hash({**conditions, "matches": size}, made_with) for size in sizes}
     lines = read_matches(path / MATCHES, matches, mine, conditions, made_with)
-    return Found(path, conditions, made_with, sizes, lines)
+    return Found(path, conditions, made_with, sizes, lines, result)
 
 
 def read_matches(

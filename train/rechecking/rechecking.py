@@ -13,7 +13,7 @@ import numpy as np
 from soccer_env.checking import brief
 from soccer_env.leagues.league import League
 from soccer_env.teams import Team
-from soccer_env.train.evaluate.contest import BATCH, Contest, play_batches
+from soccer_env.train.evaluate.contest import Contest, play_batches
 from soccer_env.train.evaluate.line_checks import check_line
 from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import Conditions
@@ -21,10 +21,10 @@ from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import settings_hash
 from soccer_env.train.rechecking.comparing import Difference, differences
 from soccer_env.train.rechecking.contest import same_contest
-from soccer_env.train.rechecking.folder import Found, read_folder, read_result
+from soccer_env.train.rechecking.folder import Found, read_folder
 from soccer_env.train.rechecking.settings import ALL, RecheckSettings
 
-RESULT = "result.json"
+AT_ONCE = 8  # pairs side by side for each thread: few, as what came of them is told when all have ended
 Tell = Callable[[int, list[Difference]], None]
 
 
@@ -91,7 +91,7 @@ def compare(found: Found, contest: Contest, pairs: Sequence[int], threads: int, 
     """Play pairs again; return what differs, by match. `tell` gets each pair once both of its matches are played."""
     differing: dict[int, list[Difference]] = {}
     steps = sum(max(0, found.lines[number]["steps"]) for pair in pairs for number in (2 * pair, 2 * pair + 1))
-    size = -(-len(pairs) // max(-(-len(pairs) // BATCH), (threads + 1) // 2))
+    size = -(-len(pairs) // max(-(-len(pairs) // AT_ONCE), (threads + 1) // 2))
     batches = [
         [2 * pair + side for pair in pairs[first : first + size]]
         for first in range(0, len(pairs), size)
@@ -116,7 +116,7 @@ def unlike_result(found: Found, contest: Contest) -> tuple[str, ...] | None:
 
     An evaluation that grows has the result of the smaller one until it is finished.
     """
-    there = read_result(found.path / RESULT)
+    there = found.result
     if there is None:
         return None
     matches = there.get("matches")
