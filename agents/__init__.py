@@ -4,6 +4,7 @@ learned.py      a policy as a team
 policy.py       what a policy is: a network and all that has to agree before it may play
 normalising.py  how observations are normalised before a network sees them
 rules_known.py  the rules it was trained under, and a warning where it plays under others
+trained_with.py the senses it was trained with, and how those of a match differ
 policy_file.py  policy files, which never run code
 torch_policy.py policies of any library on torch, written as such files
 torch_layers.py what stands in a torch module

@@ -25,6 +25,7 @@ from soccer_env.actions import BOX, DISCRETE, FULL
 from soccer_env.agents.attention import TENSORS, layout_of
 from soccer_env.agents.normalising import check_normalise
 from soccer_env.agents.rules_known import check_recorded, recorded, tell_of_rules
+from soccer_env.agents.trained_with import check_trained_with
 from soccer_env.checking import brief, one_of, refuse
 from soccer_env.leagues.checks import check_family
 from soccer_env.leagues.league import MAX_RATE, League
@@ -46,7 +47,7 @@ NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._+-]{0,63}")  # safe in a table, in a
 INPUT = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,63}")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Policy:
     """A trained network and everything that has to agree before it may play.
 
@@ -73,6 +74,8 @@ class Policy:
     squash: bool = False  # True: tanh of the outputs instead of clipping them
     at_once: bool = False  # True: its first decision falls into the first step of an episode, as the APIs do it
     normalise: Mapping[str, Any] = field(default_factory=dict)  # observations, as `normalising` says; {}: as they are
+    senses: str = ""  # of its robots in training, "sensors" or "ideal"; "": nothing is known, see `trained_with`
+    pose: str = ""  # how they knew where they were, "percept" or "particles"; "": nothing is known
 
     def __post_init__(self) -> None:
         _check_text("name", self.name, NAME)
@@ -94,6 +97,7 @@ class Policy:
         _check_inputs(self.inputs)
         _check_made(self.made)
         check_recorded(self.rules)
+        check_trained_with(self)
         if self.mirror:
             observation_signs(self.entries)
         features = _check_attention(self.kind, self.attention, self.entries)
@@ -105,6 +109,12 @@ class Policy:
             object.__setattr__(self, name, tuple(_frozen(array) for array in getattr(self, name)))
         for name in ("made", "rules", "normalise"):
             object.__setattr__(self, name, dict(getattr(self, name)))
+
+    def __repr__(self) -> str:
+        """Return what it is called, where it plays and what it looks like, without its numbers."""
+        sizes = ", ".join(str(len(bias)) for bias in self.biases)
+        shape = f"{self.kind} of {len(self.inputs)} inputs, layers of {sizes}"
+        return f"Policy({self.name!r}, {self.league!r}, observe={self.observe!r}, actions={self.actions!r}: {shape})"
 
     @property
     def entries(self) -> list[Entry]:

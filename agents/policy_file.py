@@ -5,10 +5,10 @@
     tensors    float32, little-endian, one after the other without gaps
 
 TEXT is JSON again: the fields of `Policy` without its arrays, and "version". The schema is strict: exactly these keys,
-each once, with these types; anything else is a ValueError in one line that names the file. Version 4 tells discrete,
-squashed and normalised policies, and when they decide first; versions 1 and 2 said nothing of the rules, version 1
-nothing of the league but its name: family and control rate are those of our own league of that name. The kind
-"attention" has six tensors more, "teammate.weight" and so on (`attention.TENSORS`).
+each once, with these types; anything else is a ValueError in one line that names the file. Version 5 tells the senses
+of the training; version 4 discrete, squashed and normalised policies, and when they decide first; versions 1 and 2 said
+nothing of the rules, version 1 nothing of the league but its name: family and control rate are those of our own league
+of that name. The kind "attention" has six tensors more, "teammate.weight" and so on (`attention.TENSORS`).
 
 The safetensors library checks that the header fits into the file and is JSON, that sizes agree with shapes, and that
 the tensors cover the file without holes and overlaps. It lets duplicate names, unknown fields of a tensor and any
@@ -35,7 +35,7 @@ from soccer_env.checking import brief
 from soccer_env.leagues import LEAGUES
 from soccer_env.match_settings import version
 
-VERSION = 4
+VERSION = 5
 KEY = "soccer_env.policy"
 MAX_FILE = 16 * 2**20  # [bytes]
 MAX_HEADER = 5 * 2**18  # [bytes] the largest policy needs about 1 MiB
@@ -59,9 +59,14 @@ SCHEMA: dict[str, type] = {
     "squash": bool,
     "at_once": bool,
     "normalise": dict,
+    "senses": str,
+    "pose": str,
 }
-LATEST = {"squash": False, "at_once": False, "normalise": {}}  # keys of version 4, and what older files mean
-LACKS = {1: ("family", "control_rate", "rules", *LATEST), 2: ("rules", *LATEST), 3: tuple(LATEST)}  # keys, by version
+NEWER = {4: {"squash": False, "at_once": False, "normalise": {}}, 5: {"senses": "", "pose": ""}}
+"""The keys that came with later versions, and what files without them mean."""
+LATEST = NEWER[4] | NEWER[5]
+LACKS = {1: ("family", "control_rate", "rules", *LATEST), 2: ("rules", *LATEST), 3: tuple(LATEST), 4: tuple(NEWER[5])}
+"""The keys that older files do not have, by version."""
 TABLES = ("made", "rules", "normalise")
 TENSOR = {"dtype", "shape", "data_offsets"}
 
@@ -69,13 +74,14 @@ TENSOR = {"dtype", "shape", "data_offsets"}
 def dump(policy: Policy) -> bytes:
     """Return the content of a policy's file; the same policy gives the same bytes.
 
-    What needs nothing of version 4 is written as version 3, which older versions of the package read.
+    What needs nothing of the later versions is written as version 3 or 4, which older versions of the package read.
     """
     fields = {key: getattr(policy, key) for key in SCHEMA if key not in ("version", "inputs", *TABLES)}
     tables = {key: dict(getattr(policy, key)) for key in TABLES}
     table = {"version": VERSION, **fields, "inputs": list(policy.inputs), **tables}
-    if policy.actions != "discrete" and all(table[key] == usual for key, usual in LATEST.items()):
-        table = {key: value for key, value in table.items() if key not in LATEST} | {"version": 3}
+    needed = [version for version, keys in NEWER.items() if any(table[key] != usual for key, usual in keys.items())]
+    table["version"] = max([3, *needed, *([4] if policy.actions == "discrete" else [])])
+    table = {key: value for key, value in table.items() if key not in LACKS.get(table["version"], ())}
     text = json.dumps(table, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
     tensors = dict(zip(TENSORS, policy.attention))
     for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases)):

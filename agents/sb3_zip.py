@@ -29,6 +29,7 @@ from soccer_env.agents.normalising import table_of
 from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, Policy, league_of
 from soccer_env.agents.policy_file import dump, file_name, one_line, read_plain, strict_json
 from soccer_env.agents.sb3_actor import algorithm_of, is_discrete, layers_of
+from soccer_env.agents.trained_with import known_senses, tell_of_truth
 from soccer_env.checking import brief, one_of
 from soccer_env.leagues import League, find_league
 from soccer_env.observations import OBSERVE, names_of
@@ -72,13 +73,15 @@ def load_sb3(
     activation: str | None = None,
     at_once: bool = False,
     normalise: Any = None,
+    pose: str | None = None,
+    senses: str | None = None,
 ) -> Policy:
     """Return the policy of a stable-baselines3 zip trained in a league on `observe`.
 
     `name` is the file's own unless given. `activation` is for zips of a user's own policy classes that do not name
     theirs; None: what the zip says, else the algorithm's. `at_once` says how its episodes began, see `Policy`,
-    `normalise` what VecNormalize made of the observations, see `normalising.table_of`. ValueError names the file and
-    the reason; without torch it is an ImportError.
+    `normalise` what VecNormalize made of the observations, see `normalising.table_of`, `pose` and `senses` with which
+    it was trained, see `Policy`. ValueError names the file and the reason; without torch it is an ImportError.
     """
     preset = find_league(league)
     one_of("observe", observe, OBSERVE)
@@ -98,7 +101,7 @@ def load_sb3(
         return Policy(
             **{**read, **league_of(preset), "name": _stem(path) if name is None else name},
             observe=observe, inputs=tuple(inputs), action_repeat=action_repeat, kind="slots", mirror=False,
-            at_once=at_once, normalise=table_of(normalise),
+            at_once=at_once, normalise=table_of(normalise), **known_senses(senses, pose),
         )  # fmt: skip
     except ValueError as error:
         raise ValueError(f"policy file {file_name(path)!r}: {one_line(error)}") from None
@@ -113,6 +116,7 @@ def convert_sb3(path: str | os.PathLike[str], out: str | os.PathLike[str], **set
         raise ValueError(f"a policy file must end in .safetensors, got {os.fspath(out)!r}")
     policy = load_sb3(path, **{"at_once": True, **settings})
     write_whole(Path(out), dump(policy))
+    tell_of_truth(policy)
     return policy
 
 

@@ -20,6 +20,7 @@ from soccer_env.agents.perceptron import act, given, pack, widest
 from soccer_env.agents.policy import ACTIONS, Policy, trained_in
 from soccer_env.agents.policy_file import dump
 from soccer_env.agents.torch_layers import Network, applied, network_of
+from soccer_env.agents.trained_with import known_senses, tell_of_truth
 from soccer_env.checking import one_of
 from soccer_env.leagues import League, find_league
 from soccer_env.leagues.rules import rule_set
@@ -37,6 +38,7 @@ def save_policy(
     module: Any, path: str | os.PathLike[str], *, league: str | League, observe: str, action_repeat: int = 1,
     rules: str = "league", squash: bool = False, normalise: Any = None, activation: str | None = None,
     outputs: Callable[[Any], Any] | None = None, at_once: bool = True, name: str | None = None,
+    pose: str | None = None, senses: str | None = None,
 ) -> Policy:  # fmt: skip
     """Write the actor of a learner as a policy file, and return what it holds; ValueError, and no file, if it cannot.
 
@@ -47,6 +49,8 @@ def save_policy(
     VecNormalize, see `normalising.table_of`. activation: "tanh" or "relu" where `forward` applies it and no module
     does. outputs: a function of observations (B, n) that gives the outputs to compare with, else the module itself.
     at_once: episodes began with a decision, as by the APIs; False: as by `SoccerVecEnv`. name: else the file's.
+    pose ("percept" or "particles"), senses ("sensors" or "ideal"): those of the training, which `soccer evaluate` then
+    asks for; None: not known. A file that is there is written over: a training loop saves again and again.
     """
     if Path(path).suffix != ENDING:
         raise ValueError(f"a policy file must end in {ENDING}, got {os.fspath(path)!r}")
@@ -61,10 +65,11 @@ def save_policy(
         name=Path(path).stem if name is None else name, **trained_in(preset), observe=observe, inputs=inputs,
         actions=kind_of(network), action_repeat=action_repeat, kind="slots", activation=network.activation,
         mirror=False, weights=network.weights, biases=network.biases, made=made_of(module),
-        squash=squash or network.squash, at_once=at_once, normalise=table_of(normalise),
+        squash=squash or network.squash, at_once=at_once, normalise=table_of(normalise), **known_senses(senses, pose),
     )  # fmt: skip
     compare(policy, network.squash, lambda rows: applied(module if outputs is None else outputs, rows, module))
     write_whole(Path(path), dump(policy))
+    tell_of_truth(policy)
     return policy
 
 

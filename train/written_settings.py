@@ -11,11 +11,12 @@ from dataclasses import fields
 from typing import Any
 
 from soccer_env.checking import FROM_ZERO, Checked, Range, refuse
+from soccer_env.match_settings import Pose
 from soccer_env.types import MAX_TEAM
 
 SENSES = ("ideal", "sensors")
 SENSING = "sensors"  # a team that is not named
-POSES = ("particles", "percept")
+POSES: tuple[Pose, ...] = ("particles", "percept")  # the first of an evaluation
 
 
 class CommandSettings(Checked):

@@ -128,12 +128,12 @@ CORPUS = {
     "huge number": (with_table(json.dumps(TABLE).replace("false", "9" * 100_000, 1)), "number of 100000 digits"),
     "huge size": (packed(json.dumps(HEADER).replace("[3, 2]", f"[{'9' * 5000}]").encode()), "5000 digits"),
     "other version": (
-        with_fields(version=5),
-        r"is of format version 5; this soccer_env \(0\.1\.0\) reads versions 1 to 4",
+        with_fields(version=6),
+        r"is of format version 6; this soccer_env \(0\.1\.0\) reads versions 1 to 5",
     ),
     "a later maker": (
-        with_fields(version=5, made={"soccer_env": "9.1\n[red]"}),
-        r"is of format version 5, made by soccer_env 9\.1 \[red\]; this soccer_env \(0\.1\.0\) reads versions 1 to 4",
+        with_fields(version=6, made={"soccer_env": "9.1\n[red]"}),
+        r"is of format version 6, made by soccer_env 9\.1 \[red\]; this soccer_env \(0\.1\.0\) reads versions 1 to 5",
     ),
     "version in words": (with_fields(version="1"), "is of format version '1'"),
     "version is true": (with_fields(version=True), "is of format version True"),

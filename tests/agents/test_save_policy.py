@@ -154,9 +154,19 @@ def test_a_saved_policy_decides_as_it_did_in_training(tmp_path: Path) -> None:
 
 
 def test_what_a_file_says_of_its_making(tmp_path: Path) -> None:
-    policy = save_policy(mlp(4), tmp_path / "a.safetensors", **TRAINED, rules="simple", name="first")
-    assert (policy.name, policy.rules["name"]) == ("first", "simple")
+    said: dict[str, Any] = {"rules": "simple", "name": "first", "pose": "particles", "senses": "sensors"}
+    policy = save_policy(mlp(4), tmp_path / "a.safetensors", **TRAINED, **said)
+    assert (policy.name, policy.rules["name"], policy.pose, policy.senses) == (
+        "first",
+        "simple",
+        "particles",
+        "sensors",
+    )
+    assert save_policy(mlp(4), tmp_path / "a.safetensors", **TRAINED).pose == "", "nobody said"
+    with pytest.raises(ValueError, match="pose must be one of"):
+        save_policy(mlp(4), tmp_path / "a.safetensors", **TRAINED, pose="compass")
     assert set(policy.made) == {"from", "torch", "soccer_env"}
+    save_policy(mlp(4), tmp_path / "a.safetensors", **TRAINED, name="first")
     assert make_team(str(tmp_path / "a.safetensors")).name == "first"
 
 

@@ -13,6 +13,8 @@ from threading import Event
 
 import numpy as np
 
+from soccer_env.agents.policy import Policy
+from soccer_env.agents.trained_with import differences
 from soccer_env.function_teams import FunctionTeam
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
@@ -21,7 +23,7 @@ from soccer_env.scenes import find_scene
 from soccer_env.statistics.maps import maps_of
 from soccer_env.teams import CompiledTeam, ObservingTeam, Team, in_module, make_team, registered
 from soccer_env.train.evaluate.results import MatchLine
-from soccer_env.train.evaluate.settings import Conditions
+from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings
 from soccer_env.train.evaluate.statistics import line_of_statistics
 
 BATCH = 32  # matches side by side for each thread; more gain little, and a run that is killed loses the batch
@@ -71,6 +73,26 @@ def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]
     if scene.success != "none":
         raise ValueError(f"scene {scene.name!r} is a drill: evaluating drills is not built yet, only matches are")
     return Contest(conditions, league, *(find_team(name, teams) for name in (conditions.home, conditions.away)))
+
+
+def check_trained(contest: Contest, settings: EvaluateSettings) -> None:
+    """Raise ValueError, with the flag, for a policy that learned by other senses if nobody asked for any."""
+    for side, policy, setting, trained, here in trained_otherwise(contest):
+        if getattr(settings, setting) is None:
+            flag = f"--{setting}"
+            so = "" if policy.observe == "truth" else f", {flag} {here} tests it so"
+            raise ValueError(
+                f"{getattr(settings, side)!r} was trained with {setting}={trained!r}, evaluations have {here!r} by "
+                f"default: {flag} {trained} plays it as it was trained{so}"
+            )
+
+
+def trained_otherwise(contest: Contest) -> Iterator[tuple[str, Policy, str, str, str]]:
+    """Yield side, policy, setting, its value in training and here, wherever a policy was trained with another."""
+    asked = contest.conditions
+    for side, team, senses in zip(("home", "away"), (contest.first, contest.second), asked.senses, strict=True):
+        for found in differences(team, senses, asked.pose):
+            yield side, *found
 
 
 def find_team(name: str, teams: Mapping[str, Team]) -> str | Team:

@@ -11,12 +11,12 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.teams import Team
-from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
+from soccer_env.train.evaluate.contest import Contest, check_trained, contest_of, play_matches, trained_otherwise
 from soccer_env.train.evaluate.line_checks import check_line
 from soccer_env.train.evaluate.page import page_of
 from soccer_env.train.evaluate.report import markdown
@@ -39,6 +39,7 @@ def evaluate(
     """
     league = league or find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, teams or {})
+    check_trained(contest, settings)
     made = {**made_with(league, contest.first, contest.second), **of_modules([settings.league, settings.scene])}
     contest.start("home", [0])  # whatever cannot be played is found before a folder is made
     if settings.out is not None:
@@ -46,7 +47,7 @@ def evaluate(
     about = {"command": command_of(settings), **made_now()}
     folder = ResultsFolder(settings.out, EVALUATION, asdict(contest.conditions), made, about, settings.anew)
     lines = play_missing(contest, folder, settings.threads)
-    result = summarise(contest.conditions, made, lines, contest.league.pitch)
+    result = replace(summarise(contest.conditions, made, lines, contest.league.pitch), trained=told(contest))
     folder.write("result.json", json.dumps(result.as_dict(), indent=2) + "\n")
     folder.write("report.md", markdown(result, folder.about))
     if folder.path is not None:
@@ -55,6 +56,14 @@ def evaluate(
     if settings.picture:
         draw_first_match(contest, folder, result)
     return result
+
+
+def told(contest: Contest) -> dict[str, str]:
+    """Return what policies were trained with otherwise than they play here, in words, by the name of the policy."""
+    found: dict[str, str] = {}
+    for _, policy, setting, trained, _ in trained_otherwise(contest):
+        found[policy.name] = ", ".join(filter(None, (found.get(policy.name), f"{setting} {trained}")))
+    return found
 
 
 def play_missing(contest: Contest, folder: ResultsFolder, threads: int) -> list[MatchLine]:

@@ -90,6 +90,7 @@ def conditions_rows(result: EvaluationResult, about: dict[str, str]) -> list[tup
         ("players", conditions.sizes),
         ("minutes of play", f"{conditions.minutes:g}"),
         ("senses, pose", f"{conditions.senses_text}, {conditions.pose}"),
+        *((f"{name} was trained with", what) for name, what in result.trained.items()),
         ("scene, rules, placement", f"{conditions.scene}, {conditions.rules}, {conditions.placement}"),
         ("seed", f"{conditions.seed}"),
         ("begun, commit", f"{about.get('date', '')}, {about.get('commit') or 'none'}"),
@@ -183,11 +184,11 @@ def screen_table(result: EvaluationResult) -> Table:
     """Return the numbers of a result as a table for the terminal."""
     from rich.table import Table
 
-    conditions = result.conditions
+    conditions, trained = result.conditions, result.trained.items()
     drawn = Table(
         title=f"{conditions.home} against {conditions.away}, {conditions.league}, {conditions.sizes}, "
         f"{conditions.minutes:g} min",
-        caption=sentence(result),
+        caption=" ".join([sentence(result), *(f"{name} was trained with {what}." for name, what in trained)]),
     )
     drawn.add_column("")
     drawn.add_column("value", justify="right")

@@ -76,6 +76,7 @@ class EvaluationResult:
     statistics: dict[str, Total]  # of play, by name; nothing if lines lack them
     maps: dict[str, Any]  # of all matches together; nothing if lines lack them
     lines: tuple[MatchLine, ...]  # sorted
+    trained: dict[str, str] = field(default_factory=dict)  # what policies learned by otherwise, by their name
 
     def as_dict(self) -> dict[str, Any]:
         """Return what result.json holds."""

@@ -13,7 +13,14 @@ from soccer_env.checking import SHARE, Range
 from soccer_env.leagues.league import League
 from soccer_env.match_settings import Placement, Pose
 from soccer_env.train.keeping.asking import Keep
-from soccer_env.train.written_settings import CommandSettings, command_with, split_players, split_senses
+from soccer_env.train.written_settings import (
+    POSES,
+    SENSING,
+    CommandSettings,
+    command_with,
+    split_players,
+    split_senses,
+)
 
 FULL = "full"  # minutes: the league's own length of a match
 
@@ -47,10 +54,12 @@ class EvaluateSettings(CommandSettings):
     """Seed from which the seeds of all matches follow, 0 or more."""
     threads: int = 1
     """Threads that share the matches; the result does not depend on them."""
-    senses: str = "sensors"
-    """What fills the teams' beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each."""
-    pose: Literal["particles", "percept"] = "particles"
-    """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given."""
+    senses: str | None = None
+    """What fills the teams' beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each. None for
+    sensors; a policy that was trained with other senses is then refused."""
+    pose: Literal["particles", "percept"] | None = None
+    """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given. None
+    for particles; a policy that was trained with the other pose is then refused."""
     scene: str = "kick-off"
     """Start of each match; `soccer list scenes` names them."""
     rules: str = "league"
@@ -82,7 +91,7 @@ class EvaluateSettings(CommandSettings):
             raise ValueError("picture needs a folder: give out as well")
         if (Keep(self.keep).each or self.keep_pages) and self.out is None:
             raise ValueError("replays are kept in a folder: give out as well")
-        split_senses(self.senses)
+        split_senses(SENSING if self.senses is None else self.senses)
 
 
 @dataclass(frozen=True)
@@ -134,8 +143,8 @@ def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
         minutes=float(minutes),
         players=split_players(settings.players, league.team_size),
         seed=settings.seed,
-        senses=split_senses(settings.senses),
-        pose=settings.pose,
+        senses=split_senses(SENSING if settings.senses is None else settings.senses),
+        pose=settings.pose or POSES[0],
         scene=settings.scene,
         rules=settings.rules,
         placement=settings.placement or league.evaluation_placement,

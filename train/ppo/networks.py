@@ -174,8 +174,9 @@ class SoccerPolicy(ActorCriticPolicy):
 
 
 def policy_from(
-    network: SoccerPolicy, *, name: str, league: League, observe: str, action_repeat: int, made: Mapping[str, str]
-) -> Policy:
+    network: SoccerPolicy, *, name: str, league: League, observe: str, action_repeat: int, made: Mapping[str, str],
+    senses: str = "", pose: str = "",
+) -> Policy:  # fmt: skip
     """Return what a policy file holds of a trained network: its actor."""
     weights, biases, pooling = (
         tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts) for parts in actor_tensors(network)
@@ -184,7 +185,7 @@ def policy_from(
     return Policy(
         name=name, **trained_in(league), observe=observe, inputs=inputs, actions=actions,
         action_repeat=action_repeat, kind=network.kind, activation=network.activation, mirror=network.mirror,
-        weights=weights, biases=biases, made=made, attention=pooling,
+        weights=weights, biases=biases, made=made, attention=pooling, senses=senses, pose=pose,
     )  # fmt: skip
 
 
@@ -224,5 +225,5 @@ def blank_policy(settings: TrainSettings, league: League) -> Policy:
         kind=settings.kind,
         weights=tuple(np.zeros(shape, np.float32) for shape in shapes),
         biases=tuple(np.zeros(out, np.float32) for out, _ in shapes), made={},
-        attention=tuple(np.zeros(shape, np.float32) for shape in pooling),
+        attention=tuple(np.zeros(shape, np.float32) for shape in pooling), **settings.own_senses,
     )  # fmt: skip

@@ -123,7 +123,7 @@ def evaluation_of(policy: Policy, opponent: str, settings: TrainSettings) -> Con
     asked = EvaluateSettings(
         league=settings.league, home="policy", away=opponent, matches=settings.evaluate_matches,
         minutes=settings.evaluate_minutes, players=f"{players[0]}v{players[1]}",
-        seed=settings.seed + EVALUATION_SEED, senses=settings.senses, rules=settings.rules,
+        seed=settings.seed + EVALUATION_SEED, senses=settings.senses, pose="particles", rules=settings.rules,
     )  # fmt: skip
     league = find_league(settings.league)
     return contest_of(conditions_of(asked, league), league, {"policy": team_of(policy)})

@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 
 import tyro
 
+from soccer_env.agents.trained_with import senses_of_run
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import rule_set
@@ -242,6 +243,12 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
         """Return the share of each kind of matches and what `Match` takes as senses for it."""
         kinds = ((1.0 - self.ideal_share, self.senses), (self.ideal_share, "ideal"))
         return [(share, senses_of(senses)) for share, senses in kinds if share > 0.0]
+
+    @property
+    def own_senses(self) -> dict[str, str]:
+        """Return what a policy file says of the senses that its robots learn by, by the fields of `Policy`."""
+        own = split_senses(self.senses)[0]
+        return senses_of_run({"senses": own, "ideal_share": self.ideal_share, "pose": self.pose})
 
     @property
     def hidden_sizes(self) -> tuple[int, ...]:

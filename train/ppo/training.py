@@ -15,6 +15,7 @@ import numpy as np
 
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump
+from soccer_env.agents.trained_with import tell_of_truth
 from soccer_env.train.keeping import Kept
 from soccer_env.train.ppo.checkpoints import generators, read_checkpoint, restore_generators, write_checkpoint
 from soccer_env.train.ppo.checks import made_by
@@ -82,7 +83,7 @@ class Training:
         settings = self.settings
         return policy_from(
             self.learner.network, name=settings.name, league=self.learner.league, observe=settings.observe,
-            action_repeat=settings.action_repeat, made=made_by(settings, self.learner.steps),
+            action_repeat=settings.action_repeat, made=made_by(settings, self.learner.steps), **settings.own_senses,
         )  # fmt: skip
 
     def log(self, results: Sequence[Result]) -> None:
@@ -120,6 +121,7 @@ class Training:
             mean = float(np.mean([row["goal_difference"] for row in rows]))
             data = dump(policy)
             self.folder.write(LAST, data)
+            tell_of_truth(policy)
             if mean > best:
                 self.folder.write(BEST, data)
             self.folder.log_evaluation({**record, "mean": mean, "rows": rows})

@@ -21,6 +21,7 @@ def test_a_policy_that_was_trained_for_a_moment_is_evaluated_against_the_team_of
             minutes=0.1,
             players=2,
             seed=1,
+            pose="percept",  # as it was trained
         )  # fmt: skip
     )
     assert len(result.lines) == 2 and {line.goals_for >= 0 for line in result.lines} == {True}
@@ -39,6 +40,7 @@ def test_a_policy_that_was_trained_for_ten_minutes_is_evaluated_against_the_team
             minutes=1.0,
             players=3,
             seed=3,
+            pose="particles",
         )
     )
     assert len(result.lines) == 4

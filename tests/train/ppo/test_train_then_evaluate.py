@@ -30,12 +30,30 @@ def evaluated(home: str, *words: str) -> int:
     return main(["evaluate", "--home", home, *AGAINST, *words])
 
 
-def test_what_soccer_train_writes_is_evaluated_by_default_settings(tmp_path: Path) -> None:
+def test_what_soccer_train_writes_is_evaluated_with_either_flag_that_the_error_names(
+    tmp_path: Path, capsys: Any
+) -> None:
     short = "--players 1v1 --steps 64 --matches 2 --minutes 0.05 --teacher-steps 0 --rollout 16 --batch 32"
     judged = "--evaluate-every 1000000 --evaluate-matches 2 --evaluate-minutes 0.05 --evaluate-against still"
     words = ["train", *short.split(), *judged.split(), "--teacher", "", "--no-mirror"]
     assert main([*words, "--critic-first", "0", "--opponents", "still", "--out", str(tmp_path / "run")]) == 0
-    assert evaluated(str(tmp_path / "run/last.safetensors")) == 0
+    last = str(tmp_path / "run/last.safetensors")
+    capsys.readouterr()
+    assert evaluated(last) == 2
+    said = capsys.readouterr().err
+    assert f"{last!r} was trained with pose='percept', evaluations have 'particles' by default" in said
+    flags = re.findall(r"--pose \w+", said)
+    assert flags == ["--pose percept", "--pose particles"]
+    assert evaluated(last, *flags[0].split()) == 0
+    assert "was trained with" not in capsys.readouterr().out
+    assert evaluated(last, *flags[1].split()) == 0
+    assert "policy was trained with pose percept." in re.sub(r"\s+", " ", capsys.readouterr().out)
+
+
+def test_what_was_trained_with_particles_is_evaluated_by_default_settings(tmp_path: Path) -> None:
+    path = saved(tmp_path, observe="belief", action_repeat=8, pose="particles")
+    assert evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False,pose=particles") == 0
+    assert evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False,pose=percept") == 2
 
 
 def test_rows_of_the_truth_are_evaluated_with_the_flag_that_the_error_names(tmp_path: Path, capsys: Any) -> None:
