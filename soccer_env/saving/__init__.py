@@ -1,6 +1,7 @@
 """Save, restore, hash and branch matches: bytes with a checked header, or copies in memory; nothing executable.
 
 saves.py      a match as bytes and back, hashes, copies by pickle
+fitting.py    in which settings two matches differ that do not fit each other
 checks.py     whether the numbers of a save can come from a match
 branches.py   matches of one Match copied over matches of another, in memory
 branching.py  the methods of Match that do all that

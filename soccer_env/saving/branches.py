@@ -13,8 +13,8 @@ import numpy as np
 
 from soccer_env.checking import brief, is_number, refuse
 from soccer_env.compiled import compiled
-from soccer_env.match_settings import FREE
 from soccer_env.random_numbers import seeds_for, start_streams
+from soccer_env.saving.fitting import differences
 from soccer_env.saving.saves import as_bytes, kept
 
 Match = Any  # soccer_env.match.Match, which stands above this file
@@ -43,16 +43,8 @@ def check_fits(source: Match, target: Any) -> None:
     if not isinstance(target, type(source)) and not isinstance(source, type(target)):
         refuse("into", "a Match or None", target)
     if source.played_by != target.played_by or layout(source) != layout(target):
-        raise ValueError(f"into does not fit this match: {difference(source, target)} differ")
-
-
-def difference(source: Match, target: Match) -> str:
-    """Return what two matches that do not fit each other differ in."""
-    one, other = ({**match.settings.describe(), "limit": match.settings.limit} for match in (source, target))
-    names = [name for name in one if name not in FREE and one[name] != other[name]]
-    if source.played_by[1] != target.played_by[1]:
-        names.append("teams")
-    return " and ".join(names) or "the senses that somebody uses"
+        found = differences(target.told, source.told, kinds_differ=layout(source) != layout(target))
+        raise ValueError(f"into does not fit this match: {found or 'the senses that somebody uses differ'}")
 
 
 def layout(match: Match) -> list[tuple[str, np.dtype, tuple[int, ...]]]:

@@ -12,7 +12,7 @@ import numpy as np
 from soccer_env.match_settings import MatchArguments, part_of
 from soccer_env.names import Made
 from soccer_env.random_numbers import seeds_for
-from soccer_env.saving import branches, saves
+from soccer_env.saving import branches, fitting, saves
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -43,6 +43,11 @@ class Branching:
     @cached_property
     def _fingerprint(self) -> str:
         return self.settings.fingerprint()
+
+    @cached_property
+    def told(self) -> dict[str, list[str]]:
+        """Return the settings in words, for the message to a match that a save or a branch does not fit."""
+        return fitting.told(self)
 
     @cached_property
     def _fitting(self) -> WeakSet[Any]:

@@ -19,6 +19,7 @@ from soccer_env.checking import brief, is_number
 from soccer_env.match_settings import made_again, version
 from soccer_env.names import Made
 from soccer_env.saving.checks import check_numbers
+from soccer_env.saving.fitting import differences
 from soccer_env.types import GAZE, RobotStream
 
 Match = Any  # soccer_env.match.Match, which stands above this file
@@ -78,7 +79,8 @@ def dump(match: Match, memory: bool = True, rows: np.ndarray | None = None) -> b
     arrays = kept(match, memory)
     if rows is not None:
         arrays = {name: array[rows] for name, array in arrays.items()}
-    header = json.dumps(header_of(match, arrays, memory)).encode()
+    told = {"told": match.told} if memory else {}
+    header = json.dumps({**header_of(match, arrays, memory), **told}).encode()
     contents = [array.tobytes() for array in arrays.values()]
     body = b"".join([MAGIC, len(header).to_bytes(4, "little"), header, *contents])
     return body + hashlib.sha256(body).digest()
@@ -96,7 +98,8 @@ def restore(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | No
     expected = json.loads(json.dumps(header_of(match, wanted, memory)))
     for name, value in expected.items():
         if header.get(name) != value:
-            raise ValueError(f"this save does not fit the match: its {name} differ")
+            found = differences(header.get("told"), match.told, header.get("parts") != expected["parts"])
+            raise ValueError(f"this save does not fit the match: {found or f'its {name} differ'}")
     found = {}
     for name, array in wanted.items():
         if array.nbytes:  # a team may remember nothing

@@ -7,6 +7,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.replay import Recorder
+from soccer_env.saving.fitting import differences
 from tests.scenes.staging import LEAGUES
 
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}
@@ -135,11 +136,14 @@ def test_what_cannot_be_branched_is_said_and_changes_nothing(given: dict[str, An
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"minutes": 3.0}, "minutes differ"),
-        ({"senses": "ideal", "max_cycles": 9}, "senses and limit differ"),
-        ({"controllers": {"away": "chaser"}}, "teams differ"),
-        ({"home": 3}, "home and max_players and teams differ"),
-        ({"observe": "belief"}, "the senses that somebody uses differ"),
+        ({"minutes": 3.0}, "minutes 3.0 there, None here$"),
+        ({"senses": "ideal", "max_cycles": 9}, "senses ideal there, sensors here; max_cycles 9 there, None here$"),
+        (
+            {"controllers": {"away": "chaser"}},
+            r"teams differ: chaser \(away_0, away_1\) there, sacks-2001 \(",
+        ),
+        ({"home": 3}, "home 3 there, 2 here$"),
+        ({"observe": "belief"}, "observe 'belief' there, 'truth' here$"),
     ],
 )
 def test_a_match_that_does_not_fit_is_refused(settings: dict[str, Any], message: str) -> None:
@@ -186,3 +190,28 @@ def test_a_save_of_another_number_of_matches_is_refused(rows: Any, message: str)
     with pytest.raises(ValueError, match=message):
         planner.load(saved, rows)
     assert planner.state_hash() == before
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"observe": "belief", "senses": "ideal"}, "senses ideal there, sensors here; observe 'belief' there"),
+        ({"max_cycles": 30}, "max_cycles 30 there, None here$"),
+        ({"action_repeat": 4, "max_cycles": 30}, "max_cycles 30 there, None here; action_repeat 4 there, 1 here$"),
+        ({"max_players": 4}, "max_players 4 there, None here"),
+        ({"rules": "simple"}, "rules simple there, league here$"),
+        ({"sensors": {"view_width": 0.9}}, "sensors of other settings$"),
+        ({"controllers": {"away": "sacks-2001@0.5"}}, "teams differ: of other settings$"),
+    ],
+)
+def test_a_save_that_does_not_fit_names_the_settings_that_differ(settings: dict[str, Any], message: str) -> None:
+    match = played(steps=5)
+    with pytest.raises(ValueError, match=f"this save does not fit the match: .*{message}"):
+        match.load(played(steps=5, **settings).save())
+
+
+def test_what_changes_no_future_is_not_named() -> None:
+    """A save of other actions, rewards or observations is taken, if nothing more has to be sensed for these."""
+    match = played(steps=5)
+    match.load(played(steps=5, rewards="sparse", actions="full", action_repeat=3).save())
+    assert differences({"home": 7}, match.told) == differences(None, match.told) == "", "a save may say anything"
