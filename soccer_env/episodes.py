@@ -9,6 +9,7 @@ so that each team kicks off first in one of the two.
 
 from __future__ import annotations
 
+from math import hypot
 from typing import Any
 
 import numpy as np
@@ -81,6 +82,7 @@ def start_match(
         scene.place(settings.league, ball[0], robots[0], Draw(match[0]))
         if SCENES.get(scene.name) is not scene:
             check_placed(f"scene {scene.name!r}", settings, ball, robots)
+            check_room(f"scene {scene.name!r}", settings, ball[0], robots[0])
     if scene.in_play:
         match["phase"], match["restart_team"] = PLAY, NO_TEAM
         match["restart_x"], match["restart_y"] = ball["x"], ball["y"]
@@ -101,6 +103,27 @@ def check_placed(scene: str, settings: Settings, ball: Any, robots: np.ndarray) 
         for agent, found, wanted in zip(settings.agents, robots[0][name], lined_up[name], strict=True):
             if found != wanted:
                 raise ValueError(f"{scene} must leave {name} of {agent} {wanted}, got {found}")
+
+
+def check_room(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
+    """Raise ValueError if a scene of a user's own put something beyond what stands round the pitch, or two into one.
+
+    Bodies may overlap a little, physics pushes them apart: their centres have to be half a robot's reach from each
+    other.
+    """
+    pitch, apart = settings.league.pitch, 0.5 * settings.league.body.reach
+    room = {"x": 0.5 * pitch.length + max(pitch.band_end, pitch.goal_depth), "y": 0.5 * pitch.width + pitch.band_side}
+    there = [("the ball", ball)]
+    for agent, robot in zip(settings.agents, robots, strict=True):
+        there += [(agent, robot)] if robot["active"] else []
+    for number, (who, body) in enumerate(there):
+        for axis, most in room.items():
+            if abs(body[axis]) > most:
+                raise ValueError(f"{scene} must put {who} at {axis} = {-most:g} to {most:g} m, got {body[axis]:g}")
+        for other, near in there[:number]:
+            gap = hypot(body["x"] - near["x"], body["y"] - near["y"])
+            if gap < apart:
+                raise ValueError(f"{scene} must put {who} at least {apart:.2g} m from {other}, got {gap:.2g}")
 
 
 @compiled

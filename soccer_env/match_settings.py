@@ -99,7 +99,7 @@ class MatchSettings(Checked):
     actions: Literal["box", "full", "discrete"] | ActionKind = setting(
         "box", '"box" (4 numbers), "full" (7, with the head) or "discrete"', free=True
     )
-    scene: str | Scene = setting("kick-off", "a name of `soccer list scenes`, or a Scene")
+    scene: str | Scene = setting("kick-off", 'a name of `soccer list scenes`, several as "a:0.6,b:0.4", or a Scene')
     episode: Literal["match", "goal", "drill"] = setting(
         "match", 'ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True
     )

@@ -31,10 +31,15 @@ SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_
 
 
 def find_scene(scene: str | Scene) -> Scene:
-    """Return the scene of a name or of MODULE:NAME, or the object itself; ValueError says which names exist."""
+    """Return the scene of a name, of MODULE:NAME or of several with their shares, or the object itself.
+
+    ValueError says which names exist.
+    """
     found = of_module("scene", scene, Scene) or scene
     if isinstance(found, Scene):
         return found
+    if isinstance(found, str) and not {",", ":"}.isdisjoint(found):
+        return mixture(found)
     check_names("scene", [found], SCENES)
     return SCENES[found]
 

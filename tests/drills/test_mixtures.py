@@ -50,6 +50,15 @@ def test_a_part_begins_as_it_does_alone_and_play_goes_on_from_a_drills_start() -
     assert not mixed.events["drill"].any()
 
 
+def test_a_match_takes_scenes_with_shares_as_a_training_does() -> None:
+    match = Match(home=2, away=1, scene=TEXT, seed=1)
+    assert match.settings.scene == mixture(TEXT)
+    with pytest.raises(ValueError, match="unknown scene 'kickoff', did you mean 'kick-off'"):
+        Match(scene="kickoff:0.6,scattered:0.4")
+    with pytest.raises(ValueError, match="scenes must be written as NAME:share,NAME:share, got 'kick-off:much'"):
+        Match(scene="kick-off:much")
+
+
 def test_one_scene_is_no_mixture() -> None:
     assert mixture("kick-off:0.2") is SCENES["kick-off"]
 
