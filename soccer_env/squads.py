@@ -16,7 +16,7 @@ from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
 from soccer_env.observations import names_of
 from soccer_env.settings import Settings
-from soccer_env.teams import CompiledTeam, Lineup, ObservingTeam, Team, TeamRandom, View, make_team
+from soccer_env.teams import CompiledTeam, Lineup, ObservingTeam, Team, TeamRandom, View, called, make_team
 from soccer_env.types import AWAY, COMMAND, HOME
 
 LONG = 4096  # characters of a team's settings in a save; longer ones are hashed
@@ -42,7 +42,7 @@ class Squad:
     players: np.ndarray  # (P,) rows
     memory: np.ndarray
     observations: np.ndarray  # (M, R, n) of a team that decides from them, else (M, R, 0)
-    name: str  # what a lineup calls it, else its own
+    name: str  # what a lineup calls it, else what results do, see `teams.registry.called`
     lineup: Lineup | None = None  # that it is a part of
     place: int = 0  # in the lineup
     plays: np.ndarray | None = None  # (M,) of a team of a lineup: in which matches it plays now
@@ -113,6 +113,7 @@ def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matc
         given, players = who[agents[rows[0]]], np.array(rows, np.int64)
         if not isinstance(given, Lineup):
             squads.append(make_squad(make_team(given), players, settings, matches, len(agents)))
+            squads[-1].name = called(given, squads[-1].team)
             continue
         for place, team in enumerate(given.teams):
             squad = make_squad(team, players, settings, matches, len(agents))

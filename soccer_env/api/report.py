@@ -185,7 +185,7 @@ def title_of(match: Match) -> tuple[str, str] | None:
     names: tuple[list[str], list[str]] = ([], [])
     for team, first, last in ((0, 0, match.settings.rows[0]), (1, match.settings.rows[0], len(match.agents))):
         names[team].extend(["learner"] * bool(match.learns[first:last].any()))
-        names[team].extend(squad.team.name for squad in match.squads if first <= squad.players[0] < last)
+        names[team].extend(squad.name for squad in match.squads if first <= squad.players[0] < last)
     return " + ".join(dict.fromkeys(names[0])), " + ".join(dict.fromkeys(names[1]))
 
 

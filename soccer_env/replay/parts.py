@@ -67,5 +67,10 @@ def describe(match: Match) -> dict[str, Any]:
             "time_limit": str(settings.scene.time_limit),
         },
         "matches": match.count,
-        "teams": {match.agents[r]: squad.team.name for squad in match.squads for r in squad.players},
+        "teams": {
+            match.agents[r]: squad.name
+            for squad in match.squads
+            if squad.plays is None or squad.plays[0]  # of a lineup the one that plays now
+            for r in squad.players
+        },
     }

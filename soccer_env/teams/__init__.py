@@ -12,10 +12,10 @@ from __future__ import annotations
 
 from soccer_env.teams.explaining import Explanation, Mind, explanation_of, shipped_team
 from soccer_env.teams.lineup import Lineup
-from soccer_env.teams.registry import ENTRY_POINTS, NAMES, in_module, make_team, parse_team, registered
+from soccer_env.teams.registry import ENTRY_POINTS, NAMES, called, in_module, make_team, parse_team, registered
 from soccer_env.teams.team import CompiledTeam, ObservingTeam, Team, TeamRandom, View
 
 __all__ = [
     "ENTRY_POINTS", "NAMES", "CompiledTeam", "Explanation", "Lineup", "Mind", "ObservingTeam", "Team", "TeamRandom",
-    "View", "explanation_of", "in_module", "make_team", "parse_team", "registered", "shipped_team",
+    "View", "called", "explanation_of", "in_module", "make_team", "parse_team", "registered", "shipped_team",
 ]  # fmt: skip

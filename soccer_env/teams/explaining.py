@@ -55,5 +55,14 @@ def explanation_of(team: object) -> Explanation | None:
 
 
 def shipped_team(name: str) -> Team | None:
-    """Return a shipped team by its name, None for any other: a name out of a file must import nothing else."""
-    return make_team(name) if name in NAMES else None
+    """Return a shipped team by its name, None for any other: a name out of a file must import nothing else.
+
+    A strength or settings behind the name that no team has are left out.
+    """
+    plain = name.partition(":")[0].partition("@")[0]
+    if plain not in NAMES:
+        return None
+    try:
+        return make_team(name)
+    except ValueError:
+        return make_team(plain)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.random_numbers import start_streams, uniform
-from soccer_env.teams.registry import make_team
+from soccer_env.teams.registry import called, make_team
 from soccer_env.teams.team import Team
 from soccer_env.types import AWAY, NOISE_STREAMS
 
@@ -33,8 +33,7 @@ class Lineup:
         if any(isinstance(team, Lineup) for team in teams):
             raise ValueError("a Lineup is made of teams, not of lineups")
         self.teams = tuple(make_team(team) for team in teams)
-        called = [given if isinstance(given, str) else made.name for given, made in zip(teams, self.teams, strict=True)]
-        self.names = tuple(called if names is None else names)
+        self.names = names_of(teams, self.teams) if names is None else tuple(names)
         self.weights = np.ones(len(teams)) if weights is None else np.array(weights)
         if len(set(self.names)) != len(teams) or len(self.names) != len(teams):
             raise ValueError(f"names of a Lineup must be {len(teams)} different ones, got {self.names}")
@@ -54,6 +53,14 @@ class Lineup:
         check_weights(self.weights, len(self.teams))
         edges = np.cumsum(self.weights)
         return int(min(np.searchsorted(edges, drawn * edges[-1], side="right"), np.flatnonzero(self.weights)[-1]))
+
+
+def names_of(given: Sequence[str | Team], made: Sequence[Team]) -> tuple[str, ...]:
+    """Return what teams are called: their own names, of those that share one the texts that named them."""
+    own = [called(*pair) for pair in zip(given, made, strict=True)]
+    return tuple(
+        text if isinstance(text, str) and own.count(name) > 1 else name for text, name in zip(given, own, strict=True)
+    )
 
 
 def check_weights(weights: np.ndarray, count: int) -> None:

@@ -22,6 +22,8 @@ from inspect import signature
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from soccer_env.names import MODULE_PATH, of_module, unknown
 from soccer_env.teams.team import Team
 
@@ -43,6 +45,7 @@ FILES = {  # by the ending of a file that is named as a team
     ".onnx": "soccer_env.agents.onnx_team:from_onnx",
 }
 ENTRY_POINTS = "soccer_env.teams"
+TORCH = (".pt", ".pth", ".ckpt", ".pkl", ".pickle")  # files of torch, whose pickles could run anything
 
 
 def registered() -> dict[str, str]:
@@ -108,6 +111,11 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
         if from_name != 1.0:
             raise ValueError(f"a policy has no strength, got {from_name:g} for {name!r}")
         return team_of_file(name, FILES[ending], {**changes, **settings})
+    if name not in known and ending in TORCH:
+        raise ValueError(
+            f"team {name!r} cannot be read: a file of torch may hold code; write the module as a policy file with "
+            f"soccer_env.agents.save_policy(module, {Path(name).stem + '.safetensors'!r}, league=..., observe=...)"
+        )
     if name not in known:
         raise ValueError(unknown("team", name, known, more=f"a policy file ({', '.join(FILES)})"))
     factory = found(known[name])
@@ -116,6 +124,29 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
     check_accepted(name, factory, changes)
     made: Team = factory(strength=from_name, **changes)
     return make_team(made)
+
+
+def called(given: str | Team, made: Team) -> str:
+    """Return what a team is called where results are told, however it was named: a policy by its own name.
+
+    A weakened one as chaser@0.25, one with settings as its text has them.
+    """
+    if not isinstance(given, str):
+        settings = getattr(made, "settings", None)
+        names = settings.dtype.names or () if isinstance(settings, np.ndarray) else ()
+        return made.name + (weakened(float(settings["strength"][0])) if "strength" in names else "")
+    if in_module(given):
+        _, at, strength = given.partition("@")
+        return made.name + at + strength
+    name, strength, changes = parse_team(given)
+    if name not in registered():
+        return made.name
+    return name + weakened(strength) + (given[given.index(":") :] if changes else "")
+
+
+def weakened(strength: float) -> str:
+    """Return how a name says a strength: nothing of the full one."""
+    return "" if strength == 1.0 else f"@{strength:g}"
 
 
 def in_module(text: str) -> bool:

@@ -1,13 +1,16 @@
 """Flat infos say by a number who plays against a robot, and every environment knows the name of the number."""
 
+from pathlib import Path
 from typing import Any
 
 import gymnasium
 import numpy as np
 import pytest
 
-from soccer_env import Lineup, soccer_v0
+from soccer_env import Lineup, Match, make_team, soccer_v0
+from soccer_env.replay import Recorder
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
+from tests.agents.staged_policies import from_disk, lively
 from tests.scenes.staged_envs import play, standing
 
 SHORT: dict[str, Any] = {"home": 1, "away": 1, "max_cycles": 3}
@@ -93,3 +96,29 @@ def test_rows_of_stable_baselines_hear_the_name_when_an_episode_ends() -> None:
         *_, infos = env.step_wait()
     assert [info["opponent"] for info in infos] == before and set(before) == set(chooser.names)
     assert [result.opponent for result in env.take_results()] == before
+
+
+def test_a_team_has_one_name_however_it_was_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    from_disk(lively(), tmp_path)
+    env = soccer_v0.parallel_env(**SHORT, opponents=Lineup(["lively.safetensors", "chaser@0.25"]))
+    weak = make_team("chaser", strength=0.25)
+    others = (str(tmp_path / "lively.safetensors"), make_team("lively.safetensors"), "chaser@0.25", weak, "chaser@.250")
+    for opponents in (*others, Lineup(list(others[1:3])), "chaser@1", "chaser:patience=2"):
+        env.reset(seed=1, options={"opponents": opponents})
+    assert env.opponent_names == ["learner", "lively", "chaser@0.25", "chaser", "chaser:patience=2"]
+
+
+def test_policies_of_one_name_in_a_lineup_are_told_apart_by_their_files(tmp_path: Path) -> None:
+    for folder in ("a", "b"):
+        (tmp_path / folder).mkdir()
+        from_disk(lively(), tmp_path / folder)
+    files = [str(tmp_path / folder / "lively.safetensors") for folder in ("a", "b")]
+    assert Lineup([*files, "still"]).names == (*files, "still")
+
+
+def test_a_replay_says_which_strength_played() -> None:
+    match = Match(home=1, away=1, opponents="chaser@0.25", teammates="still", controllers={"home": "chaser"}, seed=1)
+    recorder = Recorder(match)
+    match.step()
+    assert recorder.stop().teams == ("chaser", "chaser@0.25")
