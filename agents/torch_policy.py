@@ -48,14 +48,12 @@ def save_policy(
     outputs, as in SAC; a Tanh at the end says so as well. normalise: what normalised the observations, such as
     VecNormalize, see `normalising.table_of`. activation: "tanh" or "relu" where `forward` applies it and no module
     does. outputs: a function of observations (B, n) that gives the outputs to compare with, else the module itself.
-    at_once: episodes began with a decision, as by the APIs; False: as by `SoccerVecEnv`. name: else the file's.
-    pose ("percept" or "particles"), senses ("sensors" or "ideal"): those of the training, which `soccer evaluate` then
-    asks for; None: not known. A file that is there is written over: a training loop saves again and again.
+    at_once: episodes began with a decision, as by the APIs; False: as by `SoccerVecEnv`. name: else the file's. pose,
+    senses: those of the training, which evaluations then ask for; None: not known. A file is written over, as by loops.
     """
     if Path(path).suffix != ENDING:
         raise ValueError(f"a policy file must end in {ENDING}, got {os.fspath(path)!r}")
-    preset = find_league(league)
-    preset = replace(preset, rules=rule_set(preset.rules, rules))
+    preset = league_under(league, rules)
     inputs = tuple(names_of(preset, one_of("observe", observe, OBSERVE)))
     network = network_of(module, activation)
     if network.weights[0].shape[1] != len(inputs):
@@ -71,6 +69,12 @@ def save_policy(
     write_whole(Path(path), dump(policy))
     tell_of_truth(policy)
     return policy
+
+
+def league_under(league: str | League, rules: str) -> League:
+    """Return a league with the rules asked for."""
+    preset = find_league(league)
+    return replace(preset, rules=rule_set(preset.rules, rules))
 
 
 def kind_of(network: Network) -> str:

@@ -66,10 +66,10 @@ def span(low: float, high: float) -> str:
 
 
 def in_words(allowed: Range, whole: bool, value: Any) -> str:
-    """Return what numbers are allowed, and that they are whole ones where the value is in range and no whole number."""
+    """Return what numbers are allowed, and that they are whole ones where the value is in range or no number at all."""
     text = allowed.text(whole)
-    only_not_whole = whole and not text.startswith("a ") and is_number(value) and allowed.holds(value)
-    return f"a whole number, {text}" if only_not_whole else text
+    not_whole = whole and not text.startswith("a ") and (not is_number(value) or allowed.holds(value))
+    return f"a whole number, {text}" if not_whole else text
 
 
 def refuse(what: str, allowed: str, value: Any) -> NoReturn:

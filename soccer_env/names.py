@@ -15,6 +15,11 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 MODULE_PATH = re.compile(r"([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*):([A-Za-z_]\w*)")  # MODULE:NAME, of a user's own
+MOST_NAMED, FIRST_NAMED = 14, 8  # names that a message lists; of more than so many the first
+LISTS = {  # what a message calls a thing, and what `soccer list` does
+    "team": "teams", "scene": "scenes", "league": "leagues", "rule": "rules", "reward term": "rewards",
+    "claim": "claims",
+}  # fmt: skip
 Made = tuple[Callable[..., Any], tuple[Any, ...]]  # what __reduce__ returns
 
 
@@ -56,19 +61,27 @@ class FoldersBeside(MetaPathFinder):
         return spec_from_file_location(fullname, file, submodule_search_locations=[str(file.parent)])
 
 
-def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", where: str = "") -> str:
-    """Return the message for an unknown name; `more` says what else could have been given.
+def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", where: str = "", listed: str = "") -> str:
+    """Return the message for an unknown name: what is like it, and what is known; `more`: what else could be given.
+
+    Of many names only the first are listed, and the `soccer list` that names all: `listed`, or that of LISTS.
 
     >>> unknown("team", "chasr", ["still", "chaser"])
     "unknown team 'chasr', did you mean 'chaser'? known: still, chaser"
     >>> unknown("team", 7, ["still", "chaser"], more="a policy file")
     'unknown team 7; known: still, chaser, or a policy file'
+    >>> unknown("scene", 7, map(str, range(10, 50)))
+    'unknown scene 7; known: 10, 11, 12, 13, 14, 15, 16, 17 and 32 more; `soccer list scenes` names all 40'
     """
     names = list(known)
-    near = get_close_matches(name, names, n=1) if isinstance(name, str) else []
-    question = f", did you mean {near[0]!r}? " if near else "; "
+    near = get_close_matches(name, names, n=3 if len(names) > MOST_NAMED else 1) if isinstance(name, str) else []
+    question = f", did you mean {' or '.join(map(repr, near))}? " if near else "; "
     place = f" in {where}" if where else ""
-    return f"unknown {what} {name!r}{place}{question}known: {', '.join(names)}{', or ' + more if more else ''}"
+    shown = ", ".join(names)
+    if len(names) > MOST_NAMED:
+        shown = f"{', '.join(names[:FIRST_NAMED])} and {len(names) - FIRST_NAMED} more"
+        shown += f"; `soccer list {listed or LISTS[what]}` names all {len(names)}" if listed or what in LISTS else ""
+    return f"unknown {what} {name!r}{place}{question}known: {shown}{', or ' + more if more else ''}"
 
 
 def of_module(what: str, text: object, kind: type, near: str = "") -> Any:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, get_args
 from soccer_env.names import unknown
 from soccer_env.train.exit_codes import BELOW, STOPPED, WRONG
 from soccer_env.train.match_commands import run_export, run_recheck, run_record, run_replay, run_watch
-from soccer_env.train.parsing import COMPLETION, completion, read_settings, taken_out
+from soccer_env.train.parsing import COMPLETION, completion, read_settings, reason_of, taken_out
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -91,7 +91,7 @@ def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
         own_bug = isinstance(error, ImportError) and (error.name or "").startswith("soccer_env")
         if own_bug or os.environ.get("SOCCER_ENV_TRACEBACK"):
             raise
-        return complain(str(error))
+        return complain(reason_of(error))
 
 
 def complain(message: str) -> int:

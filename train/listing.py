@@ -119,7 +119,7 @@ def teams() -> Iterator[Table]:
             played = ", ".join(getattr(make_team(name), "families", ())) or "all"
         except (ImportError, AttributeError) as error:
             played = f"cannot be loaded: {error}"
-        rows.append((name, played, first_line(where.partition(":")[0]), where))
+        rows.append((name, played, what_it_is(where), where))
     title = "Teams: NAME, NAME@0.5 for half its strength, NAME:switch=value,... (see `soccer list settings`)"
     yield Table(title, ("name", "family", "what it is", "made by"), rows)
 
@@ -147,6 +147,20 @@ def option_rows(options: Options) -> list[tuple[str, str, str, str]]:
         (key, f"{value:g}" if isinstance(value, float) else str(value), allowed, note)
         for key, value, allowed, note in options.rows()
     ]
+
+
+def what_it_is(where: str) -> str:
+    """Return the first line about a team that MODULE:NAME makes: that of its own function for a variant of another."""
+    from soccer_env.teams.registry import found
+
+    module, _, function = where.partition(":")
+    if function == "team":
+        return first_line(module)
+    try:
+        text = (found(where).__doc__ or "").strip().partition("\n")[0]
+    except (ImportError, AttributeError):
+        return ""
+    return f"A variant of {first_line(module).partition(':')[0]}: {text.removeprefix('Return ')}"
 
 
 def first_line(module: str) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import os
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, fields
@@ -109,6 +110,13 @@ def required(kind: Any) -> dict[str, Path]:
     """Return a value for each field of a settings dataclass that has to be given: they are all paths."""
     defaults = {field.name: (field.default, field.default_factory) for field in fields(kind)}
     return {name: Path() for name, default in defaults.items() if default == (MISSING, MISSING)}
+
+
+def reason_of(error: Exception) -> str:
+    """Return why a command cannot be carried out; of the system's errors the file and the reason, without a number."""
+    if isinstance(error, OSError) and error.strerror and error.filename is not None:
+        return f"{os.fsdecode(error.filename)}: {error.strerror[0].lower()}{error.strerror[1:]}"
+    return str(error)
 
 
 def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, str]) -> str:

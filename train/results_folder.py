@@ -28,6 +28,7 @@ Self = TypeVar("Self", bound="ResultsFolder")
 SETTINGS, LOCK = "settings.json", ".lock"
 GROWN = "grown_from"  # in `about`: how large a run was before, that has grown
 NAMED = {int: "a whole number", str: "a text", dict: "a table"}  # kinds of fields
+ELSE = "give another folder, or --anew (anew=True)"  # what may be done about one that holds another run
 PARTS = ("conditions", "made_with", "about")  # of settings.json
 
 
@@ -192,7 +193,7 @@ def read_settings(path: Path) -> dict[str, Any]:
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
     except (ValueError, RecursionError) as error:
-        raise ValueError(f"{path} cannot be read as JSON ({error}); give another folder or anew") from error
+        raise ValueError(f"{path} cannot be read as JSON ({error}); {ELSE}") from error
     return found if isinstance(found, dict) else {}
 
 
@@ -206,7 +207,7 @@ def check_same(path: Path, what: str, theirs: dict[str, Any], mine: dict[str, An
     ]
     if differences:
         which = "; ".join(differences)
-        raise ValueError(f"{path} holds {what} with other settings ({which}); give another folder or anew")
+        raise ValueError(f"{path} holds {what} with other settings ({which}); {ELSE}")
 
 
 def remove_run(path: Path, kind: Kind, before: dict[str, Any] | None) -> None:

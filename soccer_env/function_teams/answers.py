@@ -34,10 +34,11 @@ def as_actions(returned: Any, team: str, given: tuple[int, ...], players: int, w
     continuous = numbers.dtype.kind in "fiu" and numbers.shape in [(*given, size) for size in (len(BOX), len(FULL))]
     if not (discrete or continuous):
         last = who(given[0] // players - 1 if len(given) == 1 else given[0] - 1, players - 1)
+        span = last if who(0, 0) == last else f"{who(0, 0)} to {last}"
         got = f"{numbers.dtype} of shape {numbers.shape}" if numbers.dtype != object else brief(returned)
         raise ValueError(
             f"team {team!r} must return actions of shape {(*given, len(BOX))} or {(*given, len(FULL))}, or discrete "
-            f"ones of shape {given}, for {who(0, 0)} to {last}, got {got}"
+            f"ones of shape {given}, for {span}, got {got}"
         )
     rows = numbers.reshape(-1, 1 if discrete else numbers.shape[-1])
     with np.errstate(invalid="ignore"):

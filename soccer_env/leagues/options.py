@@ -46,7 +46,8 @@ class Options(Checked):
         known = [field.name for field in fields(self)]  # type: ignore[arg-type]
         for name in changes:
             if name not in known:
-                raise ValueError(unknown("name", name, known, where=type(self).__name__))
+                listed = "settings" if type(self).__name__.endswith("Settings") else "sensors"
+                raise ValueError(unknown("name", name, known, where=type(self).__name__, listed=listed))
         return replace(self, **changes)  # type: ignore[type-var]
 
     def rows(self) -> Iterator[tuple[str, Any, str, str]]:

@@ -13,10 +13,14 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.checking import brief, check_names, one_of, refuse
+from soccer_env.checking import brief, check_names, refuse
 
 BUILT_IN = ("truth", "percepts", "belief")
-WHAT = "a name, an object with `names`, `entries` or `space` to call with a match, or {'home': ..., 'away': ...}"
+OBJECTS = (
+    "an object with `names`, `entries` or `space` to call with a match, such as WholeTruth(), "
+    "or {'home': ..., 'away': ...}"
+)
+WHAT = f"a name, {OBJECTS}"
 
 
 @dataclass(frozen=True)
@@ -54,7 +58,9 @@ def check_observe(observe: Any) -> Any:
             refuse("observe", WHAT, observe)
         return home if isinstance(home, str) and home == away else Sides(home, away)
     if isinstance(observe, (str, Sides)):
-        return one_of("observe", observe, BUILT_IN) if isinstance(observe, str) else observe
+        if isinstance(observe, str) and observe not in BUILT_IN:
+            refuse("observe", f"one of {', '.join(BUILT_IN)}, {OBJECTS}", observe)
+        return observe
     if not callable(observe) or not any(hasattr(observe, name) for name in ("names", "entries", "space")):
         refuse("observe", WHAT, observe)
     if hasattr(observe, "space"):

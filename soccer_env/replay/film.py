@@ -108,4 +108,4 @@ def check_new(path: str | os.PathLike[str], anew: bool) -> None:
     if Path(path).is_dir():
         raise ValueError(f"{os.fspath(path)} is a folder, not the file to write")
     if Path(path).exists() and not anew:
-        raise ValueError(f"{os.fspath(path)} exists already; give another path or anew")
+        raise ValueError(f"{os.fspath(path)} exists already; give another path or anew=True")

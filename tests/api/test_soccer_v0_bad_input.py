@@ -114,7 +114,7 @@ def test_bad_resets_are_refused_and_the_episode_goes_on(arguments, complaint):
         ({"away": 2.0}, "away must be a whole number, 1 to 11, got 2.0"),
         ({"max_players": 2}, "max_players must be 3 to 11, got 2"),
         ({"keeper": -1}, "keeper must be 0 to 2, got -1"),
-        ({"observe": "smell"}, "observe must be one of truth, percepts, belief, got 'smell'"),
+        ({"observe": "smell"}, "observe must be one of truth, percepts, belief, an object with `names`"),
         ({"senses": "eyes"}, "senses must be one of ideal, sensors, got 'eyes'"),
         ({"pose": "compass"}, "pose must be one of percept, particles, got 'compass'"),
         ({"sensors": {"radar": 1.0}}, "unknown name 'radar' in LeggedSensors"),

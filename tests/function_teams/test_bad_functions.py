@@ -79,6 +79,12 @@ def test_a_flat_function_is_told_of_rows() -> None:
     )
 
 
+def test_one_robot_alone_is_named_once() -> None:
+    match = Match(home=1, away=1, opponents=team_of_function(returns(np.zeros((1, 1, 5)))), seed=1)
+    with pytest.raises(ValueError, match=r"of shape \(1, 1\), for away_0 in match 0, got float64"):
+        match.step(np.zeros((1, 2, 4)))
+
+
 def test_neither_of_two_functions_keeps_anything_when_the_second_raises() -> None:
     def remembering(observations: np.ndarray, memory: np.ndarray) -> np.ndarray:
         memory += 1.0
@@ -134,7 +140,7 @@ def test_an_observation_of_ones_own_that_is_wrong_is_named(returned: np.ndarray)
 
 BAD: list[tuple[dict[str, Any], str]] = [
     ({"function": 3}, "function must be a function of observations, got 3"),
-    ({"observe": "beliefs"}, "observe must be one of truth, percepts, belief, got 'beliefs'"),
+    ({"observe": "beliefs"}, "observe must be one of truth, percepts, belief, an object with `names`"),
     ({"observe": None}, "observe must be one of truth, percepts, belief, got None"),
     ({"action_repeat": 0}, "action_repeat must be 1 to 1000, got 0"),
     ({"action_repeat": 2.5}, "action_repeat must be a whole number, 1 to 1000, got 2.5"),

@@ -190,7 +190,7 @@ class Plain:
     [
         ({"hom": "truth"}, "unknown side of observe 'hom', did you mean 'home'?"),
         ({"home": {"home": "truth", "away": "belief"}}, "observe must be a name, an object with `names`"),
-        ({"home": "truht"}, "observe must be one of truth, percepts, belief, got 'truht'"),
+        ({"home": "truht"}, "observe must be one of truth, percepts, belief, an object with `names`"),
         ({"home": 3}, "observe must be a name, an object with `names`"),
         (Plain(), "observe must be a name, an object with `names`"),
         (Plain(space=Discrete(3)), "space of observe must be a gymnasium Box, or a Dict of them, got Discrete(3)"),

@@ -180,7 +180,7 @@ def test_a_page_without_thoughts_works_on_a_phone(tmp_path: Path) -> None:
 def test_a_page_is_not_written_over_and_a_forged_replay_leaves_none(tmp_path: Path) -> None:
     replay = recorded()
     (tmp_path / "a.html").write_text("mine")
-    with pytest.raises(ValueError, match=r"a\.html exists already; give another path or anew"):
+    with pytest.raises(ValueError, match=r"a\.html exists already; give another path or anew=True"):
         replay.html(tmp_path / "a.html")
     replay.hashes[3] = "0" * 32
     with pytest.raises(ValueError, match="differs from the recorded match at control step 3"):

@@ -54,7 +54,7 @@ def test_a_file_that_exists_is_not_written_over(replay: Replay, tmp_path: Path) 
     pytest.importorskip("PIL")
     path = tmp_path / "a.gif"
     path.write_bytes(b"mine")
-    with pytest.raises(ValueError, match=r"a\.gif exists already; give another path or anew"):
+    with pytest.raises(ValueError, match=r"a\.gif exists already; give another path or anew=True"):
         replay.video(path)
     assert path.read_bytes() == b"mine"
     replay.video(path, anew=True, width=240)

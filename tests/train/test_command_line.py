@@ -65,7 +65,7 @@ def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.Capt
         (["replay"], "FILE must be given (see soccer replay --help)"),
         (["recheck", "x", "--pairs", "none"], "--pairs must be a whole number of at least 1 or all, got 'none'"),
         (["export", "x", "--speed", "fast"], "--speed must be a number above 0 and at most 100, got 'fast'"),
-        (["train", "--mirorr"], "unknown option '--mirorr', did you mean '--mirror'?"),
+        (["train", "--mirorr"], "unknown option '--mirorr', did you mean '--mirror' or '--no-mirror'?"),
         (["list", "teams", "--lague", "x"], "unknown option '--lague', did you mean '--league'?"),
         (["evalute", "--home", "still"], "unknown command 'evalute', did you mean 'evaluate'?"),
         (["--tyro-print-completion", "bsh"], "unknown shell 'bsh', did you mean 'bash'?"),
@@ -79,7 +79,12 @@ def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.Capt
         (["evaluate", "--home", "winners"], "unknown team 'winners'; known: still, random"),
         (["evaluate", "--home", "still", "--away", "random@2"], "strength of team 'random@2' must be"),
         (["evaluate", "--home", "still", "--scene", "picnic"], "unknown scene 'picnic'; known: kick-off"),
-        (["evaluate", "--home", "still", "--scene", "empty-goal"], "drill"),
+        (
+            ["evaluate", "--home", "still", "--scene", "empty-goal"],
+            "is a drill, and evaluations play matches: `soccer record --scene empty-goal` plays it once, in Python run_drill(",
+        ),
+        (["export", "nope.replay", "--out", "a.html"], "soccer: nope.replay: no such file or directory\n"),
+        (["export", "nope.replay", "--out", "a.svg"], "; .svg needs --maps: heat maps, pass networks, shot maps"),
         (["evaluate", "--players", "12"], "players must be 1 to 11"),
         (["evaluate", "--picture"], "picture needs a folder"),
         (["list", "cups"], "unknown list 'cups'; known: leagues"),
@@ -218,6 +223,16 @@ def test_a_list_of_teams_runs_nothing_of_other_packages(
     for what in ("teams", "settings"):
         assert main(["list", what]) == 0
     assert "canary" not in capsys.readouterr().err
+
+
+def test_each_team_is_listed_in_its_own_words(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list", "teams", "--json"]) == 0
+    (table,) = json.loads(capsys.readouterr().out)
+    told = {row["name"]: row["what it is"] for row in table["rows"]}
+    assert len(set(told.values())) == len(told)
+    assert told["weigel-2001"].startswith("A variant of heinemann-2006: the same team with the planner of Weigel")
+    assert told["sacks-2001-tuned"].startswith("A variant of sacks-2001: the team with other numbers")
+    assert told["sacks-2001"].startswith("sacks-2001: the legged team of the University of Pennsylvania")
 
 
 def test_a_traceback_can_be_had(monkeypatch: pytest.MonkeyPatch) -> None:

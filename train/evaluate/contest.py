@@ -71,7 +71,11 @@ def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]
     """Find the teams; ValueError for an unknown one and for a drill."""
     scene = find_scene(conditions.scene)
     if scene.success != "none":
-        raise ValueError(f"scene {scene.name!r} is a drill: evaluating drills is not built yet, only matches are")
+        how = f"run_drill({league.name!r}, {scene.name!r}, {conditions.home!r}, runs=100)"
+        raise ValueError(
+            f"scene {scene.name!r} is a drill, and evaluations play matches: `soccer record --scene {scene.name}` plays "
+            f"it once, in Python {how} of soccer_env.train.tables.drills says how many of a hundred runs succeed"
+        )
     return Contest(conditions, league, *(find_team(name, teams) for name in (conditions.home, conditions.away)))
 
 

@@ -23,8 +23,10 @@ def export(settings: ExportSettings) -> str:
     """Write what `out` asks for by its ending; return its name and size in words. See `Replay.video` for errors."""
     kind = settings.out.suffix.lower()
     if kind not in (MAPS if settings.maps else KINDS):
-        must = f"--maps must end with {', '.join(MAPS)}" if settings.maps else f"must end with {', '.join(KINDS)}"
-        raise ValueError(f"--out {'with ' if settings.maps else ''}{must}, got {str(settings.out)!r}")
+        with_maps = f"--out with --maps must end with {', '.join(MAPS)}"
+        must = with_maps if settings.maps else f"--out must end with {', '.join(KINDS)}"
+        asked = f"; {kind} needs --maps: heat maps, pass networks, shot maps" if kind in MAPS else ""
+        raise ValueError(f"{must}, got {str(settings.out)!r}{asked}")
     if kind in data_exports.KINDS:
         check_target(settings.out.with_suffix(".tmp"))  # its folder: NAME.cdf is one itself, see `check_free`
         targets = data_exports.export_data(settings)

@@ -61,7 +61,7 @@ class EvaluateSettings(CommandSettings):
     """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given. None
     for particles; a policy that was trained with the other pose is then refused."""
     scene: str = "kick-off"
-    """Start of each match; `soccer list scenes` names them."""
+    """Start of each match: kick-off, scattered, or both with shares (kick-off:0.6,scattered:0.4); no drill."""
     rules: str = "league"
     """Which rules are called: league, simple or none; league:pushing=False,holding_time=5 changes one by name."""
     placement: Literal["instant", "drive"] | None = None

@@ -9,7 +9,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.scenes import SCENES, Scene
+from soccer_env.scenes import SCENES, Scene, find_scene
 from soccer_env.train.casting import controllers_of, sizes_of
 from soccer_env.train.statistics import wilson_interval
 
@@ -29,8 +29,9 @@ def drills_of(league: str) -> Iterator[Scene]:
             yield scene
 
 
-def run_drill(league: str, scene: Scene, team: str, runs: int, seed: int = SEED, threads: int = 2) -> int:
+def run_drill(league: str, scene: str | Scene, team: str, runs: int, seed: int = SEED, threads: int = 2) -> int:
     """Play a drill by sensors under its own rules; return how many runs succeed."""
+    scene = find_scene(scene)
     home, away = sizes_of(scene)
     match = Match(
         league, home=home, away=away, matches=runs, seed=seed, threads=threads, scene=scene, episode="drill",

@@ -109,7 +109,7 @@ def test_a_run_without_settings_is_refused(tmp_path: Path) -> None:
 def test_damaged_settings_are_refused_and_anew_mends_them(tmp_path: Path) -> None:
     (tmp_path / "settings.json").write_text("{")
     for anew in (False, True):
-        with pytest.raises(ValueError, match="settings.json cannot be read as JSON .*; give another folder or anew"):
+        with pytest.raises(ValueError, match="settings.json cannot be read as JSON .*; give another folder, or --anew"):
             RunFolder(tiny(tmp_path, anew=anew))
     (tmp_path / "log.jsonl").write_text("")  # without a run's log it may be anybody's
     opened(tiny(tmp_path, anew=True))
