@@ -7,6 +7,7 @@ from typing import Any
 
 from soccer_env.train.plots.style import COLOURS, HATCHES, INK, add_legend, canvas, count_along, label, plot
 
+OUTCOMES = {"won": COLOURS[2], "drawn": COLOURS[0], "lost": COLOURS[5]}  # green, blue, red, whoever is missing
 MARGIN = 1.12  # [1] height of the axes over the highest bar
 
 
@@ -19,7 +20,8 @@ def draw_bars(
     drawn, axes = canvas()
     top = max((count for _, _, counts in groups for count in counts), default=1.0)
     styles = zip(groups, COLOURS, HATCHES, strict=False)
-    for (name, places, counts), colour, hatch in styles:
+    for (name, places, counts), usual, hatch in styles:
+        colour = OUTCOMES.get(name, usual)
         axes.bar(places, counts, 0.82, color=colour + "55")
         look = {"color": "none", "edgecolor": colour, "hatch": hatch, "linewidth": 1.2}
         axes.bar(places, counts, 0.82, label=name, **look)  # by itself: in an SVG a hatch is as pale as what it is on

@@ -54,6 +54,13 @@ def test_a_picture_is_the_same_each_time(name: str) -> None:
         assert once == again and once.startswith(begin)
 
 
+def test_lost_matches_are_red_and_won_ones_green_whichever_kinds_there_are() -> None:
+    for kinds in (("won", "drawn", "lost"), ("drawn", "lost"), ("lost",)):
+        part = for_page(draw_bars("ends", "goals", "matches", [(kind, [0], [1]) for kind in kinds], form="svg"), "p1")
+        used = {"won": "--c3" in part, "drawn": "--c1" in part, "lost": "--c6" in part}
+        assert used == {kind: kind in kinds for kind in used}
+
+
 @pytest.mark.parametrize("name", PICTURES)
 def test_a_part_of_a_page_is_whole_takes_its_colours_and_leaves_names_as_they_are(name: str) -> None:
     part = for_page(PICTURES[name]("svg"), "p1")
