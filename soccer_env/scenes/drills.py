@@ -56,7 +56,7 @@ def goalkeeper_of_away(robots: Any) -> int:
 DRILLS = (
     Scene(
         "empty-goal",
-        "home's last robot, the ball and an empty goal close by",
+        "home's last robot, the ball and an empty goal close by; a stuck ball is dropped, a stuck game ends it",
         place_empty_goal,
         "home scores",
         60.0,

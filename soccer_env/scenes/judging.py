@@ -6,7 +6,10 @@
     home gets free       the same, while none of away's robots is near the ball; or it was carried CARRIED away
     home gets past       it is carried past away's last player, or into the goal, without touching anybody
 
-Any goal ends a drill. Written for the direction in which home attacks; the dribbler is the last active robot of home's.
+Any goal ends a drill. So does a stuck game that the referee begins again with a kick-off: ball and robots are then
+elsewhere, and nobody has done what was asked. After a dropped ball, which lies where it stuck, it goes on.
+
+Written for the direction in which home attacks; the dribbler is the last active robot of home's.
 
 `k`: the league's constants.
 """
@@ -18,7 +21,7 @@ from soccer_env.geometry import length
 from soccer_env.physics.contacts import ball_gap
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
-OVER = int(Phase.OVER)
+KICK_OFF, OVER = int(Phase.KICK_OFF), int(Phase.OVER)
 NO_DRILL, SCORE, SAVE, GET, FREE, PASS_BY = range(6)
 SUCCESS = {
     "none": NO_DRILL,
@@ -44,6 +47,8 @@ def judge_drill(match, ball, robots, robot_events, events, k):
     result = 0
     if events.goal != NO_TEAM:
         result = 1 if events.goal == HOME and k.drill != SAVE else -1
+    elif events.restart == KICK_OFF:
+        result = -1
     elif k.drill == SCORE:
         result = -1 if events.out == 1 else 0
     elif k.drill == SAVE:

@@ -75,10 +75,24 @@ def test_only_a_goal_by_home_empties_the_goal(name):
 @each_league
 def test_a_drill_without_a_result_is_cut_off_and_not_lost(name):
     """A trap: time limits learned as failures."""
-    match = Match(name, home=1, away=1, seed=4, scene="empty-goal", episode="drill")
+    rules = "league:global_stuck=False"
+    match = Match(name, home=1, away=1, seed=4, scene="empty-goal", episode="drill", rules=rules)
     limit = SCENES["empty-goal"].time_limit
     for _ in range(steps_in(match, limit) - 1):
         match.step(stand(match))
     assert not match.terminated[0] and not match.truncated[0]
     match.step(stand(match))
     assert match.truncated[0] and not match.terminated[0] and match.events["drill"][0] == 0
+
+
+def test_a_stuck_game_ends_a_drill_instead_of_staging_it_elsewhere():
+    """It went on from a kick-off: the ball on the centre spot, the robot far from the goal that it was put before."""
+    rules = "league:global_stuck_time=3,stuck_time=2"
+    match = Match(home=1, away=1, seed=4, scene="empty-goal", episode="drill", rules=rules)
+    ball = match.balls[["x", "y"]].copy()
+    dropped = 0
+    while not (match.terminated | match.truncated).any():
+        match.step(stand(match))
+        dropped += int(match.events["stuck"][0] == 1 and not match.terminated[0])
+        assert match.terminated[0] or (match.balls[["x", "y"]] == ball).all()
+    assert match.terminated[0] and match.events["drill"][0] == -1 and dropped >= 1
