@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 MODULE_PATH = re.compile(r"([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*):([A-Za-z_]\w*)")  # MODULE:NAME, of a user's own
-MOST_NAMED, FIRST_NAMED = 14, 8  # names that a message lists; of more than so many the first
+MOST_NAMED, FIRST_NAMED = 32, 8  # names that a message lists; of more than so many the first
 LISTS = {  # what a message calls a thing, and what `soccer list` does
     "team": "teams", "scene": "scenes", "league": "leagues", "rule": "rules", "reward term": "rewards",
     "claim": "claims",

@@ -109,6 +109,7 @@ def leagues() -> Iterator[Table]:
 def teams() -> Iterator[Table]:
     """Yield the teams and the families of leagues that each plays."""
     from soccer_env.teams import NAMES, make_team, registered
+    from soccer_env.teams.explaining import what_it_is
 
     rows = []
     for name, where in registered().items():
@@ -147,30 +148,6 @@ def option_rows(options: Options) -> list[tuple[str, str, str, str]]:
         (key, f"{value:g}" if isinstance(value, float) else str(value), allowed, note)
         for key, value, allowed, note in options.rows()
     ]
-
-
-def what_it_is(where: str) -> str:
-    """Return the first line about a team that MODULE:NAME makes: that of its own function for a variant of another."""
-    from soccer_env.teams.registry import found
-
-    module, _, function = where.partition(":")
-    if function == "team":
-        return first_line(module)
-    try:
-        text = (found(where).__doc__ or "").strip().partition("\n")[0]
-    except (ImportError, AttributeError):
-        return ""
-    return f"A variant of {first_line(module).partition(':')[0]}: {text.removeprefix('Return ')}"
-
-
-def first_line(module: str) -> str:
-    """Return the first line of a module's docstring, "" if it has none or cannot be imported."""
-    from importlib import import_module
-
-    try:
-        return (import_module(module).__doc__ or "").strip().partition("\n")[0]
-    except ImportError:
-        return ""
 
 
 def scenes() -> Iterator[Table]:

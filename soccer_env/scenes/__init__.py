@@ -63,6 +63,11 @@ def mixture(text: str) -> Scene:
     return scenes[0] if len(scenes) == 1 else Mixture(text, "one of several scenes", parts=scenes, shares=shares)
 
 
+def names_in(text: str) -> list[str]:
+    """Return the names, or MODULE:NAME, of the scenes that a text asks for with their shares."""
+    return [share_of(part.strip())[0] for part in text.split(",")]
+
+
 def share_of(part: str) -> tuple[str, str]:
     """Split NAME:share, NAME or MODULE:NAME:share into the scene's name and its share."""
     if MODULE_PATH.fullmatch(part) and part.partition(":")[0] not in SCENES:
@@ -72,6 +77,6 @@ def share_of(part: str) -> tuple[str, str]:
 
 
 __all__ = [
-    "SCENES", "SUCCESS", "Draw", "Mixture", "Place", "Scene", "find_scene", "is_own", "judge_drill", "mixture", "put",
-    "send_away", "share_of",
+    "SCENES", "SUCCESS", "Draw", "Mixture", "Place", "Scene", "find_scene", "is_own", "judge_drill", "mixture",
+    "names_in", "put", "send_away", "share_of",
 ]  # fmt: skip

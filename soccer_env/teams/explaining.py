@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from soccer_env.teams.registry import NAMES, make_team
+from soccer_env.teams.registry import NAMES, found, make_team
 from soccer_env.teams.team import Team
 
 
@@ -66,3 +66,23 @@ def shipped_team(name: str) -> Team | None:
         return make_team(name)
     except ValueError:
         return make_team(plain)
+
+
+def what_it_is(where: str) -> str:
+    """Return the first line about a team that MODULE:NAME makes: that of its own function for a variant of another."""
+    module, _, function = where.partition(":")
+    if function == "team":
+        return first_line(module)
+    try:
+        text = (found(where).__doc__ or "").strip().partition("\n")[0]
+    except (ImportError, AttributeError):
+        return ""
+    return f"A variant of {first_line(module).partition(':')[0]}: {text.removeprefix('Return ')}"
+
+
+def first_line(module: str) -> str:
+    """Return the first line of a module's docstring, "" if it has none or cannot be imported."""
+    try:
+        return (import_module(module).__doc__ or "").strip().partition("\n")[0]
+    except ImportError:
+        return ""

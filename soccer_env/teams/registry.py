@@ -111,19 +111,24 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
         if from_name != 1.0:
             raise ValueError(f"a policy has no strength, got {from_name:g} for {name!r}")
         return team_of_file(name, FILES[ending], {**changes, **settings})
-    if name not in known and ending in TORCH:
-        raise ValueError(
-            f"team {name!r} cannot be read: a file of torch may hold code; write the module as a policy file with "
-            f"soccer_env.agents.save_policy(module, {Path(name).stem + '.safetensors'!r}, league=..., observe=...)"
-        )
     if name not in known:
-        raise ValueError(unknown("team", name, known, more=f"a policy file ({', '.join(FILES)})"))
+        raise ValueError(no_team(name, known))
     factory = found(known[name])
     changes = {**changes, **settings}
     check_factory(name, known[name], factory)
     check_accepted(name, factory, changes)
     made: Team = factory(strength=from_name, **changes)
     return make_team(made)
+
+
+def no_team(name: str, known: dict[str, str]) -> str:
+    """Return what is said of a name that is no team's; of a file of torch how it becomes one."""
+    if Path(name).suffix not in TORCH:
+        return unknown("team", name, known, more=f"a policy file ({', '.join(FILES)})")
+    return (
+        f"team {name!r} cannot be read: a file of torch may hold code; write the module as a policy file with "
+        f"soccer_env.agents.save_policy(module, {Path(name).stem + '.safetensors'!r}, league=..., observe=...)"
+    )
 
 
 def called(given: str | Team, made: Team) -> str:

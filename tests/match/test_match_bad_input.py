@@ -39,7 +39,6 @@ BAD_SETTINGS = [
     ({"senses": {"left": "ideal"}}, "keys home and away"),
     ({"actions": "torque"}, "actions must be one of box, full, discrete, got 'torque'"),
     ({"scene": "nowhere"}, "unknown scene 'nowhere'; known: kick-off"),
-    ({"scene": "nowhere"}, "; `soccer list scenes` names all "),
     ({"episode": "season"}, "episode must be one of match, goal, drill"),
     ({"episode": "drill"}, "needs a scene with a success test"),
     ({"rules": "no"}, "unknown rules 'no'"),

@@ -72,7 +72,7 @@ def test_a_scene_that_leaves_nonsense_is_blamed_itself(place: Any, message: str)
 def test_bodies_that_overlap_a_little_are_pushed_apart() -> None:
     match = Match(home=1, away=1, scene=Scene("mine", "a throng", place=close), seed=1)
     for _ in range(25):
-        match.step()
+        match.step(np.zeros((1, 2, 4)))
     x, y = (float(np.diff(match.robots[name][0])[0]) for name in ("x", "y"))
     assert np.hypot(x, y) > 0.12
 

@@ -15,6 +15,7 @@ from dataclasses import asdict, replace
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
+from soccer_env.scenes import names_in
 from soccer_env.teams import Team
 from soccer_env.train.evaluate.contest import Contest, check_trained, contest_of, play_matches, trained_otherwise
 from soccer_env.train.evaluate.line_checks import check_line
@@ -40,7 +41,10 @@ def evaluate(
     league = league or find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, teams or {})
     check_trained(contest, settings)
-    made = {**made_with(league, contest.first, contest.second), **of_modules([settings.league, settings.scene])}
+    made = {
+        **made_with(league, contest.first, contest.second),
+        **of_modules([settings.league, *names_in(settings.scene)]),
+    }
     contest.start("home", [0])  # whatever cannot be played is found before a folder is made
     if settings.out is not None:
         check_told_apart(made)

@@ -17,7 +17,7 @@ from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import rule_set
 from soccer_env.names import unknown
 from soccer_env.rewards import NAMES, PRESETS, TERMS, Rewards, find_rewards
-from soccer_env.scenes import Scene, mixture, share_of
+from soccer_env.scenes import Scene, mixture, names_in
 from soccer_env.train.keeping.asking import Keep
 from soccer_env.train.ppo.bounds import BOUNDS, LOGS
 from soccer_env.train.written_settings import (
@@ -230,7 +230,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     @property
     def named(self) -> list[str]:
         """Return what may be MODULE:NAME."""
-        scenes = [share_of(part.strip())[0] for part in self.scenes.split(",")]
+        scenes = names_in(self.scenes)
         return [self.league, self.rewards, self.teacher, *scenes, *self.opponent_names, *self.judges]
 
     @property

@@ -10,6 +10,7 @@ from soccer_env.checking import brief
 from soccer_env.leagues import LEAGUES, find_league
 from soccer_env.leagues.league import League
 from soccer_env.names import MODULE_PATH
+from soccer_env.scenes import names_in
 from soccer_env.teams import Team, in_module
 from soccer_env.train.evaluate.contest import Contest, contest_of
 from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings, conditions_of
@@ -43,7 +44,10 @@ def same_contest(
             f"the contest of {found.path} cannot be made again: {error}. Its teams were {both}: --home and --away say "
             "where a file is now; a team or league object is given in Python, recheck(settings, teams={name: team})"
         ) from error
-    now = {**made_with(own, contest.first, contest.second), **of_modules([settings.league, conditions.scene])}
+    now = {
+        **made_with(own, contest.first, contest.second),
+        **of_modules([settings.league, *names_in(conditions.scene)]),
+    }
     return contest, differences_of(found, now)
 
 
@@ -63,7 +67,8 @@ def conditions_in(
         if not isinstance(there, str):
             raise ValueError(f"{found.path / SETTINGS}: {name} must be a name, got {brief(there)}")
         given = there in teams if name in ("home", "away") else name == "league" and league is not None
-        names_code = in_module(there) if name in ("home", "away") else MODULE_PATH.fullmatch(there) is not None
+        named = [there, *names_in(there)] if name == "scene" else [there]  # several with shares, each may be code
+        names_code = in_module(there) if name in ("home", "away") else any(map(MODULE_PATH.fullmatch, named))
         if names_code and not said and not given:
             raise ValueError(
                 f"the {name} of {found.path} is code, {brief(there)}, that is not run because a folder names it; if "

@@ -229,11 +229,12 @@ CONDITIONS: list[tuple[str, Any, str]] = [
     ("players", [1, [2]], "players must be 1 to 11"),
     ("senses", "sensors", "players and senses must be two each"),
     ("league", "os:system", "is code, 'os:system', that is not run because a folder names it"),
+    ("scene", "kick-off:0.5,os:system:0.5", "is code, 'kick-off:0.5,os:system:0.5', that is not run"),
     ("scene", 7, "scene must be a name, got 7"),
     ("scene", "empty-goal", "is a drill"),
     ("seed", -1, "seed must be a whole number"),
     ("rules", "chess", "chess"),
-    ("pose", None, "pose must be one of"),
+    ("pose", None, "pose must be 'particles', got None"),
     ("home", "/dev/zero.safetensors", "cannot be made again"),
 ]
 
