@@ -49,21 +49,21 @@ class Pitch(Part):
     BOUNDS = dict.fromkeys(("length", "width", "goal_width", "goal_depth"), ABOVE_ZERO)
     ORDER = (("goal_width", "less than", "width"),)
 
-    length: float
-    width: float
-    goal_width: float
-    goal_depth: float
-    penalty_depth: float
-    penalty_width: float
-    circle: float
-    walled: bool
-    goal_area_depth: float = 0.0
-    goal_area_width: float = 0.0
-    band_side: float = 0.0
-    band_end: float = 0.0
-    board_foot: float = 0.0  # how far the sloped foot of a board reaches into the pitch, and how high: 45 degrees
-    post_radius: float = 0.02
-    line: float = field(default=0.025, metadata=PYTHON_ONLY)
+    length: float  # [m] along x, between the goal lines
+    width: float  # [m] along y, between the touchlines
+    goal_width: float  # [m] between the posts
+    goal_depth: float  # [m] behind the goal line
+    penalty_depth: float  # [m] of the penalty area, from the goal line
+    penalty_width: float  # [m]
+    circle: float  # [m] radius of the centre circle
+    walled: bool  # True: boards stand on the lines, and the ball cannot leave the pitch
+    goal_area_depth: float = 0.0  # [m] from the goal line; 0: there is no goal area
+    goal_area_width: float = 0.0  # [m]
+    band_side: float = 0.0  # [m] room for robots beyond a touchline
+    band_end: float = 0.0  # [m] the same beyond a goal line
+    board_foot: float = 0.0  # [m] how far the sloped foot of a board reaches into the pitch, and how high: 45 degrees
+    post_radius: float = 0.02  # [m]
+    line: float = field(default=0.025, metadata=PYTHON_ONLY)  # [m] width of the lines
 
 
 @dataclass(frozen=True)
@@ -87,8 +87,8 @@ class Slots(Part):
 
     NUMBER = Range(0, MAX_TEAM)
 
-    teammates: int
-    opponents: int
+    teammates: int  # the nearest are kept
+    opponents: int  # the same
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -106,9 +106,9 @@ class Substeps(Part):
     }
     ORDER = (("least", "at most", "close"), ("close", "at most", "most"), ("iterations", "at most", "jam_iterations"))
 
-    least: int
+    least: int  # substeps of a control step
     close: int  # the least while a robot is within reach of the ball or of another robot
-    most: int
+    most: int  # while something moves fast
     travel: float  # [m] that the fastest body may move in a substep
     iterations: int  # rounds of the contact solver
     jam_iterations: int  # the same while the ball touches two things or more, or legs hold each other
@@ -127,24 +127,24 @@ class League(Part):
 
     BOUNDS = {"control_rate": Range(1, MAX_RATE), "team_size": Range(1, MAX_TEAM)}
 
-    name: str
+    name: str  # what lists, files and results call it
     family: str  # what teams, scenes and policies go by: "legged", "middle-size" or one of your own
     control_rate: int  # [1/s] control steps
     team_size: int  # players a side in the league's own matches
-    pitch: Pitch
-    ball: BallModel
-    body: Body
-    materials: Materials
-    drive: Drive
-    kicker: Kicker
-    head: Head
-    rules: Rules
-    slots: Slots
-    substeps: Substeps
+    pitch: Pitch  # the field of play and what stands around it
+    ball: BallModel  # how it rolls
+    body: Body  # shape and mass of a robot
+    materials: Materials  # elasticity and friction of each pair that meets
+    drive: Drive  # legs or wheels
+    kicker: Kicker  # how hard and how well robots kick
+    head: Head  # where the camera can look
+    rules: Rules  # which are called, and their numbers
+    slots: Slots  # room for other players in tracks and observations
+    substeps: Substeps  # how finely the physics cuts a control step
     evaluation_minutes: float  # [min] of play in an evaluation
-    evaluation_placement: Literal["instant", "drive"] = "instant"
-    source: str = ""
-    block: Block = Block()
+    evaluation_placement: Literal["instant", "drive"] = "instant"  # how robots reach their places in one
+    source: str = ""  # where the numbers are from
+    block: Block = Block()  # of goalkeepers that spread their forelegs
     sensors: Any = None  # Options whose KIND says whose they are: a LeggedSensors, an OmniSensors, see robot_kind.py
     memory: Any = None  # Options, what goes with the sensors: a LeggedMemory, an OmniMemory
 

@@ -26,12 +26,12 @@ class Pair(Part):
 class Materials(Part):
     """Every pair that meets in a match. Boards, posts and nets are alike to robots, and so is all of a robot."""
 
-    ball_board: Pair
-    ball_post: Pair
-    ball_net: Pair
-    ball_robot: Pair
-    robot_robot: Pair
-    robot_board: Pair
+    ball_board: Pair  # and the boards on the lines of a walled pitch
+    ball_post: Pair  # of a goal
+    ball_net: Pair  # behind the goal line
+    ball_robot: Pair  # any part of it
+    robot_robot: Pair  # any parts of two
+    robot_board: Pair  # boards, posts and nets
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -156,10 +156,10 @@ class Head(Part):
 
     BOUNDS = {"tilt_low": ANY}
 
-    pan_limit: float = 0.0
-    tilt_low: float = 0.0
-    tilt_high: float = 0.0
-    pan_speed: float = 0.0
-    tilt_speed: float = 0.0
+    pan_limit: float = 0.0  # [rad] to either side
+    tilt_low: float = 0.0  # [rad] the lowest, below 0
+    tilt_high: float = 0.0  # [rad] the highest
+    pan_speed: float = 0.0  # [rad/s]
+    tilt_speed: float = 0.0  # [rad/s]
     camera_height: float = 0.0  # [m]
     camera_ahead: float = 0.0  # [m] ahead of the origin, head level

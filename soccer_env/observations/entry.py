@@ -35,8 +35,8 @@ TEAMMATE, OPPONENT = "teammate", "opponent"  # the groups of the slots for other
 class Entry:
     """One number of an observation or of a state, in [-1, 1]."""
 
-    name: str
-    meaning: str = ""
+    name: str  # each different
+    meaning: str = ""  # in a line, for lists
     scale: str = ""  # what 1 stands for
     frame: Frame | None = None  # None: nobody has said
     axis: Axis = ""  # of that frame; "" for what has no direction in it

@@ -33,9 +33,9 @@ class Term:
 class OwnTerm:
     """A user's own reward term: a function of the Match that returns (M, R) numbers, and how they are paid."""
 
-    function: Callable[[Any], Any]
+    function: Callable[[Any], Any]  # of the Match, returns (M, R) numbers
     kind: str = "event"  # "event" and "cost" pay and charge the numbers, "potential" shapes by them
-    weight: float = 1.0
+    weight: float = 1.0  # by which the numbers are multiplied
 
     def __post_init__(self) -> None:
         if not callable(self.function):

@@ -19,7 +19,7 @@ CHOOSER = (1 << 20) + 2  # owner of the stream that it draws from; those before 
 class Mixture(Scene):
     """Several scenes as one: which one follows from the match's seed and the number of the episode."""
 
-    parts: tuple[Scene, ...] = ()
+    parts: tuple[Scene, ...] = ()  # the scenes
     shares: tuple[float, ...] = field(default=())  # relative frequencies of the parts
 
     def __post_init__(self) -> None:

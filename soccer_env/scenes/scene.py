@@ -45,11 +45,11 @@ class Scene:
     plays.
     """
 
-    name: str
-    description: str
-    place: Place | None = None
-    success: str | Callable[[Any], Any] = "none"
-    time_limit: float = inf  # [s]
+    name: str  # by which lists, commands and results call it
+    description: str  # in a line, for lists
+    place: Place | None = None  # place(league, ball, robots, draw), see above; None: as at a kick-off
+    success: str | Callable[[Any], Any] = "none"  # what ends a drill, and how; "none": no drill
+    time_limit: float = inf  # [s] of a drill, which then ends undecided
     in_play: bool = False  # True: play is on; False: a kick-off
     opponents: tuple[str, ...] = ()  # names of teams, with strengths
     players: int = 1  # of home's that it is meant for, a goalkeeper among them: a suggestion as well

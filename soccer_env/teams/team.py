@@ -26,9 +26,9 @@ TEAM_STREAM = int(RobotStream.TEAM)
 class View:
     """What the P players of a team may know, in M matches: beliefs (M, P), tracks (M, P, slots), see `types`."""
 
-    league: League
-    beliefs: np.ndarray
-    tracks: np.ndarray
+    league: League  # in which they play
+    beliefs: np.ndarray  # (M, P) of `BELIEF`
+    tracks: np.ndarray  # (M, P, slots) of `TRACK`
 
     @property
     def ball(self) -> np.ndarray:
@@ -102,10 +102,10 @@ class CompiledTeam:
     whole match; `settings` is the team's own (1,) record.
     """
 
-    name: str
-    kernel: Callable[..., None]
-    memory_dtype: np.dtype
-    settings: np.ndarray
+    name: str  # in lists, infos and results
+    kernel: Callable[..., None]  # as above
+    memory_dtype: np.dtype  # of what a player keeps from step to step
+    settings: np.ndarray  # (1,) record that the kernel reads
     families: tuple[str, ...] = ()  # of leagues that it plays (`League.family`); empty: all
     options: Options | None = None  # the team's settings by name, for lists
     blind: bool = False  # True: it reads no belief, so that nothing has to be sensed for it

@@ -1,13 +1,24 @@
 """The site: every package has a page in its reference, and it builds strictly from the pages where they lie."""
 
-import importlib.util
+import inspect
 import os
+import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
+from dataclasses import fields
+from enum import IntEnum
+from importlib import import_module
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 
+import numpy as np
 import pytest
+
+import soccer_env
+from soccer_env.match_settings import MatchArguments
 
 pytest.importorskip("mkdocs")
 pytest.importorskip("material")
@@ -20,19 +31,83 @@ LINKED = (
 )
 
 
-def test_every_package_stands_in_the_reference_with_all_its_modules() -> None:
-    spec = importlib.util.spec_from_file_location("site_hook", ROOT / ".ci/site/hook.py")
-    assert spec is not None and spec.loader is not None
-    hook = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(hook)
-    packages = dict(hook.packages())
+@pytest.fixture
+def site(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], ModuleType]:
+    """Return what imports a module of the site's own."""
+    monkeypatch.syspath_prepend(ROOT / ".ci/site")
+    return import_module
+
+
+Site = Callable[[str], ModuleType]
+
+
+def test_every_package_stands_in_the_reference_with_all_its_modules(site: Site) -> None:
+    reference = site("pages.reference")
+    packages = dict(reference.packages())
     assert {"soccer_env", "soccer_env.belief.legged", "soccer_env.train.ppo"} <= set(packages)
+    pages = reference.pages()
     for name, folder in packages.items():
-        page = hook.package_page(name, folder)
+        page = pages[f"reference/{name}.md"]
         assert f"::: {name}\n" in page
         for file in folder.glob("*.py"):
             assert (f"::: {name}.{file.stem}\n" in page) is not file.stem.startswith("__")
-        assert f"[`{name}`]({name}.md) | {hook.first_line(folder / '__init__.py')} |" in hook.index_page()
+        line = f"[`{name}`]({name}.md) | {reference.first_line(folder / '__init__.py')} |"
+        assert line in pages["reference/packages.md"]
+
+
+def test_every_public_name_stands_on_a_page_for_users(site: Site) -> None:
+    reference = site("pages.reference")
+    shown = {f"soccer_env.{thing}" for page in reference.PUBLIC for thing in page.things}
+    for name in soccer_env.__all__:
+        found = getattr(soccer_env, name)
+        assert any(x.startswith(f"{found.__name__}.") or x.endswith(f".{name}") for x in shown), name
+    names = [next(iter(item.values())) for item in reference.navigation()]
+    assert names[0][0] == "reference/index.md" and "Internals" in names[0][-1], "public names come first"
+
+
+@pytest.fixture(scope="module")
+def read() -> ModuleType:
+    """Return the package as the site reads it, with tables of fields."""
+    griffe = pytest.importorskip("griffe")
+    sys.path.insert(0, str(ROOT / ".ci/site"))
+    try:
+        tables = import_module("field_tables")
+    finally:
+        sys.path.pop(0)
+    loader = griffe.GriffeLoader(search_paths=[ROOT], extensions=griffe.load_extensions(tables.FieldTables))
+    return loader.load("soccer_env")  # type: ignore[no-any-return]
+
+
+@pytest.mark.parametrize("module", ["types", "percept_types", "belief_types"])
+def test_every_field_of_every_record_and_code_is_in_a_table(read: Any, module: str) -> None:
+    for name, found in vars(import_module(f"soccer_env.{module}")).items():
+        if isinstance(found, np.dtype) and name.isupper() and name in read[module].members:
+            told = read[module][name]
+            if not told.is_alias:
+                assert rows_of(told.docstring.value) == list(found.names or ())
+        if isinstance(found, type) and issubclass(found, IntEnum) and found.__module__.endswith(f".{module}"):
+            assert rows_of(read[module][name].docstring.value) == [item.name for item in found]
+
+
+def rows_of(text: str) -> list[str]:
+    """Return the names in the first column of a table."""
+    return re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE)
+
+
+def test_fields_have_their_units_defaults_and_meanings(read: Any) -> None:
+    ball, phase = read["types.BALL"].docstring.value, read["types.Phase"].docstring.value
+    assert "| `vx` | `f8` | m/s | field frame |" in ball
+    assert "| `PENALTY_KICK` | 7 | of a penalty shoot-out |" in phase
+    settings = read["match_settings.MatchArguments"].docstring.value
+    assert sorted(rows_of(settings)) == sorted(field.name for field in fields(MatchArguments))
+    assert "| `max_cycles` | `int | None` | `None` | steps until an episode is truncated; None: never |" in settings
+
+
+def test_functions_are_shown_as_they_are_called(read: Any) -> None:
+    shown = [one.name for one in read["soccer_v0.parallel_env"].parameters]
+    assert sorted(shown) == sorted(inspect.signature(soccer_env.soccer_v0.parallel_env).parameters)
+    shown = [one.name for one in read["match.Match.__init__"].parameters]
+    assert shown[:2] == ["self", "league"] and "autoreset" in shown
 
 
 @pytest.mark.slow
