@@ -112,8 +112,8 @@ def print_json(found: Any) -> None:
     print(json.dumps(found, indent=2))
 
 
-def run_completion(words: list[str]) -> int:
-    """Run `soccer --print-completion SHELL`, or with tyro's own flag."""
+def kinds_of_settings() -> dict[str, type]:
+    """Return what the words of each command are read into."""
     from soccer_env.train.bench.settings import BenchSettings
     from soccer_env.train.evaluate.export_settings import ExportSettings
     from soccer_env.train.evaluate.play_settings import RecordSettings, ReplaySettings
@@ -125,13 +125,17 @@ def run_completion(words: list[str]) -> int:
     from soccer_env.train.warm_up import WarmUpSettings
     from soccer_env.train.watching.settings import WatchSettings
 
-    kinds = {
+    return {
         "evaluate": EvaluateSettings, "list": ListSettings, "bench": BenchSettings, "export": ExportSettings,
         "recheck": RecheckSettings, "record": RecordSettings, "replay": ReplaySettings, "reproduce": ReproduceSettings,
         "train": TrainSettings, "warm-up": WarmUpSettings, "watch": WatchSettings,
     }  # fmt: skip
+
+
+def run_completion(words: list[str]) -> int:
+    """Run `soccer --print-completion SHELL`, or with tyro's own flag."""
     shell = "".join([*words[0].split("=", 1), *words[1:]][1:2])
-    print(completion(shell, kinds, SUMMARIES))
+    print(completion(shell, kinds_of_settings(), SUMMARIES))
     return 0
 
 

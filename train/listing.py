@@ -144,10 +144,8 @@ def settings_of_teams() -> Iterator[Table]:
 
 def option_rows(options: Options) -> list[tuple[str, str, str, str]]:
     """Return name, value, what is allowed, unit and source of each setting, for a table."""
-    return [
-        (key, f"{value:g}" if isinstance(value, float) else str(value), allowed, note)
-        for key, value, allowed, note in options.rows()
-    ]
+    rows = options.rows()
+    return [(key, f"{it:g}" if isinstance(it, float) else str(it), allowed, note) for key, it, allowed, note in rows]
 
 
 def scenes() -> Iterator[Table]:
@@ -158,28 +156,32 @@ def scenes() -> Iterator[Table]:
         (
             x.name,
             x.description,
-            str(x.success),
+            "none: a match" if x.success == "none" else str(x.success),
             f"{x.time_limit:g} s" if isfinite(x.time_limit) else "none",
-            ", ".join(x.opponents),
+            x.meant_for,
             x.rules,
             ", ".join(x.families) or "all",
         )
         for x in SCENES.values()
     ]
-    yield Table("Scenes", ("name", "what it is", "success", "time limit", "opponents meant", "rules", "family"), rows)
+    columns = ("name", "what it is", "success", "time limit", "players", "rules", "family")
+    yield Table("Scenes; those with a success test are drills, played so with episode=drill", columns, rows)
 
 
 def observations(league: str, observe: str) -> Iterator[Table]:
     """Yield the numbers of one robot's observation."""
     from soccer_env.leagues import find_league
     from soccer_env.observations import layout
+    from soccer_env.observations.scales import in_numbers
 
-    entries = layout(find_league(league), observe)
+    found = find_league(league)
+    entries = layout(found, observe)
     title = f"Observation of a robot in {league}, observe={observe}: {len(entries)} numbers (float32) in [-1, 1]"
     rows = [
-        (f"{index}", x.name, x.meaning, x.scale, frame_of(x), changed_by_mirror(x)) for index, x in enumerate(entries)
+        (f"{index}", x.name, x.meaning, x.scale, in_numbers(x, found), frame_of(x), changed_by_mirror(x))
+        for index, x in enumerate(entries)
     ]
-    yield Table(title, ("", "name", "meaning", "of", "frame", "mirror changes"), rows)
+    yield Table(title, ("", "name", "meaning", "of", "1 is", "frame", "mirror changes"), rows)
 
 
 def frame_of(entry: Entry) -> str:
@@ -244,6 +246,9 @@ def rewards() -> Iterator[Table]:
 
     rows = [(x.name, x.kind, x.text, *(f"{getattr(y, x.name):g}" for y in PRESETS.values())) for x in TERMS]
     yield Table("Reward terms and their weights", ("term", "kind", "meaning", *PRESETS), rows)
+    shaping = "discount of the potentials; a learner with the same discount keeps its best policies"
+    gammas = [("gamma", shaping, *(f"{y.gamma:g}" for y in PRESETS.values()))]
+    yield Table("Discount of one action", ("name", "meaning", *PRESETS), gammas)
 
 
 def statistics() -> Iterator[Table]:

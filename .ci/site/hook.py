@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
-from pages import reference
+from pages import catalogue, commands, examples, reference
 
 ROOT = reference.ROOT
 PAGES = ("*.md", "soccer_env/**/*.md", "baselines/**/*.md", "agents/**/*.md", "train/**/*.md")
@@ -17,7 +17,13 @@ PICTURES = ("soccer_env/pictures/*", "agents/policies/*.png")
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
     """Add the pages that are made to the navigation."""
-    config.nav = [*(config.nav or []), *reference.navigation()]
+    made = [
+        {"The command line": "commands.md"},
+        *catalogue.navigation(),
+        *examples.navigation(),
+        *reference.navigation(),
+    ]
+    config.nav = [*(config.nav or []), *made]
     return config
 
 
@@ -28,6 +34,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
             if path.is_file():
                 uri = path.relative_to(ROOT).as_posix()
                 files.append(File.generated(config, uri, abs_src_path=str(path)))
-    for uri, content in reference.pages().items():
+    made = {"commands.md": commands.page()} | catalogue.pages() | examples.pages() | reference.pages()
+    for uri, content in made.items():
         files.append(File.generated(config, uri, content=content))
     return files

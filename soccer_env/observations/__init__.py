@@ -10,6 +10,7 @@ its name, its meaning, its scale, its frame and axis (so that mirrors know its s
       omni.py          ... what the middle-size robots see
     body.py          what a body feels exactly: part of all three
     entry.py         Entry: one number and what it means; layouts as records
+    scales.py        what their scales are in numbers, in a league
     own.py           observations of a user's own, and those that differ by team
     row.py           part of an observation as a record, for the compiled writers
     reflection.py    what a left-right mirror does to observations and actions

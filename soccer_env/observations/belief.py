@@ -29,8 +29,8 @@ SURE = 100.0
 OWN_MORE = of_group("own pose", Entry("own_confidence", "confidence in the own pose", "100", NONE))
 BALL_MORE = of_group(
     "ball",
-    Entry("ball_raw_x", "latest reading of the ball, ahead, finer when near", "soft", ROBOT, X),
-    Entry("ball_raw_y", "latest reading of the ball, to the left, finer when near", "soft", ROBOT, Y),
+    Entry("ball_raw_x", "latest reading of the ball, ahead", "soft: x / (|x| + a tenth of the diagonal)", ROBOT, X),
+    Entry("ball_raw_y", "the same to the left", "soft: y / (|y| + a tenth of the diagonal)", ROBOT, Y),
     Entry("ball_radial", "rate of the ball's distance", "soft: v / (|v| + a tenth of its top speed)", NONE),
     Entry("ball_angular", "rate of the ball's bearing", "soft: w / (|w| + 1 rad/s)", ROBOT, TURN),
     Entry("ball_confidence", "confidence in the ball", "100", NONE),
@@ -43,7 +43,7 @@ PLAYER_MORE = (
 NOBODY = "nearness of somebody whom the ranger alone knows of; 0: nobody"
 OBSTACLE = of_group(  # of robots with an infrared ranger
     "obstacle",
-    Entry("obstacle_near", NOBODY, "soft: a / (distance + a)", NONE),
+    Entry("obstacle_near", NOBODY, "soft: a / (distance + a), a = a tenth of the diagonal", NONE),
     Entry("obstacle_cos", "cosine of its bearing; 0 if there is nobody", "1", ROBOT, X),
     Entry("obstacle_sin", "sine of its bearing; 0 if there is nobody", "1", ROBOT, Y),
 )

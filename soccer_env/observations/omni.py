@@ -21,7 +21,7 @@ SIGHTING = (
     Entry("seen", "1: it is in the picture; else its entries are 0", "1", NONE),
     Entry("cos", "cosine of its bearing", "1", ROBOT, X),
     Entry("sin", "sine of its bearing", "1", ROBOT, Y),
-    Entry("near", "nearness", "soft: a / (distance + a), a 2 m", NONE),
+    Entry("near", "nearness", "soft: a / (distance + a), a = 2 m", NONE),
 )
 MARKER = (Entry("teammate", "1 team-mate, -1 opponent, by its marker", "1", NONE),)  # of players
 LINE = "distance of the first white line in this direction, 1 if none is seen"

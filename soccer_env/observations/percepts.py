@@ -26,9 +26,9 @@ BODY = (
     ),
     *of_group(
         "odometry",
-        Entry("odometry_forward", "displacement ahead since the last frame", "top speed ahead", ROBOT, X),
-        Entry("odometry_left", "displacement to the left", "top speed ahead", ROBOT, Y),
-        Entry("odometry_turn", "turn", "top turn rate", ROBOT, TURN),
+        Entry("odometry_forward", "displacement ahead since the last frame", "a control step at top speed", ROBOT, X),
+        Entry("odometry_left", "displacement to the left", "a control step at top speed", ROBOT, Y),
+        Entry("odometry_turn", "turn", "a control step at the top turn rate", ROBOT, TURN),
     ),
     *JOINTS,
     *of_group(

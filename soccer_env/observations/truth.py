@@ -60,14 +60,14 @@ BALL = of_group(
     Entry("ball_x", "ball ahead", DIAGONAL, ROBOT, X),
     Entry("ball_y", "ball to the left", DIAGONAL, ROBOT, Y),
     Entry("ball_near_x", "ball ahead, finer when near", "soft: x / (|x| + a tenth of the diagonal)", ROBOT, X),
-    Entry("ball_near_y", "ball to the left, finer when near", "soft", ROBOT, Y),
+    Entry("ball_near_y", "ball to the left, finer when near", "soft: y / (|y| + a tenth of the diagonal)", ROBOT, Y),
     Entry("ball_cos", "cosine of the ball's bearing", "1", ROBOT, X),
     Entry("ball_sin", "sine of the ball's bearing", "1", ROBOT, Y),
-    Entry("ball_near", "nearness of the ball", "soft: a / (distance + a)", NONE),
+    Entry("ball_near", "nearness of the ball", "soft: a / (distance + a), a = a tenth of the diagonal", NONE),
     Entry(
         "ball_vx", "ball speed over the ground, along the robot", "soft: v / (|v| + a tenth of its top speed)", ROBOT, X
     ),
-    Entry("ball_vy", "ball speed over the ground, to the left", "soft", ROBOT, Y),
+    Entry("ball_vy", "ball speed over the ground, to the left", "soft: v / (|v| + a tenth of its top speed)", ROBOT, Y),
 )
 GOALS = of_group(
     "goals",

@@ -71,6 +71,14 @@ class Scene:
         limit = f", {self.time_limit:g} s" if self.time_limit < inf else ""
         return f"<{type(self).__name__} {self.name}: {self.description if success == 'none' else success + limit}>"
 
+    @property
+    def meant_for(self) -> str:
+        """Return in words for how many players of home, and against whom, it is meant; and how many a side it takes."""
+        if self.success == "none":
+            return "any"
+        meant = f"{self.players} v {', '.join(self.opponents)}" if self.opponents else f"{self.players}"
+        return meant if self.most == MAX_TEAM else f"{meant}; {self.most} a side at most"
+
     def of_episode(self, seed: int, episode: int) -> Scene:
         """Return the scene in which an episode begins: this one, unless it is a mixture."""
         return self

@@ -11,6 +11,7 @@ from soccer_env.leagues import find_league
 from soccer_env.observations import Entry, entries_named, layout
 from soccer_env.observations.entry import CAMERA, FIELD, NONE, ROBOT, SIDE, TEAM, TURN, X, Y, record_of
 from soccer_env.observations.reflection import observation_signs
+from soccer_env.observations.scales import in_numbers
 from tests.scenes.staging import LEAGUES
 from tests.scenes.symmetry import (
     MIRROR,
@@ -146,3 +147,24 @@ def test_names_alone_play_but_say_what_a_mirror_and_attention_miss() -> None:
 def test_what_is_no_entry_is_refused() -> None:
     with pytest.raises(ValueError, match=r"entries of observe must be of soccer_env.observations.Entry, got 'clock'"):
         Match(home=1, away=1, seed=1, observe=Own(entries=["clock"]))
+
+
+def test_scales_are_in_numbers_as_observations_are_made() -> None:
+    match = Match("legged-2001", home=1, away=1, seed=1, observe="truth")
+    match.robots[0, 0]["x"], match.robots[0, 0]["y"], match.robots[0, 0]["heading"] = 0.9, 0.25, 0.0
+    match.balls[0]["x"], match.balls[0]["y"], match.balls[0]["vx"] = 1.26055, 0.25, 0.2
+    match.batch.observe_anew(0, 1)
+    seen = dict(zip(match.observation_names, match.observations[0, 0].tolist(), strict=True))
+    told = {entry.name: in_numbers(entry, match.league) for entry in layout(match.league, "truth")}
+    assert (told["own_x"], told["own_y"], told["ball_x"]) == ("1.8 m", "1 m", "3.606 m")
+    assert told["ball_near_x"] == "x / (|x| + 0.3606 m)" and told["ball_vx"] == "v / (|v| + 0.2 m/s)"
+    found = [seen[name] for name in ("own_x", "own_y", "ball_x", "ball_near_x", "ball_vx")]
+    np.testing.assert_allclose(found, [0.5, 0.25, 0.1, 0.5, 0.5], atol=1e-4)
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+@pytest.mark.parametrize("observe", ["truth", "belief", "percepts"])
+def test_every_scale_has_a_number(league: str, observe: str) -> None:
+    found = find_league(league)
+    told = [in_numbers(entry, found) for entry in layout(found, observe)]
+    assert [text for text in told if not any(letter.isdigit() for letter in text) or "soft" in text] == []

@@ -18,7 +18,16 @@ import numpy as np
 import pytest
 
 import soccer_env
+from soccer_env.actions import MEANINGS
+from soccer_env.leagues import find_league
 from soccer_env.match_settings import MatchArguments
+from soccer_env.observations import OBSERVE, layout
+from soccer_env.rewards import NAMES
+from soccer_env.scenes import SCENES
+from soccer_env.statistics.figures import FIGURES
+from soccer_env.teams import NAMES as TEAMS
+from soccer_env.train.command_line import COMMANDS, kinds_of_settings
+from soccer_env.train.parsing import flags_of
 
 pytest.importorskip("mkdocs")
 pytest.importorskip("material")
@@ -110,6 +119,47 @@ def test_functions_are_shown_as_they_are_called(read: Any) -> None:
     assert shown[:2] == ["self", "league"] and "autoreset" in shown
 
 
+@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
+def test_every_entry_of_every_observation_stands_in_the_catalogue_in_numbers(site: Site, league: str) -> None:
+    found = site("pages.catalogue").pages()[f"catalogue/observations-{league}.md"]
+    told = re.findall(r"^\| \d+ \| `(\w+)` \|.*\| ([^|]+(?:\\\|[^|]+)*) \|[^|]*\|[^|]*\|$", found, re.MULTILINE)
+    names = [entry.name for observe in OBSERVE for entry in layout(find_league(league), observe)]
+    assert [name for name, _ in told][: len(names)] == names
+    assert all(re.search(r"\d", number) for _, number in told), "a number with its unit"
+    assert "| `own_x` | own position, towards the opponent's goal | half length plus goal depth |" in found
+
+
+def test_the_catalogue_names_what_there_is_to_choose_from(site: Site) -> None:
+    found = site("pages.catalogue").pages()
+    for page, names in {"scenes": SCENES, "rewards": [*NAMES, "gamma"], "teams": TEAMS, "actions": MEANINGS}.items():
+        assert [name for name in names if f"`{name}`" not in found[f"catalogue/{page}.md"]] == [], page
+    figures = [x.name for x in FIGURES]
+    assert [name for name in figures if f"`{name}" not in found["catalogue/statistics.md"]] == []
+
+
+def test_every_option_of_every_command_stands_on_the_page_of_commands(site: Site) -> None:
+    parts = dict(part.split("\n", 1) for part in site("pages.commands").page().split("\n## soccer ")[1:])
+    kinds = kinds_of_settings()
+    assert list(parts) == list(COMMANDS) and set(kinds) == set(COMMANDS)
+    for name, part in parts.items():
+        rows = re.findall(r"^\| `([^`]+)` \|.*\| (.*) \|$", part, re.MULTILINE)
+        assert [flag for flag, meaning in rows if not meaning.strip()] == [], name
+        flags = flags_of(kinds[name], pairs=False)
+        assert [flag for flag in flags if f"| `{flag}` |" not in part] == [], name
+
+
+def test_every_example_is_a_page_with_its_code(site: Site) -> None:
+    pages = site("pages.examples").pages()
+    for file in (ROOT / "train/examples").glob("[a-z]*.py"):
+        shown = pages[f"examples/{file.stem}.md"]
+        assert (
+            file.read_text(encoding="utf-8")
+            .rstrip()
+            .endswith(shown.rsplit("```python\n", 1)[1].removesuffix("\n```\n"))
+        )
+        assert f"({file.stem}.md)" in pages["examples/index.md"]
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("make") is None, reason="needs make")
 def test_the_site_builds_strictly(tmp_path: Path) -> None:
@@ -125,3 +175,5 @@ def test_the_site_builds_strictly(tmp_path: Path) -> None:
     assert "fonts.googleapis.com" not in home
     reference = (tmp_path / "site/reference/soccer_env.belief.legged/index.html").read_text(encoding="utf-8")
     assert "Return the least area [px] of a ball" in reference  # the docstring of a compiled function
+    found = (tmp_path / "site/search/search_index.json").read_text(encoding="utf-8")
+    assert all(name in found for name in ("own_x", "ball_near_x", "kick_ready", "max_cycles", "keep-pages"))

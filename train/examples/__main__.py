@@ -15,21 +15,37 @@ PAGES = sorted({file.stem for file in FOLDER.glob("*.py")} - {"__init__", "__mai
 
 def needs(name: str) -> str:
     """Return what a page has to have installed beside the package, as pip takes it."""
-    text = ast.get_docstring(ast.parse((FOLDER / f"{name}.py").read_text(encoding="utf-8"))) or ""
-    found = re.search(r"^Needs: (.+)$", text, re.MULTILINE)
+    found = re.search(r"^Needs: (.+)$", text_of(name), re.MULTILINE)
     return found[1] if found else ""
+
+
+def text_of(name: str) -> str:
+    """Return what a page says of itself."""
+    return ast.get_docstring(ast.parse((FOLDER / f"{name}.py").read_text(encoding="utf-8"))) or ""
+
+
+def help_text() -> str:
+    """Return the usage, and each page with what it is and needs."""
+    lines = ["usage: python -m soccer_env.train.examples NAME [--steps 10000] [OPTIONS]", ""]
+    for name in PAGES:
+        lines += [f"  {name:18}{text_of(name).splitlines()[0]}", f"  {'':18}needs: {needs(name)}"]
+    return "\n".join([*lines, "", "`NAME --help` explains the options of one, once what it needs is installed."])
 
 
 def main() -> None:
     """Run the page that the first word names; the others are arguments of its `main`."""
     name = sys.argv[1] if len(sys.argv) > 1 else ""
+    if name in ("-h", "--help"):
+        print(help_text())
+        return
     if name not in PAGES:
         sys.exit(f"name an example: {', '.join(PAGES)}; got {name!r}")
     started = time.perf_counter()
     try:
         page = importlib.import_module(f"soccer_env.train.examples.{name}")
     except ModuleNotFoundError as error:
-        sys.exit(f"{error}: {name} needs {needs(name)}; in a checkout `make example-{name}` installs it and runs")
+        more = f"{name} needs {needs(name)}, which pip installs beside 'soccer_env[train]'"
+        sys.exit(f"{error}: {more}; in a checkout `make example-{name}` does so and runs it")
     reached = tyro.cli(page.main, args=sys.argv[2:], prog=f"python -m soccer_env.train.examples {name}")
     seconds = time.perf_counter() - started
     print(f"{name}: reached {reached:.2f} in {seconds:.0f} s, {time.process_time():.0f} s of the processor")

@@ -1,0 +1,61 @@
+"""What the scales of observations and states are in numbers, in a league: `own_x` is 1 at 1.8 m.
+
+An entry says its scale in words, as they hold in every league. Here the words become numbers with their units.
+"""
+
+from __future__ import annotations
+
+import re
+from math import hypot, pi
+from typing import Any
+
+from soccer_env.leagues.league import League
+from soccer_env.observations.entry import Entry
+from soccer_env.observations.truth import NEAR, SLOW
+from soccer_env.types import Phase
+
+
+def in_numbers(entry: Entry, league: League) -> str:
+    """Return what a 1 of an entry stands for, or the formula of a soft scale, with numbers and units."""
+    known = words(league)
+    pattern = "|".join(re.escape(text) for text in sorted(known, key=len, reverse=True))
+    return re.sub(pattern, lambda found: known[found[0]], entry.scale).removeprefix("soft: ")
+
+
+def words(league: League) -> dict[str, str]:
+    """Return the words that scales are said in, each with its number in a league."""
+    pitch, drive, fastest = league.pitch, league.drive, league.ball.top_speed
+    diagonal = hypot(pitch.length, pitch.width)
+    return {
+        "half length plus goal depth": f"{pitch.length / 2 + pitch.goal_depth:.4g} m",
+        "half width plus band": f"{pitch.width / 2 + pitch.band_side:.4g} m",
+        "diagonal of the pitch": f"{diagonal:.4g} m",
+        "a tenth of the diagonal": f"{NEAR * diagonal:.4g} m",
+        "a tenth of its top speed": f"{SLOW * fastest:.4g} m/s",
+        "its top speed": f"{fastest:.4g} m/s",
+        "a control step at top speed": f"{drive.forward * league.dt:.4g} m",
+        "a control step at the top turn rate": f"{drive.turn * league.dt:.4g} rad",
+        "top speed ahead": f"{drive.forward:.4g} m/s",
+        "top turn rate": f"{drive.turn:.4g} rad/s",
+        "pi / 2": f"{pi / 2:.4g} rad",
+        "pi": f"{pi:.4g} rad",
+        "those of a gait step": f"{drive.gait_steps} control steps",
+        "the last phase": f"{max(Phase):d}",
+        "the match": f"{120.0 * league.rules.half_minutes:g} s, or the match that `minutes` asks for",
+        "the half": f"{60.0 * league.rules.half_minutes:g} s, or half of `minutes`",
+        **words_of_sensors(league.sensors),
+    }
+
+
+def words_of_sensors(sensors: Any) -> dict[str, str]:
+    """Return those of the sensors of a kind of robot."""
+    found = {}
+    if hasattr(sensors, "infrared_far"):
+        found["its greatest valid range"] = f"{sensors.infrared_far:.4g} m"
+    if hasattr(sensors, "line_range"):
+        found["greatest range"] = f"{sensors.line_range:.4g} m"
+    if hasattr(sensors, "resolution"):
+        width, height = map(int, sensors.resolution.split("x"))  # [px]
+        found |= {"the picture's width": f"{width} px", "the picture's height": f"{height} px"}
+        found |= {"half the picture's width": f"{width // 2} px", "half the picture's height": f"{height // 2} px"}
+    return found
