@@ -17,13 +17,9 @@ PICTURES = ("soccer_env/pictures/*", "agents/policies/*.png")
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
     """Add the pages that are made to the navigation."""
-    made = [
-        {"The command line": "commands.md"},
-        *catalogue.navigation(),
-        *examples.navigation(),
-        *reference.navigation(),
-    ]
-    config.nav = [*(config.nav or []), *made]
+    *first, project = config.nav or []
+    made = [*catalogue.navigation(), *examples.navigation(), *reference.navigation()]
+    config.nav = [*first, {"Command line": "commands.md"}, *made, project]
     return config
 
 

@@ -3,6 +3,8 @@
 import json
 from pathlib import Path
 
+import pytest
+
 from soccer_env import make_team
 from soccer_env.agents.learned import BUNDLED
 from soccer_env.agents.policy_file import load
@@ -41,3 +43,15 @@ def test_it_beats_the_papers_team() -> None:
 
 def test_its_team_takes_no_settings() -> None:
     assert make_team("learned").name == "learned"
+
+
+def test_a_bundled_setting_is_found_by_its_name_from_any_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for name in ("legged-2001", "legged-2001.toml"):
+        assert settings_of(Path(name)) == settings_of(BUNDLED.with_suffix(".toml"))
+    Path("legged-2001").write_text("steps = 5000\n", encoding="utf-8")  # a file of one's own comes first
+    assert settings_of(Path("legged-2001")).steps == 5000
+    with pytest.raises(ValueError, match=r"nobody\.toml cannot be read"):
+        settings_of(Path("nobody.toml"))

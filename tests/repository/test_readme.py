@@ -15,6 +15,11 @@ from soccer_env.match_settings import MatchSettings
 from soccer_env.teams import NAMES
 from soccer_env.train.command_line import COMMANDS
 
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
 ROOT = Path(__file__).parents[2]
 PAGES = (
     "README.md",
@@ -29,10 +34,14 @@ PAGES = (
     "agents/policies/README.md",
     "train/README.md",
 )
-OTHERS = ("CHANGELOG.md", "soccer_env/REFERENCES.md")  # linked, not made of examples
+OTHERS = (
+    "CHANGELOG.md",
+    "soccer_env/REFERENCES.md",
+    "train/FROM_ZERO.md",
+)  # linked; tests/repository/test_from_zero.py
 TEXTS = {page: (ROOT / page).read_text(encoding="utf-8") for page in (*PAGES, *OTHERS)}
 EXECUTABLES = {"make", "soccer", "pip", "python", "pytest", "git", "ruff", "mypy"}
-README_LINES = 200
+README_LINES = 160
 LISTS = {"soccer_env/README.md": sorted(LEAGUES), "baselines/README.md": sorted(NAMES)}  # what ships
 LINE = 160  # characters of a line that no command and no table needs
 SLOW = ("TrainSettings(", "stable_baselines3")  # examples that take more than five seconds
@@ -116,6 +125,15 @@ def test_the_readme_is_short_and_its_lines_too() -> None:
         shown = re.sub(r"<!-- table: (\w+) -->.*?<!-- end of table: \1 -->", "", TEXTS[page], flags=re.DOTALL)
         if page != "baselines/sacks_2001/README.md":
             assert [line for line in shown.splitlines() if len(line) > LINE and "](" not in line] == [], page
+
+
+def test_the_readme_says_what_every_extra_is_for() -> None:
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    _, _, section = TEXTS["README.md"].partition("\n## Install\n")
+    named = set(re.findall(r"`([\w]+)`", section.partition("\n## ")[0].partition("Extras: ")[2]))
+    assert sorted(set(extras) - named) == []
+    inside = re.findall(r"\w+", extras["all"][0].partition("[")[2])
+    assert len(inside) == 7, "the README counts what `all` has"
 
 
 def test_the_page_of_the_environment_names_every_setting_of_a_match() -> None:

@@ -1,7 +1,7 @@
 """Show how much a training varies from seed to seed: runs of one recipe and different seeds, drawn into one picture.
 
     for seed in 1 2 3; do
-        soccer train --config agents/policies/legged-2001-short.toml --seed $seed --out runs/short-$seed
+        soccer train --config legged-2001-short --seed $seed --out runs/short-$seed
     done
     python -m soccer_env.train.ppo.compare_seeds runs/short-1 runs/short-2 runs/short-3 --out spread.png
 

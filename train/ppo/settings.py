@@ -179,7 +179,8 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     """Train a policy by PPO; all robots of the home team share it, the away team is played by opponents.
 
     A run that was stopped, even by kill -9, goes on where its last rollout began when the same command is given again.
-    --config FILE reads settings from a TOML file; flags overrule it. One step is one decision of one robot.
+    --config FILE reads settings from a TOML file, or from a bundled one by its name (legged-2001); flags overrule it.
+    One step is one decision of one robot.
     """
 
     BOUNDS = BOUNDS

@@ -1,4 +1,4 @@
-"""The settings of a training run from a TOML file: `soccer train --config FILE`."""
+"""The settings of a training run from a TOML file: `soccer train --config FILE`, or the name of a bundled one."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+from soccer_env import agents
 from soccer_env.names import unknown
 from soccer_env.train.ppo.settings import TrainSettings
 
@@ -16,10 +17,19 @@ else:
     import tomli as tomllib
 
 
+BUNDLED = Path(agents.__file__).parent / "policies"  # in a checkout and where the package is installed
+
+
 def settings_of(config: Path | None) -> TrainSettings:
-    """Return the settings of a TOML file, or the defaults; ValueError names the file and what is wrong."""
+    """Return the settings of a TOML file, or the defaults; ValueError names the file and what is wrong.
+
+    A bare name such as legged-2001 is that of a bundled file, unless there is a file of that name.
+    """
     if config is None:
         return TrainSettings()
+    bundled = BUNDLED / f"{config.name.removesuffix('.toml')}.toml"
+    if config.name == str(config) and not config.exists() and bundled.is_file():
+        config = bundled
     found = read_toml(config)
     for name, default in TrainSettings().as_dict().items():
         if isinstance(found.get(name), list) and type(default) is str:  # hidden = [64, 64] is "64,64"

@@ -12,9 +12,8 @@ from typing import Annotated, Any, get_args, get_origin
 from pages.markdown import code, table
 from soccer_env.train.command_line import kinds_of_settings
 
-MORE = {  # what is read before the settings are
-    "train": [("`--config FILE`", "", "", "TOML file with settings; options beside it come before those in the file.")],
-}
+CONFIG = "TOML file with settings, or the name of a bundled one as legged-2001; options beside it count more."
+MORE = {"train": [("`--config FILE`", "", "", CONFIG)]}  # what is read before the settings are
 
 
 def texts(kind: type) -> dict[str, str]:

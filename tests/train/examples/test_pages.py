@@ -6,10 +6,11 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
 
-from soccer_env.train.examples.__main__ import PAGES, needs
+from soccer_env.train.examples.__main__ import PAGES, main, needs
 
 ROOT = Path(__file__).parents[3]
 FOLDER = ROOT / "train/examples"
@@ -86,3 +87,11 @@ def test_a_page_that_nobody_knows_or_whose_library_is_missing_is_one_line(tmp_pa
         assert run.returncode == 1
         assert expected in run.stderr
         assert len(run.stderr.splitlines()) == 1
+
+
+def test_help_names_every_page_with_what_it_needs(capsys: pytest.CaptureFixture[str]) -> None:
+    for flag in ("-h", "--help"):
+        with patch.object(sys, "argv", ["examples", flag]):
+            main()
+        shown = capsys.readouterr().out
+        assert [name for name in PAGES if f"  {name} " not in shown or f"needs: {needs(name)}\n" not in shown] == []

@@ -1,0 +1,49 @@
+"""The tutorial: its blocks run one after the other in one session, in a shortened form."""
+
+import re
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from soccer_env.train.command_line import main
+from tests.repository.test_readme import TEXTS, blocks, commands
+
+pytest.importorskip("torch")
+pytest.importorskip("pygame")
+
+PAGE = "train/FROM_ZERO.md"
+SHORTER = {"range(600)": "range(6)", "range(3000)": "range(20)", "matches=20": "matches=2", "range(500)": "range(50)"}
+SHORTER_COMMANDS = {"--matches": "2", "--minutes": "0.1", "--start": "0.5"}
+
+
+@pytest.mark.slow
+def test_the_tutorial_runs_from_its_first_block_to_its_last(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    session = ModuleType("from_zero")
+    monkeypatch.setitem(sys.modules, "from_zero", session)
+    parts = [(block.line, "python", block.text) for block in blocks(TEXTS[PAGE], "python")]
+    parts += [(block.line, "bash", block.text) for block in blocks(TEXTS[PAGE], "bash")]
+    for line, language, text in sorted(parts):
+        if language == "python":
+            for long, short in SHORTER.items():
+                text = text.replace(long, short)
+            text = text.replace("minutes=1,", "minutes=0.1,")
+            exec(compile("\n" * (line - 1) + text, PAGE, "exec"), session.__dict__)
+        for words in commands(text) if language == "bash" else ():
+            if words[0] == "soccer" and words[1] != "warm-up":
+                assert main(shortened(words[1:])) == 0, f"{PAGE} line {line}"
+    assert {file.name for file in tmp_path.glob("*.*")} >= {"first.html", "mine.safetensors", "mine.html", "mine.png"}
+    assert (tmp_path / "runs/mine/report.html").is_file()
+
+
+def shortened(words: list[str]) -> list[str]:
+    """Return the words of a command with less to play."""
+    return [SHORTER_COMMANDS.get(before, word) for before, word in zip(["", *words], words)]
+
+
+def test_what_the_tutorial_is_shortened_by_stands_in_it() -> None:
+    text = TEXTS[PAGE]
+    assert [long for long in SHORTER if long not in text] == []
+    assert re.search(r"^## 1\. Install", text, re.MULTILINE)
