@@ -53,8 +53,8 @@ BALL_BELIEF = np.dtype(
         ("vy", "f8"),  # [m/s]
         ("radial", "f8"),  # [m/s] rate of the distance as the moving robot sees it
         ("angular", "f8"),  # [rad/s] rate of the bearing as the moving, turning robot sees it
-        ("confidence", "f8"),  # [0, 100]
-        ("age", "f8"),  # [s] since it was seen
+        ("confidence", "f8"),  # [0, 100]; 0: it is not known where it is
+        ("age", "f8"),  # [s] since it was seen; inf: not since the robot was put down
         ("held", "i8"),  # 1: it lies in my pocket or at my kicker
     ]
 )

@@ -91,7 +91,7 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
         return observations[agent], rewards[agent], terminated[agent], truncated[agent], infos[agent]
 
     def save(self) -> bytes:
-        """Return everything that the episode's future depends on, as `ParallelSoccer.save` does."""
+        """Return what the episode's future depends on, as `ParallelSoccer.save` does; it goes on rebuilt, as there."""
         return self._parallel.save()
 
     def load(self, saved: bytes) -> tuple[np.ndarray, dict[str, Any]]:

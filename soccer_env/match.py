@@ -44,7 +44,22 @@ class Match(Views, Branching):
     """M matches of one league, stepped together.
 
     Its settings are the fields of `MatchArguments`, `help(Match.__init__)` explains them; ValueError names a setting
-    that is wrong, and what is allowed.
+    that is wrong, and what is allowed. M matches, R robots (home first), n numbers of an observation:
+
+    | attribute | shape | what it holds |
+    |---|---|---|
+    | `observations` | (M, R, n) | what learners observe, named by `observation_names`; of your own as they are made |
+    | `rewards`, `terms` | (M, R), (M, R, terms) | of the last step, and the share of each of `term_names` |
+    | `terminated`, `truncated` | (M,), (M,) | how episodes have ended; with "same_step" `step` returns it |
+    | `ended` | (E,) | with "same_step": rows that began anew in the last step, in order; else empty |
+    | `final` | by name | how they ended: "observations" (E, R, n), "state", records; row i: match `ended[i]` |
+    | `matches`, `balls`, `robots` | (M,), (M,), (M, R) | the truth; and `percepts`, `beliefs`, `tracks` |
+    | `events`, `robot_events` | (M,), (M, R) | what happened in the last control step |
+    | `statistics` | (M,) | counts of play since the episode began; `soccer list statistics` defines the figures |
+    | `agents` | R names | "home_0" and so on: whose row is which |
+    | `learns` | (R,) | 1: actions steer the robot; 0: a team plays it, and its row of actions is ignored |
+    | `seeds` | (M,) | seed of each match: `Match(seeds=[match.seeds[17]])` is match 17 alone |
+    | `settings`, `league` | | every setting resolved, such as `settings.rewards.gamma`; the numbers of the league |
     """
 
     @made_from(MatchArguments)

@@ -152,7 +152,10 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         )
 
     def save(self) -> bytes:
-        """Return everything that the episode's future depends on, as `Match.save` does; RuntimeError before reset."""
+        """Return everything that the episode's future depends on, as `Match.save` does; RuntimeError before reset.
+
+        As there, the physics of the running episode is rebuilt: it goes on otherwise than without a save.
+        """
         if not self._begun:
             raise RuntimeError("save before reset: call reset")
         return self.match.save()

@@ -17,9 +17,9 @@ PICTURES = ("soccer_env/pictures/*", "agents/policies/*.png")
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
     """Add the pages that are made to the navigation."""
-    *first, project = config.nav or []
-    made = [*catalogue.navigation(), *examples.navigation(), *reference.navigation()]
-    config.nav = [*first, {"Command line": "commands.md"}, *made, project]
+    home, guide, *teams, project = config.nav or []
+    guide["Guide"] += [{"Command line": "commands.md"}, *examples.navigation()]
+    config.nav = [home, guide, *teams, *catalogue.navigation(), *reference.navigation(), project]
     return config
 
 

@@ -117,7 +117,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         return self._met.names
 
     def save(self, rows: Any = None) -> bytes:
-        """Return everything that the future of all matches or of some depends on, as `Match.save` does."""
+        """Return what the future of all matches or of some depends on, as `Match.save`; they go on rebuilt."""
         if not self._begun:
             raise RuntimeError("save before reset: call reset")
         return self.match.save(rows)

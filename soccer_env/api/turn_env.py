@@ -52,7 +52,7 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
         super().step(action)
 
     def save(self) -> bytes:
-        """Return everything that the episode's future depends on, with the actions of the agents that have acted."""
+        """Return what the episode's future depends on, also actions of those that have acted; it goes on rebuilt."""
         match = self.env.save()
         acted = {agent: None if action is None else np.asarray(action).tolist() for agent, action in self._done()}
         turn = {

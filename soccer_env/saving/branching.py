@@ -62,7 +62,10 @@ class Branching:
             self.recorder.note_rebuild(rows)
 
     def save(self, rows: Any = None) -> bytes:
-        """Return everything that the future depends on, and rebuild the running matches on it.
+        """Return everything that the future depends on, and rebuild the physics of the running matches from it.
+
+        Contacts forget what touches have built up, so the running match goes on as every copy of the save does, and
+        otherwise than without it: a run that saves at the same steps is reproducible, one that never saves is another.
 
         rows: a match's number, or several; None: all of them. ValueError for a number that no match has.
         """
@@ -90,8 +93,9 @@ class Branching:
         future of its original, bit for bit, under the same actions; a seed: each branch draws all that is left to
         chance anew (slips, sensors, referee), so that branches are samples of what may happen.
 
-        The originals are rebuilt as by `save`. ValueError, and nothing has changed, for rows that there are not, or
-        another number of them than of `at`, and for a Match that does not fit.
+        The originals are rebuilt as by `save`, which changes how they go on: to compare play with a search and play
+        without on one seed, branch in both, or play both from one save. ValueError, and nothing has changed, for rows
+        that there are not, or another number of them than of `at`, and for a Match that does not fit.
         """
         found = branches.check_rows("rows", rows, self.count)
         other = type(self)(**self._asked(matches=len(found))) if into is None else into
@@ -127,7 +131,7 @@ class Branching:
         self._observe_own()
 
     def __reduce__(self) -> Made:
-        """Copy by settings and `save`: what pickle, cloudpickle and copy.deepcopy make has the same future."""
+        """Copy by settings and `save`: pickled and deep copies have the future that the original has from then."""
         return saves.by_save(self, type(self), self._asked())
 
     def _asked(self, **changes: Any) -> dict[str, Any]:
