@@ -33,6 +33,7 @@ PAGES = (
     "baselines/weigel_2001/README.md",
     "agents/policies/README.md",
     "train/README.md",
+    "train/MEASURED.md",
 )
 OTHERS = (
     "CHANGELOG.md",

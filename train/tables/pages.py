@@ -60,10 +60,10 @@ PAGES = {  # the page that shows a table, seen from the checkout's root
     "heinemann": "baselines/README.md",
     "drills": "baselines/README.md",
     "learned": "agents/policies/README.md",
-    "claims": "train/README.md",
-    "training": "train/README.md",
-    "speed": "train/README.md",
-    "plausibility": "train/README.md",
+    "claims": "train/MEASURED.md",
+    "training": "train/MEASURED.md",
+    "speed": "train/MEASURED.md",
+    "plausibility": "train/MEASURED.md",
 }
 PLAYED = ("scripted", "sacks", "heinemann", "learned", "plausibility")  # tables whose rows are matches
 LIBRARIES = ("pymunk", "numba", "numpy")
