@@ -62,7 +62,10 @@ SCHEMA: dict[str, type] = {
     "senses": str,
     "pose": str,
 }
-NEWER = {4: {"squash": False, "at_once": False, "normalise": {}}, 5: {"senses": "", "pose": ""}}
+NEWER: dict[int, dict[str, Any]] = {
+    4: {"squash": False, "at_once": False, "normalise": {}},
+    5: {"senses": "", "pose": ""},
+}
 """The keys that came with later versions, and what files without them mean."""
 LATEST = NEWER[4] | NEWER[5]
 LACKS = {1: ("family", "control_rate", "rules", *LATEST), 2: ("rules", *LATEST), 3: tuple(LATEST), 4: tuple(NEWER[5])}

@@ -37,12 +37,12 @@ def check_trained_with(policy: Policy) -> None:
         one_of(setting, getattr(policy, setting), known)
 
 
-def known_senses(senses: str | None, pose: str | None) -> dict[str, str]:
+def known_senses(senses: str | None, pose: str | None) -> dict[str, Any]:
     """Return the fields of a policy for what a caller says of its training; None: nothing."""
     return {"senses": senses or "", "pose": pose or ""}
 
 
-def senses_of_run(settings: Mapping[str, Any]) -> dict[str, str]:
+def senses_of_run(settings: Mapping[str, Any]) -> dict[str, Any]:
     """Return the fields of a policy for the settings of a run of `soccer train`; "" for what it met both ways."""
     share = settings.get("ideal_share", 0.0)
     senses = IDEAL if share == 1.0 else str(settings.get("senses", ""))
@@ -68,7 +68,7 @@ def trained_with(policy: Policy) -> dict[str, str]:
 def policies_in(team: Any) -> Iterator[Policy]:
     """Yield the policies that a team plays: its own, or those of the teams of a lineup."""
     for one in getattr(team, "teams", (team,)):
-        policy = getattr(one, "policy", None)
+        policy: Any = getattr(one, "policy", None)
         if hasattr(policy, "made"):
             yield policy
 

@@ -108,7 +108,7 @@ def check_placed(scene: str, settings: Settings, ball: Any, robots: np.ndarray) 
 def check_room(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
     """Raise ValueError if a scene of a user's own put something beyond what stands round the pitch, or two into one.
 
-    Bodies may overlap a little, physics pushes them apart: their centres have to be half a robot's reach from each
+    Bodies may overlap a little, physics pushes them apart: centres of robots have to be half their reach from each
     other.
     """
     pitch, apart = settings.league.pitch, 0.5 * settings.league.body.reach
@@ -120,7 +120,7 @@ def check_room(scene: str, settings: Settings, ball: Any, robots: np.ndarray) ->
         for axis, most in room.items():
             if abs(body[axis]) > most:
                 raise ValueError(f"{scene} must put {who} at {axis} = {-most:g} to {most:g} m, got {body[axis]:g}")
-        for other, near in there[:number]:
+        for other, near in there[1:number]:  # the ball apart: a robot may stand over it
             gap = hypot(body["x"] - near["x"], body["y"] - near["y"])
             if gap < apart:
                 raise ValueError(f"{scene} must put {who} at least {apart:.2g} m from {other}, got {gap:.2g}")

@@ -98,8 +98,8 @@ def restore(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | No
     expected = json.loads(json.dumps(header_of(match, wanted, memory)))
     for name, value in expected.items():
         if header.get(name) != value:
-            found = differences(header.get("told"), match.told, header.get("parts") != expected["parts"])
-            raise ValueError(f"this save does not fit the match: {found or f'its {name} differ'}")
+            words = differences(header.get("told"), match.told, header.get("parts") != expected["parts"])
+            raise ValueError(f"this save does not fit the match: {words or f'its {name} differ'}")
     found = {}
     for name, array in wanted.items():
         if array.nbytes:  # a team may remember nothing

@@ -137,12 +137,12 @@ def called(given: str | Team, made: Team) -> str:
     A weakened one as chaser@0.25, one with settings as its text has them.
     """
     if not isinstance(given, str):
-        settings = getattr(made, "settings", None)
+        settings: Any = getattr(made, "settings", None)
         names = settings.dtype.names or () if isinstance(settings, np.ndarray) else ()
         return made.name + (weakened(float(settings["strength"][0])) if "strength" in names else "")
     if in_module(given):
-        _, at, strength = given.partition("@")
-        return made.name + at + strength
+        _, at, written = given.partition("@")
+        return made.name + at + written
     name, strength, changes = parse_team(given)
     if name not in registered():
         return made.name

@@ -117,7 +117,7 @@ def test_the_gymnasium_env_takes_others_on_either_side(agent: str) -> None:
     )
     env.reset(seed=2)
     _, info = env.reset(options={"opponents": "chaser@0.5"})
-    assert info["opponent"] == "chaser"
+    assert info["opponent"] == "chaser@0.5"
     assert env.unwrapped.match is env.unwrapped._parallel.match
     *_, info = env.step(np.zeros(4))
     teams = {squad.team.name: squad.players.tolist() for squad in env.unwrapped.match.squads}

@@ -201,7 +201,7 @@ def test_a_save_of_another_number_of_matches_is_refused(rows: Any, message: str)
         ({"max_players": 4}, "max_players 4 there, None here"),
         ({"rules": "simple"}, "rules simple there, league here$"),
         ({"sensors": {"view_width": 0.9}}, "sensors of other settings$"),
-        ({"controllers": {"away": "sacks-2001@0.5"}}, "teams differ: of other settings$"),
+        ({"controllers": {"away": "sacks-2001@0.5"}}, "teams differ: sacks-2001@0.5 "),
     ],
 )
 def test_a_save_that_does_not_fit_names_the_settings_that_differ(settings: dict[str, Any], message: str) -> None:

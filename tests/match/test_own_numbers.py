@@ -41,11 +41,6 @@ def one_in_another(league: Any, ball: Any, robots: Any, draw: Any) -> None:
         robots[name] = 0.5
 
 
-def on_the_ball(league: Any, ball: Any, robots: Any, draw: Any) -> None:
-    """Put a robot upon the ball."""
-    ball["x"], ball["y"] = robots["x"][0] + 0.01, robots["y"][0]
-
-
 def close(league: Any, ball: Any, robots: Any, draw: Any) -> None:
     """Put both robots trunk at trunk, legs in each other, and the ball into a goal."""
     robots["heading"], robots["x"], robots["y"] = 0.0, 0.5, [0.0, 0.12]
@@ -58,7 +53,6 @@ def close(league: Any, ball: Any, robots: Any, draw: Any) -> None:
         (far, r"scene 'mine' must put the ball at x = -1.8 to 1.8 m, got 99$"),
         (behind_the_boards, r"scene 'mine' must put away_0 at y = -1 to 1 m, got -1.2$"),
         (one_in_another, r"scene 'mine' must put away_0 at least 0.077 m from home_0, got 0$"),
-        (on_the_ball, r"scene 'mine' must put home_0 at least 0.077 m from the ball, got 0.01$"),
         (no_place, "scene 'mine' must leave finite numbers, got x nan of the ball"),
         (no_team, "scene 'mine' must leave team of home_0 0, got 7"),
         (no_number, "scene 'mine' must leave number of away_0 0, got -3"),

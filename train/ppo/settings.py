@@ -246,7 +246,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
         return [(share, senses_of(senses)) for share, senses in kinds if share > 0.0]
 
     @property
-    def own_senses(self) -> dict[str, str]:
+    def own_senses(self) -> dict[str, Any]:
         """Return what a policy file says of the senses that its robots learn by, by the fields of `Policy`."""
         own = split_senses(self.senses)[0]
         return senses_of_run({"senses": own, "ideal_share": self.ideal_share, "pose": self.pose})
