@@ -140,7 +140,7 @@ def test_an_observation_of_ones_own_that_is_wrong_is_named(returned: np.ndarray)
 
 BAD: list[tuple[dict[str, Any], str]] = [
     ({"function": 3}, "function must be a function of observations, got 3"),
-    ({"observe": "beliefs"}, "observe must be one of truth, percepts, belief, an object with `names`"),
+    ({"observe": "beliefs"}, "observe must be one of truth, percepts, belief, got 'beliefs'"),
     ({"observe": None}, "observe must be one of truth, percepts, belief, got None"),
     ({"action_repeat": 0}, "action_repeat must be 1 to 1000, got 0"),
     ({"action_repeat": 2.5}, "action_repeat must be a whole number, 1 to 1000, got 2.5"),
