@@ -3,6 +3,6 @@
 reference.py    the public names in the order of what is done with them, and every package
 catalogue.py    what there is to choose from: observations, actions, rewards, scenes and so on
 commands.py     every command with its options
-code.py         the examples of `train/examples/` with their code
+examples.py     the examples of `train/examples/` with their code
 markdown.py     tables
 """
