@@ -1,4 +1,4 @@
-"""Functions that only compiled ones call are optimised inside those, and become whole when Python calls them."""
+"""Functions that only compiled ones call become machine code inside those alone, and whole when Python calls them."""
 
 import gc
 

@@ -1,6 +1,6 @@
 """What stands behind `soccer_env.compiled`: how functions become machine code, and where that is kept.
 
-inner.py      functions that only compiled ones call are optimised once, inside those
+inner.py      functions that only compiled ones call become machine code inside those alone
 cache.py      machine code on disk
 sources.py    which source files that code depends on
 callback.py   functions of ours that C calls
