@@ -44,9 +44,13 @@ class Branching:
     def _fingerprint(self) -> str:
         return self.settings.fingerprint()
 
-    @cached_property
+    @property
     def told(self) -> dict[str, list[str]]:
-        """Return the settings in words, for the message to a match that a save or a branch does not fit."""
+        """Return settings and teams in words, for the message to a match that a save or a branch does not fit."""
+        return {**self._told, "teams": fitting.told_of_teams(self)}
+
+    @cached_property
+    def _told(self) -> dict[str, list[str]]:
         return fitting.told(self)
 
     @cached_property

@@ -22,7 +22,7 @@ INNER = ("padded", *LENGTH, SENSED)  # named under conditions, not by a differen
 
 
 def told(match: Match) -> dict[str, list[str]]:
-    """Return [words, hash] of each setting that a save or a branch may fail by."""
+    """Return [words, hash] of each setting that a save or a branch may fail by, but for the teams."""
     settings = match.settings
     said = {name: value for name, value in settings.describe().items() if name not in FREE}
     said |= {name: getattr(settings, name) for name in LENGTH} | {"limit": settings.limit}
@@ -31,8 +31,13 @@ def told(match: Match) -> dict[str, list[str]]:
     said["senses"] = dict(zip(("home", "away"), settings.senses, strict=True))
     league = said["league"]
     said |= {name: league.pop(name) for name in ("rules", "sensors", "memory")}
-    said["teams"] = [team_of(match, squad) for squad in match.squads]
     return {name: [in_words(name, value), digest(value)] for name, value in said.items()}
+
+
+def told_of_teams(match: Match) -> list[str]:
+    """Return words and hash of who plays: a learner's past selves change while a match runs."""
+    teams = [team_of(match, squad) for squad in match.squads]
+    return [in_words("teams", teams), digest(teams)]
 
 
 def team_of(match: Match, squad: Any) -> list[Any]:

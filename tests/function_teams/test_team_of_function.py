@@ -156,7 +156,7 @@ def test_memory_is_saved_hashed_and_empty_when_an_episode_begins() -> None:
         home=1, away=1, matches=2, seed=1,
         controllers={"home": team_of_function(counting, action_repeat=2, **COUNTS), "away": "chaser"},
     )  # fmt: skip
-    with pytest.raises(ValueError, match="its teams differ"):
+    with pytest.raises(ValueError, match="teams differ: of other settings"):
         other.load(saved)
 
 

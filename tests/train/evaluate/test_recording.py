@@ -88,9 +88,9 @@ def test_a_scene_is_recorded_as_it_is_meant(
 
 def test_a_drill_is_played_by_those_whom_it_is_meant_for(tmp_path: Path) -> None:
     replay = record(RecordSettings(scene="mover-and-still", home="still", out=tmp_path / "a.replay"))
-    assert replay.settings["teams"] == {"home_0": "still", "away_0": "still", "away_1": "walker"}
+    assert replay.settings["teams"] == {"home_0": "still", "away_0": "still", "away_1": "walker@0.5"}
     replay = record(RecordSettings(scene="mover-and-still", home="still", players="1v3", out=tmp_path / "a.replay"))
-    assert list(replay.settings["teams"].values()) == ["still", "still", "still", "walker"]
+    assert list(replay.settings["teams"].values()) == ["still", "still", "still", "walker@0.5"]
     replay = record(RecordSettings(scene="shot-at-keeper", out=tmp_path / "a.replay"))
     assert list(replay.settings["teams"].values()) == ["still", "chaser", "chaser"]
     assert replay.settings["scene"]["success"] == "away saves"
