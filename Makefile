@@ -9,7 +9,8 @@
 # make sacks-table  measure every claim of Sacks 2001 and write baselines/sacks_2001/README.md
 # make heinemann-table  the same of Heinemann et al. 2006, in baselines/heinemann_2006/README.md
 # make lock     write requirements.lock anew: the newest versions that pyproject.toml allows, with their hashes
-# make mutants  switch every mechanism of the papers off in turn: the test that names it has to fail
+# make mutants  put slips into the code, drawn at random, and see which no test notices: a minute or two of a core each;
+#               make mutants ARGS='--count 150 --seed 7', or ARGS=--mechanisms: those of the papers are switched off
 #
 # pip takes its settings from the environment and its own files; PYTHON=python3.12 chooses the interpreter of a new .venv.
 
@@ -73,7 +74,7 @@ heinemann-table: $(VENV)/.has-base
 	$(BIN)/python -m soccer_env.train.tables.heinemann
 
 mutants: $(VENV)/.has-train
-	$(BIN)/python tests/mutation/mutate.py
+	$(BIN)/python tests/mutation/mutate.py $(ARGS)
 
 lock: $(VENV)/.has-base
 	$(BIN)/python -m pip install uv

@@ -1,123 +1,206 @@
-"""The mutation check: every mechanism is switched off in turn, and the test that names it has to fail.
+"""Put slips into the code, drawn at random, and see whether a test notices: `make mutants`.
 
-    python tests/mutation/mutate.py              all mutants
-    python tests/mutation/mutate.py MS12 MH06    those of some mechanisms
-    python tests/mutation/mutate.py --sample 6   every so many-th, for continuous integration
-    python tests/mutation/mutate.py --quick      the slips that `make test-quick` has to notice
-    python tests/mutation/mutate.py --play       what the statistics of play count; `saves`, for one, is a name too
-    python tests/mutation/mutate.py --rules      what the referee calls; so is `pushing`
+    python tests/mutation/mutate.py --count 150 --seed 20261123     draw 150 and go on where FILE (--out) ends
+    python tests/mutation/mutate.py --only soccer_env/rewards       draw in one folder or file
+    python tests/mutation/mutate.py --again                         ask again about those of FILE that lived
+    python tests/mutation/mutate.py --mechanisms MS12 MH06          switch those of the papers off instead; or all
 
-A mutant is one replaced piece of source (tests/mutation/mutants.py). It runs in a copy of the checkout; the checkout
-itself is never touched. The tests have to pass before anything is replaced. A mutant whose test passes all the same has
-survived, and one that does not even compile says nothing: exit code 1. Those of statistics and rules run without
-compiling, which is quicker: their tests write what happened into records, or play for seconds.
+A mutant takes one to two minutes of a core, one that lives about five. Each gets a line in FILE, as JSON. Tests about
+the file are asked first, then the quick ones (related.py). What does not import or compile says nothing: another is
+drawn. Libraries that mutate (mutmut, cosmic-ray, mutatest) do not serve: the first calls each variant through a
+trampoline, which numba cannot compile, and the others neither keep compiled code between mutants nor know these slips.
 """
 
 from __future__ import annotations
 
+import argparse
+import json
 import os
-import shutil
-import subprocess
 import sys
-import tempfile
+import threading
+import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
+from queue import SimpleQueue
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from tests.mutation.mutants import MUTANTS, PLAY, RULES, Mutant  # noqa: E402  # the folder above has to be known first
-from tests.mutation.quick import QUICK  # noqa: E402  # the same
+from tests.mutation import equivalents, judging, mechanisms, sites  # noqa: E402  # the folder above has to be known first
+from tests.mutation.related import Related  # noqa: E402  # the same
+from tests.mutation.running import Copy, Ground, StoppedError  # noqa: E402  # the same
 
-COPIED = ("soccer_env", "baselines", "agents", "train", "tests", "pyproject.toml", "README.md")
-INNER = ("baselines", "agents", "train")  # stand at the top, are imported from inside the package
-PASSED, FAILED = 0, 1  # pytest's exit codes when tests ran, and when some of them failed
-LISTS = {"--quick": QUICK, "--play": PLAY, "--rules": RULES}
-BROKEN = ("SyntaxError", "NameError", "TypingError", "LoweringError", "UnsupportedError")  # failures of no meaning
+Row = dict[str, Any]
+LAST = 40.0  # [s] before the time is over, when no mutant is begun any more
 
 
-def left_out(folder: str, names: list[str]) -> set[str]:
-    """Return what is not copied: compiled files, and soft links to the inner folders, where a checkout has them."""
-    inner = INNER if Path(folder) == ROOT / "soccer_env" else ()
-    return shutil.ignore_patterns("__pycache__", "*.pyc", *inner)(folder, names)
+def arguments(words: list[str]) -> argparse.Namespace:
+    """Return what the command line asks for."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--count", type=int, default=20, help="mutants to draw that say something")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="mutants at a time")
+    parser.add_argument("--only", default="", help="draw from files whose path begins so")
+    parser.add_argument("--shard", default="1/1", help="i/n: every n-th of the draw, from the i-th on")
+    parser.add_argument(
+        "--time", type=float, default=float("inf"), help="[s] after which to end; go on by the same command"
+    )
+    parser.add_argument("--out", type=Path, default=ROOT / "runs" / "mutants.jsonl", help="a line for each mutant")
+    parser.add_argument(
+        "--work", type=Path, default=ROOT / "build" / "mutants", help="folder of copies and compiled code"
+    )
+    parser.add_argument("--again", action="store_true", help="ask again about those that lived")
+    parser.add_argument("--mechanisms", nargs="*", metavar="ID", help="switch mechanisms of the papers off instead")
+    parser.add_argument("--list", action="store_true", help="show what is drawn, and stop")
+    return parser.parse_args(words)
 
 
-def copy_checkout(to: Path) -> None:
-    """Copy what tests need, so that it is imported instead of what is installed."""
-    for name in COPIED:
-        source = ROOT / name
-        shutil.copytree(source, to / name, ignore=left_out) if source.is_dir() else shutil.copy(source, to / name)
-    for name in INNER:
-        (to / "soccer_env" / name).symlink_to(to / name, target_is_directory=True)
+def drawn(asked: argparse.Namespace) -> Iterator[tuple[Row, str]]:
+    """Yield the mutants of a draw, each as a row and the text of its file; those that change nothing are left out."""
+    which, of = map(int, asked.shard.split("/"))
+    for place, site in enumerate(sites.draw(ROOT, asked.seed, asked.only)):
+        if place % of != which - 1:
+            continue
+        other = site.replacement(asked.seed)
+        try:
+            text = sites.changed((ROOT / site.file).read_text(encoding="utf-8"), site, other)
+        except (ValueError, SyntaxError):
+            continue
+        row = {"id": site.rank(asked.seed)[:16], "seed": asked.seed, "file": site.file, "line": site.place.first_line}
+        yield (
+            {**row, "function": site.function, "kind": site.kind, "original": site.original, "replacement": other},
+            text,
+        )
 
 
-@contextmanager
-def mutated(where: Path, mutant: Mutant) -> Iterator[None]:
-    """Replace the mutant's piece of source in the copy for a while; ValueError if it is not there exactly once."""
-    file = where / mutant.file
-    text = file.read_text(encoding="utf-8")
-    file.write_text(mutant.changed(text), encoding="utf-8")
-    try:
-        yield
-    finally:
-        file.write_text(text, encoding="utf-8")
-
-
-def run_tests(where: Path, *options: str, compiling: bool = True) -> subprocess.CompletedProcess[str]:
-    """Run tests in the copy."""
-    environment = {**os.environ, "PYTHONPATH": str(where), "SOCCER_ENV_QUIET": "1", "PYTHONDONTWRITEBYTECODE": "1"}
-    environment |= {} if compiling else {"NUMBA_DISABLE_JIT": "1"}
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options]
-    return subprocess.run(command, cwd=where, env=environment, capture_output=True, text=True, check=False)
-
-
-def is_compiled(mutant: Mutant) -> bool:
-    """Tell whether the test of a mutant needs compiled kernels, to be done in time."""
-    return mutant not in PLAY and mutant not in RULES
-
-
-def verdict_on(where: Path, mutant: Mutant) -> str:
-    """Return "killed" if the test of a mutant notices it, and otherwise what happened, in capitals."""
-    with mutated(where, mutant):
-        ran = run_tests(where, "-x", mutant.test, compiling=is_compiled(mutant))
-    broken = [name for name in BROKEN if name in ran.stdout]
-    if broken:
-        return f"BROKEN ({broken[0]})"
-    return "killed" if ran.returncode == FAILED else f"SURVIVED (exit code {ran.returncode})"
-
-
-def chosen(words: list[str]) -> list[Mutant]:
-    """Return the mutants that the command line asks for; ValueError for an unknown id."""
-    if len(words) == 1 and words[0] in LISTS:
-        return LISTS[words[0]]
-    known = MUTANTS + QUICK + PLAY + RULES
-    if words[:1] == ["--sample"]:
-        return known[:: max(len(known) // int(words[1]), 1)]
-    unknown = set(words) - {mutant.id for mutant in known}
+def switched_off(ids: list[str]) -> Iterator[tuple[Row, str]]:
+    """Yield the mutants of mechanisms; ValueError for an unknown one."""
+    known = mechanisms.read()
+    unknown = set(ids) - {one.id for one in known}
     if unknown:
         raise ValueError(f"unknown mechanisms {sorted(unknown)}")
-    return [mutant for mutant in known if not words or mutant.id in words]
+    for number, one in enumerate(known):
+        if not ids or one.id in ids:
+            text = one.changed((ROOT / one.file).read_text(encoding="utf-8"))
+            yield {"id": f"{one.id}-{number}", "kind": "mechanism", **one._asdict(), "line": 0}, text
+
+
+class Run:
+    """The mutants of one command: which are done, and what is said of them."""
+
+    def __init__(self, asked: argparse.Namespace) -> None:
+        self.asked, self.began = asked, time.monotonic()
+        self.until = self.began + asked.time
+        self.rows: dict[str, Row] = {}
+        asked.out.parent.mkdir(parents=True, exist_ok=True)
+        if asked.out.is_file():
+            lines = asked.out.read_text(encoding="utf-8").splitlines()
+            rows = [json.loads(line) for line in lines if line.endswith("}")]  # the last may be torn
+            self.rows = {row["id"]: row for row in rows if not (asked.again and row["verdict"] == "lived")}
+        self.ground = Ground(asked.work, self.until)
+        self.related = Related(ROOT)
+        self.copies: SimpleQueue[Copy] = SimpleQueue()
+        self.lock = threading.Lock()
+        self.said: set[str] = set()
+
+    def play(self, mutants: Iterator[tuple[Row, str]], count: float) -> list[Row]:
+        """Judge mutants, several at a time, until `count` say something; return the rows of all that are done."""
+        done: list[Row] = []
+        with ThreadPoolExecutor(self.asked.jobs) as pool:
+            self.prepare(pool)
+            waiting: dict[Future[Row | None], None] = {}
+            while True:
+                while len(waiting) < self.asked.jobs and said(done) + len(waiting) < count and self.goes_on():
+                    row, text = next(mutants, ({}, ""))
+                    if not row:
+                        break
+                    if row["id"] in self.rows:
+                        done.append(self.rows[row["id"]])
+                    else:
+                        waiting[pool.submit(self.judge, row, text)] = None
+                if not waiting:
+                    return done
+                for future in wait(waiting, return_when=FIRST_COMPLETED).done:
+                    del waiting[future]
+                    row = future.result() or {}
+                    done += [row] if row else []
+                    self.tell(row, said(done), count)
+
+    def goes_on(self) -> bool:
+        """Tell whether there is time to begin another."""
+        return time.monotonic() < self.until - LAST
+
+    def prepare(self, pool: ThreadPoolExecutor) -> None:
+        """Make the copies, and compile what most tests need."""
+        print(f"compiling what most tests need; then {self.asked.jobs} mutants at a time", flush=True)
+        warming = [pool.submit(self.ground.warm_up, part) for part in self.ground.warm_ups()]
+        for copy in pool.map(lambda i: Copy(self.ground, f"copy-{i}"), range(self.asked.jobs)):
+            self.copies.put(copy)
+        try:
+            print(f"compiled in {sum(one.result() for one in warming):.0f} s of processor time", flush=True)
+        except StoppedError:
+            print("the time was over before everything was compiled", flush=True)
+
+    def judge(self, row: Row, text: str) -> Row | None:
+        """Return the row of a mutant with its verdict, and write it; None if the time is over."""
+        copy = self.copies.get()
+        began = time.monotonic()
+        tests = [([row["test"]], ())] if "test" in row else list(judging.stages(self.related, row["file"]))
+        try:
+            verdict = judging.verdict_on(copy, row["file"], text, tests)
+        except StoppedError:
+            return None
+        finally:
+            self.copies.put(copy)
+        row |= {"verdict": verdict.word, "by": verdict.by, "cpu": round(verdict.seconds, 1)}
+        row |= {"seconds": round(time.monotonic() - began, 1)}
+        with self.lock, self.asked.out.open("a", encoding="utf-8") as out:
+            out.write(json.dumps(row) + "\n")
+        return row
+
+    def tell(self, row: Row, number: int, count: float) -> None:
+        """Print the verdict on a mutant, and which tests were found to fail without any."""
+        for test in sorted(self.ground.failing - self.said):
+            print(f"WARNING: fails without any mutant and is left out: {test}", flush=True)
+            self.said.add(test)
+        if row:
+            where = f"{row['file']}:{row['line']} {row['kind']}: {row['original']!r} -> {row['replacement']!r}"
+            print(
+                f"[{number}/{count}] {row['verdict']} ({row['cpu']:.0f} s) {where[:230]}  {row['by'][:150]}", flush=True
+            )
+
+
+def said(rows: list[Row]) -> int:
+    """Return how many mutants said something."""
+    return sum(row["verdict"] != "invalid" for row in rows)
 
 
 def main(words: list[str]) -> int:
-    """Run the mutants; print a line for each, return 1 if one was not killed."""
-    mutants, verdicts = chosen(words), []
-    with tempfile.TemporaryDirectory() as folder:
-        where = Path(folder)
-        copy_checkout(where)
-        for compiling in (True, False):
-            tests = dict.fromkeys(mutant.test for mutant in mutants if is_compiled(mutant) == compiling)
-            clean = run_tests(where, *tests, compiling=compiling) if tests else None
-            if clean is not None and clean.returncode != PASSED:
-                print(f"the tests have to pass before anything is switched off\n{clean.stdout}{clean.stderr}")
-                return 1
-        for mutant in mutants:
-            verdicts.append(verdict_on(where, mutant))
-            print(f"{mutant.id}  {verdicts[-1]}  {mutant.test}", flush=True)
-    survivors = len(verdicts) - verdicts.count("killed")
-    print(f"{survivors} of {len(mutants)} mutants survived")
-    return 1 if survivors else 0
+    """Run the mutants; return 1 if one lives that is not known to be equivalent, 3 if the time was over first."""
+    asked = arguments(words)
+    named = asked.mechanisms is not None
+    mutants, count = (switched_off(asked.mechanisms), float("inf")) if named else (drawn(asked), asked.count)
+    if asked.list:
+        for (row, _), _ in zip(mutants, range(asked.count), strict=False):
+            print(json.dumps(row))
+        return 0
+    run = Run(asked)
+    rows = run.play(mutants, count)
+    same = [row for row in rows if row["verdict"] == "lived" and equivalents.reason(row)]
+    lived = [row for row in rows if row["verdict"] == "lived" and row not in same]
+    for row in lived:
+        print(f"LIVED  {row['file']}:{row['line']} {row['function' if 'function' in row else 'where']} "
+              f"{row['kind']}: {row['original']} -> {row['replacement']}")  # fmt: skip
+    mean = sum(row["cpu"] for row in rows) / max(len(rows), 1)
+    took = f"{mean:.0f} s of processor time each, {time.monotonic() - run.began:.0f} s in all"
+    print(f"{said(rows)} mutants, {len(lived)} lived, {len(same)} more are equivalent; "
+          f"{len(rows) - said(rows)} said nothing; {took}")  # fmt: skip
+    if not named and said(rows) < count:
+        print("the time is over: the same command goes on")
+        return 3
+    return 1 if lived else 0
 
 
 if __name__ == "__main__":

@@ -27,7 +27,12 @@ def replace(source: str, original: str, replacement: str, where: str = "") -> st
     found = list(places(ast.parse(source), original, replacement, where))
     if len(found) != 1:
         raise ValueError(f"{original!r} stands {len(found)} times in {where or 'the file'}")
-    place, lines = found[0], source.encode().splitlines(keepends=True)
+    return put(source, found[0], replacement)
+
+
+def put(source: str, place: Place, replacement: str) -> str:
+    """Return the source of a file with something else at a place."""
+    lines = source.encode().splitlines(keepends=True)
     head = b"".join(lines[: place.first_line - 1]) + lines[place.first_line - 1][: place.first_byte]
     tail = lines[place.last_line - 1][place.last_byte :] + b"".join(lines[place.last_line :])
     if place.is_expression:

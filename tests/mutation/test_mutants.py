@@ -1,24 +1,41 @@
-"""The list of mutants stays true: each can be made, each mechanism has one, and a sample is killed by its test."""
+"""The mutants can be made: those of every mechanism of the papers, and the slips that are drawn at random."""
 
 import ast
 import importlib.util
 import subprocess
 import sys
 from collections.abc import Callable
+from itertools import islice
 from pathlib import Path
 from types import ModuleType
 
 import pytest
 
-from tests.mutation.mutants import MUTANTS, PLAY, RULES, Mutant
-from tests.mutation.quick import QUICK
+from tests.mutation import equivalents, mechanisms, sites
+from tests.mutation.mechanisms import Mechanism
+from tests.mutation.related import Related
 
 ROOT = Path(__file__).parents[2]
+MECHANISMS = mechanisms.read()
 SAMPLE = "MS32"  # one that is quick
-NO_COUNTS = {ROOT / f"soccer_env/statistics/{name}.py" for name in ("__init__", "records", "figures")}
+SOURCE = '''"""A module."""
 
-NO_RULES = {ROOT / f"soccer_env/referee/fouls/{name}__init__.py" for name in ("", "legged/", "middle_size/")}
-NO_RULES |= {ROOT / "soccer_env/referee/fouls/judging.py"}  # calls the books of both leagues
+def reach(x, y, count: int = 1):
+    """Return x - 1."""
+    if x < 0.5 and count > 1:
+        raise ValueError(f"{x - 1}")
+    for i in range(count):
+        x.total[i] = hypot(x, -y)
+    return x + sin(y)
+'''
+SLIPS = {
+    ("sign", "y"), ("comparison", "x > 0.5"), ("comparison", "count >= 1"), ("logic", "x < 0.5 or count > 1"),
+    ("logic", "x < 0.5"), ("logic", "count > 1"), ("condition", "True"), ("condition", "False"),
+    ("condition", "not (x < 0.5 and count > 1)"), ("off by one", "range(0 + 1, count)"),
+    ("off by one", "range(0, count - 1)"), ("lost statement", "pass"), ("arithmetic", "x - sin(y)"),
+    ("constant", "return 0.0"), ("number", "0.75"), ("number", "0.25"), ("number", "0.0"), ("number", "2"),
+    ("number", "0"), ("side", "x"), ("side", "y"), ("sign", "hypot(-x, -y)"), ("sign", "sin(-y)"),
+}  # fmt: skip
 
 
 def load(name: str) -> ModuleType:
@@ -31,85 +48,64 @@ def load(name: str) -> ModuleType:
     return module
 
 
-def test_every_test_that_is_listed_has_a_mutant_to_kill() -> None:
+def test_every_mechanism_has_a_mutant_for_each_of_its_tests() -> None:
     references = load("repository/test_references")
     rows, problems = references.rows_of((ROOT / references.TABLE).read_text(encoding="utf-8"))
     assert problems == []
     listed = {(row.mechanism, row.test) for row in rows}
-    covered = {(mutant.id, mutant.test.partition("[")[0]) for mutant in MUTANTS}
+    covered = {(one.id, one.test.partition("[")[0]) for one in MECHANISMS}
     assert listed - covered == set()
-    assert {mechanism for mechanism, _ in listed} == {mutant.id for mutant in MUTANTS}
+    assert {mechanism for mechanism, _ in listed} == {one.id for one in MECHANISMS}
+    assert len(set(MECHANISMS)) == len(MECHANISMS)
 
 
-@pytest.mark.parametrize("mutant", MUTANTS, ids=lambda mutant: f"{mutant.id}-{mutant.original.strip()[:30]}")
-def test_a_mutant_can_be_made_and_its_test_exists(mutant: Mutant) -> None:
-    text = (ROOT / mutant.file).read_text(encoding="utf-8")
-    changed = ast.parse(mutant.changed(text))
+@pytest.mark.parametrize("one", MECHANISMS, ids=lambda one: f"{one.id}-{one.original.strip()[:30]}")
+def test_a_mechanism_can_be_switched_off_and_its_test_exists(one: Mechanism) -> None:
+    text = (ROOT / one.file).read_text(encoding="utf-8")
+    changed = ast.parse(one.changed(text))
     assert ast.dump(changed) != ast.dump(ast.parse(text))
-    compile(changed, mutant.file, "exec")
+    compile(changed, one.file, "exec")
     find_test: Callable[[str, Path], str | None] = load("repository/test_references").find_test
-    found = find_test(mutant.test, ROOT)
-    assert found is not None and mutant.id in found.upper().replace("_", " ")
+    found = find_test(one.test, ROOT)
+    assert found is not None and one.id in found.upper().replace("_", " ")
 
 
-@pytest.mark.parametrize("mutant", QUICK, ids=lambda mutant: mutant.id)
-def test_a_slip_can_be_made_and_is_the_business_of_the_quick_tests(mutant: Mutant) -> None:
-    text = (ROOT / mutant.file).read_text(encoding="utf-8")
-    assert mutant.changed(text) != text
-    assert load("repository/test_references").find_test(mutant.test, ROOT) is not None
-    lines = (ROOT / "tests/quick.txt").read_text(encoding="utf-8").splitlines()
-    assert any(mutant.test.startswith(line) for line in lines if line.startswith("tests/")), "not in tests/quick.txt"
+def test_slips_are_made_in_what_runs_and_not_in_words() -> None:
+    found = {(site.kind, option) for site in sites.sites_of("reach.py", SOURCE) for option in site.options}
+    assert found - {("arithmetic", "x - 1")} == found
+    assert found == SLIPS
 
 
-@pytest.mark.parametrize("mutant", PLAY + RULES, ids=lambda mutant: f"{mutant.id}-{mutant.original[:30]}")
-def test_a_mutant_of_what_is_counted_or_called_can_be_made_and_its_test_exists(mutant: Mutant) -> None:
-    text = (ROOT / mutant.file).read_text(encoding="utf-8")
-    changed = ast.parse(mutant.changed(text))
-    assert ast.dump(changed) != ast.dump(ast.parse(text))
-    compile(changed, mutant.file, "exec")
-    assert load("repository/test_references").find_test(mutant.test, ROOT) is not None
+def test_a_draw_is_the_same_for_a_seed_and_hardly_changes_with_the_source() -> None:
+    def order(source: str) -> list[str]:
+        drawn = sorted(sites.sites_of("reach.py", source), key=lambda site: site.rank(7))
+        return [f"{site.original} {site.replacement(7)} {site.number}" for site in drawn]
+
+    assert order(SOURCE) == order(SOURCE)
+    longer = order(SOURCE + "    print(1.5 * z)\n" + "\nwider = 3.5 + 2.25\n")
+    assert [one for one in longer if one in order(SOURCE)] == order(SOURCE)
 
 
-def test_every_file_that_counts_has_mutants() -> None:
-    counting = set((ROOT / "soccer_env/statistics").glob("*.py")) - NO_COUNTS
-    assert {ROOT / mutant.file for mutant in PLAY} == counting
+def test_slips_drawn_from_the_package_can_be_read_and_are_asked_about() -> None:
+    related = Related(ROOT)
+    for site in islice(sites.draw(ROOT, 3, "soccer_env/re"), 40):
+        text = (ROOT / site.file).read_text(encoding="utf-8")
+        assert sites.changed(text, site, site.replacement(3)) != text
+        tests = related.first(site.file)
+        assert len(tests) + len(related.then(tests)) > 50
+    assert related.first("soccer_env/physics/kicker.py")[0] == "tests/physics/test_kicker.py"
 
 
-def test_every_rule_has_mutants() -> None:
-    rules = set((ROOT / "soccer_env/referee/fouls").rglob("*.py")) - NO_RULES
-    assert rules - {ROOT / mutant.file for mutant in RULES} == set()
-
-
-def test_the_quick_tests_that_are_listed_exist() -> None:
-    lines = (ROOT / "tests/quick.txt").read_text(encoding="utf-8").splitlines()
-    assert lines[:2] == ["-m", "not slow"]
-    assert [line for line in lines[2:] if not (ROOT / line).exists()] == []
-
-
-def test_no_mutant_is_listed_twice() -> None:
-    listed = MUTANTS + PLAY + RULES
-    assert len(set(listed)) == len(listed)
-    assert len({mutant.id for mutant in QUICK}) == len(QUICK) >= 12
-
-
-def test_a_survivor_is_found_and_the_copy_is_put_right(tmp_path: Path) -> None:
-    mutate = load("mutation/mutate")
-    (tmp_path / "kept.py").write_text("ONE = 1\n", encoding="utf-8")
-    mutant = Mutant("MS01", "kept.py", "ONE = 1", "ONE = 2", "")
-    with mutate.mutated(tmp_path, mutant):
-        assert (tmp_path / "kept.py").read_text(encoding="utf-8") == "ONE = 2\n"
-    assert (tmp_path / "kept.py").read_text(encoding="utf-8") == "ONE = 1\n"
-    with pytest.raises(ValueError, match="stands 0 times"), mutate.mutated(tmp_path, mutant._replace(original="TWO")):
-        pass
-    with pytest.raises(ValueError, match="unknown mechanisms"):
-        mutate.chosen(["MS99"])
-    assert 4 <= len(mutate.chosen(["--sample", "4"])) <= 6
-    assert {mutant.id for mutant in mutate.chosen(["MH04", "MS14"])} == {"MH04", "MS14"}
+def test_equivalent_slips_are_those_that_could_be_drawn() -> None:
+    for one in equivalents.read():
+        found = sites.sites_of(one["file"], (ROOT / one["file"]).read_text(encoding="utf-8"))
+        assert any(equivalents.is_of(one, site) for site in found), one
 
 
 @pytest.mark.slow
-def test_a_sampled_mutant_is_killed_by_its_test() -> None:
-    command = [sys.executable, "tests/mutation/mutate.py", SAMPLE]
-    found = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+def test_a_mechanism_that_is_switched_off_is_noticed_by_its_test(tmp_path: Path) -> None:
+    command = [sys.executable, "tests/mutation/mutate.py", "--jobs", "1", "--mechanisms", SAMPLE]
+    places = ["--out", str(tmp_path / "mutants.jsonl"), "--work", str(tmp_path / "work")]
+    found = subprocess.run([*command, *places], cwd=ROOT, capture_output=True, text=True, check=False)
     assert found.returncode == 0, found.stdout + found.stderr
-    assert f"{SAMPLE}  killed" in found.stdout and "0 of 1 mutants survived" in found.stdout
+    assert "0 lived" in found.stdout and "killed" in found.stdout
