@@ -4,48 +4,51 @@ from __future__ import annotations
 
 import re
 import signal
-from collections.abc import Iterator
 from typing import NamedTuple
 
 from tests.mutation.related import Related, module_of
-from tests.mutation.running import FAILING, Copy, Ran
+from tests.mutation.running import FAILING, Copy, Ran, StoppedError
 
 BROKEN = re.compile(r"^E? +.*\b(SyntaxError|NameError|TypingError|LoweringError|UnsupportedError)\b", re.MULTILINE)
 NONE_CHOSEN = 5  # pytest's exit code when there is no test to run
 OUT_OF_TIME = (-signal.SIGXCPU, -signal.SIGKILL)
+Stage = tuple[list[str], tuple[str, ...]]  # files of tests, and options of pytest
 FAST, SLOW = ("-m", "not slow"), ("-m", "slow")
 
 
 class Verdict(NamedTuple):
     """What became of a mutant, by which test, after how much processor time."""
 
-    word: str  # killed, killed (time), killed (died), lived, invalid
-    by: str
+    word: str  # killed, killed (time), killed (died), lived, invalid, unfinished
+    by: str  # the test, or the stage that was not finished
     seconds: float
 
 
-def stages(related: Related, file: str) -> Iterator[tuple[list[str], tuple[str, ...]]]:
-    """Yield which tests to ask, one stage after another: those about the file, the quick ones, the slow ones."""
+def stages(related: Related, file: str) -> list[Stage]:
+    """Return which tests to ask, one stage after another: those about the file, the quick ones, the slow ones."""
     first = related.first(file)
-    yield first, FAST
-    yield related.then(first), FAST
-    yield first[:6], SLOW
+    return [(first, FAST), *((quick, FAST) for quick in related.then(first)), (first[:6], SLOW)]
 
 
-def verdict_on(copy: Copy, file: str, text: str, asked: list[tuple[list[str], tuple[str, ...]]]) -> Verdict:
-    """Return what tests say to a file with another text."""
+def verdict_on(copy: Copy, file: str, text: str, asked: list[Stage], begin: int = 0) -> Verdict:
+    """Return what tests say to a file with another text, from the stage on to which an earlier run came."""
     seconds = 0.0
+    stage = begin
     with copy.changed(file, text):
-        for tests, options in asked:
-            while chosen := [test for test in tests if test not in copy.ground.failing]:
-                left = [f"--deselect={test}" for test in sorted(copy.ground.failing)]
-                ran = copy.run_tests(chosen, *options, *left)
-                seconds += ran.seconds
-                if ran.code in (0, NONE_CHOSEN):
-                    break
-                verdict = judged(copy, file, ran)
-                if verdict:
-                    return Verdict(*verdict, seconds)
+        try:
+            for tests, options in asked[begin:]:
+                while chosen := [test for test in tests if test not in copy.ground.failing]:
+                    left = [f"--deselect={test}" for test in sorted(copy.ground.failing)]
+                    ran = copy.run_tests(chosen, *options, *left)
+                    seconds += ran.seconds
+                    if ran.code in (0, NONE_CHOSEN):
+                        break
+                    verdict = judged(copy, file, ran)
+                    if verdict:
+                        return Verdict(*verdict, seconds)
+                stage += 1
+        except StoppedError:
+            return Verdict("unfinished", str(stage), seconds)
     return Verdict("lived", "", seconds)
 
 

@@ -116,7 +116,7 @@ class Run:
                     row, text = next(mutants, ({}, ""))
                     if not row:
                         break
-                    if row["id"] in self.rows:
+                    if finished(self.rows.get(row["id"])):
                         done.append(self.rows[row["id"]])
                     else:
                         waiting[pool.submit(self.judge, row, text)] = None
@@ -135,6 +135,7 @@ class Run:
     def prepare(self, pool: ThreadPoolExecutor) -> None:
         """Make the copies, and compile what most tests need."""
         print(f"compiling what most tests need; then {self.asked.jobs} mutants at a time", flush=True)
+        self.ground.stamps  # noqa: B018  # once, before there are threads
         warming = [pool.submit(self.ground.warm_up, part) for part in self.ground.warm_ups()]
         for copy in pool.map(lambda i: Copy(self.ground, f"copy-{i}"), range(self.asked.jobs)):
             self.copies.put(copy)
@@ -144,21 +145,19 @@ class Run:
             print("the time was over before everything was compiled", flush=True)
 
     def judge(self, row: Row, text: str) -> Row | None:
-        """Return the row of a mutant with its verdict, and write it; None if the time is over."""
+        """Return the row of a mutant with its verdict, None if the time is over first; write it in both cases."""
         copy = self.copies.get()
-        began = time.monotonic()
-        tests = [([row["test"]], ())] if "test" in row else list(judging.stages(self.related, row["file"]))
+        began, before = time.monotonic(), self.rows.get(row["id"], {"by": "0", "cpu": 0.0})
+        tests = [([row["test"]], ())] if "test" in row else judging.stages(self.related, row["file"])
         try:
-            verdict = judging.verdict_on(copy, row["file"], text, tests)
-        except StoppedError:
-            return None
+            verdict = judging.verdict_on(copy, row["file"], text, tests, begin=int(before["by"]))
         finally:
             self.copies.put(copy)
-        row |= {"verdict": verdict.word, "by": verdict.by, "cpu": round(verdict.seconds, 1)}
+        row |= {"verdict": verdict.word, "by": verdict.by, "cpu": round(before["cpu"] + verdict.seconds, 1)}
         row |= {"seconds": round(time.monotonic() - began, 1)}
         with self.lock, self.asked.out.open("a", encoding="utf-8") as out:
             out.write(json.dumps(row) + "\n")
-        return row
+        return row if finished(row) else None
 
     def tell(self, row: Row, number: int, count: float) -> None:
         """Print the verdict on a mutant, and which tests were found to fail without any."""
@@ -170,6 +169,11 @@ class Run:
             print(
                 f"[{number}/{count}] {row['verdict']} ({row['cpu']:.0f} s) {where[:230]}  {row['by'][:150]}", flush=True
             )
+
+
+def finished(row: Row | None) -> bool:
+    """Tell whether there is a verdict on a mutant."""
+    return row is not None and row["verdict"] != "unfinished"
 
 
 def said(rows: list[Row]) -> int:

@@ -98,13 +98,13 @@ class Related:
             return 4
         return 5 if any(file in self.imports(one) for one in self.imports(test) if "__init__" not in one) else 9
 
-    def then(self, asked: list[str]) -> list[str]:
-        """Return the quick tests that were not asked yet, the golden hashes last."""
+    def then(self, asked: list[str]) -> list[list[str]]:
+        """Return the quick tests that were not asked yet, by folder, the golden hashes last."""
         lines = (self.root / "tests/quick.txt").read_text(encoding="utf-8").splitlines()
-        quick = [
-            test for test in self.tests if test.startswith(tuple(line for line in lines if line.startswith("tests/")))
-        ]
-        return sorted((test for test in quick if test not in asked), key=lambda test: test == GOLDEN)
+        folders = [line for line in lines if line.startswith("tests/") and not line.startswith(LEFT_OUT)]
+        left = [test for test in self.tests if test not in asked and test != GOLDEN]
+        quick = [[test for test in left if test.startswith(folder)] for folder in folders]
+        return [tests for tests in quick if tests] + [[GOLDEN]]
 
 
 def module_of(name: str) -> str:

@@ -29,6 +29,7 @@ from tests.warm_up import PARTS
 ROOT = Path(__file__).resolve().parents[2]
 COPIED = ("soccer_env", "baselines", "agents", "train", "tests", "pyproject.toml", "README.md", "CONTRIBUTING.md")
 INNER = ("baselines", "agents", "train")  # stand at the top, are imported from inside the package
+FIRST = "tests/test_geometry.py"  # quick, and needs all that tests need
 LONGEST = 1800.0  # [s] until a process that waits for something is ended
 FAILING = re.compile(r"^(?:FAILED|ERROR) (\S.*?)(?: - .*)?$", re.MULTILINE)
 
@@ -63,13 +64,19 @@ class Ground:
         self._passing: set[str] = set()
 
     def warm_up(self, part: str) -> float:
-        """Compile a part of what most tests need; return the processor time."""
-        words = f"from tests.warm_up import PARTS; PARTS[{part!r}]()"
-        return self.clean.run_python("-c", words, cache=self.shared, name=part).seconds
+        """Compile a part of what most tests need, or run a first test; return the processor time."""
+        if part == FIRST:
+            ran = self.clean.run_tests([part], cache=self.shared, name="first")
+        else:
+            words = f"from tests.warm_up import PARTS; PARTS[{part!r}]()"
+            ran = self.clean.run_python("-c", words, cache=self.shared, name=part)
+        if ran.code:
+            raise RuntimeError(f"without any mutant {part} fails:\n{ran.output[-3000:]}")
+        return ran.seconds
 
     def warm_ups(self) -> list[str]:
         """Return the parts that can be compiled at the same time."""
-        return list(PARTS)
+        return [FIRST, *PARTS]
 
     def passes(self, test: str) -> bool:
         """Tell whether a test passes without a mutant; it is run once."""
