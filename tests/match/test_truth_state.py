@@ -30,16 +30,3 @@ def test_a_half_turn_of_the_field_turns_round_what_the_entries_say(league: str) 
     signs = np.array([entry.half_turn for entry in truth_state.entries(3)], np.float32)
     np.testing.assert_allclose(match.state(), before * signs, atol=1e-6)
     assert np.count_nonzero(signs < 0.0) == 7 + 6 * 6 and before[:, signs < 0.0].any(axis=0).sum() == 7 + 6 * 5
-
-
-def test_the_state_is_the_truth_by_name() -> None:
-    match = in_motion("middle-size-2006")
-    robot, ball, names = match.robots[0, 3], match.balls[0], match.state_names
-    told = dict(zip(names, match.state()[0].tolist(), strict=True))
-    assert told["ball_roll_y"] == pytest.approx(ball["roll_y"] / match.league.ball.top_speed)
-    assert told["away_1_cos"] == pytest.approx(np.cos(robot["heading"]))
-    assert told["away_1_sin"] == pytest.approx(np.sin(robot["heading"]))
-    assert told["away_1_walk_left"] == pytest.approx(robot["walk"]["left"] / match.league.drive.forward)
-    assert told["away_1_x"] == pytest.approx(robot["x"] / (6.0 + match.league.pitch.goal_depth))
-    assert told["away_1_present"] == 1.0 and told["home_2_present"] == 0.0
-    assert len(names) == len(set(names)) == len(truth_state.entries(3))
