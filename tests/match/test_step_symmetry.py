@@ -18,7 +18,6 @@ from soccer_env.physics.solver.rounds import hold_ground
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.steering import steer_to_place
-from soccer_env.rewards import NAMES, POTENTIALS, Rewards, measure_potentials
 from soccer_env.step import clear_events
 from soccer_env.types import NO_TEAM, Phase
 from tests.scenes.staging import LEGGED, MIDDLE, each_league, put_ball, scatter, speed
@@ -40,7 +39,6 @@ from tests.scenes.symmetry import (
 )
 
 SIZE = 3  # robots a side
-ALL_TERMS = Rewards(**dict.fromkeys(NAMES, 1.0)).weights()  # a potential that weighs nothing is not measured
 DIFFERENTIAL = "middle-size-2006-differential"
 
 
@@ -150,12 +148,6 @@ def end_all(matches, balls, robots, constants):
         end_placing(matches[m], balls[m], robots[m], constants[0])
 
 
-@compiled
-def measure_all(matches, balls, robots, constants, weights, potentials):
-    for m in range(len(matches)):
-        measure_potentials(matches[m], balls[m], robots[m], constants[0], weights[0], potentials[m])
-
-
 @pytest.mark.parametrize("name", [LEGGED, MIDDLE, DIFFERENTIAL])
 def test_driving_is_symmetric_over_many_gait_steps(name):
     def stage(records, events, robot_events, constants):
@@ -235,19 +227,6 @@ def test_driving_to_places_is_symmetric_and_so_is_its_end(name):
 
     after = in_both_worlds(match, stage)
     assert (after.matches["placing"] == 0).all()
-
-
-@each_league
-def test_potentials_are_symmetric(name):
-    match = mid_game(name, 200, seed=5)
-    constants, records = match.settings.constants(), Records.of(match)
-    potentials = []
-    for image in (records, mirrored(records), turned(records)):
-        potentials.append(np.zeros((200, *POTENTIALS)))
-        measure_all(image.matches, image.balls, image.robots, constants, ALL_TERMS, potentials[-1])
-    assert_close(potentials[1], potentials[0], MIRROR, "mirror")
-    assert_close(potentials[2], potentials[0][:, ::-1], HALF_TURN, "half-turn")
-    assert abs(potentials[0]).max() > 0.1
 
 
 @each_league
