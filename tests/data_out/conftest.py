@@ -9,22 +9,24 @@ from soccer_env import Match
 from soccer_env.data_out.collect import Collected, collect
 from soccer_env.replay import Recorder, Replay
 
-MINUTES = {"legged-2001": 1.0, "middle-size-2006": 0.6}
+STAGED: dict[str, dict[str, Any]] = {  # goals in both halves; both teams keep the ball, pass and shoot
+    "legged-2001": {"minutes": 1.0, "seeds": [0], "controllers": {"home": "chaser", "away": "random"}},
+    "middle-size-2006": {"minutes": 0.6, "seeds": [24], "controllers": {"home": "random", "away": "chaser"}},
+}
 
 
 def record(name: str, **given: Any) -> Replay:
-    """Return a recording of the chaser against a random team, two a side."""
-    settings = {"home": 2, "away": 2, "seed": 4, "senses": "ideal", "minutes": MINUTES[name]}
-    match = Match(name, controllers={"home": "chaser", "away": "random"}, **{**settings, **given})
+    """Return a recording of the chaser and a random team, two a side."""
+    match = Match(name, home=2, away=2, senses="ideal", **given)
     recorder = Recorder(match)
     while not match.terminated.all():
         match.step()
     return recorder.stop()
 
 
-@pytest.fixture(scope="session", params=[*MINUTES])
+@pytest.fixture(scope="session", params=[*STAGED])
 def replay(request: pytest.FixtureRequest) -> Replay:
-    return record(request.param)
+    return record(request.param, **STAGED[request.param])
 
 
 @pytest.fixture(scope="session")
@@ -38,5 +40,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     place = tmp_path_factory.mktemp("replays")
     (place / "deep").mkdir()
     for name, seed in (("one", 1), ("deep/two", 2)):
-        record("middle-size-2006", seed=seed, minutes=0.1, home=1, away=1).write(place / f"{name}.replay")
+        short = {**STAGED["middle-size-2006"], "seeds": [seed], "minutes": 0.1}
+        record("middle-size-2006", **short).write(place / f"{name}.replay")
     return place
