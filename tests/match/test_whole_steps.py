@@ -208,13 +208,21 @@ def test_a_reset_or_load_in_which_code_of_a_user_raises_changes_nothing(kind: st
 
 
 def test_a_recording_knows_nothing_of_a_step_that_was_undone() -> None:
-    own = Own()
-    match = made(own, "reward")
-    recorder = Recorder(match)
-    for step in range(6):
-        if step in (2, 4):
-            own.raises = own.calls + 1
-            with pytest.raises(OwnError):
-                stepped(match)
-        stepped(match)
-    assert recorder.stop().check() == 6
+    """Heads that look by themselves look where they did: each step has its commands, its gaze and its hash."""
+    replays = []
+    for undone in ((2, 4), ()):
+        own = Own()
+        match = made(own, "reward", controllers={"home": "chaser", "away": "chaser"})
+        recorder = Recorder(match)
+        for step in range(6):
+            if step in undone:
+                own.raises = own.calls + 1
+                with pytest.raises(OwnError):
+                    stepped(match)
+            stepped(match)
+        replays.append(recorder.stop())
+        assert replays[-1].check() == 6
+    one, undisturbed = replays
+    assert one.hashes == undisturbed.hashes and one.commands.tobytes() == undisturbed.commands.tobytes()
+    assert one.gazes.tobytes() == undisturbed.gazes.tobytes()
+    assert len(np.unique(one.gazes["pan"])) > 6, "heads turn"

@@ -262,6 +262,35 @@ def test_ms53_a_remembered_team_mate_is_passed_to_when_the_goal_is_blocked(passe
     assert (mind.think()[-1, KICK] > 0.0) == passes
 
 
+def test_ms53_a_pass_stays_soft_while_the_leg_winds_up_for_it() -> None:
+    mind = before_a_wall(passes=True)
+    for slot in range(5):  # the wall stands on the left of it, the mate straight ahead
+        x, y = mind.tracks[0, 0, slot]["x"], mind.tracks[0, 0, slot]["y"]
+        believe_player(mind, slot, *turned(float(x), float(y), -0.9), teammate=int(slot < 2))
+    mind.stand_at(0.4, 0.0, 0.9)
+    mind.tracks[0, 0, 1]["present"] = 0
+    kicks = mind.think(LEAGUE.kicker.wind_up)[:, KICK]
+    assert mind.memory["behaviour"] == PASS
+    assert (kicks == LEAGUE.kicker.least).all(), "a mate at half a metre gets the softest kick that there is"
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_ms53_the_goalkeeper_stands_on_the_line_from_its_goal_to_the_ball(side: float) -> None:
+    goal, ball = complex(-LEAGUE.pitch.length / 2.0, 0.0), complex(0.0, 0.9 * side)
+    out, heading = (ball - goal) / abs(ball - goal), 0.3 * side
+    for turned_by, walks in ((out, 0.0), (out.conjugate(), -side)):  # at its place; at the mirrored one
+        mind = Mind()
+        mind.belief["situation"]["keeper"] = 1
+        place = goal + float(mind.team.settings["keeper_out"][0]) * turned_by  # type: ignore[attr-defined]
+        mind.stand_at(place.real, place.imag, heading)
+        seen = (ball - place) * np.exp(-1j * heading)
+        mind.see_ball(abs(seen), float(np.angle(seen)))
+        command = mind.think()[-1]
+        walk = complex(command[FORWARD], command[LEFT]) * np.exp(1j * heading)
+        assert mind.memory["behaviour"] == GUARD
+        assert np.sign(walk.imag.round(9)) == -walks and (walks != 0.0 or abs(walk) < 1e-9)
+
+
 def turned(x: float, y: float, angle: float) -> tuple[float, float]:
     """Return a vector turned by an angle [rad]."""
     return x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle)

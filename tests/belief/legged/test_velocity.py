@@ -133,12 +133,14 @@ def test_ms18_the_radial_velocity_is_of_the_filtered_place_the_angular_of_the_ra
     assert ball["angular"] == pytest.approx(0.025 / time, abs=SLOW)
 
 
-def test_ms18_a_bearing_that_passes_straight_behind_turns_by_the_short_way() -> None:
-    """MS18: from 179 degrees left to 179 degrees right is a turn of 2 degrees."""
-    robot = Watcher()
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_ms18_a_bearing_that_passes_straight_behind_turns_by_the_short_way(side: float) -> None:
+    """MS18: from 179 degrees left to 179 degrees right is a turn of 2 degrees; each reading says so."""
+    robot, told = Watcher(), []
     for frame in range(17):
-        put_sighting(robot, 2.9 + 0.5 * frame / 16)
-    assert robot.ball["angular"] == pytest.approx(0.5, abs=SLOW)
+        put_sighting(robot, side * (2.9 + 0.5 * frame / 16))
+        told.append(float(robot.ball["angular"]))
+    assert told[6] == 0.0 and told[11:] == pytest.approx([side * 0.5] * 6, abs=SLOW)
 
 
 def put_sighting(robot: Watcher, bearing: float) -> None:

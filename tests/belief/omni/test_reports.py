@@ -149,9 +149,24 @@ def test_mh05_a_ball_that_one_sees_is_known_to_all() -> None:
         assert turned(ball["vx"], ball["vy"], own["heading"]) == pytest.approx([1.0, -0.5])
         assert ball["distance"] == ball["filtered_distance"] == pytest.approx(np.hypot(ball["x"], ball["y"]))
         assert ball["bearing"] == ball["filtered_bearing"] == pytest.approx(np.arctan2(ball["y"], ball["x"]))
-        assert ball["radial"] == pytest.approx((ball["x"] * ball["vx"] + ball["y"] * ball["vy"]) / ball["distance"])
         assert 90.0 < ball["confidence"] < 95.0 and ball["age"] == pytest.approx(0.06)
     assert radio.beliefs["ball"]["confidence"][1] == 100.0
+
+
+@pytest.mark.parametrize("walk", [(0.0, 0.0, 0.0), (1.0, -0.5, 0.7), (-2.0, 0.3, -1.1)])
+def test_a_told_ball_comes_and_turns_as_the_moving_robot_would_see_it(walk: tuple[float, float, float]) -> None:
+    """By their definition: the rates of distance and bearing, from where both are a moment later."""
+    forward, left, turn = walk
+    radio, moment = Radio(radio_delay=0.0), 1e-6
+    radio.track_ball(1, 2.0, 0.5, 0.6, -0.4)
+    radio.stand(0, -2.0, 0.5, 0.3, forward, left)
+    radio.beliefs["own"]["turn"][0] = turn
+    radio.step(2)
+    ball = radio.beliefs["ball"][0]
+    now = complex(ball["x"], ball["y"])
+    later = now + moment * complex(ball["vx"] - forward, ball["vy"] - left)
+    assert ball["radial"] == pytest.approx((abs(later) - abs(now)) / moment, abs=1e-6)
+    assert ball["angular"] == pytest.approx(np.angle(later / now) / moment - turn, abs=1e-6)
 
 
 def test_a_ball_rolls_on_while_the_report_is_on_its_way() -> None:
