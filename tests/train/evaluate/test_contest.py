@@ -68,6 +68,45 @@ def test_what_fails_in_one_thread_stops_the_others(monkeypatch: pytest.MonkeyPat
     assert time.monotonic() - started < 30.0
 
 
+class Witness:
+    """A team that stands and notes of each control step how many it is and whether it is sure of its place."""
+
+    name = "witness"
+    memory_dtype = np.dtype([])
+
+    def __init__(self) -> None:
+        self.seen: list[tuple[int, bool]] = []
+
+    def act(self, view: Any, memory: np.ndarray, rng: Any) -> np.ndarray:
+        sure = view.beliefs["own"]["confidence"] == 100.0
+        self.seen.append((view.beliefs.shape[1], bool(sure.all())))
+        return np.asarray(view.stand())
+
+
+@pytest.mark.parametrize(("senses", "sure"), [("home=ideal,away=sensors", (1, 0)), ("home=sensors,away=ideal", (0, 1))])
+def test_a_team_keeps_its_senses_and_its_size_when_it_changes_sides(senses: str, sure: tuple[int, int]) -> None:
+    """Ideal senses are sure of the own place in every step, a particle filter is not for long."""
+    first, second = Witness(), Witness()
+    settings = EvaluateSettings(home="a", away="b", matches=2, minutes=0.05, players="1v2", senses=senses)
+    lines = evaluate(settings, teams={"a": first, "b": second}).lines
+    assert [line.side for line in lines] == ["home", "away"]
+    for team, size, ideal in zip((first, second), (1, 2), sure, strict=True):
+        steps = [line.steps for line in lines]
+        halves = team.seen[: steps[0]], team.seen[steps[0] :]
+        for seen, count in zip(halves, steps, strict=True):
+            assert len(seen) == count and {players for players, _ in seen} == {size}
+            assert all(known for _, known in seen) == bool(ideal)
+
+
+def test_the_two_matches_of_a_pair_are_each_the_first_teams_by_the_senses_asked_for() -> None:
+    """Whose robots go by their sensors, as the records of the matches themselves say."""
+    league = find_league("legged-2001")
+    settings = EvaluateSettings(home="a", away="b", players="1v2", senses="home=ideal,away=sensors")
+    played = contest.contest_of(conditions_of(settings, league), league, {"a": Witness(), "b": Witness()})
+    by_sensors = {side: played.start(side, [5]).robots["senses"][0].tolist() for side in ("home", "away")}
+    assert by_sensors == {"home": [0, 1, 1], "away": [1, 1, 0]}
+
+
 def test_a_batch_that_is_stopped_ends_at_once() -> None:
 
     settings, league = (

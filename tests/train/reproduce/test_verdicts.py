@@ -75,26 +75,6 @@ def test_a_reported_number_decides_nothing() -> None:
     assert found.low < found.estimate < found.high
 
 
-def test_a_measured_median_is_scipys_bootstrap() -> None:
-    criterion = measured("median", lambda samples: float(np.median(samples["x"])), above=0.0)
-    found = find(criterion, {"x": DRAWS})
-    expected = stats.bootstrap((DRAWS,), np.median, n_resamples=20_000, method="percentile").confidence_interval
-    assert found.estimate == np.median(DRAWS)
-    assert (found.low, found.high) == pytest.approx((expected.low, expected.high), abs=0.15)
-
-
-def test_a_ratio_of_paired_numbers_is_scipys_paired_bootstrap() -> None:
-    rng = np.random.default_rng(1)
-    above = rng.normal(5.0, 1.0, 60)
-    below = above + rng.normal(5.0, 0.5, 60)
-    estimate, low, high = unit_bootstrap({"a": above, "b": below}, lambda x: float(x["a"].sum() / x["b"].sum()))
-    expected = stats.bootstrap(
-        (above, below), lambda a, b, axis: a.sum(axis) / b.sum(axis), paired=True, method="percentile"
-    ).confidence_interval
-    assert (low, high) == pytest.approx((expected.low, expected.high), abs=0.004)
-    assert low < estimate < high
-
-
 def test_units_with_many_frames_are_drawn_whole() -> None:
     """Frames of one run err alike: the interval must not shrink because a run has many of them."""
     runs = np.random.default_rng(2).normal(0.0, 1.0, (30, 1))
