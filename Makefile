@@ -11,6 +11,7 @@
 # make lock     write requirements.lock anew: the newest versions that pyproject.toml allows, with their hashes
 # make mutants  put slips into the code, drawn at random, and see which no test notices: a minute or two of a core each;
 #               make mutants ARGS='--count 150 --seed 7', or ARGS=--mechanisms: those of the papers are switched off
+# make fuzz     forge 20,000 saves and replays: none may end or hang the process that loads it (FILES=500 SEED=2: others)
 #
 # pip takes its settings from the environment and its own files; PYTHON=python3.12 chooses the interpreter of a new .venv.
 
@@ -21,7 +22,7 @@ BIN := $(VENV)/bin
 INNER := baselines agents train
 PARALLEL := -n auto --dist worksteal  # a process for each core; one that is done takes tests from the others
 
-.PHONY: match test test-quick lint types bench pictures docs tables tables-check sacks-table heinemann-table mutants examples lock clean
+.PHONY: match test test-quick lint types bench pictures docs tables tables-check sacks-table heinemann-table mutants fuzz examples lock clean
 .DELETE_ON_ERROR:
 
 LEAGUE := legged-2001
@@ -75,6 +76,12 @@ heinemann-table: $(VENV)/.has-base
 
 mutants: $(VENV)/.has-train
 	$(BIN)/python tests/mutation/mutate.py $(ARGS)
+
+FILES := 20000
+SEED := 1
+
+fuzz: $(VENV)/.has-train
+	$(BIN)/python -m tests.fuzz.fuzz --files $(FILES) --seed $(SEED)
 
 lock: $(VENV)/.has-base
 	$(BIN)/python -m pip install uv

@@ -17,14 +17,15 @@ from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.compiled import compiled
 from soccer_env.leagues.league import League
 from soccer_env.names import Made
+from soccer_env.ranges import COUNT, FLAG, NUMBER, record
 from soccer_env.teams import ObservingTeam
 
 BUNDLED = Path(__file__).parent / "policies" / "legged-2001.safetensors"
-MEMORY = np.dtype(
+MEMORY = record(
     [
-        ("begun", "i8"),  # 1 once the episode has begun
-        ("wait", "i8"),  # [control steps] until the next decision
-        ("action", "f8", (7,)),  # forward, left, turn, kick, head, pan, tilt
+        ("begun", "i8", FLAG),  # 1 once the episode has begun
+        ("wait", "i8", COUNT),  # [control steps] until the next decision
+        ("action", "f8", NUMBER, (7,)),  # forward, left, turn, kick, head, pan, tilt
     ]
 )
 HEAD = 4  # index of the head's number in an action

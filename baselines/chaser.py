@@ -42,39 +42,41 @@ from soccer_env.checking import check_names, number
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
 from soccer_env.random_numbers import uniform
+from soccer_env.ranges import NUMBER, UNIT, record
 from soccer_env.team_kernels import per_player
 from soccer_env.teams import CompiledTeam
+from soccer_env.types import PLAYERS
 
-MEMORY = np.dtype(
+MEMORY = record(
     [
-        ("wait", "f8"),  # [s] until the next decision
-        ("rank", "i8"),  # field team-mates nearer to the ball: 0 the attacker
-        ("rank_age", "f8"),  # [s] that this rank has been held against a better or worse one
-        ("side", "f8"),  # +1 supports on the left of the ball, -1 on its right, 0 undecided
-        ("way", "f8"),  # +1 goes round the ball counter-clockwise, -1 clockwise
-        ("aim_error", "f8"),  # [rad]
-        ("stuck", "f8"),  # [s] that the ball at my feet has not moved
-        ("patience", "f8"),  # [s] of that until it is worked out
-        ("wriggle", "f8"),  # [s] left of working it out
-        ("wriggle_side", "f8"),  # +1 turning left, -1 right
-        ("set_piece", "f8"),  # [s] left of remembering the own team's restart: above 0 as its taker, below 0 its mate
-        ("sweep", "f8"),  # [s] left of sweeping it out of a corner
-        ("sweep_way", "f8"),  # [rad] in which it is swept, team frame
-        ("sweep_side", "f8"),  # +1 turning left, -1 right
-        ("pressed", "f8"),  # [s] that it has walked into an opponent
-        ("back_off", "f8"),  # [s] left of stepping back from it
-        ("off_x", "f8"),  # unit vector away from it, team frame
-        ("off_y", "f8"),
-        ("search_side", "f8"),  # +1 searches turning left, -1 right, 0 knows the ball
-        ("turned", "f8"),  # [rad] since it began to turn on the spot
-        ("search_clock", "f8"),  # [s] on the way to a lookout
-        ("lookout", "f8"),  # [m] x of it, team frame
-        ("glance", "f8"),  # [s] left of looking up from the ball; below 0 until the next look
-        ("glance_side", "f8"),  # +1 the next look begins on the right, -1 on the left, 0 none yet
-        ("forward", "f8"),  # the command that is repeated until the next decision
-        ("aside", "f8"),
-        ("turn", "f8"),
-        ("kick", "f8"),
+        ("wait", "f8", NUMBER),  # [s] until the next decision
+        ("rank", "i8", PLAYERS),  # field team-mates nearer to the ball: 0 the attacker
+        ("rank_age", "f8", NUMBER),  # [s] that this rank has been held against a better or worse one
+        ("side", "f8", UNIT),  # +1 supports on the left of the ball, -1 on its right, 0 undecided
+        ("way", "f8", UNIT),  # +1 goes round the ball counter-clockwise, -1 clockwise
+        ("aim_error", "f8", NUMBER),  # [rad]
+        ("stuck", "f8", NUMBER),  # [s] that the ball at my feet has not moved
+        ("patience", "f8", NUMBER),  # [s] of that until it is worked out
+        ("wriggle", "f8", NUMBER),  # [s] left of working it out
+        ("wriggle_side", "f8", UNIT),  # +1 turning left, -1 right
+        ("set_piece", "f8", NUMBER),  # [s] left of remembering our restart: above 0 as its taker, below 0 its mate
+        ("sweep", "f8", NUMBER),  # [s] left of sweeping it out of a corner
+        ("sweep_way", "f8", NUMBER),  # [rad] in which it is swept, team frame
+        ("sweep_side", "f8", UNIT),  # +1 turning left, -1 right
+        ("pressed", "f8", NUMBER),  # [s] that it has walked into an opponent
+        ("back_off", "f8", NUMBER),  # [s] left of stepping back from it
+        ("off_x", "f8", NUMBER),  # unit vector away from it, team frame
+        ("off_y", "f8", NUMBER),
+        ("search_side", "f8", UNIT),  # +1 searches turning left, -1 right, 0 knows the ball
+        ("turned", "f8", NUMBER),  # [rad] since it began to turn on the spot
+        ("search_clock", "f8", NUMBER),  # [s] on the way to a lookout
+        ("lookout", "f8", NUMBER),  # [m] x of it, team frame
+        ("glance", "f8", NUMBER),  # [s] left of looking up from the ball; below 0 until the next look
+        ("glance_side", "f8", UNIT),  # +1 the next look begins on the right, -1 on the left, 0 none yet
+        ("forward", "f8", NUMBER),  # the command that is repeated until the next decision
+        ("aside", "f8", NUMBER),
+        ("turn", "f8", NUMBER),
+        ("kick", "f8", NUMBER),
     ]
 )
 

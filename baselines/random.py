@@ -9,17 +9,18 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.random_numbers import uniform
+from soccer_env.ranges import NUMBER, record
 from soccer_env.team_kernels import STRENGTH, per_blind_player
 from soccer_env.teams import CompiledTeam
 from soccer_env.types import RobotStream
 
-MEMORY = np.dtype(
+MEMORY = record(
     [
-        ("seconds", "f8"),  # [s] until the next draw
-        ("forward", "f8"),  # [-1, 1]
-        ("left", "f8"),  # [-1, 1]
-        ("turn", "f8"),  # [-1, 1]
-        ("kick", "f8"),  # [-1, 1]
+        ("seconds", "f8", NUMBER),  # [s] until the next draw
+        ("forward", "f8", NUMBER),  # [-1, 1]
+        ("left", "f8", NUMBER),  # [-1, 1]
+        ("turn", "f8", NUMBER),  # [-1, 1]
+        ("kick", "f8", NUMBER),  # [-1, 1]
     ]
 )
 LONGEST = 1.5  # [s] a command is kept at most

@@ -13,7 +13,8 @@ How to use it:
 
 What a match is made of:
 
-    types.py             every record of a match, with units and frames
+    types.py             every record of a match, with units, frames and ranges
+    ranges.py            what the fields of records may hold, and the check of it
     percept_types.py     the records of percepts
     belief_types.py      the records of beliefs
     match_settings.py    the settings of a match, each declared once

@@ -11,8 +11,7 @@ perception/ that nobody else receives.
 
 from __future__ import annotations
 
-import numpy as np
-
+from soccer_env.ranges import AMOUNT, FLAG, NUMBER, STEP, UNIT, Range, record
 from soccer_env.types import MAX_TEAM
 
 BLOBS = 4  # largest blobs of a colour that the vision delivers, Sacks 2001, 2  MS04
@@ -24,50 +23,53 @@ NO_POSE = 0
 POSE_SENSED = 1  # the noisy pose of perception/pose.py
 POSE_TOLD = 2  # the robot was put somewhere and told where
 
-BLOB = np.dtype(
+PIXEL = Range(-10000, 10000)  # [px] from the middle of a picture
+PIXELS = Range(0, 32767)
+
+BLOB = record(
     [  # box round a blob [px] from the image's centre, left and up positive; the vision counts whole pixels
-        ("left", "i2"),
-        ("right", "i2"),  # right <= left
-        ("high", "i2"),
-        ("low", "i2"),
-        ("area", "i2"),  # [px] coloured pixels; 0: no blob
+        ("left", "i2", PIXEL),
+        ("right", "i2", PIXEL),  # right <= left
+        ("high", "i2", PIXEL),
+        ("low", "i2", PIXEL),
+        ("area", "i2", PIXELS),  # [px] coloured pixels; 0: no blob
     ]
 )
 
-BODY_PERCEPT = np.dtype(
+BODY_PERCEPT = record(
     [  # what every robot feels of itself
-        ("frame", "i4"),  # frames since the reset
-        ("handedness", "f4"),  # +1; -1 mirrors each lateral noise draw (for symmetry tests)
-        ("forward", "f4"),  # [m] odometry: own displacement since the last frame, in the last frame's axes
-        ("left", "f4"),  # [m]
-        ("turn", "f4"),  # [rad]
-        ("upright", "i1"),  # 0: the accelerometer says that the robot lies on its side  MS06
-        ("held", "i1"),  # 1: the light barrier at the kicker is broken (middle size)
-        ("kicked", "i1"),  # 1: the kicker fired in this frame
-        ("pose", "i1"),  # NO_POSE, POSE_SENSED or POSE_TOLD
-        ("active", "i1"),  # 0: sent off
-        ("x", "f4"),  # [m] team frame, if there is a pose
-        ("y", "f4"),  # [m] team frame
-        ("heading", "f4"),  # [rad] team frame
+        ("frame", "i4", STEP),  # frames since the reset
+        ("handedness", "f4", UNIT),  # +1; -1 mirrors each lateral noise draw (for symmetry tests)
+        ("forward", "f4", NUMBER),  # [m] odometry: own displacement since the last frame, in the last frame's axes
+        ("left", "f4", NUMBER),  # [m]
+        ("turn", "f4", NUMBER),  # [rad]
+        ("upright", "i1", FLAG),  # 0: the accelerometer says that the robot lies on its side  MS06
+        ("held", "i1", FLAG),  # 1: the light barrier at the kicker is broken (middle size)
+        ("kicked", "i1", FLAG),  # 1: the kicker fired in this frame
+        ("pose", "i1", Range(NO_POSE, POSE_TOLD)),  # NO_POSE, POSE_SENSED or POSE_TOLD
+        ("active", "i1", FLAG),  # 0: sent off
+        ("x", "f4", NUMBER),  # [m] team frame, if there is a pose
+        ("y", "f4", NUMBER),  # [m] team frame
+        ("heading", "f4", NUMBER),  # [rad] team frame
     ]
 )
 
-TOUCH = np.dtype(
+TOUCH = record(
     [  # switches of a legged robot  [Sacks 2001, 1]  MS06
-        ("head", "i1"),  # 1: the one on the head is pressed
-        ("chin", "i1"),  # 1: the one under the chin
-        ("back", "i1"),  # 1: the one on the back
-        ("feet", "i1"),  # how many of the four under the paws are: those of paws that stand
+        ("head", "i1", FLAG),  # 1: the one on the head is pressed
+        ("chin", "i1", FLAG),  # 1: the one under the chin
+        ("back", "i1", FLAG),  # 1: the one on the back
+        ("feet", "i1", Range(0, 4)),  # how many of the four under the paws are: those of paws that stand
     ]
 )
 
-LEGGED_PERCEPT = np.dtype(
+LEGGED_PERCEPT = record(
     [
         ("body", BODY_PERCEPT),
         ("touch", TOUCH),
-        ("pan", "f4"),  # [rad] joint angles at the moment of the picture, left positive
-        ("tilt", "f4"),  # [rad] up positive
-        ("infrared", "f4"),  # [m] range along the camera's axis; 0: no valid reading  MS05
+        ("pan", "f4", NUMBER),  # [rad] joint angles at the moment of the picture, left positive
+        ("tilt", "f4", NUMBER),  # [rad] up positive
+        ("infrared", "f4", AMOUNT),  # [m] range along the camera's axis; 0: no valid reading  MS05
         ("ball", BLOB, (BLOBS,)),  # orange, largest first
         ("teammates", BLOB, (BLOBS,)),  # own jersey colour
         ("opponents", BLOB, (BLOBS,)),  # their jersey colour
@@ -77,25 +79,25 @@ LEGGED_PERCEPT = np.dtype(
     ]
 )
 
-SIGHTING = np.dtype(
+SIGHTING = record(
     [  # a thing in the picture of the omnidirectional camera
-        ("distance", "f4"),  # [m] along the ground, by the mirror's curve
-        ("bearing", "f4"),  # [rad] robot frame
-        ("seen", "i1"),  # 1: in the picture; else the numbers are 0
-        ("teammate", "i1"),  # of a player: 1 by its marker's colour
+        ("distance", "f4", AMOUNT),  # [m] along the ground, by the mirror's curve
+        ("bearing", "f4", NUMBER),  # [rad] robot frame
+        ("seen", "i1", FLAG),  # 1: in the picture; else the numbers are 0
+        ("teammate", "i1", FLAG),  # of a player: 1 by its marker's colour
     ]
 )
 
-OMNI_PERCEPT = np.dtype(
+OMNI_PERCEPT = record(
     [
         ("body", BODY_PERCEPT),
-        ("age", "f4"),  # [s] since the exposure of this picture
+        ("age", "f4", AMOUNT),  # [s] since the exposure of this picture
         ("ball", SIGHTING),
         ("own_goal", SIGHTING),  # middle of the part that is seen
         ("opponent_goal", SIGHTING),
         ("players", SIGHTING, (OTHERS,)),  # nearest first
-        ("lines", "f4", (LINES,)),  # [m] distance of the first white line in direction i of s.lines, from the front
-        # counter-clockwise, each in the middle of its sector; 0: none seen
-        ("light", "f4"),  # [1] brightness of the picture, which the camera can measure
+        ("lines", "f4", AMOUNT, (LINES,)),  # [m] distance of the first white line in direction i of s.lines, from the
+        # front counter-clockwise, each in the middle of its sector; 0: none seen
+        ("light", "f4", NUMBER),  # [1] brightness of the picture, which the camera can measure
     ]
 )

@@ -18,8 +18,9 @@ from collections.abc import Callable
 import numpy as np
 
 from soccer_env.compiled import compiled, records
+from soccer_env.ranges import ANY, record
 
-NO_MEMORY = np.dtype([("unused", "i8")])  # of players that remember nothing
+NO_MEMORY = record([("unused", "i8", ANY)])  # of players that remember nothing
 NO_SCRATCH = NO_MEMORY
 STRENGTH = np.dtype([("strength", "f8")])  # the settings of a team that has no others
 

@@ -167,28 +167,30 @@ def enum_table(found: griffe.Class) -> str:
 # Records of numpy
 
 
-def record_rows(value: ast.expr, file: Path) -> Iterator[tuple[str, str, str, str, str]]:
-    """Yield field, type, shape, unit and meaning of each entry of `np.dtype([...])`."""
+def record_rows(value: ast.expr, file: Path) -> Iterator[tuple[str, str, str, str, str, str]]:
+    """Yield field, type, range, shape, unit and meaning of each entry of `record([...])`."""
     for item in value.elts if isinstance(value, ast.List) else ():
         if not (isinstance(item, ast.Tuple) and isinstance(item.elts[0], ast.Constant)):
             continue
-        name, kind, *shape = item.elts
+        name, kind, *more = item.elts
+        within = more.pop(0) if isinstance(kind, ast.Constant) else None  # what is a record itself has none
         unit, meaning = split_unit(comment_at(file, item.end_lineno or item.lineno))
         text = kind.value if isinstance(kind, ast.Constant) else ast.unparse(kind)
-        yield code(name.value), code(text), code(ast.unparse(shape[0])) if shape else "", cell(unit), cell(meaning)
+        said, shape = (code(ast.unparse(part)) if part else "" for part in (within, more[0] if more else None))
+        yield code(name.value), code(text), said, shape, cell(unit), cell(meaning)
 
 
 def record_table(attribute: griffe.Attribute) -> str:
-    """Return the table of a record's fields, "" for an attribute that is no dtype."""
+    """Return the table of a record's fields, "" for an attribute that is none."""
     file, first = attribute.filepath, attribute.lineno
-    if not (isinstance(file, Path) and first and str(attribute.value).startswith("np.dtype(")):
+    if not (isinstance(file, Path) and first and str(attribute.value).startswith("record(")):
         return ""
     for node in ast.parse(file.read_text(encoding="utf-8")).body:
         if isinstance(node, ast.Assign) and node.lineno == first and isinstance(node.value, ast.Call):
             rows = list(record_rows(node.value.args[0], file))
             said = comments(file).get(node.value.args[0].lineno, ("", True))  # behind the bracket: what it is about
             head = said[0] if rows and not said[1] else ""
-            return f"{head}\n\n{table(('field', 'type', 'shape', 'unit', 'meaning'), rows)}" if rows else ""
+            return f"{head}\n\n{table(('field', 'type', 'range', 'shape', 'unit', 'meaning'), rows)}" if rows else ""
     return ""
 
 

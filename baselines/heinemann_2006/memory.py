@@ -10,37 +10,39 @@ from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES, OBS
 from soccer_env.baselines.weigel_2001.planner.records import SCRATCH as PLANNING
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
 from soccer_env.belief_types import SITUATION
+from soccer_env.ranges import FLAG, NUMBER, UNIT, Range, record
+from soccer_env.types import PHASE
 
 KEEPER, ATTACKER, DEFENDER, SUPPORTER = range(4)
 ROLES = ("goalkeeper", "attacker", "defender", "supporter")
 
-CALL = np.dtype(
+CALL = record(
     [  # what the referee box says by radio
-        ("phase", "i8"),  # Phase
-        ("placing", "i8"),  # 1 while robots are driven to their places
-        ("ours", "f8"),  # +1 our restart, -1 theirs, 0 neither
-        ("clock", "f8"),  # [s] since the phase began
+        ("phase", "i8", PHASE),  # Phase
+        ("placing", "i8", FLAG),  # 1 while robots are driven to their places
+        ("ours", "f8", UNIT),  # +1 our restart, -1 theirs, 0 neither
+        ("clock", "f8", NUMBER),  # [s] since the phase began
     ]
 )
 
-MEMORY = np.dtype(
+MEMORY = record(
     [
-        ("begun", "i8"),  # 0 before the first decision
-        ("role", "i8"),  # ROLES
-        ("role_age", "f8"),  # [s] for which another role has been right
-        ("listens", "i8"),  # 0 before the first word
+        ("begun", "i8", FLAG),  # 0 before the first decision
+        ("role", "i8", Range(0, len(ROLES) - 1)),  # ROLES
+        ("role_age", "f8", NUMBER),  # [s] for which another role has been right
+        ("listens", "i8", FLAG),  # 0 before the first word
         ("heard", CALL),  # the call that has come
         ("said", CALL),  # the latest one, which is on its way or has come
-        ("said_age", "f8"),  # [s] since it was made
-        ("drove", "i8"),  # 0: the last decision was not to drive at the velocity below
-        ("drive_x", "f8"),  # [m/s] velocity asked for, team frame
-        ("drive_y", "f8"),  # [m/s]
-        ("arrived", "i8"),  # 1: it is at the place that it last wanted to be at
-        ("stood", "f8"),  # [s] for which it has stood though it is not
-        ("stands_x", "f8"),  # [m] team frame: where
-        ("stands_y", "f8"),  # [m]
-        ("detour", "f8"),  # [s] left of going round the ball
-        ("detour_side", "f8"),  # +1 counter-clockwise, -1 clockwise, 0 not chosen yet
+        ("said_age", "f8", NUMBER),  # [s] since it was made
+        ("drove", "i8", FLAG),  # 0: the last decision was not to drive at the velocity below
+        ("drive_x", "f8", NUMBER),  # [m/s] velocity asked for, team frame
+        ("drive_y", "f8", NUMBER),  # [m/s]
+        ("arrived", "i8", FLAG),  # 1: it is at the place that it last wanted to be at
+        ("stood", "f8", NUMBER),  # [s] for which it has stood though it is not
+        ("stands_x", "f8", NUMBER),  # [m] team frame: where
+        ("stands_y", "f8", NUMBER),  # [m]
+        ("detour", "f8", NUMBER),  # [s] left of going round the ball
+        ("detour_side", "f8", UNIT),  # +1 counter-clockwise, -1 clockwise, 0 not chosen yet
         ("skill", SKILL_MEMORY),  # what the skills that are shared with the chaser remember; rank 0 the attacker
     ]
 )

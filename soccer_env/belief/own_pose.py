@@ -30,24 +30,25 @@ from soccer_env.belief.particles import (
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, out_of_frame, wrap
 from soccer_env.percept_types import POSE_SENSED, POSE_TOLD
+from soccer_env.ranges import COUNT, FLAG, NUMBER, SHARE, record
 
 SURE = 100.0  # confidence of a pose that is given
 HELD = 0.3  # [1] share of the particles that do not move with the odometry while others are near, assumed
 RECENT = 1.0  # [s] unseen after which a player that was near may have gone, assumed
 PATIENCE = 4  # [1] times `pose_every` without anything to see after which the particles move all the same, assumed
 
-POSE_MEMORY = np.dtype(
+POSE_MEMORY = record(
     [
-        ("ahead", "f8"),  # [m] odometry since the particles were moved, in the axes of then
-        ("left", "f8"),  # [m]
-        ("turn", "f8"),  # [rad]
-        ("path", "f8"),  # [m] length of the way
-        ("turned", "f8"),  # [rad] sum of the turns to either side
-        ("crowded", "f8"),  # [s] with a player so near that the two may touch
-        ("fast", "f8"),  # [0, 1] short-term average of the fit of the particles to what is seen
-        ("slow", "f8"),  # [0, 1] long-term average
-        ("frames", "i4"),  # since the particles were moved
-        ("begun", "i1"),  # 1: the particles have been put somewhere
+        ("ahead", "f8", NUMBER),  # [m] odometry since the particles were moved, in the axes of then
+        ("left", "f8", NUMBER),  # [m]
+        ("turn", "f8", NUMBER),  # [rad]
+        ("path", "f8", NUMBER),  # [m] length of the way
+        ("turned", "f8", NUMBER),  # [rad] sum of the turns to either side
+        ("crowded", "f8", NUMBER),  # [s] with a player so near that the two may touch
+        ("fast", "f8", SHARE),  # [0, 1] short-term average of the fit of the particles to what is seen
+        ("slow", "f8", SHARE),  # [0, 1] long-term average
+        ("frames", "i4", COUNT),  # since the particles were moved
+        ("begun", "i1", FLAG),  # 1: the particles have been put somewhere
     ]
 )
 

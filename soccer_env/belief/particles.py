@@ -20,6 +20,7 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, point_of_frame, wrap
 from soccer_env.random_numbers import uniform
+from soccer_env.ranges import AMOUNT, NUMBER, record
 from soccer_env.types import RobotStream
 
 PARTICLES = int(RobotStream.PARTICLES)
@@ -29,12 +30,12 @@ REPLACED = 1.5  # [1] a cluster elsewhere must be heavier by this before the own
 SETTLED = 0.3  # [1] and it must have this share of all weight: a cloud has no place to jump to, assumed
 SHARE_MOST = 0.5  # [1] largest share of fresh particles, assumed: what was believed keeps a chance
 
-PARTICLE = np.dtype(
+PARTICLE = record(
     [
-        ("x", "f4"),  # [m] team frame
-        ("y", "f4"),  # [m]
-        ("heading", "f4"),  # [rad]
-        ("weight", "f4"),  # [1]; while an update runs also the cost, then how often the particle is kept
+        ("x", "f4", NUMBER),  # [m] team frame
+        ("y", "f4", NUMBER),  # [m]
+        ("heading", "f4", NUMBER),  # [rad]
+        ("weight", "f4", AMOUNT),  # [1]; while an update runs also the cost, then how often the particle is kept
     ]
 )
 

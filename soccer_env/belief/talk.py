@@ -18,6 +18,7 @@ import numpy as np
 
 from soccer_env.ball_words import SILENT
 from soccer_env.compiled import compiled
+from soccer_env.ranges import FLAG, LATELY, record
 from soccer_env.types import RobotStream
 
 RADIO = int(RobotStream.RADIO)
@@ -27,14 +28,14 @@ REMEMBERED = 2.0  # periods for which a word that arrived counts
 
 def message_of(kind: np.dtype) -> np.dtype:
     """Return the record of what a robot says, in words or reports."""
-    return np.dtype(
+    return record(
         [
             ("reports", kind, (2,)),  # the last one that arrived, and the one on its way
-            ("latest", "i2"),  # which of the two arrived last
-            ("known", "i2"),  # 1: one has arrived
-            ("fresh", "i2"),  # 1: it arrived in this frame
-            ("flying", "i2"),  # 1: the other is on its way
-            ("due", "i8"),  # frame in which that one arrives
+            ("latest", "i2", FLAG),  # which of the two arrived last
+            ("known", "i2", FLAG),  # 1: one has arrived
+            ("fresh", "i2", FLAG),  # 1: it arrived in this frame
+            ("flying", "i2", FLAG),  # 1: the other is on its way
+            ("due", "i8", LATELY),  # frame in which that one arrives
         ]
     )
 

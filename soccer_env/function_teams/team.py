@@ -20,13 +20,14 @@ from soccer_env.actions import FULL
 from soccer_env.checking import one_of, refuse, whole_number
 from soccer_env.function_teams.answers import Who, as_actions, check_remembered
 from soccer_env.observations import OBSERVE, Observation
+from soccer_env.ranges import ANY, COUNT, FLAG, NUMBER, record
 from soccer_env.teams import TeamRandom, View
 
 MOST = 1000  # [control steps] that a decision is kept
 PLACES: list[Any] = [
-    ("begun", "i8"),  # 1 once the episode has begun
-    ("wait", "i8"),  # [control steps] until the next decision
-    ("action", "f8", (len(FULL),)),
+    ("begun", "i8", FLAG),  # 1 once the episode has begun
+    ("wait", "i8", COUNT),  # [control steps] until the next decision
+    ("action", "f8", NUMBER, (len(FULL),)),
 ]
 OWN = "own"  # the field of the memory that is the function's
 
@@ -59,7 +60,7 @@ class FunctionTeam:
     @property
     def memory_dtype(self) -> np.dtype[Any]:
         """Return the record of a player: its decision, how long that is kept, and what the function remembers."""
-        return np.dtype(PLACES if self.memory is None else [*PLACES, (OWN, self.memory)])
+        return record(PLACES if self.memory is None else [*PLACES, (OWN, self.memory, ANY)])
 
     @property
     def settings(self) -> np.ndarray:

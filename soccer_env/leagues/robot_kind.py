@@ -8,8 +8,8 @@ entry: `KINDS["beacon"] = "my_robots:BEACON"`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
@@ -24,23 +24,11 @@ KINDS = {
 
 
 @dataclass(frozen=True)
-class Limits:
-    """What the fields of records may hold, by name: kernels trust what lies in records, and a save may be damaged."""
-
-    greatest: Mapping[str, int] = field(default_factory=dict)  # of whole numbers from 0 on, such as indices
-    endless: tuple[str, ...] = ()  # numbers from 0 on that may be infinite
-    ranges: Mapping[str, tuple[float, float]] = field(default_factory=dict)  # least and greatest
-
-    def __or__(self, other: Limits) -> Limits:
-        """Return the limits of both."""
-        return Limits(
-            {**self.greatest, **other.greatest}, self.endless + other.endless, {**self.ranges, **other.ranges}
-        )
-
-
-@dataclass(frozen=True)
 class RobotKind:
-    """The sensors and the memory of a kind of robot: its records, its kernels, and how learners see its percepts."""
+    """The sensors and the memory of a kind of robot: its records, its kernels, and how learners see its percepts.
+
+    Records that `ranges.record` makes are checked when a save brings them in; those of `np.dtype` are left alone.
+    """
 
     percept: np.dtype  # what the sensors deliver, with a BODY_PERCEPT "body"
     sensor_state: np.dtype  # what they remember and do not deliver, with a POSE_ERROR "pose_error"
@@ -53,7 +41,6 @@ class RobotKind:
     observe: Callable[..., None]  # the kernel that writes them
     tables: Callable[[Any], np.ndarray]  # (1,) record of what is calibrated before a match in a league
     late: Callable[[Any], int] = lambda sensors: 0  # frames by which its camera delivers late, of its sensors' settings
-    limits: Limits = field(default_factory=Limits)  # of the fields that no other kind has
 
 
 def check_kind(sensors: Any) -> str:

@@ -16,14 +16,15 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, wrap
 from soccer_env.percept_types import NO_POSE, POSE_SENSED, POSE_TOLD
 from soccer_env.random_numbers import normal
+from soccer_env.ranges import NUMBER, record
 from soccer_env.types import RobotStream
 
 POSE = int(RobotStream.POSE)
-POSE_ERROR = np.dtype(
+POSE_ERROR = record(
     [  # what the noisy pose is off by: state of the sensor, which delivers the pose alone
-        ("x", "f4"),  # [m] team frame
-        ("y", "f4"),  # [m] team frame
-        ("heading", "f4"),  # [rad]
+        ("x", "f4", NUMBER),  # [m] team frame
+        ("y", "f4", NUMBER),  # [m] team frame
+        ("heading", "f4", NUMBER),  # [rad]
     ]
 )
 LEAST_TIME = 1e-9  # [s] a correlation time of zero makes independent errors

@@ -9,6 +9,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.match_settings import REPLAYED
+from soccer_env.ranges import outside
 from soccer_env.settings import plain
 
 
@@ -23,14 +24,15 @@ def as_numbers(records: np.ndarray) -> np.ndarray:
 
 
 def as_records(numbers: np.ndarray, dtype: np.dtype, what: str) -> np.ndarray:
-    """Return numbers (T, M, R, fields) as records (T, M, R); ValueError if they are not finite."""
+    """Return numbers (T, M, R, fields) as records (T, M, R); ValueError if they are none, or out of their ranges."""
     names = dtype.names or ()
-    well = numbers.ndim == 4 and numbers.shape[-1] == len(names) and numbers.dtype == np.float64
-    if not well or not np.isfinite(numbers).all():
-        raise ValueError(f"its {what} are {numbers.dtype} {numbers.shape}, not finite (T, M, R, {len(names)}) float64")
+    if numbers.ndim != 4 or numbers.shape[-1] != len(names) or numbers.dtype != np.float64:
+        raise ValueError(f"its {what} are {numbers.dtype} {numbers.shape}, not (T, M, R, {len(names)}) float64")
     records = np.zeros(numbers.shape[:-1], dtype)
     for index, name in enumerate(names):
         records[name] = numbers[..., index]
+    if field := outside(records, robots=numbers.shape[2]):
+        raise ValueError(f"{field} of its {what} is out of range")
     return records
 
 

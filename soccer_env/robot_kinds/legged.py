@@ -5,8 +5,7 @@ from __future__ import annotations
 from soccer_env.belief.legged.believe import LEGGED_MEMORY, believe_slice
 from soccer_env.belief.legged.talk import SOUND_MESSAGE
 from soccer_env.belief.particles import PARTICLE
-from soccer_env.leagues.legged_sensors import AVERAGED_MOST
-from soccer_env.leagues.robot_kind import Limits, RobotKind
+from soccer_env.leagues.robot_kind import RobotKind
 from soccer_env.observations.legged import entries, observe_slice
 from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.perception.legged.calibration import calibrate
@@ -23,5 +22,4 @@ LEGGED = RobotKind(
     entries=entries,
     observe=observe_slice,
     tables=calibrate,
-    limits=Limits(greatest={"count": AVERAGED_MOST}),
 )

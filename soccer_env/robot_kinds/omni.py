@@ -5,7 +5,7 @@ from __future__ import annotations
 from soccer_env.belief.omni.believe import OMNI_MEMORY, believe_slice
 from soccer_env.belief.omni.radio import RADIO_MESSAGE
 from soccer_env.belief.particles import PARTICLE
-from soccer_env.leagues.robot_kind import Limits, RobotKind
+from soccer_env.leagues.robot_kind import RobotKind
 from soccer_env.observations.omni import entries, observe_slice
 from soccer_env.percept_types import OMNI_PERCEPT
 from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
@@ -22,5 +22,4 @@ OMNI = RobotKind(
     observe=observe_slice,
     tables=line_tables,
     late=lambda sensors: sensors.camera_delay,
-    limits=Limits(endless=("ball_age",), ranges={"ball_confidence": (0.0, 100.0)}),
 )

@@ -9,7 +9,8 @@ from enum import IntEnum
 
 import numpy as np
 
-from soccer_env.types import MAX_TEAM, Foul, Phase
+from soccer_env.ranges import ANY, COUNT, FLAG, LATELY, NUMBER, ROW, ROW_OR_NONE, SUM, Range, record
+from soccer_env.types import MAX_TEAM, PHASE, TEAM, Foul, Phase
 
 ROWS = 2 * MAX_TEAM  # robots that a record has room for
 BINS = 40  # of the lengths of spells
@@ -49,120 +50,116 @@ class Outcome(IntEnum):
     BLOCKED = 3
 
 
-PLAYER = np.dtype(
+PLAYER = record(
     [  # what is remembered of a robot
-        ("held_since", "i4"),  # first step of its spell with the ball, 0 without one
-        ("held_last", "i4"),  # last step of its latest spell in which it had the ball
-        ("held_steps", "i4"),  # that its last finished spell took
-        ("touched", "i4"),  # last step in which it touched the ball in play
-        ("contact", "i8"),  # last step in which it touched an opponent
-        ("locked", "f8"),  # [s] its time in contact after the last step, see `separation.watch_contacts`
-        ("seen", "i8"),  # last step in which it was on the pitch and the ball in play
-        ("x", "f8"),  # [m] field frame: where it stood then
-        ("y", "f8"),  # [m] field frame
-        ("stuck_since", "i4"),  # step in which it began to be stuck
-        ("stuck_last", "i4"),  # last step in which it was
-        ("stuck_steps", "i4"),  # of that time that are counted
-        ("spare", "i4"),  # eight bytes in a row for what follows
+        ("held_since", "i4", LATELY),  # first step of its spell with the ball, 0 without one
+        ("held_last", "i4", LATELY),  # last step of its latest spell in which it had the ball
+        ("held_steps", "i4", LATELY),  # that its last finished spell took
+        ("touched", "i4", LATELY),  # last step in which it touched the ball in play
+        ("contact", "i8", LATELY),  # last step in which it touched an opponent
+        ("locked", "f8", NUMBER),  # [s] its time in contact after the last step, see `separation.watch_contacts`
+        ("seen", "i8", LATELY),  # last step in which it was on the pitch and the ball in play
+        ("x", "f8", NUMBER),  # [m] field frame: where it stood then
+        ("y", "f8", NUMBER),  # [m] field frame
+        ("stuck_since", "i4", LATELY),  # step in which it began to be stuck
+        ("stuck_last", "i4", LATELY),  # last step in which it was
+        ("stuck_steps", "i4", LATELY),  # of that time that are counted
+        ("spare", "i4", ANY),  # eight bytes in a row for what follows
     ]
 )
 
-TRAIL = np.dtype(
+TRAIL = record(
     [  # what is remembered of the play
-        ("kind", "i8"),  # Phase of the last restart
-        ("in_play", "i8"),  # step in which the ball came into play after it
-        ("separated", "i8"),  # step of the last separation
-        ("crowded", "i8"),  # last step with a scrum
-        ("keeper_pushed", "i8", (2,)),  # last step in which a team's goalkeeper had been in contact for long
-        ("player", "i8"),  # row of the robot that touched the ball last since the restart, or -1
-        ("player_team", "i8"),  # its team
-        ("touched", "i8"),  # step of that touch
-        ("played_x", "f8"),  # [m] field frame: the ball at that touch
-        ("played_y", "f8"),  # [m] field frame
-        ("since_restart", "i8", (2,)),  # bit r: robot r of that team has touched the ball since the restart
-        ("flight", "i8"),  # row of the robot that kicked or pushed the ball that is on its way, or -1
-        ("flight_team", "i8"),  # its team
-        ("flight_step", "i8"),  # when it did
-        ("aim", "i8"),  # Aim of that kick or push
-        ("deflected", "i8"),  # step in which another robot first touched it on its way, or LONG_AGO
-        ("saved", "i8"),  # 1: the goalkeeper touched a shot on target first
-        ("shot", "i8"),  # which of the shots that are kept it is, or -1
+        ("kind", "i8", PHASE),  # Phase of the last restart
+        ("in_play", "i8", LATELY),  # step in which the ball came into play after it
+        ("separated", "i8", LATELY),  # step of the last separation
+        ("crowded", "i8", LATELY),  # last step with a scrum
+        ("keeper_pushed", "i8", LATELY, (2,)),  # last step in which a team's goalkeeper had been in contact for long
+        ("player", "i8", ROW_OR_NONE),  # row of the robot that touched the ball last since the restart, or -1
+        ("player_team", "i8", TEAM),  # its team
+        ("touched", "i8", LATELY),  # step of that touch
+        ("played_x", "f8", NUMBER),  # [m] field frame: the ball at that touch
+        ("played_y", "f8", NUMBER),  # [m] field frame
+        ("since_restart", "i8", Range(0, (1 << ROWS) - 1), (2,)),  # bit r: robot r has touched the ball since it
+        ("flight", "i8", ROW_OR_NONE),  # row of the robot that kicked or pushed the ball that is on its way, or -1
+        ("flight_team", "i8", TEAM),  # its team
+        ("flight_step", "i8", LATELY),  # when it did
+        ("aim", "i8", Range(0, max(Aim))),  # Aim of that kick or push
+        ("deflected", "i8", LATELY),  # step in which another robot first touched it on its way, or LONG_AGO
+        ("saved", "i8", FLAG),  # 1: the goalkeeper touched a shot on target first
+        ("shot", "i8", Range(-1, SHOTS - 1)),  # which of the shots that are kept it is, or -1
         ("players", PLAYER, (ROWS,)),
         # Found out in one control step, robot by robot
-        ("crowd", "i8"),  # robots about the ball
-        ("has_ball", "i8"),  # 1: home has it, 2: away has it, 3: both
-        ("kicker", "i8"),  # row of a robot that kicked, or -1
-        ("kicker_team", "i8"),
-        ("nearest", "f8", (2,)),  # [m2] squared distance of a team's nearest robot from the ball
-        ("nearest_counts", "i8", (2,)),  # 2: that robot is a field player and idle, 1: a field player, 0: neither
+        ("crowd", "i8", COUNT),  # robots about the ball
+        ("has_ball", "i8", Range(0, 3)),  # 1: home has it, 2: away has it, 3: both
+        ("kicker", "i8", ROW_OR_NONE),  # row of a robot that kicked, or -1
+        ("kicker_team", "i8", TEAM),
+        ("nearest", "f8", SUM, (2,)),  # [m2] squared distance of a team's nearest robot from the ball
+        ("nearest_counts", "i8", Range(0, 2), (2,)),  # 2: it is a field player and idle, 1: a field player, 0: neither
     ]
 )
 
-SHOT = np.dtype(
+SHOT = record(
     [  # places are in the frame of the team that shoots: it attacks +x
-        ("step", "i4"),  # in which the ball was on its way
-        ("row", "i2"),  # of the robot that kicked or pushed it
-        ("team", "i1"),  # its team
-        ("outcome", "i1"),  # an Outcome
-        ("place", "f4", (2,)),  # [m] the ball as it was played
+        ("step", "i4", LATELY),  # in which the ball was on its way
+        ("row", "i2", ROW),  # of the robot that kicked or pushed it
+        ("team", "i1", TEAM),  # its team
+        ("outcome", "i1", Range(0, max(Outcome))),  # an Outcome
+        ("place", "f4", NUMBER, (2,)),  # [m] the ball as it was played
     ]
 )
 
-MAPS = np.dtype(
+MAPS = record(
     [  # where things happen, in play; each team's places are in the frame in which it attacks +x
-        ("heat", "i4", (3, CELLS_WIDE, CELLS_LONG)),  # looks at home's robots, away's, and the ball in home's frame
-        (
-            "places",
-            "f8",
-            (ROWS, 3),
-        ),  # [m s, m s, s] of each robot: its place times the time that it was there, and that
-        ("passes", "i2", (ROWS, ROWS)),  # balls played by one row and touched by another, see `passes_tried`
-        ("shots_kept", "i8"),
+        ("heat", "i4", COUNT, (3, CELLS_WIDE, CELLS_LONG)),  # looks at home, away, and the ball in home's frame
+        ("places", "f8", SUM, (ROWS, 3)),  # [m s, m s, s] of each robot: its place times the time there, and that
+        ("passes", "i2", COUNT, (ROWS, ROWS)),  # balls played by one row and touched by another, see `passes_tried`
+        ("shots_kept", "i8", Range(0, SHOTS)),
         ("shots", SHOT, (SHOTS,)),
     ]
 )
 
-STATISTICS = np.dtype(
+STATISTICS = record(
     [
-        ("played", "f8"),  # [s]
-        ("in_play", "f8"),  # [s]
-        ("both", "f8"),  # [s]
-        ("still", "f8"),  # [s]
-        ("at_boards", "f8"),  # [s]
-        ("in_corner", "f8"),  # [s]
-        ("scrum", "f8"),  # [s]
-        ("separations", "i8"),
-        ("drops", "i8"),
-        ("carried", "f8"),  # [m]
-        ("possession", "f8", (2,)),  # [s]
-        ("spells", "i8", (2,)),
-        ("spell_time", "f8", (2,)),  # [s]
-        ("longest_spell", "f8", (2,)),  # [s]
-        ("spell_lengths", "i4", (2, BINS)),
-        ("touches", "i8", (2,)),
-        ("kicks", "i8", (2,)),
-        ("shots", "i8", (2,)),
-        ("on_target", "i8", (2,)),
-        ("saves", "i8", (2,)),
-        ("passes_tried", "i8", (2,)),
-        ("passes", "i8", (2,)),
-        ("interceptions", "i8", (2,)),
-        ("annulled", "i8", (2,)),
-        ("out", "f8", (2,)),  # [s]
-        ("keeper_away", "f8", (2,)),  # [s]
-        ("keeper_in_goal", "f8", (2,)),  # [s]
-        ("mates", "f8", (2,)),  # [s]
-        ("idle", "f8", (2,)),  # [s]
-        ("present", "f8", (2,)),  # [s]
-        ("stuck", "f8", (2,)),  # [s]
-        ("distance", "f8", (2,)),  # [m]
-        ("goals", "i8", (2, len(GoalKind))),
-        ("after_separation", "i8", (2,)),
-        ("after_pushed_keeper", "i8", (2,)),
-        ("solo", "i8", (2,)),
-        ("after_restart", "i8", (2, len(Phase))),
-        ("restarts", "i8", (2, len(Phase))),
-        ("fouls", "i8", (2, len(Foul))),
+        ("played", "f8", SUM),  # [s]
+        ("in_play", "f8", SUM),  # [s]
+        ("both", "f8", SUM),  # [s]
+        ("still", "f8", SUM),  # [s]
+        ("at_boards", "f8", SUM),  # [s]
+        ("in_corner", "f8", SUM),  # [s]
+        ("scrum", "f8", SUM),  # [s]
+        ("separations", "i8", COUNT),
+        ("drops", "i8", COUNT),
+        ("carried", "f8", SUM),  # [m]
+        ("possession", "f8", SUM, (2,)),  # [s]
+        ("spells", "i8", COUNT, (2,)),
+        ("spell_time", "f8", SUM, (2,)),  # [s]
+        ("longest_spell", "f8", SUM, (2,)),  # [s]
+        ("spell_lengths", "i4", COUNT, (2, BINS)),
+        ("touches", "i8", COUNT, (2,)),
+        ("kicks", "i8", COUNT, (2,)),
+        ("shots", "i8", COUNT, (2,)),
+        ("on_target", "i8", COUNT, (2,)),
+        ("saves", "i8", COUNT, (2,)),
+        ("passes_tried", "i8", COUNT, (2,)),
+        ("passes", "i8", COUNT, (2,)),
+        ("interceptions", "i8", COUNT, (2,)),
+        ("annulled", "i8", COUNT, (2,)),
+        ("out", "f8", SUM, (2,)),  # [s]
+        ("keeper_away", "f8", SUM, (2,)),  # [s]
+        ("keeper_in_goal", "f8", SUM, (2,)),  # [s]
+        ("mates", "f8", SUM, (2,)),  # [s]
+        ("idle", "f8", SUM, (2,)),  # [s]
+        ("present", "f8", SUM, (2,)),  # [s]
+        ("stuck", "f8", SUM, (2,)),  # [s]
+        ("distance", "f8", SUM, (2,)),  # [m]
+        ("goals", "i8", COUNT, (2, len(GoalKind))),
+        ("after_separation", "i8", COUNT, (2,)),
+        ("after_pushed_keeper", "i8", COUNT, (2,)),
+        ("solo", "i8", COUNT, (2,)),
+        ("after_restart", "i8", COUNT, (2, len(Phase))),
+        ("restarts", "i8", COUNT, (2, len(Phase))),
+        ("fouls", "i8", COUNT, (2, len(Foul))),
         ("trail", TRAIL),
         ("maps", MAPS),  # last: a step touches a few places of it
     ]

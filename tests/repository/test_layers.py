@@ -17,6 +17,7 @@ COMPILING = ("borrowing", "compiled", "compiling")
 LAYERS = (
     (
         "types",
+        "ranges",
         "checking",
         "percept_types",
         "belief_types",

@@ -15,19 +15,20 @@ from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.options import Options
-from soccer_env.leagues.robot_kind import KINDS, Limits, RobotKind, kind_of
+from soccer_env.leagues.robot_kind import KINDS, RobotKind, kind_of
 from soccer_env.observations import names_of
 from soccer_env.observations.entry import Entry
 from soccer_env.percept_types import BODY_PERCEPT
 from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.perception.sensing import sense_kernel
 from soccer_env.random_numbers import normal
+from soccer_env.ranges import Range, record
 from soccer_env.types import HOME, RobotStream
 
 CAMERA = int(RobotStream.CAMERA)
 PERCEPT = np.dtype([("body", BODY_PERCEPT), ("ahead", "f4"), ("left", "f4")])  # [m] robot frame: the ball
 SENSOR_STATE = np.dtype([("pose_error", POSE_ERROR), ("unused", "f4")])
-MEMORY = np.dtype([("heard", "i8")])  # frames in which the beacon was heard
+MEMORY = record([("heard", "i8", Range(0, 1000))])  # frames in which the beacon was heard
 
 
 @dataclass(frozen=True)
@@ -111,7 +112,6 @@ BEACON = RobotKind(
     entries=entries,
     observe=observe_slice,
     tables=lambda league: np.zeros(1, np.dtype([("unused", "f8")])),
-    limits=Limits(greatest={"heard": 1000}),
 )
 
 
@@ -139,7 +139,7 @@ def test_a_new_kind_of_robot_plays_by_its_sensors(league: League) -> None:
     assert (match.beliefs["situation"]["teammates"] == 1).all()  # everybody is told how the match stands
 
 
-def test_its_memory_is_saved_and_its_limits_are_held(league: League) -> None:
+def test_its_memory_is_saved_and_its_ranges_are_held(league: League) -> None:
     match = Match(league, home=1, away=1, seed=1, observe="belief")
     for _ in range(10):
         match.step(np.zeros((1, 2, 4)))

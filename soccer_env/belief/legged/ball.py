@@ -27,37 +27,38 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
 from soccer_env.leagues.legged_sensors import AVERAGED_MOST, ODOMETRY
 from soccer_env.percept_types import POSE_TOLD
+from soccer_env.ranges import FLAG, LATELY, NUMBER, Range, record
 
 SURE = 100.0  # confidence of what is seen, Sacks 2001, 2  MS03
 HELD_TIME = 0.5  # [s] unseen after which no ball is believed to lie in the pocket, assumed
 FULL, ROTATION = ODOMETRY["full"], ODOMETRY["rotation"]
 
-BALL_SIGHTING = np.dtype(
+BALL_SIGHTING = record(
     [
-        ("x", "f4"),  # [m] robot frame of now: moved by odometry since
-        ("y", "f4"),  # [m]
-        ("frame", "i4"),  # in which it was seen
+        ("x", "f4", NUMBER),  # [m] robot frame of now: moved by odometry since
+        ("y", "f4", NUMBER),  # [m]
+        ("frame", "i4", LATELY),  # in which it was seen
     ]
 )
 
-BALL_MEMORY = np.dtype(
+BALL_MEMORY = record(
     [
-        ("known", "i1"),  # 1: it has been seen since the robot was last told where it is
-        ("has_sample", "i1"),  # 1: there is a reading for the velocity
-        ("count", "i1"),  # sightings in `recent`
-        ("seen", "i4"),  # frame of the last sighting
-        ("x", "f4"),  # [m] robot frame: the last sighting, moved by odometry since
-        ("y", "f4"),  # [m]
-        ("height", "f4"),  # [m] over the ground of the line of sight to it, there: the radius, if the range is right
-        ("filtered_x", "f4"),  # [m] mean of the recent sightings, moved by odometry since
-        ("filtered_y", "f4"),  # [m]
+        ("known", "i1", FLAG),  # 1: it has been seen since the robot was last told where it is
+        ("has_sample", "i1", FLAG),  # 1: there is a reading for the velocity
+        ("count", "i1", Range(0, AVERAGED_MOST)),  # sightings in `recent`
+        ("seen", "i4", LATELY),  # frame of the last sighting
+        ("x", "f4", NUMBER),  # [m] robot frame: the last sighting, moved by odometry since
+        ("y", "f4", NUMBER),  # [m]
+        ("height", "f4", NUMBER),  # [m] of the line of sight over the ground there: the radius, if the range is right
+        ("filtered_x", "f4", NUMBER),  # [m] mean of the recent sightings, moved by odometry since
+        ("filtered_y", "f4", NUMBER),  # [m]
         ("recent", BALL_SIGHTING, (AVERAGED_MOST,)),  # newest first
-        ("period", "i4"),  # number of the velocity interval that the last frame fell into
-        ("sampled", "i4"),  # frame of the last reading for the velocity
-        ("sample_distance", "f4"),  # [m] that reading
-        ("sample_bearing", "f4"),  # [rad]
-        ("sample_x", "f4"),  # [m] the same place of the ground in the robot frame of now
-        ("sample_y", "f4"),  # [m]
+        ("period", "i4", LATELY),  # number of the velocity interval that the last frame fell into
+        ("sampled", "i4", LATELY),  # frame of the last reading for the velocity
+        ("sample_distance", "f4", NUMBER),  # [m] that reading
+        ("sample_bearing", "f4", NUMBER),  # [rad]
+        ("sample_x", "f4", NUMBER),  # [m] the same place of the ground in the robot frame of now
+        ("sample_y", "f4", NUMBER),  # [m]
     ]
 )
 

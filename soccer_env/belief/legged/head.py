@@ -13,6 +13,7 @@ from soccer_env.belief.odometry import motion_of, move_point
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 from soccer_env.percept_types import POSE_TOLD
+from soccer_env.ranges import COUNT, NUMBER, UNIT, record
 
 DEGREE = pi / 180.0
 NEAR_TILT = -68.0 * DEGREE  # [rad] of a sweep over the ground at the feet, a ball between the paws too, assumed
@@ -22,11 +23,11 @@ FOUND = 3  # sightings that end a search; fewer are a glimpse, of a patch perhap
 GLIMPSE = 0.25  # [s] unseen after which the search goes on where a glimpse broke it off, assumed
 LEAST = 1e-9  # [m]
 
-HEAD_MEMORY = np.dtype(
+HEAD_MEMORY = record(
     [
-        ("side", "f4"),  # 0: not searching; +1, -1: the first sweep of the cycle begins on the left, the right
-        ("sightings", "i4"),  # frames with a ball since the search began
-        ("clock", "f8"),  # [s] in the cycle of two sweeps, a near one and a far one
+        ("side", "f4", UNIT),  # 0: not searching; +1, -1: the first sweep of the cycle begins on the left, the right
+        ("sightings", "i4", COUNT),  # frames with a ball since the search began
+        ("clock", "f8", NUMBER),  # [s] in the cycle of two sweeps, a near one and a far one
     ]
 )
 

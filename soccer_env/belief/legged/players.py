@@ -26,15 +26,16 @@ from soccer_env.geometry import into_frame, length
 from soccer_env.leagues.legged_sensors import PLAYER_VIEWS, SLOTS
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_x, focal_y
 from soccer_env.percept_types import BLOBS, POSE_TOLD
+from soccer_env.ranges import COUNT, record
 
 SURE = 100.0  # confidence of what is seen, Sacks 2001, 2  MS03
 NEAREST = SLOTS["nearest"]
 SIDE = PLAYER_VIEWS["side"]
 
-PLAYERS_MEMORY = np.dtype(
+PLAYERS_MEMORY = record(
     [
-        ("teammates", "i2"),  # told apart in this frame's picture, whether there was a slot for each or not
-        ("opponents", "i2"),  # the same
+        ("teammates", "i2", COUNT),  # told apart in this frame's picture, whether there was a slot for each or not
+        ("opponents", "i2", COUNT),  # the same
     ]
 )
 

@@ -9,14 +9,16 @@ import numpy as np
 
 from soccer_env.ball_words import SILENT, distance_of, word_for
 from soccer_env.belief.talk import RADIO, REMEMBERED, SEEN, deliver, frames_between, hear, message_of, send
+from soccer_env.belief_types import WORDS
 from soccer_env.compiled import compiled
 from soccer_env.random_numbers import uniform
+from soccer_env.ranges import ENDLESS, LATELY, record
 
-WORD = np.dtype(
+WORD = record(
     [  # what a loudspeaker says
-        ("frame", "i4"),  # in which it was said
-        ("word", "i4"),  # range of the speaker's distance to the ball
-        ("distance", "f8"),  # [m] of that range; inf: not seen
+        ("frame", "i4", LATELY),  # in which it was said
+        ("word", "i4", WORDS),  # range of the speaker's distance to the ball
+        ("distance", "f8", ENDLESS),  # [m] of that range; inf: not seen
     ]
 )
 SOUND_MESSAGE = message_of(WORD)

@@ -25,24 +25,25 @@ from soccer_env.belief.omni.tracking import (
 )
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
+from soccer_env.ranges import AMOUNT, CONFIDENCE, ENDLESS, NUMBER, record
 
 SURE = 100.0  # confidence of what is seen
 BALL_SPEED = 4.0  # [m/s] sd of the speed of a ball of which only one reading is known, assumed
 NEAREST = 1e-3  # [m] below which rates of distance and bearing are those at this distance
 
-BALL_MEMORY = np.dtype(
+BALL_MEMORY = record(
     [
-        ("x", "f8"),  # [m] robot frame
-        ("y", "f8"),  # [m]
-        ("vx", "f8"),  # [m/s] over the ground, axes of the robot frame
-        ("vy", "f8"),  # [m/s]
-        ("raw_x", "f8"),  # [m] robot frame: the last reading, moved to now
-        ("raw_y", "f8"),  # [m]
-        ("odd_x", "f8"),  # [m] robot frame: the last reading that was too far off
-        ("odd_y", "f8"),  # [m]
-        ("age", "f8"),  # [s] since it was seen
-        ("confidence", "f8"),  # [0, 100]
-        ("held", "f8"),  # frames in a row in which the light barrier was broken
+        ("x", "f8", NUMBER),  # [m] robot frame
+        ("y", "f8", NUMBER),  # [m]
+        ("vx", "f8", NUMBER),  # [m/s] over the ground, axes of the robot frame
+        ("vy", "f8", NUMBER),  # [m/s]
+        ("raw_x", "f8", NUMBER),  # [m] robot frame: the last reading, moved to now
+        ("raw_y", "f8", NUMBER),  # [m]
+        ("odd_x", "f8", NUMBER),  # [m] robot frame: the last reading that was too far off
+        ("odd_y", "f8", NUMBER),  # [m]
+        ("age", "f8", ENDLESS),  # [s] since it was seen
+        ("confidence", "f8", CONFIDENCE),  # [0, 100]
+        ("held", "f8", AMOUNT),  # frames in a row in which the light barrier was broken
         ("filter", FILTER),
     ]
 )

@@ -17,8 +17,9 @@ from soccer_env.belief.own_pose import POSE_MEMORY, is_crowded
 from soccer_env.belief_types import TRACK, forget
 from soccer_env.compiled import compiled, records
 from soccer_env.percept_types import OTHERS, POSE_TOLD
+from soccer_env.ranges import record
 
-OMNI_MEMORY = np.dtype(
+OMNI_MEMORY = record(
     [
         ("ball", BALL_MEMORY),
         ("pose", POSE_MEMORY),

@@ -15,12 +15,13 @@ from __future__ import annotations
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.ranges import AMOUNT, NUMBER, record
 
-COVARIANCE = np.dtype(
+COVARIANCE = record(
     [
-        ("xx", "f4"),  # [m2]
-        ("xv", "f4"),  # [m2/s]
-        ("vv", "f4"),  # [m2/s2]
+        ("xx", "f4", AMOUNT),  # [m2]
+        ("xv", "f4", NUMBER),  # [m2/s]
+        ("vv", "f4", AMOUNT),  # [m2/s2]
     ]
 )
 LEAST_VARIANCE = 1e-8  # [m2, m2/s2] below which single precision would lose the filter

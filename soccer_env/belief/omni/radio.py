@@ -12,28 +12,30 @@ import numpy as np
 from soccer_env.ball_words import word_for
 from soccer_env.belief.omni.reports import adopt_ball, place_teammates, write_report
 from soccer_env.belief.talk import RADIO, REMEMBERED, SEEN, deliver, frames_between, hear, message_of, send
+from soccer_env.belief_types import PLAYER_OR_UNKNOWN, WORDS
 from soccer_env.compiled import compiled
 from soccer_env.random_numbers import uniform
+from soccer_env.ranges import CONFIDENCE, ENDLESS, FLAG, LATELY, NUMBER, record
 
-REPORT = np.dtype(
+REPORT = record(
     [
-        ("frame", "i4"),  # in which it was said
-        ("word", "i2"),  # range of the speaker's distance to the ball
-        ("number", "i1"),  # of the speaker
-        ("keeper", "i1"),  # 1: it is the goalkeeper
-        ("distance", "f8"),  # [m] of the speaker to the ball, as far as it tells; inf: not seen
-        ("x", "f8"),  # [m] team frame: the speaker
-        ("y", "f8"),  # [m]
-        ("heading", "f8"),  # [rad] team frame
-        ("vx", "f8"),  # [m/s] team frame
-        ("vy", "f8"),  # [m/s]
-        ("confidence", "f8"),  # [0, 100] in this pose
-        ("ball_x", "f8"),  # [m] team frame
-        ("ball_y", "f8"),  # [m]
-        ("ball_vx", "f8"),  # [m/s] team frame
-        ("ball_vy", "f8"),  # [m/s]
-        ("ball_age", "f8"),  # [s] since the speaker saw it
-        ("ball_confidence", "f8"),  # [0, 100] in where it is on the field; 0: no ball is known
+        ("frame", "i4", LATELY),  # in which it was said
+        ("word", "i2", WORDS),  # range of the speaker's distance to the ball
+        ("number", "i1", PLAYER_OR_UNKNOWN),  # of the speaker
+        ("keeper", "i1", FLAG),  # 1: it is the goalkeeper
+        ("distance", "f8", ENDLESS),  # [m] of the speaker to the ball, as far as it tells; inf: not seen
+        ("x", "f8", NUMBER),  # [m] team frame: the speaker
+        ("y", "f8", NUMBER),  # [m]
+        ("heading", "f8", NUMBER),  # [rad] team frame
+        ("vx", "f8", NUMBER),  # [m/s] team frame
+        ("vy", "f8", NUMBER),  # [m/s]
+        ("confidence", "f8", CONFIDENCE),  # [0, 100] in this pose
+        ("ball_x", "f8", NUMBER),  # [m] team frame
+        ("ball_y", "f8", NUMBER),  # [m]
+        ("ball_vx", "f8", NUMBER),  # [m/s] team frame
+        ("ball_vy", "f8", NUMBER),  # [m/s]
+        ("ball_age", "f8", ENDLESS),  # [s] since the speaker saw it
+        ("ball_confidence", "f8", CONFIDENCE),  # [0, 100] in where it is on the field; 0: no ball is known
     ]
 )
 RADIO_MESSAGE = message_of(REPORT)

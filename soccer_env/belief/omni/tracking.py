@@ -24,6 +24,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
 from soccer_env.leagues.omni_sensors import FILTERS
 from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_of
+from soccer_env.ranges import COUNT, FLAG, NUMBER, record
 
 KALMAN, LEAST_SQUARES = FILTERS["kalman"], FILTERS["least-squares"]
 DELAYS = 3  # frames that a picture may be late, at most
@@ -31,22 +32,22 @@ MOST_READINGS = 100  # at which the count of readings stops
 ROUNDING = 1.0 / 12.0  # [px2] variance of a whole pixel
 NEAREST = 1e-6  # [m] below which a line of sight has no direction
 
-FILTER = np.dtype(
+FILTER = record(
     [
         ("along", COVARIANCE),  # along the line of sight
         ("across", COVARIANCE),  # across it
-        ("readings", "i1"),  # taken since it was started; 0: not started
-        ("surprises", "i1"),  # readings in a row that were too far off
-        ("seen", "i1"),  # 1: it got a reading in this frame
-        ("kind", "i1"),  # 1 team-mate, 0 opponent
+        ("readings", "i1", COUNT),  # taken since it was started; 0: not started
+        ("surprises", "i1", COUNT),  # readings in a row that were too far off
+        ("seen", "i1", FLAG),  # 1: it got a reading in this frame
+        ("kind", "i1", FLAG),  # 1 team-mate, 0 opponent
     ]
 )
 
-MOTION = np.dtype(
+MOTION = record(
     [  # odometry of a frame, in the axes of the frame before
-        ("forward", "f4"),  # [m]
-        ("left", "f4"),  # [m]
-        ("turn", "f4"),  # [rad]
+        ("forward", "f4", NUMBER),  # [m]
+        ("left", "f4", NUMBER),  # [m]
+        ("turn", "f4", NUMBER),  # [rad]
     ]
 )
 

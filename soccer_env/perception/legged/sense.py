@@ -5,8 +5,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from soccer_env.compiled import compiled
 from soccer_env.perception.legged.infrared import measure_range
 from soccer_env.perception.legged.picture import take_picture
@@ -14,11 +12,12 @@ from soccer_env.perception.legged.sketch import make_sketch
 from soccer_env.perception.legged.touch import feel_touch
 from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.perception.sensing import sense_kernel
+from soccer_env.ranges import NUMBER, record
 
-LEGGED_SENSOR_STATE = np.dtype(
+LEGGED_SENSOR_STATE = record(
     [  # what the sensors remember and do not deliver
         ("pose_error", POSE_ERROR),
-        ("scale", "f4"),  # [1] of the sizes that the camera reports, drawn once an episode; 0: not yet
+        ("scale", "f4", NUMBER),  # [1] of the sizes that the camera reports, drawn once an episode; 0: not yet
     ]
 )
 

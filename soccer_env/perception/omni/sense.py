@@ -9,8 +9,6 @@ A robot that was just placed gets its first pictures without delay: those on the
 
 from __future__ import annotations
 
-import numpy as np
-
 from soccer_env.compiled import compiled, records
 from soccer_env.percept_types import NO_POSE, POSE_TOLD
 from soccer_env.perception.body import light_barrier
@@ -28,14 +26,15 @@ from soccer_env.perception.omni.lines import TABLES, line_tables
 from soccer_env.perception.omni.sightings import clear, find_ball, find_goals, find_players
 from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.perception.sensing import sense_kernel
+from soccer_env.ranges import NUMBER, record
 from soccer_env.types import MAX_TEAM
 
 __all__ = ["OMNI_SENSOR_STATE", "TABLES", "line_tables", "sense_slice"]
 
-OMNI_SENSOR_STATE = np.dtype(
+OMNI_SENSOR_STATE = record(
     [  # what the sensors remember and do not deliver
         ("pose_error", POSE_ERROR),
-        ("table", "f4"),  # [1] the light that the camera's colour table is made for, trained up to the latest picture
+        ("table", "f4", NUMBER),  # [1] the light that the colour table is made for, trained up to the latest picture
     ]
 )
 
