@@ -10,10 +10,10 @@ from soccer_env.geometry import direction_of, length
 from soccer_env.statistics.maps import note_place
 from soccer_env.statistics.records import LOOK
 
-WANTS = 0.15  # [1] of the top speed: who aims at less does not want to get anywhere, assumed, as in train/play/stuck.py
-MAKES = 0.25  # [1] of the walk that it aims at: who is slower is stopped, assumed, as there
-STUCK = 1.5  # [s] for which a robot is stopped before it is stuck, assumed, as there
-BREAK = 0.5  # [s] of getting on that do not end it: a gait step, assumed, as there
+WANTS = 0.15  # [1] of the top speed: who aims at less does not want to get anywhere, assumed
+MAKES = 0.25  # [1] of the walk that it aims at: who is slower is stopped, assumed
+STUCK = 1.5  # [s] for which a robot is stopped before it is stuck, assumed
+BREAK = 0.5  # [s] of getting on that do not end it: a gait step, assumed
 
 
 @compiled

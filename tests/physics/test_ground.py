@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues.league import League
-from soccer_env.train.play.gaps import measure_gaps
+from tests.scenes.outlines import robot_gaps
 from tests.scenes.staging import (
     LEGGED,
     MIDDLE,
@@ -36,7 +36,7 @@ def face_to_face(league: League, headings: np.ndarray, aside: np.ndarray, gap: f
     for _ in range(40):
         middle = 0.5 * (near + far)
         put(match, 1, middle, aside, headings)
-        found = measure_gaps(league, match.balls[None], match.robots[None]).robot_robot.reshape(len(headings))
+        found = robot_gaps(league, match.robots)[:, 0]
         near, far = np.where(found < GAP, middle, near), np.where(found < GAP, far, middle)
     put(match, 1, far + gap - GAP, aside, headings)
     match.rebuild()

@@ -14,8 +14,8 @@ from soccer_env.physics.engine.space import robot_moment
 from soccer_env.staging import patient, send_off, set_phase
 from soccer_env.staging import put as put
 from soccer_env.staging import put_ball as put_ball
-from soccer_env.train.play.gaps import measure_gaps
 from soccer_env.types import Phase
+from tests.scenes.outlines import ball_board_gaps, robot_board_gaps, robot_gaps
 
 LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
 LEAGUES = (LEGGED, MIDDLE)
@@ -154,14 +154,13 @@ def overlaps(league: League, ball: np.void, robots: np.ndarray, handedness: floa
 
     By geometry alone: legs in mid-stroke to robots and walls, and where they are in their stroke to the ball.
     """
-    gaps = measure_gaps(league, np.array([[ball]]), robots[None, None])
     k = constants_of(league)[0]
     to_robots = [paws_gap(robot, k, ball["x"], ball["y"], handedness) for robot in robots if robot["active"] == 1]
     found = {
         "ball robot": np.array(to_robots),
-        "ball wall": gaps.ball_board,
-        "robot robot": gaps.robot_robot,
-        "robot wall": gaps.robot_board,
+        "ball wall": ball_board_gaps(league, np.array([ball])),
+        "robot robot": robot_gaps(league, robots[None]),
+        "robot wall": robot_board_gaps(league, robots[None]),
     }
     return {pair: max(0.0, -float(gap.min(initial=np.inf))) for pair, gap in found.items()}
 

@@ -1,4 +1,4 @@
-"""The statistics of whole matches against counts of their events, and against train/play on the same matches."""
+"""The statistics of whole matches against counts of their events, and against a count by arrays of their records."""
 
 import numpy as np
 import pytest
@@ -10,8 +10,6 @@ from soccer_env.statistics.counting import count_calls, count_step, is_notable
 from soccer_env.statistics.figures import FIGURES, flat, length_of, numbers_of
 from soccer_env.statistics.players import count_player
 from soccer_env.statistics.records import BINS, BINS_PER_OCTAVE, FRESH, SHORTEST
-from soccer_env.train.play import ball, possession, scrums
-from soccer_env.train.play.recording import Recording, moment_of, running
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 from tests.scenes.staging import each_league
 from tests.scenes.symmetry import (
@@ -23,6 +21,7 @@ from tests.scenes.symmetry import (
     turned,
     turned_events,
 )
+from tests.statistics.recorded_play import held, kicks, recording_of, running, spells, times, touches
 
 MINUTES = {"legged-2001": 3.0, "middle-size-2006": 1.5}
 
@@ -39,38 +38,33 @@ def played(request):
     """Return finished matches with their recording and the referee's calls of every step."""
     match = chasers(request.param, seeds=seeds_for(5, 3).tolist())
     moments, calls, last = [], [], match.robots[["x", "y"]].copy()
-    for live in running(match):
-        moments.append((live, *moment_of(match)))
+    for moment in running(match):
+        moments.append(moment)
         now = match.robots[["x", "y"]].copy()
         moved = np.hypot(now["x"] - last["x"], now["y"] - last["y"])
         ordered = (match.events["separated"] == 1) | (match.events["restart"] == Phase.DROP_BALL)
         stays = (match.robots["active"] == 1) & (match.robot_events["returned"] == 0) & (match.robots["penalty"] == 0.0)
         calls.append((match.events.copy(), match.robot_events["foul"].copy(), moved * (stays & ordered[:, None])))
         last = now
-    recording = Recording(match.league, *(np.stack(column) for column in zip(*moments, strict=True)))
-    return match, recording, [np.stack(column) for column in zip(*calls, strict=True)]
+    return match, recording_of(match, moments), [np.stack(column) for column in zip(*calls, strict=True)]
 
 
-def test_times_and_touches_are_those_of_train_play(played) -> None:
+def test_times_and_touches_are_those_of_the_recording(played) -> None:
     match, recording, _ = played
     found = match.statistics
-    measured = {
-        **ball.times(recording), **ball.lying(recording), **ball.at_boards(recording), **scrums.scrums(recording),
-        **possession.touches(recording), **possession.kicks(recording),
-    }  # fmt: skip
-    for name in ("played", "in_play", "still", "at_boards", "in_corner", "scrum"):
-        assert found[name] == pytest.approx(measured[name]), name
-    assert found["touches"].sum(axis=1).tolist() == measured["touches"].tolist()
-    assert found["kicks"].sum(axis=1).tolist() == measured["kicks"].tolist()
+    for name, seconds in times(recording).items():
+        assert found[name] == pytest.approx(seconds), name
+    assert found["touches"].sum(axis=1).tolist() == touches(recording).tolist()
+    assert found["kicks"].sum(axis=1).tolist() == kicks(recording).tolist()
     assert (found["scrum"] > 0.0).any()
     assert (found["touches"] > 0).all()
 
 
-def test_possession_and_spells_are_those_of_train_play(played) -> None:
+def test_possession_and_spells_are_those_of_the_recording(played) -> None:
     match, recording, _ = played
-    found, measured = match.statistics, possession.spells(recording)
-    assert found["possession"].sum(axis=1) + found["both"] == pytest.approx(measured["held"])
-    for m, lengths in enumerate(measured["spells"]):
+    found = match.statistics
+    assert found["possession"].sum(axis=1) + found["both"] == pytest.approx(held(recording))
+    for m, lengths in enumerate(spells(recording)):
         assert found["spells"][m].sum() == len(lengths)
         assert found["spell_time"][m].sum() == pytest.approx(lengths.sum())
         assert found["longest_spell"][m].max() == pytest.approx(lengths.max())

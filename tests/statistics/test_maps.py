@@ -10,10 +10,9 @@ from soccer_env.leagues import find_league
 from soccer_env.random_numbers import seeds_for
 from soccer_env.statistics.maps import added, maps_of
 from soccer_env.statistics.records import LOOK, SHOTS
-from soccer_env.train.play.recording import Recording, moment_of, running
-from soccer_env.train.play.runs import bridged, runs_of
 from soccer_env.types import AWAY, HOME, Phase
 from tests.statistics.counted_steps import KEEPER, KICKER, MATE, SECOND, THEIR_KEEPER, THEIR_PLAYER, Steps, shoot
+from tests.statistics.recorded_play import Recording, bridged, recording_of, running, runs_of
 
 ROWS = (3, 3)
 MINUTES = {"legged-2001": 3.0, "middle-size-2006": 1.5}
@@ -120,14 +119,10 @@ def played(request: pytest.FixtureRequest) -> tuple[Match, Recording, np.ndarray
     """Return finished matches with their recording, and who was put somewhere in each step (T, M, R)."""
     match = chasers(request.param, seeds=seeds_for(5, 3).tolist())
     moments, placed = [], []
-    for live in running(match):
-        moments.append((live, *moment_of(match)))
+    for moment in running(match):
+        moments.append(moment)
         placed.append(match.robots["placed"].copy())
-    return (
-        match,
-        Recording(match.league, *(np.stack(column) for column in zip(*moments, strict=True))),
-        np.stack(placed),
-    )
+    return match, recording_of(match, moments), np.stack(placed)
 
 
 def by_team(values: np.ndarray, robots: np.ndarray) -> np.ndarray:
@@ -151,9 +146,9 @@ def test_stuck_time_is_that_of_the_runs_of_steps_in_which_robots_are_stopped(pla
     wanted = np.hypot(robots["target"]["forward"], robots["target"]["left"])
     stopped = (wanted > 0.15 * match.league.drive.forward) & (np.hypot(robots["vx"], robots["vy"]) < 0.25 * wanted)
     stopped &= (robots["kick_clock"] <= 0.0) & (robots["fallen"] <= 0.0) & inside
-    runs = runs_of(bridged(stopped, recording.steps(0.5)))
-    long = runs.where(runs.steps >= recording.steps(1.5))
-    assert match.statistics["stuck"].sum() == pytest.approx(long.steps.sum() * match.league.dt)
+    steps = runs_of(bridged(stopped, recording.steps(0.5))).steps
+    long = steps[steps >= recording.steps(1.5)]
+    assert match.statistics["stuck"].sum() == pytest.approx(long.sum() * match.league.dt)
     assert match.statistics["stuck"].sum() > 0.0
 
 
