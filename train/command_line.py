@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from soccer_env.names import unknown
 from soccer_env.train.exit_codes import BELOW, STOPPED, WRONG
-from soccer_env.train.match_commands import run_export, run_recheck, run_record, run_replay, run_watch
+from soccer_env.train.match_commands import recheck_sample, run_export, run_record, run_replay, run_watch
 from soccer_env.train.parsing import COMPLETION, completion, read_settings, reason_of, taken_out
 
 if TYPE_CHECKING:
@@ -34,7 +34,6 @@ SUMMARIES = {
     "claims",
     "bench": "measure the speed against the bare physics",
     "export": "make a film or a page for the browser of a replay file",
-    "recheck": "play a sample of an evaluation again and compare every line",
     "record": "play a match or a drill into a replay file",
     "replay": "play a replay file again and check every step",
     "train": "train a policy",
@@ -115,20 +114,18 @@ def print_json(found: Any) -> None:
 def kinds_of_settings() -> dict[str, type]:
     """Return what the words of each command are read into."""
     from soccer_env.train.bench.settings import BenchSettings
-    from soccer_env.train.evaluate.export_settings import ExportSettings
-    from soccer_env.train.evaluate.play_settings import RecordSettings, ReplaySettings
+    from soccer_env.train.evaluate.play_settings import ExportSettings, RecordSettings, ReplaySettings
     from soccer_env.train.evaluate.settings import EvaluateSettings
     from soccer_env.train.listing import ListSettings
     from soccer_env.train.ppo.settings import TrainSettings
-    from soccer_env.train.rechecking.settings import RecheckSettings
     from soccer_env.train.reproduce.settings import ReproduceSettings
     from soccer_env.train.warm_up import WarmUpSettings
     from soccer_env.train.watching.settings import WatchSettings
 
     return {
         "evaluate": EvaluateSettings, "list": ListSettings, "bench": BenchSettings, "export": ExportSettings,
-        "recheck": RecheckSettings, "record": RecordSettings, "replay": ReplaySettings, "reproduce": ReproduceSettings,
-        "train": TrainSettings, "warm-up": WarmUpSettings, "watch": WatchSettings,
+        "record": RecordSettings, "replay": ReplaySettings, "reproduce": ReproduceSettings, "train": TrainSettings,
+        "warm-up": WarmUpSettings, "watch": WatchSettings,
     }  # fmt: skip
 
 
@@ -144,6 +141,8 @@ def run_evaluate(words: list[str]) -> int:
     from soccer_env.train.evaluate.settings import EvaluateSettings
 
     settings = read_settings(EvaluateSettings, words, "evaluate")
+    if settings.recheck is not None:
+        return recheck_sample(settings, {word[2:].partition("=")[0] for word in words if word.startswith("--")})
     from soccer_env.train.compiling_beside import step_compiled_beside
     from soccer_env.train.evaluate.evaluation import evaluate
     from soccer_env.train.evaluate.report import screen_tables
@@ -286,7 +285,6 @@ COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "list": run_list,
     "bench": run_bench,
     "export": run_export,
-    "recheck": run_recheck,
     "record": run_record,
     "replay": run_replay,
     "reproduce": run_reproduce,

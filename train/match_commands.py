@@ -1,4 +1,4 @@
-"""`soccer record`, `replay`, `recheck`, `export` and `watch`, as command_line.py runs them."""
+"""`soccer record`, `replay`, `export`, `watch` and `evaluate --recheck`, as command_line.py runs them."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from soccer_env.train.exit_codes import BELOW, STOPPED
 from soccer_env.train.parsing import read_settings
 
 if TYPE_CHECKING:
-    from soccer_env.train.rechecking import RecheckResult
-    from soccer_env.train.rechecking.comparing import Difference
+    from soccer_env.train.evaluate import EvaluateSettings, RecheckResult
+    from soccer_env.train.evaluate.rechecking import Difference
 
 SHOWN = 12  # fields of a pair that differ
 
@@ -46,15 +46,20 @@ def run_replay(words: list[str]) -> int:
     return 0
 
 
-def run_recheck(words: list[str]) -> int:
-    """Run `soccer recheck`."""
-    from soccer_env.train.rechecking.settings import RecheckSettings
+def recheck_sample(settings: EvaluateSettings, said: set[str]) -> int:
+    """Run `soccer evaluate --recheck FOLDER`, which tells settings that were `said` from those at their defaults."""
+    from soccer_env.train.evaluate import recheck
 
-    settings = read_settings(RecheckSettings, words, "recheck")
-    from soccer_env.train.rechecking import recheck
-
+    assert settings.recheck is not None
     try:
-        result = recheck(settings, tell=None if settings.json else say_pair)
+        result = recheck(
+            settings.recheck,
+            pairs=settings.pairs,
+            seed=settings.seed if "seed" in said else None,
+            threads=settings.threads,
+            where={name: getattr(settings, name) for name in ("home", "away", "league", "scene") if name in said},
+            **({} if settings.json else {"tell": say_pair}),
+        )
     except KeyboardInterrupt:
         print("stopped; no file was changed", file=sys.stderr)
         return STOPPED
@@ -93,7 +98,7 @@ def say_checked(result: RecheckResult) -> None:
 
 def run_export(words: list[str]) -> int:
     """Run `soccer export`."""
-    from soccer_env.train.evaluate.export_settings import ExportSettings
+    from soccer_env.train.evaluate.play_settings import ExportSettings
 
     settings = read_settings(ExportSettings, words, "export")
     from soccer_env.train.evaluate.exporting import export

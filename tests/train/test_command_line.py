@@ -63,7 +63,11 @@ def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.Capt
         (["evaluate", "--matches="], "--matches must be a whole number of at least 2, got ''"),
         (["evaluate", "--anew=yes"], "'yes' belongs to no option"),
         (["replay"], "FILE must be given (see soccer replay --help)"),
-        (["recheck", "x", "--pairs", "none"], "--pairs must be a whole number of at least 1 or all, got 'none'"),
+        (["evaluate", "--recheck", "x", "--matches", "40"], "matches does not go with recheck"),
+        (
+            ["evaluate", "--recheck", "x", "--pairs", "none"],
+            "--pairs must be a whole number of at least 1 or all, got 'none'",
+        ),
         (["export", "x", "--speed", "fast"], "--speed must be a number above 0 and at most 100, got 'fast'"),
         (["train", "--mirorr"], "unknown option '--mirorr', did you mean '--mirror' or '--no-mirror'?"),
         (["list", "teams", "--lague", "x"], "unknown option '--lague', did you mean '--league'?"),

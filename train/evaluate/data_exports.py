@@ -11,7 +11,7 @@ from soccer_env.data_out.standard import FILES, write_standard
 from soccer_env.data_out.table_files import paths_of, require, write_tables
 from soccer_env.data_out.tables import tables_of
 from soccer_env.replay import Replay
-from soccer_env.train.evaluate.export_settings import ExportSettings
+from soccer_env.train.evaluate.play_settings import ExportSettings
 from soccer_env.train.progress import Progress
 
 TABLES = (".csv", ".parquet")

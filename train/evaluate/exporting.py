@@ -10,9 +10,9 @@ from soccer_env.replay import Replay
 from soccer_env.replay.browser import write_page
 from soccer_env.replay.film import FilmSettings, drawn_steps, make_film
 from soccer_env.train.evaluate import data_exports
-from soccer_env.train.evaluate.export_settings import ExportSettings
 from soccer_env.train.evaluate.map_pictures import KINDS as MAPS
 from soccer_env.train.evaluate.map_pictures import export_maps
+from soccer_env.train.evaluate.play_settings import ExportSettings
 from soccer_env.train.evaluate.recording import check_target
 from soccer_env.train.progress import Progress
 

@@ -5,7 +5,7 @@ The help of `soccer evaluate` is the text beside each field here.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Literal
 
@@ -23,6 +23,8 @@ from soccer_env.train.written_settings import (
 )
 
 FULL = "full"  # minutes: the league's own length of a match
+ALL, PAIRS = "all", 5  # pairs to play again: every finished one; unless another number is asked for
+RECHECKED = ("recheck", "pairs", "seed", "threads", "home", "away", "league", "scene", "json")  # what goes together
 
 
 @dataclass(frozen=True)
@@ -32,9 +34,18 @@ class EvaluateSettings(CommandSettings):
     Half as many seeds as matches are drawn; each is played twice, the teams changing sides. Results are from the side
     of --home; intervals (95 %) are bootstraps over the pairs. The same settings give the same result, match by match,
     whatever --threads is. A run that was stopped goes on where it was when the same command is given again.
+
+    --recheck FOLDER plays a random sample of what a folder holds again instead, compares every line bit for bit, and
+    ends with exit code 1 if one differs. No file is changed, and no code that the folder names is run: --home, --away,
+    --league and --scene name what is MODULE:NAME once more, or say where a policy file lies now.
     """
 
-    BOUNDS = {"matches": Range(2), "minutes": Range(0.0, 10_000.0, above=True, below=True), "at_least": SHARE}
+    BOUNDS = {
+        "matches": Range(2),
+        "pairs": Range(1),
+        "minutes": Range(0.0, 10_000.0, above=True, below=True),
+        "at_least": SHARE,
+    }
     EVEN = {"matches": "for each seed is played twice, sides swapped"}
 
     league: str = "legged-2001"
@@ -80,6 +91,10 @@ class EvaluateSettings(CommandSettings):
     """Print what result.json holds, as JSON, instead of tables."""
     at_least: float | None = None
     """End with exit code 1 if --home's points (draws count half) are below this share of the matches, 0 to 1."""
+    recheck: Path | None = None
+    """Folder of an evaluation, finished or not, of which a sample is played again and compared; nothing is written."""
+    pairs: int | Literal["all"] = PAIRS
+    """Pairs that --recheck plays, drawn at random (or by --seed) from those that are finished; `all` for every one."""
 
     def __post_init__(self) -> None:
         for side in ("home", "away"):
@@ -89,6 +104,9 @@ class EvaluateSettings(CommandSettings):
         super().__post_init__()
         if self.picture and self.out is None:
             raise ValueError("picture needs a folder: give out as well")
+        other = [field.name for field in fields(self) if getattr(self, field.name) != field.default]
+        if self.recheck is not None and not set(other) <= set(RECHECKED):
+            raise ValueError(f"{next(name for name in other if name not in RECHECKED)} does not go with recheck")
         if (Keep(self.keep).each or self.keep_pages) and self.out is None:
             raise ValueError("replays are kept in a folder: give out as well")
         split_senses(SENSING if self.senses is None else self.senses)

@@ -6,9 +6,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
-from soccer_env.train.evaluate.export_settings import ExportSettings
 from soccer_env.train.evaluate.exporting import export
-from soccer_env.train.evaluate.play_settings import RecordSettings
+from soccer_env.train.evaluate.play_settings import ExportSettings, RecordSettings
 from soccer_env.train.evaluate.recording import record
 
 

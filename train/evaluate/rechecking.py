@@ -1,30 +1,55 @@
-"""Play a sample of an evaluation again and compare: what differs is named, and nothing is written."""
+"""Play a random sample of an evaluation again and compare every line bit for bit: `soccer evaluate --recheck FOLDER`.
+
+    result = recheck("runs/match", pairs=5)
+
+Results are text that anybody can change. A match follows from its seed, so whoever doubts them can see for themselves.
+Nothing is written, and nothing that the folder names as code is run.
+"""
 
 from __future__ import annotations
 
 import json
 import secrets
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
+from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from soccer_env.checking import brief
+from soccer_env.checking import brief, whole_number
 from soccer_env.leagues.league import League
 from soccer_env.teams import Team
 from soccer_env.train.evaluate.contest import Contest, play_batches
 from soccer_env.train.evaluate.line_checks import check_line
 from soccer_env.train.evaluate.results import MatchLine, summarise
-from soccer_env.train.evaluate.settings import Conditions
+from soccer_env.train.evaluate.same_contest import Found, read_folder, same_contest
+from soccer_env.train.evaluate.settings import ALL, PAIRS, Conditions
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import settings_hash
-from soccer_env.train.rechecking.comparing import Difference, differences
-from soccer_env.train.rechecking.contest import same_contest
-from soccer_env.train.rechecking.folder import Found, read_folder
-from soccer_env.train.rechecking.settings import ALL, RecheckSettings
 
+DEEP = 2  # names of a field that stand by themselves: statistics.shots_for, maps.heat_for; the rest is counted
+NOTHING = "nothing"
 AT_ONCE = 8  # pairs side by side for each thread: few, as what came of them is told when all have ended
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A field of a match's line that is not what the match comes to."""
+
+    pair: int
+    match: int
+    field: str  # statistics.shots_for
+    there: str  # in the folder
+    again: str  # played again
+    more: int  # numbers of this field that differ beside the one that is shown
+
+    def __str__(self) -> str:
+        more = f", and {self.more} more of its numbers" if self.more else ""
+        return f"match {self.match}: {self.field} is {self.there} there, {self.again} played again{more}"
+
+
 Tell = Callable[[int, list[Difference]], None]
 
 
@@ -57,31 +82,34 @@ class RecheckResult:
 
 
 def recheck(
-    settings: RecheckSettings, *, league: League | None = None, teams: Mapping[str, Team] | None = None,
-    tell: Tell | None = None,
+    folder: str | Path, *, pairs: int | str = PAIRS, seed: int | None = None, threads: int = 1,
+    where: Mapping[str, str] = MappingProxyType({}), league: League | None = None,
+    teams: Mapping[str, Team] = MappingProxyType({}), tell: Tell = lambda pair, found: None,
 ) -> RecheckResult:  # fmt: skip
-    """Play a random sample of an evaluation's finished pairs again and compare every line bit for bit.
+    """Play `pairs` of an evaluation's finished pairs again ("all": every one) and compare every line bit for bit.
 
-    `league` and `teams` are what `evaluate` was given; `tell` gets each pair with its differences as it is done.
-    Raises ValueError for a folder without a finished pair, and for a contest that cannot be made again.
+    The pairs are drawn by `seed`, None for one that nobody knows before. `where` says where "home" and "away", policy
+    files, lie now, and names them, "league" and "scene" again if they are MODULE:NAME; `league` and `teams` are what
+    `evaluate` was given. `tell` gets each pair with its differences as it is done. Raises ValueError for a folder
+    without a finished pair, and for a contest that cannot be made again.
     """
-    found = read_folder(settings.folder)
-    contest, made_otherwise = same_contest(found, settings, league, teams or {})
-    seed = secrets.randbits(32) if settings.seed is None else settings.seed
-    pairs = sample(found.pairs, settings.pairs, seed)
-    if not pairs:
-        raise ValueError(f"{settings.folder} has no finished pair yet")
-    differing = compare(found, contest, pairs, settings.threads, tell or (lambda pair, found: None))
+    found = read_folder(Path(folder))
+    contest, made_otherwise = same_contest(found, where, league, teams)
+    seed = secrets.randbits(32) if seed is None else seed
+    drawn = sample(found.pairs, pairs, seed)
+    if not drawn:
+        raise ValueError(f"{folder} has no finished pair yet")
+    differing = compare(found, contest, drawn, threads, tell)
     follows = None if made_otherwise else unlike_result(found, contest)
     return RecheckResult(
-        folder=str(settings.folder), asked=found.conditions["matches"] // 2, finished=len(found.pairs), seed=seed,
-        pairs=tuple(pairs), differences=tuple(differing), result=follows, made_otherwise=tuple(made_otherwise),
+        folder=str(folder), asked=found.conditions["matches"] // 2, finished=len(found.pairs), seed=seed,
+        pairs=tuple(drawn), differences=tuple(differing), result=follows, made_otherwise=tuple(made_otherwise),
     )  # fmt: skip
 
 
 def sample(pairs: Sequence[int], count: int | str, seed: int) -> list[int]:
     """Return so many of the pairs at random, sorted; all if there are no more."""
-    if count == ALL or int(count) >= len(pairs):
+    if count == ALL or whole_number("pairs", count, 1) >= len(pairs):
         return list(pairs)
     drawn = np.random.default_rng(seed).choice(np.array(pairs), int(count), replace=False)
     return sorted(drawn.tolist())
@@ -138,3 +166,41 @@ def unlike_result(found: Found, contest: Contest) -> tuple[str, ...] | None:
     again = json.loads(json.dumps(result))
     names = dict.fromkeys([*there, *again])
     return tuple(brief(name) for name in names if json.dumps(there.get(name)) != json.dumps(again.get(name)))
+
+
+def differences(there: dict[str, Any], again: dict[str, Any]) -> list[Difference]:
+    """Return the fields in which two records of a match differ, each once; a number and its text are different."""
+    both = [dict(leaves(record)) for record in (there, json.loads(json.dumps(again)))]
+    fields: dict[tuple[Any, ...], list[tuple[tuple[Any, ...], str, str]]] = {}
+    for place in dict.fromkeys([*both[0], *both[1]]):
+        before, now = (text_of(record[place]) if place in record else NOTHING for record in both)
+        if before != now:
+            fields.setdefault(place[:DEEP], []).append((place, before, now))
+    found = []
+    for places in fields.values():
+        place, before, now = places[0]
+        name = ".".join(map(name_of, place))
+        found.append(Difference(again["pair"], again["match"], name, before, now, len(places) - 1))
+    return found
+
+
+def leaves(value: Any, place: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any, ...], Any]]:
+    """Yield every value that is neither a table nor a list, with the names and numbers that lead to it.
+
+    A table and a list are values themselves if nothing is in them.
+    """
+    if isinstance(value, (dict, list)) and value:
+        for key, inner in value.items() if isinstance(value, dict) else enumerate(value):
+            yield from leaves(inner, (*place, key))
+    else:
+        yield place, value
+
+
+def text_of(value: Any) -> str:
+    """Return a value so that two texts are the same only if the values are, bit for bit."""
+    return brief(value) if isinstance(value, str) and len(value) < 60 else json.dumps(value)[:200]
+
+
+def name_of(key: Any) -> str:
+    """Return a name on the way to a value as it can be printed."""
+    return key if isinstance(key, str) and key.isidentifier() else brief(key)

@@ -1,4 +1,4 @@
-"""`soccer recheck`: what is played again agrees bit for bit, what was changed is found, and nothing is written."""
+"""`soccer evaluate --recheck`: what agrees bit for bit, what was changed is found, nothing is written."""
 
 import json
 import os
@@ -13,8 +13,7 @@ import pytest
 from soccer_env import make_team
 from soccer_env.agents import learned
 from soccer_env.train.command_line import main
-from soccer_env.train.evaluate import EvaluateSettings, evaluate
-from soccer_env.train.rechecking import RecheckSettings, recheck, rechecking
+from soccer_env.train.evaluate import EvaluateSettings, evaluate, recheck, rechecking
 
 SHORT: dict[str, Any] = {"home": "chaser", "away": "random", "matches": 6, "minutes": 0.1, "players": 1, "seed": 5}
 POLICY = Path(learned.__file__).parent / "policies" / "legged-2001.safetensors"
@@ -47,11 +46,11 @@ def content(folder: Path) -> dict[str, tuple[bytes, int]]:
 
 def test_an_honest_folder_agrees_and_stays_as_it_is(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     before = content(folder)
-    assert main(["recheck", str(folder), "--pairs", "2", "--seed", "3"]) == 0
+    assert main(["evaluate", "--recheck", str(folder), "--pairs", "2", "--seed", "3"]) == 0
     printed = capsys.readouterr().out
     assert "2 of 3 finished pairs played again (drawn with --pairs 2 --seed 3), 2 agree, 0 differ" in printed
     assert "result.json follows from matches.jsonl" in printed
-    assert main(["recheck", str(folder), "--pairs", "all", "--threads", "2"]) == 0
+    assert main(["evaluate", "--recheck", str(folder), "--pairs", "all", "--threads", "2"]) == 0
     assert content(folder) == before
 
 
@@ -71,7 +70,7 @@ def test_what_was_changed_is_named(
 ) -> None:
     changed(folder, 3, change)
     before = content(folder)
-    assert main(["recheck", str(folder), "--pairs", "all"]) == 1
+    assert main(["evaluate", "--recheck", str(folder), "--pairs", "all"]) == 1
     printed = capsys.readouterr().out
     assert "pair 1, matches 2 and 3: differs" in printed and found in printed
     assert "3 of 3 finished pairs played again, 2 agree, 1 differ" in printed
@@ -81,7 +80,7 @@ def test_what_was_changed_is_named(
 def test_a_changed_result_is_found_though_all_lines_agree(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     record = json.loads((folder / "result.json").read_text())
     (folder / "result.json").write_text(json.dumps({**record, "wins": 6}))
-    assert main(["recheck", str(folder), "--pairs", "1", "--json"]) == 1
+    assert main(["evaluate", "--recheck", str(folder), "--pairs", "1", "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert (found["differences"], found["result"], found["agrees"]) == ([], ["'wins'"], False)
 
@@ -99,7 +98,7 @@ def test_lines_that_no_match_writes_are_refused_by_all(
     field: str, value: Any, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     changed(folder, 3, lambda line: line.update({field: value}))
-    assert main(["recheck", str(folder), "--pairs", "all"]) == 1
+    assert main(["evaluate", "--recheck", str(folder), "--pairs", "all"]) == 1
     assert f"match 3: {field}" in capsys.readouterr().out
     with pytest.raises(ValueError, match=r"match 3"):
         evaluate(EvaluateSettings(**SHORT, out=folder))
@@ -108,7 +107,7 @@ def test_lines_that_no_match_writes_are_refused_by_all(
 def test_lines_that_were_taken_away_are_missed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     lines = (folder / "matches.jsonl").read_text().splitlines(keepends=True)
     (folder / "matches.jsonl").write_text("".join(line for line in lines if json.loads(line)["pair"] != 1))
-    assert main(["recheck", str(folder), "--pairs", "all"]) == 1
+    assert main(["evaluate", "--recheck", str(folder), "--pairs", "all"]) == 1
     printed = capsys.readouterr().out
     assert "1 pairs of 3 are not finished" in printed
     assert "result.json: all of it, as 2 of its 6 matches have no line, does not follow" in printed
@@ -120,7 +119,7 @@ def test_a_result_of_before_the_evaluation_grew_follows_from_its_lines(folder: P
     (folder / "result.json").write_bytes(earlier)
     lines = (folder / "matches.jsonl").read_bytes().splitlines(keepends=True)
     (folder / "matches.jsonl").write_bytes(b"".join(lines[:7]))
-    assert recheck(RecheckSettings(folder, pairs="all")).agrees
+    assert recheck(folder, pairs="all").agrees
 
 
 def test_the_draw_follows_from_its_seed_and_else_from_nothing_known() -> None:
@@ -130,17 +129,17 @@ def test_the_draw_follows_from_its_seed_and_else_from_nothing_known() -> None:
 
 
 def test_without_a_seed_each_draw_is_another(folder: Path) -> None:
-    seeds = {recheck(RecheckSettings(folder, pairs=1)).seed for _ in range(2)}
+    seeds = {recheck(folder, pairs=1).seed for _ in range(2)}
     assert len(seeds) == 2
 
 
 def test_an_evaluation_that_was_stopped_or_has_grown_is_checked_as_far_as_it_is(folder: Path) -> None:
     evaluate(EvaluateSettings(**{**SHORT, "matches": 8}, out=folder))
-    assert recheck(RecheckSettings(folder, pairs="all")).agrees
+    assert recheck(folder, pairs="all").agrees
     (folder / "result.json").unlink()  # else it does not follow from what is left
     lines = (folder / "matches.jsonl").read_bytes().splitlines(keepends=True)
     (folder / "matches.jsonl").write_bytes(b"".join(lines[:5]) + lines[5][:40])
-    result = recheck(RecheckSettings(folder, pairs="all"))
+    result = recheck(folder, pairs="all")
     assert result.agrees and result.result is None and 0 < result.finished < 4
     assert (folder / "matches.jsonl").read_bytes().endswith(lines[5][:40]), "a torn line is left as it is"
 
@@ -149,21 +148,21 @@ def test_a_policy_file_is_found_where_it_lies_now(tmp_path: Path, capsys: pytest
     policy, run = tmp_path / "mine.safetensors", str(tmp_path / "run")
     shutil.copy(POLICY, policy)
     evaluate(EvaluateSettings(**{**SHORT, "home": str(policy), "matches": 2}, out=Path(run)))
-    assert main(["recheck", run]) == 0
+    assert main(["evaluate", "--recheck", run]) == 0
     moved = policy.rename(tmp_path / "moved.safetensors")
-    assert main(["recheck", run]) == 2
+    assert main(["evaluate", "--recheck", run]) == 2
     assert "--home and --away say where a file is now" in capsys.readouterr().err
-    assert main(["recheck", run, "--home", str(moved)]) == 0
-    assert main(["recheck", run, "--home", "chaser"]) == 2
+    assert main(["evaluate", "--recheck", run, "--home", str(moved)]) == 0
+    assert main(["evaluate", "--recheck", run, "--home", "chaser"]) == 2
     assert "home_team" in capsys.readouterr().err
 
 
 def test_a_team_of_a_program_is_given_in_python(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     team = {"mine": make_team("chaser", strength=0.5)}
     evaluate(EvaluateSettings(**{**SHORT, "home": "mine", "matches": 2}, out=tmp_path), teams=team)
-    assert main(["recheck", str(tmp_path)]) == 2
-    assert "recheck(settings, teams={name: team})" in capsys.readouterr().err
-    assert recheck(RecheckSettings(tmp_path), teams=team).agrees
+    assert main(["evaluate", "--recheck", str(tmp_path)]) == 2
+    assert "recheck(folder, teams={name: team})" in capsys.readouterr().err
+    assert recheck(tmp_path, teams=team).agrees
 
 
 def test_code_that_a_folder_names_is_not_run(
@@ -173,17 +172,17 @@ def test_code_that_a_folder_names_is_not_run(
     (tmp_path / "lions_of_mine.py").write_text("from soccer_env import make_team\nteam = make_team('chaser')\n")
     evaluate(EvaluateSettings(**{**SHORT, "home": "lions_of_mine:team", "matches": 2}, out=tmp_path / "run"))
     monkeypatch.delitem(sys.modules, "lions_of_mine")
-    assert main(["recheck", "run"]) == 2
+    assert main(["evaluate", "--recheck", "run"]) == 2
     assert "--home lions_of_mine:team" in capsys.readouterr().err
     assert "lions_of_mine" not in sys.modules
-    assert main(["recheck", "run", "--home", "lions_of_mine:team"]) == 0
+    assert main(["evaluate", "--recheck", "run", "--home", "lions_of_mine:team"]) == 0
 
 
 def test_lines_of_another_version_are_compared_and_that_is_said(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("soccer_env.train.provenance.version_of", lambda package: "9.9")
-    assert main(["recheck", str(folder), "--pairs", "1"]) == 0
+    assert main(["evaluate", "--recheck", str(folder), "--pairs", "1"]) == 0
     assert "made otherwise, so that lines may differ: soccer_env '" in capsys.readouterr().out
 
 
@@ -195,7 +194,7 @@ def test_ctrl_c_changes_nothing(
 
     before = content(folder)
     monkeypatch.setattr(rechecking, "play_batches", interrupted)
-    assert main(["recheck", str(folder)]) == 130
+    assert main(["evaluate", "--recheck", str(folder)]) == 130
     assert capsys.readouterr().err == "stopped; no file was changed\n"
     assert content(folder) == before
 
@@ -217,7 +216,7 @@ def test_a_damaged_folder_is_one_line(name: str, folder: Path, capsys: pytest.Ca
     (folder / file).unlink()
     if text is not None:
         (folder / file).write_text(text)
-    assert main(["recheck", str(folder)]) == 2
+    assert main(["evaluate", "--recheck", str(folder)]) == 2
     printed = capsys.readouterr().err
     assert message in printed and printed.count("\n") == 1
 
@@ -247,7 +246,7 @@ def test_conditions_that_cannot_be_are_one_line(
     record["conditions"][name] = value
     (folder / "settings.json").write_text(json.dumps(record))
     (folder / "matches.jsonl").write_text("")  # else the lines are of other settings already
-    assert main(["recheck", str(folder)]) == 2
+    assert main(["evaluate", "--recheck", str(folder)]) == 2
     printed = capsys.readouterr().err
     assert message in printed and printed.count("\n") == 1
 
@@ -255,5 +254,5 @@ def test_conditions_that_cannot_be_are_one_line(
 def test_a_pipe_is_not_waited_for(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "matches.jsonl").unlink()
     os.mkfifo(folder / "matches.jsonl")
-    assert main(["recheck", str(folder)]) == 2
+    assert main(["evaluate", "--recheck", str(folder)]) == 2
     assert "is not a regular file" in capsys.readouterr().err
