@@ -9,8 +9,6 @@
     learner.py         PPO, and what of it has to be kept          checkpoints.py    so that a cut run goes on
     run_folder.py      what a run leaves behind                    reports.py        its log, evaluations and curve
     reporting/         logs of other kinds, the report as a page, replays
-    compare_kinds.py   the two kinds of networks on the same task
-    compare_seeds.py   how much a training varies from seed to seed
 
 Importing this package is quick: torch comes with the first training.
 """

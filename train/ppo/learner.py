@@ -152,8 +152,7 @@ def make_model(settings: TrainSettings, matches: VecNormalize, entries: list[Ent
             SoccerPolicy, matches, learning_rate=rate, n_steps=settings.rollout,
             batch_size=part_size(settings.rollout * matches.num_envs, settings.batch),
             n_epochs=settings.epochs, gamma=settings.gamma, gae_lambda=settings.gae_lambda, clip_range=settings.clip,
-            ent_coef=settings.entropy, vf_coef=settings.value_weight, max_grad_norm=settings.gradient_limit,
-            target_kl=settings.target_kl or None, policy_kwargs=shape, seed=settings.seed, device=settings.device,
+            ent_coef=settings.entropy, policy_kwargs=shape, seed=settings.seed, device=settings.device,
         )  # fmt: skip
     model.set_logger(Logger(folder=None, output_formats=[]))
     return model

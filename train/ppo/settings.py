@@ -86,12 +86,8 @@ class PlainSettings:
     """Times that the recorded decisions are gone through."""
     rounds: int = 0
     """Rounds in which the actor plays, after one of its teacher, and a teacher that knows the truth says what to do."""
-    teacher_commands: bool = False
-    """Let the pupil see its own last command meanwhile; it then learns to go on as before, and little else."""
     teacher_until: float = 0.0
     """Share of the steps in which the actor is still held to what was recorded, ever less; 0: not at all."""
-    hold_keeper: float = 0.0
-    """How strongly goalkeepers are held to their teacher to the very end, 0 to 1: rewards tell them little."""
     critic_first: int = 3
     """Rollouts in which the critic alone learns, so that it does not mislead what the teacher taught."""
     kind: Literal["slots", "attention"] = "slots"
@@ -124,12 +120,6 @@ class PlainSettings:
     """Times that a rollout is gone through."""
     entropy: float = 0.0
     """Weight of the entropy bonus."""
-    value_weight: float = 0.5
-    """Weight of the critic's loss."""
-    target_kl: float = 0.0
-    """End an update early beyond 1.5 times this divergence; 0: never."""
-    gradient_limit: float = 0.5
-    """Largest norm of a gradient."""
     noise: float = 0.4
     """Standard deviation of the actions at the start."""
     normalise_rewards: bool = False

@@ -17,7 +17,7 @@ from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
 from soccer_env.train.ppo.training import Training
 from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights
 
-ADVISED: dict[str, Any] = {"rounds": 3, "hold_keeper": 1.0, "steps": 4 * ROLLOUT}
+ADVISED: dict[str, Any] = {"rounds": 3, "teacher_until": 1.0, "steps": 4 * ROLLOUT}
 
 
 @pytest.mark.parametrize("change", [{}, {"kind": "attention", "mirror": False}])

@@ -23,8 +23,8 @@ from tests.train.ppo.staged_training import tiny
 
 ROOT = Path(__file__).parents[3]
 SHARES = ("gae_lambda", "clip", "gamma", "learning_rate")
-ABOVE_ZERO = ("minutes", "noise", "evaluate_minutes", "gradient_limit")
-FROM_ZERO = ("ideal_share", "hold_keeper", "entropy", "value_weight", "target_kl", *NAMES)
+ABOVE_ZERO = ("minutes", "noise", "evaluate_minutes")
+FROM_ZERO = ("ideal_share", "entropy", *NAMES)
 COUNTS = ("threads", *(name for name, bounds in BOUNDS.items() if bounds.low == 1.0))
 NAN, INFINITY = float("nan"), float("inf")
 
@@ -182,7 +182,7 @@ CHANGES: dict[str, st.SearchStrategy[Any]] = {
     **dict.fromkeys(ABOVE_ZERO, NUMBERS),
     **dict.fromkeys(("learning_rate", "noise"), st.floats(1e-12, 1.0)),
     **dict.fromkeys(FROM_ZERO, st.floats(0.0, 1e9)),
-    **dict.fromkeys(("ideal_share", "hold_keeper"), st.floats(0.0, 1.0)),
+    **dict.fromkeys(("ideal_share",), st.floats(0.0, 1.0)),
     **dict.fromkeys(SHARES, st.floats(1e-9, 1.0)),
     **dict.fromkeys(("steps", "batch", "epochs", "teacher_steps", "critic_first"), st.integers(2, 10**12)),
     **dict.fromkeys(("mirror", "curriculum", "decay", "central_critic", "normalise_rewards"), st.booleans()),

@@ -84,7 +84,7 @@ def test_matches_teacher_and_evaluations_are_played_by_the_rules_asked_for(tmp_p
         {"ideal_share": 0.5},
         {"teacher_until": 1.0},
         {"scenes": "kick-off:2,scattered,lost-ball-behind", "rules": "simple", "players": "1v3,3v1,2v3"},
-        {"observe": "percepts", "mirror": False, "target_kl": 1e-9, "entropy": 0.01, "pose": "particles"},
+        {"observe": "percepts", "mirror": False, "entropy": 0.01, "pose": "particles"},
     ],
 )
 def test_other_kinds_of_runs_go_on_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, change: dict[str, Any]) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import cached_property
 from itertools import product
 from typing import Any
 
@@ -57,10 +56,9 @@ def lessons(
 
 
 def together(parts: Sequence[Rows], settings: TrainSettings, entries: Sequence[Entry]) -> Rows:
-    """Return the rows of all parts, their own last commands shuffled unless the settings keep them."""
+    """Return the rows of all parts, their own last commands shuffled."""
     observations = np.concatenate([part[0] for part in parts])
-    if not settings.teacher_commands:
-        forget_own_commands(observations, entries, settings.seed)
+    forget_own_commands(observations, entries, settings.seed)
     return observations, np.concatenate([part[1] for part in parts])
 
 
@@ -78,14 +76,6 @@ class Lessons:
         if self._rows is None:
             self._rows = lessons(self.settings, self.network.entries)
         return self._rows
-
-    @cached_property
-    def keepers(self) -> Rows:
-        """Return what was recorded of goalkeepers."""
-        observations, actions = self.rows
-        column = [entry.name for entry in self.network.entries].index("keeper")
-        chosen = observations[:, column] > 0.0
-        return observations[chosen], actions[chosen]
 
     def teach(self) -> Iterator[int]:
         """Give the actor what it starts with: a policy's weights, or what its teacher does, if there is either.
@@ -159,9 +149,5 @@ class Lessons:
     def go_on(self, step: int, rollout: int) -> None:
         """Hold the actor to the teacher after an update."""
         settings, strength = self.settings, holding(self.settings, step)
-        if rollout < settings.critic_first or not settings.teacher:
-            return
-        if strength > 0.0:
+        if rollout >= settings.critic_first and strength > 0.0:
             hold(self.network, self.rows, strength, settings.seed + rollout)
-        if settings.hold_keeper > strength and len(self.keepers[0]):
-            hold(self.network, self.keepers, settings.hold_keeper, settings.seed + rollout)
