@@ -3,7 +3,7 @@
 frame.py        `Picture`: one frame, from the records of a match
 pitch.py        its background                     robots.py       robots and ball
 header.py       the bar above the pitch            captions.py     what it says
-substitutes.py  robots that do not play            overlays/       what robots see, believe and plan, on top
+overlays/       what robots see, believe and plan, on top
 view.py         where things lie in a picture      canvas.py       smooth drawing
 colours.py      the colours                        sheet.py        frames on disk and side by side
 closeup.py      a picture that goes near and follows

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import isfinite
+from math import ceil, isfinite
 
 import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
+from soccer_env.render import colours
 from soccer_env.render.canvas import Canvas, Point, new_surface, packed_surface, require_pygame
 from soccer_env.render.colours import TEAM_NAMES
 from soccer_env.render.header import Header, height_of, story_of
 from soccer_env.render.overlays import Overlay
 from soccer_env.render.pitch import Ground
 from soccer_env.render.robots import Figure, Players, figures_of
-from soccer_env.render.substitutes import draw_bench
 from soccer_env.render.view import View, view_of
 
 LEAST_WIDTH, MOST_WIDTH = 240, 2560  # [px]
@@ -108,3 +108,22 @@ def check_records(match: np.void, ball: np.void, robots: np.ndarray) -> None:
     for name in ("x", "y", "vx", "vy"):
         if not isfinite(ball[name]):
             raise ValueError(f"ball has {name} = {ball[name]}, a picture needs finite numbers")
+
+
+def draw_bench(figures: list[Figure], view: View, canvas: Canvas) -> None:
+    """Draw robots that are sent off or were never there as grey discs below the field: home left, away right."""
+    radius = 0.34 * view.margin
+    y = canvas.height - 0.46 * view.margin
+    for team in (0, 1):
+        resting = [figure for figure in figures if figure.team == team and not figure.active]
+        x = 0.5 * radius + team * canvas.width / 2
+        if resting:
+            x += canvas.text("off:", (x, y), 1.4 * radius, colours.DIM, "left") + 1.6 * radius
+        for figure in resting:
+            canvas.disc((x, y), radius, colours.TEAMS_LIGHT[team])
+            canvas.disc((x, y), radius - 1.5, colours.GREY)
+            canvas.text(str(figure.number), (x, y), 1.5 * radius, colours.WHITE)
+            if figure.penalty > 0.0:
+                words = f"{ceil(figure.penalty)} s"
+                x += canvas.text(words, (x + 1.3 * radius, y), 1.4 * radius, colours.DIM, "left") + 0.6 * radius
+            x += 2.5 * radius

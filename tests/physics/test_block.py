@@ -9,7 +9,7 @@ from soccer_env.leagues import Block, find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.physics.block import most_reach, spread_of
 from soccer_env.physics.contacts import TOUCH_GAP, ball_gap, paws_gap
-from soccer_env.physics.solver.segments import between_segments
+from soccer_env.physics.solver.posts import between_segments
 from soccer_env.render.robots import figures_of
 from tests.scenes.staging import LEGGED, asking, endless, energy, put, put_ball, stage, stand, steady, steps_in
 from tests.scenes.symmetry import MIRROR, Records, assert_same_records, mirrored

@@ -24,8 +24,15 @@ from soccer_env.train.bench.apis import (
     start_time,
     wrapper_bytes,
 )
-from soccer_env.train.bench.drawing import PictureLoad
-from soccer_env.train.bench.loads import CoreLoad, Load, OwnFloor, ParticlesLoad, ReferenceFloor, SensesLoad
+from soccer_env.train.bench.loads import (
+    CoreLoad,
+    Load,
+    OwnFloor,
+    ParticlesLoad,
+    PictureLoad,
+    ReferenceFloor,
+    SensesLoad,
+)
 from soccer_env.train.bench.plans import PlanLoad, TeamLoad
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.progress import Progress

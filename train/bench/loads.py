@@ -1,4 +1,4 @@
-"""What the benchmark times: the core under two loads, the bare physics of the same play, and a fixed reference scene.
+"""What the benchmark times: the core under two loads, the bare physics of the same play, a reference scene, pictures.
 
 Every load is live play: matches are replaced as they end, their clocks are spread over a half, and they are played on
 for a while before anything is timed.
@@ -7,7 +7,7 @@ for a while before anything is timed.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from time import perf_counter
+from time import perf_counter, process_time
 from types import MappingProxyType
 from typing import Any, Protocol
 
@@ -27,6 +27,9 @@ from soccer_env.physics.engine.reference import (
 from soccer_env.physics.engine.space_batch import SpaceBatch
 
 PLAYERS = 3  # a side
+PICTURED = 960  # [px] width of a picture
+TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}  # in a picture
+OVERLAYS = "belief,trail,roles"
 HOLD = 0.5  # [s] for which a random action is kept: shorter ones cancel out and nobody moves
 WARM_UP = 10.0  # [s] of play before the first timing
 DRAWS = 32  # sets of random actions, used in turn
@@ -146,3 +149,27 @@ class ReferenceFloor:
                 bare_slice(self.batch.links, self.substeps, REFERENCE_DT, 0, matches)
             spent += perf_counter() - start
         return spent / (rounds * REFERENCE_STEPS * matches)
+
+
+class PictureLoad:
+    """A match of a team against itself, drawn after every control step."""
+
+    def __init__(self, league: str, seed: int) -> None:
+        from soccer_env.render import Picture
+        from soccer_env.render.overlays.onlooker import Onlooker
+
+        team = TEAMS[league]
+        self.match = Match(league, controllers={"home": team, "away": team}, seed=seed, autoreset="same_step")
+        self.picture, self.onlooker = Picture(league, PICTURED), Onlooker(self.match, OVERLAYS)
+        self.sample(2, True)
+
+    def sample(self, frames: int, overlays: bool) -> list[float]:
+        """Return the seconds of the processor, which one thread takes, for each of so many frames."""
+        spent, match = [], self.match
+        for _ in range(frames):
+            match.step()
+            start = process_time()
+            over = self.onlooker.see(match, PICTURED) if overlays else []
+            self.picture.draw(match.matches[0], match.balls[0], match.robots[0], overlays=over)
+            spent.append(process_time() - start)
+        return spent

@@ -7,8 +7,7 @@ Nothing is recorded as matches are played: a match follows from its seed, so the
 once more. Each has to end in the state that its line tells, and its file proves every control step.
 
 asking.py      which matches are asked for
-playing.py     a match once more, with a recorder; its goals as clips
-keeping.py     `keep_replays`: files by meaning and seed, and kept.json, which lists them
+keeping.py     `keep_replays`: a match once more, with its goals as clips; kept.json lists the files
 """
 
 from typing import TYPE_CHECKING

@@ -12,14 +12,18 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 
-from soccer_env.replay import Replay
+from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.replay.browser import write_page
+from soccer_env.replay.clips import Clips
 from soccer_env.train.evaluate.contest import Contest
+from soccer_env.train.evaluate.recording import NOTE_EVERY, shown_of_memory
 from soccer_env.train.evaluate.results import KEPT, REPLAYS, MatchLine
 from soccer_env.train.keeping.asking import GOALS, KINDS, Keep
-from soccer_env.train.keeping.playing import Again, play_again
 from soccer_env.train.progress import Progress
+from soccer_env.types import NO_TEAM
 from soccer_env.whole_files import write_whole
+
+BEFORE, AFTER = 8.0, 1.5  # [s] that a clip shows of what led to a goal, at least, and of what came of it
 
 
 @dataclass(frozen=True)
@@ -170,3 +174,39 @@ def with_page(folder: Path, kept: Kept) -> Kept:
     if not kept.page or not (folder / page).is_file():
         write_page(Replay.read(folder / kept.file), folder / page, anew=True)
     return replace(kept, page=page)
+
+
+@dataclass(frozen=True)
+class Again:
+    """A match that was played once more; `goals`: the first control step of each clip, and the clip."""
+
+    whole: Replay
+    goals: list[tuple[int, Replay]]
+
+
+def play_again(contest: Contest, line: MatchLine, goals: bool, advance: Callable[[float], None]) -> Again:
+    """Play a match of a contest once more; ValueError if it ends in another state than its line says.
+
+    `goals`: clips of them as well. `advance` is told of control steps.
+    """
+    match = contest.start(line.side, [line.seed])
+    try:
+        recorder = Recorder(match, Thoughts(match, shown_of_memory()))
+        clips = Clips(match, recorder, BEFORE, AFTER)
+        for step in range(line.steps):
+            if goals:
+                clips.note()
+            match.step(None)
+            if goals and match.events["goal"][0] != NO_TEAM:
+                clips.mark()
+            if step % NOTE_EVERY == 0:
+                advance(NOTE_EVERY)
+        whole = recorder.stop()
+        if match.state_hash(0) != line.state:
+            raise ValueError(
+                f"match {line.match} (seed {line.seed}) cannot be kept: played again, it ended differently; a team of "
+                "its own must decide from what it is given alone"
+            )
+    finally:
+        match.close()
+    return Again(whole, clips.cut(whole))

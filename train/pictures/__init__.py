@@ -2,7 +2,6 @@
 
 animation.py  a team against another, from kick-off to the first goal, as a GIF
 belief.py     what one robot believes, drawn over what is true
-moments.py    recorded and exported, as the commands under the pictures do it
 frames.py     the field frame, the team frame and the robot frame on a pitch
 rules.py      the rules of a league, a frame each
 staged_rules.py  how such a situation is set up

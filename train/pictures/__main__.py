@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, NamedTuple
+
 import tyro
 
 from soccer_env.render import save_png
+from soccer_env.train.evaluate.exporting import export
+from soccer_env.train.evaluate.play_settings import ExportSettings, RecordSettings
+from soccer_env.train.evaluate.recording import record
 from soccer_env.train.pictures import rules_legged, rules_middle_size
 from soccer_env.train.pictures.animation import frames_of, write_gif
 from soccer_env.train.pictures.belief import belief_picture
 from soccer_env.train.pictures.frames import frames_picture
-from soccer_env.train.pictures.moments import write_moments
 from soccer_env.train.pictures.rules import rules_sheet
 from soccer_env.train.pictures.settings import PictureSettings
 
@@ -23,6 +29,37 @@ def make_pictures(settings: PictureSettings) -> None:
     save_png(rules_sheet(rules_legged.RULINGS, settings.ruling_width), settings.out / "rules-legged.png")
     save_png(rules_sheet(rules_middle_size.RULINGS, settings.ruling_width), settings.out / "rules-middle-size.png")
     write_moments(settings.out)
+
+
+class Moment(NamedTuple):
+    """A picture or film: its file, what is recorded, and what is shown of it."""
+
+    name: str
+    recorded: dict[str, Any]
+    shown: dict[str, Any]
+
+
+MOMENTS = (
+    Moment(
+        "field.png",
+        {"league": "legged-2001", "home": "sacks-2001", "away": "chaser", "minutes": 0.5, "seed": 3},
+        {"start": 12.0, "width": 960, "robot": "home_1", "belief": True, "field": True, "path": True, "roles": True},
+    ),
+    Moment(
+        "middle-size.gif",
+        {"league": "middle-size-2006", "home": "heinemann-2006", "away": "weigel-2001", "minutes": 1.0, "seed": 3},
+        {"start": 14.0, "seconds": 12.0, "speed": 2.0, "width": 480, "path": True, "trail": True},
+    ),
+)
+
+
+def write_moments(out: Path) -> None:
+    """Write every picture and film into a folder, over those that are there."""
+    with TemporaryDirectory() as folder:
+        for moment in MOMENTS:
+            file = Path(folder, f"{moment.name}.replay")
+            record(RecordSettings(**moment.recorded, out=file))
+            export(ExportSettings(file=file, out=out / moment.name, anew=True, **moment.shown))
 
 
 if __name__ == "__main__":

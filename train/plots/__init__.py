@@ -4,20 +4,14 @@
     png = draw_curves({"title": ..., "x_label": ..., "y_label": ..., "curves": [...], "rules": [0.0]})
 
 style.py        sizes, fonts, colours, markers and hatches; a picture as PNG or SVG
-curves.py       curves with intervals: learning, robustness, error against range
-bars.py         counts as bars
-intervals.py    what was measured beside what was asked for, each on its own scale
-heat_table.py   a table of numbers with coloured cells, as of teams against teams
-pitch_maps.py   heat maps, pass networks and shot maps           spread.py   discs, moved apart
+charts.py       curves with intervals, counts as bars, estimates beside a range, tables with coloured cells
+pitch_maps.py   heat maps, pass networks and shot maps
 
 Each `draw_...` takes `form="png"`, or "svg" for a page: SVG takes its colours from the page, light or dark. Matplotlib
 is imported with the first picture; without it that is an ImportError that says what to install.
 """
 
-from soccer_env.train.plots.bars import draw_bars
-from soccer_env.train.plots.curves import draw_curves
-from soccer_env.train.plots.heat_table import draw_heat_table
-from soccer_env.train.plots.intervals import draw_intervals
+from soccer_env.train.plots.charts import draw_bars, draw_curves, draw_heat_table, draw_intervals
 from soccer_env.train.plots.style import MISSING, can_draw
 
 __all__ = ["MISSING", "can_draw", "draw_bars", "draw_curves", "draw_heat_table", "draw_intervals"]

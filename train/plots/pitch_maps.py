@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.plots.spread import spread
 from soccer_env.train.plots.style import COLOURS, DIM, INK, STYLE, canvas, plot
 
 LEVELS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)  # [%] of the time, from which a cell is darker: the same in all pictures
@@ -26,6 +25,7 @@ APART = 2.8  # [1] diameters between players' middles, at least: room for arrows
 FEW = 5
 LONGEST = 20  # letters of a team's name
 BEND = 0.25  # [1] of an arrow: its height over its length is half of it
+ROUNDS = 200  # of moving discs apart, at most; eleven players in one place need 60
 HEIGHTS = {2: 2.5, 3: 2.25}  # [inch] of a row of so many pitches
 
 
@@ -217,3 +217,22 @@ def cut(name: str) -> str:
 def counted(number: int, thing: str, plural: str = "s") -> str:
     """Return how many there are of a thing, in words."""
     return f"{number} {thing}{'' if number == 1 else plural}"
+
+
+def spread(places: np.ndarray, distance: float) -> np.ndarray:
+    """Return places (N, 2) moved until they are that far from one another, across rather than along; repeatable."""
+    moved = np.array(places, np.float64).reshape(-1, 2)
+    if len(moved) < 2:
+        return moved
+    crowded = np.flatnonzero((np.hypot(*(moved[:, None] - moved).transpose(2, 0, 1)) < distance).sum(1) > 1)
+    crowded = crowded[np.argsort(moved[crowded, 0], kind="stable")]  # along x they keep their order
+    number = np.arange(len(crowded))
+    moved[crowded] += distance * np.stack([0.01 * number, 0.4 * (-1.0) ** number], 1)
+    for _ in range(ROUNDS):
+        apart = moved[:, None] - moved
+        far = np.hypot(*apart.transpose(2, 0, 1)) + np.eye(len(moved)) * distance
+        short = np.maximum(distance - far, 0.0)
+        if short.max() < 1e-3 * distance:
+            break
+        moved += 0.5 * (apart / far[..., None] * short[..., None]).sum(1)
+    return moved

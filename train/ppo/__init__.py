@@ -8,7 +8,7 @@
     networks.py        actor and critic                            critic_state.py   what the critic sees besides
     learner.py         PPO, and what of it has to be kept          checkpoints.py    so that a cut run goes on
     run_folder.py      what a run leaves behind                    reports.py        its log, evaluations and curve
-    reporting/         logs of other kinds, the report as a page, replays
+    reporting/         logs of other kinds, the report as a page
 
 Importing this package is quick: torch comes with the first training.
 """

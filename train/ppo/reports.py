@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -11,13 +12,15 @@ import numpy as np
 
 from soccer_env.agents.learned import team_of
 from soccer_env.agents.policy import Policy
+from soccer_env.agents.policy_file import load
 from soccer_env.leagues import find_league
 from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
 from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
+from soccer_env.train.keeping import Keep, Kept, keep_replays, kept_in
 from soccer_env.train.plots import can_draw, draw_curves
 from soccer_env.train.ppo.curriculum import LEARNER, Curriculum
-from soccer_env.train.ppo.run_folder import RunFolder
+from soccer_env.train.ppo.run_folder import BEST, RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.progress import Progress
 
@@ -209,3 +212,21 @@ def best_line(result: Any) -> str:
     pairs = zip(decisions_of(result.evaluations), result.evaluations, strict=True)
     decisions, best = max(pairs, key=lambda pair: pair[1]["mean"])
     return f"best: after {decisions:,} decisions, {best['mean']:+.2f} on average; the largest of several is a lucky one"
+
+
+def keep_best(settings: TrainSettings, folder: RunFolder) -> list[Kept]:
+    """Keep the replays asked for of best.safetensors against each opponent of the evaluations.
+
+    The matches are those of its evaluation; they are played once more to learn which of them are worth keeping.
+    """
+    path = folder.path / BEST
+    if not path.exists() or not (settings.keep or kept_in(folder.path)):
+        return []
+    policy, found = load(path), []
+    for number, opponent in enumerate(settings.judges, 1):
+        contest = evaluation_of(policy, opponent, settings)
+        lines: list[MatchLine] = []
+        play_matches(contest, set(), "", settings.threads, lines.extend, lambda steps: None)
+        before = f"{number}-{re.sub(r'[^A-Za-z0-9.@=-]', '-', opponent)[:40]}-"
+        found += keep_replays(contest, lines, Keep(settings.keep, settings.keep_pages), folder.path, before)
+    return found

@@ -23,8 +23,7 @@ from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import Learner
 from soccer_env.train.ppo.networks import policy_from
 from soccer_env.train.ppo.reporting.page import page_of
-from soccer_env.train.ppo.reporting.replays import keep_best
-from soccer_env.train.ppo.reports import Board, evaluate_policy, learning_curve
+from soccer_env.train.ppo.reports import Board, evaluate_policy, keep_best, learning_curve
 from soccer_env.train.ppo.run_folder import BEST, CURVE, LAST, REPORT, RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds

@@ -8,7 +8,7 @@ claim.py          what a claim is, and what its measurement hands over
 verdicts.py       what a criterion asks for, and what an interval says about it
 results.py        what was found of a claim, and what a run leaves in its folder
 page.py           as a page for the browser
-report.py         that in Markdown and on the screen        drawing.py   its figures
+report.py         that in Markdown and on the screen
 staging.py        stage many matches at once, robots and ball put somewhere
 true_sight.py     where legged robots truly look, all robots of many matches at once
 dribble_runs.py   robots that dribble, and what became of the ball       drill_runs.py   runs of the dribbling drills

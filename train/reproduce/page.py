@@ -9,7 +9,7 @@ from math import inf
 from typing import Any
 
 from soccer_env.train.plots import MISSING, can_draw, draw_curves, draw_intervals
-from soccer_env.train.plots.intervals import Row
+from soccer_env.train.plots.charts import Row
 from soccer_env.train.report_pages import ReportPage
 from soccer_env.train.reproduce.report import (
     COLUMNS,

@@ -9,17 +9,17 @@ own, as most of a claim's time is spent in Python (`workers.py`).
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
+from soccer_env.train.plots import MISSING, can_draw, draw_curves
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import LIBRARIES, digest, made_now, module_hash, version_of
 from soccer_env.train.reproduce.claim import Claim
 from soccer_env.train.reproduce.claims import all_claims, find_claims
-from soccer_env.train.reproduce.drawing import draw_all
 from soccer_env.train.reproduce.examination import examine
 from soccer_env.train.reproduce.page import page_of
 from soccer_env.train.reproduce.report import markdown
-from soccer_env.train.reproduce.results import CLAIMS, REPRODUCTION, ClaimResult
+from soccer_env.train.reproduce.results import CLAIMS, REPRODUCTION, ClaimResult, plot_name
 from soccer_env.train.reproduce.settings import ReproduceSettings, command_of
 from soccer_env.train.reproduce.workers import examine_in_processes
 from soccer_env.train.results_folder import ResultsFolder
@@ -89,3 +89,18 @@ def measure_missing(
 
 
 __all__ = ["ReproduceSettings", "reproduce"]
+
+
+def draw_all(results: Sequence[ClaimResult], folder: ResultsFolder) -> tuple[dict[str, list[str]], str]:
+    """Draw every figure into the folder; return the files of each claim, and why nothing was drawn ("" if it was)."""
+    if folder.path is None or not any(result.figures for result in results):
+        return {}, ""
+    if not can_draw():
+        return {}, MISSING
+    files: dict[str, list[str]] = {}
+    for result in results:
+        for number, figure in enumerate(result.figures, 1):
+            name = plot_name(result.id, number)
+            folder.write(name, draw_curves(figure))
+            files.setdefault(result.id, []).append(name)
+    return files, ""

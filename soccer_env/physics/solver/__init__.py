@@ -5,7 +5,6 @@ rounds.py     the four functions that Chipmunk calls, and the ground under the r
 ball.py       what a blow does to a ball that rolls
 contacts.py   how a contact is listed, and what it is to bring about
 posts.py      what the posts of robots touch: other robots and the ball
-segments.py   where two straight lines are nearest to each other
 walls.py      what they touch that stands still: boards with their feet, goals
 interlock.py  legs caught between the legs of another robot
 impulses.py   impulses at the contacts of posts

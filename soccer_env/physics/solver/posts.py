@@ -29,7 +29,6 @@ from soccer_env.physics.solver.contacts import (
     stance_of,
 )
 from soccer_env.physics.solver.records import OVERLAP_LEFT
-from soccer_env.physics.solver.segments import between_segments
 
 BALL = 30  # in the place of the other robot's row in a contact's key
 TRUNK = 4  # in the place of the other robot's post
@@ -232,3 +231,30 @@ def meet_paw(solver, k, r, i, ahead, left, cosine, sine):
     contact.surface_y = -vy
     aim(solver, contact, nx, ny, place_x, place_y, gap - reach, solver.ball_elasticity, solver.ball_friction)
     share_with_roll(solver, contact)
+
+
+@compiled
+def between_segments(ax, ay, bx, by, cx, cy, dx, dy):
+    """Return the point of AB [m, m] that is nearest to CD, and the vector from it to the nearest point of CD [m, m].
+
+    Of lines that do not cross, and robots' legs and trunks hardly can, an end of one is nearest to the other.
+    """
+    x, y = to_segment(ax, ay, cx, cy, dx, dy)
+    at_x, at_y = ax, ay
+    other_x, other_y = to_segment(bx, by, cx, cy, dx, dy)
+    if other_x * other_x + other_y * other_y < x * x + y * y:
+        at_x, at_y, x, y = bx, by, other_x, other_y
+    back_x, back_y = to_segment(cx, cy, ax, ay, bx, by)
+    if back_x * back_x + back_y * back_y < x * x + y * y:
+        at_x, at_y, x, y = cx + back_x, cy + back_y, -back_x, -back_y
+    back_x, back_y = to_segment(dx, dy, ax, ay, bx, by)
+    if back_x * back_x + back_y * back_y < x * x + y * y:
+        at_x, at_y, x, y = dx + back_x, dy + back_y, -back_x, -back_y
+    return at_x, at_y, x, y
+
+
+@compiled
+def to_segment(x, y, ax, ay, bx, by):
+    """Return the vector [m, m] from a point to the nearest point of AB."""
+    share = share_along(x - ax, y - ay, bx - ax, by - ay)
+    return ax + share * (bx - ax) - x, ay + share * (by - ay) - y

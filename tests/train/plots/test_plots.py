@@ -11,9 +11,8 @@ import numpy as np
 import pytest
 
 from soccer_env.train.plots import MISSING, draw_bars, draw_curves, draw_heat_table, draw_intervals
-from soccer_env.train.plots.intervals import Row
-from soccer_env.train.plots.pitch_maps import LONGEST, Maps, cut, draw_network, draw_presence, draw_shots
-from soccer_env.train.plots.spread import spread
+from soccer_env.train.plots.charts import Row
+from soccer_env.train.plots.pitch_maps import LONGEST, Maps, cut, draw_network, draw_presence, draw_shots, spread
 from soccer_env.train.plots.style import COLOURS, LINES, MARKERS, for_page, shortened
 
 pytest.importorskip("matplotlib")

@@ -2,5 +2,4 @@
 
 loggers.py   TensorBoard, Weights & Biases and CSV, through stable-baselines3's own logger
 page.py      the report as a page for the browser
-replays.py   replays of matches that the best policy plays
 """
