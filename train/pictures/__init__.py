@@ -1,6 +1,5 @@
 """The pictures of the pages, drawn from matches of fixed seeds: `make pictures`.
 
-animation.py  a team against another, from kick-off to the first goal, as a GIF
 belief.py     what one robot believes, drawn over what is true
 frames.py     the field frame, the team frame and the robot frame on a pitch
 rules.py      the rules of a league, a frame each

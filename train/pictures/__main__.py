@@ -13,7 +13,6 @@ from soccer_env.train.evaluate.exporting import export
 from soccer_env.train.evaluate.play_settings import ExportSettings, RecordSettings
 from soccer_env.train.evaluate.recording import record
 from soccer_env.train.pictures import rules_legged, rules_middle_size
-from soccer_env.train.pictures.animation import frames_of, write_gif
 from soccer_env.train.pictures.belief import belief_picture
 from soccer_env.train.pictures.frames import frames_picture
 from soccer_env.train.pictures.rules import rules_sheet
@@ -21,9 +20,8 @@ from soccer_env.train.pictures.settings import PictureSettings
 
 
 def make_pictures(settings: PictureSettings) -> None:
-    """Write match.gif, belief.png, frames.png, the sheets of rules and recorded moments into the folder."""
+    """Write belief.png, frames.png, the sheets of rules and the recorded moments into the folder."""
     settings.out.mkdir(parents=True, exist_ok=True)
-    write_gif(frames_of(settings), settings.out / "match.gif", settings.frame_time, settings.last_time)
     save_png(belief_picture(settings), settings.out / "belief.png")
     save_png(frames_picture(settings), settings.out / "frames.png")
     save_png(rules_sheet(rules_legged.RULINGS, settings.ruling_width), settings.out / "rules-legged.png")
@@ -40,6 +38,11 @@ class Moment(NamedTuple):
 
 
 MOMENTS = (
+    Moment(
+        "match.gif",
+        {"home": "chaser", "away": "sacks-2001", "seed": 78, "minutes": 20.0, "episode": "goal"},
+        {"width": 720, "speed": 4.0},
+    ),
     Moment(
         "field.png",
         {"league": "legged-2001", "home": "sacks-2001", "away": "chaser", "minutes": 0.5, "seed": 3},

@@ -92,15 +92,6 @@ def sources(measured: Measured) -> Iterable[str]:
             yield f"`{runs[0]['command']}`, {runs[0]['date']}, commit {runs[0]['commit']}."
 
 
-def beside(before: Mapping[str, Mapping[str, Any]], measured: Measured) -> str:
-    """Return verdicts of an earlier claims.json beside those under both rule sets, in Markdown."""
-    lines = [f"| id | before | {' | '.join(f'`{rules}`' for rules in SETS)} |", "|---|---|---|---|"]
-    for name in PLAY:
-        now = (verdict_of(measured.get(rules, {}).get(name)) for rules in SETS)
-        lines.append(f"| {' | '.join((name, verdict_of(before.get(name)), *now))} |")
-    return "\n".join(lines)
-
-
 def stored() -> dict[str, dict[str, dict[str, Any]]]:
     """Return what rule_sets.json holds; nothing if it was never measured."""
     found: dict[str, dict[str, dict[str, Any]]] = json.loads(DATA.read_text(encoding="utf-8")) if DATA.exists() else {}

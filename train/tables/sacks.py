@@ -3,7 +3,6 @@
     python -m soccer_env.train.tables.sacks                 measure every claim of the paper (goes on where it stopped)
     python -m soccer_env.train.tables.sacks run FOLDER ...  take in what runs of `soccer reproduce` found
     python -m soccer_env.train.tables.sacks rules           measure the claims judged from play under league and simple
-    python -m soccer_env.train.tables.sacks before FILE     print verdicts of an earlier claims.json beside both of now
     python -m soccer_env.train.tables.sacks write           write README.md again from claims.json and the claims' notes
 
 `rules --quick` takes few samples.
@@ -222,8 +221,6 @@ def main(arguments: Iterable[str]) -> int:
     elif words in (["rules"], ["rules", "--quick"]):
         rule_sets.measure(quick="--quick" in words)
         write(stored())
-    elif words[0] == "before" and len(words) == 2:
-        print(rule_sets.beside(json.loads(Path(words[1]).read_text(encoding="utf-8")), rule_sets.stored()))
     elif words[0] == "run" and len(words) > 1:
         measured = stored()
         for folder in words[1:]:
@@ -231,7 +228,7 @@ def main(arguments: Iterable[str]) -> int:
             take_pictures(Path(folder))
         write(measured)
     else:
-        choices = "[run FOLDER ... | rules [--quick] | before FILE | write]"
+        choices = "[run FOLDER ... | rules [--quick] | write]"
         print(f"usage: python -m soccer_env.train.tables.sacks {choices}", file=sys.stderr)
         return 2
     return 0

@@ -2,58 +2,23 @@
 
 from dataclasses import replace
 from math import dist, pi
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 pytest.importorskip("pygame")
-pytest.importorskip("PIL")
-
-from PIL import Image
 
 from soccer_env import Match
 from soccer_env.belief_types import TRACK
 from soccer_env.leagues import find_league
-from soccer_env.render import Area, Label, Picture, Points, Polyline
-from soccer_env.render.colours import BALL, BALL_SHINE, TEAMS_LIGHT
+from soccer_env.render import Area, Label, Points, Polyline
+from soccer_env.render.colours import BALL_SHINE, TEAMS_LIGHT
 from soccer_env.render.overlays.sight import to_board
-from soccer_env.train.pictures.animation import frames_of, scoring_ball, write_gif
 from soccer_env.train.pictures.belief import belief_overlays, belief_picture, believed_player, field_of_view
 from soccer_env.train.pictures.frames import frames_picture
 from soccer_env.train.pictures.settings import FOLDER, PictureSettings
-from soccer_env.types import NO_TEAM
 
-TINY = PictureSettings(home="chaser", away="still", seed=3, longest=1.0, width=240, still_width=240, belief_time=0.5)
-
-
-def test_the_animation_shows_every_fifth_step_and_is_the_same_each_time(tmp_path: Path) -> None:
-    frames, again = frames_of(TINY), frames_of(TINY)
-    assert len(frames) == 1 + 16 // TINY.every
-    assert all(np.array_equal(one, other) for one, other in zip(frames, again, strict=True))
-    assert not np.array_equal(frames[0], frames[-1])
-    write_gif(frames, tmp_path / "match.gif", 0.08, 1.5)
-    with Image.open(tmp_path / "match.gif") as gif:
-        assert (gif.n_frames, gif.info["duration"], gif.info["loop"]) == (len(frames), 80, 0)
-        assert gif.size == (240, frames[0].shape[0])
-        gif.seek(gif.n_frames - 1)
-        assert gif.info["duration"] == 1500
-
-
-def test_the_animation_ends_with_the_first_goal_and_shows_the_ball_behind_the_line() -> None:
-    scoring = replace(TINY, seed=7, longest=120.0, width=720)
-    match = Match(TINY.league, controllers={"home": "chaser", "away": "still"}, pose="particles", seed=scoring.seed)
-    while match.events["goal"][0] == NO_TEAM:
-        match.step()
-    goal_at = int(match.matches["step"][0])
-    assert goal_at < 16 * 120
-    ball = scoring_ball(match)
-    assert ball["x"] > match.league.pitch.length / 2 + match.league.ball.radius  # the whole ball is over the line
-    assert match.balls["x"][0] == 0.0  # and lies on the centre spot by now
-    frames = frames_of(scoring)
-    assert len(frames) == -(-goal_at // TINY.every) + 1
-    column, row = Picture(TINY.league, 720).pixel(float(ball["x"]), float(ball["y"]))
-    assert tuple(frames[-1][round(row) + 2, round(column) + 2]) == BALL
+TINY = PictureSettings(home="chaser", away="still", still_width=240, belief_time=0.5)
 
 
 @pytest.mark.parametrize("row", [1, 4])
