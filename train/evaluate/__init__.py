@@ -9,7 +9,6 @@ statistics.py      statistics of play: of a line, totals with intervals, tables
 map_tables.py      where things happened, as tables of a report
 report.py          the result in Markdown and on the screen
 page.py             the same as a page for the browser, with pictures
-pictures.py        a sheet of pictures of one match
 recording.py       a match into a replay file, and out of it again
 exporting.py       a replay as a film, a page, data or a picture
 data_exports.py    the data: of a replay, or of all below a folder

@@ -12,9 +12,13 @@ import json
 import sys
 from collections.abc import Mapping
 from dataclasses import asdict, replace
+from typing import Any
+
+import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
+from soccer_env.match import Match
 from soccer_env.scenes import names_in
 from soccer_env.teams import Team
 from soccer_env.train.evaluate.contest import Contest, check_trained, contest_of, play_matches, trained_otherwise
@@ -27,6 +31,11 @@ from soccer_env.train.keeping import Keep, keep_replays
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import check_told_apart, made_now, made_with, of_modules
 from soccer_env.train.results_folder import ResultsFolder
+from soccer_env.types import NO_TEAM
+
+MOMENTS = 12  # of a match in its sheet of pictures, spread evenly over it; beside them the moment before each goal
+GOALS = 8  # shown at most
+COLUMNS, WIDTH = 4, 480  # of the sheet; [px] of a picture
 
 
 def evaluate(
@@ -91,18 +100,34 @@ def play_missing(contest: Contest, folder: ResultsFolder, threads: int) -> list[
 
 def draw_first_match(contest: Contest, folder: ResultsFolder, result: EvaluationResult) -> None:
     """Play the first match again, by itself, and write its pictures; RuntimeError if it ends in another state."""
-    from soccer_env.render import save_png
-    from soccer_env.train.evaluate.pictures import draw_match, require_pictures
+    from soccer_env.render import Picture, contact_sheet, save_png
+    from soccer_env.render.canvas import require_pygame
 
     assert folder.path is not None
     try:
-        require_pictures()
+        require_pygame()
     except ImportError as error:
         print(f"no picture: {error}", file=sys.stderr)
         return
     line = result.lines[0]
     match = contest.start(line.side, [line.seed])
-    sheet = draw_match(match, line.steps, (result.conditions.home, result.conditions.away))
+    picture, title = Picture(match.league, WIDTH), (result.conditions.home, result.conditions.away)
+    frames = [picture.draw(*moment, title=title) for moment in play_moments(match, line.steps)]
     if match.state_hash(0) != line.state:
         raise RuntimeError(f"match 0 (seed {line.seed}) did not end as it did among others: a bug of soccer_env")
-    save_png(sheet, folder.path / "match.png")
+    save_png(contact_sheet(frames, COLUMNS), folder.path / "match.png")
+
+
+def play_moments(match: Match, steps: int) -> list[tuple[Any, Any, Any]]:
+    """Play a single match to its end and return its moments worth a picture: match record, ball and robots."""
+    wanted = set(np.linspace(0, steps - 1, MOMENTS).astype(int).tolist())
+    moments: list[tuple[Any, Any, Any]] = []
+    goals = 0
+    for step in range(steps):
+        now = match.matches[0].copy(), match.balls[0].copy(), match.robots[0].copy()
+        match.step(None)
+        scored = match.events["goal"][0] != NO_TEAM and goals < GOALS
+        goals += scored
+        if step in wanted or scored:
+            moments.append(now)
+    return moments

@@ -230,7 +230,7 @@ def test_without_pygame_there_is_a_note_and_no_picture(
     def missing() -> None:
         raise ImportError("pictures need pygame")
 
-    monkeypatch.setattr("soccer_env.train.evaluate.pictures.require_pictures", missing)
+    monkeypatch.setattr("soccer_env.render.canvas.require_pygame", missing)
     short(out=tmp_path, matches=2, picture=True)
     assert "no picture: pictures need pygame" in capsys.readouterr().err
     assert not (tmp_path / "match.png").exists()
