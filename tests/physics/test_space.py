@@ -144,20 +144,6 @@ def test_a_pair_must_be_one(pair, bad):
         replace(find_league(LEGGED), materials=bad)
 
 
-@pytest.mark.parametrize(
-    ("numbers", "message"),
-    [
-        ((1.1, 0.3), r"Pair\.elasticity must be 0 to 1, got 1\.1"),
-        ((-0.1, 0.3), r"Pair\.elasticity must be 0 to 1, got -0\.1"),
-        ((0.5, -0.3), r"Pair\.friction must be a number of at least 0, got -0\.3"),
-        ((0.5, float("nan")), r"Pair\.friction must be a number of at least 0, got nan"),
-    ],
-)
-def test_the_numbers_of_a_pair_are_checked(numbers, message):
-    with pytest.raises(ValueError, match=message):
-        Pair(*numbers)
-
-
 def test_materials_are_six_pairs():
     assert tuple(find_league(LEGGED).materials.pairs()) == PAIRS == tuple(Materials.__dataclass_fields__)
 
@@ -214,23 +200,6 @@ def test_a_foot_is_so_low_that_the_ball_meets_the_upright_board():
         ValueError, match=r"Pitch\.board_foot must be at most 0\.0246, got 0\.025: the ball has to meet"
     ):
         replace(league, pitch=replace(league.pitch, board_foot=0.025))
-
-
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"hind_y": 0.0}, "four posts, one in each quarter"),
-        ({"tip_radius": 0.0}, "four posts, one in each quarter"),
-        ({"hind_x": 0.1}, "four posts, one in each quarter"),
-        ({"hind_x": -0.15}, r"Body\.reach must be at least 0\.181"),
-        ({"disc_back": 0.2}, r"Body\.reach must be at least 0\.173"),
-    ],
-)
-def test_a_body_with_legs_needs_posts_round_its_trunk_within_its_reach(changes, message):
-    with pytest.raises(ValueError, match=message):
-        replace(find_league(LEGGED).body, **changes)
-    with pytest.raises(ValueError, match=r"Body\.disc_back must be 0 for a hull, got 0\.1"):
-        replace(find_league("legged-2001-smooth").body, disc_back=0.1)
 
 
 def test_a_league_that_is_gone_says_what_replaced_it():

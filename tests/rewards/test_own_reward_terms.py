@@ -35,6 +35,7 @@ def test_rewards_can_be_compared_copied_and_written_down() -> None:
         ((3,), "OwnTerm.function must be"),
         ((one, "bonus"), "OwnTerm.kind must be one of potential, event, cost, got 'bonus'"),
         ((one, "cost", np.nan), "OwnTerm.weight must be -1000000000 to 1000000000, got nan"),
+        ((one, "event", -1e300), "OwnTerm.weight must be -1000000000 to 1000000000, got -1e+300"),
     ],
 )
 def test_bad_terms_of_ones_own_are_refused(bad: tuple[Any, ...], message: str) -> None:
@@ -107,10 +108,3 @@ def test_a_potential_is_that_of_the_records_when_the_step_begins() -> None:
     assert abs(match.step(np.zeros((1, 2, 4)))[1]).max() < 0.1
     match.load(saved)
     assert abs(match.step(np.zeros((1, 2, 4)))[1]).max() < 0.1
-
-
-def test_weights_that_would_pay_infinity_are_refused() -> None:
-    with pytest.raises(ValueError, match="Rewards.effort must be .*1000000000, got 1.7e\\+308"):
-        Rewards(effort=1.7e308)
-    with pytest.raises(ValueError, match="OwnTerm.weight must be .*1000000000, got -1e\\+300"):
-        OwnTerm(lambda match: 0.0, weight=-1e300)
