@@ -11,6 +11,7 @@ torch_layers.py what stands in a torch module
 sb3_zip.py      zips of stable-baselines3, read without running what is in them
 sb3_actor.py    which of their parameters are the actor
 onnx_team.py    policies in ONNX files as teams
+onnx_checks.py  what such a file may hold: a network of known size
 perceptron.py   the network, computed in compiled code
 attention.py    attention over other players, before its layers
 policies/       the bundled policies, with their page

@@ -11,37 +11,11 @@ import pytest
 
 from soccer_env import Match, make_team
 from soccer_env.agents.learned import team_of
-from soccer_env.agents.policy import Policy
-from soccer_env.train.evaluate import EvaluateSettings, evaluate
+from tests.agents.staged_onnx import exported
 from tests.agents.staged_policies import lively
 
-onnx = pytest.importorskip("onnx")
+pytest.importorskip("onnx")
 pytest.importorskip("onnxruntime")
-
-
-def exported(policy: Policy, path: Path, batch: Any = "B", double: bool = False, chosen: bool = False) -> str:
-    """Write a policy's network as an ONNX file, as libraries export it; return its path."""
-    kind = onnx.TensorProto.DOUBLE if double else onnx.TensorProto.FLOAT
-    nodes, constants, last = [], [], "seen"
-    for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases, strict=True)):
-        names = [f"w{number}", f"b{number}"]
-        for name, array in zip(names, (weight, bias), strict=True):
-            constants.append(onnx.numpy_helper.from_array(array.astype(np.float64 if double else np.float32), name))
-        nodes.append(onnx.helper.make_node("Gemm", [last, *names], [f"h{number}"], transB=1))
-        last = f"h{number}"
-        if number < len(policy.weights) - 1:
-            nodes.append(onnx.helper.make_node("Tanh", [last], [f"t{number}"]))
-            last = f"t{number}"
-    shape, out = [batch, len(policy.biases[-1])], kind
-    if chosen:
-        nodes.append(onnx.helper.make_node("ArgMax", [last], ["best"], axis=1, keepdims=0))
-        last, shape, out = "best", [batch], onnx.TensorProto.INT64
-    inputs = [onnx.helper.make_tensor_value_info("seen", kind, [batch, len(policy.inputs)])]
-    outputs = [onnx.helper.make_tensor_value_info(last, out, shape)]
-    graph = onnx.helper.make_graph(nodes, "policy", inputs, outputs, constants)
-    model = onnx.helper.make_model(graph, opset_imports=[onnx.helper.make_opsetid("", 17)], ir_version=9)
-    path.write_bytes(model.SerializeToString())
-    return str(path)
 
 
 CASES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
@@ -69,18 +43,6 @@ def test_it_plays_as_our_own_inference(case: str, tmp_path: Path) -> None:
             gap = np.abs(theirs.robots["command"][name] - ours.robots["command"][name])
             assert gap.max() < 1e-3, name
     assert len(np.unique(ours.robots["command"]["forward"])) > 2
-
-
-def test_it_is_evaluated_and_goes_on_only_as_the_same_file(tmp_path: Path) -> None:
-    path = exported(lively(8), tmp_path / "mine.onnx")
-    settings = EvaluateSettings(
-        home=f"{path}:action_repeat=8", away="still", players=1, matches=2, minutes=0.1, out=tmp_path / "run"
-    )
-    assert evaluate(settings).conditions.home.endswith("mine.onnx:action_repeat=8")
-    evaluate(settings)
-    exported(lively(8, seed=2), tmp_path / "mine.onnx")
-    with pytest.raises(ValueError, match="home_team"):
-        evaluate(settings)
 
 
 def test_a_match_with_it_is_copied(tmp_path: Path) -> None:
@@ -111,19 +73,8 @@ def test_what_cannot_play_is_refused_in_one_line(tmp_path: Path) -> None:
         make_team(f"{path}:repeat=3")
 
 
-def test_two_inputs_are_refused(tmp_path: Path) -> None:
-    kind = onnx.TensorProto.FLOAT
-    inputs = [onnx.helper.make_tensor_value_info(name, kind, ["B", 4]) for name in ("seen", "hidden")]
-    outputs = [onnx.helper.make_tensor_value_info("sum", kind, ["B", 4])]
-    graph = onnx.helper.make_graph([onnx.helper.make_node("Add", ["seen", "hidden"], ["sum"])], "g", inputs, outputs)
-    model = onnx.helper.make_model(graph, opset_imports=[onnx.helper.make_opsetid("", 17)], ir_version=9)
-    (tmp_path / "two.onnx").write_bytes(model.SerializeToString())
-    with pytest.raises(ValueError, match=r"must have one input \(B, n\), got seen \['B', 4\], hidden \['B', 4\]"):
-        make_team(str(tmp_path / "two.onnx"))
-
-
 def test_without_onnxruntime_the_message_says_what_to_install(tmp_path: Path) -> None:
     path = exported(lively(8), tmp_path / "mine.onnx")
     code = f"import sys; sys.modules['onnxruntime'] = None\nfrom soccer_env import make_team; make_team({path!r})"
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert "ImportError: an ONNX file plays by onnxruntime: pip install soccer_env[onnx]" in ran.stderr
+    assert "ImportError: an ONNX file plays by onnxruntime and onnx: pip install soccer_env[onnx]" in ran.stderr

@@ -1,0 +1,190 @@
+"""What an ONNX file of a stranger may hold: a network whose time and memory are known before it plays.
+
+    file         at most 16 MiB, all of its weights inside
+    operators    those of OPERATORS, of the standard opset; so no loops, no random numbers, no code of other libraries
+    sizes        every array has a size that follows from that of the observations, within MAX_VALUES and MAX_WORK
+
+onnxruntime reads none of the file's own bytes, but what the package `onnx` understood of them, written anew. It trusts
+its files: it reads others that they name, loops for ever and takes all memory that they ask for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import prod
+from typing import Any, NoReturn
+
+from soccer_env.checking import brief
+
+MAX_FILE = 16 * 2**20  # [bytes] as of our own policy files
+MAX_PARTS = 50_000  # messages in a file; an export has a few for each operator
+MAX_CONSTANT = 2**24  # numbers in arrays that do not grow with the rows: weights, and those turned round
+MAX_VALUES = 2**20  # numbers in all arrays together, for each row
+MAX_WORK = 2**27  # multiplications of matrices for each row; a network of 4 million weights needs 2^22
+OPERATORS = {
+    *("Add", "Div", "Gemm", "MatMul", "Max", "Mean", "Min", "Mod", "Mul", "Pow", "Sub", "Sum"),
+    *("Abs", "Atan", "Ceil", "Cos", "Erf", "Exp", "Floor", "Log", "Neg", "Reciprocal", "Round", "Sign", "Sin", "Sqrt"),
+    *("Celu", "Clip", "Elu", "Gelu", "HardSigmoid", "HardSwish", "Hardmax", "LeakyRelu", "LogSoftmax", "Mish", "PRelu"),
+    *("Relu", "Selu", "Sigmoid", "Softmax", "Softplus", "Softsign", "Swish", "Tan", "Tanh", "ThresholdedRelu"),
+    *("BatchNormalization", "LayerNormalization", "RMSNormalization"),
+    *("And", "Equal", "Greater", "GreaterOrEqual", "IsInf", "IsNaN", "Less", "LessOrEqual", "Not", "Or", "Where"),
+    *("ArgMax", "ArgMin", "CumSum", "ReduceL2", "ReduceLogSumExp", "ReduceMax", "ReduceMean", "ReduceMin"),
+    *("ReduceProd", "ReduceSum", "ReduceSumSquare"),
+    *("Cast", "Concat", "Constant", "ConstantOfShape", "Expand", "Flatten", "Gather", "GatherElements", "Identity"),
+    *("Range", "Reshape", "Shape", "Slice", "Split", "Squeeze", "Tile", "Transpose", "Trilu", "Unsqueeze"),
+}
+NUMBERS = (1, 2, 3, 6, 7, 9, 10, 11)  # of TensorProto: FLOAT, UINT8, INT8, INT32, INT64, BOOL, FLOAT16, DOUBLE
+WHOLE = (2, 3, 6, 7)
+INSIDE = "export it with the weights inside, as by torch.onnx.export(..., external_data=False)"
+
+
+def checked_model(content: bytes) -> Any:
+    """Return the model of an ONNX file, without what `onnx` does not know and nobody needs; ValueError if unsafe."""
+    import onnx
+
+    try:
+        model = onnx.ModelProto.FromString(content)
+    except Exception:  # protobuf's own kinds of errors
+        raise ValueError("is no ONNX file") from None
+    for part in parts_of(model):
+        if isinstance(part, onnx.TensorProto) and (part.external_data or part.data_location == part.EXTERNAL):
+            name = next((entry.value for entry in part.external_data if entry.key == "location"), "")
+            raise ValueError(f"has weights in another file, {brief(name)}: {INSIDE}")
+    model.DiscardUnknownFields()
+    graph = model.graph
+    for what, found in (("functions of its own", model.functions), ("sparse weights", graph.sparse_initializer)):
+        if found:
+            raise ValueError(f"has {what}: export it with standard operators alone")
+    for name in ("training_info", "metadata_props"):
+        model.ClearField(name)
+    for name in ("value_info", "quantization_annotation"):
+        graph.ClearField(name)
+    check_operators(graph.node)
+    check_input(model)
+    try:
+        onnx.checker.check_model(model)
+    except Exception as error:  # protobuf's, or the checker's
+        raise ValueError(f"is not sound: {error}") from None
+    return model
+
+
+def parts_of(model: Any) -> Iterator[Any]:
+    """Yield all messages in a message, those of inner graphs and functions too; ValueError for too many."""
+    waiting, count = [model], 0
+    while waiting:
+        message = waiting.pop()
+        yield message
+        for field, value in message.ListFields():
+            if field.message_type is not None:
+                found = [value] if hasattr(value, "ListFields") else value
+                count += len(found)
+                if count > MAX_PARTS:
+                    raise ValueError(f"has more than {MAX_PARTS} parts")
+                waiting.extend(found)
+
+
+def check_operators(nodes: Any) -> None:
+    """Raise ValueError for an operator that is not one of OPERATORS."""
+    for node in nodes:
+        if node.domain not in ("", "ai.onnx") or node.op_type not in OPERATORS:
+            name = f"{node.domain}.{node.op_type}" if node.domain else node.op_type
+            why = "it is not among those whose time and memory can be bounded (soccer_env.agents.onnx_checks.OPERATORS)"
+            raise ValueError(f"has the operator {brief(name)}: {why}")
+
+
+def check_input(model: Any) -> None:
+    """Raise ValueError unless a model has one input (B, n), where n is a number."""
+    axes = {one.name: [axis.dim_param or axis.dim_value for axis in axes_of(one)] for one in inputs_of(model)}
+    if [len(found) for found in axes.values()] != [2]:
+        got = ", ".join(f"{name} {found}" for name, found in axes.items())
+        raise ValueError(f"must have one input (B, n), got {got or 'none'}; see team_of_function")
+    width = next(iter(axes.values()))[1]
+    if not isinstance(width, int) or width < 1:
+        raise ValueError(f"must have one input (B, n) where n is a number, got {brief(width)}")
+
+
+def inputs_of(model: Any) -> list[Any]:
+    """Return the inputs that are no weights."""
+    weights = {tensor.name for tensor in model.graph.initializer}
+    return [one for one in model.graph.input if one.name not in weights]
+
+
+def axes_of(value: Any) -> Any:
+    """Return the axes of an array as the file says them."""
+    return value.type.tensor_type.shape.dim
+
+
+def check_sizes(model: Any, rows: int) -> None:
+    """Raise ValueError unless all that a model computes for so many rows is known, and within bounds."""
+    import onnx
+
+    pinned = onnx.ModelProto()
+    pinned.CopyFrom(model)
+    axes_of(inputs_of(pinned)[0])[0].dim_value = rows
+    for output in pinned.graph.output:  # what is said of sizes is not believed
+        output.type.tensor_type.ClearField("shape")
+    try:
+        graph = onnx.shape_inference.infer_shapes(pinned, check_type=True, strict_mode=True, data_prop=True).graph
+    except Exception as error:
+        raise ValueError(f"does not fit together: {error}") from None
+    arrays = {one.name: (size_of(one), kind_of(one)) for one in (*graph.input, *graph.value_info, *graph.output)}
+    arrays |= {weight.name: (tuple(weight.dims), weight.data_type) for weight in graph.initializer}
+    for name in (name for node in graph.node for name in node.output if name and name not in arrays):
+        refuse_unknown(name)
+    for name, (_, kind) in arrays.items():
+        if kind not in NUMBERS:
+            raise ValueError(f"{brief(name)} holds no numbers")
+    check_divisions(graph, {name: kind for name, (_, kind) in arrays.items()})
+    sizes = {name: size for name, (size, _) in arrays.items()}
+    check_cost(sum(map(prod, sizes.values())), "numbers", MAX_CONSTANT, MAX_VALUES, rows)
+    check_cost(sum(work_of(node, sizes) for node in graph.node), "multiplications", 0, MAX_WORK, rows)
+
+
+def check_cost(cost: int, what: str, once: int, each: int, rows: int) -> None:
+    """Raise ValueError for what costs too much."""
+    if cost > once + each * rows:
+        raise ValueError(f"computes {cost} {what} for {rows} rows, the limit is {once + each * rows}")
+
+
+def check_divisions(graph: Any, kinds: dict[str, int]) -> None:
+    """Raise ValueError for a division of whole numbers by other than positive constants: some end the process."""
+    from onnx.numpy_helper import to_array
+
+    constants = {weight.name: weight for weight in graph.initializer}
+    constants |= {node.output[0]: node.attribute[0].t for node in graph.node if node.op_type == "Constant"}
+    for node in graph.node:
+        if node.op_type in ("Div", "Mod") and kinds[node.input[1]] in WHOLE:
+            divisor = constants.get(node.input[1])
+            if divisor is None or divisor.data_type not in WHOLE or not (to_array(divisor) > 0).all():
+                raise ValueError(f"{brief(node.output[0])} divides whole numbers by other than positive constants")
+
+
+def size_of(value: Any) -> tuple[int, ...]:
+    """Return the axes of an array of numbers; ValueError if they are not known."""
+    kind = value.type.tensor_type
+    axes = tuple(axis.dim_value if axis.HasField("dim_value") else -1 for axis in kind.shape.dim)
+    if not kind.HasField("shape") or min(axes, default=0) < 0:
+        refuse_unknown(value.name)
+    return axes
+
+
+def kind_of(value: Any) -> int:
+    """Return the type of an array's elements."""
+    kind: int = value.type.tensor_type.elem_type
+    return kind
+
+
+def refuse_unknown(name: str) -> NoReturn:
+    """Raise ValueError for an array whose size depends on more than that of the observations."""
+    raise ValueError(
+        f"the size of {brief(name)} is not known before it plays: export it for a fixed size, simplified (onnxsim)"
+    )
+
+
+def work_of(node: Any, sizes: dict[str, tuple[int, ...]]) -> int:
+    """Return how many multiplications a product of matrices takes; 0 for all else."""
+    if node.op_type not in ("MatMul", "Gemm"):
+        return 0
+    first = sizes[node.input[0]]
+    turned = any(one.name == "transA" and one.i for one in node.attribute)
+    return prod(sizes[node.output[0]]) * (first[0] if turned else first[-1])
