@@ -64,6 +64,7 @@ def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.Capt
         (["evaluate", "--anew=yes"], "'yes' belongs to no option"),
         (["replay"], "FILE must be given (see soccer replay --help)"),
         (["evaluate", "--recheck", "x", "--matches", "40"], "matches does not go with recheck"),
+        (["evaluate", "--pairs", "9"], "pairs goes with recheck"),
         (
             ["evaluate", "--recheck", "x", "--pairs", "none"],
             "--pairs must be a whole number of at least 1 or all, got 'none'",

@@ -47,6 +47,8 @@ def evaluate(
     and settings.away may then use. Raises ValueError for settings that cannot be played and for a folder that holds
     another evaluation.
     """
+    if settings.recheck is not None:
+        raise ValueError("recheck is a flag of the command; in Python recheck(folder) of soccer_env.train.evaluate")
     league = league or find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, teams or {})
     check_trained(contest, settings)

@@ -104,6 +104,8 @@ class EvaluateSettings(CommandSettings):
         super().__post_init__()
         if self.picture and self.out is None:
             raise ValueError("picture needs a folder: give out as well")
+        if self.recheck is None and self.pairs != PAIRS:
+            raise ValueError("pairs goes with recheck: give a folder")
         other = [field.name for field in fields(self) if getattr(self, field.name) != field.default]
         if self.recheck is not None and not set(other) <= set(RECHECKED):
             raise ValueError(f"{next(name for name in other if name not in RECHECKED)} does not go with recheck")
