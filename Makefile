@@ -2,6 +2,8 @@
 #               make match LEAGUE=middle-size-2006: the team of 2006 plays the chaser
 # make test     run the tests            make lint          ruff and mypy
 # make test-quick  run those that notice most of what an edit breaks (tests/quick.txt), in a minute or so
+# make test-all    run the whole trainings, claims and long soaks as well, as continuous integration does
+# make matrix   run test-quick on each Python of this machine, 3.10 to 3.13, with the oldest and the newest dependencies
 # make bench    measure the speed        make tables        measure the tables of the pages
 # make clean    remove what make built   make tables-check  replay a small part of each table
 # make examples  run the examples of train/examples/: what needs more than `train` in an environment of its own
@@ -20,9 +22,10 @@ TORCH := torch==2.13.0
 VENV := .venv
 BIN := $(VENV)/bin
 INNER := baselines agents train
+export PYTHONDONTWRITEBYTECODE :=  # each process of the tests would read all sources anew
 PARALLEL := -n auto --dist worksteal  # a process for each core; one that is done takes tests from the others
 
-.PHONY: match test test-quick lint types bench pictures docs tables tables-check sacks-table heinemann-table mutants fuzz examples lock clean
+.PHONY: match test test-all test-quick matrix lint types bench pictures docs tables tables-check sacks-table heinemann-table mutants fuzz examples lock clean
 .DELETE_ON_ERROR:
 
 LEAGUE := legged-2001
@@ -34,10 +37,17 @@ match: $(VENV)/.has-base
 		--seed 1 --threads 2 --out runs/match --anew --picture
 
 test: $(VENV)/.has-train
+	$(BIN)/python -m pytest $(PARALLEL) -m "not whole"
+
+test-all: $(VENV)/.has-train
 	$(BIN)/python -m pytest $(PARALLEL)
 
 test-quick: $(VENV)/.has-train
 	$(BIN)/python -m pytest $(PARALLEL) @tests/quick.txt
+
+matrix: $(VENV)/.created
+	$(BIN)/python -m pip install uv
+	$(BIN)/python tests/matrix.py
 
 # With torch, as its types decide what is right in train/.
 lint: $(VENV)/.has-train types
@@ -100,10 +110,10 @@ $(HERE:%=example-%): example-%: $(VENV)/.has-train
 	$(VENV)/$(EXAMPLE)
 
 $(APART:%=example-%): example-%: build/examples/%/.installed
-	MINARI_DATASETS_PATH=$(CURDIR)/runs/minari build/examples/$*/$(EXAMPLE)
+	MINARI_DATASETS_PATH="$(CURDIR)/runs/minari" build/examples/$*/$(EXAMPLE)
 
 build/examples/%/.installed: train/examples/%.py pyproject.toml
-	$(PYTHON) -m venv $(@D)
+	"$(PYTHON)" -m venv $(@D)
 	$(@D)/bin/python -m pip install $(TORCH)
 	$(@D)/bin/python -m pip install $(TORCH) -e '.[train]' $$(sed -n 's/^Needs: //p' $<)
 	touch $@
@@ -115,7 +125,7 @@ clean:
 
 # Each stamp says that an installation into .venv was finished; a newer pyproject.toml or Makefile repeats it.
 $(VENV)/.created:
-	$(PYTHON) -m venv $(VENV)
+	"$(PYTHON)" -m venv $(VENV)
 	touch $@
 
 # Every package at the version, and with one of the hashes, that the lock file says; setuptools, which builds, as well.

@@ -10,7 +10,7 @@ from soccer_env import Match, make_team
 from soccer_env.leagues import LEAGUES as ALL_LEAGUES
 from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, registered, registry
 from soccer_env.types import COMMAND
-from tests.scenes.staging import LEAGUES, scatter, set_phase
+from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, put, scatter, set_phase, stage
 from tests.scenes.symmetry import mirror, turn
 
 TEAMS = ("still", "random", "chaser")
@@ -39,6 +39,26 @@ def test_random_moves_as_strength_says() -> None:
         commands[strength] = numbers(match.robots["command"])[:, :3, :3].copy()
     assert np.abs(commands[1.0]).max() > 0.9
     np.testing.assert_allclose(commands[0.5], 0.5 * commands[1.0])
+
+
+@pytest.mark.parametrize(
+    ("team", "league"), [("chaser", LEGGED), ("chaser", MIDDLE), ("sacks-2001", LEGGED), ("heinemann-2006", MIDDLE)]
+)
+def test_without_strength_a_player_is_slower_and_decides_less_often(team: str, league: str) -> None:
+    ways, decisions = {}, {}
+    for strength in (0, 1):
+        controllers = {"home": f"{team}@{strength}", "away": "still"}
+        match = stage(league, 20, seed=2, controllers=controllers, senses="ideal")
+        put(match, 0, -0.4 * match.league.pitch.length, 0.1)
+        match.rebuild()
+        commands = []
+        for _ in range(80):
+            match.step()
+            commands.append(numbers(match.robots["command"])[:, 0, :3].copy())
+        ways[strength] = match.robots["x"][:, 0].mean() + 0.4 * match.league.pitch.length
+        decisions[strength] = (np.diff(commands, axis=0) != 0.0).any(axis=2).mean()
+    assert 0.3 < ways[0] / ways[1] < 0.9, ways
+    assert decisions[0] < 0.7 * decisions[1], decisions
 
 
 @pytest.mark.parametrize("league", LEAGUES)

@@ -125,7 +125,7 @@ def test_a_robot_outside_the_ring_is_not_moved_however_near_others_stand():
 @pytest.mark.parametrize("place", ["anywhere", "board", "corner", "goal"])
 @each_league
 def test_nobody_is_carried_farther_than_the_ring_and_030_m(name, place, size):
-    match = stage(name, 300, home=size, away=size)
+    match = stage(name, 100, home=size, away=size)
     crowd(match, place, np.random.default_rng(size), spread=2.5)
     before = dropped(match)
     way, rules = carried(match, before), match.league.rules

@@ -30,6 +30,7 @@ Match(rewards="sprase")
 
 
 @pytest.mark.slow
+@pytest.mark.whole
 def test_mypy_knows_the_public_names_and_refuses_wrong_settings(tmp_path: Path) -> None:
     (tmp_path / "user.py").write_text(USER)
     words = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), "user.py"]

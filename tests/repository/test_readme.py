@@ -114,10 +114,10 @@ def test_commands_can_be_typed(page: str) -> None:
     assert [words for words in typed if words[0] == "soccer" and words[1] not in {"--help", *COMMANDS}] == []
 
 
-def test_the_two_first_commands_come_first_and_ci_runs_the_test_command() -> None:
+def test_the_two_first_commands_come_first_and_ci_runs_all_tests() -> None:
     typed = [words for block in blocks(TEXTS["README.md"], "bash") for words in commands(block.text)]
     assert typed[:2] == [["make", "match"], ["make", "test"]]
-    assert "part make test\n" in (ROOT / ".ci/run").read_text(encoding="utf-8")
+    assert "part make test-all\n" in (ROOT / ".ci/run").read_text(encoding="utf-8")
 
 
 def test_the_readme_is_short_and_its_lines_too() -> None:

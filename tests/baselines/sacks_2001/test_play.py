@@ -132,6 +132,7 @@ def test_no_busy_robot_stands_for_half_a_minute() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.whole
 def test_two_steps_of_strength_win_goals() -> None:
     """The table of baselines/README.md has every step of 200 matches; here the ends of the ladder, same seeds."""
     gaps = []

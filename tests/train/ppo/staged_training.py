@@ -1,13 +1,15 @@
 """A training so small that it takes a second or two, with everything in it that a run may have.
 
-Its learning curve is not drawn (`plainly`), which would take longer than all the rest.
+Its learning curve and its page are not drawn (`plainly`), which would take longer than all the rest.
 """
 
 import json
 import shutil
+import zlib
 from functools import cache
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 import numpy as np
 from safetensors.numpy import load_file
@@ -32,24 +34,22 @@ def tiny(out: Path, **changes: Any) -> TrainSettings:
 
 
 def plainly(settings: TrainSettings) -> training.TrainResult:
-    """Train without drawing learning curves."""
-    draw, training.learning_curve = training.learning_curve, lambda *_: b""
-    try:
+    """Train without drawing learning curves and the page of the run."""
+    with mock.patch.multiple(training, learning_curve=lambda *_: b"", page_of=lambda *_: ""):
         return train(settings)
-    finally:
-        training.learning_curve = draw
 
 
 @cache
-def _whole(base: Path) -> Path:
+def _whole(base: Path, changes: tuple[tuple[str, Any], ...]) -> Path:
     """Train once for all tests; return the folder."""
-    plainly(tiny(base / "whole"))
-    return base / "whole"
+    folder = base / f"whole-{zlib.crc32(repr(changes).encode())}"
+    plainly(tiny(folder, **dict(changes)))
+    return folder
 
 
-def whole_run(tmp_path_factory: Any) -> Path:
+def whole_run(tmp_path_factory: Any, **changes: Any) -> Path:
     """Return the folder of a tiny run that nothing disturbed; it is not to be changed."""
-    return _whole(tmp_path_factory.getbasetemp())
+    return _whole(tmp_path_factory.getbasetemp(), tuple(changes.items()))
 
 
 def copy_of(run: Path, to: Path) -> Path:

@@ -15,7 +15,7 @@ from soccer_env.train.ppo.reports import best_line, decisions_of
 from soccer_env.train.ppo.teaching import lessons
 from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
 from soccer_env.train.ppo.training import Training
-from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights
+from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
 
 ADVISED: dict[str, Any] = {"rounds": 3, "teacher_until": 1.0, "steps": 4 * ROLLOUT}
 
@@ -45,7 +45,11 @@ def test_it_is_judged_after_every_round_and_the_rounds_are_gone_at_the_end(tmp_p
 @pytest.mark.parametrize("where", ["playing", "fitting", "judging", "keeping"])
 @pytest.mark.parametrize("count", [1, 2])
 def test_a_run_that_is_cut_among_its_rounds_goes_on_as_if_it_had_not_been(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str, count: int
+    tmp_path: Path,
+    tmp_path_factory: pytest.TempPathFactory,
+    monkeypatch: pytest.MonkeyPatch,
+    where: str,
+    count: int,
 ) -> None:
     owner, name = {
         "playing": (lessons.Lessons, "_round"), "fitting": (lessons.Lessons, "_fit_advice"),
@@ -59,7 +63,6 @@ def test_a_run_that_is_cut_among_its_rounds_goes_on_as_if_it_had_not_been(
             raise KeyboardInterrupt
         return done(*given, **named)
 
-    plainly(tiny(tmp_path / "whole", **ADVISED))
     with monkeypatch.context() as patched:
         patched.setattr(owner, name, cut)
         with pytest.raises(KeyboardInterrupt):
@@ -73,7 +76,7 @@ def test_a_run_that_is_cut_among_its_rounds_goes_on_as_if_it_had_not_been(
     round_of = lessons.Lessons._round
     monkeypatch.setattr(lessons.Lessons, "_round", counted)
     plainly(tiny(tmp_path / "cut", **ADVISED))
-    assert outcome(tmp_path / "cut") == outcome(tmp_path / "whole")
+    assert outcome(tmp_path / "cut") == outcome(whole_run(tmp_path_factory, **ADVISED))
     assert played == list(range(count - 1, 3)), "what was kept is not played again"
 
 

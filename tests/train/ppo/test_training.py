@@ -24,6 +24,7 @@ from soccer_env.agents.rules_known import recorded
 from soccer_env.checking import Range
 from soccer_env.leagues import find_league
 from soccer_env.leagues.rules import rule_set
+from soccer_env.train.command_line import main
 from soccer_env.train.ppo import reports, train, training
 from soccer_env.train.ppo.bounds import BOUNDS
 from soccer_env.train.ppo.checks import lesson, make_curriculum, make_matches
@@ -265,10 +266,7 @@ def words_of(out: Path, **changes: Any) -> list[str]:
 @contextmanager
 def started(words: list[str], out: Path, rollouts: int) -> Iterator[subprocess.Popen[str]]:
     """Start a command and wait until its run has come to so many rollouts; it does not outlive the test."""
-    process = subprocess.Popen(
-        words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # a job in the background may ignore it
-    )  # fmt: skip
+    process = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
         end = time.monotonic() + PATIENCE
         while rollouts_of(out) < rollouts:
@@ -286,7 +284,21 @@ def rollouts_of(out: Path) -> int:
     return (out / "log.jsonl").read_bytes().count(b"\n") if (out / "log.jsonl").exists() else 0
 
 
+def test_a_command_that_is_interrupted_says_how_it_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = words_of(tmp_path / "cut", steps=2 * ROLLOUT, teacher="")[3:]
+    monkeypatch.setattr(training, "learning_curve", lambda *_: b"")
+    with monkeypatch.context() as patched:
+        patched.setattr(Board, "show", lambda *_: signal.raise_signal(signal.SIGINT))
+        assert main(words) == 130
+    assert capsys.readouterr().err.endswith(f"stopped; the same command goes on with the run in {tmp_path / 'cut'}\n")
+    assert main(words) == 0
+    assert "policy: 96 steps" in capsys.readouterr().out
+
+
 @pytest.mark.slow
+@pytest.mark.whole
 @pytest.mark.skipif(os.name != "posix", reason="needs SIGSTOP")
 def test_the_command_is_refused_beside_another_stops_and_goes_on(tmp_path: Path) -> None:
     out, steps = tmp_path / "cut", 40 * ROLLOUT

@@ -22,7 +22,6 @@ from soccer_env.train.reproduce.claims.stuck.runs import (
 )
 from soccer_env.train.reproduce.claims.stuck.sampled import HELD, behaviours, branch, of_camera, sample
 from soccer_env.train.reproduce.staging import ball_from, play, wrapped
-from soccer_env.train.reproduce.verdicts import find
 from soccer_env.types import HOME
 
 BATCH = Batch("test", 0, 0)
@@ -172,17 +171,6 @@ def test_a_ball_is_won_now_and_then_and_now_and_then_by_contact() -> None:
     won, by_contact, called = stealing.steal(BATCH, avoid=False)
     assert 0.2 < won.mean() <= 1.0 and (by_contact <= won).all() and by_contact.mean() < won.mean()
     assert (won + called <= 1.0).all(), "who has won has done so before the referee ends the scene"
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["S02", "S03", "S04", "S22", "S24", "S26", "S27", "S28", "S29", "S30"])
-def test_a_batch_of_a_claim_has_the_units_that_its_criteria_need(name: str) -> None:
-    claim = all_claims()[name]
-    samples = claim.measure(Batch(name, 1, 0))
-    assert len({len(array) for array in samples.values()}) == 1
-    for criterion in claim.criteria:
-        find(criterion, samples)
-    claim.figures(samples)
 
 
 def test_the_claims_on_collisions_are_built() -> None:
