@@ -5,6 +5,7 @@ import io
 import re
 import subprocess
 import tokenize
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -32,6 +33,7 @@ def prose(source: str) -> str:
     return "\n".join(texts)
 
 
+@cache
 def text_of(name: str) -> str:
     """Return what a file says to its readers."""
     text = (ROOT / name).read_text(encoding="utf-8")
