@@ -124,7 +124,7 @@ class Replay(Pictured):
     @property
     def teams(self) -> tuple[str, str]:
         """Return who played home and away; "learner" for robots that were played from outside."""
-        players, sides = self.settings.get("teams"), []
+        players, sides = self.settings.get("teams") if isinstance(self.settings, dict) else None, []
         known = players if isinstance(players, dict) else {}
         for side in ("home", "away"):
             names = [str(name) for agent, name in known.items() if agent.startswith(side)]

@@ -4,7 +4,7 @@
     python -m tests.fuzz.fuzz --files 500 --seed 2         others
     python -m tests.fuzz.fuzz --only 1234                  one of them again, as its line says
 
-Every file is drawn from the seed and its own number alone. A child process of its own loads it and plays on; a death,
+Every file is drawn from the seed and its own number alone. A child process loads it and plays on; a death,
 a hang, an error that is no ValueError, and NaN without an error are findings. The exit code is 1 if there is one.
 """
 
@@ -25,7 +25,8 @@ from tests.fuzz.replays import make_source
 from tests.fuzz.targets import SETTINGS as MATCHES
 from tests.fuzz.targets import Target, make_target
 
-REPLAY_SHARE = 0.3  # of the files; the others are saves
+REPLAY_SHARE = 0.15  # of the files; the others are saves
+GROUP = 25  # files in one child, as long as none of them ends it
 
 
 class Forger:
@@ -56,7 +57,7 @@ def found_by(forger: Forger, numbers: list[int], watch: bool = False) -> tuple[C
     counts: Counter[str] = Counter()
     findings = []
     begun = time.monotonic()
-    for (number, told), outcome in outcomes(forger.tasks(numbers)):
+    for (number, told), outcome in outcomes(forger.tasks(numbers), GROUP):
         counts[outcome if outcome in ("played", "refused") else "findings"] += 1
         if outcome not in ("played", "refused"):
             findings.append(f"--seed {forger.seed} --only {number}\n    {told}\n    {outcome}")

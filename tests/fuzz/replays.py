@@ -68,9 +68,9 @@ def make_source(name: str, folder: Path) -> Source:
     for _ in range(40):
         match.step()
     recorder = Recorder(match, Thoughts(match))
-    for step in range(8):
+    for step in range(24):
         match.step()
-        if step == 3:
+        if step == 11:
             match.save()
     with np.load(io.BytesIO(recorder.stop().write(folder / f"{name}.replay").read_bytes())) as file:
         return Source(name, {part: file[part] for part in file.files}, match, folder)
