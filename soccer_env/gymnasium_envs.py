@@ -16,6 +16,7 @@ from gymnasium.envs.registration import EnvSpec
 
 from soccer_env.api.shown import Shown
 from soccer_env.checking import check_names
+from soccer_env.guards.turns import held
 from soccer_env.match_settings import LearnerSetup, MatchSetup, SoloArguments, by_settings, made_from, part_of
 from soccer_env.names import Made
 
@@ -75,6 +76,7 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
         steps = self.match.settings.max_cycles
         self._spec = spec if spec is None or steps is None else replace(spec, max_episode_steps=steps)
 
+    @held
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[np.ndarray, dict[str, Any]]:
@@ -94,6 +96,7 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
         """Return what the episode's future depends on, as `ParallelSoccer.save` does; it goes on rebuilt, as there."""
         return self._parallel.save()
 
+    @held
     def load(self, saved: bytes) -> tuple[np.ndarray, dict[str, Any]]:
         """Go on from what `save` returned, as `ParallelSoccer.load` says; return observation and info."""
         observations, infos = self._parallel.load(saved)

@@ -34,6 +34,7 @@ from soccer_env.user_code import OwnTerms, Seen
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
+NOBODY = np.zeros(0, np.int64)
 FINAL = (  # kept of ended episodes
     "observations", "matches", "balls", "robots", "events", "robot_events", "terms", "statistics",
 )  # fmt: skip
@@ -81,9 +82,10 @@ class Match(Views, Branching):
         self._pool = Workers(self.threads) if self.count >= 2 * self.threads > 2 else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)
-        self.ended, self.final = np.zeros(0, np.int64), truth_state.Final(self.settings)  # see _restart_same_step
-        self.started = False
+        self.ended, self.final = NOBODY, truth_state.Final(self.settings)  # see _restart_same_step
+        self.started = self._stepped = False  # whether it stands as a reset or step leaves it; whether one was made
         self.reset(seed=asked.seed, seeds=asked.seeds)
+        self.batch.build_spaces([0])  # as good as new: later resets find their kernels compiled
 
     def _make_arrays(self, backend: Backend | None) -> None:
         """Make the arrays and show them as attributes; those for a user's own observations are separate."""
@@ -120,10 +122,10 @@ class Match(Views, Branching):
         if seed is not None and seeds is not None:
             raise ValueError("give seed or seeds, not both")
         fresh = seed is not None or seeds is not None or not self.started
-        if seeds is not None:
-            self.seeds[:] = check_seeds(seeds, self.count)
-        elif fresh:
-            self.seeds[:] = seeds_for(seed, self.count)
+        found = check_seeds(seeds, self.count) if seeds is not None else seeds_for(seed, self.count) if fresh else None
+        self.started = False
+        if found is not None:
+            self.seeds[:] = found
         self._begin(range(self.count), np.zeros(self.count, np.int64) if fresh else self.matches["episode"] + 1)
         self.rewards[:] = 0.0
         self.terms[:] = 0.0
@@ -155,8 +157,17 @@ class Match(Views, Branching):
         last=False: the action goes on in the next call; the shaping discounts once, in the call that ends the action.
         """
         numbers = self._check_actions(actions)
+        self.started = False  # until the end
+        made = self._advance(numbers, last)
+        self.started = self._stepped = True
+        return made
+
+    def _advance(self, numbers: np.ndarray, last: bool) -> Transition:
+        """Play the control steps of one action, and begin anew what has ended."""
         mode, repeat = self.autoreset, self.settings.action_repeat
-        ended = np.flatnonzero(self.terminated | self.truncated) if mode == "next_step" else ()
+        ended: Any = ()
+        if mode == "next_step" and self._has_ended():
+            ended = np.flatnonzero(self.terminated | self.truncated)
         sums = Sums(self.batch) if repeat > 1 else None
         for left in reversed(range(repeat)):  # a match that is over waits
             self.batch.discount(last and left == 0)
@@ -168,7 +179,7 @@ class Match(Views, Branching):
         if mode == "same_step":
             return self._restart_same_step()
         if len(ended):
-            self._restart_next_step(np.asarray(ended))
+            self._restart_next_step(ended)
         elif np.count_nonzero(self.terminated):
             for m in np.flatnonzero(self.terminated).tolist():  # who stands still shows what was asked of it, too
                 self.batch.observe_anew(m, m + 1)
@@ -190,7 +201,7 @@ class Match(Views, Branching):
         if self.recorder is not None:  # it notes all commands before anybody moves
             self._decide(numbers, 0, self.count)
             self.recorder.note_commands(self.robots["command"])
-        if self._pool is None:
+        if self._pool is None or not self._stepped:  # the first step may compile, which no interrupt ends in a thread
             self._step_slice(numbers, 0, self.count)
         else:
             edges = [self.count * i // self.threads for i in range(self.threads + 1)]
@@ -250,14 +261,18 @@ class Match(Views, Branching):
 
     def _restart_same_step(self) -> Transition:
         """Begin new episodes at once where one ended: `ended` (rows); `final` has their last records, and "state"."""
+        if not self._has_ended():
+            self.ended = NOBODY
+            return self.observations, self.rewards, self.terminated, self.truncated
         terminated, truncated = self.terminated.copy(), self.truncated.copy()
         self.ended = np.flatnonzero(terminated | truncated)
-        if len(self.ended):
-            self.final = truth_state.Final(
-                self.settings, {name: pick(getattr(self, name), self.ended) for name in FINAL}
-            )
-            self._begin(self.ended, self.matches["episode"] + 1)
+        self.final = truth_state.Final(self.settings, {name: pick(getattr(self, name), self.ended) for name in FINAL})
+        self._begin(self.ended, self.matches["episode"] + 1)
         return self.observations, self.rewards, terminated, truncated
+
+    def _has_ended(self) -> bool:
+        """Tell whether any episode has ended."""
+        return bool(np.count_nonzero(self.terminated) or np.count_nonzero(self.truncated))
 
     def close(self) -> None:
         """End the threads."""

@@ -81,8 +81,8 @@ class MatchBatch:
     def discount(self, last: bool) -> None:
         """Let the shaping of the coming control step discount, as the last one of an action does, or not."""
         if last != self._discounts:
-            self._discounts = last
             self.weights["gamma"] = self.settings.rewards.gamma if last else 1.0
+            self._discounts = last  # behind it: an error in between changes nothing
 
     def start(self, m: int, seed: int, episode: int) -> None:
         """Begin an episode in match m, in a Space of its own."""

@@ -43,6 +43,7 @@ from soccer_env.api.report import (
 )
 from soccer_env.api.shown import Shown
 from soccer_env.api.turn_env import OrderedSoccer, TurnSoccer
+from soccer_env.guards.turns import held
 from soccer_env.match import Match
 from soccer_env.match_settings import EnvArguments, InfoKind, MatchArguments, MatchSetup, by_settings, part_of, takes
 from soccer_env.names import Made
@@ -90,6 +91,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         """Return the agent's action space, the same object at each call."""
         return self.action_spaces[agent]
 
+    @held
     def reset(
         self, seed: int | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[dict[str, np.ndarray], Infos]:
@@ -106,8 +108,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         match = against(self.match, wanted["opponents"]) if "opponents" in wanted else self.match
         match.reset(seed=seed, seeds=[wanted["match_seed"]] if "match_seed" in wanted else None)
         self._turn_to(match)
-        self.agents = list(self.possible_agents)
-        self._begun = True
+        self.agents, self._begun = list(self.possible_agents), True
         self._show()
         return self._observations(), self._infos()
 
@@ -125,6 +126,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         if self._report is not None:
             self._report.turn_to(self.match)
 
+    @held
     def step(
         self, actions: Mapping[str, Any]
     ) -> tuple[dict[str, np.ndarray], dict[str, float], dict[str, bool], dict[str, bool], Infos]:
@@ -160,6 +162,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
             raise RuntimeError("save before reset: call reset")
         return self.match.save()
 
+    @held
     def load(self, saved: bytes) -> tuple[dict[str, np.ndarray], Infos]:
         """Go on from what `save` of this or an equal env returned; return observations and infos by agent.
 
@@ -168,8 +171,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         self.match.load(saved)
         self._tell_who_plays()
         over = self.match.terminated[0] or self.match.truncated[0]
-        self.agents = [] if over else list(self.possible_agents)
-        self._begun = True
+        self.agents, self._begun = [] if over else list(self.possible_agents), True
         self._show()
         return self._observations(), self._infos()
 

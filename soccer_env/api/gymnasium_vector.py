@@ -14,6 +14,7 @@ from soccer_env.api.nested_arrays import NestedArrays
 from soccer_env.api.opponents import Met, against
 from soccer_env.api.report import Screen, check_options, check_render_mode, kind_of_infos
 from soccer_env.api.shown import Shown
+from soccer_env.guards.turns import held
 from soccer_env.gymnasium_envs import choose_learner
 from soccer_env.match import Match
 from soccer_env.match_settings import InfoKind, VectorArguments, by_settings, made_from, part_of
@@ -66,6 +67,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         """Copy by settings: the copy is to be reset."""
         return by_settings(SoccerVectorEnv, part_of(self.asked, VectorArguments))
 
+    @held
     def reset(self, *, seed: Any = None, options: dict[str, Any] | None = None) -> tuple[np.ndarray, dict[str, Any]]:
         """Begin an episode in all matches; return observations (num_envs, n) and infos.
 
@@ -92,6 +94,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         self._begun = True
         return self._observations(), self._infos()
 
+    @held
     def step(self, actions: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
         """Play one step of all matches; return observations (num_envs, n), rewards, terminated, truncated, infos.
 
@@ -122,6 +125,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
             raise RuntimeError("save before reset: call reset")
         return self.match.save(rows)
 
+    @held
     def load(self, saved: bytes, rows: Any = None) -> tuple[np.ndarray, dict[str, Any]]:
         """Go on from what `save` returned, in all matches or in some, as `Match.load` does.
 

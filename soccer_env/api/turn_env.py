@@ -12,6 +12,7 @@ from pettingzoo.utils.agent_selector import AgentSelector
 from pettingzoo.utils.conversions import parallel_to_aec_wrapper
 from pettingzoo.utils.wrappers import OrderEnforcingWrapper
 
+from soccer_env.guards.turns import held
 from soccer_env.names import Made
 
 if TYPE_CHECKING:
@@ -42,6 +43,12 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
         """Return the names of those that learners have met, which "opponent" in infos counts."""
         return self.env.opponent_names
 
+    @held
+    def reset(self, seed: int | None = None, options: Any = None) -> None:
+        """Begin an episode, as `ParallelSoccer.reset` says."""
+        super().reset(seed, options)
+
+    @held
     def step(self, action: Any) -> None:
         """Take the action of `agent_selection`; ValueError, and nothing has changed, if it is wrong."""
         agent = self.agent_selection
@@ -74,6 +81,7 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
         before = self.agents[: self.agents.index(self.agent_selection)]
         return [(agent, self._actions[agent]) for agent in before]
 
+    @held
     def load(self, saved: bytes) -> None:
         """Go on in the turn in which `save` of this or an equal env was called, also before a reset.
 
@@ -150,6 +158,12 @@ class OrderedSoccer(OrderEnforcingWrapper[str, np.ndarray, Any]):
         """Copy by settings: the copy is to be reset."""
         return OrderedSoccer, (self.env,)
 
+    @held
+    def reset(self, seed: int | None = None, options: Any = None) -> None:
+        """Begin an episode, as `ParallelSoccer.reset` says."""
+        super().reset(seed, options)
+
+    @held
     def load(self, saved: bytes) -> None:
         """Go on in the turn in which `save` was called, see `TurnSoccer.load`; no reset is needed before it."""
         self.env.load(saved)

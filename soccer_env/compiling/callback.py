@@ -17,6 +17,7 @@ from numba.core.ccallback import CFunc
 
 from soccer_env.compiled import compiled, config
 from soccer_env.compiling.cache import SourceCache
+from soccer_env.guards.interrupts import hold, is_held
 
 TYPES = {"void": types.void, "address": types.uintp, "float64": types.float64}
 C_TYPES: dict[str, Any] = {"void": None, "address": ctypes.c_size_t, "float64": ctypes.c_double}
@@ -40,8 +41,13 @@ class Callback:
     @property
     def address(self) -> int:
         """The address of the machine code; with NUMBA_DISABLE_JIT=1 of a stub that calls the Python function."""
-        with _lock:
-            return self._address
+        held = is_held()
+        try:
+            with _lock:
+                return self._address
+        finally:
+            if held:  # the cache has let go, if there was something to compile
+                hold()
 
     @functools.cached_property
     def _address(self) -> int:

@@ -19,6 +19,8 @@ from numba.core import compiler, sigutils
 from numba.core.codegen import JITCodeLibrary
 from numba.core.registry import CPUDispatcher
 
+from soccer_env.guards.interrupts import hold, is_held
+
 INNER = "inner"  # kind of a library in the cache
 OBJECTS = 50_000  # that are made while compiling between two looks for garbage
 
@@ -108,10 +110,13 @@ class Kernel(Dispatcher):  # type: ignore[misc]
     def compile(self, sig: Any) -> Any:
         """Compile for a signature, for whoever asks: Python, or the compiler for the sake of another function."""
         _compiling.depth += 1
+        held = is_held()
         try:
             return super().compile(sig) if for_another() else self._compile_for_python(sig)
         finally:
             _compiling.depth -= 1
+            if held:  # the cache has let go, if there was something to compile
+                hold()
 
     def _compile_for_python(self, sig: Any) -> Any:
         arguments = tuple(normalized(sig)[0])

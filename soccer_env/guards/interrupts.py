@@ -1,83 +1,143 @@
-"""Hold interrupts back while something is made or dropped that must not be left half done.
+"""Hold signals back while something is done that must be done or not done, never half.
 
 A signal with a handler in Python, such as Ctrl-C, raises between two instructions of the main thread, whatever runs
-there. In the functions by which pymunk frees a Space it is swallowed, and half of the Space stays behind. Blocking
-signals does not help: the system then hands them to another thread, and Python runs the handler in the main one.
+there: a match would be left in the middle of a step. In the functions by which pymunk frees a Space it is swallowed,
+and half of the Space stays behind. Blocking signals does not help: the system then hands them to another thread, and
+Python runs the handler in the main one.
+
+`HeldBack` is the usual way. `hold` and `release` are the same for a control step, which they cost a microsecond.
 """
 
 from __future__ import annotations
 
 import _signal  # type: ignore[import-not-found]  # the functions of `signal` without its enumerations, which take ten times as long
+import contextlib
+import os
 import signal
 import threading
+from threading import get_ident
 from types import FrameType
 from typing import Any
 
+MOST = 1000  # signals that come while another is raised
 NAMES = ("INT", "TERM", "HUP", "QUIT", "ALRM", "VTALRM", "PROF", "USR1", "USR2", "CHLD", "CONT", "WINCH", "BREAK")
 SIGNALS = tuple(int(getattr(signal, f"SIG{name}")) for name in NAMES if hasattr(signal, f"SIG{name}"))
 SOON = 0.001  # [s] until signals come that a destructor has held back
+Handlers = tuple[tuple[int, Any], ...]  # number of a signal, and what is called for it
 
 _raw: Any = _signal
+_get, _set = _raw.getsignal, _raw.signal
+
+
+class _Held:
+    """The signals of this process, whose handlers run in the main thread alone."""
+
+    __slots__ = "came", "found", "holds", "main", "ours", "theirs"
+
+    def __init__(self) -> None:
+        self.main = threading.main_thread().ident
+        self.holds = False  # whether signals wait now
+        self.came: tuple[int, ...] = ()
+        self.found: tuple[Any, ...] = ()  # the handlers of all SIGNALS, as they were when signals last began to wait
+        self.theirs: Handlers = ()  # those of them that run Python
+        self.ours: Handlers = ()  # what stands for them while signals wait
+
+    def take(self, found: tuple[Any, ...]) -> None:
+        """Take note of the handlers that are to be held back; one of ours that was left behind stands for its own."""
+        self.found = found
+        known = [(n, one.handler if isinstance(one, _Waiting) else one) for n, one in zip(SIGNALS, found, strict=True)]
+        self.theirs = tuple((number, handler) for number, handler in known if callable(handler))
+        self.ours = tuple((number, _Waiting(handler)) for number, handler in self.theirs)
+
+
+_HELD = _Held()
+
+
+class _Waiting:
+    """A handler that stands for another: while signals wait it notes that one came, else it calls the other."""
+
+    def __init__(self, handler: Any) -> None:
+        self.handler = handler
+
+    def __call__(self, number: int, frame: FrameType | None) -> None:
+        if _HELD.holds:
+            _HELD.came += (number,)
+        else:
+            self.handler(number, frame)
+
+
+def hold() -> bool:
+    """Let signals wait from now on; return whether they began to: whoever gets True has to call `release`.
+
+    In other threads than the main one nothing can come.
+    """
+    held = _HELD
+    if held.holds or get_ident() != held.main:
+        return False
+    found = tuple(map(_get, SIGNALS))
+    if found != held.found:
+        held.take(found)
+    held.holds = True
+    try:
+        for number, handler in held.ours:
+            _set(number, handler)
+    except BaseException:  # one that was not yet held
+        release()
+        raise
+    return True
+
+
+def release(later: bool = False) -> None:
+    """Let those signals come that have waited; later: in a moment."""
+    held = _HELD
+    try:
+        for number, handler in held.theirs:
+            _set(number, handler)
+    finally:  # a handler that is not back yet, as another one raises, is called through ours
+        held.holds = False
+        if held.came:
+            came, held.came = dict.fromkeys(held.came), ()
+            if later:
+                threading.Timer(SOON, deliver, [[*came]]).start()
+            else:
+                deliver([*came])
+
+
+def let_go() -> None:
+    """Let signals come, until `hold`, in the middle of what they wait for: something long begins, or a user's code."""
+    if _HELD.holds and get_ident() == _HELD.main:
+        release()
+
+
+def hold_again() -> None:
+    """Let signals wait, whatever comes meanwhile: another one is being raised already."""
+    for _ in range(MOST):
+        with contextlib.suppress(BaseException):
+            hold()
+            return
+
+
+def is_held() -> bool:
+    """Tell whether signals wait in this thread."""
+    return _HELD.holds and get_ident() == _HELD.main
 
 
 class HeldBack:
-    """Let the signals that come in a `with` wait until its end; in other threads than the main one nothing can come.
+    """Let the signals that come in a `with` wait until its end, or until that of an outer one.
 
     later: they come soon after the end, for a destructor, where Python would print and forget what they raise.
     """
 
     def __init__(self, later: bool = False) -> None:
-        self.holds, self.later = False, later
-        self._waiting: dict[int, _Waiting] = {}
+        self.later = later
 
     def __enter__(self) -> HeldBack:
-        if threading.get_ident() != threading.main_thread().ident:
-            return self
-        handlers = {number: _raw.getsignal(number) for number in SIGNALS}
-        self._waiting = {n: _Waiting(self, found) for n, found in handlers.items() if needs_holding(found)}
-        self.holds = True
-        try:
-            for number, waiting in self._waiting.items():
-                _raw.signal(number, waiting)
-        except BaseException:  # one that was not yet held
-            self._hand_back()
-            raise
+        self._began = hold()
         return self
 
     def __exit__(self, *error: object) -> None:
-        if self._waiting:
-            self._hand_back()
-            came = [number for number, waiting in self._waiting.items() if waiting.came]
-            if came and self.later:
-                threading.Timer(SOON, deliver, [came]).start()
-            else:
-                deliver(came)
-
-    def _hand_back(self) -> None:
-        """Install the handlers that were there; one that cannot be, as another raises, is called through ours."""
-        try:
-            for number, waiting in self._waiting.items():
-                _raw.signal(number, waiting.handler)
-        finally:
-            self.holds = False
-
-
-class _Waiting:
-    """A handler that stands for another: it notes that the signal came, and after the `with` it calls the other."""
-
-    def __init__(self, held: HeldBack, handler: Any) -> None:
-        self.held, self.handler, self.came = held, handler, False
-
-    def __call__(self, number: int, frame: FrameType | None) -> None:
-        if self.held.holds:
-            self.came = True
-        else:
-            self.handler(number, frame)
-
-
-def needs_holding(handler: Any) -> bool:
-    """Tell whether a signal's handler runs Python, and does not wait already."""
-    return callable(handler) and not (isinstance(handler, _Waiting) and handler.held.holds)
+        if self._began:
+            release(self.later)
 
 
 def deliver(numbers: list[int]) -> None:
@@ -87,3 +147,15 @@ def deliver(numbers: list[int]) -> None:
             signal.raise_signal(numbers[0])
         finally:
             deliver(numbers[1:])
+
+
+def _after_fork() -> None:
+    """Take the thread that forked for the main one of the child, in which nothing waits."""
+    _HELD.main = get_ident()
+    if _HELD.holds:
+        _HELD.came = ()
+        release()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork)

@@ -5,10 +5,15 @@ from __future__ import annotations
 import functools
 import threading
 from collections.abc import Callable, Iterable
-from typing import Any, TypeVar
+from threading import get_ident
+from typing import Any, TypeVar, cast
+
+from soccer_env.guards.interrupts import hold, hold_again, let_go, release
 
 T = TypeVar("T")
+F = TypeVar("F", bound=Callable[..., Any])
 GoBack = Callable[[], None]
+MENDS = ("reset", "load")  # what may be called of an object that an error has left half changed
 
 
 def in_turn(
@@ -16,8 +21,11 @@ def in_turn(
 ) -> type[T]:
     """Guard some methods of a class; RuntimeError if another thread is in one of them, which goes on undisturbed.
 
-    undone(object), asked once, says whether methods that raise are undone: note(object, method's name), asked before
-    each runs, returns what undoes it, or None. A method may call another, of the same thread: the outermost is undone.
+    Signals wait until a method ends: it is done or not done, and what they raise comes then. Where that may take long
+    they come at once, and what they raise, as every error, is undone: in all methods of an object for which
+    undone(object) is true, asked once, and at the first call of each, which may compile. note(object, method's name),
+    asked before each of those runs, returns what undoes it, or None. A method may call another, of the same thread: the
+    outermost is undone. An error elsewhere leaves `started` False, and only what MENDS names may be called.
     """
     for name in names:
         setattr(kind, name, _guarded(getattr(kind, name), name, undone, note))
@@ -33,38 +41,70 @@ def _guarded(
             turn = self._turn
         except AttributeError:
             turn = self._turn = Turn(undone(self))
-        if not turn.acquire(False):
-            whose = type(self).__name__
-            raise RuntimeError(f"{name}: another thread is using this {whose}; give each thread one of its own")
+        if turn.owner == get_ident():
+            return method(self, *args, **kwargs)
+        began = hold()
         try:
-            if not turn.undoes:
-                return method(self, *args, **kwargs)
-            turn.undoes = False
+            if not turn.acquire(False):
+                whose = type(self).__name__
+                raise RuntimeError(f"{name}: another thread is using this {whose}; give each thread one of its own")
             try:
-                return _undone_on_error(method, note(self, name), self, *args, **kwargs)
+                turn.owner = get_ident()
+                if not (self.started or name in MENDS):
+                    raise RuntimeError(f"{name}: an error has cut short what was done before: call reset")
+                if name in turn.sure:
+                    return method(self, *args, **kwargs)
+                made = _undone_on_error(method, note(self, name), self, *args, **kwargs)
+                if not turn.undoes:
+                    turn.sure.add(name)
+                return made
             finally:
-                turn.undoes = True
+                turn.owner = 0
+                turn.release()
         finally:
-            turn.release()
+            if began:
+                release()
 
     return guarded
 
 
 def _undone_on_error(method: Callable[..., Any], go_back: GoBack | None, *args: Any, **kwargs: Any) -> Any:
+    """Call a method into which signals may come; what comes before its end is undone, what comes after waits."""
     try:
-        return method(*args, **kwargs)
+        let_go()
+        made = method(*args, **kwargs)
+        hold()
     except BaseException:
+        hold_again()
         if go_back is not None:
             go_back()
         raise
+    return made
+
+
+def held(method: F) -> F:
+    """Let signals wait until a method ends, but where what it calls lets them come."""
+
+    @functools.wraps(method)
+    def waiting(*args: Any, **kwargs: Any) -> Any:
+        began = hold()
+        try:
+            return method(*args, **kwargs)
+        finally:
+            if began:
+                release()
+
+    return cast(F, waiting)
 
 
 class Turn:
-    """Whose turn it is with an object: a lock that its own thread may take again."""
+    """Whose turn it is with an object, and which of its methods need not be undone, as signals wait for their end."""
 
-    __slots__ = "acquire", "release", "undoes"
+    __slots__ = "acquire", "owner", "release", "sure", "undoes"
 
     def __init__(self, undoes: bool) -> None:
-        lock = threading.RLock()
+        lock = threading.Lock()
         self.acquire, self.release = lock.acquire, lock.release
-        self.undoes = undoes  # what the next method does, if that raises
+        self.owner = 0  # the thread that is in a method
+        self.undoes = undoes
+        self.sure: set[str] = set()

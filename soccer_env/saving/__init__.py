@@ -10,7 +10,7 @@ whole.py      what guards them: one thread at a time, whole or not at all
 
 from soccer_env.saving.branching import Branching
 from soccer_env.saving.saves import by_save, dump, open_save, parts, play_hash, restore, state_hash
-from soccer_env.saving.whole import calls_python, undoing, whole
+from soccer_env.saving.whole import calls_python, signals_wait, undoing, whole
 
 __all__ = [
     "Branching",
@@ -21,6 +21,7 @@ __all__ = [
     "parts",
     "play_hash",
     "restore",
+    "signals_wait",
     "state_hash",
     "undoing",
     "whole",

@@ -30,6 +30,7 @@ class Branching:
         squads: list[Any]
         batch: Any
         recorder: Any
+        started: bool
         rewards: np.ndarray
         terms: np.ndarray
 
@@ -61,9 +62,11 @@ class Branching:
     def rebuild(self, rows: Iterable[int] | None = None) -> None:
         """Rebuild the physics from the records, as a load does: matches with equal records then go on alike."""
         rows = range(self.count) if rows is None else list(rows)
+        started, self.started = self.started, False
         self.batch.build_spaces(rows)
         if self.recorder is not None:
             self.recorder.note_rebuild(rows)
+        self.started = started
 
     def save(self, rows: Any = None) -> bytes:
         """Return everything that the future depends on, and rebuild the physics of the running matches from it.
@@ -85,7 +88,11 @@ class Branching:
         settings, or of another number of matches.
         """
         found = None if rows is None else branches.check_rows("rows", rows, self.count, once=True)
-        saves.restore(self, saved, rows=found)
+        if not (self.started or found is None):
+            raise RuntimeError("load: an error has cut short what was done before: load all matches, or call reset")
+        records = saves.opened(self, saved, rows=found)
+        self.started = False
+        saves.fill(self, records, found)
         self._go_on(np.arange(self.count) if found is None else found)
 
     def branch(self, rows: Any, into: Self | None = None, *, at: Any = None, noise: int | None = None) -> Self:
@@ -111,12 +118,13 @@ class Branching:
             raise ValueError(f"rows must be one match or as many as are overwritten, {len(over)}, got {len(found)}")
         if noise is not None:
             seeds_for(noise, 1)
+        other._take(self, found, over, noise)  # before the rebuild: if it is undone, nothing has happened
         self.rebuild(np.unique(found).tolist())
-        other._take(self, found, over, noise)
         return other
 
     def _take(self, other: Self, rows: np.ndarray, over: np.ndarray, noise: int | None) -> None:
         """Go on, in the matches `over`, as the matches `rows` of another Match do."""
+        self.started = False
         branches.copy_rows(other, rows, self, over)
         if noise is not None:
             branches.draw_anew(self, over, noise)
@@ -133,6 +141,7 @@ class Branching:
             for m in rows.tolist():
                 self.batch.observe_anew(m, m + 1)
         self._observe_own()
+        self.started = True
 
     def __reduce__(self) -> Made:
         """Copy by settings and `save`: pickled and deep copies have the future that the original has from then."""

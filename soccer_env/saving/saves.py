@@ -91,6 +91,11 @@ def restore(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | No
 
     rows: some matches alone; a save of one match fills every row.
     """
+    fill(match, opened(match, saved, memory, rows), rows)
+
+
+def opened(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | None = None) -> dict[str, np.ndarray]:
+    """Return the arrays of a save by name; ValueError if it does not fit the match."""
     body, start, header = open_save(saved)
     count = matches_in(header, match.count, rows)
     there = kept(match, memory)
@@ -108,6 +113,12 @@ def restore(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | No
     if start != len(body):
         raise ValueError("this save is damaged: something follows its end")
     check_numbers(match, found)
+    return found
+
+
+def fill(match: Match, found: dict[str, np.ndarray], rows: np.ndarray | None = None) -> None:
+    """Write arrays of a save into a match."""
+    there = kept(match, memory="statistics" in found)
     for name, values in found.items():
         as_bytes(there[name])[slice(None) if rows is None else rows] = as_bytes(values)
 

@@ -15,8 +15,9 @@ import numpy as np
 from soccer_env.actions import DISCRETE
 from soccer_env.api.opponents import LEARNER
 from soccer_env.checking import whole_number
+from soccer_env.guards.interrupts import HeldBack
 from soccer_env.match import BLOCK, Match
-from soccer_env.saving import calls_python, undoing
+from soccer_env.saving import signals_wait, undoing
 from soccer_env.squads import who_plays
 
 
@@ -78,6 +79,19 @@ def parts(whole: int, count: int) -> list[int]:
     return [whole * (i + 1) // count - whole * i // count for i in range(count)]
 
 
+def begin(match: Match, seeds: np.ndarray, still: np.ndarray, first_decision: int, stagger: int) -> None:
+    """Begin the episodes of some seeds (M,), and let robots stand until they decide.
+
+    stagger: 0, or the control steps of an action; clocks then begin apart by whole actions.
+    """
+    match.reset(seeds=seeds)
+    if stagger:
+        stagger_clocks(match, stagger)
+    until = first_decision or stagger  # so that observations show the new clock
+    for _ in range(until):
+        match.step(still)
+
+
 def stagger_clocks(match: Match, repeat: int) -> None:
     """Let the first episodes of M matches begin at different times of their first half, a whole number of steps on."""
     half = match.settings.half_length
@@ -116,18 +130,25 @@ def learners_of(match: Match) -> list[tuple[int, str]]:
 
 
 @contextmanager
-def undone(matches: Sequence[Match], opponents: list[list[str]]) -> Iterator[None]:
-    """Make all matches, and who plays in them, again what they were if code of a user raises in one of them."""
-    before, names = [undoing(match, "step") for match in matches if calls_python(match)], list(opponents)
-    try:
-        yield
-    except BaseException:
-        if before:
-            for go_back in before:
-                if go_back is not None:
-                    go_back()
-            opponents[:] = names
-        raise
+def undone(matches: Sequence[Match], opponents: list[list[str]], doing: str) -> Iterator[None]:
+    """Let signals wait while all matches reset or step; where one of them lets them come, undo what is raised in all.
+
+    So it is in matches that call code of a user, and in those that may have to compile.
+    """
+    before: list[Any] = []
+    names = list(opponents)
+    if not all(signals_wait(match, doing) for match in matches):
+        before = [undoing(match, doing) for match in matches]
+    with HeldBack():
+        try:
+            yield
+        except BaseException:
+            if before:
+                for go_back in before:
+                    if go_back is not None:
+                        go_back()
+                opponents[:] = names
+            raise
 
 
 def discrete_rows(actions: Any, rows: int) -> np.ndarray:

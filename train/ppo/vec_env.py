@@ -33,9 +33,9 @@ from soccer_env.match import Match
 from soccer_env.names import Made
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
-from soccer_env.saving import by_save, calls_python
+from soccer_env.saving import by_save, calls_python, signals_wait
 from soccer_env.train.ppo.critic_state import records_of, with_state
-from soccer_env.train.ppo.match_blocks import Result, check_request, playing, shares, stagger_clocks, taken, undone
+from soccer_env.train.ppo.match_blocks import Result, begin, check_request, playing, shares, taken, undone
 
 
 class SoccerVecEnv(VecEnv):
@@ -122,21 +122,14 @@ class SoccerVecEnv(VecEnv):
 
     def reset(self) -> np.ndarray:
         """Begin episodes in all matches; return the first observations (rows, n) on which robots decide."""
-        seeds = seeds_for(self._seed, sum(match.count for match in self.matches))
-        for match in self.matches:
-            match.reset(seeds=seeds[: match.count])
-            seeds = seeds[match.count :]
-            if self.stagger:
-                stagger_clocks(match, self.repeat)
-            until = self.first_decision
-            if self.stagger and until == 0:
-                until = self.repeat  # so that observations show the new clock
-            still = self._standing(match)
-            for _ in range(until):
-                match.step(still)
-        self.opponents = [playing(match) for match in self.matches]
-        self._returns[:], self._lengths[:] = 0.0, 0
-        return self._observations()
+        with undone(self.matches, self.opponents, "reset"):
+            seeds, apart = seeds_for(self._seed, sum(m.count for m in self.matches)), self.stagger * self.repeat
+            for match in self.matches:
+                begin(match, seeds[: match.count], self._standing(match), self.first_decision, apart)
+                seeds = seeds[match.count :]
+            self.opponents[:] = [playing(match) for match in self.matches]
+            self._returns[:], self._lengths[:] = 0.0, 0
+            return self._observations()
 
     def step_async(self, actions: np.ndarray) -> None:
         """Take the actions (rows, 4 or 7) of the next step, or discrete ones (rows,); ValueError names a wrong row."""
@@ -150,13 +143,19 @@ class SoccerVecEnv(VecEnv):
         """
         if not self._asked:
             raise RuntimeError("step_wait needs the actions of the step: call step_async first, or step")
-        self._asked = False
         started = time.perf_counter()
         rewards, dones = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs, bool)
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
-        with undone(self.matches, self.opponents):
-            found = self._workers.map(lambda index: self._play(index, rewards, dones, infos), self._order)
-        results = dict(zip(self._order, found, strict=True))
+        with undone(self.matches, self.opponents, "step"):
+            waits = all(signals_wait(match, "step") for match in self.matches)  # else one may compile: not in a thread
+            workers = self._workers if waits else Workers(1)
+            found = workers.map(lambda index: self._play(index, rewards, dones, infos), self._order)
+            return self._note(dict(zip(self._order, found, strict=True)), rewards, dones, infos, started)
+
+    def _note(
+        self, results: dict[int, list[Result]], rewards: np.ndarray, dones: np.ndarray, infos: Any, started: float
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
+        """Take note of a step that all blocks have played; return what `step_wait` does."""
         for index in range(len(self.matches)):
             self.results += results[index]
         self._returns += rewards
@@ -165,6 +164,7 @@ class SoccerVecEnv(VecEnv):
             infos[row]["episode"] = {"r": float(self._returns[row]), "l": int(self._lengths[row]), "t": 0.0}
         self._returns[dones], self._lengths[dones] = 0.0, 0
         observations = self._observations()
+        self._asked = False
         self.seconds += time.perf_counter() - started
         return observations, rewards, dones, infos
 
@@ -284,11 +284,12 @@ class SoccerVecEnv(VecEnv):
 
     def load(self, saved: dict[str, Any]) -> np.ndarray:
         """Go on from what `save` returned; return the observations. ValueError if it is from other settings."""
-        for match, bits in zip(self.matches, saved["matches"], strict=True):
-            match.load(bits)
-        self.opponents = [playing(match) for match in self.matches]
-        self._returns[:], self._lengths[:] = saved["returns"], saved["lengths"]
-        return self._observations()
+        with undone(self.matches, self.opponents, "load"):
+            for match, bits in zip(self.matches, saved["matches"], strict=True):
+                match.load(bits)
+            self.opponents[:] = [playing(match) for match in self.matches]
+            self._returns[:], self._lengths[:] = saved["returns"], saved["lengths"]
+            return self._observations()
 
     def __reduce__(self) -> Made:
         """Copy by settings and `save`: what pickle, cloudpickle and copy.deepcopy make has the same future."""
