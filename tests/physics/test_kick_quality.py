@@ -15,6 +15,7 @@ from soccer_env.types import RobotStream
 from tests.scenes.staging import LEGGED, MIDDLE, asking, each_league, put, put_ball, speed, stage, stand, steady
 
 KICKS = 1000
+FEW = 40  # kicks, of which a fact holds for each
 EDGE = 0.999  # of the kicker's reach or half width: a ball at the very edge cannot be kicked
 
 
@@ -65,14 +66,14 @@ def strays(match: Match, kicked: np.ndarray) -> np.ndarray:
 
 @each_league
 def test_ball_and_robot_together_keep_their_momentum_in_a_kick(name):
-    match = ready(name)
+    match = ready(name, matches=FEW)
     body, ball = match.league.body, match.league.ball
     assert finish(match).all()
     for axis in ("vx", "vy"):
         gained = ball.mass * match.balls[axis] + body.mass * match.robots[axis][:, 0]
         np.testing.assert_allclose(gained, 0.0, atol=1e-14 * body.mass)
     recoil = speed(match.robots)[:, 0].mean()
-    assert recoil == pytest.approx({LEGGED: 0.05 * 1.5 / 1.45, MIDDLE: 0.43 * 10.0 / 30.0}[name], rel=0.02)
+    assert recoil == pytest.approx({LEGGED: 0.05 * 1.5 / 1.45, MIDDLE: 0.43 * 10.0 / 30.0}[name], rel=0.1)
 
 
 @pytest.mark.parametrize(("name", "share"), [(LEGGED, 0.15), (MIDDLE, 0.05)])
@@ -106,14 +107,14 @@ def test_misses_grow_with_the_square_of_how_badly_the_ball_lies(name, miss, ahea
     assert missed == pytest.approx(expected, abs=4.0 * np.sqrt(expected * (1.0 - expected) / KICKS))
 
 
-@pytest.mark.parametrize(("ahead", "aside", "wider"), [(0.0, 0.0, 1.0), (0.5, 0.0, 1.5), (0.0, EDGE, 2.0)])
-@pytest.mark.parametrize(("name", "degrees"), [(LEGGED, 10.0), (MIDDLE, 2.0)])
-def test_kicks_stray_twice_as_far_from_the_edge_of_the_kicker(name, degrees, ahead, aside, wider):
-    match = ready(name, ahead, aside)
-    off = strays(match, finish(match))
-    deviation = np.radians(degrees) * wider
-    assert off.std() == pytest.approx(deviation, rel=4.0 / np.sqrt(2.0 * off.size))
-    assert off.mean() == pytest.approx(0.0, abs=4.0 * deviation / np.sqrt(off.size))
+@pytest.mark.parametrize(("ahead", "aside", "wider"), [(0.5, 0.0, 1.5), (0.0, -0.25, 1.25), (0.0, EDGE, 1.0 + EDGE)])
+@each_league
+def test_a_kick_strays_up_to_twice_as_far_from_the_edge_of_the_kicker(name, ahead, aside, wider):
+    """By the same draws; how far kicks from its middle stray is a number of the league, see test_kicker.py."""
+    middle, worse = ready(name, matches=FEW), ready(name, ahead, aside, matches=FEW)
+    off, hits = strays(middle, finish(middle)), finish(worse)
+    assert hits.sum() > FEW / 4
+    np.testing.assert_allclose(strays(worse, hits), wider * off[hits], atol=1e-9)
 
 
 @compiled
