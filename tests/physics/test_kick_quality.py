@@ -111,8 +111,10 @@ def test_misses_grow_with_the_square_of_how_badly_the_ball_lies(name, miss, ahea
 @each_league
 def test_a_kick_strays_up_to_twice_as_far_from_the_edge_of_the_kicker(name, ahead, aside, wider):
     """By the same draws; how far kicks from its middle stray is a number of the league, see test_kicker.py."""
-    middle, worse = ready(name, matches=FEW), ready(name, ahead, aside, matches=FEW)
-    off, hits = strays(middle, finish(middle)), finish(worse)
+    middle = ready(name, matches=FEW)
+    off = strays(middle, finish(middle))
+    worse = ready(name, ahead, aside, matches=FEW)
+    hits = finish(worse)
     assert hits.sum() > FEW / 4
     np.testing.assert_allclose(strays(worse, hits), wider * off[hits], atol=1e-9)
 
