@@ -4,23 +4,41 @@ from __future__ import annotations
 
 import os
 import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from secrets import token_hex
 
 
 def write_whole(path: Path, content: str | bytes) -> None:
-    """Write a file so that readers see the old or the new content and nothing between, also after a power failure."""
+    """Write a file so that readers see the old or the new content and nothing between, also after a power failure.
+
+    OSError names the file, also where the disk is full.
+    """
     data = content.encode() if isinstance(content, str) else content
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    try:
-        with temporary.open("wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(temporary, path)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
+    with written_aside(path) as aside, aside.open("xb") as file:
+        file.write(data)
+        file.flush()
+        os.fsync(file.fileno())
     _sync_folder(path.parent)
+
+
+@contextmanager
+def written_aside(path: Path, ending: str = ".tmp") -> Iterator[Path]:
+    """Give the path of a new file beside another one, which it replaces at the end; whatever is raised removes it.
+
+    Its name cannot be guessed: nobody can put a link there, and each thread has a file of its own.
+    """
+    aside = path.with_name(f".{path.name}.{token_hex(8)}{ending}")
+    try:
+        yield aside
+        os.replace(aside, path)
+    except OSError as error:
+        if error.errno is None or error.filename not in (None, str(aside)):
+            raise
+        raise OSError(error.errno, os.strerror(error.errno), str(path)) from error
+    finally:
+        aside.unlink(missing_ok=True)
 
 
 def _sync_folder(folder: Path) -> None:

@@ -16,6 +16,7 @@ goals; so is an own goal.
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Iterator
 from datetime import datetime, timedelta, timezone
 from pathlib import Path
@@ -39,13 +40,22 @@ DIGITS = 4  # of a metre: tenths of a millimetre
 
 
 def write_standard(found: Collected, folder: Path) -> Path:
-    """Write a match as four files of a folder, which is made; files of the same names are replaced."""
-    folder.mkdir(parents=True, exist_ok=True)
+    """Write a match as four files of a folder, which is made; files of the same names are replaced.
+
+    A folder that was made is removed again if a file cannot be written.
+    """
     match = Standard(found)
-    write_whole(folder / "meta.json", json.dumps(match.meta(), indent=2) + "\n")
-    write_whole(folder / "match.json", json.dumps(match.sheet(), indent=2) + "\n")
-    write_whole(folder / "tracking.jsonl", as_lines(match.tracking()))
-    write_whole(folder / "event.jsonl", as_lines(match.events()))
+    sheets = (json.dumps(sheet, indent=2) + "\n" for sheet in (match.meta(), match.sheet()))
+    contents = [*sheets, as_lines(match.tracking()), as_lines(match.events())]
+    made = not folder.exists()
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        for name, content in zip(FILES, contents, strict=True):
+            write_whole(folder / name, content)
+    except BaseException:
+        if made:
+            shutil.rmtree(folder, ignore_errors=True)
+        raise
     return folder
 
 

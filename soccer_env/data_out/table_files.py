@@ -7,14 +7,15 @@ appear whole or not at all.
 from __future__ import annotations
 
 import csv
-import os
 from collections.abc import Iterable
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from soccer_env.data_out.tables import TABLES, Column, Table
+from soccer_env.whole_files import written_aside
 
 HOW = 'pip install "soccer_env[data]"'
 
@@ -40,22 +41,14 @@ def write_tables(matches: Iterable[dict[str, Table]], path: Path) -> dict[str, P
     """
     kind: type[CsvFile] | type[ParquetFile] = CsvFile if path.suffix.lower() == ".csv" else ParquetFile
     paths = paths_of(path)
-    files: dict[str, CsvFile | ParquetFile] = {
-        name: kind(target.with_name(f".{target.name}.{os.getpid()}.tmp"), TABLES[name])
-        for name, target in paths.items()
-    }
-    try:
+    with ExitStack() as replacing, ExitStack() as closing:  # all are closed before the first is replaced
+        files: dict[str, CsvFile | ParquetFile] = {}
+        for name, target in paths.items():
+            files[name] = kind(replacing.enter_context(written_aside(target)), TABLES[name])
+            closing.callback(files[name].close)
         for tables in matches:
             for name, file in files.items():
                 file.add(tables[name])
-        for file in files.values():
-            file.close()
-        for name, file in files.items():
-            os.replace(file.path, paths[name])
-    finally:
-        for file in files.values():
-            file.close()
-            file.path.unlink(missing_ok=True)
     return paths
 
 
@@ -63,8 +56,8 @@ class CsvFile:
     """A table as CSV: comma, quotes where needed, LF, a first line with the names; flags are true and false."""
 
     def __init__(self, path: Path, columns: tuple[Column, ...]) -> None:
-        self.path, self._columns = path, columns
-        self._file = path.open("w", encoding="utf-8", newline="")
+        self._columns = columns
+        self._file = path.open("x", encoding="utf-8", newline="")
         self._writer = csv.writer(self._file, lineterminator="\n")
         self._writer.writerow([column.name for column in columns])
 
@@ -108,7 +101,6 @@ class ParquetFile:
             "number": pyarrow.float64(),
             "flag": pyarrow.bool_(),
         }
-        self.path = path
         self._table = pyarrow.table
         self._schema = pyarrow.schema(
             [

@@ -15,6 +15,7 @@ import numpy as np
 
 from soccer_env.render import colours
 from soccer_env.render.sheet import check_frame
+from soccer_env.whole_files import written_aside
 
 KINDS = (".mp4", ".gif")
 HOW = 'pip install "soccer_env[video]"'
@@ -55,12 +56,8 @@ def write_video(path: str | os.PathLike[str], frames: Iterator[np.ndarray], fps:
     kind, target = video_kind(path), Path(path)
     if kind == ".gif" and count > MOST_GIF_FRAMES:
         raise ValueError(f"a GIF holds at most {MOST_GIF_FRAMES} frames, this one would have {count}: write an MP4")
-    temporary = target.with_name(f".{target.stem}.{os.getpid()}{kind}")
-    try:
-        (write_mp4 if kind == ".mp4" else write_gif)(temporary, frames, fps)
-        os.replace(temporary, target)
-    finally:
-        temporary.unlink(missing_ok=True)
+    with written_aside(target, kind) as aside:
+        (write_mp4 if kind == ".mp4" else write_gif)(aside, frames, fps)
     return target
 
 

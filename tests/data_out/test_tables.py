@@ -1,6 +1,7 @@
 """Tidy tables hold what the match was, in every format: a row for each frame and object, and for each event."""
 
 import csv
+import os
 from pathlib import Path
 from typing import Any
 
@@ -8,6 +9,8 @@ import numpy as np
 import pytest
 
 from soccer_env.data_out.collect import Collected
+from soccer_env.data_out.sportec import write_sportec
+from soccer_env.data_out.standard import write_standard
 from soccer_env.data_out.table_files import plain_cell, write_tables
 from soccer_env.data_out.tables import EVENTS, TRACKING, event_table, tables_of, tracking_table
 from soccer_env.replay import Replay
@@ -123,3 +126,24 @@ def test_a_folder_of_other_things_is_not_written_into(folder: Path, tmp_path: Pa
 def test_a_folder_without_replays_is_refused(tmp_path: Path, capsys: Any) -> None:
     assert main(["export", str(tmp_path), "--out", str(tmp_path / "x.csv")]) == 2
     assert "there are no replays" in capsys.readouterr().err
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="limits of Unix")
+@pytest.mark.parametrize("name", ["x.csv", "x.parquet", "x.xml", "x.cdf"])
+def test_where_there_is_no_room_nothing_is_left_and_the_file_is_named(
+    found: Collected, tmp_path: Path, name: str
+) -> None:
+    import resource
+
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, before[1]))
+    try:
+        with pytest.raises(OSError, match=r"File too large: '.*x") as error:
+            if name in ("x.csv", "x.parquet"):
+                write_tables([tables_of(found)], tmp_path / name)
+            else:
+                (write_sportec if name == "x.xml" else write_standard)(found, tmp_path / name)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert Path(error.value.filename).is_relative_to(tmp_path)
+    assert os.listdir(tmp_path) == []
