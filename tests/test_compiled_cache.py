@@ -279,3 +279,20 @@ def test_an_interrupt_waits_until_numba_has_filled_its_registries(monkeypatch):
     with pytest.raises(KeyboardInterrupt):
         cache.load_overload(None, None)
     assert ended == [None]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such permissions")
+@pytest.mark.parametrize(("mode", "misses"), [(0o777, "1"), (0o1777, "0"), (0o775, "0")])
+def test_a_cache_that_anybody_can_put_another_in_place_of_is_not_used(root, mode, misses):
+    """Where all may write, whoever likes renames a folder, unless only its owner may (the sticky bit)."""
+    (root / "shared" / "mine").mkdir(parents=True)
+    cache = root / "shared" / "mine" / "cache"
+    code = "from soccer_env.upper import value; print(value(1.0), sum(value.stats.cache_misses.values()))"
+    (root / "none").mkdir(mode=0o777)
+    (root / "none").chmod(0o777)  # nor is anything kept in the temporary folder, then
+    places = {"SOCCER_ENV_CACHE": str(cache), "TMPDIR": str(root / "none")}
+    run(root, code, **places)
+    (root / "shared").chmod(mode)
+    printed, said = run(root, code, **places)
+    assert printed == ["11.0", misses]
+    assert (f"the cache {cache} is not used" in said) == (misses == "1")

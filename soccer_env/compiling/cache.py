@@ -14,6 +14,7 @@ import functools
 import hashlib
 import os
 import pickle
+import stat
 import sys
 import tempfile
 import time
@@ -212,17 +213,30 @@ def _is_private(folder: Path) -> bool:
         status = folder.stat()
     except OSError:
         return False
-    if os.name == "nt" or (status.st_uid in (os.getuid(), 0) and not status.st_mode & 0o002):
+    if os.name == "nt":
+        return True
+    if status.st_uid in (os.getuid(), 0) and not status.st_mode & 0o002 and _cannot_be_swapped(folder):
         return True
     _warn(folder)
     return False
 
 
 @functools.cache
+def _cannot_be_swapped(folder: Path) -> bool:
+    """Tell whether not anybody can put another folder in its place: where all may write, names are their owners'."""
+    for above in {*folder.absolute().parents, *folder.resolve().parents}:
+        status = above.stat()
+        kept = status.st_mode & stat.S_ISVTX and status.st_uid in (os.getuid(), 0)
+        if status.st_mode & 0o002 and not kept:
+            return False
+    return True
+
+
+@functools.cache
 def _warn(folder: Path) -> None:
     """Say once that a folder is not used."""
     if os.environ.get("SOCCER_ENV_QUIET", "0") in ("", "0"):
-        why = "it is another user's, or anybody can write to it, and compiled code in it would be executed"
+        why = "it is another user's, or anybody can write to it or above it, and compiled code in it would be executed"
         print(f"{PACKAGE}: the cache {folder} is not used: {why}", file=sys.stderr, flush=True)
 
 
