@@ -17,6 +17,7 @@ from zipfile import BadZipFile
 import numpy as np
 
 from soccer_env import saving
+from soccer_env.checking import brief
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.match_settings import REPLAYED, version
@@ -119,7 +120,8 @@ class Replay(Pictured):
         return len(self.commands)
 
     def __repr__(self) -> str:
-        return f"<Replay of {' against '.join(self.teams)}: {len(self)} control steps>"
+        names = (brief(name)[1:-1] for name in self.teams)  # of a stranger's file
+        return f"<Replay of {' against '.join(names)}: {len(self)} control steps>"
 
     @property
     def teams(self) -> tuple[str, str]:
