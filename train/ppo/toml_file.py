@@ -10,6 +10,7 @@ from typing import Any
 from soccer_env import agents
 from soccer_env.names import unknown
 from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.whole_files import read_plain
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -17,6 +18,7 @@ else:
     import tomli as tomllib
 
 
+MAX_FILE = 16 * 2**10  # [bytes] a name of many parts takes time with the square of its length: 2 s with these
 BUNDLED = Path(agents.__file__).parent / "policies"  # in a checkout and where the package is installed
 
 
@@ -45,7 +47,7 @@ def settings_of(config: Path | None) -> TrainSettings:
 def read_toml(path: Path) -> dict[str, Any]:
     """Return the settings of a TOML file; ValueError for one that cannot be read and for names that do not exist."""
     try:
-        found = tomllib.loads(path.read_text(encoding="utf-8"))
+        found = tomllib.loads(read_plain(path, MAX_FILE).decode("utf-8"))
     except (OSError, ValueError, RecursionError) as error:  # what is no TOML or no UTF-8 is a ValueError
         raise ValueError(f"{path} cannot be read: {error}") from error
     known = [field.name for field in fields(TrainSettings)]

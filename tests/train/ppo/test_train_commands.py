@@ -44,6 +44,8 @@ def test_a_file_gives_settings_and_flags_overrule_it(tmp_path: Path) -> None:
         ("steps = 3\nsteps = 4\n", "cannot be read: "),
         ("name = '\udcff'\n", "cannot be read: "),
         ("a = " + "[" * 5000, "cannot be read: maximum recursion depth"),
+        (".".join("a" * 100_000) + " = 1", "cannot be read: has 200003 bytes, more than the limit of 16384"),
+        (".".join("a" * 8000) + " = 1", "unknown setting 'a'"),
     ],
 )
 def test_a_wrong_file_is_named(tmp_path: Path, content: str, message: str | None) -> None:
@@ -63,6 +65,7 @@ def test_a_wrong_file_is_named(tmp_path: Path, content: str, message: str | None
         (["--config", "nowhere.toml"], "nowhere.toml cannot be read: "),
         (["--config=nowhere.toml"], "nowhere.toml cannot be read: "),
         (["--config", "."], "cannot be read: "),
+        (["--config", "/dev/zero"], "/dev/zero cannot be read: is not a regular file"),
         (["--steps", "-1"], "steps must be a whole number of at least 0, got -1"),
         (["--learning-rate", "nan"], "learning_rate must be a number above 0 and at most 1, got nan"),
         (["--decay", "maybe"], "maybe"),
