@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Callable, Iterator, Sequence
 from math import isfinite
 from typing import TYPE_CHECKING
 
@@ -26,10 +27,11 @@ VERDICTS = {
 }
 
 
-def sentence(result: EvaluationResult) -> str:
-    """Return the verdict as a sentence."""
+def sentence(result: EvaluationResult, shown: Callable[[str], str] = str) -> str:
+    """Return the verdict as a sentence, with names as they are shown."""
     text = VERDICTS.get(result.verdict, "There is {verdict}.")
-    return text.format(home=result.conditions.home, away=result.conditions.away, verdict=result.verdict)
+    home, away = shown(result.conditions.home), shown(result.conditions.away)
+    return text.format(home=home, away=away, verdict=result.verdict)
 
 
 def rows(result: EvaluationResult) -> list[tuple[str, str, str]]:
@@ -64,19 +66,19 @@ def percent(share: float) -> str:
 
 def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
     """Return the report; `about` holds the command, date and commit of the evaluation's start."""
-    conditions = result.conditions
+    home, away = escaped(result.conditions.home), escaped(result.conditions.away)
     lines = [
-        f"# {conditions.home} against {conditions.away}",
-        f"{sentence(result)} Results are {conditions.home}'s; intervals are 95 % bootstraps over pairs.",
+        f"# {home} against {away}",
+        f"{sentence(result, escaped)} Results are {home}'s; intervals are 95 % bootstraps over pairs.",
         table(("", "value", "95 % interval"), rows(result)),
         needed(result),
         *play_tables(result),
         "## Conditions",
-        table(("", ""), conditions_rows(result, about)),
+        table(("", ""), [(escaped(name), escaped(value)) for name, value in conditions_rows(result, about)]),
         "This command plays what is missing and writes this report again:",
-        f"```bash\n{about.get('command', '')}\n```",
+        fenced(about.get("command", "")),
         "## Matches",
-        f"Score of {conditions.home} first, as home and as away.",
+        f"Score of {home} first, as home and as away.",
         *pairs(result),
     ]
     return "\n\n".join(line for line in lines if line) + "\n"
@@ -113,7 +115,7 @@ def play_tables(result: EvaluationResult) -> list[str]:
     """Return how play went and how goals fell, in Markdown; nothing if lines lack statistics."""
     if not result.statistics:
         return []
-    head = ("", result.conditions.home, result.conditions.away)
+    head = ("", escaped(result.conditions.home), escaped(result.conditions.away))
     return [
         "## Play",
         "One value is of both teams together. `soccer list statistics` says what each of them is; result.json has all.",
@@ -149,6 +151,17 @@ def pairs(result: EvaluationResult) -> list[str]:
         table(("pair", "seed", "as home", "as away"), cells),
         f"{rest} more pairs stand in matches.jsonl." if rest else "",
     ]
+
+
+def escaped(text: str) -> str:
+    """Return a name for Markdown, which it can neither mark up nor fill with HTML: files of strangers are named so."""
+    return re.sub(r"([\\`*\[\]<>&#~]|\b_|_\b)", r"\\\1", " ".join(text.split()))
+
+
+def fenced(command: str) -> str:
+    """Return a command as a block of Markdown that nothing in it can end."""
+    fence = "`" * max(3, 1 + max(map(len, re.findall("`+", command)), default=0))
+    return f"{fence}bash\n{command}\n{fence}"
 
 
 def table(head: tuple[str, ...], cells: Sequence[tuple[str, ...]]) -> str:

@@ -1,8 +1,10 @@
 """A result follows from its lines; a folder goes on where it was and refuses other settings."""
 
 import json
+from dataclasses import replace
 
 import pytest
+from markdown_it import MarkdownIt
 
 from soccer_env.leagues import find_league
 from soccer_env.train.evaluate.report import markdown, plain, sentence
@@ -127,3 +129,21 @@ def test_a_long_report_leaves_pairs_out() -> None:
 )  # fmt: skip
 def test_numbers_of_tables_are_plain(value: float, digits: int, text: str) -> None:
     assert plain(value, digits) == text
+
+
+def test_a_name_is_shown_in_the_report_as_it_is() -> None:
+    """A file of a stranger may be called anything."""
+    name = "<img src=x onerror=alert(1)>&amp; `a` **b** [c](d) | _e_ sacks_2001.onnx\n```\n# f"
+    result = result_of([(3, 0), (1, 1)])
+    result = replace(result, conditions=replace(result.conditions, home=name, league=name), trained={name: name})
+    shown = markdown(result, {**ABOUT, "command": f"soccer evaluate --home '{name}'"})
+    parsed = MarkdownIt("commonmark").enable("table").parse(shown)
+    inner = [token for token in parsed if token.type == "inline"]
+    kinds = {child.type for token in inner for child in token.children or ()}
+    assert {token.type for token in parsed}.isdisjoint({"html_block"})
+    assert kinds <= {"text", "text_special", "softbreak", "code_inline"}, kinds
+    words = ["".join(child.content for child in token.children or ()) for token in inner]
+    plain_name = " ".join(name.split())
+    assert words[0] == f"{plain_name} against random"
+    assert plain_name in words and f"{plain_name} was trained with" in words
+    assert [token.content for token in parsed if token.type == "fence"] == [f"soccer evaluate --home '{name}'\n"]
