@@ -6,7 +6,9 @@ changed.
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, NoReturn
 
 import numpy as np
 
@@ -15,6 +17,7 @@ from soccer_env.function_teams.team import FunctionTeam
 
 Match = Any  # soccer_env.match.Match, which stands above this file
 Squad = Any  # soccer_env.squads.Squad, which stands above this file
+MOVES = ("step", "reset", "load")  # methods of a match that go to another state of it
 
 
 def ask_functions(match: Match) -> None:
@@ -38,10 +41,28 @@ def decided(match: Match, squad: Squad) -> np.ndarray:
         def who(d: int, p: int) -> str:
             return f"{match.agents[rows[p]]} in match {due[d]}"
 
-        kept["action"] = team.decide(observed(match, squad, due), kept, who)
+        with standing(match, team.name):
+            kept["action"] = team.decide(observed(match, squad, due), kept, who)
         kept["wait"] = team.action_repeat
         memory[due] = kept
     return memory
+
+
+@contextmanager
+def standing(match: Match, team: str) -> Iterator[None]:
+    """Let a match be looked at, copied and branched, but not moved, while a team's function is asked."""
+
+    def refuse(*args: Any, **kwargs: Any) -> NoReturn:
+        moves = f"{', '.join(MOVES[:-1])} or {MOVES[-1]}"
+        raise RuntimeError(f"team {team!r} must not call {moves} of the match that asks it; a branch of it may move")
+
+    for name in MOVES:
+        match.__dict__[name] = refuse
+    try:
+        yield
+    finally:
+        for name in MOVES:
+            del match.__dict__[name]
 
 
 def begin(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: FunctionTeam) -> None:

@@ -1,5 +1,6 @@
 """Functions that return nonsense are named, with the robot and what is allowed, and the match stays as it was."""
 
+import copy
 from typing import Any
 
 import numpy as np
@@ -165,3 +166,34 @@ def test_senses_that_do_not_fit_what_it_observes_are_named() -> None:
         Match(home=1, away=1, opponents=team_of_function(nothing, observe="truth"))
     with pytest.raises(ValueError, match="team 'nothing' observes percepts: it needs senses='sensors', got 'ideal'"):
         Match(home=1, away=1, senses="ideal", opponents=team_of_function(nothing, observe="percepts"))
+
+
+@pytest.mark.parametrize("move", ["step", "reset", "load"])
+def test_a_function_that_moves_the_match_that_asks_it_is_told_so_and_nothing_changes(move: str) -> None:
+    match = Match(home=1, away=1, seed=1, opponents=team_of_function(lambda seen: mine(seen), name="mine"))
+    content = match.save()
+    given = {"step": (np.zeros((1, 2, 4)),), "reset": (7,), "load": (content,)}[move]
+
+    def mine(observations: np.ndarray) -> np.ndarray:
+        getattr(match, move)(*given)
+        return nothing(observations)
+
+    before, seeds = match.state_hash(), match.seeds.tolist()
+    with pytest.raises(RuntimeError, match="team 'mine' must not call step, reset or load of the match that asks"):
+        match.step(np.zeros((1, 2, 4)))
+    assert match.state_hash() == before
+    assert match.seeds.tolist() == seeds
+    match.reset(seed=3)
+
+
+def test_a_function_may_look_ahead_in_a_branch_of_the_match() -> None:
+    match = Match(home=1, away=1, seed=1, opponents=team_of_function(lambda seen: mine(seen), name="mine"))
+
+    def mine(observations: np.ndarray) -> np.ndarray:
+        copy.deepcopy(match)
+        ahead = match.branch(0)
+        ahead.rebuild()
+        return nothing(observations)
+
+    match.step(np.zeros((1, 2, 4)))
+    assert match.matches["step"].tolist() == [1]
