@@ -212,7 +212,7 @@ from tests.agents.staged_policies import attentive, lively
 for make, activation in ((lively, "tanh"), (lively, "relu"), (attentive, "tanh"), (attentive, "relu")):
     team = team_of(make(16, 8, activation=activation, mirror=True, action_repeat=4))
     match = Match(home=1, away=1, controllers={"home": team, "away": team}, senses="ideal", seed=1)
-    for _ in range(60):
+    for _ in range(24):
         match.step()
     print(match.state_hash())
 """

@@ -14,19 +14,20 @@ LEAGUES = ("legged-2001", "middle-size-2006")
 PROGRAM = """
 import sys, numpy as np
 from soccer_env import Match
-league, steps, size = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
-teams = {"home_0": "chaser"} if len(sys.argv) > 4 else None
-match = Match(league, home=size, away=size, matches=1, seeds=[11], controllers=teams, pose="particles")
-rng = np.random.default_rng(5)
-for _ in range(steps):
-    match.step(rng.uniform(-1.0, 1.0, (1, 2 * size, 4)))
-print(match.state_hash(), match.observations.tobytes().hex()[:64])
+for words in sys.argv[2:]:
+    steps, size, *team = words.split()
+    teams = {"home_0": team[0]} if team else None
+    match = Match(sys.argv[1], home=int(size), away=int(size), seeds=[11], controllers=teams, pose="particles")
+    rng = np.random.default_rng(5)
+    for _ in range(int(steps)):
+        match.step(rng.uniform(-1.0, 1.0, (1, 2 * int(size), 4)))
+    print(match.state_hash(), match.observations.tobytes().hex()[:64])
 """
 
 
-def run(*arguments: object, **environment: str) -> str:
-    """Return what the program prints in a process of its own."""
-    command = [sys.executable, "-c", PROGRAM, *map(str, arguments)]
+def run(*arguments: str, **environment: str) -> str:
+    """Return what the program prints in a process of its own: of a league, matches as "steps size team"."""
+    command = [sys.executable, "-c", PROGRAM, *arguments]
     done = subprocess.run(command, env={**os.environ, **environment}, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -46,15 +47,15 @@ def play(match: Match, steps: int, seed: int = 5) -> list[str]:
 @pytest.mark.slow
 @pytest.mark.parametrize("league", LEAGUES)
 def test_500_steps_agree_across_processes_and_hash_seeds(league: str) -> None:
-    first = run(league, 500, 3, PYTHONHASHSEED="0")
-    assert first == run(league, 500, 3, PYTHONHASHSEED="random", PYTHONMALLOC="malloc", MALLOC_PERTURB_="165")
+    first = run(league, "500 3", PYTHONHASHSEED="0")
+    assert first == run(league, "500 3", PYTHONHASHSEED="random", PYTHONMALLOC="malloc", MALLOC_PERTURB_="165")
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("league", LEAGUES)
 def test_plain_python_plays_what_the_compiled_code_plays(league: str) -> None:
-    assert run(league, 60, 1) == run(league, 60, 1, NUMBA_DISABLE_JIT="1")
-    assert run(league, 40, 2, "chaser") == run(league, 40, 2, "chaser", NUMBA_DISABLE_JIT="1")
+    played = ("60 1", "40 2 chaser")
+    assert run(league, *played) == run(league, *played, NUMBA_DISABLE_JIT="1")
 
 
 @pytest.mark.parametrize("league", LEAGUES)

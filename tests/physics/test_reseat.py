@@ -27,12 +27,12 @@ def jammed(match: Match) -> int:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("league", LEAGUES)
-def test_1000_branches_in_scrums_go_on_as_with_new_spaces(league: str) -> None:
-    """The Spaces of one Match are put back, those of the other are made anew, 20 times in the midst of play."""
+def test_400_branches_in_scrums_go_on_as_with_new_spaces(league: str) -> None:
+    """The Spaces of one Match are put back, those of the other are made anew, 8 times in the midst of play."""
     ours, others = scrums(league, home=4, away=4, minutes=1.0), scrums(league, home=4, away=4, minutes=1.0)
     others.batch.physics.seats = None
     close, rebuilt, actions = 0, 0, np.zeros((50, 8, 4))
-    for _ in range(20):
+    for _ in range(8):
         for _ in range(31):
             ours.step(actions)
             others.step(actions)
@@ -46,7 +46,7 @@ def test_1000_branches_in_scrums_go_on_as_with_new_spaces(league: str) -> None:
         ours.step(actions)
         others.step(actions)
     assert ours.state_hash() == others.state_hash()
-    assert rebuilt == 1000 and close > 300, close
+    assert rebuilt == 400 and close > 100, close
 
 
 def test_a_reset_puts_the_space_back_and_makes_none() -> None:

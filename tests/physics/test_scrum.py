@@ -40,7 +40,7 @@ def test_six_robots_that_push_a_ball_for_a_minute_never_push_it_out_or_into_each
 
     More substeps and iterations halve that; the bound here is what keeps it from coming out on the other side.
     """
-    match = Match(patient(name), home=3, away=3, matches=8, seed=2)
+    match = Match(patient(name), home=3, away=3, matches=4, seed=2)
     set_phase(match, Phase.PLAY)
     scatter(match, np.random.default_rng(2), 0.9)
     match.rebuild()
@@ -59,7 +59,7 @@ def test_six_robots_that_push_a_ball_for_a_minute_never_push_it_out_or_into_each
         if step % steps_in(match, 1.0) == 0:
             found = deepest_overlaps(match)
             worst = {pair: max(depth, worst.get(pair, 0.0)) for pair, depth in found.items()}
-    assert touches > 1000
+    assert touches > 500
     assert max(worst["ball robot"], worst["ball wall"]) < 1.25 * ball.radius
     assert worst["robot robot"] < 0.25 * body.reach and worst["robot wall"] < 0.1 * body.reach
 

@@ -141,7 +141,7 @@ def test_bystanders_are_not_touched():
 @pytest.mark.parametrize("size", [2, 3, 5, MAX_TEAM])
 @pytest.mark.parametrize("place", ["board", "corner", "goal"])
 def test_in_a_crowd_nobody_is_put_into_anybody_or_off_the_pitch_and_no_keeper_is_moved(size, place):
-    match = stage(LEGGED, 60 if size <= 5 else 12, home=size, away=size)
+    match = stage(LEGGED, 24 if size <= 5 else 12, home=size, away=size)
     crowd(match, place, np.random.default_rng(20 + size), spread=1.5, pairs=True)
     match.robots["locked"] = 16.0
     match.rebuild()

@@ -49,11 +49,11 @@ def test_ms09_one_pixel_is_five_or_ten_centimetres_in_some_cases() -> None:
 
 
 def test_ms09_a_noiseless_ball_is_where_the_table_says() -> None:
-    ranges = np.linspace(0.2, 2.9, 300)
-    scene = Scene(300)
+    ranges = np.linspace(0.2, 2.9, 100)
+    scene = Scene(100)
     scene.put_ball(1.0, 0.0)
     for _ in range(8):  # the head's tilt moves the camera
-        eyes = np.array([scene.camera(m)[0] for m in range(300)])
+        eyes = np.array([scene.camera(m)[0] for m in range(100)])
         scene.put_ball(eyes + ranges, 0.0)
         scene.look_at(0, scene.balls["x"], 0.0, RADIUS)
     ball = scene.draw()[0][:, BALL, 0]
