@@ -58,7 +58,7 @@ def recheck_sample(settings: EvaluateSettings, said: set[str]) -> int:
             seed=settings.seed if "seed" in said else None,
             threads=settings.threads,
             where={name: getattr(settings, name) for name in ("home", "away", "league", "scene") if name in said},
-            **({} if settings.json else {"tell": say_pair}),
+            tell=None if settings.json else say_pair,
         )
     except KeyboardInterrupt:
         print("stopped; no file was changed", file=sys.stderr)

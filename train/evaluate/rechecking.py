@@ -84,7 +84,7 @@ class RecheckResult:
 def recheck(
     folder: str | Path, *, pairs: int | str = PAIRS, seed: int | None = None, threads: int = 1,
     where: Mapping[str, str] = MappingProxyType({}), league: League | None = None,
-    teams: Mapping[str, Team] = MappingProxyType({}), tell: Tell = lambda pair, found: None,
+    teams: Mapping[str, Team] = MappingProxyType({}), tell: Tell | None = None,
 ) -> RecheckResult:  # fmt: skip
     """Play `pairs` of an evaluation's finished pairs again ("all": every one) and compare every line bit for bit.
 
@@ -99,7 +99,7 @@ def recheck(
     drawn = sample(found.pairs, pairs, seed)
     if not drawn:
         raise ValueError(f"{folder} has no finished pair yet")
-    differing = compare(found, contest, drawn, threads, tell)
+    differing = compare(found, contest, drawn, threads, tell or (lambda pair, found: None))
     follows = None if made_otherwise else unlike_result(found, contest)
     return RecheckResult(
         folder=str(folder), asked=found.conditions["matches"] // 2, finished=len(found.pairs), seed=seed,
