@@ -19,7 +19,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import Field, dataclass, field, fields
 from typing import TYPE_CHECKING, Any, Concatenate, Literal, ParamSpec, TypeVar
 
-from soccer_env.checking import ABOVE_ZERO, Checked, Range, check_names
+from soccer_env.checking import Checked, Range, check_names
 from soccer_env.names import Made
 from soccer_env.types import MAX_TEAM
 
@@ -40,6 +40,7 @@ A = TypeVar("A")
 
 TEAM_SIZE = Range(1, MAX_TEAM)
 THREADS = Range(1, 256)
+MINUTES = Range(0.0, 1e12, above=True)
 STEPS = Range(1, 2**40)
 Senses = Literal["ideal", "sensors"]
 Pose = Literal["percept", "particles"]
@@ -114,7 +115,7 @@ class MatchSettings(Checked):
     placement: Placement = setting("instant", "how robots reach their places at a restart", replayed=True)
     keeper: int = setting(0, "number of the goalkeeper, in teams of two or more", replayed=True)
     minutes: float | None = setting(
-        None, "of play, both halves together; None: the league's own", ABOVE_ZERO, replayed=True
+        None, "of play, both halves together; None: the league's own", MINUTES, replayed=True
     )
     action_repeat: int = setting(1, "control steps that an action is kept", Range(1, 1000), free=True)
     max_cycles: int | None = setting(None, "steps until an episode is truncated; None: never", STEPS, free=True)

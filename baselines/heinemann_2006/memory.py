@@ -10,7 +10,7 @@ from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES, OBS
 from soccer_env.baselines.weigel_2001.planner.records import SCRATCH as PLANNING
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
 from soccer_env.belief_types import SITUATION
-from soccer_env.ranges import FLAG, NUMBER, UNIT, Range, record
+from soccer_env.ranges import COUNT, FLAG, NUMBER, UNIT, Range, record
 from soccer_env.types import PHASE
 
 KEEPER, ATTACKER, DEFENDER, SUPPORTER = range(4)
@@ -34,7 +34,7 @@ MEMORY = record(
         ("heard", CALL),  # the call that has come
         ("said", CALL),  # the latest one, which is on its way or has come
         ("said_age", "f8", NUMBER),  # [s] since it was made
-        ("drove", "i8", FLAG),  # 0: the last decision was not to drive at the velocity below
+        ("drove", "i8", COUNT),  # decisions for which it goes on at the velocity below; 0: it does not
         ("drive_x", "f8", NUMBER),  # [m/s] velocity asked for, team frame
         ("drive_y", "f8", NUMBER),  # [m/s]
         ("arrived", "i8", FLAG),  # 1: it is at the place that it last wanted to be at

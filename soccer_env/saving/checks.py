@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from soccer_env.ranges import outside
 
 Match = Any  # soccer_env.match.Match, which stands above this file
 
+LONGEST = 1e12  # [s] of a half that ends; twice as much is a number still
 FIXED = ("team", "number", "keeper")  # of a robot: as the match lined up
 
 
@@ -23,6 +25,9 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
     for field in FIXED:
         if not (robots[field] == match.robots[field][:1]).all():  # all matches line up alike
             raise ValueError(f"this save is damaged: {field} of robots is not that of the match")
+    length = arrays["matches"]["half_length"]
+    if ((length > LONGEST) & (length < inf)).any():
+        raise ValueError("this save is damaged: half_length of matches is out of range")
     if robots["caught_by"].any():
         check_caught(robots, bool(match.batch.constants["legs"][0]))
 

@@ -9,12 +9,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 
-from soccer_env import Match
+from soccer_env import Match, saving
 from soccer_env.ranges import UNIT, Place
-from soccer_env.replay import Recorder, Replay, Thoughts, replay_file
+from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.train.command_line import main
 from tests.fuzz.children import Task
 from tests.fuzz.forging import BROKEN, changed, hostile, not_a_number, parts_of, with_header
@@ -31,6 +32,7 @@ ODD: list[Any] = [
 ]  # fmt: skip
 DEEP = "[" * 100_000
 WAYS = ("start", "log", "commands", "gazes", "header", "header", "header", "text", "thoughts", "about", "save header")
+HOW = ("play", "play", "page", "csv", "xml")
 
 
 class Agreed(str):
@@ -58,7 +60,7 @@ class Source:
         parts, way = dict(self.parts), draw.choice(WAYS)
         told = FORGERS[way](self, parts, draw)
         path = self.folder / f"{number % 16}.replay"
-        how = draw.choice(["play", "play", "page", "csv", "xml"])
+        how = draw.choice(HOW)
         return f"{self.name} replay as {how}, {way}: {told}", lambda: use(parts, path, how)
 
 
@@ -73,7 +75,10 @@ def make_source(name: str, folder: Path) -> Source:
         if step == 11:
             match.save()
     with np.load(io.BytesIO(recorder.stop().write(folder / f"{name}.replay").read_bytes())) as file:
-        return Source(name, {part: file[part] for part in file.files}, match, folder)
+        parts = {part: file[part] for part in file.files}
+    for how in HOW:  # here, so that children find all code compiled and loaded
+        use(parts, folder / "sound.replay", how)
+    return Source(name, parts, match, folder)
 
 
 def records(source: Source, parts: dict[str, np.ndarray], draw: random.Random, name: str) -> str:
@@ -165,8 +170,6 @@ def thoughts(source: Source, parts: dict[str, np.ndarray], draw: random.Random) 
 
 def save_header(source: Source, parts: dict[str, np.ndarray], draw: random.Random) -> str:
     """Change the header of the save that a replay begins with."""
-    from soccer_env import saving
-
     saved = parts["start"].tobytes()
     found = saving.open_save(saved)[2]
     told = oddly(found, draw)
@@ -191,18 +194,17 @@ def use(parts: dict[str, np.ndarray], path: Path, how: str) -> str:
     """Write a replay's parts as a file, read it, and play it or write it as something else; return what is wrong."""
     with path.open("wb") as file:
         np.savez(file, **parts)  # type: ignore[arg-type]  # numpy's stubs take them for allow_pickle
-    replay_file.saving.play_hash = lambda match: Agreed()  # type: ignore[attr-defined]  # this child's alone
-    out = path.with_suffix(f".{how}")
-    if how in ("csv", "xml"):
-        code = main(["export", str(path), "--out", str(out), "--anew"])
-        return "" if code == 0 else refuse(code)
-    replay = Replay.read(path)
-    str(replay), repr(replay)
-    if how == "page":
-        replay.html(out.with_suffix(".html"), anew=True)
-        return ""
-    replay.notes()
-    return "".join(not_a_number(match) for match in replay.play())
+    with patch.object(saving, "play_hash", lambda match: Agreed()):
+        if how in ("csv", "xml"):
+            code = main(["export", str(path), "--out", str(path.with_suffix(f".{how}")), "--anew"])
+            return "" if code == 0 else refuse(code)
+        replay = Replay.read(path)
+        str(replay), repr(replay)
+        if how == "page":
+            replay.html(path.with_suffix(".html"), anew=True)
+            return ""
+        replay.notes()
+        return "".join(not_a_number(match) for match in replay.play())
 
 
 def refuse(code: int) -> str:

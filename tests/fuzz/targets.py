@@ -52,6 +52,7 @@ def make_target(name: str) -> Target:
         match.step(actions_of(match, step))
         if step + 1 in STEPS:
             saves.append(match.save())
+    assert load_and_play(match, saves[0]) == ""  # here, so that children find all code compiled and loaded
     return Target(name, match, saves)
 
 

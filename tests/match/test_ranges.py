@@ -10,6 +10,7 @@ from soccer_env.ranges import ANY, FLAG, NUMBER, ROW_OR_NONE, SIGN, outside, pla
 from soccer_env.saving.saves import kept
 from soccer_env.teams import registry
 from soccer_env.types import COMMAND, GAZE
+from tests.fuzz import targets
 
 LEGGED = ["chaser", "learned", "random", "sacks-2001", "sacks-2001-future", "sacks-2001-tuned", "still", "walker"]
 MIDDLE = ["chaser", "heinemann-2006", "random", "still", "walker", "weigel-2001"]
@@ -37,6 +38,18 @@ def test_every_field_that_a_save_holds_has_a_range(settings: dict[str, Any]) -> 
             assert place.range is not None, f"{place.path} of {name}"
             assert place.range != ANY or place.path.rpartition(".")[2] in FREE, f"{place.path} of {name}"
     match.load(match.save())
+
+
+@pytest.mark.parametrize("name", targets.SETTINGS)
+def test_no_match_leaves_its_ranges(name: str) -> None:
+    """A range that is too narrow would refuse a sound save."""
+    match = Match(**targets.SETTINGS[name], seed=3)
+    for step in range(240):
+        match.step(targets.actions_of(match, step))
+        if step % 8 == 0:
+            match.load(match.save())
+        if match.terminated.all():
+            match.reset()
 
 
 def test_the_fields_of_a_replay_have_ranges() -> None:

@@ -24,7 +24,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
 from soccer_env.leagues.omni_sensors import FILTERS
 from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_of
-from soccer_env.ranges import COUNT, FLAG, NUMBER, record
+from soccer_env.ranges import COUNT, FLAG, NUMBER, Range, record
 
 KALMAN, LEAST_SQUARES = FILTERS["kalman"], FILTERS["least-squares"]
 DELAYS = 3  # frames that a picture may be late, at most
@@ -38,7 +38,7 @@ FILTER = record(
         ("across", COVARIANCE),  # across it
         ("readings", "i1", COUNT),  # taken since it was started; 0: not started
         ("surprises", "i1", COUNT),  # readings in a row that were too far off
-        ("seen", "i1", FLAG),  # 1: it got a reading in this frame
+        ("seen", "i1", Range(0, 2)),  # 1: it got a reading in this frame; 2: it is elsewhere than it was thought to be
         ("kind", "i1", FLAG),  # 1 team-mate, 0 opponent
     ]
 )
