@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import json
 import random
-from collections.abc import Iterator
 from math import inf, nan, nextafter
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from soccer_env import saving
-from soccer_env.ranges import Place, Range, places
+from soccer_env.ranges import ANY, Columns, Place, Range, columns, places
 from soccer_env.saving.saves import MAGIC, kept
 
 WHOLE = (-1, 0, 1, 2, 3, 4, 5, 7, 127, 1000, 1 << 31, (1 << 31) - 1, 2_000_000, 10**11)
@@ -41,9 +41,13 @@ def parts_of(saved: bytes, match: Any, memory: bool) -> list[Part]:
     return found
 
 
-def numbers_of(dtype: np.dtype) -> list[Place]:
-    """Return the numbers of a record, an array itself as one without a name."""
-    return list(places(dtype)) or [Place("", dtype, 0, None)]
+@functools.cache
+def numbers_of(dtype: np.dtype) -> dict[str, list[Place]]:
+    """Return the numbers of a record by their path, an array itself as one without a name."""
+    found: dict[str, list[Place]] = {}
+    for place in list(places(dtype)) or [Place("", dtype, 0, None)]:
+        found.setdefault(place.path, []).append(place)
+    return found
 
 
 def hostile(place: Place, robots: int, draw: random.Random) -> Any:
@@ -69,8 +73,8 @@ def changed(saved: bytes, parts: list[Part], robots: int, draw: random.Random) -
     for _ in range(draw.choice([1, 1, 1, 1, 2, 4])):
         part = draw.choice(parts)
         numbers = numbers_of(part.dtype)
-        path = draw.choice(sorted({place.path for place in numbers}))
-        chosen = [place for place in numbers if place.path == path]
+        path = draw.choice(sorted(numbers))
+        chosen = numbers[path]
         value = hostile(chosen[0], robots, draw)
         everywhere = draw.random() < 0.3
         for record in range(part.count) if everywhere else [draw.randrange(part.count)]:
@@ -99,19 +103,20 @@ def with_header(saved: bytes, header: Any) -> bytes:
     return sealed(MAGIC + len(raw).to_bytes(4, "little") + raw + body[start:])
 
 
-def floats(records: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
-    """Yield all numbers with a fraction that records hold, with their names."""
-    for name in records.dtype.names or ():
-        if records[name].dtype.names:
-            yield from ((f"{name}.{inner}", values) for inner, values in floats(records[name]))
-        elif records[name].dtype.kind == "f":
-            yield name, records[name]
+@functools.cache
+def fractions_of(dtype: np.dtype) -> list[Columns]:
+    """Return the numbers with a fraction that a record holds, by type."""
+    numbers = [place._replace(range=ANY) for place in places(dtype) if place.kind.kind == "f"]
+    kinds = {place.kind for place in numbers}
+    return [columns(dtype, kind, [place for place in numbers if place.kind == kind], 0) for kind in kinds]
 
 
 def not_a_number(match: Any) -> str:
     """Return the first field of a match's records that holds NaN, "" if none does."""
     for name, array in kept(match, memory=True).items():
-        for path, values in floats(array):
-            if np.isnan(values).any():
-                return f"NaN in {path} of {name}"
+        flat = np.ascontiguousarray(array).reshape(-1)
+        for kind, word, pieces, *_, paths in fractions_of(array.dtype) if flat.nbytes else ():
+            wrong = np.isnan(flat.view(word).reshape(len(flat), -1).take(pieces, axis=1).view(kind)).any(axis=0)
+            if wrong.any():
+                return f"NaN in {paths[int(wrong.argmax())]} of {name}"
     return "NaN in observations" if np.isnan(match.observations).any() else ""
