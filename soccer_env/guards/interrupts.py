@@ -44,10 +44,10 @@ class _Held:
 
     def take(self, found: tuple[Any, ...]) -> None:
         """Take note of the handlers that are to be held back; one of ours that was left behind stands for its own."""
-        self.found = found
         known = [(n, one.handler if isinstance(one, _Waiting) else one) for n, one in zip(SIGNALS, found, strict=True)]
         self.theirs = tuple((number, handler) for number, handler in known if callable(handler))
         self.ours = tuple((number, _Waiting(handler)) for number, handler in self.theirs)
+        self.found = found  # at the end: if this is interrupted, they are taken anew
 
 
 _HELD = _Held()
@@ -77,8 +77,8 @@ def hold() -> bool:
     found = tuple(map(_get, SIGNALS))
     if found != held.found:
         held.take(found)
-    held.holds = True
     try:
+        held.holds = True
         for number, handler in held.ours:
             _set(number, handler)
     except BaseException:  # one that was not yet held
@@ -90,11 +90,15 @@ def hold() -> bool:
 def release(later: bool = False) -> None:
     """Let those signals come that have waited; later: in a moment."""
     held = _HELD
+    held.holds = False  # first of all, as whatever left it true would keep all signals away for ever
     try:
         for number, handler in held.theirs:
             _set(number, handler)
-    finally:  # a handler that is not back yet, as another one raises, is called through ours
-        held.holds = False
+    except BaseException:  # of one that came through ours, before its own was back
+        for number, handler in held.theirs:
+            _set(number, handler)
+        raise
+    finally:
         if held.came:
             came, held.came = dict.fromkeys(held.came), ()
             if later:

@@ -46,7 +46,9 @@ class Case(NamedTuple):
 def seen(value: Any) -> Any:
     """Return anything that a match or an env shows, as plain values that can be compared."""
     if isinstance(value, np.ndarray):
-        return value.shape, str(value.dtype), value.tobytes()
+        if value.dtype == object:
+            return seen(value.tolist())
+        return value.shape, str(value.dtype.itemsize), hash(value.tobytes())
     if isinstance(value, np.generic):
         return value.tobytes()
     if isinstance(value, Mapping):
@@ -176,7 +178,7 @@ def in_turns() -> Case:
         over = env.terminations[env.agent_selection] or env.truncations[env.agent_selection]
         return env.step(None if over else np.random.default_rng(n).uniform(-1.0, 1.0, 4).astype(np.float32))
 
-    return Case(env, lambda: [env.unwrapped.env.match], [step])
+    return Case(env, lambda: [env.env.match], [step])
 
 
 def alone() -> Case:

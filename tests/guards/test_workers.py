@@ -70,7 +70,7 @@ FORK = """
     match.step()
     child = os.fork()
     match.step()
-    os.write(1, f"{match.state_hash()}\n".encode())  # in one piece, as both write at once
+    os.write(1, f"{match.state_hash()}\\n".encode())  # in one piece, as both write at once
     if child:
         os.waitpid(child, 0)
 """
