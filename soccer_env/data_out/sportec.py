@@ -7,7 +7,8 @@ The file holds what theirs are two of: the match information and the positions. 
 numbered from 10,000 in the first half and from 100,000 in the second; each shows the control step nearest in time.
 Places are in metres from the centre spot, y to the left of x, not turned, speeds (S) in km/h; penalty shoot-outs have
 no place in it. It wants a date: a match begins at KICK_OFF, which is no date of anything. A robot that
-is sent off has no frames.
+is sent off has no frames. BallPossession is 1 home, 2 guest, 0 nobody or both, which kloppy reads as guest: it knows
+no ball of nobody; `Replay.to_kloppy()` does.
 """
 
 from __future__ import annotations
