@@ -249,26 +249,27 @@ def test_ms53_no_pass_is_given_where_a_kick_was_stopped_at_once() -> None:
     assert mind.memory["behaviour"] == PASS
 
 
+def turn_to_mate(mind: Mind) -> None:
+    """Let the body turn towards the team-mate: it sees the same players elsewhere."""
+    mind.stand_at(0.4, 0.0, 0.9)
+    for slot in range(5):
+        seen = complex(mind.tracks[0, 0, slot]["x"], mind.tracks[0, 0, slot]["y"]) * np.exp(-0.9j)
+        believe_player(mind, slot, seen.real, seen.imag, teammate=int(slot < 2))
+    mind.tracks[0, 0, 1]["present"] = 0
+
+
 @pytest.mark.parametrize("passes", [True, False])
 def test_ms53_a_remembered_team_mate_is_passed_to_when_the_goal_is_blocked(passes: bool) -> None:
     mind = before_a_wall(passes=passes)
     mind.think()
     assert (mind.memory["behaviour"] == PASS) == passes
-    mind.stand_at(0.4, 0.0, 0.9)
-    for slot in range(5):  # the same players, seen from the body that has turned
-        x, y = mind.tracks[0, 0, slot]["x"], mind.tracks[0, 0, slot]["y"]
-        believe_player(mind, slot, *turned(float(x), float(y), -0.9), teammate=int(slot < 2))
-    mind.tracks[0, 0, 1]["present"] = 0
+    turn_to_mate(mind)
     assert (mind.think()[-1, KICK] > 0.0) == passes
 
 
 def test_ms53_a_pass_stays_soft_while_the_leg_winds_up_for_it() -> None:
     mind = before_a_wall(passes=True)
-    for slot in range(5):  # the wall stands on the left of it, the mate straight ahead
-        x, y = mind.tracks[0, 0, slot]["x"], mind.tracks[0, 0, slot]["y"]
-        believe_player(mind, slot, *turned(float(x), float(y), -0.9), teammate=int(slot < 2))
-    mind.stand_at(0.4, 0.0, 0.9)
-    mind.tracks[0, 0, 1]["present"] = 0
+    turn_to_mate(mind)
     kicks = mind.think(LEAGUE.kicker.wind_up)[:, KICK]
     assert mind.memory["behaviour"] == PASS
     assert (kicks == LEAGUE.kicker.least).all(), "a mate at half a metre gets the softest kick that there is"
@@ -276,8 +277,8 @@ def test_ms53_a_pass_stays_soft_while_the_leg_winds_up_for_it() -> None:
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_ms53_the_goalkeeper_stands_on_the_line_from_its_goal_to_the_ball(side: float) -> None:
-    goal, ball = complex(-LEAGUE.pitch.length / 2.0, 0.0), complex(0.0, 0.9 * side)
-    out, heading = (ball - goal) / abs(ball - goal), 0.3 * side
+    goal, ball, heading = complex(-LEAGUE.pitch.length / 2.0, 0.0), complex(0.0, 0.9 * side), 0.3 * side
+    out = (ball - goal) / abs(ball - goal)
     for turned_by, walks in ((out, 0.0), (out.conjugate(), -side)):  # at its place; at the mirrored one
         mind = Mind()
         mind.belief["situation"]["keeper"] = 1
@@ -289,11 +290,6 @@ def test_ms53_the_goalkeeper_stands_on_the_line_from_its_goal_to_the_ball(side: 
         walk = complex(command[FORWARD], command[LEFT]) * np.exp(1j * heading)
         assert mind.memory["behaviour"] == GUARD
         assert np.sign(walk.imag.round(9)) == -walks and (walks != 0.0 or abs(walk) < 1e-9)
-
-
-def turned(x: float, y: float, angle: float) -> tuple[float, float]:
-    """Return a vector turned by an angle [rad]."""
-    return x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle)
 
 
 @pytest.mark.parametrize("name", ["sacks-2001-tuned", "sacks-2001-future"])
