@@ -180,7 +180,8 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
 
     def close_extras(self, **ignored: Any) -> None:
         """End the threads."""
-        self.match.close()
+        if hasattr(self, "match"):  # Gymnasium 1.2 also closes what could not be made
+            self.match.close()
 
 
 def report_of(infos: InfoKind, match: Match, row: int, met: Met) -> FlatArrays | NestedArrays | None:
