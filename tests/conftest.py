@@ -7,8 +7,6 @@ begin (`warm_up.py`); files and ports of a test are its own.
 import os
 import signal
 import sys
-import threading
-from collections.abc import Iterator
 from pathlib import Path
 
 import pettingzoo  # noqa: F401  # first, for it sets the sound driver as it is imported
@@ -32,14 +30,3 @@ def compiled_code(tmp_path_factory: pytest.TempPathFactory) -> None:
         from tests.warm_up import warm_up
 
         warm_up(tmp_path_factory.getbasetemp().parent, int(worker.removeprefix("gw")))
-
-
-@pytest.fixture(scope="session", autouse=True)
-def interrupts_raise() -> Iterator[None]:
-    """Let Ctrl-C raise KeyboardInterrupt, here and in the children of tests: jobs in the background ignore it."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, before)

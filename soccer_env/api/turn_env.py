@@ -46,7 +46,7 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
     @held
     def reset(self, seed: int | None = None, options: Any = None) -> None:
         """Begin an episode, as `ParallelSoccer.reset` says."""
-        super().reset(seed, options)
+        super().reset(seed, options)  # type: ignore[no-untyped-call]
 
     @held
     def step(self, action: Any) -> None:
