@@ -7,7 +7,8 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.replay import Recorder
-from tests.guards.interrupted import CASES, StopError, at_every_line, by_timers, interrupted, stop
+from tests.guards.cases import CASES
+from tests.guards.interrupted import StopError, at_every_line, by_timers, interrupted, stop
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="timers are Unix's")
 TRIALS = 15  # of each case; `python -m tests.guards.interrupted` makes thousands
