@@ -173,6 +173,9 @@ LINES = """
         except KeyboardInterrupt:
             pass
         sys.settrace(None)
+        if not match.started:  # an error may come where no signal does: then it asks for a reset
+            assert not SIGNALS_ALONE
+            match.reset(seed=1)
         for _ in range(20):
             match.step(np.zeros((1, 2, 4)))
     assert len(lines) > 200, len(lines)

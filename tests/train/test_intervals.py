@@ -13,7 +13,6 @@ from soccer_env.statistics.records import BINS
 from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
 from soccer_env.train.evaluate.statistics import named, totals
-from soccer_env.train.play.figures import share, work_out
 from soccer_env.train.reproduce.verdicts import counted, find, measured
 from soccer_env.train.tables.drills import share_of
 
@@ -137,13 +136,6 @@ def test_an_interval_over_pairs_is_scipys_in_both_tails(name: str) -> None:
     report, value, level = CASES[name]
     found = drawn()
     assert_like_scipys(report(found), value, found, level)
-
-
-def test_an_interval_of_a_figure_of_play_is_that_over_matches() -> None:
-    found = {name: numbers.ravel() for name, numbers in drawn().items() if name in ("still", "in_play")}
-    result = work_out(share("", "still"), found)
-    assert result.value is not None and result.low is not None and result.high is not None
-    assert_like_scipys((result.value, result.low, result.high), ratio("still", "in_play", 100.0), found, LEVEL)
 
 
 @pytest.mark.parametrize(("wins", "runs"), [(0, 20), (3, 20), (71, 100)])

@@ -279,7 +279,7 @@ def test_an_obstacle_is_observed_and_saved() -> None:
         match.beliefs["obstacle"][name][0, 0] = value
         damaged = match.save()
         match.load(saved)
-        with pytest.raises(ValueError, match=f"{name} of obstacle of beliefs"):
+        with pytest.raises(ValueError, match=f"obstacle.{name} of beliefs"):
             match.load(damaged)
 
 

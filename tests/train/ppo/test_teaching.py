@@ -63,6 +63,7 @@ def test_a_run_that_is_cut_among_its_rounds_goes_on_as_if_it_had_not_been(
             raise KeyboardInterrupt
         return done(*given, **named)
 
+    whole = outcome(whole_run(tmp_path_factory, **ADVISED))
     with monkeypatch.context() as patched:
         patched.setattr(owner, name, cut)
         with pytest.raises(KeyboardInterrupt):
@@ -76,7 +77,7 @@ def test_a_run_that_is_cut_among_its_rounds_goes_on_as_if_it_had_not_been(
     round_of = lessons.Lessons._round
     monkeypatch.setattr(lessons.Lessons, "_round", counted)
     plainly(tiny(tmp_path / "cut", **ADVISED))
-    assert outcome(tmp_path / "cut") == outcome(whole_run(tmp_path_factory, **ADVISED))
+    assert outcome(tmp_path / "cut") == whole
     assert played == list(range(count - 1, 3)), "what was kept is not played again"
 
 

@@ -103,7 +103,7 @@ def test_a_run_cut_again_and_again_ends_as_one_that_was_not(
     said = done.stdout + done.stderr
     assert done.returncode == 0, said
     ends = [(cut, *map(int, numbers)) for cut, *numbers in map(str.split, done.stdout.splitlines())]
-    assert sum(code != 0 for _, code, _, _ in ends) > len(cuts) // 2, said
+    assert sum(code != 0 for _, code, _, _ in ends) >= len(cuts) // 2, said
     for cut, code, step, lines in ends:
         assert code in (0, {"full": 2, "not": 0}.get(cut, -9)), said
         assert step >= (lines - 1) * ROLLOUT, f"more than one rollout was lost\n{said}"
