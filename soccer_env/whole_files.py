@@ -1,13 +1,16 @@
-"""Files that are written whole or not at all, and files of strangers, of which no more is read than was agreed."""
+"""Files and folders that are written whole or not at all; files of strangers, of which no more is read than agreed."""
 
 from __future__ import annotations
 
 import os
+import shutil
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from secrets import token_hex
+
+from soccer_env.guards.interrupts import HeldBack
 
 
 def write_whole(path: Path, content: str | bytes) -> None:
@@ -39,6 +42,30 @@ def written_aside(path: Path, ending: str = ".tmp") -> Iterator[Path]:
         raise OSError(error.errno, os.strerror(error.errno), str(path)) from error
     finally:
         aside.unlink(missing_ok=True)
+
+
+@contextmanager
+def folder_aside(folder: Path) -> Iterator[Path]:
+    """Give a new folder beside another one, which it replaces at the end; whatever is raised removes it.
+
+    A process that is killed leaves the old folder or the new one, or neither if that comes between two renames.
+    """
+    aside, old = (folder.with_name(f".{folder.name}.{token_hex(8)}.{end}") for end in ("tmp", "old"))
+    aside.mkdir(parents=True)
+    try:
+        yield aside
+        with HeldBack():
+            if folder.exists():
+                os.rename(folder, old)
+            try:
+                os.rename(aside, folder)
+            except OSError:
+                if old.exists():
+                    os.rename(old, folder)
+                raise
+    finally:
+        shutil.rmtree(aside, ignore_errors=True)
+        shutil.rmtree(old, ignore_errors=True)
 
 
 def _sync_folder(folder: Path) -> None:

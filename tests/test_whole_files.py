@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env.whole_files import write_whole, written_aside
+from soccer_env.whole_files import folder_aside, write_whole, written_aside
 
 
 def test_a_file_is_replaced_whole(tmp_path: Path) -> None:
@@ -29,6 +29,36 @@ def test_a_failed_write_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.
         write_whole(path, "new")
     assert path.read_text() == "old"
     assert os.listdir(tmp_path) == ["result.json"]
+
+
+def test_a_folder_is_replaced_whole(tmp_path: Path) -> None:
+    path = tmp_path / "match.cdf"
+    for content in ("old", "new"):
+        with folder_aside(path) as aside:
+            (aside / content).write_text(content)
+    assert os.listdir(path) == ["new"]
+    assert os.listdir(tmp_path) == ["match.cdf"]
+
+
+def test_a_folder_that_fails_leaves_the_old_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "match.cdf"
+    with folder_aside(path) as aside:
+        (aside / "old").write_text("old")
+    with pytest.raises(KeyError), folder_aside(path) as aside:
+        (aside / "new").write_text("new")
+        raise KeyError
+    rename = os.rename
+
+    def full(source: Path, target: Path) -> None:
+        if source.suffix == ".tmp":
+            raise OSError(28, "No space left on device")
+        rename(source, target)
+
+    monkeypatch.setattr(os, "rename", full)
+    with pytest.raises(OSError, match="No space left"), folder_aside(path):
+        pass
+    assert os.listdir(path) == ["old"]
+    assert os.listdir(tmp_path) == ["match.cdf"]
 
 
 def test_the_file_written_aside_follows_no_link(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -16,8 +16,8 @@ goals; so is an own goal.
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Iterator
+from contextlib import nullcontext
 from datetime import datetime, timedelta, timezone
 from pathlib import Path
 from typing import Any
@@ -27,7 +27,7 @@ import numpy as np
 from soccer_env.data_out.collect import SHOOT_OUT, SIDES, Collected, Player
 from soccer_env.data_out.events import NOBODY, Event
 from soccer_env.match_settings import version
-from soccer_env.whole_files import write_whole
+from soccer_env.whole_files import folder_aside, write_whole
 
 VERSION = "0.3.2"  # of the Common Data Format
 KICK_OFF = datetime(2000, 1, 1, tzinfo=timezone.utc)
@@ -40,22 +40,17 @@ DIGITS = 4  # of a metre: tenths of a millimetre
 
 
 def write_standard(found: Collected, folder: Path) -> Path:
-    """Write a match as four files of a folder, which is made; files of the same names are replaced.
+    """Write a match as four files of a folder, which takes the place of an earlier one, whole or not at all.
 
-    A folder that was made is removed again if a file cannot be written.
+    In a folder that holds other files as well, files of the same names are replaced one by one.
     """
     match = Standard(found)
     sheets = (json.dumps(sheet, indent=2) + "\n" for sheet in (match.meta(), match.sheet()))
-    contents = [*sheets, as_lines(match.tracking()), as_lines(match.events())]
-    made = not folder.exists()
-    folder.mkdir(parents=True, exist_ok=True)
-    try:
-        for name, content in zip(FILES, contents, strict=True):
-            write_whole(folder / name, content)
-    except BaseException:
-        if made:
-            shutil.rmtree(folder, ignore_errors=True)
-        raise
+    contents = dict(zip(FILES, [*sheets, as_lines(match.tracking()), as_lines(match.events())], strict=True))
+    shared = folder.exists() and not {file.name for file in folder.iterdir()} <= contents.keys()
+    with nullcontext(folder) if shared else folder_aside(folder) as written:
+        for name, content in contents.items():
+            write_whole(written / name, content)
     return folder
 
 

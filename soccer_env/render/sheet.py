@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from io import BytesIO
 from os import PathLike, fspath
+from pathlib import Path
 
 import numpy as np
 
 from soccer_env.render.canvas import require_pygame
 from soccer_env.render.colours import PANEL
+from soccer_env.whole_files import write_whole
 
 
 def check_frame(frame: np.ndarray) -> None:
@@ -20,15 +22,11 @@ def check_frame(frame: np.ndarray) -> None:
 
 
 def save_png(frame: np.ndarray, path: str | PathLike[str]) -> None:
-    """Write a frame to a PNG file."""
-    require_pygame()
-    import pygame
-
-    check_frame(frame)
+    """Write a frame to a PNG file, whole or not at all."""
+    content = png_of_frame(frame)
     if not fspath(path).lower().endswith(".png"):
         raise ValueError(f"the path of a picture must end with .png, got {fspath(path)!r}")
-    size = (frame.shape[1], frame.shape[0])
-    pygame.image.save(pygame.image.frombuffer(np.ascontiguousarray(frame).tobytes(), size, "RGB"), fspath(path))
+    write_whole(Path(path), content)
 
 
 def png_of_frame(frame: np.ndarray) -> bytes:

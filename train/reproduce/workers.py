@@ -9,6 +9,7 @@ answers each claim with a line, the result. No result depends on who measured it
 from __future__ import annotations
 
 import json
+import os
 import queue
 import signal
 import subprocess
@@ -115,7 +116,9 @@ def work(lines: Sequence[str] | Iterator[str], say: Any) -> None:
     """Examine the claims that are named line by line, and say the result of each in a line."""
     claims = all_claims()
     rest = iter(lines)
-    head = json.loads(next(rest))
+    head = json.loads(next(rest, "{}"))
+    if not head:  # who started this process was killed
+        return
     settings = ReproduceSettings(**head["settings"])
     for line in rest:
         claim, cap = json.loads(line)
@@ -127,7 +130,10 @@ def main() -> None:
     """Work for the process that started this one, until it has nothing more to ask."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # who started it ends it
     answers, sys.stdout = sys.stdout, sys.stderr  # whatever a claim prints is no answer
-    work(sys.stdin, answers)
+    try:
+        work(sys.stdin, answers)
+    except BrokenPipeError:  # who started this process was killed: nobody waits for the answer
+        os.dup2(os.open(os.devnull, os.O_WRONLY), answers.fileno())
 
 
 if __name__ == "__main__":
