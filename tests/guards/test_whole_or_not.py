@@ -1,6 +1,8 @@
 """Whatever a signal interrupts is done or not done: resets, steps, saves, loads and branches, through every API."""
 
 import signal
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,12 +16,20 @@ pytestmark = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="timers
 TRIALS = 15  # of each case; `python -m tests.guards.interrupted` makes thousands
 
 
-@pytest.mark.parametrize("name", CASES)
+def dear(names: Iterable[str], which: tuple[str, ...]) -> list[Any]:
+    """Return names of cases as parameters, those that take seconds left to `make test-all`."""
+    return [pytest.param(name, marks=pytest.mark.whole if name in which else ()) for name in names]
+
+
+@pytest.mark.parametrize("name", dear(CASES, ("SoccerVecEnv",)))
 def test_what_a_timer_interrupts_is_done_or_not_done(name: str) -> None:
     assert by_timers(name, TRIALS, seed=1)["torn"] == 0
 
 
-@pytest.mark.parametrize("name", ["same_step", "recorder", "save, load, branch, rebuild", "parallel env"])
+LINES = ("same_step", "recorder", "save, load, branch, rebuild", "parallel env")
+
+
+@pytest.mark.parametrize("name", dear(LINES, ("recorder", "save, load, branch, rebuild")))
 def test_what_a_signal_at_any_line_interrupts_is_done_or_not_done(name: str) -> None:
     lines: set[object] = set()
     known = [-1]
