@@ -102,7 +102,7 @@ def test_equivalent_slips_are_those_that_could_be_drawn() -> None:
         assert any(equivalents.is_of(one, site) for site in found), one
 
 
-@pytest.mark.slow
+@pytest.mark.whole
 def test_a_mechanism_that_is_switched_off_is_noticed_by_its_test(tmp_path: Path) -> None:
     command = [sys.executable, "tests/mutation/mutate.py", "--jobs", "1", "--mechanisms", SAMPLE]
     places = ["--out", str(tmp_path / "mutants.jsonl"), "--work", str(tmp_path / "work")]
