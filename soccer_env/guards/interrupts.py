@@ -14,7 +14,9 @@ import _signal  # type: ignore[import-not-found]  # the functions of `signal` wi
 import contextlib
 import os
 import signal
+import sys
 import threading
+import time
 from threading import get_ident
 from types import FrameType
 from typing import Any
@@ -22,7 +24,7 @@ from typing import Any
 MOST = 1000  # signals that come while another is raised
 NAMES = ("INT", "TERM", "HUP", "QUIT", "ALRM", "VTALRM", "PROF", "USR1", "USR2", "CHLD", "CONT", "WINCH", "BREAK")
 SIGNALS = tuple(int(getattr(signal, f"SIG{name}")) for name in NAMES if hasattr(signal, f"SIG{name}"))
-SOON = 0.001  # [s] until signals come that a destructor has held back
+SOON = 0.001  # [s] between two looks whether a destructor that has held signals back has ended
 Handlers = tuple[tuple[int, Any], ...]  # number of a signal, and what is called for it
 
 _raw: Any = _signal
@@ -88,7 +90,7 @@ def hold() -> bool:
 
 
 def release(later: bool = False) -> None:
-    """Let those signals come that have waited; later: in a moment."""
+    """Let those signals come that have waited; later: once no destructor runs."""
     held = _HELD
     held.holds = False  # first of all, as whatever left it true would keep all signals away for ever
     try:
@@ -102,7 +104,7 @@ def release(later: bool = False) -> None:
         if held.came:
             came, held.came = dict.fromkeys(held.came), ()
             if later:
-                threading.Timer(SOON, deliver, [[*came]]).start()
+                deliver_soon([*came])
             else:
                 deliver([*came])
 
@@ -151,6 +153,25 @@ def deliver(numbers: list[int]) -> None:
             signal.raise_signal(numbers[0])
         finally:
             deliver(numbers[1:])
+
+
+def deliver_soon(numbers: list[int]) -> None:
+    """Send this process some signals from another thread, once the main one is in no destructor."""
+
+    def wait() -> None:
+        while _in_destructor():
+            time.sleep(SOON)
+        deliver(numbers)
+
+    threading.Timer(SOON, wait).start()
+
+
+def _in_destructor() -> bool:
+    """Tell whether the main thread is in a destructor."""
+    frame = sys._current_frames().get(_HELD.main or 0)
+    while frame is not None and frame.f_code.co_name != "__del__":
+        frame = frame.f_back
+    return frame is not None
 
 
 def _after_fork() -> None:

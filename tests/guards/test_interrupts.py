@@ -64,15 +64,21 @@ def test_without_a_signal_nothing_happens_and_the_handlers_are_back(handlers: ob
     assert signal.getsignal(signal.SIGINT) is handlers
 
 
-def test_a_destructor_sends_it_on_soon_after() -> None:
+def test_a_destructor_sends_it_on_once_it_has_ended() -> None:
+    done = []
+
     class Thing:
         def __del__(self) -> None:
             with HeldBack(later=True):
                 signal.raise_signal(signal.SIGINT)
+            time.sleep(0.1)  # in which it must not come
+            done.append("the rest")
 
     with pytest.raises(StopError):
         Thing()
-        time.sleep(1.0)
+        for _ in range(2000):  # a signal that another thread sends ends no sleep of this one
+            time.sleep(0.01)
+    assert done == ["the rest"]
 
 
 def test_other_threads_hold_nothing_back_and_may_ask(handlers: object) -> None:
