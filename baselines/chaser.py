@@ -63,7 +63,7 @@ MEMORY = record(
         ("sweep", "f8", NUMBER),  # [s] left of sweeping it out of a corner
         ("sweep_way", "f8", NUMBER),  # [rad] in which it is swept, team frame
         ("sweep_side", "f8", UNIT),  # +1 turning left, -1 right
-        ("pressed", "f8", NUMBER),  # [s] that it has walked into an opponent
+        ("pressed", "f8", NUMBER),  # [s] for which the robot has walked into an opponent
         ("back_off", "f8", NUMBER),  # [s] left of stepping back from it
         ("off_x", "f8", NUMBER),  # unit vector away from it, team frame
         ("off_y", "f8", NUMBER),

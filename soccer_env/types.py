@@ -230,16 +230,16 @@ ROBOT = record(
         ("banned", "i8", FLAG),  # 1: out for good
         ("yellow", "i8", COUNT),  # cards
         ("fouls", "i8", COUNT),  # that count for cards
-        ("charging", "f8", NUMBER),  # [s] that it has driven into an opponent off the ball
+        ("charging", "f8", NUMBER),  # [s] for which the robot has driven into an opponent off the ball
         ("handling", "f8", NUMBER),  # [s] that the ball has lain too far within its hull
-        ("backed", "f8", NUMBER),  # [m] that it has gone back with the ball
-        ("dribbled", "f8", NUMBER),  # [m] that it has gone with the ball
+        ("backed", "f8", NUMBER),  # [m] way that the robot has gone back with the ball
+        ("dribbled", "f8", NUMBER),  # [m] way that the robot has gone with the ball
         ("area_clock", "f8", NUMBER),  # [s] in a goal area
         ("crowd_clock", "f8", NUMBER),  # [s] in its own penalty area beside another field player
         ("near_clock", "f8", NUMBER),  # [s] too near to the opponents' restart
-        ("pushing", "f8", NUMBER),  # [s] that it has pushed an opponent
-        ("keeper_pushing", "f8", NUMBER),  # [s] that it has pushed a goalkeeper in its area
-        ("holding", "f8", NUMBER),  # [s] that it has held a trapped ball
+        ("pushing", "f8", NUMBER),  # [s] for which the robot has pushed an opponent
+        ("keeper_pushing", "f8", NUMBER),  # [s] for which the robot has pushed a goalkeeper in the goalkeeper's area
+        ("holding", "f8", NUMBER),  # [s] for which the robot has held a trapped ball
         ("carry_x", "f8", NUMBER),  # [m] field frame: where it took up the ball that it carries
         ("carry_y", "f8", NUMBER),  # [m] field frame
         ("trespass", "f8", NUMBER),  # [s] in an area in which it may not stay; below 0: it has that long to walk out
