@@ -12,8 +12,8 @@ from pathlib import Path
 
 from tests.mutation import mechanisms
 
-MOST = 14  # files of tests that are asked first
-GOLDEN = "tests/match/test_golden.py"  # notices that play is another, not what is wrong: asked last
+MOST = 20  # files of tests that are asked first
+GOLDEN = "tests/match/test_golden.py"  # notices that play is another, not what is wrong: asked second
 LEFT_OUT = ("tests/repository", "tests/mutation")
 ALSO = {  # what names and imports do not tell: tests that are about a folder or file
     "soccer_env/actions": ("tests/match",),
@@ -86,7 +86,7 @@ class Related:
         """Return how far a test is from a file: 0 for its own, 9 for a stranger."""
         path = Path(file.removeprefix("soccer_env/")).with_suffix("")
         beside = Path(test).parent == Path("tests") / path.parent
-        around = Path(test).is_relative_to(Path("tests") / path.parent) and path.parent != Path(".")
+        around = Path(test).is_relative_to(self.folder_about(path)) and path.parent != Path(".")
         stems = [path.name, path.parent.name] if path.name == "__init__" else [path.name]
         if (test, file)[::-1] in self.of_mechanisms or ((beside or around) and any(one in test for one in stems)):
             return 0
@@ -98,13 +98,18 @@ class Related:
             return 4
         return 5 if any(file in self.imports(one) for one in self.imports(test) if "__init__" not in one) else 9
 
+    def folder_about(self, path: Path) -> Path:
+        """Return the folder of the tests about a file, or of those about the nearest folder above it that has any."""
+        folders = (Path("tests") / above for above in path.parents if above != Path("."))
+        return next((folder for folder in folders if (self.root / folder).is_dir()), Path("tests") / path.parent)
+
     def then(self, asked: list[str]) -> list[list[str]]:
-        """Return the quick tests that were not asked yet, by folder, the golden hashes last."""
+        """Return the golden hashes, then the quick tests that were not asked yet, by folder."""
         lines = (self.root / "tests/quick.txt").read_text(encoding="utf-8").splitlines()
         folders = [line for line in lines if line.startswith("tests/") and not line.startswith(LEFT_OUT)]
         left = [test for test in self.tests if test not in asked and test != GOLDEN]
         quick = [[test for test in left if test.startswith(folder)] for folder in folders]
-        return [tests for tests in quick if tests] + [[GOLDEN]]
+        return [[GOLDEN], *(tests for tests in quick if tests)]
 
 
 def module_of(name: str) -> str:
