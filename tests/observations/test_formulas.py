@@ -61,7 +61,7 @@ def fill(records: np.ndarray, rng: np.random.Generator) -> None:
 def assert_told(names: list[str], told: np.ndarray, formula: dict[str, float], where: str) -> None:
     """Assert that every entry of an observation equals its formula, and that no entry lacks a formula."""
     assert set(names) == set(formula), "an entry without a formula, or a formula without its entry"
-    wrong = {n: (t, formula[n]) for n, t in zip(names, told.tolist(), strict=True) if abs(t - formula[n]) > 2e-6}
+    wrong = {n: (t, formula[n]) for n, t in zip(names, told.tolist(), strict=True) if not abs(t - formula[n]) <= 2e-6}
     assert not wrong, f"{where}: told, expected {wrong}"
 
 
