@@ -172,6 +172,43 @@ def test_ms52_what_robots_knew_before_is_a_switch_that_changes_play(memory: dict
     assert (played({}) != played(memory)).any(axis=1).mean() > 0.5
 
 
+def supporting(ball: tuple[float, float], x: float, y: float) -> Mind:
+    """Return a mind that stands at a place [m] of its team's frame, faces the ball, and hears that a mate goes there."""
+    mind = Mind(keeps_out=False)
+    ahead = np.array(ball) - (x, y)
+    mind.stand_at(x, y, np.arctan2(ahead[1], ahead[0]))
+    mind.see_ball(np.hypot(*ahead))
+    mind.belief["heard"]["distance"], mind.belief["heard"]["age"] = 0.05, 0.0
+    mind.belief["situation"]["number"], mind.belief["situation"]["teammates"] = 2, 1
+    mind.think(1.5)
+    return mind
+
+
+@pytest.mark.parametrize(
+    ("ball", "place"),
+    [
+        ((0.0, -0.4), (-0.8, 0.05)),  # 0.8 m behind the ball, 0.45 m aside of it towards the middle
+        ((0.5, 0.9), (-0.3, 0.45)),
+        ((-1.2, 0.3), (-1.5 + 3.0 * LEAGUE.body.reach, -0.15)),  # off the goal line
+        ((0.0, 0.15), (-0.8, -0.3)),
+        ((0.5, -1.5), (-0.3, -1.0 + LEAGUE.body.reach)),  # of a ball that is believed outside, not beyond the board
+    ],
+)
+def test_a_supporter_stands_behind_the_ball_and_aside_of_it_and_off_lines_and_boards(
+    ball: tuple[float, float], place: tuple[float, float]
+) -> None:
+    for dx, dy in [(0.0, 0.0), (0.2, 0.0), (0.0, 0.2), (-0.15, 0.0), (0.0, -0.15)]:
+        mind = supporting(ball, place[0] + dx, place[1] + dy)
+        walk = mind.think()[-1][[FORWARD, LEFT]]
+        if dx == dy == 0.0:
+            assert np.abs(walk).max() < 0.05
+        else:
+            heading = mind.belief["own"]["heading"]
+            across = walk[0] * np.array([np.cos(heading), np.sin(heading)])
+            across += walk[1] * np.array([-np.sin(heading), np.cos(heading)])
+            assert across @ (dx, dy) / np.hypot(dx, dy) < -0.2, (dx, dy)
+
+
 def keeper(**settings: Any) -> Mind:
     """Return a goalkeeper before whom a shot comes straight ahead, its bearing growing: it will pass on the left."""
     mind = Mind(**settings)
