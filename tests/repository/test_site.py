@@ -105,7 +105,7 @@ def rows_of(text: str) -> list[str]:
 
 def test_fields_have_their_units_defaults_and_meanings(read: Any) -> None:
     ball, phase = read["types.BALL"].docstring.value, read["types.Phase"].docstring.value
-    assert "| `vx` | `f8` | m/s | field frame |" in ball
+    assert "| `vx` | `f8` | `NUMBER` | m/s | field frame |" in ball
     assert "| `PENALTY_KICK` | 7 | of a penalty shoot-out |" in phase
     settings = read["match_settings.MatchArguments"].docstring.value
     assert sorted(rows_of(settings)) == sorted(field.name for field in fields(MatchArguments))
