@@ -173,7 +173,7 @@ def test_ms52_what_robots_knew_before_is_a_switch_that_changes_play(memory: dict
 
 
 def supporting(ball: tuple[float, float], x: float, y: float) -> Mind:
-    """Return a mind that stands at a place [m] of its team's frame, faces the ball, and hears that a mate goes there."""
+    """Return a mind that stands somewhere [m], team frame, faces the ball and hears that a mate attacks."""
     mind = Mind(keeps_out=False)
     ahead = np.array(ball) - (x, y)
     mind.stand_at(x, y, np.arctan2(ahead[1], ahead[0]))
