@@ -3,6 +3,7 @@
 import json
 import warnings
 from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -43,8 +44,13 @@ def test_the_common_data_format_tells_each_goal_once(found: Collected, tmp_path:
     sheet = json.loads((folder / "match.json").read_text())
     assert len(told) == len(sheet["events"]["goals"]) == found.score[-1].sum() > 0
     assert sheet["match"]["result"]["final"]["home"] == found.score[-1, 0]
-    left = [period["left_team_id"] for period in json.loads((folder / "meta.json").read_text())["match"]["periods"]]
-    assert sorted(left) == ["away", "home"]
+    halves = json.loads((folder / "meta.json").read_text())["match"]["periods"]
+    assert sorted(half["left_team_id"] for half in halves) == ["away", "home"]
+    for number, half in enumerate(halves, 1):
+        inside = np.flatnonzero(found.periods == number)
+        assert (half["frame_id_start"], half["frame_id_end"]) == (inside[0], inside[-1])
+        lasts = datetime.fromisoformat(half["end_time"][:-1]) - datetime.fromisoformat(half["start_time"][:-1])
+        assert lasts.total_seconds() == pytest.approx(np.ptp(found.time[inside]), abs=1e-5)
 
 
 def test_kloppy_reads_the_xml(found: Collected, tmp_path: Path) -> None:

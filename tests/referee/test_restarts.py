@@ -238,6 +238,8 @@ def test_a_restart_forgets_who_touched_the_ball(name):
 def test_sent_off_robots_are_not_placed(name):
     match = Match(name, home=2, away=2, max_players=4, matches=3, seed=2)
     absent = match.robots["active"][0] == 0
+    if name == LEGGED:  # in the way of who is placed; in the middle size bodies would push one another
+        match.robots["x"][:, absent], match.robots["y"][:, absent] = 0.0, 0.0
     before = match.robots[:, absent].copy()
     set_phase(match, Phase.PLAY)
     put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)

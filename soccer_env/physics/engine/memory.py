@@ -31,7 +31,6 @@ BODY_REPAIR_VX, BODY_REPAIR_VY, BODY_REPAIR_OMEGA = 192, 200, 208  # [m/s], [rad
 BODY_ARBITERS = 232  # address of the first of its contacts in this substep, 0 without any
 # struct cpArbiter: two shapes in contact
 ARBITER_ELASTICITY, ARBITER_FRICTION = 0, 8  # [1]
-ARBITER_SURFACE = 16  # two numbers [m/s]: velocity of B's surface on its body less that of A's
 ARBITER_SHAPE_A, ARBITER_SHAPE_B = 40, 48
 ARBITER_BODY_A, ARBITER_BODY_B = 56, 64
 ARBITER_NEXT_OF_A, ARBITER_NEXT_OF_B = 72, 88  # the next contact of each of the bodies
@@ -136,7 +135,7 @@ def _arbiter_fits() -> bool:
     arbiter = {name: field.offset for name, field in ffi.typeof("cpArbiter").fields}
     contact = {name: field.offset for name, field in ffi.typeof("struct cpContact").fields}
     expected = {
-        "e": ARBITER_ELASTICITY, "u": ARBITER_FRICTION, "surface_vr": ARBITER_SURFACE, "a": ARBITER_SHAPE_A,
+        "e": ARBITER_ELASTICITY, "u": ARBITER_FRICTION, "a": ARBITER_SHAPE_A,
         "b": ARBITER_SHAPE_B, "body_a": ARBITER_BODY_A, "body_b": ARBITER_BODY_B, "thread_a": ARBITER_NEXT_OF_A,
         "thread_b": ARBITER_NEXT_OF_B, "count": ARBITER_COUNT, "contacts": ARBITER_CONTACTS, "n": ARBITER_NORMAL,
     }  # fmt: skip

@@ -33,7 +33,6 @@ from soccer_env.physics.engine.memory import (
     ARBITER_NEXT_OF_A,
     ARBITER_NEXT_OF_B,
     ARBITER_NORMAL,
-    ARBITER_SURFACE,
     BODY_ARBITERS,
     BODY_OMEGA,
     BODY_VX,
@@ -93,8 +92,6 @@ def slip_across(arbiter):
     turn_a, turn_b = number_at(a + BODY_OMEGA), number_at(b + BODY_OMEGA)
     x = number_at(b + BODY_VX) - turn_b * number_at(point + 24) - number_at(a + BODY_VX) + turn_a * number_at(point + 8)
     y = number_at(b + BODY_VY) + turn_b * number_at(point + 16) - number_at(a + BODY_VY) - turn_a * number_at(point)
-    x += number_at(arbiter + ARBITER_SURFACE)
-    y += number_at(arbiter + ARBITER_SURFACE + 8)
     return y * number_at(arbiter + ARBITER_NORMAL) - x * number_at(arbiter + ARBITER_NORMAL + 8)
 
 
