@@ -5,6 +5,10 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
+from soccer_env.physics.contacts import robots_touch
+from soccer_env.referee.places import MARGIN, capsule, in_the_way
+from soccer_env.referee.restarts import STEP_ASIDE, make_room
+from soccer_env.staging import constants_of
 from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM, Phase
 from tests.scenes.staging import (
     LEAGUES,
@@ -238,8 +242,6 @@ def test_a_restart_forgets_who_touched_the_ball(name):
 def test_sent_off_robots_are_not_placed(name):
     match = Match(name, home=2, away=2, max_players=4, matches=3, seed=2)
     absent = match.robots["active"][0] == 0
-    if name == LEGGED:  # in the way of who is placed; in the middle size bodies would push one another
-        match.robots["x"][:, absent], match.robots["y"][:, absent] = 0.0, 0.0
     before = match.robots[:, absent].copy()
     set_phase(match, Phase.PLAY)
     put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
@@ -256,3 +258,27 @@ def test_formations_differ_from_seed_to_seed_by_centimetres(name):
     spread = match.robots["x"][match.matches["kick_off_team"] == HOME].std(axis=0)
     assert (spread > 0.002).all() and (spread < 0.05).all()
     assert len(np.unique(match.robots["heading"])) == 50 * 6
+
+
+@each_league
+def test_who_makes_room_for_a_carried_robot_goes_straight_away_from_the_ball_and_no_farther_than_it_must(name):
+    match = Match(name, home=1, away=1, seed=1)
+    robots, k, reach = match.robots[0], constants_of(match)[0], match.league.body.reach
+    robots["x"], robots["y"], robots["heading"] = [0.5, 0.5 + 0.3 * reach], [0.4, 0.4 + 0.2 * reach], 0.3
+    old = np.array([robots["x"][1], robots["y"][1]])
+    robots["placed"] = 0
+    make_room(robots.view(np.recarray), 0, match.balls[0], k)
+    new = np.array([robots["x"][1], robots["y"][1]])
+    assert robots["placed"].tolist() == [0, 1]
+    assert new / np.hypot(*new) == pytest.approx(old / np.hypot(*old), abs=1e-9)
+    assert not robots_touch(robots[0], robots[1], k)
+    robots["x"][1], robots["y"][1] = new - 1.01 * STEP_ASIDE * new / np.hypot(*new)
+    assert robots_touch(robots[0], robots[1], k)
+
+
+@each_league
+def test_robots_may_be_placed_side_by_side_with_the_margin_between_their_capsules(name):
+    k = constants_of(Match(name, home=1, away=1, seed=1))[0]
+    _, radius = capsule(k)
+    for gap, near in ((MARGIN + 1e-3, False), (MARGIN - 1e-3, True)):
+        assert in_the_way(k, 0.0, 0.0, 0.0, 0.0, 2.0 * radius + gap, 0.0) == near

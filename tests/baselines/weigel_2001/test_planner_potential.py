@@ -85,6 +85,9 @@ def test_lines_repel_only_if_they_are_asked_to(form: str) -> None:
     assert potential(5.9, 0.0, 0.0, goal, NOBODY, play_of(form=form)) == 0.0
     assert potential(5.9, 0.0, 0.0, goal, NOBODY, play_of(form=form, borders=True)) == pytest.approx(size)
     assert potential(-5.9, 0.0, 0.0, goal, NOBODY, play_of(form=form, borders=True)) == pytest.approx(11.8 + size)
+    goal["x"], goal["y"] = 0.0, 3.9
+    assert potential(0.0, 3.9, 0.0, goal, NOBODY, play_of(form=form, borders=True)) == pytest.approx(size)
+    assert potential(0.0, -3.9, 0.0, goal, NOBODY, play_of(form=form, borders=True)) == pytest.approx(7.8 + size)
 
 
 @pytest.mark.parametrize("form", ["scalar", "vector"])

@@ -104,16 +104,18 @@ def test_a_kick_off_shot_gives_the_defenders_a_kick_off():
 
 
 @pytest.mark.parametrize(("beyond", "owner"), [(0.01, -1), (-0.01, 0)])
-def test_the_kicking_team_has_to_touch_the_ball_when_all_of_it_has_left_the_circle(beyond, owner):
+@pytest.mark.parametrize("way", [0.0, 0.5 * np.pi])
+def test_the_kicking_team_has_to_touch_the_ball_when_all_of_it_has_left_the_circle(way, beyond, owner):
     match = court("kick_off_shot=True")
     match.matches["kick_off_shot"] = 0
-    x = match.league.pitch.circle + match.league.ball.radius + beyond
-    put_ball(match, x, 0.0)
-    put(match, 4, x + POCKET, 0.0, np.pi)
+    away = match.league.pitch.circle + match.league.ball.radius + beyond
+    x, y = np.cos(way), np.sin(way)
+    put_ball(match, away * x, away * y)
+    put(match, 4, (away + POCKET) * x, (away + POCKET) * y, way + np.pi)
     match.rebuild()
     match.step(stand(match))
     assert match.robot_events["touch"][0, 4] == 1 and match.matches["kick_off_shot"][0] == 0  # an opponent: no matter
-    put(match, 1, x - POCKET, 0.0)
+    put(match, 1, (away - POCKET) * x, (away - POCKET) * y, way)
     match.rebuild()
     match.step(stand(match))
     assert match.robot_events["touch"][0, 1] == 1 and match.matches["kick_off_shot"][0] == owner
