@@ -17,6 +17,7 @@ import numpy as np
 
 from soccer_env import truth_state
 from soccer_env.actions import numbers_for, take_actions
+from soccer_env.function_teams.asking import standing
 from soccer_env.guards.workers import Workers
 from soccer_env.match_batch import MatchBatch, Sums
 from soccer_env.match_settings import MatchArguments, made_from
@@ -227,6 +228,10 @@ class Match(Views, Branching):
     def _decide(self, numbers: np.ndarray, first: int, last: int) -> None:
         """Fill the commands of a slice: learners' actions, and compiled teams."""
         take_actions(self.robots, numbers, first, last, self.learns)
+        self._decide_compiled(first, last)
+
+    def _decide_compiled(self, first: int, last: int) -> None:
+        """Fill the commands that the compiled teams of a slice give."""
         if len(self._readers):
             self.batch.read(self._readers, first, last)
         for squad in self.squads:
@@ -234,8 +239,11 @@ class Match(Views, Branching):
                 run_compiled(squad, self._team_arrays, self.batch.write_observations, first, last)
 
     def decide(self) -> np.ndarray:
-        """Let the compiled teams decide from the records as they stand, without a step; return commands (M, R)."""
-        self._decide(self._no_actions, 0, self.count)
+        """Let the compiled teams decide from the records as they stand, without a step; return commands (M, R).
+
+        Robots that no team plays keep the command that they had.
+        """
+        self._decide_compiled(0, self.count)
         commands: np.ndarray = self.robots["command"]
         return commands
 
@@ -244,7 +252,8 @@ class Match(Views, Branching):
         for squad in self.squads:
             if not squad.compiled:
                 self.batch.read(squad.players, 0, self.count)
-                run_python(squad, self.league, self.batch.beliefs, self.batch.tracks, self.robots)
+                with standing(self, squad.team.name):
+                    run_python(squad, self.league, self.batch.beliefs, self.batch.tracks, self.robots)
 
     def _observe_own(self) -> None:
         """Fill the observations that a user's own code makes."""

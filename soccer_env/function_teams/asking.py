@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, NoReturn
+from functools import partial
+from threading import get_ident
+from typing import Any
 
 import numpy as np
 
@@ -50,14 +52,17 @@ def decided(match: Match, squad: Squad) -> np.ndarray:
 
 @contextmanager
 def standing(match: Match, team: str) -> Iterator[None]:
-    """Let a match be looked at, copied and branched, but not moved, while a team's function is asked."""
+    """Let a match be looked at, copied and branched, but not moved, while a team's own Python is asked."""
+    asks = get_ident()
 
-    def refuse(*args: Any, **kwargs: Any) -> NoReturn:
+    def refuse(name: str, *args: Any, **kwargs: Any) -> Any:
+        if get_ident() != asks:  # it is refused as in any other step
+            return getattr(type(match), name)(match, *args, **kwargs)
         moves = f"{', '.join(MOVES[:-1])} or {MOVES[-1]}"
         raise RuntimeError(f"team {team!r} must not call {moves} of the match that asks it; a branch of it may move")
 
     for name in MOVES:
-        match.__dict__[name] = refuse
+        match.__dict__[name] = partial(refuse, name)
     try:
         yield
     finally:

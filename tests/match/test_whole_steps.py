@@ -43,6 +43,19 @@ class Asked:
         return np.asarray(view.stand())
 
 
+class Moves:
+    """A team that does something with the match that asks it, in the same thread."""
+
+    name, memory_dtype = "moves", np.dtype([])
+
+    def __init__(self, do: Callable[[], object]) -> None:
+        self.do = do
+
+    def act(self, view: Any, memory: np.ndarray, rng: Any) -> np.ndarray:
+        self.do()
+        return np.asarray(view.stand())
+
+
 @pytest.mark.parametrize("name", ["step", "reset", "save", "load", "rebuild", "decide"])
 def test_a_second_thread_is_refused_and_the_first_goes_on(name: str) -> None:
     team = Asked()
@@ -59,6 +72,30 @@ def test_a_second_thread_is_refused_and_the_first_goes_on(name: str) -> None:
     assert isinstance(team.raised[0], RuntimeError)
     alone.step()
     assert match.state_hash() == alone.state_hash()
+
+
+@pytest.mark.parametrize("name", ["step", "reset", "load"])
+def test_a_team_that_moves_the_match_that_asks_it_is_told_so_and_nothing_changes(name: str) -> None:
+    match = Match(
+        home=1, away=1, seed=1, controllers={"home": Moves(lambda: getattr(match, name)(*given)), "away": "chaser"}
+    )
+    given = (match.save(),) if name == "load" else ()
+    before, seeds = match.state_hash(), match.seeds.tolist()
+    with pytest.raises(RuntimeError, match="team 'moves' must not call step, reset or load of the match that asks it"):
+        match.step()
+    assert (match.state_hash(), match.seeds.tolist()) == (before, seeds)
+    match.reset(seed=3)
+
+
+def test_a_team_may_look_ahead_in_a_branch_of_the_match_that_asks_it() -> None:
+    ahead = []
+    match = Match(
+        home=1, away=1, seed=1,
+        controllers={"home": Moves(lambda: ahead.append(match.branch(0))), "away": "chaser"},
+    )  # fmt: skip
+    match.step()
+    assert ahead[0].matches["step"].tolist() == [0]
+    assert match.matches["step"].tolist() == [1]
 
 
 def test_two_threads_that_take_turns_share_a_match() -> None:
