@@ -20,6 +20,7 @@ from dataclasses import Field, dataclass, field, fields
 from typing import TYPE_CHECKING, Any, Concatenate, Literal, ParamSpec, TypeVar
 
 from soccer_env.checking import Checked, Range, check_names
+from soccer_env.leagues.rules import MINUTES
 from soccer_env.names import Made
 from soccer_env.types import MAX_TEAM
 
@@ -40,7 +41,6 @@ A = TypeVar("A")
 
 TEAM_SIZE = Range(1, MAX_TEAM)
 THREADS = Range(1, 256)
-MINUTES = Range(0.0, 1e12, above=True)
 STEPS = Range(1, 2**40)
 Senses = Literal["ideal", "sensors"]
 Pose = Literal["percept", "particles"]

@@ -12,10 +12,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
-from soccer_env.checking import ABOVE_ZERO, SHARE, check_names
+from soccer_env.checking import ABOVE_ZERO, SHARE, Range, check_names
 from soccer_env.leagues.checks import PYTHON_ONLY, Part
 
 NEVER = 1e9  # [s]
+MINUTES = Range(0.0, 1e12, above=True)  # [min] of a half, and of the match that `minutes` asks for
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,8 @@ class Rules(Part):
     """The rules of a league: what is called, and the numbers of it. A switch that is off costs nothing."""
 
     BOUNDS = {
-        **dict.fromkeys(("half_minutes", "stuck_radius", "restart_time", "stuck_time", "contact_time"), ABOVE_ZERO),
+        "half_minutes": MINUTES,
+        **dict.fromkeys(("stuck_radius", "restart_time", "stuck_time", "contact_time"), ABOVE_ZERO),
         "handling_share": SHARE,
     }
 

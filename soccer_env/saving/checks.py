@@ -11,7 +11,7 @@ from soccer_env.ranges import outside
 
 Match = Any  # soccer_env.match.Match, which stands above this file
 
-LONGEST = 1e12  # [s] of a half that ends; twice as much is a number still
+LONGEST = 6e13  # [s] of a half that ends: leagues and `minutes` have no longer ones
 FIXED = ("team", "number", "keeper")  # of a robot: as the match lined up
 
 

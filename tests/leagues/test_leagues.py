@@ -103,6 +103,7 @@ LEAGUE, SMOOTH = legged_2001.LEAGUE, legged_2001.SMOOTH_BODY
         (LEAGUE.drive, {"slip": -0.1}, r"Drive\.slip must be a number of at least 0"),
         (LEAGUE.kicker, {"slowest": 3.0}, r"Kicker\.slowest must be at most fastest"),
         (LEAGUE.rules, {"half_minutes": 0.0}, r"Rules\.half_minutes must be a number above 0"),
+        (LEAGUE.rules, {"half_minutes": 2e12}, r"Rules\.half_minutes must be .* at most 1e\+12, got 2"),
         (LEAGUE.slots, {"teammates": -1}, r"Slots\.teammates must be 0 to 11, got -1"),
         (LEAGUE.slots, {"teammates": 0, "opponents": 0}, "Slots must hold at least one"),
         (LEAGUE.substeps, {"least": 20}, r"Substeps\.least must be at most close 4, got 20"),
