@@ -8,6 +8,10 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from soccer_env.whole_files import read_plain
+
+LARGEST = 1 << 30  # [bytes] of a file of results
+
 
 def append_lines(path: Path, records: Iterable[dict[str, Any]]) -> None:
     """Append one line of JSON for each record and wait until they are on the disk."""
@@ -18,6 +22,14 @@ def append_lines(path: Path, records: Iterable[dict[str, Any]]) -> None:
         os.fsync(file.fileno())
 
 
+def read_bounded(path: Path) -> bytes:
+    """Return the bytes of a file of results; ValueError if it is no regular file, or has more than LARGEST."""
+    try:
+        return read_plain(path, LARGEST)
+    except ValueError as error:
+        raise ValueError(f"{path} {error}") from error
+
+
 def read_lines(path: Path) -> list[dict[str, Any]]:
     """Return the records of a file of JSON lines, cutting off a last line that a crash tore; [] without a file.
 
@@ -25,7 +37,7 @@ def read_lines(path: Path) -> list[dict[str, Any]]:
     """
     if not path.exists():
         return []
-    content = path.read_bytes()
+    content = read_bounded(path)
     records, complete = records_in(path, content)
     if complete < len(content):
         os.truncate(path, complete)

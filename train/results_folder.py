@@ -19,9 +19,9 @@ from pathlib import Path
 from typing import Any, TypeVar, get_origin, get_type_hints
 
 from soccer_env.checking import brief
-from soccer_env.train.files import append_lines, read_lines
+from soccer_env.train.files import LARGEST, append_lines, read_lines
 from soccer_env.train.provenance import settings_hash
-from soccer_env.whole_files import write_whole
+from soccer_env.whole_files import read_plain, write_whole
 
 T = TypeVar("T")
 Self = TypeVar("Self", bound="ResultsFolder")
@@ -191,7 +191,7 @@ def settings_before(path: Path, kind: Kind, anew: bool = False) -> dict[str, Any
 def read_settings(path: Path) -> dict[str, Any]:
     """Return what a settings file says; ValueError if it is damaged."""
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
+        found = json.loads(read_plain(path, LARGEST))
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{path} cannot be read as JSON ({error}); {ELSE}") from error
     return found if isinstance(found, dict) else {}

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env.train.files import append_lines, read_lines
+from soccer_env.train.files import LARGEST, append_lines, read_lines
 
 
 def test_lines_come_back(tmp_path: Path) -> None:
@@ -38,6 +38,14 @@ def test_a_broken_line_in_the_middle_is_refused_and_kept(tmp_path: Path) -> None
     with pytest.raises(ValueError, match="line 2: not a record"):
         read_lines(path)
     assert path.read_bytes().count(b"\n") == 3
+
+
+def test_a_file_without_end_is_not_read(tmp_path: Path) -> None:
+    path = tmp_path / "lines.jsonl"
+    path.touch()
+    os.truncate(path, LARGEST + 1)  # of zeros, which take no room on the disk
+    with pytest.raises(ValueError, match=f"lines.jsonl has {LARGEST + 1} bytes, more than the limit of {LARGEST}"):
+        read_lines(path)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="needs SIGKILL")

@@ -1,5 +1,6 @@
 """A folder of results goes on where it was, refuses other settings, and never touches what is not of its kind."""
 
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -7,9 +8,10 @@ from typing import Any
 import pytest
 
 from soccer_env.train.evaluate.results import EVALUATION
+from soccer_env.train.files import LARGEST
 from soccer_env.train.ppo.run_folder import TRAINING
 from soccer_env.train.reproduce.results import REPRODUCTION
-from soccer_env.train.results_folder import Kind, ResultsFolder
+from soccer_env.train.results_folder import SETTINGS, Kind, ResultsFolder
 
 MADE = {"soccer_env": "1.0", "code": "abc"}
 ABOUT = {"command": "soccer evaluate --seed 3", "date": "2026-01-02", "commit": "1234567"}
@@ -47,6 +49,13 @@ def test_a_folder_remembers(tmp_path: Path) -> None:
     again = opened(tmp_path / "a" / "b", about={"command": "another", "date": "later", "commit": ""})
     assert tosses(again) == made
     assert again.about == ABOUT, "the report must not change because it is written on another day"
+
+
+def test_settings_without_end_are_not_read(tmp_path: Path) -> None:
+    with opened(tmp_path):
+        os.truncate(tmp_path / SETTINGS, LARGEST + 1)
+    with pytest.raises(ValueError, match=f"settings.json cannot be read .* more than the limit of {LARGEST}"):
+        opened(tmp_path)
 
 
 def test_without_a_path_nothing_is_kept() -> None:

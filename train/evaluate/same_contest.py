@@ -17,15 +17,13 @@ from soccer_env.teams import Team, in_module
 from soccer_env.train.evaluate.contest import Contest, contest_of
 from soccer_env.train.evaluate.results import EVALUATION, MATCHES, MatchLine
 from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings, conditions_of
-from soccer_env.train.files import records_in
+from soccer_env.train.files import read_bounded, records_in
 from soccer_env.train.provenance import LIBRARIES, made_with, of_modules, settings_hash
 from soccer_env.train.results_folder import GROWN, PARTS, SETTINGS, check_kinds, settings_before
-from soccer_env.whole_files import read_plain
 
 VERSIONS = (*LIBRARIES, "code")  # of what a result was made with: what may differ, and is then said
 CODE = ("soccer_env", "code")  # if these do, hashes of teams and leagues cannot be told from another version's
 RESULT = "result.json"
-LARGEST = 1 << 30  # [bytes] of matches.jsonl and of result.json
 MOST = 10_000_000  # matches
 
 
@@ -77,7 +75,7 @@ def read_matches(
     current = settings_hash(conditions, made_with)
     names = sorted(field.name for field in fields(MatchLine))
     lines: dict[int, dict[str, Any]] = {}
-    for record in records_in(path, read_plain(path, LARGEST))[0] if path.exists() else ():
+    for record in records_in(path, read_bounded(path))[0] if path.exists() else ():
         if sorted(record) != names:
             raise ValueError(f"{path}: a line has the fields {', '.join(names)}, got {brief(sorted(record))}")
         check_kinds(path, record, MatchLine)
@@ -97,7 +95,7 @@ def read_result(path: Path) -> dict[str, Any] | None:
     if not path.exists():
         return None
     try:
-        found = json.loads(read_plain(path, LARGEST))
+        found = json.loads(read_bounded(path))
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{path} cannot be read as JSON ({error})") from error
     return found if isinstance(found, dict) else {}

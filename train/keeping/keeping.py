@@ -18,10 +18,11 @@ from soccer_env.replay.clips import Clips
 from soccer_env.train.evaluate.contest import Contest
 from soccer_env.train.evaluate.recording import NOTE_EVERY, shown_of_memory
 from soccer_env.train.evaluate.results import KEPT, REPLAYS, MatchLine
+from soccer_env.train.files import LARGEST
 from soccer_env.train.keeping.asking import GOALS, KINDS, Keep
 from soccer_env.train.progress import Progress
 from soccer_env.types import NO_TEAM
-from soccer_env.whole_files import write_whole
+from soccer_env.whole_files import read_plain, write_whole
 
 BEFORE, AFTER = 8.0, 1.5  # [s] that a clip shows of what led to a goal, at least, and of what came of it
 
@@ -89,7 +90,7 @@ def kept_in(folder: Path) -> list[Kept]:
 def read_list(folder: Path) -> tuple[Keep, list[Kept]]:
     """Return what was asked for in a folder so far, and the replays that it lists."""
     try:
-        record = json.loads((folder / REPLAYS / KEPT).read_text(encoding="utf-8"))
+        record = json.loads(read_plain(folder / REPLAYS / KEPT, LARGEST))
         asked, found = Keep(**record["asked"]), [Kept(**one) for one in record["replays"]]
     except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return Keep(), []

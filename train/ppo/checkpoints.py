@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 import torch
 
-from soccer_env.whole_files import write_whole
+from soccer_env.train.files import LARGEST
+from soccer_env.whole_files import read_plain, write_whole
 
 LATEST = "latest.json"
 NAMES = ("checkpoint-0.pt", "checkpoint-1.pt")
@@ -62,7 +63,7 @@ def latest(folder: Path) -> dict[str, Any]:
     if not path.exists():
         return {}
     try:
-        about = json.loads(path.read_text(encoding="utf-8"))
+        about = json.loads(read_plain(path, LARGEST))
     except (OSError, ValueError, RecursionError) as error:
         raise ValueError(f"{path} cannot be read ({error}); --anew starts again") from error
     if not isinstance(about, dict):
