@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 
+import numba
 import pytest
 
 from soccer_env.compiling.sources import ROOT as PACKAGE
@@ -274,10 +275,15 @@ def test_the_physics_kernels_depend_on_their_imports_and_on_nothing_beside_them(
 @pytest.mark.skipif(not hasattr(wrap, "_cache"), reason="nothing is compiled")
 def test_an_interrupt_waits_until_numba_has_filled_its_registries(monkeypatch):
     """One that comes in between leaves generators of numba's closed: each function after it fails in this process."""
-    cache, ended = wrap._cache, []
-    monkeypatch.setattr(type(cache), "_loaded", lambda *rest: ended.append(signal.raise_signal(signal.SIGINT)))
+    ended = []
+
+    def look(*rest):
+        ended.append(signal.raise_signal(signal.SIGINT))
+        return "", None
+
+    monkeypatch.setattr(type(wrap._cache), "_key", look)
     with pytest.raises(KeyboardInterrupt):
-        cache.load_overload(None, None)
+        wrap.compile((numba.int16,))
     assert ended == [None]
 
 

@@ -32,7 +32,7 @@ from numba.core.dispatcher import Dispatcher
 
 from soccer_env.compiling.inner import INNER, InnerTarget, for_another, is_inner
 from soccer_env.compiling.sources import PACKAGE, source_stamp
-from soccer_env.guards.interrupts import HeldBack, let_go
+from soccer_env.compiling.stops import stop_here
 
 DIGEST = hashlib.sha256().digest_size  # [bytes]
 STALE_AFTER = 30 * 24 * 3600.0  # [s] assumed; code of other versions is deleted at this age
@@ -101,13 +101,7 @@ class SourceCache(Base):  # type: ignore[misc]
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """Return the compile result for these argument types, or None if there is none yet."""
-        with HeldBack():  # what interrupts numba as it fills its registries leaves them useless for this process
-            found = self._loaded(sig, target_context)
-        if found is None:
-            let_go()  # compiling begins, which takes long
-        return found
-
-    def _loaded(self, sig: Any, target_context: Any) -> Any:
+        stop_here()
         target_context.refresh()
         for inner in (True, False) if for_another() else (False,):
             stamp, key = self._key(sig, target_context.codegen(), inner)

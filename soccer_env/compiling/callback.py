@@ -17,7 +17,8 @@ from numba.core.ccallback import CFunc
 
 from soccer_env.compiled import compiled, config
 from soccer_env.compiling.cache import SourceCache
-from soccer_env.guards.interrupts import hold, is_held
+from soccer_env.compiling.stops import stoppable
+from soccer_env.guards.turns import held
 
 TYPES = {"void": types.void, "address": types.uintp, "float64": types.float64}
 C_TYPES: dict[str, Any] = {"void": None, "address": ctypes.c_size_t, "float64": ctypes.c_double}
@@ -39,15 +40,11 @@ class Callback:
         return compiled(self._function)(*arguments)
 
     @property
+    @held
     def address(self) -> int:
         """The address of the machine code; with NUMBA_DISABLE_JIT=1 of a stub that calls the Python function."""
-        held = is_held()
-        try:
-            with _lock:
-                return self._address
-        finally:
-            if held:  # the cache has let go, if there was something to compile
-                hold()
+        with stoppable(), _lock:
+            return self._address
 
     @functools.cached_property
     def _address(self) -> int:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import contextlib
 import gc
-import threading
 from collections.abc import Iterator
 from typing import Any
 
@@ -19,7 +18,8 @@ from numba.core import compiler, sigutils
 from numba.core.codegen import JITCodeLibrary
 from numba.core.registry import CPUDispatcher
 
-from soccer_env.guards.interrupts import hold, is_held
+from soccer_env.compiling.stops import beside, compiling, stop_here, stoppable
+from soccer_env.guards.turns import held
 
 INNER = "inner"  # kind of a library in the cache
 OBJECTS = 50_000  # that are made while compiling between two looks for garbage
@@ -30,21 +30,26 @@ Pipeline: Any = compiler.Compiler
 normalized: Any = sigutils.normalize_signature
 
 
-class _Compiling(threading.local):
-    """Count the functions of ours that are being compiled on this thread, each for the sake of the one before."""
-
-    depth = 0
-
-
-_compiling = _Compiling()
-
-
 def for_another() -> bool:
     """Tell whether a function is being compiled because another one calls it."""
-    return _compiling.depth > 1
+    return compiling.depth > 1
 
 
-class InnerLibrary(Library):  # type: ignore[misc]
+class KernelLibrary(Library):  # type: ignore[misc]
+    """The code of a function of ours; where LLVM works on it for long, signals may come."""
+
+    def _optimize_final_module(self) -> None:
+        beside(super()._optimize_final_module)
+
+    def _finalize_specific(self) -> None:
+        self._codegen._scan_and_fix_unresolved_refs(self._final_module)
+        beside(self._make_machine_code)
+
+    def _make_machine_code(self) -> None:
+        self._codegen._engine.finalize_object()
+
+
+class InnerLibrary(KernelLibrary):
     """The code of a function that only compiled ones call: ready to be linked, not to be run."""
 
     @classmethod
@@ -98,25 +103,31 @@ class KernelCompiler(Pipeline):  # type: ignore[misc]
 
     def define_pipelines(self) -> Any:
         """Return numba's own."""
+        kind = InnerLibrary if for_another() else KernelLibrary
+        self.state.library = kind(self.state.targetctx.codegen(), self.state.func_id.func_qualname)
         if for_another():
             self.state.flags.no_cpython_wrapper = True
-            self.state.library = InnerLibrary(self.state.targetctx.codegen(), self.state.func_id.func_qualname)
+        else:
+            self.state.library.enable_object_caching()
         return super().define_pipelines()
 
 
 class Kernel(Dispatcher):  # type: ignore[misc]
     """A function that compiles itself for the types that it is called with."""
 
+    @held
     def compile(self, sig: Any) -> Any:
         """Compile for a signature, for whoever asks: Python, or the compiler for the sake of another function."""
-        _compiling.depth += 1
-        held = is_held()
-        try:
-            return super().compile(sig) if for_another() else self._compile_for_python(sig)
-        finally:
-            _compiling.depth -= 1
-            if held:  # the cache has let go, if there was something to compile
-                hold()
+        with stoppable():
+            compiling.depth += 1
+            try:
+                if not for_another():
+                    return self._compile_for_python(sig)
+                made = super().compile(sig)
+                stop_here()
+                return made
+            finally:
+                compiling.depth -= 1
 
     def _compile_for_python(self, sig: Any) -> Any:
         arguments = tuple(normalized(sig)[0])

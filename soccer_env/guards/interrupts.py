@@ -110,9 +110,21 @@ def release(later: bool = False) -> None:
 
 
 def let_go() -> None:
-    """Let signals come, until `hold`, in the middle of what they wait for: something long begins, or a user's code."""
+    """Let signals come, until `hold`, in the middle of what they wait for: a user's code begins."""
     if _HELD.holds and get_ident() == _HELD.main:
         release()
+
+
+def let_come() -> None:
+    """Let those signals come that have waited until now; the next ones wait again, also if one of these raises."""
+    if not (_HELD.came and is_held()):
+        return
+    try:
+        release()
+        hold()
+    except BaseException:
+        hold_again()
+        raise
 
 
 def hold_again() -> None:

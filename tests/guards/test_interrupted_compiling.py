@@ -1,0 +1,151 @@
+"""A signal ends compiling between two steps of the compiler, soon, and leaves neither numba nor a match in between."""
+
+import os
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+import pytest
+from numba.core.registry import cpu_target
+
+from soccer_env.compiled import compiled, config
+from soccer_env.compiling import stops
+from soccer_env.guards.interrupts import HeldBack
+from tests.guards.interrupted_compiling import LIMIT, MATCH, played
+
+pytestmark = pytest.mark.skipif(bool(config.DISABLE_JIT), reason="nothing is compiled")
+
+
+class StopError(Exception):
+    """What the handler raises: an error that numba would take for one of its own."""
+
+
+@pytest.fixture
+def stop() -> Iterator[None]:
+    """Let SIGINT raise."""
+
+    def raised(number: int, frame: FrameType | None) -> None:
+        raise StopError
+
+    before = signal.signal(signal.SIGINT, raised)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+def fresh() -> tuple[Any, Any]:
+    """Return a function that calls another one, both yet to be compiled."""
+
+    @compiled
+    def half(x):  # type: ignore[no-untyped-def]
+        return 0.5 * x
+
+    @compiled
+    def halves(x):  # type: ignore[no-untyped-def]
+        total = 0.0
+        for n in range(3):
+            total += half(x) * n
+        return total
+
+    half._cache.disable()
+    halves._cache.disable()
+    return half, halves
+
+
+def at_stop(monkeypatch: pytest.MonkeyPatch, wanted: int) -> list[int]:
+    """Let a signal come at the stop of that number, counted from 1; return a list that grows by each stop."""
+    seen: list[int] = []
+    come = stops.let_come
+
+    def counted() -> None:
+        seen.append(len(seen) + 1)
+        if len(seen) == wanted:
+            signal.raise_signal(signal.SIGINT)
+        come()
+
+    monkeypatch.setattr(stops, "let_come", counted)
+    return seen
+
+
+def test_a_signal_at_any_stop_ends_compiling_and_numba_goes_on(monkeypatch: pytest.MonkeyPatch, stop: None) -> None:
+    with monkeypatch.context() as patch:
+        stops_there = at_stop(patch, 0)
+        assert fresh()[1](2.0) == 3.0
+    assert len(stops_there) > 40
+    for wanted in range(1, len(stops_there), 7):
+        kernels = fresh()
+        with monkeypatch.context() as patch, pytest.raises(StopError) as error:
+            at_stop(patch, wanted)
+            kernels[1](2.0)
+        assert error.value.__context__ is None
+        assert not cpu_target.typing_context.callstack._stack
+        assert not any(kernel._compiling_counter.counter for kernel in kernels)
+        assert (stops.compiling.depth, stops.compiling.stoppable) == (0, False)
+        assert kernels[1](2.0) == 3.0
+
+
+def test_a_handler_that_returns_may_compile_and_the_compiling_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = []
+    before = signal.signal(signal.SIGINT, lambda number, frame: found.append(fresh()[1](4.0)))
+    try:
+        at_stop(monkeypatch, 9)
+        assert fresh()[1](2.0) == 3.0
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert found == [6.0]
+
+
+def test_a_signal_does_not_wait_for_llvm(stop: None) -> None:
+    go_on, ended = threading.Event(), []
+
+    def work() -> None:
+        go_on.wait(10.0)
+        ended.append(True)
+
+    with pytest.raises(StopError), HeldBack(), stops.stoppable():
+        signal.raise_signal(signal.SIGINT)
+        stops.beside(work)
+    assert not ended
+    go_on.set()
+    stops._end_what_is_left()
+    assert ended
+
+
+def test_a_signal_does_not_wait_for_another_thread_that_compiles(stop: None) -> None:
+    begun, go_on = threading.Event(), threading.Event()
+
+    def compile_for_long() -> None:
+        with stops.stoppable():
+            begun.set()
+            go_on.wait(10.0)
+
+    other = threading.Thread(target=compile_for_long)
+    other.start()
+    begun.wait()
+    at = time.monotonic()
+    with pytest.raises(StopError), HeldBack():
+        signal.raise_signal(signal.SIGINT)
+        fresh()[0].compile((cpu_target.typing_context.resolve_value_type(1.0),))
+    assert time.monotonic() - at < 5.0
+    go_on.set()
+    other.join()
+
+
+def test_what_llvm_raises_comes(stop: None) -> None:
+    def fail() -> None:
+        raise ArithmeticError
+
+    with pytest.raises(ArithmeticError), HeldBack(), stops.stoppable():
+        stops.beside(fail)
+
+
+@pytest.mark.whole
+@pytest.mark.skipif(os.name != "posix", reason="sends itself a signal as a terminal does")
+def test_an_interrupt_ends_compiling_soon_and_the_match_plays_on(tmp_path: Path) -> None:
+    ended, _, hashes = played(MATCH, str(tmp_path), seed=1, most=8)
+    assert len(ended) > 4, "hardly anything was interrupted"
+    assert max(ended) < LIMIT, ended
+    assert played(MATCH, str(tmp_path), seed=1, most=0) == ([], 0, hashes)
