@@ -184,8 +184,9 @@ class Canvas:
         """
         letters = max(6, round(size * FACTOR))
         image = self.letters.word(words, letters, colour)
-        if image.get_width() > room * FACTOR:
-            letters = max(6, int(letters * max(LEAST_SHRINK, room * FACTOR / image.get_width())))
+        least = max(6, int(letters * LEAST_SHRINK))
+        while image.get_width() > room * FACTOR and letters > least:  # widths of letters are whole pixels: try again
+            letters = max(least, min(letters - 1, int(letters * room * FACTOR / image.get_width())))
             image = self.letters.word(words, letters, colour)
         while image.get_width() > room * FACTOR and len(words) > 1:
             words = words[: max(1, min(len(words) - 2, int(len(words) * room * FACTOR / image.get_width())))]

@@ -107,6 +107,18 @@ def test_a_mirrored_pose_gives_a_mirrored_picture(league):
     assert len(shapes[0] & shapes[1]) > 0.85 * len(shapes[0] | shapes[1]) > 100
 
 
+@pytest.mark.parametrize("width", range(240, 960, 60))
+def test_the_score_is_written_whole_in_small_pictures(width):
+    picture = Picture("legged-2001", width)
+    match, ball, robots = make_records()
+    headers = []
+    for goals in (0, 1):
+        match["score"][1] = goals
+        headers.append(picture.draw(match, ball, robots)[: picture.header_height])
+    columns = np.flatnonzero((headers[0] != headers[1]).any(axis=(0, 2)))
+    assert 0.5 * width < columns.min() and columns.max() < 0.575 * width  # right of the colon, left of the plate
+
+
 def test_goals_keep_their_colours_when_teams_change_ends():
     picture = Picture("legged-2001")
     match, ball, robots = make_records()
