@@ -26,7 +26,7 @@ never counted as reproduced. `context`: nothing to decide.
 * A claim with several criteria needs all of them. Looks at growing samples share the 5 % of an interval. n counts \
 independent units (runs, matches) of all seeds together; "40 of 96": so many of them have a \
 value in the criterion that decides.
-* [changed]: a criterion or scene was changed after a first look; what was asked and read before stands below.
+* [changed]: a criterion or scene was changed after a first look; below stands in a line what it was before.
 * Rules: the set under which whole matches were played; staged scenes are under `{PATIENT}`, where nobody is \
 whistled, pulled apart or given a dropped ball, whatever `--rules` asks for.
 * Seeds: what the samples of each seed say alone, r reproduced, n not, u undecided, c context."""

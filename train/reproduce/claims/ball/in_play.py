@@ -150,8 +150,7 @@ S11 = Claim(
     ),
     rules=STAGED,
     measure=false_balls,
-    changed="The scene, after a first quick look: before, the robot ran into the ball instead of following it; and the "
-    "head looked at the believed place instead of the blob: 78.4 % (69.2 to 87.2) fewer jumps, undecided.",
+    changed="Before: a robot that ran into the ball, its head on the believed place (78.4 % fewer jumps: undecided).",
     ingredients=("sensors.patches, patch_low, red_as_orange", "memory.horizon_angle, area_small, area_large"),
     seconds=4.0,
     batches=24,

@@ -193,7 +193,7 @@ def hidden_figure(samples: Samples) -> Sequence[Figure]:
 
 
 SCENES = f"{MATCHES} scenes a batch with one or two robots at random before a ball 30 to 60 cm from the camera"
-SCENE_CHANGED = "The scene: before, the others stood anywhere about, mostly not before the ball;"
+SCENE_CHANGED = "Before: the others stood anywhere about, mostly not before the ball."
 
 S07 = Claim(
     id="S07",
@@ -217,7 +217,7 @@ S07 = Claim(
         "ranges read from the blob's size, and a smaller blob reads farther: with the ranger's reading instead",
         lambda batch: by_dimension(batch, ball_range="infrared"),
     ),
-    changed=f"{SCENE_CHANGED} the reading of then was not kept.",
+    changed=SCENE_CHANGED,
     figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )
@@ -251,7 +251,7 @@ S08 = Claim(
     ),
     rules=STAGED,
     measure=by_dimension,
-    changed=f"{SCENE_CHANGED} the reading of then was not kept.",
+    changed=SCENE_CHANGED,
     figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )

@@ -36,10 +36,7 @@ WIDTH = 0.05  # [m] of its bins
 CROSSING = (0.35, 0.45)  # [m] "about 40 cm"
 BEYOND = (0.45, 0.80)  # [m] where the ranger must be the worse one
 STEPS = ((0.05, 0.52, 0.64), (0.10, 0.74, 0.90))  # [m] worth of a pixel, and the ranges between which it falls: S15
-FIRST_SCENE = (  # of many claims, before anything was counted
-    "The scene, after a first quick look: before, heads had to find the ball themselves, and orange patches stood "
-    "round the field; the reading of then was not kept."
-)
+FIRST_SCENE = "Before: heads that had to find the ball, orange patches round the field."  # of many claims
 RANGE_LABEL = "range along the ground from the camera [cm]"
 SMALLEST, LARGEST = 3, 60  # [px] sizes of the ball that S15 looks at
 

@@ -7,7 +7,6 @@ import numpy as np
 from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim
 from soccer_env.train.reproduce.claims.ball.occlusion import (
     CUT,
-    SCENE_CHANGED,
     SCENES,
     draw_scene,
     hidden_parts,
@@ -80,8 +79,7 @@ S09 = Claim(
     ),
     rules=STAGED,
     measure=with_and_without_infrared,
-    changed=f"{SCENE_CHANGED} then balls cut below 90 % counted, and the head looked at the believed place instead of "
-    "the blob: the first ratio read 1.37 (1.13 to 1.74).",
+    changed="Before: heads that looked at the believed place, and balls cut below 90 % counted as hidden in both.",
     least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),
 )

@@ -189,8 +189,7 @@ S18 = Claim(
     ),
     rules=STAGED,
     measure=sweep_intervals,
-    changed=f"{FIRST_SCENE} The error at 0.17 s had to be at least twice that at 0.33 s, which independent errors "
-    "cannot give (1.94): 1.48 (1.31 to 1.72), not reproduced; and robots only walked.",
+    changed="Before: at 0.17 s twice the error at 0.33 s (1.48: not), which independent errors cannot give.",
     figures=interval_figure,
     ingredients=("sensors.dither", "memory.averaged = 4", "16 frames a second"),
     note="Positions are means of four frames: those of readings less than 1/4 s apart share frames, and with them "
@@ -212,8 +211,7 @@ S20 = Claim(
     ),
     rules=STAGED,
     measure=readings_at_60,
-    changed="The scene, after a first quick look: heads had to find the ball themselves, and 60 cm counted from the "
-    "body's middle instead of the camera: 5.5 % of single readings misjudged, not reproduced.",
+    changed="Before: heads that had to find the ball, 60 cm from the body's middle (5.5 % misjudged: not).",
     without=Without(
         "sensors.dither = 0: blobs without flicker", lambda batch: readings_at_60(batch, sensors={"dither": 0.0})
     ),

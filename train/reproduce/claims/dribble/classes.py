@@ -17,7 +17,6 @@ from soccer_env.train.reproduce.claims.dribble.past import (
     BODIES,
     MATCHES,
     MOVING,
-    OLD_DISTANCES,
     RULES,
     Plan,
     clean,
@@ -94,8 +93,7 @@ S64 = Claim(
     rules=STAGED,
     measure=pass_classes,
     ingredients=("the walker goes straight on and never gives way", "the drills' places, STILL_BEHIND here"),
-    changed=f"Before: {OLD_DISTANCES} (1.43 %, -4.56 to 7.81, and 17.5 %, 14.8 to 20: undecided); and at first a still "
-    "player beside the mover instead of behind its crossing, who stood in the mover's way (clean in 90 %: not).",
+    changed="Before: distances from middle to middle (undecided); at first a still player who stood in the way (not).",
     note=BODIES,
     seconds=8.0,
     batches=6,

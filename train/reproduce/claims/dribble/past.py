@@ -35,7 +35,6 @@ RULES = (
     "count from camera to surface; beside it from middle to middle."
 )
 BODIES = "The field takes robots for points (MS44); bodies count as touching when outlines meet, legs and paws too. "
-OLD_DISTANCES = "distances counted from middle to middle"
 
 
 def clean(samples: Samples, name: str = "clean", columns: Any = slice(None)) -> float:
@@ -122,8 +121,7 @@ S62 = Claim(
     measure=pass_still,
     figures=still_figure,
     ingredients=("the drills' places", "bodies with paws, not points", "the head that glances up"),
-    changed=f"Before: {OLD_DISTANCES}, a body of one piece (39.6 %, 25.7 to 53.5); and before that runs that began "
-    "with a search for the ball and ended in shots (3 % past one). The bound was 95 % throughout.",
+    changed="Before: distances from middle to middle, a body of one piece; at first runs that ended in shots.",
     note=BODIES + "The drills begin about 60 cm from the first player, middle to middle: 35 cm from camera to "
     "surface, where he pushes half as much again as the goal pulls before he has been seen. With "
     "ideal senses, or begun farther off, nearly all runs past one player are clean; else the robot turns off at once "
@@ -185,8 +183,7 @@ S63 = Claim(
     measure=pass_mover,
     figures=mover_figure,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),
-    changed=f"Before: {OLD_DISTANCES}, and all speeds up to 12 cm/s decided (18.3 %, 15 to 21.7; at 3 and 6 cm/s "
-    "35.8 %, 29.2 to 42.5, not); and before that the robot began with a search for the ball.",
+    changed="Before: distances from middle to middle, and all speeds up to 12 cm/s decided (18.3 %).",
     note=BODIES + "A dribbler at 7 cm/s cannot get a body's width aside of one that comes as fast; that the "
     "paper's movers were slower, or stopped, is a guess.",
     seconds=6.0,

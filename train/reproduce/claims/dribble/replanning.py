@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.reproduce.claims.dribble.past import FEWER, OLD_DISTANCES, RULES, Plan, clean, play_both_ways
+from soccer_env.train.reproduce.claims.dribble.past import FEWER, RULES, Plan, clean, play_both_ways
 from soccer_env.train.reproduce.drill_runs import PAPER
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 
@@ -77,8 +77,7 @@ S52 = Claim(
     measure=pass_by_replan,
     figures=replan_figure,
     ingredients=("gait steps of half a second: a decision takes effect when one begins",),
-    changed=f"Before: shares at the single times instead of a curve, {OLD_DISTANCES} (3.33 %, -0.104 to 6.2, and "
-    "5.52 %, 1.56 to 9.38: undecided); and before that runs that began with a search for the ball.",
+    changed="Before: shares at the single times instead of a curve, distances from middle to middle (undecided).",
     note="A decision takes effect when the next gait step begins: deciding more often brings a fresher picture. "
     "A second is only two steps, 7 cm.",
     seconds=8.0,

@@ -150,9 +150,7 @@ S53 = Claim(
     least=2,
     batches=5,
     figures=line_figures,
-    changed="Before: the least of the values that were tried, points alone, and 5 points below the best; then robots "
-    "too, distances from middle to middle, and 10 points (points 1.2 m and 1 m more for movers, robots 0 m, 0 to "
-    "0.8, and 0 m, 0 to 0.5: undecided).",
+    changed="Before: the least value tried, points alone, by 5 points; then robots too, by 10 points (undecided).",
 )
 
 
@@ -250,8 +248,7 @@ S65 = Claim(
     least=3,
     batches=6,
     ingredients=("23 cm between two middles as a collision of points, which tells them how large bodies are",),
-    changed="Before: one of the three readings decided, the constants of the points, by 10 points (7.47 pp, 5.29 to "
-    "10: not), distances from middle to middle; the paper expects, it measured nothing: context.",
+    changed="Before: the constants of the points decided, by 10 points (7.47 pp: not); the paper only expects.",
     note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "
     "than the paper's; tuned past standing players alone they get by with weak ones.",
 )

@@ -236,8 +236,7 @@ S47 = Claim(
             unit="cm",
         ),
     ),
-    changed="Before: points alone decided (38.7 %, 37 to 39.7), and at most no more collisions with the factor, of "
-    "which there were none either way.",
+    changed="Before: points alone decided (38.7 %), and no more collisions with the factor, of which there were none.",
     rules=STAGED,
     measure=with_and_without_cosine,
     seconds=4.0,

@@ -121,8 +121,7 @@ S58 = Claim(
             unit="pp",
         ),
     ),
-    changed="Before: a player who crosses instead of one that comes from one side while another stands on the other; "
-    "collisions did not rise (0 pp, which stands beside it).",
+    changed="Before: a single player who crosses; collisions did not rise (0 pp, which stands beside it).",
     rules=NO_MATCH,
     measure=met,
     seconds=1.5,

@@ -147,9 +147,7 @@ S39 = Claim(
     rules=STAGED,
     measure=compare_blobs,
     seconds=2.0,
-    changed="Before: players' blobs had a least area of half a pixel, one sticker on a side, and half of the frames "
-    "at the far end had to lack the head, which the paper does not say; 2.23 % (0 to 7.81) did, now 29.9 %; "
-    "jump 2.34 (1.72 to 2.43) and 0.996 (0.968 to 1.03): not.",
+    changed="Before: blobs of half a pixel, one sticker a side, half of the frames without the head (not).",
     figures=blob_figures,
     ingredients=("sensors.sticker_*, all assumed", "sensors.sticker_miss", "sensors.least_area, two pixels"),
     note="A head's sticker fills two pixels, the least that the vision delivers, 2.4 m from the camera if it is seen "

@@ -188,8 +188,7 @@ S33 = Claim(
     rules=STAGED,
     measure=try_factors,
     seconds=5.0,
-    changed="Before: one sticker a side, at its own size alone; ghosts 1.03 % (0.58 to 1.81), missed less ghosts "
-    "24.4 % (21.5 to 27.3), errors at 3 less the fewest at another factor -4.84 % (-6.29 to -2.58): reproduced.",
+    changed="Before: one sticker a side, at its own size alone (ghosts 1.03 %: reproduced).",
     figures=factor_figure,
     ingredients=("sensors.sticker_*, all assumed", "the gap of two blobs, taken between their middles"),
     note="Which factor is best follows from the jersey: stickers of shoulder and hip are 12 cm apart, 2.8 sizes of the "

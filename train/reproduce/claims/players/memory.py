@@ -176,8 +176,7 @@ S35 = Claim(
     measure=compare_misses,
     batches=10,
     seconds=6.0,
-    changed="Before: one sticker on a side of the trunk, 5 % of them missed; U/d 98.8 % (98.3 to 99.1), U/(d^3 angle) "
-    "43.5 % (31.3 to 54.6), and 4.19 % (0.55 to 9.16) with none missed: not.",
+    changed="Before: one sticker on a side of the trunk, 5 % of them missed (U/(d^3 angle) 43.5 %: not).",
     figures=slot_figure,
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
     note="Where a frame misses all of the trunk's stickers, the one of the head is the largest blob that is left, the "

@@ -187,9 +187,7 @@ S70 = Claim(
     seconds=6.0,
     batches=10,
     figures=moved_figure,
-    changed="Before: the same k2 with the cut-off and without, distances from middle to middle (-42.2 pp, -56.2 to "
-    "-26.6: not); at first nothing was asked of it. A bound of -10, chosen after a look at -4 (-14 to 0), was "
-    "taken back.",
+    changed="Before: one k2 with the cut-off and without (-42.2 pp: not); a bound of -10 after a look was taken back.",
     ingredients=("the movers' way: constant speed, turns that change every 3 s, boards",),
     note="The cut-off is judged by the team without shots that dribbles past the mover of a drill, who walks in at "
     "6 cm/s from beyond it; without the cut-off k2 is such that a force is 1 at 444 mm as well, but "

@@ -150,9 +150,7 @@ S24 = Claim(
     rules=PLAYED_AND_STAGED,
     measure=causes,
     ingredients=("stuck_count, near_zero, clearly, near_time: assumed",),
-    changed="The criteria: before, at least half of the false alarms while the ball recedes or the robot turns, 98.9 % "
-    "(92.8 to 99.8), though 73 % of all free approaching is so; and infrequent in staged approaches to a still ball "
-    "alone, 0.35 % (0.08 to 1.5).",
+    changed="Before: half of the false alarms by their cause (98.9 %), and infrequent in staged approaches alone.",
     seconds=4.5,
     batches=12,
     least=4,

@@ -76,7 +76,7 @@ S01 = Claim(
     rules=PLAYED,
     measure=contacts,
     ingredients=("sacks-2001: one attacker, the others support", "recovery=False, avoidance=False"),
-    changed="The share of approaches with a contact was added: one contact a minute (7.4 were read) is hardly missed.",
+    changed="The share of approaches was added: one contact a minute (7.4 were read) is hardly missed.",
     seconds=4.0,
     batches=8,
 )
@@ -157,8 +157,7 @@ S03 = Claim(
     note="Bodies slide past each other: three in ten pairs are held short of the ball at all, and half of these have "
     "it a second later. Where they stay together they push the ball on before both of them, and come no nearer. "
     "Deadlocks last longer in play, where more robots press: see the robots that are held there.",
-    changed="The scene: before, two robots face to face with the ball between the paws of both, who do not try to get "
-    "to it any more; still stuck at 20 s 78.7 % (75.8 to 81.3), the same with recovery.",
+    changed="Before: two robots face to face with the ball between their paws, who no longer want it (78.7 %).",
     seconds=4.0,
     batches=12,
 )

@@ -114,8 +114,7 @@ S22 = Claim(
     "8 s: there nobody notices within 5 s, and everybody within 10 s. Of robots that others hold in play a third "
     "notice in 20 s: most stand within 35 cm, often before an opponent that has the ball, and the ball moves or they "
     "come free before both counters have tripped.",
-    changed="The range: before, balls at 35 to 60 and 35 to 80 cm alone, from the middle of the body; 98.1 % (95.7 to "
-    "99.2) and 100 %, and 2.6 % at 20 to 35 cm.",
+    changed="Before: balls at 35 to 60 and 35 to 80 cm alone, from the middle of the body (98.1 % and 100 %).",
     seconds=3.0,
     batches=12,
     least=4,
@@ -183,8 +182,7 @@ S04 = Claim(
     measure=windows,
     figures=velocity_figure,
     ingredients=("sensors.dither", "memory.filter_length"),
-    changed="The robots: before, a still ball at 55 to 80 cm, and held robots had legs that slip on the spot, which "
-    "settled it; the area was exactly 1.",
+    changed="Before: a still ball, and held robots whose legs slipped on the spot, which settled it (area 1).",
     seconds=2.0,
     batches=12,
     least=4,

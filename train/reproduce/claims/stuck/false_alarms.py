@@ -92,8 +92,7 @@ S23 = Claim(
     note="With the paper's smaller steps the ball's velocity drops to 3 cm/s, but the ball is reached before nine "
     "readings are net. With a threshold of five one counter does what the paper says, and two counters mend it; the "
     "paper does not tell its threshold.",
-    changed="The steps: before, nine tenths of a full one within 35 cm of the body's middle, where the paper has the "
-    "ball's velocity drop close to zero; alarms with one counter 0.52 % (0.1 to 2.6), as many with two.",
+    changed="Before: nine tenths of a full step within 35 cm; the paper has the velocity close to zero (0.52 %).",
     seconds=2.0,
     batches=16,
 )
