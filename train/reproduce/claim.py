@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -14,6 +14,7 @@ from soccer_env.staging import PATIENT
 from soccer_env.train.reproduce.verdicts import Criterion, Samples
 
 SACKS, HEINEMANN = "Sacks 2001", "Heinemann et al. 2006"
+PAPERS = {"S": SACKS, "H": HEINEMANN}  # by the letter that ids of their claims begin with
 # Rule sets of the matches that a claim makes: it is judged from play, from play and staged scenes, or staged scenes
 LEAGUE = "league"
 PLAYED, PLAYED_AND_STAGED, STAGED, NO_MATCH = (LEAGUE,), (LEAGUE, PATIENT), (PATIENT,), ()
@@ -107,8 +108,7 @@ class Claim:
     each alone if it comes early, `least` to `batches` (--quick: `quick`) of each.
     """
 
-    id: str
-    paper: str
+    id: str  # the letter of its paper, see PAPERS, and a number; or the name of a study
     section: str
     statement: str  # what the paper says
     method: str  # how it is measured
@@ -127,7 +127,12 @@ class Claim:
     pose: Literal["", "percept", "particles"] = (
         ""  # the own pose that the claim is about; "" for the one that the run asks for
     )
-    study: bool = field(default=False)  # no claim of a paper: measured when it is named, not by --all
+    study: bool = False  # no claim of a paper: measured when it is named, not by --all
+
+    @property
+    def paper(self) -> str:
+        """Return whose claim it is; of a study, what it looks at."""
+        return PAPERS.get(self.id[0], "both leagues")
 
 
 def joined(batches: Sequence[Samples]) -> Samples:

@@ -122,7 +122,7 @@ def asked(found: Mapping[str, Any]) -> str:
 
 
 def notes_of(row: Mapping[str, Any]) -> list[str]:
-    """Return what stands in the last column: what was put in, what was asked before, the note, what is reported beside it."""
+    """Return what stands in the last column: what was put in, or asked before, the note, what is reported beside it."""
     decides = any(one["verdict"] != CONTEXT for one in row["findings"])
     off = "; ".join(
         f"{one['criterion']}: {one['shown']}" for one in row["without_findings"] if one["verdict"] != CONTEXT

@@ -6,7 +6,6 @@ import numpy as np
 
 from soccer_env.train.reproduce.claim import (
     NO_MATCH,
-    SACKS,
     Batch,
     Claim,
     Curve,
@@ -38,7 +37,7 @@ def plot(samples: Samples) -> tuple[Figure, ...]:
 
 def claim(name: str, expected: float, *criteria: Criterion, **changes: object) -> Claim:
     made = Claim(
-        id=name, paper=SACKS, section="0", statement=f"What {name} says.", method="Draws.",
+        id=name, section="0", statement=f"What {name} says.", method="Draws.",
         rules=NO_MATCH, criteria=criteria or (measured("mean above 0", mean, unit="cm", above=0.0),),
         measure=lambda batch: draw(batch, expected), batches=8, figures=plot,
     )  # fmt: skip

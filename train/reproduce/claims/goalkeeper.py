@@ -13,7 +13,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.teams import make_team
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.resolution import LAYERS
 from soccer_env.train.reproduce.staging import LEGGED, begin, put, put_ball, stage
 from soccer_env.train.reproduce.values import in_bins, mean, middles_of
@@ -123,7 +123,6 @@ SHOT_SCENE = (
 
 S67 = Claim(
     id="S67",
-    paper=SACKS,
     section="3.2, 5",
     statement="The ball's angular velocity helps the goalkeeper to decide how to block an incoming ball.",
     method=f"{SHOT_SCENE} The goalkeeper can spread its forelegs ({BLOCKING}) and does it for a ball that will pass "
@@ -190,7 +189,6 @@ def layer_figure(samples: Samples) -> Sequence[Figure]:
 
 S71 = Claim(
     id="S71",
-    paper=SACKS,
     section="5",
     statement="A better camera would allow more advanced planning, as goalkeeper reactions by the speed of the ball.",
     method=f"{SHOT_SCENE} It can spread its forelegs ({BLOCKING}). With keeper_speed, a setting of sacks-2001-future, "

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import HEINEMANN, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.staging import MIDDLE, from_robot, play, put, put_ball, stage
 from soccer_env.train.reproduce.values import middles_of, rms
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
@@ -115,7 +115,6 @@ def light_figures(samples: Samples) -> Sequence[Figure]:
 
 H26 = Claim(
     id="H26",
-    paper=HEINEMANN,
     section="abstract, 1",
     statement="A static colour table relies on nearly constant light; the one that adapts online lets robots play at "
     "changing illumination.",

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import HEINEMANN, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.staging import MIDDLE, begin, play, put, put_ball, stage, standing, wrapped
 from soccer_env.train.reproduce.values import median, quantile
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
@@ -134,7 +134,6 @@ def pose_figures(samples: Samples) -> Sequence[Figure]:
 
 H27 = Claim(
     id="H27",
-    paper=HEINEMANN,
     section="1",
     statement="Self-localisation with the omnidirectional camera is efficient and reliable.",
     method=f"{MATCHES} robots a batch drive about among {OTHERS} others at {SPEED:g} m/s; begun untold anywhere; error "

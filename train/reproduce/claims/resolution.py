@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.players.seen import watchers
 from soccer_env.train.reproduce.staging import ahead_of, ball_from, begin, play, put_ball, standing
 from soccer_env.train.reproduce.true_sight import stare
@@ -83,7 +83,6 @@ def layer_figures(samples: Samples) -> Sequence[Figure]:
 
 S66 = Claim(
     id="S66",
-    paper=SACKS,
     section="5",
     statement="The high resolution camera would give a more accurate distance of the ball, and so a more stable "
     "reading of its velocity.",

@@ -195,7 +195,6 @@ def sensor_tables(samples: Samples) -> str:
 CLAIMS = (
     Claim(
         id="sensors",
-        paper="both leagues",
         section="",
         statement="Error against range for every sensor and estimate.",
         method=f"{MATCHES} robots a batch stand and look at a still ball, or at an opponent who stands any way round.",

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.ball.range import CAMERA_AHEAD, FIRST_SCENE, RANGE_LABEL
 from soccer_env.train.reproduce.staging import LEGGED, ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
 from soccer_env.train.reproduce.true_sight import look_first
@@ -104,7 +104,6 @@ HOW = (
 
 S16 = Claim(
     id="S16",
-    paper=SACKS,
     section="3.1.1",
     statement="The average of the last four estimates, over about 1/4 s, steadies the ball's position.",
     method=f"{HOW} The span is the time in which a ball that is moved at once has left the average.",
@@ -129,7 +128,6 @@ S16 = Claim(
 
 S17 = Claim(
     id="S17",
-    paper=SACKS,
     section="footnote 4",
     statement="Angles to the ball are more stable over time than distances.",
     method=f"{HOW} Raw estimates, along the line of sight and across it, in bins of "

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.ball.velocity import true_radial
 from soccer_env.train.reproduce.staging import ball_from, begin, play, put, put_ball, stage, standing
 from soccer_env.train.reproduce.true_sight import blind, follow, see_again, stare
@@ -161,7 +161,6 @@ def gap_figure(samples: Samples) -> Sequence[Figure]:
 
 S19 = Claim(
     id="S19",
-    paper=SACKS,
     section="3.2",
     statement="A velocity over more than 1.5 s without sight is likely to be wrong: the position is stored only.",
     method=f"{MATCHES} robots a batch look for {SECONDS:g} s at a ball that is kicked about in a circle of "

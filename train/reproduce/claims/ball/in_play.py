@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import PLAYED, SACKS, STAGED, Batch, Claim
+from soccer_env.train.reproduce.claim import PLAYED, STAGED, Batch, Claim
 from soccer_env.train.reproduce.staging import ball_from, kick_off, play, stage, standing
 from soccer_env.train.reproduce.true_sight import ball_angle, ball_in_sight, follow
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
@@ -105,7 +105,6 @@ def fewer_jumps(samples: Samples, name: str) -> float:
 
 S10 = Claim(
     id="S10",
-    paper=SACKS,
     section="3.1.1",
     statement="While robots track the ball it is often at the image's centre, where the infrared sensor measures.",
     method=f"{MATCHES} matches a batch of 3 v 3, chasers on their sensors, {SECONDS:g} s each: frames in which a robot "
@@ -127,7 +126,6 @@ S10 = Claim(
 
 S11 = Claim(
     id="S11",
-    paper=SACKS,
     section="3.1.1",
     statement="Sudden jumps to much larger distances come from small orange patches seen when the ball is lost; a test "
     "of height and a larger area threshold after near sightings fix them.",

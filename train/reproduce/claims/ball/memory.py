@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.ball.range import FIRST_SCENE
 from soccer_env.train.reproduce.staging import ahead_of, ball_from, begin, play, put, put_ball, stage, standing, wrapped
 from soccer_env.train.reproduce.true_sight import blind, look_first, stare
@@ -143,7 +143,6 @@ def ratio(samples: Samples, above: str, below: str) -> float:
 
 S12 = Claim(
     id="S12",
-    paper=SACKS,
     section="3.1.1",
     statement="The old memory turned the unseen ball's bearing by the robot's rotation only; with translation and "
     "distance updated as well, the estimate stays relatively accurate while the robot moves.",
@@ -181,7 +180,6 @@ S12 = Claim(
 
 S13 = Claim(
     id="S13",
-    paper=SACKS,
     section="3.1.1",
     statement="The remembered ball stays accurate only if the ball itself does not move.",
     method=f"As S12, but the unseen ball rolls off at 0 to {FASTEST:g} m/s in any direction; error after "
@@ -209,7 +207,6 @@ S13 = Claim(
 
 S14 = Claim(
     id="S14",
-    paper=SACKS,
     section="footnote 2",
     statement="The relative position of the ball is not updated, and need not be, while the robot dribbles it.",
     method=f"{MATCHES} robots a batch push a ball that they no longer see for {PUSHED:g} s at {100 * DRIBBLE:.0f} "

@@ -13,7 +13,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.ball.range import OLD
 from soccer_env.train.reproduce.staging import (
     LEGGED,
@@ -197,7 +197,6 @@ SCENE_CHANGED = "Before: the others stood anywhere about, mostly not before the 
 
 S07 = Claim(
     id="S07",
-    paper=SACKS,
     section="3.1.1",
     statement="A partially obstructed ball seems farther away.",
     method=f"{SCENES}; median error of range by width and by height alone, in bins of the hidden share of the picture "
@@ -224,7 +223,6 @@ S07 = Claim(
 
 S08 = Claim(
     id="S08",
-    paper=SACKS,
     section="3.1.1",
     statement="The closer of the estimates by height and by width guards well against obstruction, unless the ball is "
     "obstructed in both dimensions.",

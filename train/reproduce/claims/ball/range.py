@@ -14,7 +14,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.perception.legged.calibration import calibrate
-from soccer_env.train.reproduce.claim import NO_MATCH, SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.staging import LEGGED, ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
 from soccer_env.train.reproduce.true_sight import camera_of, look_first
 from soccer_env.train.reproduce.values import in_bins, median, middles_of, quantile, rms
@@ -87,7 +87,6 @@ def range_figure(samples: Samples) -> Sequence[Figure]:
 
 S05 = Claim(
     id="S05",
-    paper=SACKS,
     section="3.1.1",
     statement="The old system, range by a table of sizes and angle by head and image position, works fairly well.",
     method=f"{MATCHES} standing robots a batch track an unobstructed ball {100 * NEAR:.0f} to {100 * FAR:.0f} cm from "
@@ -184,7 +183,6 @@ def step_figure(samples: Samples) -> Sequence[Figure]:
 
 S06 = Claim(
     id="S06",
-    paper=SACKS,
     section="3.1.1",
     statement="Range by infrared is less accurate than range by size when the ball is more than about 40 cm away.",
     method=f"{2 * MATCHES} standing robots a batch track an unobstructed ball; range by size or by the ranger "
@@ -219,7 +217,6 @@ S06 = Claim(
 
 S15 = Claim(
     id="S15",
-    paper=SACKS,
     section="3.1.1",
     statement="A single pixel of the ball's size changes its distance by 5 or 10 cm in some cases.",
     method="The calibration table for the ball's width: range at which neighbouring sizes are 5 and 10 cm apart.",

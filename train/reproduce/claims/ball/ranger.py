@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim
 from soccer_env.train.reproduce.claims.ball.occlusion import (
     CUT,
     SCENES,
@@ -51,7 +51,6 @@ def error_ratio(samples: Samples, frames: str = "") -> float:
 
 S09 = Claim(
     id="S09",
-    paper=SACKS,
     section="3.1.1",
     statement="Taking the infrared reading where it is less than 2/3 of the range by size repairs obstruction in both "
     "dimensions.",

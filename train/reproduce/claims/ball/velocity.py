@@ -10,7 +10,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.ball.range import CAMERA_AHEAD, FIRST_SCENE
 from soccer_env.train.reproduce.staging import LEGGED, ahead_of, begin, play, put, put_ball, stage, standing
 from soccer_env.train.reproduce.true_sight import camera_of, stare
@@ -156,7 +156,6 @@ def readings_figure(samples: Samples) -> Sequence[Figure]:
 
 S18 = Claim(
     id="S18",
-    paper=SACKS,
     section="3.2",
     statement="Velocities read more often than every 1/3 s show sensor errors more than any real movement.",
     method=f"{MATCHES} robots a batch walk at {100 * TOP_SPEED:.0f} cm/s to a still ball 90 to 40 cm from the camera, "
@@ -199,7 +198,6 @@ S18 = Claim(
 
 S20 = Claim(
     id="S20",
-    paper=SACKS,
     section="3.3",
     statement="Two readings 1/3 s apart that differ by 5 cm make 15 cm/s, more than the robots' top speed of 12 cm/s.",
     method=f"Arithmetic; and {MATCHES} robots a batch that walk to the ball, as many that are stuck, both with the "
@@ -222,7 +220,6 @@ S20 = Claim(
 
 S21 = Claim(
     id="S21",
-    paper=SACKS,
     section="3.3",
     statement="Averaged over a number of readings the velocity is accurate enough to tell whether a robot is stuck.",
     method=f"{MATCHES} robots a batch walk in from {100 * PLACE:.0f} cm, as many are stuck {100 * NEAREST:.0f} to "

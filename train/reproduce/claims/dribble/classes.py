@@ -12,7 +12,7 @@ from soccer_env.leagues.league import League
 from soccer_env.scenes import Scene
 from soccer_env.scenes.drills_legged import drill, put_at, send_mover, start_dribble
 from soccer_env.scenes.scene import Draw
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim
 from soccer_env.train.reproduce.claims.dribble.past import (
     BODIES,
     MATCHES,
@@ -68,7 +68,6 @@ def others_less_opposite(samples: Samples, name: str = "clean") -> float:
 
 S64 = Claim(
     id="S64",
-    paper=SACKS,
     section="4.3.4",
     statement="With stationary players besides a mover it does well much of the time, but not with one on each side.",
     method=f"{MATCHES} runs a batch in each drill of four classes: {', '.join(name for name, _ in CLASSES)}; movers at "
@@ -101,7 +100,6 @@ S64 = Claim(
 
 S43 = Claim(
     id="S43",
-    paper=SACKS,
     section="4.2",
     statement="The potential field handles moving obstacles about as well as stationary ones.",
     method=f"The runs of S64: share that touch somebody, one mover at 6 cm/s against one who stands. {RULES}",

@@ -12,7 +12,7 @@ from math import pi
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.dribble_runs import (
     COUNTED,
     LOST,
@@ -93,7 +93,6 @@ def step_figure(samples: Samples) -> Sequence[Figure]:
 
 S51 = Claim(
     id="S51",
-    paper=SACKS,
     section="4.3.2",
     statement="Steps of 4 cm kick the ball away too often; with 3.5 cm the robots keep it most of the time.",
     method=f"{MATCHES} robots a batch and step length begin with the ball between their paws and dribble to an empty "
@@ -178,7 +177,6 @@ def angle_figure(samples: Samples) -> Sequence[Figure]:
 
 S59 = Claim(
     id="S59",
-    paper=SACKS,
     section="4.3.3",
     statement="A robot that moves more than about 45 degrees to its side frequently loses the ball.",
     method=f"{MATCHES} robots a batch and angle walk {ASIDE_SECONDS:g} s with steps of 3.5 cm at 0 to 75 degrees off "
@@ -244,7 +242,6 @@ def made_at(samples: Samples, index: int, world: str = "") -> float:
 
 S60 = Claim(
     id="S60",
-    paper=SACKS,
     section="4.3.3",
     statement="With another player directly in front, 45 degrees tend to interlock the legs; up to 55 help.",
     method=f"{MATCHES} robots a batch begin with the ball between their paws and a robot that stands "

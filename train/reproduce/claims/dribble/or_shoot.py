@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.staging import send_off
-from soccer_env.train.reproduce.claim import PLAYED, SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import PLAYED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.dribble_runs import FROM_MIDDLE
 from soccer_env.train.reproduce.drill_runs import start_drill
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
@@ -96,7 +96,6 @@ def goal_figure(samples: Samples) -> Sequence[Figure]:
 
 S31 = Claim(
     id="S31",
-    paper=SACKS,
     section="4, 4.3.4",
     statement="Dribbling round other players adds to the strategy of orbiting the ball and shooting.",
     method=f"{MATCHES} runs a batch begin as the drill {SCENE}: ball between the paws, three players on the way, "

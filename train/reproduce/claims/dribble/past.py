@@ -15,7 +15,7 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.match_settings import Senses
 from soccer_env.scenes import Scene
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.field.points import one_ahead, starts
 from soccer_env.train.reproduce.claims.field.robots import run_both_ways
 from soccer_env.train.reproduce.dribble_runs import FROM_MIDDLE, WAYS
@@ -91,7 +91,6 @@ def still_figure(samples: Samples) -> Sequence[Figure]:
 
 S62 = Claim(
     id="S62",
-    paper=SACKS,
     section="4.3.4",
     statement="A dribbling robot consistently avoids stationary players.",
     method=f"{MATCHES} runs a batch past one, two and three players who stand on the way to the goal. {RULES}",
@@ -163,7 +162,6 @@ def mover_figure(samples: Samples) -> Sequence[Figure]:
 
 S63 = Claim(
     id="S63",
-    paper=SACKS,
     section="4.3.4",
     statement="With one moving player it does well too, near or far at the start, even if that one comes straight on.",
     method=f"{FEWER} runs a batch in each of {', '.join(MOVING)}, the mover at 3, 6, 9 and 12 cm/s. Up to 6 cm/s "

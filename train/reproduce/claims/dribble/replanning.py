@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.dribble.past import FEWER, RULES, Plan, clean, play_both_ways
 from soccer_env.train.reproduce.drill_runs import PAPER
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
@@ -58,7 +58,6 @@ def replan_figure(samples: Samples) -> Sequence[Figure]:
 
 S52 = Claim(
     id="S52",
-    paper=SACKS,
     section="4.3.2",
     statement="Half a second between recalculations suits steps that take half a second.",
     method=f"{FEWER} runs a batch past two still players and past a mover, with decisions every "

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.field.movers import SPEEDS, one_comes
 from soccer_env.train.reproduce.claims.field.points import NOISE, SCENES, is_clean, one_ahead, run_points, starts
 from soccer_env.train.reproduce.claims.field.robots import ROBOTS, filled, run_both_ways
@@ -105,7 +105,6 @@ def line_figures(samples: Samples) -> Sequence[Figure]:
 
 S53 = Claim(
     id="S53",
-    paper=SACKS,
     section="4.3.2",
     statement="For stationary obstacles smaller constants suffice; moving ones need x0 = 1 m and k2 = 800.",
     method=f"{SCENES} points a batch (facing the goal, range error {100 * NOISE:.0f} %) past a player that stands up "
@@ -199,7 +198,6 @@ def passing(samples: Samples, who: str, name: str, kinds: Sequence[str] = KINDS)
 
 S65 = Claim(
     id="S65",
-    paper=SACKS,
     section="4.3",
     statement="A simulation with points would not carry over well to the robots, with their noisy sensors, complex "
     "shape and delayed movements.",

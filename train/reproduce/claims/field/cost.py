@@ -8,7 +8,7 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.leagues import find_league
-from soccer_env.train.reproduce.claim import PLAYED, SACKS, Batch, Claim
+from soccer_env.train.reproduce.claim import PLAYED, Batch, Claim
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import run_points, starts
 from soccer_env.train.reproduce.staging import LEGGED, kick_off
@@ -56,7 +56,6 @@ def planning(samples: Samples, steps: float = 1.0) -> float:
 
 S42 = Claim(
     id="S42",
-    paper=SACKS,
     section="4.2",
     statement="The method allows planning in real time: the direction of travel costs few calculations.",
     method=f"32 repetitions a batch of 64 runs of the point simulator with {OTHERS} other players: time of the whole "

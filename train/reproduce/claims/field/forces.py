@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.train.reproduce.claim import NO_MATCH, SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import (
     FIELD,
@@ -85,7 +85,6 @@ def exponent_figures(samples: Samples) -> Sequence[Figure]:
 
 S44 = Claim(
     id="S44",
-    paper=SACKS,
     section="4.3.1",
     statement="The cube of the distance makes forces too small from afar or too large nearby; inversely proportional "
     "to the distance itself the robot reacts earlier and goes a smoother way.",
@@ -144,7 +143,6 @@ def difference(samples: Samples, kind: str) -> np.ndarray:
 
 S46 = Claim(
     id="S46",
-    paper=SACKS,
     section="4.3.1",
     statement="With a goal force of constant size the reaction to obstacles does not depend on how far the goal is; "
     "proportional to the distance it does.",
@@ -203,7 +201,6 @@ def saved(samples: Samples, name: str) -> float:
 
 S47 = Claim(
     id="S47",
-    paper=SACKS,
     section="4.3.1",
     statement="Without the cosine factor robots steer farther aside than necessary, for players beside and behind them "
     "repel them as well.",

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.field.paths import GAP, HARD_GAPS, bounced, hard_set
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import (
@@ -88,7 +88,6 @@ def minimum_figures(samples: Samples) -> Sequence[Figure]:
 
 S54 = Claim(
     id="S54",
-    paper=SACKS,
     section="4.3.3",
     statement="In the simulation and on the robots the total force sometimes pushed the robot away from the goal: an "
     "obstacle right between it and the goal makes a local minimum.",
@@ -160,7 +159,6 @@ def flips_figure(samples: Samples) -> Sequence[Figure]:
 
 S68 = Claim(
     id="S68",
-    paper=SACKS,
     section="5",
     statement="The problem of local minima is not solved: the robots' indecision remains.",
     method=f"{SCENES} points (range error {100 * NOISE:.0f} %) and {ROBOTS} robots with their sensors a batch before a "

@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import NO_MATCH, SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import NO_MATCH, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import NOISE, SCENES, START, collided, run_points, starts
 from soccer_env.train.reproduce.values import mean
@@ -95,7 +95,6 @@ def stubborn_figures(samples: Samples) -> Sequence[Figure]:
 
 S58 = Claim(
     id="S58",
-    paper=SACKS,
     section="4.3.3",
     statement="Continuing in the same direction more often made the reaction to moving obstacles too slow.",
     method=f"{SCENES} points a batch and class of scenes, facing the goal, meet a player at {100 * SPEEDS[0]:.0f} to "

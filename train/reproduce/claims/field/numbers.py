@@ -13,7 +13,7 @@ from soccer_env.baselines.sacks_2001.steering import force_of_players
 from soccer_env.belief_types import BELIEF, TRACK
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.train.reproduce.claim import NO_MATCH, SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import FIELD, SCENES, START, TOUCH, is_clean, run_points
 from soccer_env.train.reproduce.claims.field.robots import ROBOTS, filled, run_both_ways
@@ -46,7 +46,6 @@ def push_of(x: float, y: float, goal_x: float, goal_y: float, record: np.void) -
 
 S48 = Claim(
     id="S48",
-    paper=SACKS,
     section="4.3.1",
     statement="A player beside or behind the dribbler exerts no force.",
     method=f"Force of {SCENES} players a batch that are 90 to 180 degrees off the goal's direction, 5 to 99 cm away.",
@@ -86,7 +85,6 @@ def unit_distance(batch: Batch, **play: Any) -> Samples:
 
 S49 = Claim(
     id="S49",
-    paper=SACKS,
     section="4.3.2",
     statement="With k2 = 800 and x0 = 1000 mm a player about 45 cm away repels as strongly as the goal pulls.",
     method="The distance from camera to surface at which the force of a player straight ahead is 1, by bisection.",
@@ -157,7 +155,6 @@ def wall_figure(samples: Samples) -> Sequence[Figure]:
 
 S50 = Claim(
     id="S50",
-    paper=SACKS,
     section="4.3, 4.3.2",
     statement="Walls exert significantly less force than players; whether their force is needed is unclear.",
     method=f"Greatest ratio of a wall's force to that of a player at the same distance; and {SCENES} points a batch "

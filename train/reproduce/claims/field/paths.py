@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import NO_MATCH, SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.field.point_world import players
 from soccer_env.train.reproduce.claims.field.points import (
     BLOBS,
@@ -58,7 +58,6 @@ def less_jitter(samples: Samples, seen: str, other: str = "without") -> float:
 
 S45 = Claim(
     id="S45",
-    paper=SACKS,
     section="4.3.1",
     statement="A greatest distance of the forces keeps false blobs and distant players from moving the robot about: a "
     "more stable path.",
@@ -102,7 +101,6 @@ def steps_away(batch: Batch, **play: Any) -> Samples:
 
 S55 = Claim(
     id="S55",
-    paper=SACKS,
     section="4.3.3",
     statement="Never going more than 70 degrees off the goal's direction, the robot never goes away from the goal.",
     method=f"{SCENES} points a batch past one to three standing players anywhere on their way, ranges with an error of "
@@ -200,7 +198,6 @@ def gap_figures(samples: Samples) -> Sequence[Figure]:
 
 S56 = Claim(
     id="S56",
-    paper=SACKS,
     section="4.3.3",
     statement="With the limit of 70 degrees alone the robot sometimes bounces between left and right.",
     method=f"{SCENES} points a batch before two players with a gap of {100 * GAP[0]:.0f} to {100 * GAP[1]:.0f} cm "
@@ -226,7 +223,6 @@ S56 = Claim(
 
 S57 = Claim(
     id="S57",
-    paper=SACKS,
     section="4.3.3",
     statement="Staying on one's side when pushed back by more than 135 degrees cures the indecision in most cases, but "
     "not all the time.",

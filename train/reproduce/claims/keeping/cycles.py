@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from soccer_env.train.reproduce.claim import HEINEMANN, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.keeping.passes import BALL_TEXT, receive
 from soccer_env.train.reproduce.claims.keeping.shots import SHOT_TEXT, SHOTS, face_shots
 from soccer_env.train.reproduce.values import mean
@@ -41,7 +41,6 @@ def cycle_figure(samples: Samples) -> Sequence[Figure]:
 
 H28 = Claim(
     id="H28",
-    paper=HEINEMANN,
     section="2",
     statement="A global cycle of 20 ms enables the robot to be extremely reactive.",
     method=f"{SHOTS} {SHOT_TEXT}; {BALL_TEXT}. Decisions every 20, 40 and 100 ms, the camera and the delay "

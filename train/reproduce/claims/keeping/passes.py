@@ -13,7 +13,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.match import Match
 from soccer_env.teams import make_team
-from soccer_env.train.reproduce.claim import HEINEMANN, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.keeping.shots import SHOT_TEXT, SHOTS, face_shots
 from soccer_env.train.reproduce.staging import MIDDLE, ahead_of, begin, put, put_ball, stage, standing
 from soccer_env.train.reproduce.values import in_bins, mean, median, middles_of
@@ -109,7 +109,6 @@ def by_speed(samples: Samples) -> Sequence[Figure]:
 
 H24 = Claim(
     id="H24",
-    paper=HEINEMANN,
     section="1",
     statement="Robot control incorporates the velocity of the ball for its interception as a pass receiver.",
     method=f"{BALL_TEXT}; with the ball's velocity, and going to where the ball is.",
@@ -139,7 +138,6 @@ def by_base(batch: Batch) -> Samples:
 
 H01 = Claim(
     id="H01",
-    paper=HEINEMANN,
     section="1, 2",
     statement="Custom-built omnidirectional robots of 2.6 m/s replaced the Pioneers of 1.6 m/s, in order to stay "
     "competitive.",
@@ -193,7 +191,6 @@ def by_kick(batch: Batch) -> Samples:
 
 H03 = Claim(
     id="H03",
-    paper=HEINEMANN,
     section="2",
     statement="The kicker accelerates the ball to up to 10 m/s, and its strength can be controlled in order to pass "
     "the ball to a team-mate instead of kicking it at full strength.",

@@ -15,7 +15,7 @@ from soccer_env.baselines.sight import SIGHT
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.train.reproduce.claim import HEINEMANN, NO_MATCH, Batch, Claim, Without
+from soccer_env.train.reproduce.claim import NO_MATCH, Batch, Claim, Without
 from soccer_env.train.reproduce.staging import MIDDLE
 from soccer_env.train.reproduce.values import mean, median
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
@@ -81,7 +81,6 @@ def gains(samples: Samples) -> np.ndarray:
 
 H17 = Claim(
     id="H17",
-    paper=HEINEMANN,
     section="4",
     statement="A goalkeeper minimises the angles under which the ball can be shot into the goal by a place on the "
     "line d through the ball and the middle of the goal.",
@@ -131,7 +130,6 @@ def ways(batch: Batch, waits: bool = False) -> Samples:
 
 H21 = Claim(
     id="H21",
-    paper=HEINEMANN,
     section="4",
     statement="Moving perpendicular into the predicted trajectory results in a very short distance.",
     method=f"{SCENES} shots a batch from 3 to 5 m at passive keepers: way to the foot of the perpendicular, and to "

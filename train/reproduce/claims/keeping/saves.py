@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
-from soccer_env.train.reproduce.claim import HEINEMANN, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.keeping.shots import FEWER, SHOT_TEXT, SHOTS, SLOWER, SPEEDS, face_shots
 from soccer_env.train.reproduce.values import in_bins, mean, middles_of
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
@@ -80,7 +80,6 @@ def goals_by_speed(samples: Samples) -> Sequence[Figure]:
 
 H18 = Claim(
     id="H18",
-    paper=HEINEMANN,
     section="4",
     statement="With its delay from perception to reaction and its greatest acceleration, a goalkeeper on the line d "
     "gets a goal in most of the cases from shots at the farther post.",
@@ -102,7 +101,6 @@ H18 = Claim(
 
 H19 = Claim(
     id="H19",
-    paper=HEINEMANN,
     section="4",
     statement="Even considering its reaction time and greatest acceleration, there is a high chance that the active "
     "goalkeeper intercepts the ball.",
@@ -127,7 +125,6 @@ H19 = Claim(
 
 H20 = Claim(
     id="H20",
-    paper=HEINEMANN,
     section="4",
     statement="Moving into the predicted trajectory drastically reduces the number of goals by shots to the farther "
     "post.",
@@ -153,7 +150,6 @@ H20 = Claim(
 
 H23 = Claim(
     id="H23",
-    paper=HEINEMANN,
     section="4",
     statement="The passive goalkeeper is too static until the ball is directly passing it.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post; how far the keeper has moved when the ball is past it, saved "
@@ -210,7 +206,6 @@ def benefit_figure(samples: Samples) -> Sequence[Figure]:
 
 H22 = Claim(
     id="H22",
-    paper=HEINEMANN,
     section="4",
     statement="The active keeper needs the ball's velocity through a good object tracking.",
     method=f"{FEWER} {SHOT_TEXT}: the farther post, both keepers on the goal line, blobs displaced by a noise of "

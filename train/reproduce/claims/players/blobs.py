@@ -10,7 +10,7 @@ from functools import partial
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.jersey import JERSEYS
 from soccer_env.train.reproduce.claims.players.seen import blob_heights, look_at, nearest_seen, put_facing, watchers
 from soccer_env.train.reproduce.staging import begin, from_robot, play, put, standing
@@ -108,7 +108,6 @@ def blob_figures(samples: Samples) -> Sequence[Figure]:
 
 S39 = Claim(
     id="S39",
-    paper=SACKS,
     section="4.1.2",
     statement="When a player moves far enough away that its head stickers become too small to detect, its height by "
     "all blobs drops in half; the largest blob alone gives the steadier position.",

@@ -12,7 +12,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.staging import memory_settings_of
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.grouping import (
     TILT,
     ghosts_and_misses,
@@ -108,7 +108,6 @@ def ghost_figure(samples: Samples) -> Sequence[Figure]:
 
 S34 = Claim(
     id="S34",
-    paper=SACKS,
     section="4.1.1",
     statement="It is better to ignore a player that is present than to see a ghost, which may push the position of a "
     "real player out of the memory.",

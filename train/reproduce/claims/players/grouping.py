@@ -12,7 +12,7 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.players.jersey import JERSEYS
 from soccer_env.train.reproduce.claims.players.seen import (
     from_camera,
@@ -140,7 +140,6 @@ def factor_figure(samples: Samples) -> Sequence[Figure]:
 
 S33 = Claim(
     id="S33",
-    paper=SACKS,
     section="4.1.1",
     statement="It works best to take two blobs for one player if they are closer than three times the larger one's "
     "size; that errs on the side of counting two players as one.",
@@ -239,7 +238,6 @@ def kept_one(match: Match) -> np.ndarray:
 
 S72 = Claim(
     id="S72",
-    paper=SACKS,
     section="4.1.1",
     statement="To ignore a player that is present means to ignore only one that is farther away, because blobs are "
     "considered in order of size.",

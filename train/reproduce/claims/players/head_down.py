@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.players.seen import look_at, nearest_seen, put_facing, watchers
 from soccer_env.train.reproduce.staging import begin, from_robot, play, standing
 from soccer_env.train.reproduce.true_sight import camera_of, turn_head
@@ -120,7 +120,6 @@ def head_figure(samples: Samples) -> Sequence[Figure]:
 
 S61 = Claim(
     id="S61",
-    paper=SACKS,
     section="4.3.3",
     statement="A near robot with its head down is seen as much farther than it is, because its black head hides part "
     "of its jersey; the infrared reading in its place repairs that.",

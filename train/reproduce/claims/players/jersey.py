@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.players.seen import look_at, nearest_seen, put_facing, view_of, watchers
 from soccer_env.train.reproduce.staging import begin, from_robot, play, standing
 from soccer_env.train.reproduce.values import mean
@@ -151,7 +151,6 @@ HOW = (
 
 S37 = Claim(
     id="S37",
-    paper=SACKS,
     section="4.1.2",
     statement="The width of a player differs with the angle of view; the height of its jersey hardly does, but seen "
     "head-on it is slightly smaller.",
@@ -185,7 +184,6 @@ S37 = Claim(
 
 S38 = Claim(
     id="S38",
-    paper=SACKS,
     section="4.1.2",
     statement="A table made head-on errs on the side of taking other players to be closer than they are.",
     method=f"{HOW}; relative error of the range by a table made head-on, and by one made from the side, without the "

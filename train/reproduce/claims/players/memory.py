@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.grouping import TILT
 from soccer_env.train.reproduce.claims.players.seen import is_fresh, put_facing, slots_of, watchers
 from soccer_env.train.reproduce.staging import begin, play, standing
@@ -139,7 +139,6 @@ HOW = (
 
 S35 = Claim(
     id="S35",
-    paper=SACKS,
     section="4.1.1",
     statement="Uncertainty over distance lets a single opponent fill all three slots; over the cube of the distance "
     "and the angle it usually does not.",
@@ -186,7 +185,6 @@ S35 = Claim(
 
 S36 = Claim(
     id="S36",
-    paper=SACKS,
     section="4.1.1",
     statement="It is not clear that the factor of the angle helps.",
     method=f"{HOW}: with the angle and without.",

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.field.points import NO_CUT_OFF
 from soccer_env.train.reproduce.claims.players.seen import look_at, nearest_seen, watchers
 from soccer_env.train.reproduce.dribble_runs import WAYS
@@ -135,7 +135,6 @@ def moved_figure(samples: Samples) -> Sequence[Figure]:
 
 S70 = Claim(
     id="S70",
-    paper=SACKS,
     section="4.3.1",
     statement="The position of a distant obstacle may be very different when the dribbler gets close to it.",
     method=f"{SCENES} scenes a batch at {len(SPEEDS)} speeds: a robot sees another player {100 * NEAREST:.0f} to "

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.seen import look_at, nearest_seen, put_facing, view_of, watchers
 from soccer_env.train.reproduce.staging import ahead_of, ball_from, begin, from_robot, play, put_ball, standing
 from soccer_env.train.reproduce.true_sight import stare
@@ -129,7 +129,6 @@ def ranger_figure(samples: Samples) -> Sequence[Figure]:
 
 S40 = Claim(
     id="S40",
-    paper=SACKS,
     section="4.1.2",
     statement="It is often more difficult to obtain an accurate distance estimate for a player than for the ball.",
     method=f"{MATCHES} robots a batch stare at a standing player, seen from any side, and then at a ball in the same "
@@ -150,7 +149,6 @@ S40 = Claim(
 
 S41 = Claim(
     id="S41",
-    paper=SACKS,
     section="4.1.2",
     statement="For a player in the middle of the picture, infrared readings under 40 cm give the better distance.",
     method=f"{MATCHES} robots a batch stare at a player {100 * RANGER_NEAR:.0f} to {100 * RANGER_FAR:.0f} cm away, "

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.players.seen import (
     from_camera,
     gaps_to,
@@ -129,7 +129,6 @@ def tracked_figure(samples: Samples) -> Sequence[Figure]:
 
 S32 = Claim(
     id="S32",
-    paper=SACKS,
     section="4.1",
     statement="The old system detected a single player of each team, whichever was nearest, not very accurately; the "
     "new one stores three opponents and two team-mates and estimates their positions better.",

@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import PLAYED, SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import PLAYED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.staging import kick_off, wrapped
 from soccer_env.train.reproduce.verdicts import Samples, measured, reported
 
@@ -87,7 +87,6 @@ def view_figure(samples: Samples) -> Sequence[Figure]:
 
 S69 = Claim(
     id="S69",
-    paper=SACKS,
     section="4.1.2",
     statement="A robot's most common view of another player is a head-on view.",
     method=f"{MATCHES} games of 3 v 3 a batch, chaser against chaser by their own sensors, {SECONDS:g} s each, every "

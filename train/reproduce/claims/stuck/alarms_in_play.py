@@ -8,7 +8,7 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, SEARCH
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import PLAYED_AND_STAGED, SACKS, Batch, Claim
+from soccer_env.train.reproduce.claim import PLAYED_AND_STAGED, Batch, Claim
 from soccer_env.train.reproduce.claims.stuck.detection import NEAR
 from soccer_env.train.reproduce.claims.stuck.false_alarms import TRIES, approach
 from soccer_env.train.reproduce.claims.stuck.sampled import OUT, Watch, behaviours, of_camera
@@ -115,7 +115,6 @@ def share_of(samples: Samples, cause: int) -> float:
 
 S24 = Claim(
     id="S24",
-    paper=SACKS,
     section="3.3",
     statement="Robots sometimes believe they are stuck when they are not, usually when the ball is moving away or when "
     "they are turning slowly toward the ball; this happens infrequently.",

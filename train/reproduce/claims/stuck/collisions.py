@@ -8,7 +8,7 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH
 from soccer_env.match import Match
-from soccer_env.train.reproduce.claim import PLAYED, PLAYED_AND_STAGED, SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import PLAYED, PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.stuck.branches import follow, shares_of
 from soccer_env.train.reproduce.claims.stuck.runs import converge
 from soccer_env.train.reproduce.claims.stuck.sampled import Watch, behaviours
@@ -56,7 +56,6 @@ def contacts(batch: Batch) -> Samples:
 
 S01 = Claim(
     id="S01",
-    paper=SACKS,
     section="abstract, 1",
     statement="Three or four robots often head for the ball at once, and collisions between robots are common.",
     method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, sacks-2001 without recovery and avoidance: "
@@ -126,7 +125,6 @@ def deadlock_figure(samples: Samples) -> Sequence[Figure]:
 
 S03 = Claim(
     id="S03",
-    paper=SACKS,
     section="3",
     statement="Two robots that push against each other over a still ball would go on, and none would move anywhere.",
     method=f"{PAIRS} pairs a batch, both sacks-2001 without the stuck counters, go for a still ball 50 to 70 cm before "

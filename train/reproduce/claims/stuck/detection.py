@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import PLAYED, PLAYED_AND_STAGED, SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import PLAYED, PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.stuck.branches import follow, shares_of
 from soccer_env.train.reproduce.claims.stuck.runs import hold, recovers, walk_up
 from soccer_env.train.reproduce.claims.stuck.sampled import BASE, MATCHES, SECONDS, Watch, of_camera
@@ -83,7 +83,6 @@ def latency_figure(samples: Samples) -> Sequence[Figure]:
 
 S22 = Claim(
     id="S22",
-    paper=SACKS,
     section="3.3",
     statement="Robots almost always determine that they are stuck within a few seconds of running into an obstacle.",
     method=f"{HELD} robots a batch walk to a still ball for {WALK:g} s and are then held, their legs slip; time until "
@@ -167,7 +166,6 @@ def velocity_figure(samples: Samples) -> Sequence[Figure]:
 
 S04 = Claim(
     id="S04",
-    paper=SACKS,
     section="3",
     statement="If a robot is trying to move toward the ball, but the ball is not getting closer, it is probably stuck.",
     method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, in which nobody recovers; windows of {WINDOW:g} s "

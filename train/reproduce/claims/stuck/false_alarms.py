@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.stuck.detection import NEAR, latencies
 from soccer_env.train.reproduce.claims.stuck.runs import recovers, seekers
 from soccer_env.train.reproduce.staging import ahead_of, begin, play, put, put_ball
@@ -70,7 +70,6 @@ def rate(name: str, samples: Samples) -> float:
 
 S23 = Claim(
     id="S23",
-    paper=SACKS,
     section="3.3",
     statement="With one counter robots would often think they were stuck when they were about to reach the ball; the "
     "second counter, of time within 35 cm, remedies this.",
@@ -131,7 +130,6 @@ def sweep_figure(samples: Samples) -> Sequence[Figure]:
 
 S25 = Claim(
     id="S25",
-    paper=SACKS,
     section="3.3",
     statement="Raising the thresholds would prevent false alarms, but mean longer delays until a collision is known.",
     method=f"Thresholds of {', '.join(map(str, COUNTS))} readings: held robots as in S22, {TRIES} a batch, the ball at "

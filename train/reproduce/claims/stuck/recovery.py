@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import PLAYED_AND_STAGED, SACKS, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.reproduce.claim import PLAYED_AND_STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.reproduce.claims.stuck.branches import FUTURE, follow, shares_of
 from soccer_env.train.reproduce.claims.stuck.sampled import MATCHES, SECONDS
 from soccer_env.train.reproduce.values import mean, percent
@@ -74,7 +74,6 @@ def again_figure(samples: Samples) -> Sequence[Figure]:
 
 S26 = Claim(
     id="S26",
-    paper=SACKS,
     section="3.4",
     statement="Ten steps back are more than is usually necessary, but help ensure that the robot will not immediately "
     "get stuck again.",
@@ -130,7 +129,6 @@ def change(samples: Samples, name: str = "", until: str = "at ball") -> float:
 
 S27 = Claim(
     id="S27",
-    paper=SACKS,
     section="3.4",
     statement="The sidestep that keeps the ball between robot and goal does not always get it around the obstacle, but "
     "works well enough, and positions it to shoot.",
@@ -223,7 +221,6 @@ def several(samples: Samples) -> float:
 
 S29 = Claim(
     id="S29",
-    paper=SACKS,
     section="3.4",
     statement="It sometimes takes a few tries to get around an obstacle, but the recovery seems relatively effective.",
     method=SCENE

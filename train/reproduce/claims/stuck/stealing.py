@@ -8,7 +8,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.teams import make_team
-from soccer_env.train.reproduce.claim import PLAYED, SACKS, Batch, Claim
+from soccer_env.train.reproduce.claim import PLAYED, Batch, Claim
 from soccer_env.train.reproduce.staging import ahead_of, begin, play, put, put_ball, stage
 from soccer_env.train.reproduce.values import mean
 from soccer_env.train.reproduce.verdicts import Samples, counted, reported
@@ -68,7 +68,6 @@ def steals(batch: Batch) -> Samples:
 
 S30 = Claim(
     id="S30",
-    paper=SACKS,
     section="4",
     statement="When a player is going after the ball a collision can be helpful, running into an opponent that has it: "
     "others are avoided only in possession of the ball.",

@@ -9,7 +9,7 @@ import numpy as np
 
 from soccer_env.staging import memory_of, put_ball
 from soccer_env.teams import make_team
-from soccer_env.train.reproduce.claim import SACKS, STAGED, Batch, Claim
+from soccer_env.train.reproduce.claim import STAGED, Batch, Claim
 from soccer_env.train.reproduce.staging import ahead_of, begin, drill, play
 from soccer_env.train.reproduce.values import mean, percent
 from soccer_env.train.reproduce.verdicts import Samples, counted, measured, reported
@@ -56,7 +56,6 @@ def walls(batch: Batch) -> Samples:
 
 S28 = Claim(
     id="S28",
-    paper=SACKS,
     section="3.4",
     statement="If the ball is more than 30 degrees aside the robot rotates instead: often it faces out at the field's "
     "edge and the wall prevents it from rotating; it need only back away and face the ball.",

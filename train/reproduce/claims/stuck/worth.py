@@ -10,7 +10,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.teams import make_team
-from soccer_env.train.reproduce.claim import PLAYED_AND_STAGED, SACKS, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.stuck.branches import follow
 from soccer_env.train.reproduce.claims.stuck.runs import behind_post, converge
 from soccer_env.train.reproduce.claims.stuck.sampled import MATCHES
@@ -114,7 +114,6 @@ def time_figure(samples: Samples) -> Sequence[Figure]:
 
 S02 = Claim(
     id="S02",
-    paper=SACKS,
     section="1",
     statement="A robot that avoids collisions and recovers from them reaches the ball more quickly and more reliably; "
     "collisions slow the game down.",

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.weigel_2001.planner import Travel
-from soccer_env.train.reproduce.claim import HEINEMANN, NO_MATCH, Arrows, Batch, Claim, Curve, Figure
+from soccer_env.train.reproduce.claim import NO_MATCH, Arrows, Batch, Claim, Curve, Figure
 from soccer_env.train.reproduce.claims.ways.runs import (
     CROSSING,
     PLANNERS,
@@ -156,7 +156,6 @@ def gap_figure(samples: Samples) -> Sequence[Figure]:
 
 H07 = Claim(
     id="H07",
-    paper=HEINEMANN,
     section="3",
     statement="Planned anew all the time, the conventional planner's paths are very efficient and smooth for slow "
     "obstacles.",
@@ -180,7 +179,6 @@ H07 = Claim(
 
 H08 = Claim(
     id="H08",
-    paper=HEINEMANN,
     section="3, figure 1",
     statement="With an obstacle that crosses the way, the conventional planner nearly collides with it and has to "
     "drive away from the target.",
@@ -207,7 +205,6 @@ H08 = Claim(
 
 H09 = Claim(
     id="H09",
-    paper=HEINEMANN,
     section="3",
     statement="Planning in the time-variant field avoids paths that interfere with the obstacles' "
     "predicted trajectories.",
@@ -232,7 +229,6 @@ H09 = Claim(
 
 H10 = Claim(
     id="H10",
-    paper=HEINEMANN,
     section="3",
     statement="Taking the obstacles' movement into account gives smoother paths and less collisions.",
     method=f"{SCENE_TEXT}; both planners in the same scenes.",
@@ -262,7 +258,6 @@ H10 = Claim(
 
 H11 = Claim(
     id="H11",
-    paper=HEINEMANN,
     section="3, figure 2",
     statement="The time-variant planner plans a very efficient path right from the beginning.",
     method=f"Both canonical crossings, and {SCENE_TEXT}; how often plans change the side on which they pass the "

@@ -9,7 +9,7 @@ import numpy as np
 
 from soccer_env.baselines.weigel_2001.planner import Plan, Planner, PlannerSettings
 from soccer_env.train.bench.plans import PlanLoad
-from soccer_env.train.reproduce.claim import HEINEMANN, NO_MATCH, Batch, Claim, Without
+from soccer_env.train.reproduce.claim import NO_MATCH, Batch, Claim, Without
 from soccer_env.train.reproduce.claims.ways.crossings import ASSUMED, LOOKED_AT
 from soccer_env.train.reproduce.claims.ways.runs import (
     CROSSING,
@@ -44,7 +44,6 @@ def of_field(samples: Samples, name: str) -> float:
 
 H04 = Claim(
     id="H04",
-    paper=HEINEMANN,
     section="3",
     statement="Evaluating the potential only locally, at adjacent cells, spares the evaluation of the whole field.",
     method=f"{TEXT}; evaluations of the potential in a whole plan, all its passes and searches together, over the "
@@ -73,7 +72,6 @@ def with_and_without_search(batch: Batch) -> Samples:
 
 H05 = Claim(
     id="H05",
-    paper=HEINEMANN,
     section="3",
     statement="A local search along the grid, when the path enters a cell twice, overcomes the problem of "
     "local minima.",
@@ -130,7 +128,6 @@ def more(samples: Samples, name: str) -> float:
 
 H06 = Claim(
     id="H06",
-    paper=HEINEMANN,
     section="3",
     statement="Planned backwards from the target, the robot directly enters a trajectory that leads around the "
     "obstacle, instead of heading into it and then following a curve around it.",
@@ -175,7 +172,6 @@ def load(batch: Batch) -> Samples:
 
 H02 = Claim(
     id="H02",
-    paper=HEINEMANN,
     section="2, 3",
     statement="The planner computes paths in real time, 50 times a second: the software fits a cycle of 20 ms.",
     method=f"Time of {SCENES} plans a batch over 5 m past nine moving obstacles, on one core; a tenth of the cycle, "
@@ -196,7 +192,6 @@ H02 = Claim(
 
 H15 = Claim(
     id="H15",
-    paper=HEINEMANN,
     section="3",
     statement="The path planning approach is very fast, comparable to the standard potential field path planners.",
     method=f"{TEXT}, by both planners; the least of five times each, on one core, with what Python adds to both.",
@@ -224,7 +219,6 @@ def same_paths(batch: Batch, still: bool = True) -> Samples:
 
 H16 = Claim(
     id="H16",
-    paper=HEINEMANN,
     section="3",
     statement="Conventional planners are unaware of the speed of the other robots.",
     method=f"{TEXT} by both planners, all velocities taken away: which paths are the same to the last bit.",

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.reproduce.claim import HEINEMANN, NO_MATCH, Batch, Claim, Without
+from soccer_env.train.reproduce.claim import NO_MATCH, Batch, Claim, Without
 from soccer_env.train.reproduce.claims.ways.crossings import ASSUMED, LOOKED_AT
 from soccer_env.train.reproduce.claims.ways.runs import SCENES, crossing_text, plan, plans_of
 from soccer_env.train.reproduce.claims.ways.scenes import CANONICAL
@@ -33,7 +33,6 @@ def times(batch: Batch, slower: float = 1.0) -> Samples:
 
 H12 = Claim(
     id="H12",
-    paper=HEINEMANN,
     section="3",
     statement="The time of the straight line at full speed always underestimates the time needed to follow the path.",
     method=f"{TEXT}; time of the path over the time of the straight line.",
@@ -51,7 +50,6 @@ H12 = Claim(
 
 H13 = Claim(
     id="H13",
-    paper=HEINEMANN,
     section="3",
     statement="The iterative path planning process needs very few iterations to converge to a reasonable path.",
     method=f"{TEXT}; passes over the grid until the times agree to 0.1 s, at most eight.",
@@ -84,7 +82,6 @@ def first_plans(batch: Batch) -> Samples:
 
 H14 = Claim(
     id="H14",
-    paper=HEINEMANN,
     section="3, figure 2",
     statement="For the path of the figure a single iteration was enough to estimate the time to less than 100 ms.",
     method=f"The first plans of both canonical crossings; beside them {TEXT}.",
