@@ -2,8 +2,8 @@
 
 To add a claim:
 
-1. Write a module in the folder of its theme (or extend one) with `CLAIMS = (Claim(...), ...)`, and name it in MODULES
-   below; a module without CLAIMS serves the others of its folder.
+1. Write a module in the folder of its theme (or extend one) with `CLAIMS = (Claim(...), ...)`; a module without CLAIMS
+   serves the others of its folder.
 2. `rules` states under which rules its matches are made: PLAYED (`kick_off`), STAGED (`stage`, `drill`), both, or
    NO_MATCH; a match under others is refused. What reads robots skips those that are sent off (`active`).
 3. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin, play), plays them, and
@@ -30,68 +30,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from importlib import import_module
+from pkgutil import walk_packages
 
 from soccer_env.names import unknown
 from soccer_env.train.reproduce.claim import Claim
 
-MODULES: tuple[str, ...] = (
-    "ball.range",
-    "ball.occlusion",
-    "ball.ranger",
-    "ball.in_play",
-    "ball.memory",
-    "ball.filter",
-    "ball.velocity",
-    "ball.gap",
-    "stuck.collisions",
-    "stuck.worth",
-    "stuck.stealing",
-    "stuck.detection",
-    "stuck.false_alarms",
-    "stuck.alarms_in_play",
-    "stuck.recovery",
-    "stuck.wall",
-    "sensors",
-    "players.tracked",
-    "players.grouping",
-    "players.ghosts",
-    "players.memory",
-    "players.jersey",
-    "players.blobs",
-    "players.range",
-    "players.moving",
-    "players.head_down",
-    "field.cost",
-    "field.forces",
-    "field.numbers",
-    "field.paths",
-    "field.movers",
-    "field.constants",
-    "field.minima",
-    "players.views",
-    "resolution",
-    "dribble.dribbling",
-    "dribble.past",
-    "dribble.classes",
-    "dribble.replanning",
-    "dribble.or_shoot",
-    "goalkeeper",
-    "middle_size",
-    "own_pose",
-    "ways.crossings",
-    "ways.plans",
-    "ways.timing",
-    "keeping.places",
-    "keeping.saves",
-    "keeping.passes",
-    "keeping.cycles",
-)
-
 
 def all_claims() -> dict[str, Claim]:
-    """Return every claim that is built, by id, in the order of the modules."""
-    modules = [import_module(f"soccer_env.train.reproduce.claims.{name}") for name in MODULES]
-    claims = [claim for module in modules for claim in module.CLAIMS]
+    """Return the claims of every module in this folder, by id; studies come last."""
+    modules = [import_module(found.name) for found in walk_packages(__path__, f"{__name__}.")]
+    claims = [claim for module in modules for claim in getattr(module, "CLAIMS", ())]
     return {claim.id: claim for claim in sorted(claims, key=lambda claim: (claim.study, claim.id))}
 
 
