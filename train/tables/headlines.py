@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from soccer_env.train.tables.sacks import counted
-from soccer_env.train.tables.sacks import stored as stored_claims
+from soccer_env.train.tables.paper_page import counted
+from soccer_env.train.tables.sacks import PAGE as SACKS_PAGE
 from soccer_env.train.tables.teams import PLAYERS
 
 MATCHES = (  # table, home, away, minutes of a match, what the row says
@@ -42,7 +42,9 @@ def headlines(data: dict[str, Any]) -> Iterator[Headline]:
         if name in speeds:
             yield Headline(what, speeds[name], data["speed"]["command"])
     yield Headline(
-        "statements of the 2001 paper, each measured on three seeds", counted(stored_claims()), "make sacks-table"
+        "statements of the 2001 paper, each measured on three seeds",
+        counted(SACKS_PAGE.stored(), SACKS_PAGE.claims),
+        "make sacks-table",
     )
 
 

@@ -15,7 +15,7 @@ from soccer_env.train.evaluate.report import plain
 WIDTH = 118  # of a line of text
 
 
-def constants_text(_: object = None) -> str:
+def constants_text() -> str:
     """Return in a paragraph which settings are constants of the paper, and how many are assumed."""
     rows = list(SacksSettings().rows())
     assumed = [name for name, _, _, note in rows if "assumed" in note or "ours" in note]
@@ -60,7 +60,7 @@ def shown(value: Any, unit: str) -> str:
     return f"{number} {unit[1:]}" if unit not in ("", "[1") else number
 
 
-def variants_table(_: object = None) -> str:
+def variants_table() -> str:
     """Return in Markdown what the variants of the team change."""
     plain_team = asdict(SacksSettings())
     lines = ["| team | setting | sacks-2001 | here |", "|---|---|---|---|"]

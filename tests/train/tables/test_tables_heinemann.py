@@ -6,24 +6,25 @@ from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings
 from soccer_env.baselines.weigel_2001.planner import PlannerSettings
 from soccer_env.teams import make_team
 from soccer_env.train.tables import heinemann
+from soccer_env.train.tables.paper_page import claims_table
 from soccer_env.train.tables.teams import heinemann_rows, heinemann_table
 from tests.train.tables.test_tables_sacks import rows_of
 
 
 def test_the_readme_of_the_team_shows_what_was_measured() -> None:
-    readme = heinemann.README.read_text(encoding="utf-8")
-    assert heinemann.with_parts(readme, heinemann.stored()) == readme
+    readme = (heinemann.PAGE.folder / "README.md").read_text(encoding="utf-8")
+    assert heinemann.PAGE.with_tables(readme, heinemann.PAGE.stored()) == readme
 
 
 def test_every_claim_of_the_paper_has_a_row_but_those_that_nothing_can_measure() -> None:
-    assert set(heinemann.CLAIMS) == {f"H{n:02}" for n in range(1, 29)} - {"H25"}
-    rows = rows_of(heinemann.PARTS["claims"]({}))
-    assert all(rows[name][4] == "not measured" for name in heinemann.CLAIMS)
+    assert set(heinemann.PAGE.claims) == {f"H{n:02}" for n in range(1, 29)} - {"H25"}
+    rows = rows_of(claims_table({}, heinemann.PAGE.claims))
+    assert all(rows[name][4] == "not measured" for name in heinemann.PAGE.claims)
 
 
 def test_every_setting_of_team_and_planner_stands_in_its_table() -> None:
     for part, settings in (("settings", HeinemannSettings), ("planner", PlannerSettings)):
-        rows = rows_of(heinemann.PARTS[part]({}))
+        rows = rows_of(heinemann.PAGE.tables[part]())
         assert {f"`{field.name}`" for field in fields(settings)} <= set(rows)
 
 

@@ -1,5 +1,6 @@
 """The README of sacks-2001 is what the stored results and the settings say; what was not measured is shown so."""
 
+import dataclasses
 import json
 import re
 from dataclasses import fields
@@ -13,6 +14,10 @@ from soccer_env.train.reproduce.reproduction import reproduce
 from soccer_env.train.reproduce.settings import ReproduceSettings
 from soccer_env.train.tables import rule_sets
 from soccer_env.train.tables import sacks as tables_sacks
+from soccer_env.train.tables.paper_page import claims_table, with_notes
+from soccer_env.train.tables.sacks_settings import settings_table
+
+PAGE = tables_sacks.PAGE
 
 
 def rows_of(text: str) -> dict[str, list[str]]:
@@ -22,27 +27,27 @@ def rows_of(text: str) -> dict[str, list[str]]:
 
 
 def test_the_readme_of_the_team_shows_what_was_measured() -> None:
-    readme = tables_sacks.README.read_text(encoding="utf-8")
-    assert tables_sacks.with_parts(readme, tables_sacks.stored()) == readme
+    readme = (PAGE.folder / "README.md").read_text(encoding="utf-8")
+    assert PAGE.with_tables(readme, PAGE.stored()) == readme
 
 
 def test_every_claim_of_the_paper_has_a_row_and_what_was_not_measured_says_so() -> None:
-    rows = rows_of(tables_sacks.claims_table({}))
-    assert [name for name in rows if name in tables_sacks.CLAIMS] == list(tables_sacks.CLAIMS)
-    assert all(rows[name][4] == "not measured" for name in tables_sacks.CLAIMS)
-    assert set(tables_sacks.CLAIMS) <= set(all_claims())
-    assert all(all_claims()[name].statement in rows[name][1] for name in tables_sacks.CLAIMS)
+    rows = rows_of(claims_table({}, PAGE.claims))
+    assert [name for name in rows if name in PAGE.claims] == list(PAGE.claims)
+    assert all(rows[name][4] == "not measured" for name in PAGE.claims)
+    assert set(PAGE.claims) <= set(all_claims())
+    assert all(all_claims()[name].statement in rows[name][1] for name in PAGE.claims)
 
 
 def test_every_setting_of_the_team_stands_in_its_table() -> None:
-    rows = rows_of(tables_sacks.settings_table())
+    rows = rows_of(settings_table())
     assert {f"`{field.name}`" for field in fields(SacksSettings)} <= set(rows)
     assert rows["`player_range`"][1] == "1 m" and rows["`goal_limit`"][1] == "1.22 rad (70 degrees)"
     assert "4.3.2" in rows["`player_gain`"][3]
 
 
 def test_the_page_names_the_constants_of_the_paper_and_counts_the_assumed_ones() -> None:
-    text = " ".join(tables_sacks.PARTS["constants"]({}).split())
+    text = " ".join(PAGE.tables["constants"]().split())
     assert "`player_gain` 0.8 m^exponent, `player_range` 1 m, `wall_gain` 0.2 m^exponent, `wall_range` 0.35 m" in text
     assert "`step_length` 0.035 m" in text and "`goal_limit` 1.22 rad (70 degrees)" in text
     assert "stuck_count" not in text, "assumed"
@@ -51,16 +56,15 @@ def test_the_page_names_the_constants_of_the_paper_and_counts_the_assumed_ones()
 
 
 def test_a_note_that_was_written_anew_replaces_the_one_of_the_run() -> None:
-    stored = tables_sacks.stored()
+    stored = PAGE.stored()
     (name, row), *_ = ((name, row) for name, row in stored.items() if row["note"])
-    assert tables_sacks.with_notes({name: {**row, "note": "old"}})[name] == row
+    assert with_notes({name: {**row, "note": "old"}})[name] == row
 
 
 def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (result,) = reproduce(ReproduceSettings(claims=("S15",), quick=True, out=tmp_path / "run"))
-    monkeypatch.setattr(tables_sacks, "DATA", tmp_path / "claims.json")
-    monkeypatch.setattr(tables_sacks, "README", tmp_path / "README.md")
-    markers = (f"<!-- table: {name} -->\n<!-- end of table: {name} -->" for name in tables_sacks.PARTS)
+    monkeypatch.setattr(tables_sacks, "PAGE", dataclasses.replace(PAGE, folder=tmp_path))
+    markers = (f"<!-- table: {name} -->\n<!-- end of table: {name} -->" for name in ("claims", *PAGE.tables))
     (tmp_path / "README.md").write_text("\n".join(markers))
     assert tables_sacks.main(["run", str(tmp_path / "run")]) == 0
     written = (tmp_path / "README.md").read_text()
@@ -72,7 +76,7 @@ def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path, monkeyp
     )
     assert list(json.loads((tmp_path / "claims.json").read_text())) == ["S15"]
     with pytest.raises(ValueError, match="holds no"):
-        tables_sacks.take_folder(empty_run(tmp_path))
+        PAGE.take(empty_run(tmp_path))
     assert tables_sacks.main(["nonsense"]) == 2
 
 
