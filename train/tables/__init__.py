@@ -12,10 +12,9 @@ drills.py    teams at drills
 teams.py     teams against teams      learned.py   the learned team, and how long its training takes
 headlines.py the few figures of the main README, picked out of the others
 plausibility.py   how teams play beside what is published of real matches
-claims.py    what `soccer reproduce` measures        paper_page.py  how a page of a paper's claims is made
-sacks.py     the page of the team sacks-2001
-                                                     sacks_settings.py   what it says of its settings
-                                                     rule_sets.py        its claims of play under both rule sets
-heinemann.py the page of the teams heinemann-2006 and weigel-2001
-tables.json, rule_sets.json  what was measured
+claims.py    what `soccer reproduce` measures
+paper_page.py     how the page of a team that was built from a paper is made
+sacks.py          that of sacks-2001                sacks_settings.py  what it says of its settings
+heinemann.py      that of heinemann-2006 and weigel-2001
+tables.json  what was measured
 """

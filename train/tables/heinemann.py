@@ -1,6 +1,6 @@
 """The README of the teams of 2006: what the paper says beside what was measured, and every setting with its source.
 
-    python -m soccer_env.train.tables.heinemann [run FOLDER ... | write]   see `paper_page.py`
+`python -m soccer_env.train.tables.heinemann [run FOLDER ... | write]`: see `paper_page.py`.
 
 The paper's figure, planned and travelled paths of both planners, is drawn anew each time that something is measured.
 """

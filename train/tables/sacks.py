@@ -1,19 +1,15 @@
 """The README of the team sacks-2001: what the paper says beside what was measured, and every setting with its source.
 
-python -m soccer_env.train.tables.sacks [run FOLDER ... | write]   see `paper_page.py`
-python -m soccer_env.train.tables.sacks rules [--quick]            measure the claims judged from play under league
-and simple, --quick from few samples
+`python -m soccer_env.train.tables.sacks [run FOLDER ... | write]`: see `paper_page.py`.
 """
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
 from pathlib import Path
 
 from soccer_env.baselines.sacks_2001 import settings as sacks_settings
 from soccer_env.train.reproduce.claim import SACKS
-from soccer_env.train.tables import rule_sets
 from soccer_env.train.tables.claims import RUN, measure_all
 from soccer_env.train.tables.paper_page import PaperPage
 from soccer_env.train.tables.sacks_settings import constants_text, settings_table, variants_table
@@ -30,23 +26,9 @@ PAGE = PaperPage(
     paper=SACKS,
     pictures={"S06": 1, "S29": 1, "S35": 1, "S47": 1, "S63": 1},
     measure=measure,
-    tables={
-        "rules": lambda: rule_sets.shown(rule_sets.stored()),
-        "constants": constants_text,
-        "settings": settings_table,
-        "variants": variants_table,
-    },
+    tables={"constants": constants_text, "settings": settings_table, "variants": variants_table},
 )
 
 
-def main(arguments: Iterable[str]) -> int:
-    """Do what the words ask for; return the exit code."""
-    words = list(arguments)
-    if words in (["rules"], ["rules", "--quick"]):
-        rule_sets.measure(quick="--quick" in words)
-        words = ["write"]
-    return PAGE.main(words)
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(PAGE.main(sys.argv[1:]))

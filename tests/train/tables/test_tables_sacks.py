@@ -12,12 +12,9 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.reproduce.claims import all_claims
 from soccer_env.train.reproduce.reproduction import reproduce
 from soccer_env.train.reproduce.settings import ReproduceSettings
-from soccer_env.train.tables import rule_sets
-from soccer_env.train.tables import sacks as tables_sacks
 from soccer_env.train.tables.paper_page import claims_table, with_notes
+from soccer_env.train.tables.sacks import PAGE
 from soccer_env.train.tables.sacks_settings import settings_table
-
-PAGE = tables_sacks.PAGE
 
 
 def rows_of(text: str) -> dict[str, list[str]]:
@@ -61,12 +58,12 @@ def test_a_note_that_was_written_anew_replaces_the_one_of_the_run() -> None:
     assert with_notes({name: {**row, "note": "old"}})[name] == row
 
 
-def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path) -> None:
     (result,) = reproduce(ReproduceSettings(claims=("S15",), quick=True, out=tmp_path / "run"))
-    monkeypatch.setattr(tables_sacks, "PAGE", dataclasses.replace(PAGE, folder=tmp_path))
     markers = (f"<!-- table: {name} -->\n<!-- end of table: {name} -->" for name in ("claims", *PAGE.tables))
     (tmp_path / "README.md").write_text("\n".join(markers))
-    assert tables_sacks.main(["run", str(tmp_path / "run")]) == 0
+    page = dataclasses.replace(PAGE, folder=tmp_path)
+    assert page.main(["run", str(tmp_path / "run")]) == 0
     written = (tmp_path / "README.md").read_text()
     row = rows_of(written)["S15"]
     assert row[4] == f"{result.verdict} (quick)" and "**" in row[2]
@@ -77,30 +74,7 @@ def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path, monkeyp
     assert list(json.loads((tmp_path / "claims.json").read_text())) == ["S15"]
     with pytest.raises(ValueError, match="holds no"):
         PAGE.take(empty_run(tmp_path))
-    assert tables_sacks.main(["nonsense"]) == 2
-
-
-def test_claims_judged_from_play_stand_side_by_side_under_both_rule_sets(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(rule_sets, "DATA", tmp_path / "rule_sets.json")
-    monkeypatch.setattr(rule_sets, "PLAY", ("S04",))
-    assert rule_sets.stored() == {} and rows_of(rule_sets.shown({}))["S04"][2:4] == ["not measured"] * 2
-    rule_sets.measure(quick=True)
-    found = rule_sets.stored()
-    assert {rules: list(rows) for rules, rows in found.items()} == {"league": ["S04"], "simple": ["S04"]}
-    page = rule_sets.shown(found)
-    for column, rules in ((2, "league"), (3, "simple")):
-        row = found[rules]["S04"]
-        (one,) = row["criteria"].values()
-        assert rows_of(page)["S04"][column] == rule_sets.verdict_of(row) and "(quick)" in rows_of(page)["S04"][column]
-        assert rows_of(page)["S04"][column + 2].strip(" |") == f"**{one['shown']}**"
-    assert "`soccer reproduce S04 --quick --rules simple --threads 2 --out runs/claims-simple-quick`" in page
-
-
-def test_the_claims_of_the_table_are_those_that_play() -> None:
-    assert set(rule_sets.PLAY) == {name for name, claim in all_claims().items() if "league" in claim.rules}
+    assert page.main(["nonsense"]) == 2
 
 
 def empty_run(path: Path) -> Path:
