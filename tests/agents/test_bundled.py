@@ -25,6 +25,7 @@ def test_the_policy_is_small_and_plays_by_beliefs() -> None:
 
 ALWAYS = {  # settings that there were then; every run has them so now
     "gradient_limit": 0.5, "value_weight": 0.5, "target_kl": 0.0, "hold_keeper": 0.0, "teacher_commands": False,
+    "curriculum": True, "normalise_rewards": False,
 }  # fmt: skip
 
 

@@ -138,8 +138,7 @@ def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
 
 def make_curriculum(settings: TrainSettings) -> Curriculum:
     """Return the opponents of a run, its past selves among them, which stand still until there are any."""
-    blank = blank_policy(settings, settings.played)
-    return Curriculum(settings.opponent_names, settings.past, blank, settings.curriculum)
+    return Curriculum(settings.opponent_names, settings.past, blank_policy(settings, settings.played))
 
 
 def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEnv:

@@ -36,8 +36,7 @@ class Standing:
 class Curriculum:
     """The opponents of a run and how often each is met; `lineup` is what matches get."""
 
-    def __init__(self, names: Sequence[str], past: int, first: Policy, even: bool) -> None:
-        self.even = even
+    def __init__(self, names: Sequence[str], past: int, first: Policy) -> None:
         self.past_names = [f"past-{index}" for index in range(past)]
         self.names = [*names, *self.past_names]
         self._past = [team_of(first) for _ in self.past_names]
@@ -92,7 +91,7 @@ class Curriculum:
     def _weigh(self) -> None:
         """Set the weights: p (1 - p) of the points p, and a floor; a past self that does not exist yet has none."""
         shares = np.array([self.standings[name].points for name in self.names])
-        weights = FLOOR + (1.0 - FLOOR) * 4.0 * shares * (1.0 - shares) if self.even else np.ones(len(shares))
+        weights = FLOOR + (1.0 - FLOOR) * 4.0 * shares * (1.0 - shares)
         first_past = len(self.names) - len(self.filled)
         if self.filled:
             weights[first_past:] *= (np.array(self.filled) > 0) / max(1, sum(step > 0 for step in self.filled))

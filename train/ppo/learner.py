@@ -13,7 +13,6 @@ import torch
 from stable_baselines3 import PPO
 from stable_baselines3.common.callbacks import ConvertCallback
 from stable_baselines3.common.logger import Logger
-from stable_baselines3.common.vec_env import VecNormalize
 
 from soccer_env.observations import Entry, layout
 from soccer_env.train.ppo.networks import SoccerPolicy
@@ -21,12 +20,11 @@ from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
 LEAST_RATE = 0.05  # [1] of the learning rate that is left at the end
-SPREAD = 10.0  # [1] rewards over the deviation of the return are cut off there
 RECENT = 100  # episodes whose results stable-baselines3 keeps, of which nothing here makes use
 
 
 class Learner:
-    """Actor and critic, PPO that trains them over matches, and the running deviation by which rewards are divided.
+    """Actor and critic, and PPO that trains them over matches.
 
     It drives the two halves of stable-baselines3's `learn` by itself, so that what belongs between them can be said
     where it happens. The names beginning with _ are private to that library, which is pinned below its next version:
@@ -37,8 +35,8 @@ class Learner:
     def __init__(self, settings: TrainSettings, matches: SoccerVecEnv) -> None:
         torch.set_num_threads(settings.torch_threads)
         self.settings, self.league = settings, settings.played
-        self.rewards = make_rewards(settings, matches)
-        self.model = make_model(settings, self.rewards, layout(self.league, settings.observe))
+        self.matches = matches
+        self.model = make_model(settings, matches, layout(self.league, settings.observe))
         self.model.ep_info_buffer = deque(maxlen=RECENT)
         self.model.ep_success_buffer = deque(maxlen=RECENT)
 
@@ -55,8 +53,7 @@ class Learner:
 
     def reset_matches(self) -> None:
         """Begin episodes in all matches, where the first rollout begins."""
-        first: Any = self.rewards.reset()
-        self._begin_at(first, np.ones(self.model.n_envs, bool))
+        self._begin_at(self.matches.reset(), np.ones(self.model.n_envs, bool))
 
     def collect_rollout(self, each_step: Callable[[], None]) -> None:
         """Let the policy, with its noise, play a rollout; `each_step` is called after each step of all matches."""
@@ -69,7 +66,7 @@ class Learner:
         callback = ConvertCallback(stepped)
         callback.init_callback(model)
         with self._weights_checked():
-            model.collect_rollouts(self.rewards, callback, model.rollout_buffer, n_rollout_steps=model.n_steps)
+            model.collect_rollouts(self.matches, callback, model.rollout_buffer, n_rollout_steps=model.n_steps)
 
     def update(self, actor: bool = True) -> None:
         """Learn from the rollout by PPO; the critic alone unless the `actor` is to learn as well."""
@@ -86,21 +83,16 @@ class Learner:
 
     def close(self) -> None:
         """End the matches and their threads."""
-        self.rewards.close()
+        self.matches.close()
 
     def state(self) -> dict[str, Any]:
         """Return what a checkpoint keeps of the learner, as plain values and arrays."""
-        running = {} if not self.rewards.norm_reward else {
-            "mean": float(self.rewards.ret_rms.mean), "var": float(self.rewards.ret_rms.var),
-            "count": float(self.rewards.ret_rms.count), "returns": self.rewards.returns,
-        }  # fmt: skip
         return {
             "network": self.network.state_dict(),
             "optimizer": self.network.optimizer.state_dict(),
             "step": self.steps,
             "updates": self.model._n_updates,
             "starts": np.asarray(self.model._last_episode_starts),
-            "rewards": running,
         }
 
     def restore(self, saved: dict[str, Any], observations: np.ndarray) -> None:
@@ -109,11 +101,6 @@ class Learner:
         self.network.optimizer.load_state_dict(saved["optimizer"])
         self.model.num_timesteps, self.model._n_updates = saved["step"], saved["updates"]
         self._begin_at(observations, saved["starts"])
-        running = saved["rewards"]
-        if running:
-            for name in ("mean", "var", "count"):
-                setattr(self.rewards.ret_rms, name, np.float64(running[name]))
-            self.rewards.returns = running["returns"]
 
     def _begin_at(self, observations: np.ndarray, starts: np.ndarray) -> None:
         """Let the next rollout begin with these observations (rows, n); `starts` (rows,): of new episodes."""
@@ -129,14 +116,7 @@ class Learner:
             raise
 
 
-def make_rewards(settings: TrainSettings, matches: SoccerVecEnv) -> VecNormalize:
-    """Return the matches with rewards divided by the running deviation of the return, if that is asked for."""
-    return VecNormalize(
-        matches, norm_obs=False, norm_reward=settings.normalise_rewards, gamma=settings.gamma, clip_reward=SPREAD
-    )
-
-
-def make_model(settings: TrainSettings, matches: VecNormalize, entries: list[Entry]) -> PPO:
+def make_model(settings: TrainSettings, matches: SoccerVecEnv, entries: list[Entry]) -> PPO:
     """Return the learner."""
     shape = {
         "entries": entries, "kind": settings.kind, "hidden": settings.hidden_sizes, "critic": settings.critic_sizes,

@@ -59,13 +59,12 @@ class PlainSettings:
     scenes: str = "kick-off"
     """How episodes begin; several with shares: kick-off:0.6,my_module:SCENE:0.4. Play goes on from a drill's start."""
     opponents: str = "still,chaser@0.5,chaser"
-    """Teams that play away, with commas between them: names of `soccer list teams`, policy files, or MODULE:NAME."""
+    """Teams that play away, with commas between them: names of `soccer list teams`, policy files, or MODULE:NAME. The
+    more evenly one is matched, the more often it is met."""
     past: int = 0
     """How many past selves are among the opponents, the oldest giving way to the newest."""
     past_every: int = 40
     """Rollouts between two past selves."""
-    curriculum: bool = True
-    """Meet an opponent the oftener the more evenly it is matched; False: all alike."""
     observe: Literal["belief", "percepts", "truth"] = "belief"
     """What observations are built from; the truth is for policies that play with ideal senses."""
     senses: str = "sensors"
@@ -122,8 +121,6 @@ class PlainSettings:
     """Weight of the entropy bonus."""
     noise: float = 0.4
     """Standard deviation of the actions at the start."""
-    normalise_rewards: bool = False
-    """Divide rewards by the running deviation of the return."""
     evaluate_every: int = 500_000
     """Steps between two evaluations of the policy, without noise; the best one is kept as best.safetensors."""
     evaluate_matches: int = 40

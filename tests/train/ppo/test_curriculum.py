@@ -17,8 +17,8 @@ BLANK = blank_policy(SETTINGS, find_league("legged-2001"))
 NAMES = ("still", "random", "chaser")
 
 
-def curriculum(past: int = 0, even: bool = True, names: tuple[str, ...] = NAMES) -> Curriculum:
-    return Curriculum(names, past, BLANK, even)
+def curriculum(past: int = 0, names: tuple[str, ...] = NAMES) -> Curriculum:
+    return Curriculum(names, past, BLANK)
 
 
 def results(opponent: str, points: list[float]) -> list[Result]:
@@ -49,12 +49,6 @@ def test_an_opponent_is_met_the_oftener_the_more_even_it_is() -> None:
     assert sum(made.lineup.weights) == pytest.approx(1.0)
 
 
-def test_without_a_curriculum_all_are_alike() -> None:
-    made = curriculum(even=False)
-    made.take(results("still", [1.0] * 100))
-    assert made.lineup.weights == pytest.approx([1 / 3] * 3)
-
-
 def test_points_are_those_of_late() -> None:
     made = curriculum()
     made.take(results("still", [0.0] * 200))
@@ -64,9 +58,8 @@ def test_points_are_those_of_late() -> None:
     assert made.standings["still"].episodes == 260 == made.standings[LEARNER].episodes
 
 
-@pytest.mark.parametrize("even", [True, False])
-def test_a_past_self_that_does_not_exist_yet_is_never_met(even: bool) -> None:
-    made = curriculum(past=2, even=even)
+def test_a_past_self_that_does_not_exist_yet_is_never_met() -> None:
+    made = curriculum(past=2)
     assert made.lineup.weights[3:].tolist() == [0.0, 0.0]
     assert {made.lineup.choose(seed, 0) for seed in range(300)} == {0, 1, 2}
     made.add_past(BLANK, 48)

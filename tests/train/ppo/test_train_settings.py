@@ -185,7 +185,7 @@ CHANGES: dict[str, st.SearchStrategy[Any]] = {
     **dict.fromkeys(("ideal_share",), st.floats(0.0, 1.0)),
     **dict.fromkeys(SHARES, st.floats(1e-9, 1.0)),
     **dict.fromkeys(("steps", "batch", "epochs", "teacher_steps", "critic_first"), st.integers(2, 10**12)),
-    **dict.fromkeys(("mirror", "curriculum", "decay", "central_critic", "normalise_rewards"), st.booleans()),
+    **dict.fromkeys(("mirror", "decay", "central_critic"), st.booleans()),
     "start": st.sampled_from(["", "my policy.safetensors"]),
     "teacher": st.sampled_from(["", "chaser", "sacks-2001@0.25", "my policy.safetensors"]),
     "opponents": st.sampled_from(["still", "sacks-2001:pull=True,other=2,chaser", "a b.zip:observe=belief", "'\"$x"]),
@@ -206,7 +206,7 @@ def test_a_command_asks_for_the_same_settings(changes: dict[str, Any]) -> None:
 
 
 def test_a_flag_may_say_what_is_the_default_anyhow() -> None:
-    for word in ("--mirror", "--no-mirror", "--curriculum", "--no-curriculum"):
+    for word in ("--mirror", "--no-mirror", "--decay", "--no-decay"):
         name, value = word.replace("no-", "")[2:], "no-" not in word
         assert getattr(from_words(f"soccer train {word}"), name) is value
 

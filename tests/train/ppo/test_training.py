@@ -80,7 +80,7 @@ def test_matches_teacher_and_evaluations_are_played_by_the_rules_asked_for(tmp_p
 @pytest.mark.parametrize(
     "change",
     [
-        {"mirror": False, "central_critic": False, "normalise_rewards": False, "curriculum": False, "decay": False},
+        {"mirror": False, "central_critic": False, "decay": False},
         {"observe": "truth", "senses": "ideal", "teacher": "", "past": 0, "critic_first": 0, "activation": "relu"},
         {"ideal_share": 0.5},
         {"teacher_until": 1.0},
