@@ -12,7 +12,7 @@ from __future__ import annotations
 import operator
 import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import fields
+from dataclasses import Field, fields
 from functools import cache
 from math import inf
 from pathlib import Path
@@ -224,6 +224,11 @@ def parts_of(kind: Any) -> tuple[Any, ...]:
     if get_origin(kind) is Annotated:
         kind = get_args(kind)[0]
     return get_args(kind) if get_origin(kind) in (Union, UnionType) else (kind,)
+
+
+def type_of(field: Field[Any]) -> str:
+    """Return the name of a field's type, as "float": modules that evaluate their annotations have the type itself."""
+    return field.type if isinstance(field.type, str) else field.type.__name__
 
 
 def can_be_checked(kind: Any) -> bool:

@@ -13,6 +13,7 @@ from typing import get_type_hints
 
 import numpy as np
 
+from soccer_env.checking import type_of
 from soccer_env.leagues.checks import PYTHON_ONLY
 from soccer_env.leagues.league import League
 from soccer_env.leagues.robot import DRIVE_KINDS, MOST_CORNERS
@@ -34,7 +35,7 @@ NUMBERS = {
     for part, kind in get_type_hints(League).items()
     if is_dataclass(kind)
     for field in fields(kind)
-    if str(field.type) == "float" and field.metadata != PYTHON_ONLY
+    if type_of(field) == "float" and field.metadata != PYTHON_ONLY
 }
 WHOLE_NUMBERS: dict[str, Callable[[League], int]] = {
     "corners": lambda league: len(league.body.corners),  # how many the hull has

@@ -10,7 +10,7 @@ from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 
-from soccer_env.checking import BELOW, Checked, Range
+from soccer_env.checking import BELOW, Checked, Range, type_of
 from soccer_env.names import unknown
 
 GREATEST = 1e6  # no number of sensors or memory is larger
@@ -55,7 +55,7 @@ class Options(Checked):
         notes = notes_of(type(self))
         inherited = {field.name for kind in kinds_of(type(self))[1:] for field in fields(kind)}  # type: ignore[arg-type]
         for field in sorted(fields(self), key=lambda field: field.name in inherited):  # type: ignore[arg-type]
-            allowed = self.allowed(field.name, str(field.type))
+            allowed = self.allowed(field.name, type_of(field))
             yield field.name, getattr(self, field.name), allowed, notes.get(field.name, "")
 
     def record(self) -> np.ndarray:
@@ -89,7 +89,7 @@ def own_notes(kind: type) -> dict[str, str]:
 def record_type(kind: type[Options]) -> np.dtype:
     """Return the dtype of a kind's record; one object for each kind, so that kernels are compiled once."""
     if kind not in RECORD_TYPES:
-        columns = [(field.name, "f8" if str(field.type) == "float" else "i8") for field in fields(kind)]  # type: ignore[arg-type]
+        columns = [(field.name, "f8" if type_of(field) == "float" else "i8") for field in fields(kind)]  # type: ignore[arg-type]
         RECORD_TYPES[kind] = np.dtype(columns)
     return RECORD_TYPES[kind]
 

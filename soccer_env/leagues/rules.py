@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
-from soccer_env.checking import ABOVE_ZERO, SHARE, Range, check_names
+from soccer_env.checking import ABOVE_ZERO, SHARE, Range, check_names, type_of
 from soccer_env.leagues.checks import PYTHON_ONLY, Part
 
 NEVER = 1e9  # [s]
@@ -120,7 +120,7 @@ class Rules(Part):
     name: str = field(default="league", metadata=PYTHON_ONLY)  # what reports call this set
 
 
-SWITCHES = tuple(item.name for item in fields(Rules) if str(item.type) == "bool")
+SWITCHES = tuple(item.name for item in fields(Rules) if type_of(item) == "bool")
 RESTARTS = tuple(name for name in SWITCHES if name in ("out_of_play", "dropped_ball") or name.startswith("direct_"))
 SETS = ("league", "simple", "none")
 

@@ -1,9 +1,7 @@
 """Settings of sensors and memories: what `soccer list sensors` says is allowed is what is accepted."""
 
-from __future__ import annotations
-
 import re
-from dataclasses import fields
+from dataclasses import dataclass, fields
 from math import inf, nan, nextafter
 from typing import Any
 
@@ -86,3 +84,23 @@ def test_the_list_shows_bounds(capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.parametrize("rule", [field.name for field in fields(Rules)])
 def test_every_rule_says_what_it_is(rule: str) -> None:
     assert own_notes(Rules).get(rule), "`soccer list rules` shows the comment beside the field"
+
+
+@dataclass(frozen=True)
+class Evaluated(Options):
+    """Of a module without `from __future__ import annotations`: its fields have types, not their names."""
+
+    near: float = 0.7
+    most: int = 3
+    bold: bool = True
+
+
+def test_settings_of_a_module_that_evaluates_its_annotations_keep_their_kinds() -> None:
+    record = Evaluated().record()
+    assert [record.dtype[name].str for name in ("near", "most", "bold")] == ["<f8", "<i8", "<i8"]
+    assert (record["near"][0], record["most"][0], record["bold"][0]) == (0.7, 3, 1)
+    assert [allowed for _, _, allowed, _ in Evaluated().rows()] == [
+        "0 to 1000000",
+        "whole, 0 to 1000000",
+        "True, False",
+    ]
