@@ -14,6 +14,9 @@ else:
     import tomli as tomllib
 
 
+ROOT = Path(__file__).resolve().parents[2]
+
+
 @functools.cache
 def read() -> list[dict[str, str]]:
     """Return all of them."""
@@ -23,11 +26,18 @@ def read() -> list[dict[str, str]]:
 
 def is_of(one: Mapping[str, str], site: Any) -> bool:
     """Tell whether a row is about a site."""
-    same = all(one[name] == getattr(site, name) for name in ("file", "function", "original"))
-    return same and one["replacement"] in site.options
+    same = one["file"] == site.file and one["original"] == site.original and one["replacement"] in site.options
+    return same and one["text"] in line_of(site.file, site.place.first_line)
 
 
 def reason(row: Mapping[str, Any]) -> str:
     """Return why a mutant is equivalent, or nothing."""
-    names = ("file", "function", "original", "replacement")
-    return next((one["reason"] for one in read() if all(one[name] == row.get(name) for name in names)), "")
+    names = ("file", "original", "replacement")
+    alike = (one for one in read() if all(one[name] == row.get(name) for name in names))
+    return next((one["reason"] for one in alike if one["text"] in line_of(one["file"], row["line"])), "")
+
+
+def line_of(file: str, number: int) -> str:
+    """Return a line of a file of the checkout."""
+    lines = (ROOT / file).read_text(encoding="utf-8").splitlines()
+    return lines[number - 1] if number <= len(lines) else ""
