@@ -106,7 +106,7 @@ def all_round(cast: Cast, pose: Pose, groups: Groups, tints: Mapping[str, Colour
         if distance != 0:
             ray(bearing / CENTI, abs(distance) / CENTI, tints["teammates" if distance > 0 else "opponents"])
     for name in ("own_goal", "opponent_goal", "ball"):
-        for bearing, distance in groups[name].tolist():
+        for bearing, distance in groups[name].tolist() if name in groups else ():
             if distance != 0:
                 ray(bearing / CENTI, distance / CENTI, tints[name])
     return found
