@@ -13,7 +13,7 @@ pytest.importorskip("pygame")
 
 from soccer_env import Match
 from soccer_env.geometry import out_of_frame
-from soccer_env.render import Picture
+from soccer_env.render import Picture, colours
 from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, flags_of
 from soccer_env.render.overlays.forces import force_arrows, grid, mind_of
 from soccer_env.render.overlays.layers import overlays_of, plan_of
@@ -26,6 +26,7 @@ from soccer_env.render.overlays.ways import JUMP, unbroken
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.replay.thought import Player, Reader, Thought, between, note_at
 from soccer_env.teams import explanation_of, shipped_team
+from tests.render.staged_frames import near
 
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}
 
@@ -207,6 +208,18 @@ def test_recovery_is_told_in_words() -> None:
     assert told(("support", "supporter"), {}) == ("supporter", False)
     assert told((), {"rank": 0.0}, keeper=True) == ("goalkeeper", False)
     assert told(("defender",), {"detour": 0.4}) == ("defender, goes round", True)
+
+
+@pytest.mark.parametrize("league", TEAMS)
+def test_words_of_a_fallen_robot_do_not_cover_its_mark(league: str) -> None:
+    cast, shot = looked_at(played(league)[0])
+    robots, note = shot.robots.copy(), np.array(shot.note)
+    robots["fallen"][1], robots["y"][1] = 2.0, 0.0
+    overlays = overlays_of(flags_of("roles"), cast, Shot(shot.match, shot.ball, robots, note), [], 640)
+    picture = Picture(league, 640)
+    plain, worded = (picture.draw(*shot[:2], robots, overlays=given) for given in ([], overlays))
+    mark = near(plain, colours.AMBER, 8)
+    assert mark.sum() > 300 and not (plain != worded).any(axis=2)[mark].any()
 
 
 @pytest.mark.parametrize(

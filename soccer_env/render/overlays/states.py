@@ -22,26 +22,29 @@ BEAM: Colour = (255, 84, 150)
 READING: Colour = (255, 186, 214)  # of a beam: words in its own colour cannot be read on blue
 FIELD_ROLES = ("attacker", "supporter")
 RECOVERIES = ("back", "sidestep", "rotate")  # behaviours of a robot that is stuck
+PLATE = 2.5  # [1] half the width of the mark of a fall, in sizes of the letters beside it
 COUNTED = {"detour": "goes round", "wriggle": "wriggles", "back_off": "backs off"}  # [s] left of such a recovery
 
 
 @dataclass(frozen=True, eq=False)
 class Tags:
-    """Words under robots or places, or above them or farther off where others stand there already."""
+    """Words under robots or places, or above them or farther off where others or the mark of a fall stand already."""
 
     tags: tuple[tuple[tuple[float, float], str, Colour], ...]  # place of a robot [m], words, colour
     away: float  # [m] from a robot's middle to its words
     size: float  # [px]
+    fallen: tuple[tuple[float, float], ...] = ()  # [m] robots with the mark of a fall under them
     under: bool = False
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
         """Write them, one after the other."""
-        taken: list[tuple[float, float, float]] = []  # middles and half widths
+        down = self.away * view.scale + 0.5 * self.size
+        marks = (view.pixel(x, y) for x, y in self.fallen)
+        taken = [(column, row + down, PLATE * self.size) for column, row in marks]  # middles and half widths
         for (x, y), words, tint in self.tags:
             half = canvas.word_width(words, self.size) / 2 + 2.0
             column, row = view.pixel(x, y)
             column = min(max(column, half), canvas.width - half)
-            down = self.away * view.scale + 0.5 * self.size
             rows = (row + down, row - down, row + down + self.size, row - down - self.size)
             row = next((one for one in rows if self._free(taken, column, one, half)), rows[0])
             taken.append((column, row, half))
@@ -55,6 +58,8 @@ class Tags:
 def roles(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
     """Return the words of every robot whose team tells what it does; amber for one that gets itself free."""
     tags: list[tuple[tuple[float, float], str, Colour]] = []
+    lie = shot.robots[(shot.robots["fallen"] > 0.0) & (shot.robots["active"] == 1)]
+    fallen = tuple((float(robot["x"]), float(robot["y"])) for robot in lie)
     for row, robot in enumerate(shot.robots):
         if not robot["active"] or cast.reader is None or shot.note is None:
             continue
@@ -64,7 +69,7 @@ def roles(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
         if words:
             tint = AMBER if recovers else TEAMS_LIGHT[int(robot["team"])]
             tags.append(((float(robot["x"]), float(robot["y"])), words, tint))
-    return [Tags(tuple(tags), 1.1 * cast.league.body.reach, letters(unit))] if tags else []
+    return [Tags(tuple(tags), 1.1 * cast.league.body.reach, letters(unit), fallen)] if tags else []
 
 
 def words_of(said: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, fallen: bool) -> tuple[str, bool]:
