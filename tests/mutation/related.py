@@ -22,6 +22,7 @@ ALSO = {  # what names and imports do not tell: tests that are about a folder or
     "soccer_env/episodes": ("tests/match", "tests/api/test_soccer_v0_episodes.py"),
     "soccer_env/match": ("tests/match", "tests/api"),
     "soccer_env/optics": ("tests/perception",),
+    "soccer_env/render": ("tests/render/test_golden_drawings.py",),
     "soccer_env/replay": ("tests/match/test_saving.py", "tests/match/test_hostile_replays.py", "tests/render"),
     "soccer_env/robot_kinds": ("tests/senses",),
     "soccer_env/saving": (

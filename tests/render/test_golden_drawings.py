@@ -1,0 +1,110 @@
+"""Golden drawings: pictures and pages of staged scenes may change only knowingly, after somebody has looked at them.
+
+Nothing is played, so they stay the same when play changes. Pixels belong to one version of pygame-ce and of SDL, and
+to one kind of machine; with another the pictures are left out, which the test says. After a wanted change,
+`python -m tests.render.test_golden_drawings FOLDER` writes all pictures and texts into a folder, to look at, and
+prints the new table.
+"""
+
+import hashlib
+import platform
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from soccer_env.render import save_png
+from tests.render import golden_frames, golden_overlays, golden_pages
+
+MACHINE = "Linux x86_64"
+DRAWN_WITH = "pygame-ce 2.5.8, SDL 2.32.10"
+PICTURES: dict[str, Callable[[], np.ndarray]] = {
+    scene.__name__: scene for scene in (*golden_frames.SCENES, *golden_overlays.SCENES, *golden_pages.SCENES)
+}
+TEXTS: dict[str, Callable[[], str]] = {scene.__name__: scene for scene in golden_pages.TEXTS}
+GOLDEN = {
+    "legged_play": "b0d71acd53ef1729c4653f8147f8738c",
+    "middle_play": "df437720f7a48647c63a47b4c4a7ac9f",
+    "legged_small": "f912e6995e963e9e4d2608a1dc183199",
+    "middle_large": "4e16130c03b406ae582c2271fb5eec09",
+    "pitches": "753142c81af08623195d081c9932bbca",
+    "headers": "f1b41e6890783f490baebeb7e11103e1",
+    "shapes": "09cba351692b4abf9dee3415cc3ed900",
+    "closeups": "f5878805f6bb8377f24fe4935e54009a",
+    "words": "27378cbafc415bc14ec7cc949ffc09e9",
+    "sheet": "bab70e03b9fc69a0d347bf433f68fdd6",
+    "legged_mind": "20a275ee26766526f6beba8ad1707b98",
+    "legged_other_way": "0ccb9504daae7cb81c1de515d0706d96",
+    "middle_mind": "aa8312274fd6eb09556df287f05cc483",
+    "middle_other_way": "8c59bb503d218b10dbe9638ac890b2c7",
+    "crowd": "b75254577bd65243bf42a1e60572586d",
+    "corners": "17814fb69925ad2e5dba7283b097d137",
+    "missing": "f62b59790569efe024959c4fa15fbfe1",
+    "film": "adf15a784723ca20d38bf9f4df76c0d7",
+    "live": "845235cb049a8fb823954fbb4ce311b8",
+    "legged_page": "4e11afb13cc2b1889177737f191dd405",
+    "middle_page": "1d6bd91c13ccb77a8f61a0275f2cb1d4",
+    "page_of_the_truth": "01ca5cc993c891b5a29d3b651a650ae9",
+    "notes": "37eb995407bd9109d2daa174e05cd2dd",
+    "casts": "06ad841cf3b6264ba7baa0fddab33831",
+}
+RENEW = "python -m tests.render.test_golden_drawings FOLDER"
+
+
+def drawing_library() -> str:
+    """Return the versions on which pixels depend."""
+    import pygame
+
+    return f"pygame-ce {pygame.version.ver}, SDL {'.'.join(map(str, pygame.get_sdl_version()))}"
+
+
+def machine() -> str:
+    """Return the kind of this machine."""
+    return f"{platform.system()} {platform.machine()}"
+
+
+def digest(found: np.ndarray | str) -> str:
+    """Return the hash of a picture or a text."""
+    content = found.encode() if isinstance(found, str) else f"{found.shape} {found.dtype} ".encode() + found.tobytes()
+    return hashlib.md5(content).hexdigest()
+
+
+def kept(name: str, found: np.ndarray | str, folder: Path) -> Path:
+    """Write a picture or a text into a folder and return its path."""
+    path = folder / f"{name}{'.txt' if isinstance(found, str) else '.png'}"
+    if isinstance(found, str):
+        path.write_text(found, encoding="utf-8")
+    else:
+        save_png(found, path)
+    return path
+
+
+def compare(name: str, found: np.ndarray | str, folder: Path) -> None:
+    """Fail unless a scene is as it was, and say where to look and how to renew its hash."""
+    if digest(found) != GOLDEN[name]:
+        pytest.fail(f"{name} has changed: look at {kept(name, found, folder)}; if it is right: {RENEW}", pytrace=False)
+
+
+@pytest.mark.skipif(machine() != MACHINE, reason=f"made on {MACHINE}")
+@pytest.mark.parametrize("name", PICTURES)
+def test_a_picture_has_not_changed_unnoticed(name: str, tmp_path: Path) -> None:
+    pytest.importorskip("pygame")
+    if drawing_library() != DRAWN_WITH:
+        pytest.skip(f"drawn with {DRAWN_WITH}, this is {drawing_library()}")
+    compare(name, PICTURES[name](), tmp_path)
+
+
+@pytest.mark.skipif(machine() != MACHINE, reason=f"made on {MACHINE}")
+@pytest.mark.parametrize("name", TEXTS)
+def test_a_page_and_what_it_is_made_of_have_not_changed_unnoticed(name: str, tmp_path: Path) -> None:
+    compare(name, TEXTS[name](), tmp_path)
+
+
+if __name__ == "__main__":
+    print(f"{drawing_library()}, {machine()}")
+    for scene, make in {**PICTURES, **TEXTS}.items():
+        made = make()
+        kept(scene, made, Path(sys.argv[1]))
+        print(f'    "{scene}": "{digest(made)}",')
