@@ -13,7 +13,6 @@ from torch.nn import Linear, Parameter, Sequential, Tanh
 
 from soccer_env import Match, Rewards
 from soccer_env.train.examples.ppo_cleanrl import advantages
-from soccer_env.train.ppo.critic_state import last_state, team_state
 
 
 def begin(seed: int) -> Match:
@@ -37,13 +36,13 @@ def main(steps: int = 400_000, seed: int = 1, gamma: float = 0.99, decay: float 
     for _ in range(-(-steps // (64 * 32 * 5))):
         rollout = []
         for _ in range(64):
-            seen, state = torch.tensor(match.observations[:, :5]), torch.tensor(team_state(match, 5))
+            seen, state = torch.tensor(match.observations[:, :5]), torch.tensor(match.state("home"))
             act = torch.normal(actor(seen), log_std.exp().expand(32, 5, 4)).detach()
             # for home and, ignored, for the opponents
             _, paid, terminated, truncated = match.step(torch.cat([act, act], 1).clamp(-1, 1).numpy())
-            after = team_state(match, 5)
+            after = match.state("home")
             if len(match.ended):
-                after[match.ended] = last_state(match, 5)
+                after[match.ended] = match.final.state("home")
                 margins += [float(home - away) for home, away in match.final["matches"]["score"]]
             told = (paid[:, :5].mean(1, dtype="f4"), ~terminated, ~(terminated | truncated))
             rollout.append((seen, act, state, *map(torch.tensor, (after, *told))))

@@ -25,13 +25,3 @@ def with_state(observations: np.ndarray, match: Match, records: Any, players: in
 def records_of(match: Match) -> dict[str, np.ndarray]:
     """Return the records that states are told from, as they stand."""
     return {"matches": match.matches, "balls": match.balls, "robots": match.robots}
-
-
-def team_state(match: Match, players: int) -> np.ndarray:
-    """Return `state("home")` (M, s) with room for `players` a side."""
-    return truth_state.states(match.settings, records_of(match), "home", players)
-
-
-def last_state(match: Match, players: int) -> np.ndarray:
-    """Return the states (E, s) with which the matches that have just ended did so, as `team_state` does."""
-    return truth_state.states(match.settings, match.final, "home", players)
