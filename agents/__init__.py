@@ -17,8 +17,6 @@ attention.py    attention over other players, before its layers
 policies/       the bundled policies, with their page
 """
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 from soccer_env.names import lazy_names

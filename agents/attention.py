@@ -10,8 +10,6 @@ layer. So the order of the slots does not matter, nor do the entries of empty on
 and no division by sqrt(width): Q learns its own scale.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import exp, tanh

@@ -5,8 +5,6 @@ ends, decisions come just early enough for that: the first one `first_decision` 
 then a robot stands.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -5,8 +5,6 @@
 A policy keeps it as a table of plain numbers: "mean" and "deviation", one for each input, and "limit".
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from math import isfinite
 from typing import Any

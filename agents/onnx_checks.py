@@ -8,8 +8,6 @@ onnxruntime reads none of the file's own bytes, but what the package `onnx` unde
 its files: it reads others that they name, loops for ever and takes all memory that they ask for.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import prod
 from typing import Any, NoReturn

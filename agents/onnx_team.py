@@ -7,8 +7,6 @@
 A file is read once; what it may hold stands in `onnx_checks.py`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import partial
 from hashlib import sha256

@@ -12,8 +12,6 @@
 A policy is checked as it is made, wherever it comes from: what passes here can neither overflow nor give NaN.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

@@ -15,8 +15,6 @@ the tensors cover the file without holes and overlaps. It lets duplicate names, 
 dtype pass and gives no metadata for bytes, so the header is read here first.
 """
 
-from __future__ import annotations
-
 import json
 import os
 from collections import Counter

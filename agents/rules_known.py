@@ -4,8 +4,6 @@ A policy plays on under other rules: it then does what paid where it was trained
 held here. Who lets it play is told so once, by a warning of the logger `soccer_env.agents`.
 """
 
-from __future__ import annotations
-
 import logging
 from collections.abc import Mapping
 from dataclasses import fields

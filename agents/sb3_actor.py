@@ -8,8 +8,6 @@ DQN          q_net.q_net.0, .2 ...                               values of discr
 What else their zips hold, such as critics, does not matter to what is played.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from typing import NamedTuple

@@ -10,8 +10,6 @@ discrete ones. What a zip does not hold cannot be checked: the observations must
 VecNormalize made of them has to be said.
 """
 
-from __future__ import annotations
-
 import os
 import pickletools
 import re

@@ -1,7 +1,5 @@
 """What stands in a torch module: its Linear layers in order, and the one activation between them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 

@@ -4,8 +4,6 @@ Whether the layers that were read off a module are what it computes is not taken
 observations, and no file is written unless they agree.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable
 from dataclasses import replace

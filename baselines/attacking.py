@@ -3,8 +3,6 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import acos, atan2, sqrt
 
 from soccer_env.baselines.boards import go_into_corner, lies_in_trouble, sweep

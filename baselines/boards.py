@@ -8,8 +8,6 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import cos, pi, sin
 
 from soccer_env.baselines.sight import side_of

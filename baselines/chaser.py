@@ -16,8 +16,6 @@ random but the patience with a stuck ball, so that mirrored beliefs give mirrore
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 import numpy as np

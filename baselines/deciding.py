@@ -5,8 +5,6 @@ A team's memory has `wait` and `aim_error`, and `forward`, `aside`, `turn` and `
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.baselines.skills import stand
 from soccer_env.compiled import compiled
 from soccer_env.random_numbers import normal

@@ -8,8 +8,6 @@ it. A ball farther away is kept in the lower part of the picture, the horizon in
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2, pi
 
 from soccer_env.baselines.sight import side_of

@@ -5,8 +5,6 @@ With a kicker it kicks the ball clear; without one, in the middle-size league, i
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 from soccer_env.baselines.attacking import approach

@@ -7,8 +7,6 @@ goalkeeper in its area wherever the ball is; the player nearest to the ball may 
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2, inf
 
 from soccer_env.baselines.sight import side_of

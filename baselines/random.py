@@ -3,8 +3,6 @@
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.compiled import compiled

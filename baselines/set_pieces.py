@@ -6,8 +6,6 @@ touched it, and of its mates the nearest goes for the ball.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2, sqrt
 
 from soccer_env.baselines.deciding import PLAY

@@ -7,8 +7,6 @@ sine terms odd.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, sin
 
 import numpy as np

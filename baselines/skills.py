@@ -6,8 +6,6 @@ differential. Lengths are in metres of the team frame unless a name says otherwi
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, sin, sqrt
 
 from soccer_env.baselines.sight import side_of

@@ -5,8 +5,6 @@ What moves in drills: strengths 0.25, 0.5, 0.75 and 1 are 3, 6, 9 and 12 cm/s in
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.baselines.skills import stand

@@ -64,8 +64,6 @@ What all of it stands on:
 The folders baselines/, agents/ and train/ of the repository are imported as `soccer_env.baselines` and so on.
 """
 
-from __future__ import annotations
-
 import sys
 from typing import TYPE_CHECKING
 

@@ -3,8 +3,6 @@
 All numbers lie in [-1, 1] of the league's limits; finite numbers outside are clipped, anything else is refused.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -9,8 +9,6 @@ Near robots, which may want the same ball, are thus told apart, and far ones are
 not see the ball.
 """
 
-from __future__ import annotations
-
 from math import inf, sqrt
 
 from soccer_env.compiled import compiled

@@ -3,8 +3,6 @@
 Filled from percepts by `belief/` or, with ideal senses, from the truth. Frames are those of `types`.
 """
 
-from __future__ import annotations
-
 from soccer_env.ball_words import FARTHEST, SILENT
 from soccer_env.compiled import compiled
 from soccer_env.ranges import AMOUNT, CONFIDENCE, COUNT, ENDLESS, FLAG, NUMBER, UNIT, Range, record

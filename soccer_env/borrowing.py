@@ -7,8 +7,6 @@ without an owner, so that nothing is counted. Somebody else has to keep it: the 
 keeps its arguments, and `keep` holds on to an array that the kernel itself has made.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 from numba import types

@@ -7,8 +7,6 @@ A settings record is a frozen dataclass that inherits from `Checked`: its annota
 what each field may hold, and `allowed` says the same in words.
 """
 
-from __future__ import annotations
-
 import operator
 import sys
 from collections.abc import Iterable, Mapping

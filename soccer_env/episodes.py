@@ -7,8 +7,6 @@ so that each team kicks off first in one of the two.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import hypot
 from typing import Any
 

@@ -3,8 +3,6 @@
 A frame is given by the cosine and sine of its heading, so that one call of each serves all that is turned by it.
 """
 
-from __future__ import annotations
-
 from math import floor, pi, sqrt
 
 from soccer_env.compiled import compiled

@@ -4,8 +4,6 @@ Everybody but the learner is played by a team. Spaces, rewards and infos are tho
 `soccer_v0.parallel_env`, transition by transition.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any

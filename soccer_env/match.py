@@ -7,8 +7,6 @@ The records are public arrays (see `types`): `match.balls["x"]` is (M,), `match.
 is M = 1; match m of many is bit for bit the match that runs alone with its seed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from functools import partial
 from typing import Any

@@ -10,8 +10,6 @@ after it. What a robot believes is one row of `beliefs` and `tracks`, which its 
     nobody              rows that nobody reads stay empty
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from typing import Any
 

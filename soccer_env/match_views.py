@@ -1,7 +1,5 @@
 """What is read of a Match: the methods that `Match` inherits, in which nothing changes."""
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 

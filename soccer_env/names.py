@@ -1,7 +1,5 @@
 """Names that callers use: imported when first asked for, found again by a copy, and what to say of unknown ones."""
 
-from __future__ import annotations
-
 import re
 import sys
 from collections.abc import Callable, Iterable, Mapping

@@ -9,8 +9,6 @@ perception/ that nobody else receives.
     middle size   OMNI_PERCEPT: bearings and distances from an omnidirectional camera, white lines, a light barrier
 """
 
-from __future__ import annotations
-
 from soccer_env.ranges import AMOUNT, FLAG, NUMBER, STEP, UNIT, Range, record
 from soccer_env.types import MAX_TEAM
 

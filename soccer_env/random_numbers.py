@@ -6,8 +6,6 @@ a stream of its own and never shifts the others; a robot's streams are its own, 
 same for it. Seeds come from `numpy.random.SeedSequence`.
 """
 
-from __future__ import annotations
-
 from math import cos, log, pi, sqrt
 from typing import Any
 

@@ -5,8 +5,6 @@ a replay, a pickle) compares them with these ranges first, by `outside`. A recor
 of a team of one's own, is left alone: what its author's code bears, its author knows.
 """
 
-from __future__ import annotations
-
 import functools
 from collections.abc import Iterator
 from math import gcd, inf, pi

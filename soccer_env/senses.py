@@ -7,8 +7,6 @@ The belief half gets percepts and its own memory alone, nothing true and nothing
 poisons both between the halves holds it to that.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The settings of a match, checked: every name resolved, every number in range."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Mapping

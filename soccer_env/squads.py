@@ -1,7 +1,5 @@
 """Who plays which robot of a match: learners from outside, or teams inside."""
 
-from __future__ import annotations
-
 import dataclasses
 import hashlib
 from collections.abc import Callable, Mapping

@@ -7,8 +7,6 @@ Claims (`train/reproduce/staging.py`) and tests (`tests/scenes/staging.py`) buil
 inside it through this file alone: what robots, players and sensors keep may move.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any

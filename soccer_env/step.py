@@ -10,8 +10,6 @@ observation shows.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

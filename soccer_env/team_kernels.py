@@ -11,8 +11,6 @@ Make a kernel once, where the module is read: another call makes another kernel,
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -6,8 +6,6 @@
 `WholeTruth` tells the same to each robot, as an observation.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache

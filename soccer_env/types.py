@@ -12,8 +12,6 @@ SI units and radians everywhere. Integers are used for flags and codes; fields o
 Beside each field stands its range, of `ranges.py`: what a save or a replay may bring in.
 """
 
-from __future__ import annotations
-
 from enum import IntEnum
 from math import inf
 

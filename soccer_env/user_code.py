@@ -3,8 +3,6 @@
 Functions that play are asked before anybody moves; scenes then say which matches ended, and reward terms what is paid.
 """
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple, cast
 
 import numpy as np

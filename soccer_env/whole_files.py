@@ -1,7 +1,5 @@
 """Files and folders that are written whole or not at all; files of strangers, of which no more is read than agreed."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import stat

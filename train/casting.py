@@ -3,8 +3,6 @@
 Drills name the opponents that they are meant for (`Scene.opponents`), one for each of away's last robots.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from soccer_env.scenes import Scene

@@ -4,8 +4,6 @@ A start with an empty cache takes two thirds of the time so. Machine code gets f
 cache on disk; whatever happens to the second one, the first compiles what it does not find there.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Files of lines that survive a crash: a torn last line is dropped."""
 
-from __future__ import annotations
-
 import json
 import os
 from collections.abc import Iterable

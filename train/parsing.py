@@ -4,8 +4,6 @@ tyro tells a hook what is wrong, as records (`tyro._errors`, private to the vers
 would print itself is never looked at.
 """
 
-from __future__ import annotations
-
 import contextlib
 import io
 import os

@@ -1,7 +1,5 @@
 """What a result was made with: versions, and hashes of the code and of the teams that played."""
 
-from __future__ import annotations
-
 import datetime
 import hashlib
 import importlib.metadata

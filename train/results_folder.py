@@ -9,8 +9,6 @@ difference named, and so is a folder that holds something else: only what a run 
 (`anew`) or written over.
 """
 
-from __future__ import annotations
-
 import json
 import shutil
 from collections.abc import Callable, Iterable, Mapping

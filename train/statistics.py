@@ -1,7 +1,5 @@
 """Say how sure results are: bootstraps, Wilson's interval, interquartile mean, required number of matches."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from math import ceil, inf, isfinite, nan, sqrt
 from statistics import NormalDist

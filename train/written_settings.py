@@ -3,8 +3,6 @@
 What `soccer evaluate`, `record`, `watch`, `reproduce` and `train` have in common.
 """
 
-from __future__ import annotations
-
 import shlex
 from collections.abc import Collection
 from dataclasses import fields

@@ -5,8 +5,6 @@ Plans end before a ring of robots, and whoever holds off an opponent with the ba
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 from soccer_env.baselines.deciding import PLAY

@@ -10,8 +10,6 @@ below a grip, v w <= g, and the base steps aside as it turns: it turns about the
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 from soccer_env.baselines.carrying import pushing_speed

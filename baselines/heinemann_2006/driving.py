@@ -8,8 +8,6 @@ acceleration: who turns by w at speed v has to bend its way in its own frame by 
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2, sqrt
 
 from soccer_env.baselines.heinemann_2006.crowd import note_crowd

@@ -3,8 +3,6 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.baselines.heinemann_2006.crowd import note_crowd

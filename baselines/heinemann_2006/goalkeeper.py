@@ -12,8 +12,6 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 from soccer_env.baselines.goalkeeping import clear, may_clear

@@ -9,8 +9,6 @@ its acceleration up to its top speed, after a reaction.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import inf, sqrt
 
 from soccer_env.baselines.sight import rolls_to

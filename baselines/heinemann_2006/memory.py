@@ -1,7 +1,5 @@
 """What a player of heinemann-2006 remembers between two decisions, and the scratch arrays that it decides in."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.baselines.chaser import MEMORY as SKILL_MEMORY

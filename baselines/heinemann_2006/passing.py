@@ -9,8 +9,6 @@ goal. Where mates are is what they say by radio, or what is seen of them.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import inf
 
 from soccer_env.baselines.set_pieces import strength_for

@@ -3,8 +3,6 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 from soccer_env.baselines.attacking import comes_to_me, receive

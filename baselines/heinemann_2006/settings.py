@@ -3,8 +3,6 @@
 The paper gives few numbers; what is "assumed" is ours. Every idea that it compares with and without is a switch.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -7,8 +7,6 @@ all forces have no unit.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from soccer_env.baselines.sacks_2001.settings import DISTANCES, GOAL_FORCES
 from soccer_env.belief.legged.surface import surface_distance
 from soccer_env.compiled import compiled

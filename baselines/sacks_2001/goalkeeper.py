@@ -7,8 +7,6 @@ not said either: that it kicks it clear is ours.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 from soccer_env.baselines.skills import faces, go, turn_by, way_clear

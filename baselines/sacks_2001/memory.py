@@ -1,7 +1,5 @@
 """What a player of sacks-2001 remembers between two decisions."""
 
-from __future__ import annotations
-
 from soccer_env.ranges import COUNT, ENDLESS, FLAG, LATELY, NUMBER, UNIT, Range, record
 
 SEARCH, APPROACH, BACK, SIDESTEP, ROTATE, ORBIT, DRIBBLE, SHOOT, PASS, SUPPORT, GUARD, YIELD = range(12)

@@ -13,8 +13,6 @@ and head.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 from soccer_env.baselines.deciding import free_ring

@@ -6,8 +6,6 @@ believes itself nearer than any of them says attacks; the others support.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2, inf
 
 from soccer_env.baselines.obeying import ROOM, may_not_enter, out_of_own_area

@@ -3,8 +3,6 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import cos, sin
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE, SIDESTEP

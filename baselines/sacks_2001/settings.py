@@ -4,8 +4,6 @@ The paper's constants are the defaults. "assumed" marks a guess of ours where th
 the paper compares with and without is a switch  (MS52).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import pi
 

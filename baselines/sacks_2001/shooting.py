@@ -8,8 +8,6 @@ dribbler's shots; `choose_shots` is ours.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 from soccer_env.baselines.sacks_2001.steering import direction_to_goal, force_of_players

@@ -6,8 +6,6 @@ off straight ahead (MS48)  ->  a step of 3.5 cm (MS45)
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, sin
 
 from soccer_env.baselines.sacks_2001.forces import as_sensed, goal_force, player_force, repulsion, wall_force

@@ -5,8 +5,6 @@ Tested only while it tries to get to the ball (MS22): whoever calls decides that
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import cos, sin
 
 from soccer_env.compiled import compiled

@@ -3,8 +3,6 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 from soccer_env.baselines.deciding import apply_strength, keep_decision, must_decide

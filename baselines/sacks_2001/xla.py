@@ -5,8 +5,6 @@ Walks are asked for by step: the gait takes them up when a step ends.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, pi, sin
 
 from soccer_env.baselines.sight import rolls_to, side_of

@@ -1,7 +1,5 @@
 """The Gymnasium API for one learner in each of many matches, straight over the batched core."""
 
-from __future__ import annotations
-
 from typing import Any, Literal
 
 import gymnasium

@@ -9,8 +9,6 @@ learner sees returns; those of `soccer_env/Legged2001-Match-1v1-v0` and so on ar
 imported it finds them by `soccer_env:soccer_env/Legged2001-1v1-v0`: Gymnasium imports what stands before the colon.
 """
 
-from __future__ import annotations
-
 import gymnasium
 import pettingzoo
 

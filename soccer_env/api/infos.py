@@ -12,8 +12,6 @@
 | `statistics_NAME` | infos="full": of the episode so far, from the agent's team's side: `soccer list statistics` |
 """
 
-from __future__ import annotations
-
 from operator import itemgetter
 from typing import Any
 

@@ -3,8 +3,6 @@
 What many robots of one match are told is `report.Report`; numbers are in `infos.py`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

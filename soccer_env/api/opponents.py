@@ -1,7 +1,5 @@
 """Who the learners of an API play against: their name for infos, and others at a reset."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

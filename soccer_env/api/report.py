@@ -1,7 +1,5 @@
 """What the APIs of a match share: nested infos in words, frames and windows, and checks of what callers pass."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, get_args
 

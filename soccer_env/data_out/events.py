@@ -3,8 +3,6 @@
 Passes, interceptions, shots and saves are read off the record of statistics, step by step: nothing is judged here.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from typing import Any
 

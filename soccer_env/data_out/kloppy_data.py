@@ -5,8 +5,6 @@ them into its other coordinate systems: `dataset.transform(to_coordinate_system=
 between the lines of a pitch of people (Opta, StatsBomb, Wyscout) make nothing of a penalty area of 0.5 m.
 """
 
-from __future__ import annotations
-
 from datetime import timedelta
 from typing import Any
 

@@ -11,8 +11,6 @@ is sent off has no frames. BallPossession is 1 home, 2 guest, 0 nobody or both, 
 no ball of nobody; `Replay.to_kloppy()` does.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from datetime import timedelta
 from math import hypot

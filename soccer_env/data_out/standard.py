@@ -13,8 +13,6 @@ date of anything. A goal without a shot (carried or bumped in) is a shot of its 
 goals; so is an own goal.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from contextlib import nullcontext

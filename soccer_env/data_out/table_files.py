@@ -4,8 +4,6 @@ Matches are written one after another, so that a folder of many takes no more me
 appear whole or not at all.
 """
 
-from __future__ import annotations
-
 import csv
 from collections.abc import Iterable
 from contextlib import ExitStack

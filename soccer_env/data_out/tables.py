@@ -4,8 +4,6 @@ Places are in the field frame, in metres: origin at the centre spot, x along the
 not turned: teams change sides at half-time, and `home_direction` says where home attacks.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

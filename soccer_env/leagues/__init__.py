@@ -15,8 +15,6 @@ pose_memory.py        the settings of a robot's own pose, alike in all leagues
 checks.py             checks of the numbers of a league
 """
 
-from __future__ import annotations
-
 from soccer_env.checking import check_names
 from soccer_env.leagues import legged_2001, middle_size_2006
 from soccer_env.leagues.league import BallModel, League, Pitch, Slots, Substeps

@@ -1,7 +1,5 @@
 """What the parts of a league have in common: numbers of 0 or more, unless a part says otherwise."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

@@ -4,8 +4,6 @@ A number of one of a league's parts is in the record as part_field: k.ball_radiu
 are is said where they are declared: all that hold a float, but for those marked `field(metadata=PYTHON_ONLY)`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import fields, is_dataclass
 from functools import partial

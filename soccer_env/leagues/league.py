@@ -23,8 +23,6 @@ Map of a pitch; the field frame has its origin at the centre spot, x to the righ
 A walled pitch has no band: boards stand on the touchlines and goal lines, and the ball cannot leave it.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, fields
 from math import sqrt
 from typing import Any, Literal

@@ -3,8 +3,6 @@
 Every number was written down before the first claim was measured with it. "assumed" marks a guess of ours.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import pi
 

@@ -1,7 +1,5 @@
 """What happens between two things that meet: elasticity and friction of each pair of materials."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields
 
 from soccer_env.checking import SHARE, refuse

@@ -10,8 +10,6 @@
 +-----------------------------------------------------+
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from math import pi
 

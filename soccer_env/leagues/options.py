@@ -1,7 +1,5 @@
 """Flat settings of named numbers and switches: checked, changed by name, and turned into a record for compiled code."""
 
-from __future__ import annotations
-
 import inspect
 import re
 from collections.abc import Iterator, Mapping

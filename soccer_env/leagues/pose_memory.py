@@ -1,7 +1,5 @@
 """What every robot keeps of its own pose: the settings of the particles, the same in all leagues.  MH08"""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import pi
 

@@ -1,7 +1,5 @@
 """What the robots of a league are: body, drive, kicker, block and head, checked on construction."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from math import hypot
 

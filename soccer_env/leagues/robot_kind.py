@@ -6,8 +6,6 @@ The places are strings, resolved at first use: what they name stands above this 
 entry: `KINDS["beacon"] = "my_robots:BEACON"`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module

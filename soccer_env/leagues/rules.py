@@ -7,8 +7,6 @@
 A set is changed by name: "league:pushing=False,holding_time=5".
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 

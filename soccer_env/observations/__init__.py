@@ -16,8 +16,6 @@ its name, its meaning, its scale, its frame and axis (so that mirrors know its s
     reflection.py    what a left-right mirror does to observations and actions
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from functools import cache
 

@@ -6,8 +6,6 @@ body (gait phase, head, kicker, its last command) is exact.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import cos, inf, sin, sqrt
 
 import numpy as np

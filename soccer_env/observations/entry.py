@@ -5,8 +5,6 @@ is measured to the left or counter-clockwise, a half-turn of the field what lies
 tells whom or what it speaks of.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal, Protocol

@@ -3,8 +3,6 @@
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from soccer_env.compiled import compiled

@@ -4,8 +4,6 @@ form     Part, or a dict of forms: what one robot observes
 Sides    what home observes and what away does
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

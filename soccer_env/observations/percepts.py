@@ -6,8 +6,6 @@ is told of the game. Where it stands is among it only while the noisy pose is a 
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import cos, sin
 
 from soccer_env.compiled import compiled

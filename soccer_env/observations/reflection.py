@@ -1,7 +1,5 @@
 """What a left-right mirror does to observations and actions: it turns signs round."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

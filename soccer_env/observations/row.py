@@ -1,7 +1,5 @@
 """A part of an observation as a record, so that kernels write each number by the name of its entry."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -3,8 +3,6 @@
 An entry says its scale in words, as they hold in every league. Here the words become numbers with their units.
 """
 
-from __future__ import annotations
-
 import re
 from math import hypot, pi
 from typing import Any

@@ -6,8 +6,6 @@ names every number, and the compiled writers below write each by its name.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import cos, inf, sin, sqrt
 
 import numpy as np

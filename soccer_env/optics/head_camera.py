@@ -8,8 +8,6 @@ a LeggedSensors.
 `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, sin, sqrt, tan
 
 from soccer_env.compiled import compiled

@@ -16,8 +16,6 @@ and the robot, whose mirror was measured once, reads them by it.
 `s`: settings of the sensors; `mirror`: what mirror_of makes of them.
 """
 
-from __future__ import annotations
-
 from math import sqrt
 from typing import Any
 

@@ -6,8 +6,6 @@ carried out by `referee.restarts`. Written for both teams at once through the di
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.referee.dropping import drop_place
 from soccer_env.referee.fouls.goals import goal_counts, is_kick_off_shot, is_own_goal

@@ -8,8 +8,6 @@ the handedness of the match.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, pi, sin, sqrt
 
 import numpy as np

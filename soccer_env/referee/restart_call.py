@@ -1,7 +1,5 @@
 """Note a restart that the referee calls; `restarts` carries it out."""
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.types import AWAY, HOME, NO_TEAM
 

@@ -8,8 +8,6 @@ nearest place where it may stand; nobody else is touched. A dropped ball is the 
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.compiled import compiled

@@ -18,8 +18,6 @@ team-mates that merely push each other are left alone.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, length
 from soccer_env.physics.contacts import touches

@@ -9,8 +9,6 @@ Where nobody else is needed robots stand in the rows of `formation`. That teams 
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 from soccer_env.compiled import compiled

@@ -9,8 +9,6 @@ shoots at the goal that it attacks, its usual taker takes all kicks, and after `
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of
 from soccer_env.referee.restart_call import call_restart, other_team

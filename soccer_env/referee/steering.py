@@ -6,8 +6,6 @@ whose place lies within, first comes to the ring behind its place, turns, and st
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import asin, atan2, cos, sin, sqrt
 
 from soccer_env.compiled import compiled

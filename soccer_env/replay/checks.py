@@ -1,7 +1,5 @@
 """Whether a stranger's file is a replay, and no larger than one ever is: looked at before anything is made of it."""
 
-from __future__ import annotations
-
 import io
 from typing import Any
 from zipfile import ZipFile

@@ -5,8 +5,6 @@ the touch has built up, and play from there soon differs from what happened. Whe
 clip begins at the last such moment that is early enough, which playing it shows; at the worst with the recording.
 """
 
-from __future__ import annotations
-
 from collections import deque
 
 from soccer_env import saving

@@ -4,8 +4,6 @@ A group is [name, how many, names of the parts of each]. Pixels are as `percept_
 lengths in cm, but those of lines, in dm. Parts of things that are not there are all 0.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The parts of a replay file: records as plain numbers and back, and the settings of a match as plain values."""
 
-from __future__ import annotations
-
 from dataclasses import fields, is_dataclass
 from typing import Any, get_type_hints
 

@@ -4,8 +4,6 @@ Nobody decides in a replay, so what robots thought cannot be played again. A `Th
 as whole numbers of 16 bits; the replay plays the same without. Only the first match of several is noted.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from typing import Any

@@ -14,8 +14,6 @@ over a loop and cannot be farmed; a goal therefore also pays back the potential 
 for several control steps, s and s' are the states before and after all of them.
 """
 
-from __future__ import annotations
-
 from soccer_env.rewards.paying import make_pay, measure_potentials, reward_robots
 from soccer_env.rewards.table import (
     COUNT,

@@ -3,8 +3,6 @@
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import asin, atan2, inf, pi, sqrt
 
 from soccer_env.compiled import compiled

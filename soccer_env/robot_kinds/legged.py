@@ -1,7 +1,5 @@
 """The kind of robot that plays the legged league."""
 
-from __future__ import annotations
-
 from soccer_env.belief.legged.believe import LEGGED_MEMORY, believe_slice
 from soccer_env.belief.legged.talk import SOUND_MESSAGE
 from soccer_env.belief.particles import PARTICLE

@@ -1,7 +1,5 @@
 """The kind of robot that plays the middle-size league."""
 
-from __future__ import annotations
-
 from soccer_env.belief.omni.believe import OMNI_MEMORY, believe_slice
 from soccer_env.belief.omni.radio import RADIO_MESSAGE
 from soccer_env.belief.particles import PARTICLE

@@ -4,8 +4,6 @@ A record is a row of an array, so a branch is a row copied in each array that a 
 rebuilt, as by a save, so that a branch and what it was taken from have one future.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Whether the numbers of a save can come from a match: kernels trust what lies in the records."""
 
-from __future__ import annotations
-
 from math import inf
 from typing import Any
 

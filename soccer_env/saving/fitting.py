@@ -3,8 +3,6 @@
 A save carries its settings as `told` gives them, for this alone: whether it fits follows from fingerprints.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Mapping

@@ -4,8 +4,6 @@ A save holds the records and the memories of the teams. Physics is rebuilt from 
 one future.
 """
 
-from __future__ import annotations
-
 import functools
 import hashlib
 import json

@@ -1,7 +1,5 @@
 """Steps, resets, loads and branches that happen whole or not at all, each in one thread at a time."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any, TypeVar
 

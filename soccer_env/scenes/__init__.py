@@ -13,8 +13,6 @@ that need them.
     judging.py        what counts as success
 """
 
-from __future__ import annotations
-
 from soccer_env.checking import check_names
 from soccer_env.names import MODULE_PATH, of_module
 from soccer_env.scenes.drills import DRILLS

@@ -1,7 +1,5 @@
 """Drills for every league: an empty goal, and a shot at the goalkeeper."""
 
-from __future__ import annotations
-
 from math import atan2, cos, pi, sin
 from typing import Any
 

@@ -9,8 +9,6 @@ Home's last robot plays, everybody else stands at home's end, and no referee hel
         o       |                    |                |goal          |            |goal
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, pi, sin
 from typing import Any
 

@@ -11,8 +11,6 @@ his tests only that there were still and moving players [4.3.4].
                      |               o                     o
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from math import atan2, cos, pi, sin
 from typing import Any

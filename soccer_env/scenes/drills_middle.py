@@ -12,8 +12,6 @@ Every distance, angle and speed is drawn from a range; all are assumed but for t
       (the farther post)             o        o                   A                  D
 """
 
-from __future__ import annotations
-
 from functools import partial
 from math import atan2, cos, pi, sin
 from typing import Any

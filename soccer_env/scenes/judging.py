@@ -14,8 +14,6 @@ Written for the direction in which home attacks; the dribbler is the last active
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.physics.contacts import ball_gap

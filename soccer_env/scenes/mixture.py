@@ -1,7 +1,5 @@
 """A mixture of scenes: each episode begins in one of them, drawn by their shares."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from math import isfinite
 

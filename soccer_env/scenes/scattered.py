@@ -3,8 +3,6 @@
 It is what dropped balls and scrums leave behind; a match from its kick-off on shows it too seldom to be learned from.
 """
 
-from __future__ import annotations
-
 from math import pi
 from typing import Any
 

@@ -3,8 +3,6 @@
 A number of a team comes twice: `shots_for` is its own, `shots_against` its opponents'.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -6,8 +6,6 @@ than robots walk or drive and than the weakest kick: a ball that is dribbled rol
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, length
 from soccer_env.leagues.robot import DRIVE_KINDS

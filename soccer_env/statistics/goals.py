@@ -3,8 +3,6 @@
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.statistics.flights import steps_in
 from soccer_env.statistics.maps import note_shot

@@ -5,8 +5,6 @@ A team's places are in the frame in which it attacks +x, in either half: turned 
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -3,8 +3,6 @@
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import log2
 
 from soccer_env.compiled import compiled

@@ -3,8 +3,6 @@
 Two of a kind are home's and away's. Numbers of steps are control steps since the reset.
 """
 
-from __future__ import annotations
-
 from enum import IntEnum
 
 import numpy as np

@@ -8,8 +8,6 @@
 The teams themselves stand in `baselines/` and `agents/`.
 """
 
-from __future__ import annotations
-
 from soccer_env.teams.explaining import Explanation, Mind, explanation_of, shipped_team
 from soccer_env.teams.lineup import Lineup
 from soccer_env.teams.registry import ENTRY_POINTS, NAMES, called, in_module, make_team, parse_team, registered

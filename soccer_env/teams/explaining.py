@@ -5,8 +5,6 @@ looks. Nothing here is asked while a match is played, and nothing that is asked 
 copies.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from importlib import import_module

@@ -1,7 +1,5 @@
 """A Lineup: several teams, one of which plays each episode."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

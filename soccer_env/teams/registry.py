@@ -13,8 +13,6 @@ by name, whatever settings the team has (lions:brave=True), and returns the team
 MODULE:NAME names such a factory, or a team, in a module of one's own.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from importlib import import_module
 from importlib.metadata import entry_points

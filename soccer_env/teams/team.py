@@ -4,8 +4,6 @@ A team decides from beliefs alone. It is a protocol: anything with `name`, `memo
 teams also offer a compiled `kernel`, which a match runs without Python between its steps (`team_kernels.py`).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import MISSING, dataclass, fields
 from typing import Any, Protocol, runtime_checkable

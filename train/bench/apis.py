@@ -1,7 +1,5 @@
 """What else the benchmark measures: the PettingZoo API, the memory of a match, and how long things take to start."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

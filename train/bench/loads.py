@@ -4,8 +4,6 @@ Every load is live play: matches are replaced as they end, their clocks are spre
 for a while before anything is timed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from time import perf_counter, process_time
 from types import MappingProxyType

@@ -1,7 +1,5 @@
 """How long the middle-size planner takes over 5 m past nine obstacles that move, and the team that plans with it."""
 
-from __future__ import annotations
-
 from statistics import median
 from time import perf_counter
 from typing import Any

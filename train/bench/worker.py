@@ -5,8 +5,6 @@ that were ever renamed stay out of it. A request is one line of JSON on stdin, {
 stdout, {"seconds": of one step} or {"error": why this checkout has no such row}.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

@@ -4,8 +4,6 @@ Every match follows from its own seed alone, so that no result depends on thread
 The seed says which side kicks off first: in a pair each team does so once.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass

@@ -6,8 +6,6 @@ Every match follows from its own seed alone, so the result does not depend on th
 by side, or on where a stopped run went on.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """`soccer export`: a replay file as a film, a picture, a page for the browser, as data, or its maps as a picture."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import fields, replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Whether a line of a file holds what a match writes there: anybody can change a file."""
 
-from __future__ import annotations
-
 from functools import cache
 from math import isfinite
 from typing import Any

@@ -1,7 +1,5 @@
 """Heat maps, pass networks and shot maps of a result.json or of a replay: one picture of `train.plots.pitch_maps`."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

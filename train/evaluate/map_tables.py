@@ -1,7 +1,5 @@
 """Where things happened in an evaluation, as tables of its report: shots, thirds of the pitch, mean places, passes."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

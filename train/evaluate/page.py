@@ -1,7 +1,5 @@
 """The report of an evaluation as a page for the browser: the same as in Markdown, with pictures and replays."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 
 from soccer_env.train.evaluate.map_pictures import checked

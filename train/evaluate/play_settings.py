@@ -1,7 +1,5 @@
 """The settings of `soccer record`, `replay` and `export`, and of a match that is played."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal

@@ -6,8 +6,6 @@ Results are text that anybody can change. A match follows from its seed, so whoe
 Nothing is written, and nothing that the folder names as code is run.
 """
 
-from __future__ import annotations
-
 import json
 import secrets
 from collections.abc import Callable, Iterator, Mapping, Sequence

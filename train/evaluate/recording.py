@@ -1,7 +1,5 @@
 """`soccer record` and `soccer replay`: a match into a file, and out of it again."""
 
-from __future__ import annotations
-
 import os
 from math import isfinite
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What an evaluation found: one line for each match, and the result that follows from the lines."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any

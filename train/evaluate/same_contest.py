@@ -1,7 +1,5 @@
 """What a folder of results says, read without a change to it, and the contest that it tells of, made again."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields

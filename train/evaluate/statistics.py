@@ -3,8 +3,6 @@
 `soccer list statistics` says what each of them means.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isfinite

@@ -1,7 +1,5 @@
 """Make the pictures of the pages: see the package's docstring."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple

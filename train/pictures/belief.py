@@ -4,8 +4,6 @@ The robot believes in its own frame. What it believes is drawn where it lies if 
 stand: an error of the own pose moves everything else as well.
 """
 
-from __future__ import annotations
-
 from math import cos, dist, pi, sin
 
 import numpy as np

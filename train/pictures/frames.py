@@ -1,7 +1,5 @@
 """The three frames of the package on a pitch: field, team and robot; and what bearing and distance are."""
 
-from __future__ import annotations
-
 from math import atan2, cos, hypot, pi, sin
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A strip of words under a picture that says what its signs mean."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import atan2, cos, sin
 from typing import NamedTuple

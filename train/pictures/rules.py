@@ -1,7 +1,5 @@
 """A sheet with one frame a rule: a staged situation at the moment at which it is judged."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 

@@ -3,8 +3,6 @@
 Rows 0 to 2 are home, red, attacking +x; rows 0 and 3 are goalkeepers.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import partial
 from math import pi

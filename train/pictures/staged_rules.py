@@ -1,7 +1,5 @@
 """A situation that a referee has to judge: a match under rules, and what its robots do."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Curves, counts as bars, intervals beside what was asked for, and tables of numbers with coloured cells."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import inf, isfinite

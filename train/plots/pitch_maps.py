@@ -6,8 +6,6 @@ then it draws what matplotlib draws here, and brings pandas, scipy, seaborn and 
 `soccer_env/data_out/README.md` has that class, for those who use mplsoccer.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """The style of all pictures of results: sizes, fonts, colours; markers, lines and hatches that need no colour."""
 
-from __future__ import annotations
-
 import io
 import itertools
 import re

@@ -1,7 +1,5 @@
 """What the numbers among the settings of a training run may be, and which further logs there are."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from soccer_env.checking import FROM_ZERO, Range

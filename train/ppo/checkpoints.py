@@ -5,8 +5,6 @@ disk at any moment leaves a whole checkpoint. They hold tensors and plain values
 code.
 """
 
-from __future__ import annotations
-
 import hashlib
 import io
 import json

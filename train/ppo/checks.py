@@ -1,7 +1,5 @@
 """What a training run is played with, found to be playable before anything is written."""
 
-from __future__ import annotations
-
 import datetime
 import hashlib
 import json

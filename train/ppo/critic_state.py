@@ -1,7 +1,5 @@
 """What a centralised critic sees beside a robot's observation: the whole truth of its match, from its team's side."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

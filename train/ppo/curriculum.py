@@ -4,8 +4,6 @@ Each opponent has the share of points that the learner won against it of late, a
 Plackett-Luce model); both follow from the episodes' results and are kept with the run's checkpoints.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any

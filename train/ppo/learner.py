@@ -1,7 +1,5 @@
 """The learner of a training run: PPO of stable-baselines3, step by step, and what has to be kept of it."""
 
-from __future__ import annotations
-
 import warnings
 from collections import deque
 from collections.abc import Callable, Iterator

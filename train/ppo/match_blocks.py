@@ -3,8 +3,6 @@
 A block is a Match of up to `BLOCK` matches that one thread plays by itself for a whole decision.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass

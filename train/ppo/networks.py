@@ -6,8 +6,6 @@ stays plain. With `mirror` the actor is the mean of a network and of its left-ri
 mirrored observation is the mirrored action, exactly.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What a training run reports: its log line by line, evaluations with intervals, the learning curve."""
 
-from __future__ import annotations
-
 import re
 import time
 from collections.abc import Iterator, Sequence

@@ -5,8 +5,6 @@ checkpoint-0.pt  checkpoint-1.pt  latest.json  rounds (while a teacher advises) 
 csv tensorboard wandb (the logs asked for)  replays (those asked for)
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import json

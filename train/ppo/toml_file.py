@@ -1,7 +1,5 @@
 """The settings of a training run from a TOML file: `soccer train --config FILE`, or the name of a bundled one."""
 
-from __future__ import annotations
-
 import sys
 from dataclasses import fields
 from pathlib import Path

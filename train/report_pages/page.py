@@ -1,7 +1,5 @@
 """A report page: parts in order, of which every text is escaped, in one file with its style and pictures."""
 
-from __future__ import annotations
-
 import html
 import re
 from collections.abc import Iterable, Sequence

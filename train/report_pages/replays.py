@@ -1,7 +1,5 @@
 """Kept replays as a part of a report page."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from soccer_env.train.keeping import Kept

@@ -1,7 +1,5 @@
 """A claim of a paper: what it says, how it is measured, and what its measurement hands over."""
 
-from __future__ import annotations
-
 import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

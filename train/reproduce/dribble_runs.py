@@ -3,8 +3,6 @@
 All are staged: the referee calls goals alone (PATIENT), nobody is whistled for holding a ball or pulled apart.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

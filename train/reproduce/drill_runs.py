@@ -4,8 +4,6 @@ They are under the drill's own rules, PATIENT: nobody is whistled or pulled apar
 where opponents play for the ball until a goal (S31) it is play, under the rules of play.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -8,8 +8,6 @@ not make verdicts bolder. It is done when all seeds together decide it and each 
 leaves it open, at a third of its cap, where all seeds have as many samples as one at its cap.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """The report of a reproduction run as a page for the browser: verdicts, paper against measured, all figures."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence

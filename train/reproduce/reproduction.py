@@ -6,8 +6,6 @@ How one claim is examined stands in `examination.py`; with several threads claim
 own, as most of a claim's time is spent in Python (`workers.py`).
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping, Sequence
 

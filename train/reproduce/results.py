@@ -1,7 +1,5 @@
 """What a reproduction run found: the result of each claim, and what a run leaves in its folder."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass

@@ -3,8 +3,6 @@
 The help of `soccer reproduce` is the text beside each field here.
 """
 
-from __future__ import annotations
-
 import shlex
 from dataclasses import dataclass
 from math import floor

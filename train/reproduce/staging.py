@@ -14,8 +14,6 @@ Nobody is on the field until `put` brings him on, and the referee calls goals an
 All matches of claims are made here (`make`), so that none is played under rules that its claim does not state.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from typing import Any
 

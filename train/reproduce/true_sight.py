@@ -1,7 +1,5 @@
 """Where legged robots truly look: camera, ranger beam and ball as the truth has them, for all matches at once."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Quantities of samples in which NaN means "no value": quiet about empty ones, unlike numpy's nan functions."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from math import nan, sqrt
 from typing import Any

@@ -10,8 +10,6 @@ A claim with several criteria is reproduced if all of them are, and not reproduc
 are 95 %: a claim that is looked at several times while samples come in shares the 5 % between its looks.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import inf

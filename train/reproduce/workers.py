@@ -6,8 +6,6 @@ A worker reads JSON lines: first the settings of the run, then a claim's id and 
 answers each claim with a line, the result. No result depends on who measured it, or beside what.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import queue

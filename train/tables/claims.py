@@ -1,7 +1,5 @@
 """The tables of what `soccer reproduce` measures: errors of the sensors over the range, and the claims."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The table of teams over drills: how often each succeeds, by its sensors."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

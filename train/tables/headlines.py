@@ -1,7 +1,5 @@
 """The few figures that the main README shows, picked out of the measured tables: nothing is measured for them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 

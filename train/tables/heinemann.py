@@ -5,8 +5,6 @@
 The paper's figure, planned and travelled paths of both planners, is drawn anew each time that something is measured.
 """
 
-from __future__ import annotations
-
 import sys
 from functools import partial
 from pathlib import Path

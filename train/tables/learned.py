@@ -1,7 +1,5 @@
 """The tables of the learned team: which evaluations they are made of, and the time that training takes."""
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace

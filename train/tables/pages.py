@@ -13,8 +13,6 @@ kind of machine differ from those of the table, play differs in its last bits, a
 measures quickly and asks only that no ratio has grown beyond a factor.
 """
 
-from __future__ import annotations
-
 import json
 import platform
 import sys

@@ -7,8 +7,6 @@
 The same of `tables.heinemann`. Tables stand between markers in the page.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 from collections import Counter

@@ -4,8 +4,6 @@ Published figures come as ranges; a measured one is inside if its interval meets
 possession, passes or stuck balls no figure of either league was found, so those stand without a verdict.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import inf

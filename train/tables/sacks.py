@@ -3,8 +3,6 @@
 `python -m soccer_env.train.tables.sacks [run FOLDER ... | write]`: see `paper_page.py`.
 """
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

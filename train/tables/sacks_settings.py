@@ -1,7 +1,5 @@
 """What the page of sacks-2001 says of its settings: the paper's own numbers, all of them, and the variants."""
 
-from __future__ import annotations
-
 from dataclasses import asdict
 from math import pi
 from textwrap import wrap

@@ -1,7 +1,5 @@
 """The tables of teams against teams: which evaluations they are made of, and how a row is played again."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import asdict, replace
 from threading import Event

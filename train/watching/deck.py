@@ -1,7 +1,5 @@
 """What the keys of `soccer watch` have set: whether the tape runs and how fast, overlays, whom the picture follows."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from math import ceil
 

@@ -1,7 +1,5 @@
 """Shots of a match or a replay, one after the other, that can be gone back to."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from itertools import islice
 

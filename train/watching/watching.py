@@ -1,7 +1,5 @@
 """The window of `soccer watch`, until it is closed: a replay file, or a match that is played."""
 
-from __future__ import annotations
-
 from math import ceil
 
 import numpy as np

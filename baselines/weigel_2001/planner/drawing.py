@@ -10,8 +10,6 @@ As in the paper's figure the planned path is a thin blue line, the travelled one
 here but what the caller has.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

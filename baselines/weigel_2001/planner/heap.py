@@ -1,7 +1,5 @@
 """A binary heap of numbers of nodes: the one of least potential is at its root, of equal ones the older."""
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 
 

@@ -1,7 +1,5 @@
 """What a plan is worth: how near it comes to others as they move, how much it turns, and the forces along it."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.baselines.weigel_2001.planner.potential import (

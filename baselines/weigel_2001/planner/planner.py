@@ -1,7 +1,5 @@
 """`Planner`: plans for Python, from plain numbers, which are checked."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

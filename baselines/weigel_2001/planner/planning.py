@@ -9,8 +9,6 @@ By the paper's words alone (`literal`) there is no damping. Where two times cann
 of the other, T swings then and the last plan is any of two: hence damping, a cap and the best plan as a fallback.
 """
 
-from __future__ import annotations
-
 from math import floor, inf
 
 from soccer_env.baselines.weigel_2001.planner.records import ARRIVED, GRID

@@ -6,8 +6,6 @@ is written; "scalar" adds their sizes. The way goes down either of them.
 All places are in metres, t in seconds from now.
 """
 
-from __future__ import annotations
-
 from math import sqrt
 
 from soccer_env.baselines.weigel_2001.planner.settings import FORMS, REPULSIONS

@@ -1,7 +1,5 @@
 """The records of the planner: obstacles, a plan, and the scratch arrays that it is made in."""
 
-from __future__ import annotations
-
 import numpy as np
 
 MOST_CELLS = 384  # of a way: two and a half diagonals of the pitch

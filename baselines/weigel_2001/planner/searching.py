@@ -4,8 +4,6 @@ Neighbours are tried in the order of their potential, until one is found that li
 way also ends where nobody stands on the straight line to its end nearby: with somebody beside it the end is no minimum.
 """
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np

@@ -4,8 +4,6 @@ The paper gives the two equations, the speed and the threshold; what is "assumed
 with and without is a switch.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import floor
 from typing import ClassVar

@@ -4,8 +4,6 @@ A way of cells is longer than the path it stands for, by 8 % where it goes 22.5 
 the path (MH16).
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 

@@ -1,7 +1,5 @@
 """From cell to cell: which is next, how long that takes, and where obstacles are by then.  MH11, MH15"""
 
-from __future__ import annotations
-
 from math import floor, sqrt
 
 from soccer_env.baselines.weigel_2001.planner.settings import STEPPINGS

@@ -4,8 +4,6 @@ It drives at full speed along the newest path and turns at once; obstacles go st
 itself shows here; what becomes of it with inertia, noise and delay is for the match to show.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """One pass over the grid, from target to robot or the other way.  [Heinemann 2006, 3]  MH11, MH13, MH15"""
 
-from __future__ import annotations
-
 from math import inf
 
 from soccer_env.baselines.weigel_2001.planner.potential import gap_at, gradient

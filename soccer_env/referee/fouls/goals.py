@@ -16,8 +16,6 @@ In the middle size a goal from an indirect restart counts once somebody but the 
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled, inlined
 from soccer_env.types import NO_TEAM, Foul
 

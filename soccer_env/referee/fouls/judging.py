@@ -3,8 +3,6 @@
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.referee.fouls.legged.book import judge_legged
 from soccer_env.referee.fouls.middle_size.book import judge_middle_size

@@ -11,8 +11,6 @@ play or waits for a restart. When it comes back it is told where it stands.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import inf, pi
 
 from soccer_env.compiled import compiled

@@ -1,7 +1,5 @@
 """What happened in a match, in words, with when and where: goals and how they came about, whistles, kicks, halves."""
 
-from __future__ import annotations
-
 from math import hypot
 from typing import Any, NamedTuple
 

@@ -3,8 +3,6 @@
 `unpack.js` reads them.
 """
 
-from __future__ import annotations
-
 import base64
 import zlib
 

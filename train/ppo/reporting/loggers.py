@@ -6,8 +6,6 @@ run; a run that goes on adds to it: TensorBoard shows the parts as one, CSV has 
 it begins at, and Weights & Biases goes on with the same run.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path

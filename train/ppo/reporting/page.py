@@ -1,7 +1,5 @@
 """The report of a training run as a page: its learning curve, evaluations, how PPO went, and its settings."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import Any
 

@@ -8,8 +8,6 @@ Two things a robot cannot do by the truth alone: find a ball that it does not se
 aimed for a kick. There the advice is that of the same team by the robot's own beliefs.
 """
 
-from __future__ import annotations
-
 from typing import Any, Literal
 
 import numpy as np

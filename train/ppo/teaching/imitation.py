@@ -5,8 +5,6 @@ the learner's observation and the walk that the teacher asked for at that moment
 until the next decision.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The rounds of advice that a run has had so far, on the disk: a run that is cut among them goes on after the last."""
 
-from __future__ import annotations
-
 import io
 import shutil
 from pathlib import Path

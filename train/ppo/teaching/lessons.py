@@ -1,7 +1,5 @@
 """What the actor of a run learns from its teacher, in all kinds of matches that the run has."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from itertools import product
 from typing import Any

@@ -26,8 +26,6 @@ Measure what the paper's words say over the range they speak of; a claim that do
     resolution.py    what a finer camera would bring      sensors.py       errors of all sensors over the range
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from importlib import import_module
 from pkgutil import walk_packages

@@ -4,8 +4,6 @@ The paper's goalkeeper decides how to *block* a ball. So both claims are measure
 spread their forelegs (`soccer_env/physics/block.py`), S67 beside in the one where a sidestep is all they have.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

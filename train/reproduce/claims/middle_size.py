@@ -1,7 +1,5 @@
 """What a middle-size robot sees while the light changes, by a fixed colour table and an adapting one.  [H. 2006, 1]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

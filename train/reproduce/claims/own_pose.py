@@ -1,7 +1,5 @@
 """How well a middle-size robot knows where it is, and how fast it finds out when carried away.  [H. 2006, 1]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What the camera's finer layer would bring: steadier ranges and velocities.  [Sacks 2001, 5]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

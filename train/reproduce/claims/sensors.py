@@ -1,7 +1,5 @@
 """Error against range for every sensor and estimate of both leagues: a study beside the claims."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -10,8 +10,6 @@ None of the books at hand has an illegal attacker in the legged league: the rule
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import cos, sin
 
 from soccer_env.compiled import compiled, inlined

@@ -5,8 +5,6 @@ All is judged before anybody is moved, so that nobody is favoured by its number.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled, inlined
 from soccer_env.referee.fouls.goals import note_whistled_attack
 from soccer_env.referee.fouls.legged.areas import judge_areas

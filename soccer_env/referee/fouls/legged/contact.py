@@ -6,8 +6,6 @@ does is not asked: who is shoved pushes nobody, and who turns on the spot does n
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import cos, sin
 
 from soccer_env.compiled import compiled, inlined

@@ -10,8 +10,6 @@ league has 0: no source says how often an ERS-210 fell, and its four paws stand 
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled, inlined
 from soccer_env.random_numbers import uniform
 from soccer_env.referee.fouls.legged.contact import press_of

@@ -16,8 +16,6 @@ touches is not trapped. The 50 cm that a ball may be carried in the book are a r
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import cos, pi, sin
 
 from soccer_env.compiled import compiled, inlined

@@ -11,8 +11,6 @@ What becomes of the goal: `referee.fouls.goals`.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled, inlined
 from soccer_env.referee.fouls.legged.contact import KEEPER, run_clock
 from soccer_env.referee.fouls.penalties import whistle

@@ -7,8 +7,6 @@ kick off.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import inlined
 from soccer_env.types import NO_TEAM, Phase
 

@@ -7,8 +7,6 @@ assumed: half a turn takes 4 s. A goalkeeper may stand in its own goal.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import inlined
 from soccer_env.geometry import direction_of
 from soccer_env.referee.fouls.penalties import whistle

@@ -7,8 +7,6 @@ two feet in its own area; of two that charge into each other both are removed.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled, inlined
 from soccer_env.referee.fouls.legged.areas import FEET, in_own_area
 from soccer_env.referee.fouls.legged.contact import run_clock

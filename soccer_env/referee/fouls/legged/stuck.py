@@ -14,8 +14,6 @@ The book of 2008 has no dropped ball after 15 s, which is remembered of 2001. Th
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled, inlined
 from soccer_env.geometry import direction_of
 from soccer_env.referee.fouls.legged.pushing import square_to_ball

@@ -7,8 +7,6 @@ Of several field players in the penalty area the one nearest to the ball may sta
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled, inlined
 from soccer_env.geometry import length
 from soccer_env.referee.areas import in_goal_area, in_penalty_area

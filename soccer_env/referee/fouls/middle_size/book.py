@@ -3,8 +3,6 @@
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled, inlined
 from soccer_env.referee.calls import goal_scored
 from soccer_env.referee.fouls.middle_size.areas import GOAL_AREA, find_trespassing

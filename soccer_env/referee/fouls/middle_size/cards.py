@@ -7,8 +7,6 @@ are too many is assumed. Nobody takes the place of a goalkeeper that is sent off
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import inf
 
 from soccer_env.compiled import compiled

@@ -9,8 +9,6 @@ A robot drives into another as fast as its wheels aim at it, less what the other
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import cos, sin
 
 from soccer_env.compiled import compiled, inlined

@@ -7,8 +7,6 @@ The goalkeeper may stay in its goal area.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.referee.areas import in_goal_area

@@ -8,8 +8,6 @@ and how far the ball has to go are those of the other restarts.
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.referee.restart_call import call_restart, other_team

@@ -7,8 +7,6 @@ dribbling came later. For how long more of the ball may lie within the hull is a
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import cos, sin
 
 from soccer_env.compiled import compiled, inlined

@@ -10,8 +10,6 @@ the two distances that the ball has to go by the books of these years).
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled, inlined
 from soccer_env.types import NO_TEAM, Phase
 

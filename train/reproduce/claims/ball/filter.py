@@ -1,7 +1,5 @@
 """How steady the believed ball is: averaging four estimates, and bearing against range.  [Sacks 2001, 3.1.1, fn 4]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

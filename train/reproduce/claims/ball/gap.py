@@ -1,7 +1,5 @@
 """Velocities after a time without sight of the ball.  [Sacks 2001, 3.2]"""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The ball in play: how often the head keeps it centred, and what is mistaken for it.  [Sacks 2001, 3.1.1]"""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

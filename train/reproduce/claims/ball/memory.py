@@ -1,7 +1,5 @@
 """The ball that is remembered while it is not seen, and the robot's own motion.  [Sacks 2001, 3.1.1, fn 2]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -4,8 +4,6 @@ Scenes: a robot looks at a ball 30 to 60 cm ahead of its camera; one or two othe
 it, on the ground plan. What they hide is measured in two pictures without noise, with them and without.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

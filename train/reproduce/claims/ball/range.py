@@ -3,8 +3,6 @@
 [Sacks 2001, 3.1.1]
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial

@@ -1,7 +1,5 @@
 """A ball hidden in both dimensions, and the infrared ranger that knows better.  [Sacks 2001, 3.1.1]"""
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.train.reproduce.claim import STAGED, Batch, Claim

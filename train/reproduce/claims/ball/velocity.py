@@ -1,7 +1,5 @@
 """The relative velocity of the ball: how often to read it, and what a reading is worth.  [Sacks 2001, 3.2, 3.3]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any

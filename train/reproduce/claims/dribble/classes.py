@@ -1,7 +1,5 @@
 """Dribbling past a mover among players who stand, class by class.  [Sacks 2001, 4.2, 4.3.4]"""
 
-from __future__ import annotations
-
 from functools import partial
 from math import pi
 from typing import Any

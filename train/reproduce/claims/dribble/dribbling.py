@@ -4,8 +4,6 @@ Each is measured in both worlds: in `legged-2001`, whose legs swing, which decid
 of one piece of `legged-2001-smooth`. Geometry and gait decide in both; none of their numbers is drawn from a claim.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from math import pi
 

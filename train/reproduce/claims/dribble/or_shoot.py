@@ -1,7 +1,5 @@
 """Dribbling round blockers against what the team did before: orbit and shoot.  [Sacks 2001, 4, 4.3.4]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

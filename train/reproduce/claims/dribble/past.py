@@ -4,8 +4,6 @@ A player's distance counts from the camera to its surface, as the sensors gave i
 same runs with distances from middle to middle, 25 cm more for a player straight ahead.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

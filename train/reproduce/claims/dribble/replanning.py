@@ -1,7 +1,5 @@
 """How often a dribbler has to decide on its way.  [Sacks 2001, 4.3.2]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 

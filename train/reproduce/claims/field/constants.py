@@ -1,7 +1,5 @@
 """Which constants the potential field needs, and whether those of points serve robots.  [Sacks 2001, 4.3]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """What the potential field costs to compute.  [Sacks 2001, 4.2]"""
 
-from __future__ import annotations
-
 from time import perf_counter
 
 import numpy as np

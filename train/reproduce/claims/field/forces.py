@@ -1,7 +1,5 @@
 """The forces of the potential field: exponents, the goal's pull, the cosine, walls.  [Sacks 2001, 4.2, 4.3.1, 4.3.2]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """Local minima and what is left of indecision, in the point simulator and in the full one.  [Sacks 2001, 4.3.3, 5]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """Keeping one's side more often, when others move.  [Sacks 2001, 4.3.3]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 

@@ -1,7 +1,5 @@
 """The numbers of the potential field: who exerts no force, where a force is 1, players and walls.  [Sacks 2001, 4.3]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """Ways through the potential field: steadiness, retreat, indecision.  [Sacks 2001, 4.3.1, 4.3.3]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

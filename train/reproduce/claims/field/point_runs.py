@@ -1,7 +1,5 @@
 """What came of the runs of points: paths, changes of side, clearances, arrivals.  [Sacks 2001, 4.3]"""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -10,8 +10,6 @@ nothing to bump into: "this model would not carry over well to the actual robots
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 from math import atan2, cos, sin
 from typing import Any

@@ -3,8 +3,6 @@
 Team frame: the dribbler comes from -x; the goal that it makes for lies at x = 1.6 m.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

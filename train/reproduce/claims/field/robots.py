@@ -1,7 +1,5 @@
 """The scenes of the point simulator with robots, ball and sensors: the full simulator.  [Sacks 2001, 4.3]"""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any

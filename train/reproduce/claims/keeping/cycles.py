@@ -1,7 +1,5 @@
 """How often a player decides: every 20 ms, 40 ms or 100 ms.  [Heinemann et al. 2006, 2]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from soccer_env.train.reproduce.claim import STAGED, Batch, Claim, Curve, Figure

@@ -1,7 +1,5 @@
 """Balls that roll past a player, and passes: who gets them, by which base, by which kick.  [H. 2006, abstract, 1, 2]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -3,8 +3,6 @@
 `k`: the league's constants, `play`: the team's settings; here arrays of one.
 """
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np

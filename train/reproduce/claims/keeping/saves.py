@@ -1,7 +1,5 @@
 """What the passive goalkeeper saves of shots at its farther post, and the active one.  [Heinemann et al. 2006, 4]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

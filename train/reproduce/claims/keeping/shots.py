@@ -3,8 +3,6 @@
 The radius of the keeper's half circle was chosen on a drill like this one, and by it alone.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

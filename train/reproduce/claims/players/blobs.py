@@ -3,8 +3,6 @@
 Sizes of stickers are guesses, so that the claim is judged over jerseys of 0.7 to 1.3 times their size.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 

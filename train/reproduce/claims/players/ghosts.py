@@ -4,8 +4,6 @@ Both errors are the paper's own: for one frame no blob counts as part of another
 colour count as one player (the farther is missed). Without it the same frames are remembered without either.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

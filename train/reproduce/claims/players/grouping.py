@@ -4,8 +4,6 @@ Sizes of stickers are guesses, so that the grouping factor is judged over jersey
 worst of them counts.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from functools import partial
 

@@ -1,7 +1,5 @@
 """A robot nearby that looks down at the ball: its black head hides its jersey.  [Sacks 2001, 4.3.3]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 

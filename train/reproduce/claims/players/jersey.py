@@ -4,8 +4,6 @@ Sizes of stickers are guesses, so that each claim here is judged over jerseys of
 of them counts.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import Any
 

@@ -3,8 +3,6 @@
 How often a frame misses a sticker, or a whole player, is a guess, so that S35 is judged over both: the worst counts.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """Where another player has gone by the time that one who saw it from afar gets there.  [Sacks 2001, 4.3.1]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -3,8 +3,6 @@
 In the scenes a robot stands and stares at a player, or at a ball, whatever it believes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -3,8 +3,6 @@
 Robot 0, of the home team, looks; its head goes where the claim wants it, whatever it believes.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """How many other players a robot keeps track of, and how well: the old system and the new one.  [Sacks 2001, 4.1]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """Under which angles players see each other in play.  [Sacks 2001, 4.1.2]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 

@@ -1,7 +1,5 @@
 """When a robot believes in play that it is stuck and is not.  [Sacks 2001, 3.3]"""
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np

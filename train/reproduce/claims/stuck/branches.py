@@ -1,7 +1,5 @@
 """What becomes of robots that were held in play: the future of sampled moments, with the recovery and without."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """Collisions on the way to the ball: how common they are, and that robots stay in them.  [Sacks 2001, 1, 3]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

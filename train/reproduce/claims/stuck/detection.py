@@ -1,7 +1,5 @@
 """How a robot notices that it is stuck: the ball does not come nearer.  [Sacks 2001, 3, 3.3]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

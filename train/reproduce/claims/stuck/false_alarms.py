@@ -1,7 +1,5 @@
 """When a robot that nothing stops believes that it is stuck: in staged approaches.  [Sacks 2001, 3.3]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

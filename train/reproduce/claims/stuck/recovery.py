@@ -1,7 +1,5 @@
 """How a stuck robot gets free: steps back, then aside or round, then to the ball again.  [Sacks 2001, 3.4]"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

@@ -5,8 +5,6 @@ Where a claim is about a robot that is stuck, it is therefore held (`hold`: its 
 (`anchor`).
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

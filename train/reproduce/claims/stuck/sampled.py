@@ -6,8 +6,6 @@ bodies, noise and memories are the same in all branches, which pairs them. In br
 and pulls nobody apart; penalties that had begun before run off. Who is sent off is neither held nor free.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields, replace
 from functools import lru_cache
 from typing import Any

@@ -1,7 +1,5 @@
 """Stealing the ball: whether running into an opponent that has it helps.  [Sacks 2001, 4]"""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

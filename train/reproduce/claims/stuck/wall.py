@@ -1,7 +1,5 @@
 """A robot that faces out at the field's edge and turns to a ball aside or behind.  [Sacks 2001, 3.4]"""
 
-from __future__ import annotations
-
 from math import pi
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What noticing a collision and recovering from it are worth, task by task.  [Sacks 2001, 1]"""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any

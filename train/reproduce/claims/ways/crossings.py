@@ -4,8 +4,6 @@ The constants of the planner and both canonical scenes were looked at together w
 repulsion, the search's two rules and the cap on evaluations are from then. Random scenes were not looked at.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """What a plan costs, and how it comes about: local gradients, the search, planning backwards.  [H. 2006, 2, 3]"""
 
-from __future__ import annotations
-
 from functools import partial
 from time import perf_counter
 

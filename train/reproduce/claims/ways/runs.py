@@ -1,7 +1,5 @@
 """Points that travel through scenes by either planner, and plans that are made once."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import partial
 from typing import Any

@@ -3,8 +3,6 @@
 Obstacles are rows of x, y [m], vx, vy [m/s]; the middle of the pitch is at 0, 0.
 """
 
-from __future__ import annotations
-
 from math import cos, pi, sin
 from typing import NamedTuple
 

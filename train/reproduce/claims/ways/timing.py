@@ -1,7 +1,5 @@
 """The time T that a plan is made for, and the passes until the time that it takes agrees.  [H. 2006, 3]"""
 
-from __future__ import annotations
-
 from functools import partial
 from typing import Any
 
