@@ -37,7 +37,7 @@ class Compiling(threading.local):
 
 
 compiling = Compiling()
-_left: list[threading.Thread] = []  # at work on what nobody waits for any more
+_left: list[threading.Thread] = []  # that clear away what nobody waits for any more
 
 
 class _StopError(BaseException):
@@ -46,6 +46,7 @@ class _StopError(BaseException):
     def __init__(self, error: BaseException) -> None:
         super().__init__()
         self.error = error
+        self.worker: threading.Thread | None = None  # that is still at work
 
 
 class _Passes(Listener):  # type: ignore[misc]
@@ -70,13 +71,12 @@ def stoppable() -> Iterator[None]:
         with _alone():
             yield
     except _StopError as stop:
-        traceback.clear_frames(stop.__traceback__)
+        _clear_away(stop)
         error = stop.error
     else:
         return
     finally:
         compiling.stoppable = False
-    gc.collect()  # now, as llvmlite's destructors would swallow the next interrupt
     context = error.__context__
     try:
         raise error
@@ -127,11 +127,25 @@ def beside(work: Callable[[], None]) -> None:
         while worker.is_alive():
             worker.join(LOOK)
             stop_here()
-    except _StopError:
-        _left.append(worker)
+    except _StopError as stop:
+        stop.worker = worker
         raise
     if raised:
         raise raised[0]
+
+
+def _clear_away(stop: _StopError) -> None:
+    """Let another thread destroy what LLVM has made: here that would swallow the next interrupt, and wait for LLVM."""
+
+    def clear() -> None:
+        if stop.worker is not None:
+            stop.worker.join()
+        traceback.clear_frames(stop.__traceback__)
+        gc.collect()
+
+    thread = threading.Thread(target=clear)
+    thread.start()
+    _left[:] = [*(one for one in _left if one.is_alive()), thread]
 
 
 def _end_what_is_left() -> None:

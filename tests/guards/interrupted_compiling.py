@@ -22,7 +22,7 @@ MOST = 60  # interrupts of each thing that a process does
 MATCH: dict[str, Any] = {"home": 1, "away": 1, "seed": 1, "senses": "ideal", "opponents": "chaser"}
 
 INTERRUPTED = """
-    import json, os, random, signal, sys, threading, time
+    import json, os, random, signal, sys, threading, time, traceback
     import numpy as np
     from numba.core.registry import cpu_target
     from soccer_env import Match
@@ -37,6 +37,8 @@ INTERRUPTED = """
     kernels = []
     begun = Kernel.__init__
     Kernel.__init__ = lambda self, *a, **k: (kernels.append(self), begun(self, *a, **k))[1]
+    slow = 0.9  # [s] from which on it is said where the main thread was
+    at = []  # where the main thread was
     ended = []  # [s] of processor time that each interrupt took
     lost = 0
 
@@ -51,6 +53,7 @@ INTERRUPTED = """
         for _ in range(most):
             sent = []
             def press():
+                at.append("".join(traceback.format_stack(sys._current_frames()[threading.main_thread().ident])[-7:]))
                 sent.append(time.process_time())
                 os.kill(os.getpid(), signal.SIGINT)
             timer, made = threading.Timer(10.0 ** draw.uniform(-2.0, 1.2), press), []
@@ -64,6 +67,8 @@ INTERRUPTED = """
             except KeyboardInterrupt:
                 if not made:
                     ended.append(time.process_time() - sent[0])
+                    if ended[-1] > slow:
+                        print(f"{ended[-1]:.2f} s after", at[-1], file=sys.stderr)
             timer.join()
             clean()
             if made:
@@ -108,6 +113,7 @@ def played(settings: dict[str, Any], cache: str, seed: int, most: int) -> tuple[
         capture_output=True, text=True, timeout=1800, check=False,
     )  # fmt: skip
     assert done.returncode == 0, (done.returncode, done.stderr)
+    print(done.stderr, end="", file=sys.stderr)
     ended, lost, hashes = json.loads(done.stdout)
     return ended, lost, hashes
 
