@@ -4,6 +4,8 @@ Machine code is kept in the folder that SOCCER_ENV_CACHE names, by the content o
 numba and numpy, and the kind of processor: warm up on the kind of machine that will play.
 """
 
+from __future__ import annotations
+
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

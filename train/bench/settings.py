@@ -1,5 +1,7 @@
 """The settings of `soccer bench`."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from pathlib import Path
 

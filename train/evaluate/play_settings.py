@@ -1,5 +1,7 @@
 """The settings of `soccer record`, `replay` and `export`, and of a match that is played."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal

@@ -3,6 +3,8 @@
 The help of `soccer evaluate` is the text beside each field here.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Literal

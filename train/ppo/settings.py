@@ -3,6 +3,8 @@
 The help of `soccer train` is the text beside each field here.
 """
 
+from __future__ import annotations
+
 from dataclasses import asdict, dataclass, make_dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, Literal

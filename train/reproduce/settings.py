@@ -3,6 +3,8 @@
 The help of `soccer reproduce` is the text beside each field here.
 """
 
+from __future__ import annotations
+
 import shlex
 from dataclasses import dataclass
 from math import floor
