@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from soccer_env.render.colours import Colour
+from soccer_env.render.colours import WHITE, Colour
 
 if TYPE_CHECKING:
     import pygame
@@ -198,7 +198,7 @@ class Canvas:
 
     def word_width(self, words: str, size: float) -> float:
         """Return how wide words are at a size [px]."""
-        return self.letters.word(words, max(6, round(size * FACTOR)), (255, 255, 255)).get_width() / FACTOR
+        return self.letters.word(words, max(6, round(size * FACTOR)), WHITE).get_width() / FACTOR
 
     def polygons(self, corners: np.ndarray, tints: Sequence[Colour]) -> None:
         """Fill many polygons of as many corners (N, K, 2), which lie near each other, each in its colour."""

@@ -57,7 +57,7 @@ class Figure(NamedTuple):
     paws: tuple[Point, ...] = ()  # [m] how far legs are off their stance, robot frame
 
 
-def figures_of(robots: np.ndarray, league: League, handedness: float = 1.0) -> list[Figure]:
+def figures_of(robots: np.ndarray, league: League, handedness: float) -> list[Figure]:
     """Return the robots of shape (R,) as plain numbers; ValueError names a robot whose pose is not finite."""
     for name in ("x", "y", "heading", "pan"):
         bad = np.flatnonzero(~np.isfinite(robots[name]))

@@ -215,7 +215,7 @@ def test_a_block_is_saved_with_the_match_and_shown():
         match.step(asking(match, kick=1.0))
     saved = match.save()
     assert 0.0 < spread(match)[0] < 1.0
-    paws = figures_of(match.robots[0], match.league)[0].paws
+    paws = figures_of(match.robots[0], match.league, 1.0)[0].paws
     assert paws[0][1] == pytest.approx(spread(match)[0] * (BLOCK.paw_y - BODY.tip_y)) and paws[1][1] == -paws[0][1]
     match.step(stand(match))
     after = match.state_hash()

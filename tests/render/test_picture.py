@@ -9,9 +9,11 @@ import pytest
 pytest.importorskip("pygame")
 
 from soccer_env.leagues import find_league
-from soccer_env.render import Picture
+from soccer_env.render import Picture, Window, check_display, png_of_frame
 from tests.render.staged_frames import make_records
 from tests.scenes.staging import LEAGUES
+
+PIXEL = np.zeros((1, 1, 3), np.uint8)
 
 
 def test_a_frame_depends_on_its_records_alone():
@@ -101,10 +103,11 @@ assert not pygame.display.get_init() and frame.any()
     assert done.returncode == 0 and done.stdout == "", done.stderr
 
 
-def test_without_pygame_the_error_says_what_to_install(monkeypatch):
+@pytest.mark.parametrize("use", (lambda: Picture("legged-2001"), Window, check_display, lambda: png_of_frame(PIXEL)))
+def test_without_pygame_the_error_says_what_to_install(monkeypatch, use):
     monkeypatch.setitem(sys.modules, "pygame", None)
     with pytest.raises(ImportError, match=r'pip install "soccer_env\[render\]"'):
-        Picture("legged-2001")
+        use()
     monkeypatch.setitem(sys.modules, "pygame", sys)  # stands for the older pygame: no IS_CE
     with pytest.raises(ImportError, match=r"older pygame"):
-        Picture("legged-2001")
+        use()
