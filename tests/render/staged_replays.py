@@ -57,7 +57,9 @@ class StagedReplay(Replay):
     def new_match(self) -> Match:
         home, away = TEAMS[self.league]
         teams = {"home": home, "away": away}
-        return Match(self.league, home=2, away=2, controllers=teams, seed=5, senses=self.senses, pose="particles")
+        return Match(
+            self.league, home=2, away=2, matches=2, controllers=teams, seed=5, senses=self.senses, pose="particles"
+        )
 
     def play(self) -> Iterator[Match]:
         match = self.new_match()
@@ -91,6 +93,18 @@ def stage(match: Match, step: int) -> None:
     stage_beliefs(match, step)
     if match.batch.senses is not None:
         stage_percepts(match, step)
+    turn_over_second(match)
+
+
+def turn_over_second(match: Match) -> None:
+    """Make the second match another: nothing of it may be shown."""
+    match.matches["home_direction"][1] *= -1.0
+    match.matches["half_length"][1], match.matches["step"][1], match.matches["phase"][1] = 77.0, 1, Phase.OVER
+    match.matches["score"][1], match.matches["shoot_out_score"][1], match.matches["clock"][1] = 9, 9, 0.0
+    match.events[1], match.robot_events["touch"][1], match.robot_events["kick"][1] = QUIET, 1, 1
+    match.balls[1] = 0
+    match.robots["x"][1], match.robots["active"][1], match.robots["kick_strength"][1] = 0.1, 0, 0.9
+    match.robots["has_ball"][1], match.robots["command"][1] = 1, 0
 
 
 def stage_events(match: Match, step: int) -> None:
