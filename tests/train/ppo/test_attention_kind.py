@@ -52,7 +52,7 @@ def test_the_policy_before_training_has_the_shape_of_the_one_after(mirror: bool,
 
 def test_a_past_self_takes_the_blank_ones_place() -> None:
     settings = TrainSettings(kind="attention", hidden="32")
-    curriculum = Curriculum(("still",), 1, blank_policy(settings, LEAGUE), True)
+    curriculum = Curriculum(("still",), 1, blank_policy(settings, LEAGUE))
     later = attentive(32, width=8, mirror=True, action_repeat=8)
     curriculum.add_past(later, 100)
     assert (curriculum._past[0].settings == team_of(later).settings).all()
