@@ -67,22 +67,22 @@ bench: $(VENV)/.has-base
 	$(BIN)/soccer bench
 
 tables: $(VENV)/.has-base
-	$(BIN)/python -m soccer_env.train.tables
+	$(BIN)/python -m soccer_env.train.pages.tables
 
 tables-check: $(VENV)/.has-base
-	$(BIN)/python -m soccer_env.train.tables --check
+	$(BIN)/python -m soccer_env.train.pages.tables --check
 
 pictures: $(VENV)/.has-pictures
-	$(BIN)/python -m soccer_env.train.pictures
+	$(BIN)/python -m soccer_env.train.pages.pictures
 
 docs: $(VENV)/.has-docs types
 	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict
 
 sacks-table: $(VENV)/.has-base
-	$(BIN)/python -m soccer_env.train.tables.sacks
+	$(BIN)/python -m soccer_env.train.pages.tables.sacks
 
 heinemann-table: $(VENV)/.has-base
-	$(BIN)/python -m soccer_env.train.tables.heinemann
+	$(BIN)/python -m soccer_env.train.pages.tables.heinemann
 
 mutants: $(VENV)/.has-train
 	$(BIN)/python tests/mutation/mutate.py $(ARGS)

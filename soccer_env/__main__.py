@@ -2,7 +2,7 @@
 
 import sys
 
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 
 if __name__ == "__main__":
     sys.exit(main())

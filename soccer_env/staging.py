@@ -3,7 +3,7 @@
     put(match, 0, x=0.0, y=0.0); put_ball(match, 0.5, 0.0)      records are set directly
     begin(match)                                                bodies and senses then follow from them
 
-Claims (`train/reproduce/staging.py`) and tests (`tests/scenes/staging.py`) build on it. Whoever stages a match reaches
+Claims (`train/papers/staging.py`) and tests (`tests/scenes/staging.py`) build on it. Whoever stages a match reaches
 inside it through this file alone: what robots, players and sensors keep may move.
 """
 

@@ -12,7 +12,7 @@ from soccer_env.agents.rules_known import LOG, differences, recorded, warn_once
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import SWITCHES, rule_set
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 from tests.agents.staged_policies import from_disk, lively
 
 LEAGUE = find_league("legged-2001")

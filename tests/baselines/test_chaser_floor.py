@@ -93,8 +93,8 @@ def test_without_strength_it_loses_to_itself(league: str, minutes: float) -> Non
 def test_every_step_of_strength_wins_points(league: str, minutes: float) -> None:
     """100 matches each against strength 1, which against itself has half of the points by symmetry.
 
-    The table of baselines/README.md has all steps with 200 matches each; tests/train/tables/test_tables.py asks it for
-    a ladder.
+    The table of baselines/README.md has all steps with 200 matches each;
+    tests/train/pages/tables/test_tables.py asks it for a ladder.
     """
     placement = find_league(league).evaluation_placement  # as `soccer evaluate` and the table play
     ladder = [points(score(league, f"chaser@{s}", "chaser", 100, minutes, 1, placement)) for s in (0, 0.5)]

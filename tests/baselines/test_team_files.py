@@ -12,7 +12,7 @@ from soccer_env.agents.policy_file import dump
 from soccer_env.leagues import find_league
 from soccer_env.observations import names_of
 from soccer_env.teams import ObservingTeam, make_team
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 from soccer_env.train.provenance import team_hash
 
 LEAGUE = "legged-2001"

@@ -14,7 +14,7 @@ from soccer_env.data_out.standard import write_standard
 from soccer_env.data_out.table_files import plain_cell, write_tables
 from soccer_env.data_out.tables import EVENTS, TRACKING, event_table, tables_of, tracking_table
 from soccer_env.replay import Replay
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 
 
 def test_every_frame_has_a_row_for_the_ball_and_for_each_robot(replay: Replay, found: Collected) -> None:

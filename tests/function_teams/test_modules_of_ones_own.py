@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, Rewards, make_team
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 
 MINE = """
 from dataclasses import replace

@@ -16,7 +16,7 @@ import numpy as np
 from soccer_env import Match, saving
 from soccer_env.ranges import UNIT, Place
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 from tests.fuzz.children import Task
 from tests.fuzz.forging import BROKEN, changed, hostile, not_a_number, parts_of, with_header
 

@@ -11,7 +11,7 @@ from soccer_env.leagues.legged_sensors import LeggedMemory, LeggedSensors
 from soccer_env.leagues.omni_sensors import OmniMemory, OmniSensors
 from soccer_env.leagues.options import GREATEST, Options, own_notes
 from soccer_env.leagues.rules import Rules
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 
 KINDS: tuple[type[Options], ...] = (LeggedSensors, LeggedMemory, OmniSensors, OmniMemory)
 

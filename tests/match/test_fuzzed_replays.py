@@ -13,7 +13,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.replay import Recorder, Replay
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 
 FILES = 240  # damaged, a third of them in each way
 ODD = [

@@ -45,8 +45,8 @@ ALSO = {  # what names and imports do not tell: tests that are about a folder or
     "baselines": ("tests/baselines/test_teams.py",),
     "train/evaluate": (
         "tests/train/test_statistics.py",
-        "tests/train/test_command_line.py",
-        "tests/train/report_pages",
+        "tests/train/command/test_command_line.py",
+        "tests/train/report",
     ),
 }
 

@@ -11,7 +11,7 @@ from soccer_env import Match
 from soccer_env.render import video
 from soccer_env.replay import Recorder, Replay
 from soccer_env.replay.film import FilmSettings, drawn_steps
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 
 pytest.importorskip("pygame")
 

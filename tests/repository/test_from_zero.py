@@ -7,7 +7,7 @@ from types import ModuleType
 
 import pytest
 
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 from tests.repository.test_readme import TEXTS, blocks, commands
 
 pytest.importorskip("torch")

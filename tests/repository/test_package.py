@@ -106,7 +106,7 @@ def test_wheel_holds_the_package_and_nothing_else(wheel: Path) -> None:
     } <= names
     assert {name.split("/")[0].split("-")[0] for name in names} == {"soccer_env"}
     (entry_points,) = (name for name in names if name.endswith(".dist-info/entry_points.txt"))
-    assert "soccer = soccer_env.train.command_line:main" in zipfile.ZipFile(wheel).read(entry_points).decode()
+    assert "soccer = soccer_env.train.command.command_line:main" in zipfile.ZipFile(wheel).read(entry_points).decode()
 
 
 def test_wheel_holds_the_pages_but_no_pictures(wheel: Path) -> None:

@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[2]
 PRIVATE = {  # what would be missed, and where
     "numba": "numba.core.caching._Cache and numba.core.codegen.JITCodeLibrary, in soccer_env/compiling/",
     "pymunk": "pymunk._chipmunk, in soccer_env/physics/",
-    "tyro": "the boxes that errors are printed in, in train/command_line.py",
+    "tyro": "the boxes that errors are printed in, in train/command/command_line.py",
 }
 
 

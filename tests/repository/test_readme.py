@@ -13,7 +13,7 @@ import pytest
 from soccer_env.leagues import LEAGUES
 from soccer_env.match_settings import MatchSettings
 from soccer_env.teams import NAMES
-from soccer_env.train.command_line import COMMANDS
+from soccer_env.train.command.command_line import COMMANDS
 
 if sys.version_info >= (3, 11):
     import tomllib

@@ -26,8 +26,8 @@ from soccer_env.rewards import NAMES
 from soccer_env.scenes import SCENES
 from soccer_env.statistics.figures import FIGURES
 from soccer_env.teams import NAMES as TEAMS
-from soccer_env.train.command_line import COMMANDS, kinds_of_settings
-from soccer_env.train.parsing import flags_of
+from soccer_env.train.command.command_line import COMMANDS, kinds_of_settings
+from soccer_env.train.command.parsing import flags_of
 
 pytest.importorskip("mkdocs")
 pytest.importorskip("material")

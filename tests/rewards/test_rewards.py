@@ -8,7 +8,7 @@ import pytest
 
 from soccer_env import Match, Rewards
 from soccer_env.rewards import KINDS, NAMES, POTENTIALS, PRESETS, TERMS, Term, find_rewards, make_pay
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 from soccer_env.types import AWAY, HOME
 from tests.scenes.staging import LEAGUES, endless, put, put_ball, scatter, set_phase, stage, stand
 

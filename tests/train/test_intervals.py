@@ -13,8 +13,8 @@ from soccer_env.statistics.records import BINS
 from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
 from soccer_env.train.evaluate.statistics import named, totals
-from soccer_env.train.reproduce.verdicts import counted, find, measured
-from soccer_env.train.tables.drills import share_of
+from soccer_env.train.pages.tables.drills import share_of
+from soccer_env.train.papers.verdicts import counted, find, measured
 
 stats = pytest.importorskip("scipy.stats")
 PAIRS = 40

@@ -9,8 +9,8 @@ import pytest
 
 from soccer_env.train.evaluate.results import EVALUATION
 from soccer_env.train.files import LARGEST
+from soccer_env.train.papers.results import REPRODUCTION
 from soccer_env.train.ppo.run_folder import TRAINING
-from soccer_env.train.reproduce.results import REPRODUCTION
 from soccer_env.train.results_folder import SETTINGS, Kind, ResultsFolder
 
 MADE = {"soccer_env": "1.0", "code": "abc"}

@@ -19,8 +19,8 @@ from soccer_env.train.bench.loads import HOLD, PLAYERS, WARM_UP
 
 START_TIMES = {  # Python programs by what they start
     "import soccer_env": "import soccer_env",
-    "soccer --help": "from soccer_env.train.command_line import main; main(['--help'])",
-    "start of an evaluation": "from soccer_env.train.command_line import main; "
+    "soccer --help": "from soccer_env.train.command.command_line import main; main(['--help'])",
+    "start of an evaluation": "from soccer_env.train.command.command_line import main; "
     "main('evaluate --home chaser --away random@0.5 --matches 2 --minutes 0.02'.split())",
 }
 

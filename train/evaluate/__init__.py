@@ -8,12 +8,13 @@ results.py         one line for each match; the result that follows from the lin
 statistics.py      statistics of play: of a line, totals with intervals, tables
 map_tables.py      where things happened, as tables of a report
 report.py          the result in Markdown and on the screen
-page.py             the same as a page for the browser, with pictures
+page.py            the same as a page for the browser, with pictures
 recording.py       a match into a replay file, and out of it again
 exporting.py       a replay as a film, a page, data or a picture
 rechecking.py      `recheck`: a sample played again, every line compared bit for bit
 same_contest.py    what a folder of results says, and the contest that it tells of, made again
 map_pictures.py    heat maps, pass networks and shot maps as a picture
+replays/           replays of matches worth keeping
 """
 
 from typing import TYPE_CHECKING

@@ -22,10 +22,10 @@ from soccer_env.teams import Team
 from soccer_env.train.evaluate.contest import Contest, check_trained, contest_of, play_matches, trained_otherwise
 from soccer_env.train.evaluate.line_checks import check_line
 from soccer_env.train.evaluate.page import page_of
+from soccer_env.train.evaluate.replays import Keep, keep_replays
 from soccer_env.train.evaluate.report import markdown
 from soccer_env.train.evaluate.results import EVALUATION, MATCHES, EvaluationResult, MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
-from soccer_env.train.keeping import Keep, keep_replays
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import check_told_apart, made_now, made_with, of_modules
 from soccer_env.train.results_folder import ResultsFolder

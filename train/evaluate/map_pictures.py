@@ -1,4 +1,4 @@
-"""Heat maps, pass networks and shot maps of a result.json or of a replay: one picture of `train.plots.pitch_maps`."""
+"""Heat maps, pass networks and shot maps of a result.json or of a replay: one picture of `train.report.pitch_maps`."""
 
 import json
 from pathlib import Path
@@ -10,8 +10,8 @@ from soccer_env.replay import Replay
 from soccer_env.settings import plain
 from soccer_env.statistics.maps import maps_of
 from soccer_env.statistics.records import CELLS_LONG, CELLS_WIDE
-from soccer_env.train.plots import can_draw
-from soccer_env.train.plots.pitch_maps import MARKS, Maps, draw_maps
+from soccer_env.train.report import can_draw
+from soccer_env.train.report.pitch_maps import MARKS, Maps, draw_maps
 from soccer_env.types import HOME, MAX_TEAM
 from soccer_env.whole_files import read_plain, write_whole
 

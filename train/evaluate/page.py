@@ -4,14 +4,13 @@ from collections.abc import Callable, Iterator, Sequence
 
 from soccer_env.train.evaluate.map_pictures import checked
 from soccer_env.train.evaluate.map_tables import map_rows, pass_rows
+from soccer_env.train.evaluate.replays import Kept
+from soccer_env.train.evaluate.replays.page_section import add_replays
 from soccer_env.train.evaluate.report import PAIRS_SHOWN, conditions_rows, needed, rows, sentence
 from soccer_env.train.evaluate.results import EvaluationResult, pair_means
 from soccer_env.train.evaluate.statistics import goal_rows, play_rows
-from soccer_env.train.keeping import Kept
-from soccer_env.train.plots import MISSING, can_draw, draw_bars, draw_curves
-from soccer_env.train.plots.pitch_maps import draw_network, draw_presence, draw_shots
-from soccer_env.train.report_pages import ReportPage
-from soccer_env.train.report_pages.replays import add_replays
+from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_bars, draw_curves
+from soccer_env.train.report.pitch_maps import draw_network, draw_presence, draw_shots
 from soccer_env.train.statistics import paired_bootstrap
 
 LOOKS = 24  # points of the curve of the mean over pairs

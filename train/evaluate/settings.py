@@ -12,7 +12,7 @@ from typing import Literal
 from soccer_env.checking import SHARE, Range
 from soccer_env.leagues.league import League
 from soccer_env.match_settings import Placement, Pose
-from soccer_env.train.keeping.asking import Keep
+from soccer_env.train.evaluate.replays.choice import Keep
 from soccer_env.train.written_settings import (
     POSES,
     SENSING,

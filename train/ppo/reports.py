@@ -13,14 +13,14 @@ from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import load
 from soccer_env.leagues import find_league
 from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
+from soccer_env.train.evaluate.replays import Keep, Kept, keep_replays, kept_in
 from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
-from soccer_env.train.keeping import Keep, Kept, keep_replays, kept_in
-from soccer_env.train.plots import can_draw, draw_curves
 from soccer_env.train.ppo.curriculum import LEARNER, Curriculum
 from soccer_env.train.ppo.run_folder import BEST, RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.progress import Progress
+from soccer_env.train.report import can_draw, draw_curves
 
 NOTED = {  # what stable-baselines3 records of an update, and its name in our logs
     "train/approx_kl": "kl",

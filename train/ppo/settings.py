@@ -18,7 +18,7 @@ from soccer_env.leagues.rules import rule_set
 from soccer_env.names import unknown
 from soccer_env.rewards import NAMES, PRESETS, TERMS, Rewards, find_rewards
 from soccer_env.scenes import Scene, mixture, names_in
-from soccer_env.train.keeping.asking import Keep
+from soccer_env.train.evaluate.replays.choice import Keep
 from soccer_env.train.ppo.bounds import BOUNDS, LOGS
 from soccer_env.train.written_settings import (
     CommandSettings,

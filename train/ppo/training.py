@@ -16,7 +16,7 @@ import numpy as np
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump
 from soccer_env.agents.trained_with import tell_of_truth
-from soccer_env.train.keeping import Kept
+from soccer_env.train.evaluate.replays import Kept
 from soccer_env.train.ppo.checkpoints import generators, read_checkpoint, restore_generators, write_checkpoint
 from soccer_env.train.ppo.checks import made_by
 from soccer_env.train.ppo.curriculum import Curriculum

@@ -10,7 +10,7 @@ from dataclasses import MISSING, Field, fields
 from typing import Annotated, Any, get_args, get_origin
 
 from pages.markdown import code, table
-from soccer_env.train.command_line import kinds_of_settings
+from soccer_env.train.command.command_line import kinds_of_settings
 
 CONFIG = "TOML file with settings, or the name of a bundled one as legged-2001; options beside it count more."
 MORE = {"train": [("`--config FILE`", "", "", CONFIG)]}  # what is read before the settings are

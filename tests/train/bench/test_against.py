@@ -9,7 +9,7 @@ import pytest
 
 from soccer_env.train.bench import against, worker
 from soccer_env.train.bench.settings import BenchSettings
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 
 ROOT = Path(__file__).parents[3]
 

@@ -12,7 +12,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.random_numbers import seeds_for
 from soccer_env.statistics.records import FRESH
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.evaluate import contest as module
 from soccer_env.train.evaluate.results import EvaluationResult

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 
 PLAYED = ["--home", "chaser", "--away", "still", "--players", "1", "--minutes", "0.03"]
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from soccer_env.statistics.records import CELLS_LONG, CELLS_WIDE
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 
 PITCH = {"length": 3.0, "width": 2.0, "goal_width": 0.6, "goal_depth": 0.3, "penalty_depth": 0.5, "penalty_width": 1.0,
          "circle": 0.15}  # fmt: skip

@@ -12,7 +12,7 @@ import pytest
 
 from soccer_env import make_team
 from soccer_env.agents import learned
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 from soccer_env.train.evaluate import EvaluateSettings, evaluate, recheck, rechecking
 
 SHORT: dict[str, Any] = {"home": "chaser", "away": "random", "matches": 6, "minutes": 0.1, "players": 1, "seed": 5}

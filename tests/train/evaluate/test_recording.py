@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 from soccer_env.train.evaluate.play_settings import RecordSettings
 from soccer_env.train.evaluate.recording import record, start
 

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from soccer_env.leagues import find_league
+from soccer_env.train.command.parsing import read_settings
 from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
-from soccer_env.train.parsing import read_settings
 
 LEGGED, MIDDLE = find_league("legged-2001"), find_league("middle-size-2006")
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from soccer_env.agents.policy_file import dump
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.evaluate.settings import Conditions
 from tests.agents.staged_policies import lively

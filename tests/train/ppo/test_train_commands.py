@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env.train.command_line import main
-from soccer_env.train.parsing import read_settings
+from soccer_env.train.command.command_line import main
+from soccer_env.train.command.parsing import read_settings
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.toml_file import settings_of
 
@@ -81,7 +81,7 @@ def test_a_wrong_command_is_one_line(words: list[str], message: str, capsys: pyt
 
 MISSING = """
 import sys
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 
 class Missing:
     @staticmethod

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from soccer_env.agents.learned import BUNDLED
 from soccer_env.rewards import NAMES, TERMS
-from soccer_env.train.command_line import main
-from soccer_env.train.parsing import read_settings
+from soccer_env.train.command.command_line import main
+from soccer_env.train.command.parsing import read_settings
 from soccer_env.train.ppo.bounds import BOUNDS
 from soccer_env.train.ppo.checks import check_playable
 from soccer_env.train.ppo.learner import part_size

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 
 pytest.importorskip("stable_baselines3")
 

@@ -24,7 +24,7 @@ from soccer_env.agents.rules_known import recorded
 from soccer_env.checking import Range
 from soccer_env.leagues import find_league
 from soccer_env.leagues.rules import rule_set
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 from soccer_env.train.ppo import reports, train, training
 from soccer_env.train.ppo.bounds import BOUNDS
 from soccer_env.train.ppo.checks import lesson, make_curriculum, make_matches
@@ -260,7 +260,12 @@ def test_logs_are_json_that_others_can_read() -> None:
 
 def words_of(out: Path, **changes: Any) -> list[str]:
     """Return a command as a user gives it to the shell, of a run long enough to be cut."""
-    return [sys.executable, "-m", "soccer_env.train.command_line", *shlex.split(command_of(tiny(out, **changes)))[1:]]
+    return [
+        sys.executable,
+        "-m",
+        "soccer_env.train.command.command_line",
+        *shlex.split(command_of(tiny(out, **changes)))[1:],
+    ]
 
 
 @contextmanager

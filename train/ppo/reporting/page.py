@@ -3,13 +3,12 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from soccer_env.train.keeping import Kept
-from soccer_env.train.plots import MISSING, can_draw, draw_curves, draw_heat_table
+from soccer_env.train.evaluate.replays import Kept
+from soccer_env.train.evaluate.replays.page_section import add_replays
 from soccer_env.train.ppo.reports import curve_of, decisions_of, scale
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.provenance import LIBRARIES, made_now, version_of
-from soccer_env.train.report_pages import ReportPage
-from soccer_env.train.report_pages.replays import add_replays
+from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_curves, draw_heat_table
 
 MOST_COLUMNS = 9  # evaluations in the table of opponents
 POINTS = 300  # of a curve of the log

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from soccer_env.train.command_line import main
+from soccer_env.train.command.command_line import main
 from soccer_env.train.ppo.reporting import loggers
 from soccer_env.train.ppo.reporting.loggers import Logs
 from soccer_env.train.ppo.run_folder import RunFolder

@@ -1,0 +1,246 @@
+"""The command line: light, plain about what is wrong, and never a traceback for a user's mistake."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import get_args
+
+import pytest
+
+from soccer_env.teams import registry
+from soccer_env.train import command_line
+from soccer_env.train.command.command_line import main
+from soccer_env.train.command.listing import Table, What
+
+# not gymnasium and pettingzoo: importing the package registers its environments there
+HEAVY = ("numba", "torch", "pymunk", "tyro", "rich", "scipy", "matplotlib", "pygame")
+
+
+@pytest.mark.parametrize("words", [["--help"], ["--version"], ["nonsense"]])
+def test_what_needs_nothing_imports_nothing(words: list[str], tmp_path: Path) -> None:
+    program = (
+        "import sys\nfrom soccer_env.train.command.command_line import main\n"
+        f"main({words!r})\nprint('heavy:', sorted(set({HEAVY!r}) & set(sys.modules)))"
+    )
+    run = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert run.stdout.splitlines()[-1] == "heavy: []"
+
+
+def test_help_of_a_command_compiles_nothing(tmp_path: Path) -> None:
+    program = (
+        "import sys\nfrom soccer_env.train.command.command_line import main\n"
+        "try:\n    main(['evaluate', '--help'])\nfinally:\n    print('heavy:', {'numba', 'torch'} & set(sys.modules))"
+    )
+    run = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert "--matches" in run.stdout
+    assert "heavy: set()" in run.stdout
+
+
+def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--help"]) == 0
+    text = capsys.readouterr().out
+    assert set(command_line.SUMMARIES) == set(command_line.COMMANDS)
+    assert all(f"  {name} " in text for name in command_line.SUMMARIES)
+    assert all(kind in command_line.SUMMARIES["list"] for kind in get_args(What))
+    assert main([]) == 2
+
+
+@pytest.mark.parametrize(
+    ("words", "complaint"),
+    [
+        (["football"], "unknown command 'football'; known: evaluate"),
+        (["evaluate", "--goals", "3"], "unknown option '--goals'"),
+        (["evaluate", "--matchez", "4"], "unknown option '--matchez', did you mean '--matches'? known: --league"),
+        (["evaluate", "4"], "'4' belongs to no option; options: --league"),
+        (
+            ["evaluate", "--pose", "percpt"],
+            "unknown --pose 'percpt', did you mean 'percept'? known: ",
+        ),
+        (["evaluate", "--minutes", "none"], "--minutes must be a number above 0 and below 10000 or full, got 'none'"),
+        (["evaluate", "--matches="], "--matches must be a whole number of at least 2, got ''"),
+        (["evaluate", "--anew=yes"], "'yes' belongs to no option"),
+        (["replay"], "FILE must be given (see soccer replay --help)"),
+        (["evaluate", "--recheck", "x", "--matches", "40"], "matches does not go with recheck"),
+        (["evaluate", "--pairs", "9"], "pairs goes with recheck"),
+        (
+            ["evaluate", "--recheck", "x", "--pairs", "none"],
+            "--pairs must be a whole number of at least 1 or all, got 'none'",
+        ),
+        (["export", "x", "--speed", "fast"], "--speed must be a number above 0 and at most 100, got 'fast'"),
+        (["train", "--mirorr"], "unknown option '--mirorr', did you mean '--mirror' or '--no-mirror'?"),
+        (["list", "teams", "--lague", "x"], "unknown option '--lague', did you mean '--league'?"),
+        (["evalute", "--home", "still"], "unknown command 'evalute', did you mean 'evaluate'?"),
+        (["--tyro-print-completion", "bsh"], "unknown shell 'bsh', did you mean 'bash'?"),
+        (["--print-completion"], "unknown shell ''; known: bash, zsh, fish"),
+        (["evaluate", "--matches", "many"], "--matches"),
+        (["evaluate", "--matches", "3"], "matches must be an even whole number, for each seed is played twice"),
+        (["evaluate", "--matches"], "--matches"),
+        (["evaluate", "--minutes", "half"], "--minutes"),
+        (["evaluate", "--seed", "-1"], "seed must be a whole number of at least 0, got -1"),
+        (["evaluate", "--league", "cricket"], "unknown league 'cricket'; known: legged-2001, middle-size-2006"),
+        (["evaluate", "--home", "winners"], "unknown team 'winners'; known: still, random"),
+        (["evaluate", "--home", "still", "--away", "random@2"], "strength of team 'random@2' must be"),
+        (["evaluate", "--home", "still", "--scene", "picnic"], "unknown scene 'picnic'; known: kick-off"),
+        (
+            ["evaluate", "--home", "still", "--scene", "empty-goal"],
+            "`soccer record --scene empty-goal` plays it once, in Python run_drill('legged-2001', 'empty-goal', ",
+        ),
+        (["export", "nope.replay", "--out", "a.html"], "soccer: nope.replay: no such file or directory\n"),
+        (["export", "nope.replay", "--out", "a.svg"], "; .svg needs --maps: heat maps, pass networks, shot maps"),
+        (["evaluate", "--players", "12"], "players must be 1 to 11"),
+        (["evaluate", "--picture"], "picture needs a folder"),
+        (["list", "cups"], "unknown list 'cups'; known: leagues"),
+        (["evalaute"], "unknown command 'evalaute', did you mean 'evaluate'? known: evaluate, list"),
+        (["list", "senses"], "unknown list 'senses', did you mean 'scenes'? known: leagues"),
+        (["evaluate", "--home", "sacks-2000"], "unknown team 'sacks-2000', did you mean 'sacks-2001'? known: still"),
+        (["evaluate", "--league", "leged-2001"], "unknown league 'leged-2001', did you mean 'legged-2001'? known: "),
+        (["evaluate", "--home", "still", "--scene", "kickoff"], "unknown scene 'kickoff', did you mean 'kick-off'?"),
+        (["list", "observations", "--league", "x"], "unknown league 'x'"),
+    ],
+)
+def test_a_mistake_is_one_line_and_exit_code_2(
+    words: list[str], complaint: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert complaint in printed.err
+    assert printed.err.startswith("soccer: ")
+    assert printed.err.count("\n") == 1
+
+
+def test_a_folder_that_cannot_be_made_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "file").write_text("")
+    words = ["evaluate", "--home", "still", "--away", "still", "--out", str(tmp_path / "file" / "inside")]
+    assert main(words) == 2
+    assert "not a directory" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("what", ["leagues", "teams", "scenes", "observations", "rules", "actions", "rewards"])
+def test_lists_name_what_there_is(what: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list", what]) == 0
+    text = capsys.readouterr().out
+    expected = {
+        "leagues": ("legged-2001", "middle-size-2006", "3 x 2 m", "family"),
+        "teams": ("random", "still", "NAME@0.5", "family"),
+        "scenes": ("kick-off", "family"),
+        "observations": ("own_x", "ball_x", "73 numbers"),
+        "rules": ("keeper_pushing", "simple"),
+        "actions": ("forward", "discrete"),
+        "rewards": ("progress", "sparse"),
+    }[what]
+    assert all(word in text for word in expected)
+
+
+@pytest.mark.parametrize("what", get_args(What))
+def test_lists_are_json_when_asked(what: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list", what, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found and all(table["title"] and table["rows"] for table in found)
+    for table in found:
+        assert all(isinstance(value, str) for row in table["rows"] for value in row.values())
+        assert len({tuple(row) for row in table["rows"]}) == 1
+    assert what != "scenes" or found[0]["rows"][0]["name"] == "kick-off"
+
+
+def test_help_of_list_names_its_options(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["list", "--help"])
+    text = capsys.readouterr().out
+    assert all(word in text for word in ("--league", "--observe", "--json", "observations"))
+
+
+def test_a_result_is_json_when_asked_and_nothing_else_is_printed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ["evaluate", "--home", "still", "--away", "still", "--players", "1", "--matches", "2", "--minutes", "0.02"]
+    assert main([*words, "--json", "--out", str(tmp_path / "[red]")]) == 0
+    assert json.loads(capsys.readouterr().out) == json.loads((tmp_path / "[red]" / "result.json").read_text())
+    assert "--json" not in (tmp_path / "[red]" / "settings.json").read_text(), "the same run, shown in another way"
+
+
+def test_names_are_printed_as_they_are() -> None:
+    """rich takes [/x] for the end of a style, and raises."""
+    console = command_line.console()
+    with console.capture() as captured:
+        console.print(Table("[/x]", ("name",), (("a [/x] and [red] team",),)).drawn())
+    assert "a [/x] and [red] team" in captured.get() and captured.get().count("[/x]") == 2
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_every_command_and_option_can_be_completed(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--tyro-print-completion", shell]) == 0
+    text = capsys.readouterr().out
+    assert main([f"--print-completion={shell}"]) == 0 and capsys.readouterr().out == text
+    assert all(word in text for word in (*command_line.COMMANDS, "--at-least", "--teacher-steps", "--against"))
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")
+@pytest.mark.parametrize(
+    ("typed", "completed"),
+    [("soccer eva", "evaluate"), ("soccer evaluate --mat", "--matches"), ("soccer evaluate --pose part", "particles")],
+)
+def test_bash_completes(typed: str, completed: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    main(["--print-completion", "bash"])
+    (tmp_path / "completion").write_text(capsys.readouterr().out)
+    asked = f"source {tmp_path / 'completion'}; COMP_WORDS=({typed}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))\n"
+    run = ["bash", "-c", asked + '_tyro_soccer; printf "%s\\n" "${COMPREPLY[@]}"']
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    done = subprocess.run(run, capture_output=True, text=True, env={**os.environ, "PATH": path})
+    assert [line.split("\t")[0].split(" (")[0].strip() for line in done.stdout.splitlines()] == [completed], done.stderr
+
+
+def test_zsh_may_source_its_script_or_find_it_as_a_file(capsys: pytest.CaptureFixture[str]) -> None:
+    """As tyro makes it, sourcing it calls the completion at once, outside of one: an error, and nothing completes."""
+    main(["--print-completion", "zsh"])
+    text = capsys.readouterr().out
+    assert text.startswith("#compdef soccer\n")
+    assert "compdef _tyro_soccer soccer" in text and '\n_tyro_soccer "$@"' not in text
+
+
+@pytest.mark.skipif(shutil.which("zsh") is None, reason="there is no zsh")
+def test_zsh_completes_once_it_has_sourced_the_script(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    main(["--print-completion", "zsh"])
+    (tmp_path / "completion").write_text(capsys.readouterr().out)
+    asked = f"autoload -Uz compinit; compinit -u -d {tmp_path / 'dump'}; source {tmp_path / 'completion'}\n"
+    asked += '_describe() { print -r -- "${(P)2}" }; words=(soccer eva); CURRENT=2; $_comps[soccer]'
+    done = subprocess.run(["zsh", "-f", "-c", asked], capture_output=True, text=True)
+    assert done.stdout.strip() == "evaluate:evaluate", done.stderr
+
+
+def test_the_package_runs_as_the_command(tmp_path: Path) -> None:
+    run = [sys.executable, "-m", "soccer_env", "evalute"]
+    done = subprocess.run(run, capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 2 and "did you mean 'evaluate'?" in done.stderr
+
+
+def test_a_list_of_teams_runs_nothing_of_other_packages(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(
+        "soccer_env.teams.registered", lambda: {"lions": "canary_that_does_not_exist:team", **registry.NAMES}
+    )
+    found = registry.found
+    monkeypatch.setattr(registry, "found", lambda where: found(where) if "canary" not in where else pytest.fail(where))
+    for what in ("teams", "settings"):
+        assert main(["list", what]) == 0
+    assert "canary" not in capsys.readouterr().err
+
+
+def test_each_team_is_listed_in_its_own_words(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list", "teams", "--json"]) == 0
+    (table,) = json.loads(capsys.readouterr().out)
+    told = {row["name"]: row["what it is"] for row in table["rows"]}
+    assert len(set(told.values())) == len(told)
+    assert told["weigel-2001"].startswith("A variant of heinemann-2006: the same team with the planner of Weigel")
+    assert told["sacks-2001-tuned"].startswith("A variant of sacks-2001: the team with other numbers")
+    assert told["sacks-2001"].startswith("sacks-2001: the legged team of the University of Pennsylvania")
+
+
+def test_a_traceback_can_be_had(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SOCCER_ENV_TRACEBACK", "1")
+    with pytest.raises(ValueError, match="unknown team"):
+        main(["evaluate", "--home", "winners"])

@@ -1,0 +1,177 @@
+"""Commands that are interrupted, ended or killed at any moment go on, and end with the results of undisturbed ones.
+
+All that a run leaves is compared bit for bit, but for the figures of the wall clock: the date at which it began, and
+`seconds` in a training's log, table and report. What a kill leaves of a file that was half written (`.NAME.*.tmp`) is
+left out, and so is the lock.
+
+    python -m tests.train.command.test_commands_cut 40          so many cuts of each command, at other moments
+    python -m tests.train.command.test_commands_cut 40 train    of one
+"""
+
+import json
+import os
+import random
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.train.command.cutting import visible
+
+ROOT = Path(__file__).parents[3]
+SHORT = "--players 1 --senses ideal --seed 3"
+TRAIN = (
+    "train --players 1v1 --senses ideal --seed 3 --matches 8 --rollout 8 --steps 320 --minutes 0.2 --critic-first 1 "
+    "--opponents still,chaser --past 2 --past-every 1 --evaluate-every 128 --evaluate-matches 2 --evaluate-minutes 0.1 "
+    "--evaluate-against still --out {out}"
+)
+EXPORT = "export {replay} --anew --out {out}"
+COMMANDS = {
+    "evaluate": f"evaluate --home chaser --away still --matches 6 --minutes 0.5 {SHORT} --out {{out}}",
+    "train": f"{TRAIN} --teacher=",
+    "train, with a teacher": f"{TRAIN} --teacher chaser --teacher-steps 600 --teacher-epochs 2 --rounds 2",
+    "reproduce": "reproduce H12 H17 S05 --quick --out {out}",
+    "reproduce, in processes": "reproduce H12 H17 S05 --quick --threads 2 --out {out}",
+    "record": f"record --home chaser --away chaser --minutes 0.1 {SHORT} --out {{out}}/match.replay",
+    "export a page": f"{EXPORT}/match.html",
+    "export a film": f"{EXPORT}/match.gif --fps 5",
+    "export a picture": f"{EXPORT}/match.png",
+    "export tables": f"{EXPORT}/match.csv",
+    "export a folder": f"{EXPORT}/match.cdf",
+}
+QUICK = ("record", "export a picture")
+CODES = {"SIGINT": ("130", "0"), "SIGTERM": ("-15", "0"), "SIGKILL": ("-9", "0"), "late": ("0",)}
+
+
+def cut(name: str, folder: Path, cuts: int, seed: int) -> list[list[str]]:
+    """Carry out a command whole, cut, and twice at once; return how its processes ended."""
+    asked = [
+        sys.executable,
+        "-m",
+        "tests.train.command.cutting",
+        str(folder),
+        str(cuts),
+        str(seed),
+        *COMMANDS[name].split(),
+    ]
+    done = subprocess.run(asked, cwd=ROOT, capture_output=True, text=True, timeout=3600, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "Traceback" not in done.stderr, done.stderr
+    return [line.split() for line in done.stdout.splitlines()]
+
+
+# What a run leaves
+
+
+def contents(folder: Path) -> dict[str, Any]:
+    """Return what a run has left, by the names of its files: text and bytes without dates, lines in order."""
+    return {str(path): content(folder / path, folder, data) for path, data in visible(folder).items()}
+
+
+def content(path: Path, folder: Path, data: bytes) -> Any:
+    """Return what a file holds, from its bytes."""
+    if path.suffix == ".pt":
+        return checkpoint(path)
+    if path.name == "latest.json":
+        return {name: value for name, value in json.loads(data).items() if name != "sha256"}
+    data = re.sub(rb"\b20\d\d-\d\d-\d\d\b", b"DATE", data.replace(str(folder).encode(), b"FOLDER"))
+    if path.name == "log.jsonl":
+        return [{**json.loads(line), "seconds": None} for line in data.splitlines()]
+    if path.name == "progress.csv":
+        return columns(data.decode())
+    if path.name == "report.html":
+        return re.sub(rb"(<td>(?:matches|networks|update|checkpoint|evaluation)</td><td[^>]*>)[0-9.]+", rb"\1", data)
+    return sorted(set(data.splitlines())) if path.suffix == ".jsonl" else data
+
+
+def columns(table: str) -> list[list[str]]:
+    """Return the rows of a table without its columns of seconds."""
+    rows = [line.split(",") for line in table.splitlines()]
+    kept = [index for index, name in enumerate(rows[0]) if not name.startswith("seconds")]
+    return [[row[index] for index in kept] for row in rows]
+
+
+def checkpoint(path: Path) -> Any:
+    """Return all values of a checkpoint, whose bytes also tell which of them were one object."""
+    import torch
+
+    def plain(value: Any) -> Any:
+        if isinstance(value, torch.Tensor):
+            return str(value.dtype), tuple(value.shape), value.numpy().tobytes()
+        if isinstance(value, dict):
+            return {key: plain(part) for key, part in value.items()}
+        return [plain(part) for part in value] if isinstance(value, (list, tuple)) else repr(value)
+
+    return plain(torch.load(path, weights_only=True))
+
+
+def differences(one: dict[str, Any], other: dict[str, Any]) -> list[str]:
+    """Return the names of the files that differ."""
+    return [name for name in sorted({*one, *other}) if one.get(name) != other.get(name)]
+
+
+def check(name: str, folder: Path, cuts: int, seed: int) -> list[list[str]]:
+    """Assert that a command that was cut ends as one that was not, and so do two at once."""
+    ends = cut(name, folder, cuts, seed)
+    cuts_made = [end for end in ends if end[0] in CODES]
+    assert all(end[1] == "0" for end in ends if end[0] in ("replay", "whole", "last")), ends
+    assert all(end[1] in CODES[end[0]] for end in cuts_made), ends
+    assert {ends[-1][1], ends[-1][3]} <= {"0", "2"} and "0" in ends[-1], ends
+    whole = contents(folder / "whole")
+    assert whole
+    for at in sorted({end[2] for end in ends if end[1] == "0" and end[0] not in ("replay", "whole")}):
+        found = contents(folder / at)
+        assert differences(found, whole) == [], (at, ends)
+    return ends
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs signals and forks")
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.whole) for name in COMMANDS]
+)
+def test_a_command_that_is_cut_ends_as_one_that_is_not(name: str, tmp_path: Path) -> None:
+    check(name, tmp_path, cuts=2 if name in QUICK else 5, seed=1)
+
+
+SPAWNED = """
+import multiprocessing
+import numpy as np
+from soccer_env import Match
+
+def play(seed):
+    match = Match(home=1, away=1, seed=seed, senses="ideal")
+    for _ in range(5):
+        match.step(np.zeros((1, 2, 4)))
+    return match.state_hash()
+
+if __name__ == "__main__":
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        print([*map(play, (1, 2))] == pool.map(play, (1, 2)))
+"""
+
+
+@pytest.mark.slow
+def test_a_script_that_spawns_processes_plays_the_same_in_them(tmp_path: Path) -> None:
+    script = tmp_path / "spawned.py"
+    script.write_text(SPAWNED)
+    done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=300, check=False)
+    assert done.stdout == "True\n", done.stderr
+
+
+def main() -> None:
+    """Cut every command many times, at moments of another seed."""
+    cuts = int(sys.argv[1]) if len(sys.argv) > 1 else 40
+    for name in sys.argv[2:] or COMMANDS:
+        with tempfile.TemporaryDirectory() as folder:
+            seed = random.SystemRandom().randrange(10**6)
+            print(name, "seed", seed, flush=True)
+            for end in check(name, Path(folder), cuts, seed):
+                print("  ", *end)
+
+
+if __name__ == "__main__":
+    main()

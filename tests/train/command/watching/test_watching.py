@@ -1,0 +1,171 @@
+"""`soccer watch`: pause, single steps, speed and going back; a replay or a live match; no display is said."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+pytest.importorskip("pygame")
+
+import pygame
+
+from soccer_env import Match
+from soccer_env.render import Picture, Window
+from soccer_env.render.closeup import Closeup
+from soccer_env.render.colours import TEAMS
+from soccer_env.render.overlays.scene import Cast, cast_of
+from soccer_env.replay import Recorder, Thoughts
+from soccer_env.replay.thought import Reader
+from soccer_env.train.command.command_line import main
+from soccer_env.train.command.watching import tape as tapes
+from soccer_env.train.command.watching.deck import HELP, OVERLAYS, Deck
+from soccer_env.train.command.watching.tape import Tape, live
+from soccer_env.train.command.watching.watching import frame_of, show
+
+
+def played(steps: int = 40) -> Match:
+    minutes = steps / 16.0 / 60.0
+    return Match(home=1, away=1, controllers={"home": "chaser", "away": "random"}, minutes=minutes, seed=2)
+
+
+def step_of(tape: Tape) -> int:
+    return int(tape.shot[0]["step"])
+
+
+def test_a_tape_goes_on_and_back_and_stops_at_both_ends() -> None:
+    tape = Tape(live(played()), stride=4)
+    tape.go(3)
+    assert step_of(tape) == 12
+    tape.go(-2)
+    assert step_of(tape) == 4
+    tape.go(-99)
+    assert step_of(tape) == 0
+    tape.go(99)
+    assert step_of(tape) == 40 and tape.ended
+
+
+def test_a_tape_gives_up_its_oldest_shots(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tapes, "KEPT", 8)
+    tape = Tape(live(played()))
+    for step in range(1, 31):
+        tape.go(1)
+        assert step_of(tape) == step and len(tape.shots) <= 8
+    tape.go(-99)
+    assert 22 <= step_of(tape) < 30
+
+
+def test_keys_pause_step_seek_and_change_the_speed() -> None:
+    tape = Tape(live(played(200)))
+    deck = Deck(tape, 16.0, 1.0)
+    assert (deck.fps, deck.skip) == (16.0, 1)
+    for key, step, paused in ((".", 1, True), (".", 2, True), (",", 1, True), ("right", 81, True), ("left", 1, True)):
+        deck.press(key)
+        assert (step_of(tape), deck.paused) == (step, paused)
+    deck.press("space")
+    deck.press("up")
+    deck.press("up")
+    assert (deck.paused, deck.speed, deck.skip, deck.fps) == (False, 4.0, 2, 32.0)
+    deck.press("home")
+    deck.press("x")
+    assert step_of(tape) == 0
+    with pytest.raises(ValueError, match="speed must be above 0 and at most 100, got 0"):
+        Deck(tape, 16.0, 0.0)
+
+
+def test_a_replay_is_shown_until_escape_and_keys_reach_it(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    match = played()
+    recorder = Recorder(match)
+    while not match.terminated.all():
+        match.step()
+    recorder.stop().write(tmp_path / "a.replay")
+    keys = [pygame.K_SPACE, pygame.K_PERIOD, None, None, pygame.K_SPACE, None, pygame.K_ESCAPE]
+    shown: list[int] = []
+    draw, flip = Picture.draw, Window._flip
+
+    def note(picture: Picture, match: object, *rest: object, **named: object) -> object:
+        shown.append(int(match["step"]))  # type: ignore[index]
+        return draw(picture, match, *rest, **named)  # type: ignore[arg-type]
+
+    def press(window: Window, image: pygame.Surface) -> None:
+        flip(window, image)
+        key = keys.pop(0)
+        if key is not None:
+            pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=key, window=window._window))
+
+    monkeypatch.setattr(Picture, "draw", note)
+    monkeypatch.setattr(Window, "_flip", press)
+    assert main(["watch", str(tmp_path / "a.replay"), "--speed", "50", "--width", "320"]) == 0
+    assert shown == [0, 0, 1, 1, 1, 17, 33] and keys == []
+    pygame.quit()
+
+
+def watched(steps: int = 90) -> tuple[Deck, Cast]:
+    match = Match(home=2, away=1, controllers={"home": "sacks-2001", "away": "chaser"}, seed=2)
+    thoughts = Thoughts(match)
+    deck = Deck(Tape(live(match, thoughts)), 16.0, 1.0, agents=tuple(match.agents))
+    deck.tape.go(steps)
+    while np.hypot(deck.tape.shot.ball["vx"], deck.tape.shot.ball["vy"]) < 0.3:  # until it rolls, and leaves a trail
+        deck.tape.go(1)
+    return deck, cast_of(match, Reader.of(thoughts))
+
+
+def test_each_overlay_has_a_key_and_the_help_names_it() -> None:
+    deck, cast = watched()
+    picture, plain = Closeup("legged-2001", 480), None
+    for key in " bvxwoith":
+        deck.press(key)
+        frame = frame_of(deck, cast, picture, ("a", "b"))
+        assert plain is None or not np.array_equal(frame, plain), key
+        plain = frame_of(deck, cast, picture, ("a", "b")) if plain is None else plain
+        deck.press(key)
+    assert np.array_equal(frame_of(deck, cast, picture, ("a", "b")), plain)
+    words = " ".join(HELP)
+    assert all(f"{key}: " in words for key in ("space", *OVERLAYS, "f", "h", "r", "e"))
+
+
+def test_keys_pick_a_robot_and_the_picture_follows_it_or_the_ball() -> None:
+    deck, cast = watched()
+    picture = Closeup("legged-2001", 480)
+    whole = frame_of(deck, cast, picture, ("a", "b"))
+    assert deck.flags.robot == "ball"
+    deck.press("r")
+    deck.press("r")
+    assert deck.flags.robot == "home_1" and cast.picked(deck.flags, deck.tape.shot) == 1
+    deck.press("f")
+    near = frame_of(deck, cast, picture, ("a", "b"))
+    assert deck.follow == "robot" and near.shape == whole.shape and not np.array_equal(near, whole)
+    robot = deck.tape.shot.robots[1]
+    assert abs(float(robot["x"])) < 0.7 and abs(float(robot["y"])) < 0.4  # far from the edges: it stands in the middle
+    middle = near[(picture.header_height + picture.height) // 2 - 12 :, 480 // 2 - 12 : 480 // 2 + 12][:24]
+    assert (np.abs(middle.astype(int) - TEAMS[0]).max(axis=-1) < 30).sum() > 30
+    deck.press("f")
+    assert deck.follow == "ball"
+    deck.press("f")
+    assert np.array_equal(frame_of(deck, cast, picture, ("a", "b")), whole)
+
+
+def test_two_matches_are_shown_in_one_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    other = Window("other")
+    other.show(Picture("middle-size-2006", 320).draw(*Tape(live(Match("middle-size-2006", home=1, away=1))).shot[:3]))
+    match = played(4)
+    tape = Tape(live(match))
+    show(Deck(tape, 16.0, 100.0), cast_of(match, None), Closeup("legged-2001", 320), Window(), ("a", "b"), stays=False)
+    assert other.is_open and tape.ended
+    other.close()
+    pygame.quit()
+
+
+def test_without_a_display_it_says_so(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER", "XDG_RUNTIME_DIR"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(pygame.display, "get_driver", lambda: "offscreen")
+    assert main(["watch", "--minutes", "0.02"]) == 2
+    assert main(["watch", str(tmp_path / "missing.replay")]) == 2
+    first, second = capsys.readouterr().err.splitlines()
+    assert "there is no display to open a window on; soccer export makes" in first
+    assert "missing.replay" in second
+    pygame.quit()

@@ -1,0 +1,40 @@
+"""The table of teams over drills: who plays what, and what it shows."""
+
+from soccer_env.scenes import SCENES
+from soccer_env.teams import make_team
+from soccer_env.train.casting import controllers_of
+from soccer_env.train.pages.tables.drills import TEAMS, drills_of, drills_table, run_drill
+
+
+def test_every_drill_is_played_in_every_league_that_it_is_for() -> None:
+    everybody = {"empty-goal", "shot-at-keeper"}
+    middle = {"far-post-shot", "near-post-shot", "receive-pass", "challenge-2003", "three-v-one", "counter-attack"}
+    legged = {name for name, scene in SCENES.items() if scene.success != "none"} - middle
+    assert {scene.name for scene in drills_of("legged-2001")} == legged > everybody
+    assert {scene.name for scene in drills_of("middle-size-2006")} == middle | everybody
+
+
+def test_every_scripted_team_plays_every_drill() -> None:
+    assert {"still", "random", "walker", "chaser", "sacks-2001"} <= set(TEAMS["legged-2001"])
+    for teams in TEAMS.values():
+        for team in teams:
+            make_team(team)
+
+
+def test_a_save_is_the_business_of_aways_goalkeeper_and_all_else_of_homes_robot() -> None:
+    assert controllers_of(SCENES["shot-at-keeper"], "chaser") == {"home": "still", "away": "chaser"}
+    assert controllers_of(SCENES["gap-500"], "chaser") == {"home": "chaser", "away_0": "still", "away_1": "still"}
+
+
+def test_who_stands_still_scores_nothing_and_lets_shots_in() -> None:
+    assert run_drill("legged-2001", SCENES["ball-in-corner"], "still", 8) == 0
+    assert run_drill("middle-size-2006", SCENES["shot-at-keeper"], "still", 16) < 12
+
+
+def test_a_table_has_a_row_a_drill_and_a_column_a_team() -> None:
+    row = {"league": "legged-2001", "drill": "facing-wall", "rules": "simple", "runs": 100}
+    rows = [row | {"team": "still", "successes": 0}, row | {"team": "chaser", "successes": 97}]
+    other = rows[1] | {"league": "middle-size-2006", "drill": "empty-goal"}
+    text = drills_table({"seed": 1, "rows": [*rows, other]})
+    assert "| legged-2001 | `facing-wall` | `simple` | 0 % (0 to 4) | 97 % (92 to 99) |" in text
+    assert "| middle-size-2006 | `empty-goal` | `simple` | - | 97 % (92 to 99) |" in text

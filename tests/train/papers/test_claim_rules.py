@@ -1,0 +1,195 @@
+"""Claims state the rules that their matches are made with, and who is sent off is neither held, free nor in a crowd."""
+
+import ast
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK
+from soccer_env.match import Match
+from soccer_env.scenes import SCENES
+from soccer_env.staging import PATIENT, memory_of
+from soccer_env.train import listing
+from soccer_env.train.papers import staging
+from soccer_env.train.papers.claim import NO_MATCH, PLAYED, PLAYED_AND_STAGED, STAGED, Batch
+from soccer_env.train.papers.claims import all_claims
+from soccer_env.train.papers.claims.dribble import or_shoot
+from soccer_env.train.papers.claims.stuck import branches
+from soccer_env.train.papers.claims.stuck.alarms_in_play import Approaches
+from soccer_env.train.papers.claims.stuck.branches import FREE_TIME, Fate, follow
+from soccer_env.train.papers.claims.stuck.collisions import near_ball
+from soccer_env.train.papers.claims.stuck.sampled import OUT, Watch, behaviours, gathered
+from soccer_env.train.papers.claims.stuck.stealing import ended_by_referee
+from soccer_env.train.papers.drill_runs import PAPER, start_drill
+from soccer_env.train.papers.reproduction import reproduce
+from soccer_env.train.papers.settings import ReproduceSettings
+from soccer_env.train.papers.staging import begin, drill, kick_off, play, put, put_ball, stage
+from soccer_env.types import Foul, Phase
+
+BATCH = Batch("test", 0, 0)
+TEAM = "sacks-2001"
+
+
+# What is stated, and what is played
+
+
+def test_every_claim_states_its_rules() -> None:
+    allowed = (PLAYED, PLAYED_AND_STAGED, STAGED, NO_MATCH)
+    assert all(claim.rules in allowed for claim in all_claims().values())
+    judged_from_play = {name for name, claim in all_claims().items() if "league" in claim.rules}
+    assert {"S01", "S02", "S22", "S24", "S27", "S29", "S30", "S31", "S69"} <= judged_from_play
+
+
+@pytest.mark.parametrize("name", ["S15", "S20", "S28", "S04", "S30"])
+def test_matches_are_made_under_the_rules_that_are_stated(name: str, made: set[str]) -> None:
+    claim = all_claims()[name]
+    claim.measure(Batch(name, 1, 0, rules=claim.rules))
+    assert made == set(claim.rules)
+
+
+def test_other_rules_of_play_are_asked_for_by_name(made: set[str]) -> None:
+    (result,) = reproduce(ReproduceSettings(claims=("S04",), quick=True, seeds=(1,), rules="simple"))
+    assert made == {"simple"} == set(result.rules)
+
+
+def test_claims_that_are_not_judged_from_play_do_not_change(made: set[str]) -> None:
+    settings = (ReproduceSettings(claims=("S20",), quick=True, seeds=(1,), rules=name) for name in ("league", "simple"))
+    league, simple = ((result.estimate, result.low, result.rules) for each in settings for result in reproduce(each))
+    assert league == simple and made == {PATIENT}
+
+
+def test_matches_under_rules_that_the_claim_does_not_state_are_refused() -> None:
+    staged, played = Batch("S99", 0, 0, rules=STAGED), Batch("S99", 0, 0, rules=PLAYED)
+    with pytest.raises(ValueError, match="S99 is judged from play, and states no rules of play"):
+        kick_off(staged, matches=1)
+    with pytest.raises(ValueError, match="its matches are made with 'simple:dropped_ball=False'"):
+        stage(played, matches=1)
+    assert kick_off(Batch("S99", 0, 0, rules=("simple",)), matches=1).league.rules.name == "simple"
+
+
+def test_all_matches_of_claims_are_made_in_one_place() -> None:
+    folder = Path(staging.__file__).parent
+    calls = [
+        f"{path.name}:{node.lineno}"
+        for path in folder.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Match"
+    ]
+    assert len(calls) == 1 and calls[0].startswith("staging.py")
+
+
+def test_drills_run_under_their_own_rules_and_where_opponents_play_under_those_of_play() -> None:
+    assert start_drill(BATCH, "dribble-past-one", {}, 1, PAPER).league.rules.name == PATIENT
+    assert drill(BATCH, "facing-wall", TEAM, matches=1).league.rules.name == SCENES["facing-wall"].rules == PATIENT
+    simple = Batch("S31", 0, 0, rules=("simple",))
+    match = start_drill(simple, or_shoot.SCENE, {}, 1, 0.0, opponents="chaser", rules=simple.play_rules)
+    assert match.league.rules.name == "simple"
+
+
+def test_lists_state_the_rules_of_scenes() -> None:
+    (table,) = listing.scenes()
+    cells = dict(zip(table.columns, zip(*table.rows, strict=True), strict=True))
+    assert dict(zip(cells["name"], cells["rules"], strict=True)) == {name: x.rules for name, x in SCENES.items()}
+
+
+# Robots that are sent off
+
+
+def two(rows: int = 1) -> Match:
+    """Return matches of two robots that go for a ball ahead, in contact, their legs walking on the spot."""
+    match = stage(BATCH, matches=rows, controllers={"home": TEAM, "away": TEAM})
+    put(match, 0, -0.3, 0.0, 0.0, forward=0.12)
+    put(match, 1, -0.3, 0.12, 0.0, forward=0.12)
+    put_ball(match, 0.3, 0.0)
+    begin(match, placed=True)
+    for r in (0, 1):
+        memory_of(match, r)["behaviour"] = APPROACH
+    match.robot_events["collision"] = 1
+    return match
+
+
+def test_who_is_sent_off_is_not_held() -> None:
+    match = two()
+    watch = Watch(match)
+    for _ in range(watch.size):
+        watch.look()
+    assert watch.held().all() and watch.short().all() and watch.there().all()
+    match.robots["active"][:, 1] = 0  # where it stood: only the record tells
+    watch.look()
+    assert watch.held().tolist() == watch.short().tolist() == watch.there().tolist() == [[True, False]]
+    assert behaviours(match).tolist() == [[APPROACH, OUT]]
+    match.robots["active"][:, 1] = 1
+    watch.look()
+    assert not watch.held()[0, 1], "it was out a moment ago"
+
+
+def test_who_was_put_elsewhere_by_a_whistle_was_not_there_throughout() -> None:
+    match = two()
+    watch = Watch(match)
+    watch.look()
+    match.robot_events["returned"][:, 1] = 1
+    watch.look()
+    assert watch.there().tolist() == [[True, False]]
+
+
+def test_who_is_sent_off_is_not_free() -> None:
+    match = two(2)
+    match.robot_events["collision"] = 0
+    match.robots["active"][1, 0] = 0
+    fate = Fate(match, np.zeros(2, int))
+    for _ in range(round(FREE_TIME * match.league.control_rate) + 1):
+        free = fate.goes_freely(np.zeros(2, bool))
+    assert free.tolist() == [True, False]
+
+
+def test_a_recovery_that_goes_on_after_a_penalty_is_no_alarm() -> None:
+    match = two()
+    match.robot_events["collision"] = 0
+    seen = Approaches(match)
+
+    def look(times: int = 1) -> None:
+        for _ in range(times):
+            seen.look(1)
+
+    look(seen.watch.size)
+    memory_of(match, 1)["behaviour"] = BACK
+    match.robots["active"][:, 1] = 0
+    look()
+    match.robots["active"][:, 1] = 1
+    look()
+    assert seen.found["recoveries"].tolist() == [0.0] and seen.causes.sum() == 0.0
+    memory_of(match, 0)["behaviour"] = BACK
+    look()
+    assert seen.found["recoveries"].tolist() == [1.0] and seen.causes.sum() == 1.0
+
+
+def test_who_is_sent_off_is_not_in_a_crowd() -> None:
+    match = two()
+    match.robots["x"] = 0.1
+    assert near_ball(match).tolist() == [2]
+    match.robots["active"][:, 1] = 0
+    assert near_ball(match).tolist() == [1]
+
+
+@pytest.mark.parametrize("call", ["foul", "drop", "apart", "goal", "nothing"])
+def test_the_referee_ends_a_contest_but_a_goal_does(call: str) -> None:
+    match = two()
+    next(iter(play(match, 0.1)))  # events of a step in which nothing was called
+    if call == "foul":
+        match.events["foul"] = int(Foul.PUSHING)
+    elif call == "drop":
+        match.events["restart"] = int(Phase.DROP_BALL)
+    elif call == "apart":
+        match.events["separated"] = 1
+    elif call == "goal":
+        match.events["restart"], match.events["goal"] = int(Phase.KICK_OFF), 0
+    assert ended_by_referee(match).tolist() == [call in ("foul", "drop", "apart")]
+
+
+def test_matches_in_which_nobody_is_held_have_no_fate(monkeypatch: pytest.MonkeyPatch) -> None:
+    none = gathered(two(), [])
+    assert len(none) == 0
+    monkeypatch.setattr(branches, "sample", lambda batch: none)
+    found = follow(Batch("test", 99, 0), recovery=True)
+    assert np.isnan(found["near"]).all() and np.isnan(found["freed"]).all()

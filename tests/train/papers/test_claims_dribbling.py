@@ -1,0 +1,130 @@
+"""What the claims about dribbling count is what happened: lost balls, ways past players, saved shots."""
+
+import numpy as np
+import pytest
+
+from soccer_env.baselines.sacks_2001.memory import DRIBBLE
+from soccer_env.leagues import find_league
+from soccer_env.staging import memory_of
+from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.claims import goalkeeper
+from soccer_env.train.papers.claims.dribble import classes, dribbling, replanning
+from soccer_env.train.papers.claims.dribble import or_shoot as dribble_or_shoot
+from soccer_env.train.papers.dribble_runs import (
+    LOST,
+    NO_SHOTS,
+    START,
+    Way,
+    begin_dribbling,
+    dribblers,
+    losses,
+    place_with_ball,
+    run,
+)
+from soccer_env.train.papers.drill_runs import contacts_of, play_drill
+from soccer_env.train.papers.staging import LEGGED, put, put_ball, stage
+
+BATCH = Batch("test", 0, 0)
+
+
+def way(gaps: list[float], step: float = 0.1) -> Way:
+    """Return the way of one robot that goes straight on, the ball `gaps` [m] from its chest in each step."""
+    gap = np.array(gaps)[:, None]
+    x = step * np.arange(len(gaps))[:, None]
+    nothing, always = np.zeros_like(x), np.ones_like(x, bool)
+    return Way(x, nothing, gap, gap < 0.02, always, ~always, x, nothing, ~always)
+
+
+def test_a_ball_is_lost_once_until_the_robot_has_it_again() -> None:
+    found = losses(way([0.0, 0.0, LOST + 0.01, 0.3, 0.3, 0.0, 0.0, 0.2, 0.0]))
+    assert found["lost"].tolist() == [2.0]
+    assert found["tried"].tolist() == [True] and found["kept"].tolist() == [False]
+
+
+def test_a_metre_with_the_ball_is_a_metre_kept() -> None:
+    found = losses(way([0.0] * 12))
+    assert found["metres"][0] == pytest.approx(1.1) and found["kept"].tolist() == [True]
+    assert losses(way([0.0] * 5))["tried"].tolist() == [False]
+
+
+def test_a_dribbler_begins_with_its_ball_and_knows_where_it_is() -> None:
+    match = dribblers(BATCH, find_league(LEGGED), 8, 1, NO_SHOTS)
+    place_with_ball(match, heading=np.linspace(-0.5, 0.5, 8))
+    begin_dribbling(match)
+    own = match.beliefs["own"][:, 0]
+    assert (np.hypot(own["x"] - START, own["y"]) < 0.15).all()
+    for _ in range(32):
+        match.step()
+    assert (memory_of(match)["behaviour"] == DRIBBLE).mean() > 0.8
+    assert match.robots["has_ball"][:, 0].all()
+
+
+def test_the_knee_is_where_losses_reach_half_of_their_greatest_share() -> None:
+    lost = np.array([[0.0] * 5 + [0.2, 0.8, 1.0, 1.0, 1.0, 1.0]])
+    assert dribbling.knee({"lost": lost}) == pytest.approx(52.5)
+    assert np.isnan(dribbling.knee({"lost": np.zeros_like(lost)}))
+    assert dribbling.beyond_less_within({"lost": lost}) == pytest.approx(100.0)
+
+
+def test_robots_that_walk_against_another_touch_it() -> None:
+    match = stage(BATCH, matches=2, senses="ideal")
+    put(match, 0, -0.3, 0.0, 0.0)
+    put(match, 1, [0.05, 0.9], 0.0, np.pi)
+    put_ball(match, -1.0, 0.8)
+    found = run(match, 4.0, dribbling.walking(match, 0.035, np.zeros(2)))
+    assert found.touches.any(axis=0).tolist() == [True, False]
+    assert found.x[-1, 1] > found.x[-1, 0]
+
+
+def test_a_curve_tells_what_deciding_more_often_brings_and_costs() -> None:
+    """A parabola in the logarithm of the time is its own curve: 8 points lower at a second than at half a second."""
+    shares = 0.8 - 0.08 * np.log2(np.array(replanning.REPLANS) / 0.5) ** 2
+    samples = {"clean": np.tile(shares, (3, 1))}
+    assert replanning.worse(samples) == pytest.approx(8.0)
+    assert replanning.gained(samples) == pytest.approx(-8.0 * (1.0 + 4.0) / 2.0)
+
+
+def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
+    """Who walks into a standing robot is stopped by it; who walks by itself is not, nor who stands alone."""
+    match = stage(BATCH, matches=3, senses="ideal")
+    put(match, 0, -0.3, 0.0, 0.0)
+    put(match, 1, [0.0, 0.9, 0.9], [0.0, 0.0, 0.6], np.pi)
+    put_ball(match, -1.0, 0.8)
+    begin_dribbling(match)
+    contacts, actions = contacts_of(match), dribbling.walking(match, 0.035, np.zeros(3))
+    actions[2] = 0.0
+    for _ in range(64):
+        match.step(actions)
+        contacts.note(match, np.ones(3, bool))
+    assert contacts.touched.tolist() == contacts.hindered.tolist() == [True, False, False]
+
+
+@pytest.mark.slow
+def test_runs_of_a_drill_end_past_lost_or_open() -> None:
+    found = play_drill(BATCH, "dribble-past-one", {}, 24)
+    assert (found["clean"] <= found["past"]).all() and (found["past"] * found["lost"] == 0.0).all()
+    assert (found["clean"] * found["touched"] == 0.0).all() and found["past"].mean() > 0.5
+    again = play_drill(BATCH, "dribble-past-one", {}, 24)
+    assert all((found[name] == again[name]).all() for name in found)
+
+
+@pytest.mark.slow
+def test_the_scene_of_the_still_player_behind_is_one_that_can_be_played() -> None:
+    found = play_drill(BATCH, classes.STILL_BEHIND, {}, 24)
+    assert (found["seconds"] > 2.0).all()
+
+
+@pytest.mark.slow
+def test_shots_at_an_empty_goal_go_in_and_a_goalkeeper_saves_some(monkeypatch: pytest.MonkeyPatch) -> None:
+    scored, speed = goalkeeper.face_shots(BATCH, {})
+    assert 0.0 < scored.mean() < 0.6 and (speed <= 1.5).all()
+    monkeypatch.setattr(goalkeeper, "put", lambda match, r, *_: put(match, r, 1.2, 0.8, 0.0))
+    assert goalkeeper.face_shots(BATCH, {})[0].mean() > 0.95
+
+
+@pytest.mark.slow
+def test_without_blockers_both_strategies_score() -> None:
+    for settings in dribble_or_shoot.STRATEGIES.values():
+        goals, against, progress, ended = dribble_or_shoot.play_to_goal(BATCH, settings, None)
+        assert not against.any()
+        assert goals.mean() > 0.6 and progress[goals > 0].min() > 1.0 and ended[goals > 0].max() < 60.0

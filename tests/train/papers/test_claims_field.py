@@ -1,0 +1,166 @@
+"""The scenes of the potential field stand as they say, with points and with robots, and what is counted is right."""
+
+import numpy as np
+import pytest
+
+from soccer_env.baselines.sacks_2001.forces import repulsion
+from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.train.papers.claim import Batch, as_plain
+from soccer_env.train.papers.claims import all_claims
+from soccer_env.train.papers.claims.field import constants as field_constants
+from soccer_env.train.papers.claims.field import cost as field_cost
+from soccer_env.train.papers.claims.field import forces as field_forces
+from soccer_env.train.papers.claims.field import minima as field_minima
+from soccer_env.train.papers.claims.field import movers as field_movers
+from soccer_env.train.papers.claims.field import numbers
+from soccer_env.train.papers.claims.field import paths as field_paths
+from soccer_env.train.papers.claims.field.point_world import players
+from soccer_env.train.papers.claims.field.points import (
+    NO_CUT_OFF,
+    SCENES,
+    START,
+    TOUCH,
+    UNIT,
+    WALL_UNIT,
+    force_arrows,
+    gap_ahead,
+    one_ahead,
+    starts,
+)
+from soccer_env.train.papers.claims.field.robots import RobotRuns, filled, run_robots
+from soccer_env.train.papers.dribble_runs import Way
+from soccer_env.train.papers.report import figure_table
+from soccer_env.train.report import draw_curves
+
+BATCH = Batch("test", 0, 0)
+
+
+def test_a_gap_is_as_wide_as_asked_and_square_if_asked() -> None:
+    gap = gap_ahead(np.random.default_rng(0), 0.45, 0.55, askew=0.0)
+    assert (gap["x"][:, 0] == gap["x"][:, 1]).all()
+    wide = np.hypot(gap["x"][:, 0] - gap["x"][:, 1], gap["y"][:, 0] - gap["y"][:, 1])
+    assert wide.min() >= 0.45 and wide.max() <= 0.55
+    askew = gap_ahead(np.random.default_rng(0), 0.45, 0.55)
+    assert np.ptp(askew["x"], axis=1).max() > 0.1
+
+
+def test_movers_come_for_the_dribbler_or_cross_its_way() -> None:
+    rng = np.random.default_rng(1)
+    comes, both, crosses = (
+        make(rng) for make in (field_movers.one_comes, field_movers.one_on_each_side, field_movers.one_crosses)
+    )
+    speed = np.hypot(comes["vx"], comes["vy"])
+    assert speed.min() >= field_movers.SPEEDS[0] and speed.max() <= field_movers.SPEEDS[1]
+    assert (comes["vx"] < 0.0).all()
+    assert (both["vx"][:, 0] == 0.0).all() and (both["y"][:, 0] * both["y"][:, 1] < 0.0).all()
+    when = -crosses["y"] / crosses["vy"]
+    straight_on = (crosses["x"] + when * crosses["vx"] - START) / 0.07
+    assert np.abs(when - straight_on).max() <= 3.0 + 1e-9
+
+
+def test_exponents_are_matched_where_the_papers_force_is_one() -> None:
+    assert pytest.approx(0.444, abs=1e-3) == UNIT
+    for exponent in field_forces.EXPONENTS:
+        assert field_forces.matched_gain(exponent) * (1.0 / UNIT - 1.0) / UNIT ** (exponent - 1) == pytest.approx(1.0)
+    samples = field_forces.matched_exponents(BATCH)
+    assert np.nanmin(samples["onset"]) > TOUCH and np.nanmax(samples["onset"]) < 1.0
+
+
+def test_arrows_point_to_the_goal_where_nobody_is() -> None:
+    arrows = force_arrows(players([[0.0, 0.0]]), SacksSettings())
+    far = [i for i, (x, y) in enumerate(zip(arrows.x, arrows.y, strict=True)) if np.hypot(x, y) > 1.0 and abs(y) < 0.6]
+    for i in far:
+        angle = np.arctan2(-arrows.y[i], 1.6 - arrows.x[i])
+        assert (arrows.along_x[i], arrows.along_y[i]) == pytest.approx((np.cos(angle), np.sin(angle)))
+
+
+def test_a_field_is_drawn_with_its_arrows() -> None:
+    figure = as_plain(field_forces.cosine_figures({})[0])
+    assert set(figure["arrows"]) == {"x", "y", "along_x", "along_y"}
+    assert draw_curves(figure)[:4] == b"\x89PNG" and draw_curves(figure) == draw_curves(figure)
+    assert figure_table(figure) == "Forces with the cosine factor: a picture of the field, which needs matplotlib"
+
+
+def runs_of(x: list[float], off: list[float], touches: list[int], goal: list[int] | None = None) -> RobotRuns:
+    """Return one run of a robot on the middle line."""
+    column = np.array(x)[:, None]
+    none, flags = np.zeros_like(column), np.array(touches, bool)[:, None]
+    scored = np.zeros_like(flags) if goal is None else np.array(goal, bool)[:, None]
+    return RobotRuns(Way(column, none, none, ~flags, ~flags, flags, none, none, scored), np.array(off)[:, None])
+
+
+def test_what_became_of_robots_is_counted_until_they_have_passed() -> None:
+    runs = runs_of([0.0, 0.2, 0.1, 0.6, 0.2], [1.0, -1.0, 0.1, 1.0, -1.0], [0, 0, 0, 0, 1])
+    assert runs.arrived[0] and not runs.collided[0] and runs.is_clean[0]
+    assert runs.flips[0] == 1 and runs.retreat[0] == pytest.approx(0.1)
+    hit = runs_of([0.0, 0.2, 0.3], [np.nan, np.nan, np.nan], [0, 1, 0])
+    assert hit.collided[0] and not hit.arrived[0] and not hit.is_clean[0] and hit.flips[0] == 0
+    assert runs_of([0.0, 0.2], [0.0, 0.0], [0, 0], [0, 1]).arrived[0]
+    assert runs.deviation[0] == 0.0  # straight on
+
+
+def test_planning_is_weighed_by_one_decision_in_eight_frames() -> None:
+    samples = {"time": np.full(10, 2.0), "frame": np.full(10, 10.0)}
+    assert field_cost.planning(samples) == pytest.approx(2.5)
+    assert field_cost.planning(samples, 80.0) == pytest.approx(200.0)
+
+
+def test_a_force_without_cut_off_is_matched_where_the_papers_is_one() -> None:
+    for changes in ({}, NO_CUT_OFF):
+        play = SacksSettings(**changes).record()[0]
+        assert repulsion(UNIT, play["player_gain"], play["player_range"], play) == pytest.approx(1.0)
+        assert repulsion(WALL_UNIT, play["wall_gain"], play["wall_range"], play) == pytest.approx(1.0)
+
+
+def test_robots_play_the_scenes_that_points_play() -> None:
+    rng = BATCH.rng()
+    start, crowd = starts(rng)[:4], one_ahead(rng, 0.0, 0.25)[:4]
+    runs = run_robots(BATCH, start, crowd)
+    assert runs.way.x[0] == pytest.approx(start[:, 0], abs=0.02)
+    assert np.isfinite(runs.off).mean() > 0.7 and runs.arrived.any()
+    values = filled(runs.is_clean)
+    assert len(values) == SCENES and np.isfinite(values).sum() == 4
+
+
+def test_the_least_value_that_suffices_is_near_the_best() -> None:
+    samples = {}
+    for kind, found in (("standing", (0.2, 0.93, 1.0, 1.0, 1.0, 1.0)), ("moving", (0.0, 0.0, 0.2, 0.5, 0.58, 0.6))):
+        for axis, values in field_constants.AXES.items():
+            for value, one in zip(values, found, strict=True):
+                samples[f"points {kind} {axis} {value:g}"] = np.array([one])
+    assert field_constants.least_sufficient(samples, "points", "standing", "k2") == pytest.approx(0.2, rel=0.15)
+    assert field_constants.least_sufficient(samples, "points", "moving", "k2") == pytest.approx(0.8, rel=0.4)
+    assert field_constants.larger(samples, "points", "x0") > 1.0
+
+
+def test_trouble_is_a_stall_or_a_retreat() -> None:
+    samples = {
+        f"points gap, limit off: {what}": np.array(v)
+        for what, v in (("stalls", [0, 1, 0.0]), ("retreats", [0, 0, 1.0]))
+    }
+    assert field_minima.trouble(samples, "points", "gap", "off").tolist() == [0.0, 1.0, 1.0]
+    assert field_minima.share(samples, "points", "off", ("gap",)) == pytest.approx(200.0 / 3.0)
+
+
+def test_the_claims_are_built() -> None:
+    modules = (field_cost, field_forces, numbers, field_paths, field_movers, field_minima, field_constants)
+    built = {claim.id for module in modules for claim in module.CLAIMS}
+    asked = {
+        "S42",
+        "S44",
+        "S45",
+        "S46",
+        "S47",
+        "S48",
+        "S49",
+        "S50",
+        "S53",
+        "S54",
+        "S55",
+        "S56",
+        "S57",
+        "S58",
+        "S65",
+        "S68",
+    }
+    assert built == asked <= set(all_claims())

@@ -1,0 +1,179 @@
+"""The runs of the claims on collisions stand as they say: held robots stay, anchored ones too, causes are known."""
+
+import numpy as np
+import pytest
+
+from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE
+from soccer_env.staging import memory_of
+from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.claims import all_claims, find_claims
+from soccer_env.train.papers.claims.stuck import alarms_in_play, false_alarms, stealing, wall
+from soccer_env.train.papers.claims.stuck import detection as stuck_detection
+from soccer_env.train.papers.claims.stuck.branches import follow, shares_of
+from soccer_env.train.papers.claims.stuck.runs import (
+    ABREAST,
+    OVERLAP,
+    behind_post,
+    converge,
+    hold,
+    recover,
+    recovers,
+    walk_up,
+)
+from soccer_env.train.papers.claims.stuck.sampled import HELD, behaviours, branch, of_camera, sample
+from soccer_env.train.papers.staging import ball_from, play, wrapped
+from soccer_env.types import HOME
+
+BATCH = Batch("test", 0, 0)
+
+
+def test_a_held_robot_goes_nowhere_can_turn_and_notices() -> None:
+    match = walk_up(BATCH, 8, 0.4, 0.6)
+    for _ in play(match, 1.0):
+        pass
+    assert (of_camera(match, *ball_from(match)) < 0.55).all() and (memory_of(match)["behaviour"] == APPROACH).all()
+    hold(match)
+    x, y = match.robots["x"][:, 0].copy(), match.robots["y"][:, 0].copy()
+    noticed = np.zeros(8, bool)
+    for _ in play(match, 8.0):
+        noticed |= recovers(match)
+    assert np.hypot(match.robots["x"][:, 0] - x, match.robots["y"][:, 0] - y).max() < 1e-3
+    assert noticed.mean() > 0.7
+
+
+def test_one_in_the_way_that_is_anchored_stays_and_overlaps_with_the_straight_way() -> None:
+    match = behind_post(BATCH, 16, recovery=False)
+    robot, other = match.robots[:, 0].copy(), match.robots[:, 1].copy()
+    x, y = other["x"] - robot["x"], other["y"] - robot["y"]
+    aside = np.abs(-np.sin(robot["heading"]) * x + np.cos(robot["heading"]) * y)
+    assert (aside <= ABREAST + 1e-9).all() and (aside >= ABREAST - OVERLAP - 1e-9).all()
+    assert np.abs(ball_from(match)[1]).max() < 1e-9
+    for _ in play(match, 6.0):
+        pass
+    moved = np.hypot(match.robots["x"][:, 1] - other["x"], match.robots["y"][:, 1] - other["y"])
+    assert (moved[match.matches["score"].sum(axis=1) == 0] < 1e-3).all()
+    assert match.robot_events["collision"][:, 0].any()
+
+
+def test_without_an_anchor_a_standing_robot_gives_way_by_millimetres() -> None:
+    match = behind_post(BATCH, 16, recovery=False)
+    match.rebuild()  # bodies as the league has them
+    other = match.robots[:, 1].copy()
+    for _ in play(match, 8.0):
+        pass
+    moved = np.hypot(match.robots["x"][:, 1] - other["x"], match.robots["y"][:, 1] - other["y"])
+    assert 0.0015 < moved.max() < 0.01
+
+
+def test_a_recovery_that_is_begun_for_it_goes_as_the_team_goes() -> None:
+    match = walk_up(BATCH, 8, 0.6, 0.9, back_steps=2)
+    for _ in play(match, 1.0):
+        pass
+    recover(match)
+    assert (memory_of(match)["behaviour"] == BACK).all() and (memory_of(match)["tries"] == 1).all()
+    seen = set()
+    for _ in play(match, 5.0):
+        seen |= set(memory_of(match)["behaviour"].tolist())
+    assert BACK in seen and APPROACH in seen
+    recover(match, np.arange(match.count) < 3)
+    assert (memory_of(match)["behaviour"][:3] == BACK).all()
+
+
+def test_two_that_converge_on_a_ball_have_it_as_far_ahead_and_meet_at_the_angle_that_is_said() -> None:
+    match = converge(BATCH, 64)
+    for r in range(2):
+        distance, bearing = ball_from(match, r)
+        ahead = of_camera(match, distance, bearing)
+        assert (ahead > 0.5 - 1e-9).all() and (ahead < 0.7 + 1e-9).all() and np.abs(bearing).max() < 1e-6
+    between = np.abs(wrapped(match.robots["heading"][:, 0] - match.robots["heading"][:, 1]))
+    assert between.min() > np.radians(29.9) and between.max() < np.radians(120.1)
+
+
+def test_robots_sampled_from_play_are_held_by_others_on_their_way_to_the_ball() -> None:
+    moments = sample(Batch("anything", 0, 0))
+    held = np.flatnonzero(moments.kind == HELD)
+    assert len(held) >= 3 and moments.held[held].all() and moments.touching[held].all()
+    assert sample(Batch("another", 0, 0)).match is sample(Batch("third", 0, 0)).match
+    robots = moments.parts["robots"][np.arange(len(moments)), moments.robot]
+    assert (robots["team"] == moments.team).all() and (robots["active"] == 1).all()
+
+
+def test_branches_are_the_same_until_somebody_recovers() -> None:
+    moments = sample(BATCH)
+    rows = np.flatnonzero(moments.team == HOME)
+    matches = [branch(BATCH, moments, rows, HOME, {"recovery": recovery}) for recovery in (True, False)]
+    recovered = np.zeros(len(rows), bool)
+    np.testing.assert_array_equal(matches[0].robots["x"], moments.parts["robots"]["x"][rows])
+    for _ in zip(*(play(match, 3.0) for match in matches), strict=True):
+        doing = behaviours(matches[0])
+        recovered |= ((doing >= BACK) & (doing <= ROTATE)).any(axis=1)
+        same = (matches[0].robots["x"] == matches[1].robots["x"]).all(axis=1)
+        assert same[~recovered].all()
+    assert recovered.any() and not recovered.all() and not same.all()
+
+
+def test_robots_that_begin_to_recover_at_once_are_through_with_it_after_their_steps() -> None:
+    fate = follow(BATCH, begun=True)
+    there = np.isfinite(fate["near"])
+    assert there.sum() >= 3 and (fate["began"][there] < 0.1).all()
+    over = fate["over"][there & np.isfinite(fate["aside"])]
+    assert np.median(over) == pytest.approx(7.5, abs=0.3)  # ten steps back, five aside
+    assert (np.isfinite(fate["at ball"]) == np.isfinite(fate["got"])).all()
+    assert (fate["at ball"][np.isfinite(fate["got"])] <= 180.0).all()
+    never = follow(BATCH, recovery=False)
+    assert np.isnan(never["began"]).all() and (never["tries"][there] == 0.0).all()
+
+
+def test_moments_without_the_flags_that_are_asked_for_do_not_count() -> None:
+    found = {"near": np.array([[1.0, 0.0, np.nan]]), "freed": np.array([[5.0, np.nan, np.nan]])}
+    trials, hits = shares_of(found, lambda f: f["freed"] <= 10.0)
+    assert trials.tolist() == [2.0] and hits.tolist() == [1.0]
+    assert shares_of(found, lambda f: f["freed"] <= 10.0, near=0.0)[0].tolist() == [1.0]
+
+
+def test_a_robot_at_the_wall_sees_the_ball_aside_and_cannot_turn_to_it_as_it_likes() -> None:
+    got, tries = wall.face_wall(BATCH, seen=True)
+    assert 0.5 < got.mean() <= 1.0
+    _, with_sidesteps = wall.face_wall(BATCH, seen=True, rotate_beyond=np.pi)
+    assert 0.1 < (tries > 0).mean() < 0.9
+    np.testing.assert_array_equal(tries > 0, with_sidesteps > 0)  # the rule matters after the first way back alone
+
+
+@pytest.mark.parametrize(
+    ("signs", "cause"),
+    [
+        ((0.05, 1.0, 0.0, 0.2), "receding"),
+        ((0.0, 1.0, 0.0, 0.2), "turning"),
+        ((0.0, 0.0, 0.5, 0.5), "turning"),
+        ((-0.1, 0.0, 0.0, 0.2), "near"),
+        ((0.0, 0.1, 0.1, 0.6), "other"),
+    ],
+)
+def test_the_cause_of_a_false_alarm_is_the_first_that_holds(signs: tuple[float, ...], cause: str) -> None:
+    assert alarms_in_play.CAUSES[alarms_in_play.cause_of(np.array(signs))] == cause
+
+
+def test_the_area_under_the_curve_is_one_for_what_is_apart_and_a_half_for_what_is_the_same() -> None:
+    apart = {"free": np.array([-3.0, -2.0]), "stuck": np.array([0.0, 1.0])}
+    assert stuck_detection.area(apart) == 1.0
+    rng = np.random.default_rng(1)
+    same = {"free": rng.normal(size=4000), "stuck": rng.normal(size=4000)}
+    assert stuck_detection.area(same) == pytest.approx(0.5, abs=0.02)
+
+
+def test_how_many_times_fewer_alarms_there_are_is_unknown_without_any() -> None:
+    none = {"counters 1": np.zeros(3), "counters 2": np.zeros(3)}
+    assert np.isnan(false_alarms.fewer(none, "counters"))
+    assert false_alarms.fewer({"counters 1": np.ones(3), "counters 2": np.zeros(3)}, "counters") == 6.0
+
+
+def test_a_ball_is_won_now_and_then_and_now_and_then_by_contact() -> None:
+    won, by_contact, called = stealing.steal(BATCH, avoid=False)
+    assert 0.2 < won.mean() <= 1.0 and (by_contact <= won).all() and by_contact.mean() < won.mean()
+    assert (won + called <= 1.0).all(), "who has won has done so before the referee ends the scene"
+
+
+def test_the_claims_on_collisions_are_built() -> None:
+    ids = ["S01", "S02", "S03", "S04", *(f"S{number}" for number in range(22, 31))]
+    assert [claim.id for claim in find_claims(ids, all_claims())] == ids
+    assert all_claims()["S26"].without is not None

@@ -1,0 +1,206 @@
+"""The reproduction bench: stops when a claim is decided, resumes, refuses what does not belong together."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from soccer_env.train.papers.claim import (
+    Batch,
+)
+from soccer_env.train.papers.examination import looks_at
+from soccer_env.train.papers.report import row, section
+from soccer_env.train.papers.reproduction import reproduce
+from soccer_env.train.papers.settings import ReproduceSettings
+from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
+from tests.train.papers.staged_claims import CALLS, KNOWN, POSES, claim, draw, run
+
+
+@pytest.fixture(autouse=True)
+def no_calls() -> None:
+    CALLS.clear()
+    POSES.clear()
+
+
+def test_sampling_stops_when_the_interval_decides() -> None:
+    (up,), (down,) = run("A1"), run("A2")
+    assert (up.verdict, down.verdict) == ("reproduced", "not")
+    assert CALLS == [("A1", 0), ("A2", 0)]
+    assert up.n == 20 and up.cap == 160
+    assert up.low > 0.0 > down.high
+
+
+def test_the_cap_ends_what_stays_undecided_and_n_says_so() -> None:
+    (result,) = run("A3")
+    assert result.verdict == "undecided"
+    assert (result.n, result.cap, len(CALLS)) == (160, 160, 8)
+    assert result.low < -0.01 < result.high
+
+
+def test_looks_double_and_share_the_five_per_cent() -> None:
+    (once,), (often,) = run("A1", quick=True), run("A1")
+    assert once.estimate == often.estimate and often.low < once.low < once.high < often.high
+    assert looks_at(1) == [1]
+    assert looks_at(8) == [1, 2, 4, 8]
+    assert looks_at(11) == [1, 2, 4, 8, 11]
+    assert looks_at(11, least=3) == [3, 6, 11]
+    assert looks_at(1, least=3) == [1]
+
+
+def test_what_was_put_in_is_by_construction_and_is_shown_without_it() -> None:
+    (result,) = run("A4")
+    assert result.verdict == "by construction"
+    assert result.without == "the shift"
+    assert [found["verdict"] for found in result.without_findings] == ["not"]
+    assert result.findings[0]["verdict"] == "reproduced"
+
+
+def test_three_seeds_are_put_together_and_each_speaks_for_itself(tmp_path: Path) -> None:
+    (result,) = run("A1", seeds=(4, 5, 6), out=tmp_path)
+    assert result.n == 60 and result.seeds == [4, 5, 6] and result.by_seed == ["reproduced"] * 3
+    assert [index for _, index in CALLS] == [0, 0, 0]
+    alone = [run("A1", seeds=(seed,))[0].estimate for seed in (4, 5, 6)]
+    assert result.estimate == pytest.approx(np.mean(alone))  # type: ignore[arg-type]
+    assert "| reproduced | r r r |" in (tmp_path / "report.md").read_text()
+
+
+def test_seeds_that_contradict_each_other_are_marked() -> None:
+    signs = claim("A7", 0.0, measure=lambda batch: draw(batch, {1: 3.0, 2: -3.0, 3: 0.0}[batch.seed]))
+    (result,) = reproduce(ReproduceSettings(claims=("A7",), seeds=(1, 2, 3)), known={"A7": signs})
+    assert result.by_seed == ["reproduced", "not", "undecided"] and result.verdict == "undecided"
+    assert result.alone == "r n u, they disagree"
+    assert run("A1", seeds=(1, 2))[0].alone == "r r"
+
+
+def test_a_decided_claim_is_asked_on_until_each_seed_has_an_answer_or_a_third_of_the_cap_is_taken() -> None:
+    weak = claim("A9", 0.45, measure=lambda batch: draw(batch, 0.45), batches=32)
+    (result,) = reproduce(ReproduceSettings(claims=("A9",), seeds=(1, 2, 3)), known={"A9": weak})
+    assert result.verdict == "reproduced" and result.by_seed == ["reproduced"] * 3
+    assert 60 < result.n < 20 * 3 * 32 / 3, "it was decided by all seeds together before"
+    near = claim("A10", 0.12, measure=lambda batch: draw(batch, {1: 0.4, 2: 0.4, 3: 0.0}[batch.seed]), batches=32)
+    (result,) = reproduce(ReproduceSettings(claims=("A10",), seeds=(1, 2, 3)), known={"A10": near})
+    assert result.verdict == "reproduced" and result.by_seed == ["reproduced", "reproduced", "undecided"]
+    assert result.n == 20 * 3 * 16, "of the looks at 1, 2, 4, 8, 16, 32 batches 16 is the first beyond a third"
+
+
+def test_units_without_a_value_do_not_count() -> None:
+    def few(batch: Batch) -> Samples:
+        x = draw(batch, 3.0)["x"]
+        return {"x": np.where(np.arange(20) < 7, x, np.nan), "y": x[:, None], "trials": np.arange(20) % 4}
+
+    criteria = (
+        measured("x", lambda samples: float(np.nanmean(samples["x"])), above=0.0),
+        reported("both", lambda samples: float(np.nanmean(samples["x"]) + samples["y"].mean())),
+        counted("share", "trials", "trials", at_least=50.0),
+        reported("all", lambda samples: float(samples["y"].mean())),
+    )
+    known = {"A8": claim("A8", 0.0, *criteria, measure=few, changed="Before: x above 9.")}
+    (result,) = reproduce(ReproduceSettings(claims=("A8",), seeds=(1, 2)), known=known)
+    assert [found["n"] for found in result.findings] == [14, 14, 30, 40]
+    assert (result.n, result.n_used) == (40, 14)
+    assert "Changed after a first look. Before: x above 9." in section(result, [])
+    assert row(result)[-1] == "14 of 40"
+
+
+def test_context_decides_nothing_but_shows_its_numbers() -> None:
+    (result,) = run("A5")
+    assert result.verdict == "context" and result.criterion == "mean"
+    assert result.findings[0]["estimate"] is not None
+
+
+def test_one_violated_criterion_is_enough_and_each_is_shown() -> None:
+    (result,) = run("A6")
+    assert result.verdict == "not" and result.criterion == "mean < -1"
+    assert [found["criterion"] for found in result.findings] == ["at least 60 %", "mean < -1"]
+
+
+def test_quick_takes_few_samples_and_marks_its_verdicts(tmp_path: Path) -> None:
+    (result,) = run("A3", quick=True, out=tmp_path)
+    assert result.n == 20 and result.quick and result.marked == "undecided (quick)"
+    report = (tmp_path / "report.md").read_text()
+    assert "| undecided (quick) | u |" in report and "## A3: undecided (quick)" in report
+    (record,) = json.loads((tmp_path / "results.json").read_text())
+    names = list(record)
+    assert (record["verdict"], record["shown"], record["quick"]) == ("undecided", "undecided (quick)", True)
+    assert names[names.index("verdict") :][:3] == ["verdict", "shown", "quick"]
+
+
+@pytest.mark.parametrize(
+    ("text", "complaint"),
+    [
+        ("{}", "is of something else than a reproduction run; give another folder"),
+        ("[1]", "is of something else"),
+        ('{"conditions": {"claims": [], "budget": ""}, "made_with": {}, "about": 3}', "is of something else"),
+        ('{"conditions": ', "cannot be read as JSON"),
+        ("", "cannot be read as JSON"),
+    ],
+)
+def test_a_damaged_settings_file_is_a_plain_complaint(tmp_path: Path, text: str, complaint: str) -> None:
+    run("A1", out=tmp_path)
+    (tmp_path / "settings.json").write_text(text)
+    with pytest.raises(ValueError, match=f"settings.json {complaint}"):
+        run("A1", out=tmp_path)
+    if "something else" in complaint:
+        with pytest.raises(ValueError, match=complaint):
+            run("A1", out=tmp_path, anew=True)
+        assert (tmp_path / "settings.json").read_text() == text
+    else:
+        assert run("A1", out=tmp_path, anew=True)[0].verdict == "reproduced"
+
+
+def test_minutes_choose_numbers_of_batches_not_times() -> None:
+    (result,) = run("A3", minutes=0.5)  # 30 s at 3 s a batch
+    assert result.cap == 200
+    run("A3", "A5", minutes=0.1)
+    assert CALLS[-2:] == [("A3", 0), ("A5", 0)]
+
+
+def test_same_seed_same_results_another_seed_others(tmp_path: Path) -> None:
+    for name, threads in (("a", 1), ("b", 4)):
+        run("A1", "A3", seeds=(5,), threads=threads, out=tmp_path / name)
+    one, two = ((tmp_path / name / "results.json").read_bytes() for name in ("a", "b"))
+    assert one == two
+    alone, beside, other = run("A1", seeds=(5,)), run("A1", "A3", seeds=(5,)), run("A1", seeds=(6,))
+    assert alone[0].as_dict() == beside[0].as_dict() != other[0].as_dict()
+
+
+def test_a_stopped_run_goes_on_where_it_was(tmp_path: Path) -> None:
+    whole = run("A1", "A2", "A3", out=tmp_path / "whole")
+    torn = tmp_path / "torn"
+    run("A1", "A2", "A3", out=torn)
+    lines = (torn / "claims.jsonl").read_bytes().splitlines(keepends=True)
+    (torn / "claims.jsonl").write_bytes(lines[0] + lines[1][:40])
+    CALLS.clear()
+    assert run("A1", "A2", "A3", out=torn) == whole
+    assert {name for name, _ in CALLS} == {"A2", "A3"}
+    assert (torn / "results.json").read_bytes() == (tmp_path / "whole" / "results.json").read_bytes()
+
+
+@pytest.mark.parametrize("change", [{"seeds": (1,)}, {"quick": True}, {"claims": ("A1", "A2")}])
+def test_another_run_is_refused_unless_anew(tmp_path: Path, change: dict[str, object]) -> None:
+    settings = {"claims": ("A1",), "out": tmp_path}
+    reproduce(ReproduceSettings(**settings), known=KNOWN)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="holds a reproduction run with other settings"):
+        reproduce(ReproduceSettings(**(settings | change)), known=KNOWN)  # type: ignore[arg-type]
+    assert reproduce(ReproduceSettings(**(settings | change), anew=True), known=KNOWN)  # type: ignore[arg-type]
+
+
+def test_all_leaves_out_studies_which_can_be_named() -> None:
+    results = reproduce(ReproduceSettings(all=True, quick=True), known=KNOWN)
+    assert [result.id for result in results] == ["A1", "A2", "A3", "A4", "A5", "A6"]
+    assert [result.id for result in run("look", "look", quick=True)] == ["look"]
+
+
+def test_an_unknown_claim_says_which_exist() -> None:
+    with pytest.raises(ValueError, match="unknown claim 'S99'; known: A1, A2"):
+        run("A1", "S99")
+
+
+def test_batches_draw_from_seeds_of_their_own() -> None:
+    draws = {
+        tuple(Batch(name, seed, index).seeds(2).tolist()) for name in ("A", "B") for seed in (0, 1) for index in (0, 1)
+    }
+    assert len(draws) == 8
+    assert Batch("A", 0, 0).seeds(4)[:2].tolist() == Batch("A", 0, 0, threads=2).seeds(2).tolist()
+    assert Batch("A", 0, 0).rng().random() != Batch("A", 0, 0).rng(1).random()

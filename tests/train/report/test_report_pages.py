@@ -1,0 +1,184 @@
+"""Report pages: one file without a network, whatever names it holds, in a real Chromium, light and dark, on a phone."""
+
+import re
+from collections.abc import Iterator
+from html import unescape
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from soccer_env.train.evaluate import EvaluateSettings, evaluate
+from soccer_env.train.evaluate.page import page_of
+from soccer_env.train.evaluate.replays import Kept
+from soccer_env.train.evaluate.replays.page_section import add_replays
+from soccer_env.train.report import ReportPage, draw_bars
+from soccer_env.train.report.page import alignment
+from tests.render.chromium import Chromium, find_chromium
+
+pytest.importorskip("matplotlib")
+CHROMIUM = find_chromium()
+EVIL = "</script><script>window.evil = 1</script><img src=x onerror='window.evil = 1'>%%BODY%%`x`\"'&"
+needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on the PATH, nor in CHROMIUM")
+
+
+def hostile() -> ReportPage:
+    """Return a page that is given markup wherever it takes a text."""
+    page = ReportPage(EVIL, EVIL)
+    page.say(EVIL, strong=True)
+    page.section(EVIL)
+    page.heading(EVIL)
+    page.table((EVIL, "b"), [(EVIL, "2"), ("a", "10")], sorts=True)
+    page.figure(draw_bars(EVIL, EVIL, EVIL, [(EVIL, [0], [1])], form="svg"), EVIL)
+    page.figure(draw_bars("b", "x", "y", [("c", [0], [1])], form="svg"), "b")
+    page.fold(EVIL)
+    page.command(EVIL)
+    page.unfold()
+    kept = Kept("best", f"replays/{EVIL}.replay", 0, 3, 4, EVIL, EVIL, 1, 0, 0.0, 9.0, 100, "javascript:evil", "s")
+    add_replays(page, [kept])
+    return page
+
+
+@pytest.fixture(scope="module")
+def evaluated(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("run") / "a"
+    asked = EvaluateSettings(
+        home="chaser", away="still", matches=6, minutes=0.2, players=1, keep="best", keep_pages=True, out=out
+    )
+    evaluate(asked)
+    return out
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chromium]:
+    assert CHROMIUM is not None
+    with Chromium(CHROMIUM, tmp_path_factory.mktemp("profile"), 390, 844, phone=True) as chromium:
+        yield chromium
+
+
+def test_texts_are_texts() -> None:
+    text = hostile().html()
+    assert "window.evil" in text and "<script>window.evil" not in text and "<img" not in text
+    assert len(re.findall("<script", text)) == len(re.findall("</script", text)) == 1
+    assert text.count("%%BODY%%") > 10  # a name, not a place to fill in
+    assert 'href="javascript:' not in text.lower()
+
+
+def test_a_page_names_nothing_outside_itself(evaluated: Path) -> None:
+    text = (evaluated / "report.html").read_text(encoding="utf-8")
+    outside = re.sub(r'xmlns(:xlink)?="http://www\.w3\.org/[^"]*"', "", text)
+    assert re.findall(r"https?:|//\w+\.|@import|<link rel=\"stylesheet|src=\"", outside) == []
+    assert "default-src 'none'" in text
+
+
+def test_a_report_says_what_was_run_and_links_what_was_kept(evaluated: Path) -> None:
+    text = (evaluated / "report.html").read_text(encoding="utf-8")
+    assert "soccer evaluate --league legged-2001 --home chaser --away still --matches 6" in text
+    for words in (
+        "95 % interval",
+        "numba",
+        "settings hash",
+        "Goal differences of 6 matches",
+        "kB a minute",
+        "Where it happened",
+        "chaser: 0 passes",
+        "share of the time",
+        "shots: off target",
+        "Completed passes",
+    ):
+        assert words in text
+    links = re.findall(r'href="(replays/[^"]+)"', text)
+    assert len(links) == 2 and all((evaluated / name).is_file() for name in links)
+
+
+def test_a_report_goes_from_the_result_to_its_matches(evaluated: Path) -> None:
+    text = (evaluated / "report.html").read_text(encoding="utf-8")
+    told = re.findall(r"<(h\d|p|summary)(?: [^>]*)?>(.*?)</\1>", text, re.DOTALL)
+    parts = [unescape(re.sub("<[^>]+>", "", words)) for _, words in told]
+    assert [one for one in parts if not re.match(r"1 replays, |Completed passes|Players are numbered", one)] == [
+        "chaser against still",
+        "There is no verdict from fewer than 10 matches.",
+        "Result",
+        "Results are chaser's; intervals are 95 % bootstraps over pairs. ",
+        "Replays",
+        "Play",
+        "One value is of both teams together. soccer list statistics says what each is; result.json has all.",
+        "How goals fell",
+        "Where it happened",
+        "soccer export result.json --maps --out maps.png draws these as one picture.",
+        "Conditions",
+        "This command plays what is missing and writes this report again:",
+        "Matches",
+        "scores of 3 pairs, chaser first",
+    ]
+
+
+def test_without_matplotlib_a_report_has_its_tables_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    result = evaluate(EvaluateSettings(home="still", away="still", matches=2, minutes=0.05, players=1))
+    monkeypatch.setattr("soccer_env.train.evaluate.page.can_draw", lambda: False)
+    text = page_of(result, {"command": EVIL})
+    assert "pip install &quot;soccer_env[plot]&quot;" in text and "<svg" not in text and "shots: off target" in text
+
+
+def test_pictures_of_maps_leave_a_page_small(evaluated: Path) -> None:
+    figures = re.findall("<figure>.*?</figure>", (evaluated / "report.html").read_text(encoding="utf-8"), re.DOTALL)
+    assert len(figures) == 5 and sum(map(len, figures)) < 150_000 and not any("<image" in one for one in figures)
+
+
+def test_columns_of_numbers_are_told_from_words() -> None:
+    numbers = [
+        "12",
+        "+1.00",
+        "91.7 %",
+        "12 : 0",
+        "1.2/min (0.3 to 4)",
+        "10, 2, 0",
+        "1:40",
+        "164 kB",
+        "-",
+        "18446744073709",
+    ]
+    assert all(alignment([text]) for text in numbers)
+    assert not any(alignment([text]) for text in ("chaser", "2001 rules", "6 pairs, sides swapped", ""))
+
+
+@needs_chromium
+def test_a_report_opens_without_an_error_or_a_request(browser: Chromium, evaluated: Path) -> None:
+    browser.open(evaluated / "report.html")
+    assert browser.run("document.title") == "chaser against still"
+    assert browser.run("document.querySelectorAll('figure svg').length") == 5
+    assert browser.run("document.documentElement.scrollWidth") == 390  # nothing sticks out
+    assert browser.errors == []
+    assert [url for url in browser.requests if not url.startswith(("file:", "data:"))] == []
+
+
+@needs_chromium
+def test_a_report_is_light_or_dark_as_the_system_and_as_asked(browser: Chromium, evaluated: Path) -> None:
+    seen = SimpleNamespace(
+        ground="getComputedStyle(document.body).backgroundColor",
+        ink="getComputedStyle(document.querySelector('svg text')).fill",
+    )
+    grounds, inks = [], []
+    for system in ("light", "dark"):
+        browser.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": system}])
+        browser.open(evaluated / "report.html")
+        for _ in range(2):
+            grounds.append(browser.run(seen.ground))
+            inks.append(browser.run(seen.ink))
+            browser.run("document.getElementById('theme').click()")
+    assert grounds == [grounds[0], grounds[1], grounds[1], grounds[0]] and grounds[0] != grounds[1]
+    assert inks == [inks[0], inks[1], inks[1], inks[0]] and inks[0] != inks[1]
+
+
+@needs_chromium
+def test_hostile_names_are_shown_and_tables_sort(browser: Chromium, tmp_path: Path) -> None:
+    (tmp_path / "report.html").write_text(hostile().html(), encoding="utf-8")
+    browser.errors.clear()
+    browser.open(tmp_path / "report.html")
+    assert browser.run("document.querySelector('h1').textContent") == EVIL
+    assert browser.run("typeof window.evil") == "undefined" and browser.errors == []
+    browser.run("document.querySelectorAll('.sorts th')[1].click()")
+    cells = "[...document.querySelectorAll('.sorts tbody tr')].map((row) => row.cells[1].textContent)"
+    assert browser.run(cells) == ["2", "10"]
+    browser.run("document.querySelectorAll('.sorts th')[1].click()")
+    assert browser.run(cells) == ["10", "2"]

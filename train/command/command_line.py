@@ -1,0 +1,298 @@
+"""The command `soccer`. Heavy packages are imported only once the command is known.
+
+Every flag is a field of a dataclass that Python code can use as well. What a user can get wrong ends with one line on
+stderr and exit code 2; SOCCER_ENV_TRACEBACK=1 shows where it came from.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, get_args
+
+from soccer_env.names import unknown
+from soccer_env.train.command.exit_codes import BELOW, STOPPED, WRONG
+from soccer_env.train.command.match_commands import recheck_sample, run_export, run_record, run_replay, run_watch
+from soccer_env.train.command.parsing import COMPLETION, completion, read_settings, reason_of, taken_out
+
+if TYPE_CHECKING:
+    from pathlib import Path
+    from types import ModuleType
+
+    from rich.console import Console
+
+    from soccer_env.train.ppo.settings import TrainSettings
+    from soccer_env.train.ppo.training import TrainResult
+
+WIDTH = 120  # columns of a table that does not go to a terminal
+
+SUMMARIES = {
+    "evaluate": "play one team against another and say how sure the result is",
+    "list": "print the leagues, teams, settings, scenes, observations, sensors, rules, actions, rewards, statistics or "
+    "claims",
+    "bench": "measure the speed against the bare physics",
+    "export": "make a film or a page for the browser of a replay file",
+    "record": "play a match or a drill into a replay file",
+    "replay": "play a replay file again and check every step",
+    "train": "train a policy",
+    "reproduce": "measure what the two papers claim and say whether it holds",
+    "warm-up": "compile everything ahead of time, for images and clusters",
+    "watch": "show a match or a replay file in a window",
+}
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line (sys.argv without its first word by default) and return the exit code."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    name, rest = (words[0], words[1:]) if words else ("--help", [])
+    if name in ("-h", "--help"):
+        print(help_text())
+        return 0 if words else WRONG
+    if name == "--version":
+        from soccer_env import __version__
+
+        print(f"soccer_env {__version__}")
+        return 0
+    if name.partition("=")[0] in COMPLETION:
+        return guarded(run_completion, words)
+    if name not in COMMANDS:
+        return complain(unknown("command", name, COMMANDS))
+    return guarded(COMMANDS[name], rest)
+
+
+def help_text() -> str:
+    """Return the help of `soccer` itself."""
+    return "\n".join(
+        [
+            "usage: soccer COMMAND [OPTIONS]",
+            "",
+            *(f"  {name:12}{text}" for name, text in SUMMARIES.items()),
+            "",
+            "`soccer COMMAND --help` explains the options of one; `soccer --version` prints the version.",
+            "`soccer --print-completion bash` (or zsh, fish) prints what completes commands and options by Tab.",
+        ]
+    )
+
+
+def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
+    """Run a command; turn what a user can get wrong into one line and an exit code."""
+    try:
+        return command(words)
+    except KeyboardInterrupt:
+        print("stopped; what was finished is kept where --out was given", file=sys.stderr)
+        return STOPPED
+    except BrokenPipeError:  # `soccer list teams | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except (ValueError, OSError, ImportError) as error:
+        own_bug = isinstance(error, ImportError) and (error.name or "").startswith("soccer_env")
+        if own_bug or os.environ.get("SOCCER_ENV_TRACEBACK"):
+            raise
+        return complain(reason_of(error))
+
+
+def complain(message: str) -> int:
+    """Print one line on stderr; return the exit code for a command that cannot be carried out."""
+    print(f"soccer: {' '.join(message.split())}", file=sys.stderr)
+    return WRONG
+
+
+def console() -> Console:
+    """Return where tables are printed: the terminal, or plain text of a fixed width."""
+    from rich.console import Console
+
+    return Console(width=None if sys.stdout.isatty() else WIDTH, markup=False)  # names of teams and files are no markup
+
+
+def print_json(found: Any) -> None:
+    """Print something as JSON on stdout, for programs: nothing else goes there."""
+    print(json.dumps(found, indent=2))
+
+
+def kinds_of_settings() -> dict[str, type]:
+    """Return what the words of each command are read into."""
+    from soccer_env.train.bench.settings import BenchSettings
+    from soccer_env.train.command.listing import ListSettings
+    from soccer_env.train.command.warm_up import WarmUpSettings
+    from soccer_env.train.command.watching.settings import WatchSettings
+    from soccer_env.train.evaluate.play_settings import ExportSettings, RecordSettings, ReplaySettings
+    from soccer_env.train.evaluate.settings import EvaluateSettings
+    from soccer_env.train.papers.settings import ReproduceSettings
+    from soccer_env.train.ppo.settings import TrainSettings
+
+    return {
+        "evaluate": EvaluateSettings, "list": ListSettings, "bench": BenchSettings, "export": ExportSettings,
+        "record": RecordSettings, "replay": ReplaySettings, "reproduce": ReproduceSettings, "train": TrainSettings,
+        "warm-up": WarmUpSettings, "watch": WatchSettings,
+    }  # fmt: skip
+
+
+def run_completion(words: list[str]) -> int:
+    """Run `soccer --print-completion SHELL`, or with tyro's own flag."""
+    shell = "".join([*words[0].split("=", 1), *words[1:]][1:2])
+    print(completion(shell, kinds_of_settings(), SUMMARIES))
+    return 0
+
+
+def run_evaluate(words: list[str]) -> int:
+    """Run `soccer evaluate`."""
+    from soccer_env.train.evaluate.settings import EvaluateSettings
+
+    settings = read_settings(EvaluateSettings, words, "evaluate")
+    if settings.recheck is not None:
+        return recheck_sample(settings, {word[2:].partition("=")[0] for word in words if word.startswith("--")})
+    from soccer_env.train.command.compiling_beside import step_compiled_beside
+    from soccer_env.train.evaluate.evaluation import evaluate
+    from soccer_env.train.evaluate.report import screen_tables
+
+    with step_compiled_beside():
+        result = evaluate(settings)
+    if settings.json:
+        print_json(result.as_dict())
+    else:
+        for table in screen_tables(result):
+            console().print(table)
+        say_written(settings.out, "result.json", "report.md", "report.html", "match.png")
+        say_kept(settings.out)
+    if settings.at_least is not None and result.points.mean < settings.at_least:
+        print(f"points {result.points.mean:.3f} are below {settings.at_least:g}", file=sys.stderr)
+        return BELOW
+    return 0
+
+
+def say_written(folder: Path | None, *names: str) -> None:
+    """Print which of some files of a folder were written."""
+    if folder is not None:
+        print(f"written: {', '.join(str(folder / name) for name in names if (folder / name).exists())}")
+
+
+def say_kept(folder: Path | None) -> None:
+    """Print how many replays a folder keeps, and how large they are."""
+    from soccer_env.train.evaluate.replays import kept_in
+    from soccer_env.train.evaluate.replays.page_section import summary
+
+    kept = kept_in(folder) if folder is not None else []
+    if folder is not None and kept:
+        print(f"kept: {folder / 'replays'}, {summary(kept)}")
+
+
+def run_list(words: list[str]) -> int:
+    """Run `soccer list`."""
+    from soccer_env.train.command.listing import ListSettings, What, list_tables
+
+    if not words:
+        print(f"usage: soccer list {'|'.join(get_args(What))} [OPTIONS]; see soccer list --help")
+        return WRONG
+    if not words[0].startswith("-") and words[0] not in get_args(What):
+        raise ValueError(unknown("list", words[0], get_args(What)))
+    settings = read_settings(ListSettings, words, "list")
+    if settings.json:
+        print_json([table.as_dict() for table in list_tables(settings)])
+        return 0
+    for table in list_tables(settings):
+        console().print(table.drawn())
+    return 0
+
+
+def run_bench(words: list[str]) -> int:
+    """Run `soccer bench`."""
+    from soccer_env.train.bench.settings import BenchSettings
+
+    settings = read_settings(BenchSettings, words, "bench")
+    from soccer_env.train.bench import against, benchmark
+
+    chosen = benchmark if settings.against is None else against
+    report = chosen.run(settings)
+    if settings.json:
+        print_json(report)
+    else:
+        console().print(chosen.screen_table(report))
+    return 0
+
+
+def run_reproduce(words: list[str]) -> int:
+    """Run `soccer reproduce`."""
+    from soccer_env.train.papers.settings import ReproduceSettings
+
+    settings = read_settings(ReproduceSettings, words, "reproduce")
+    from soccer_env.train.papers.report import screen_table
+    from soccer_env.train.papers.reproduction import reproduce
+
+    results = reproduce(settings)
+    if settings.json:
+        print_json([result.as_dict() for result in results])
+        return 0
+    console().print(screen_table(results))
+    say_written(settings.out, "report.md", "report.html", "results.json")
+    return 0
+
+
+def run_train(words: list[str]) -> int:
+    """Run `soccer train`."""
+    from pathlib import Path
+
+    from soccer_env.train.ppo.settings import TrainSettings
+    from soccer_env.train.ppo.toml_file import settings_of
+
+    config, rest = taken_out(words, "--config")
+    settings = read_settings(TrainSettings, rest, "train", settings_of(Path(config) if config else None))
+    from soccer_env.train.command.compiling_beside import step_compiled_beside
+
+    train, reports = training_parts()
+    try:
+        with step_compiled_beside():
+            result = train(settings)
+    except KeyboardInterrupt:
+        same = "the same command without --anew" if settings.anew else "the same command"
+        print(f"stopped; {same} goes on with the run in {settings.out}", file=sys.stderr)
+        return STOPPED
+    except OSError as error:
+        if not (settings.out / "latest.json").exists():
+            raise
+        ends = f"the same command goes on with the run in {settings.out} once that is mended"
+        raise ValueError(f"{error}; {ends}") from error
+    console().print(reports.screen_table(result))
+    print(reports.best_line(result))
+    say_written(settings.out, "best.safetensors", "learning_curve.png", "report.html")
+    say_kept(settings.out)
+    return 0
+
+
+def training_parts() -> tuple[Callable[[TrainSettings], TrainResult], ModuleType]:
+    """Return what trains, and what words its result; ValueError says how to install what that needs."""
+    try:
+        import soccer_env.train.ppo.training  # noqa: F401  # torch and all that a training needs comes with it
+        from soccer_env.train.ppo import reports, train
+    except ImportError as error:
+        if (error.name or "").startswith("soccer_env"):
+            raise
+        raise ValueError(f'training needs more packages: pip install "soccer_env[train]" ({error})') from error
+    return train, reports
+
+
+def run_warm_up(words: list[str]) -> int:
+    """Run `soccer warm-up`."""
+    from soccer_env.train.command.warm_up import WarmUpSettings, warm_up
+
+    print(warm_up(read_settings(WarmUpSettings, words, "warm-up")))
+    return 0
+
+
+COMMANDS: dict[str, Callable[[list[str]], int]] = {
+    "evaluate": run_evaluate,
+    "list": run_list,
+    "bench": run_bench,
+    "export": run_export,
+    "record": run_record,
+    "replay": run_replay,
+    "reproduce": run_reproduce,
+    "train": run_train,
+    "warm-up": run_warm_up,
+    "watch": run_watch,
+}
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,290 @@
+"""What there is to choose from: `soccer list leagues`, teams, settings of teams, scenes, observations and so on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, fields
+from math import isfinite
+from typing import TYPE_CHECKING, Any, Literal
+
+import tyro
+
+if TYPE_CHECKING:
+    from rich.table import Table as Drawn
+
+    from soccer_env.leagues.options import Options
+    from soccer_env.observations import Entry
+
+What = Literal[
+    "leagues", "teams", "settings", "scenes", "observations", "sensors", "rules", "actions", "rewards", "statistics",
+    "claims",
+]  # fmt: skip
+
+
+@dataclass(frozen=True)
+class ListSettings:
+    """Print what can be chosen."""
+
+    what: tyro.conf.Positional[What]
+    """Of which kind."""
+    league: str = "legged-2001"
+    """League whose observations, sensors or rules are listed."""
+    observe: Literal["truth", "percepts", "belief"] = "truth"
+    """What the listed observations are built from."""
+    json: bool = False
+    """Print JSON: a list of tables, each with its title and its rows by the names of the columns."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """What a list says: rows of text under the names of their columns; a column without a name counts the rows."""
+
+    title: str
+    columns: tuple[str, ...]
+    rows: Sequence[tuple[str, ...]]
+
+    def drawn(self) -> Drawn:
+        """Return it for the terminal."""
+        from rich.table import Table as Drawn
+
+        drawn = Drawn(title=self.title, title_justify="left")
+        for index, column in enumerate(self.columns):
+            drawn.add_column(column, overflow="fold", no_wrap=index == 0)
+        for row in self.rows:
+            drawn.add_row(*row)
+        return drawn
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return it for JSON."""
+        names = [column or "index" for column in self.columns]
+        return {"title": self.title, "rows": [dict(zip(names, row, strict=True)) for row in self.rows]}
+
+
+def list_tables(settings: ListSettings) -> Iterator[Table]:
+    """Yield the tables of one kind of thing."""
+    what = settings.what
+    lists: dict[str, Callable[[], Iterator[Table]]] = {
+        "leagues": leagues,
+        "teams": teams,
+        "settings": settings_of_teams,
+        "scenes": scenes,
+        "actions": actions,
+        "rewards": rewards,
+        "statistics": statistics,
+        "claims": claims,
+    }
+    if what == "observations":
+        return observations(settings.league, settings.observe)
+    if what in ("sensors", "rules"):
+        return {"sensors": sensors, "rules": rules}[what](settings.league)
+    return lists[what]()
+
+
+def leagues() -> Iterator[Table]:
+    """Yield the leagues with their main numbers, and what happens between the materials of each."""
+    from soccer_env.leagues import LEAGUES
+
+    columns = ("name", "family", "pitch", "robots", "time", "source")
+    rows = []
+    for name, league in LEAGUES.items():
+        pitch, drive, minutes = league.pitch, league.drive, 2.0 * league.rules.half_minutes
+        evaluated = f"evaluated {league.evaluation_minutes:g} min, {league.evaluation_placement} placement"
+        rows.append(
+            (
+                name,
+                league.family,
+                f"{pitch.length:g} x {pitch.width:g} m, {'boards' if pitch.walled else 'lines'}",
+                f"{league.team_size} a side, {drive.kind}, {drive.forward:g} m/s, kicks {league.kicker.fastest:g} m/s",
+                f"{league.control_rate} steps/s, match {minutes:g} min, {evaluated}",
+                league.source,
+            )
+        )
+    yield Table("Leagues", columns, rows)
+    pairs = {name: league.materials.pairs() for name, league in LEAGUES.items()}
+    heads = ("name", *(pair.replace("_", ", ") for pair in next(iter(pairs.values()))))
+    texts = [(name, *(pair.text() for pair in found.values())) for name, found in pairs.items()]
+    yield Table("Materials: elasticity/friction of each pair that meets", heads, texts)
+
+
+def teams() -> Iterator[Table]:
+    """Yield the teams and the families of leagues that each plays."""
+    from soccer_env.teams import NAMES, make_team, registered
+    from soccer_env.teams.explaining import what_it_is
+
+    rows = []
+    for name, where in registered().items():
+        if name not in NAMES:  # to look at it would import it, and so run it
+            rows.append((name, "", "of an installed package, which is imported when the team is asked for", where))
+            continue
+        try:
+            played = ", ".join(getattr(make_team(name), "families", ())) or "all"
+        except (ImportError, AttributeError) as error:
+            played = f"cannot be loaded: {error}"
+        rows.append((name, played, what_it_is(where), where))
+    title = "Teams: NAME, NAME@0.5 for half its strength, NAME:switch=value,... (see `soccer list settings`)"
+    yield Table(title, ("name", "family", "what it is", "made by"), rows)
+
+
+def settings_of_teams() -> Iterator[Table]:
+    """Yield the settings of the teams that have some, as in sacks-2001:recovery=False; of a variant what differs."""
+    from soccer_env.teams import NAMES, make_team
+
+    for name in NAMES:
+        try:
+            options = getattr(make_team(name), "options", None)
+        except (ImportError, AttributeError):
+            continue
+        if options is not None:
+            usual = type(options)()
+            differing = {row[0] for row, other in zip(options.rows(), usual.rows(), strict=True) if row[1] != other[1]}
+            rows = [row for row in option_rows(options) if not differing or row[0] in differing]
+            title = f"Settings of {name}; changed by {name}:name=value,name=value"
+            yield Table(title, ("name", "value", "allowed", "unit and source"), rows)
+
+
+def option_rows(options: Options) -> list[tuple[str, str, str, str]]:
+    """Return name, value, what is allowed, unit and source of each setting, for a table."""
+    rows = options.rows()
+    return [(key, f"{it:g}" if isinstance(it, float) else str(it), allowed, note) for key, it, allowed, note in rows]
+
+
+def scenes() -> Iterator[Table]:
+    """Yield the scenes."""
+    from soccer_env.scenes import SCENES
+
+    rows = [
+        (
+            x.name,
+            x.description,
+            "none: a match" if x.success == "none" else str(x.success),
+            f"{x.time_limit:g} s" if isfinite(x.time_limit) else "none",
+            x.meant_for,
+            x.rules,
+            ", ".join(x.families) or "all",
+        )
+        for x in SCENES.values()
+    ]
+    columns = ("name", "what it is", "success", "time limit", "players", "rules", "family")
+    yield Table("Scenes; those with a success test are drills, played so with episode=drill", columns, rows)
+
+
+def observations(league: str, observe: str) -> Iterator[Table]:
+    """Yield the numbers of one robot's observation."""
+    from soccer_env.leagues import find_league
+    from soccer_env.observations import layout
+    from soccer_env.observations.scales import in_numbers
+
+    found = find_league(league)
+    entries = layout(found, observe)
+    title = f"Observation of a robot in {league}, observe={observe}: {len(entries)} numbers (float32) in [-1, 1]"
+    rows = [
+        (f"{index}", x.name, x.meaning, x.scale, in_numbers(x, found), frame_of(x), changed_by_mirror(x))
+        for index, x in enumerate(entries)
+    ]
+    yield Table(title, ("", "name", "meaning", "of", "1 is", "frame", "mirror changes"), rows)
+
+
+def frame_of(entry: Entry) -> str:
+    """Return the frame of an entry with its axis in it, for a table."""
+    return "" if entry.frame in (None, "none") else f"{entry.frame} {entry.axis}".strip()
+
+
+def changed_by_mirror(entry: Entry) -> str:
+    """Return what a left-right mirror changes of an entry, for a table: its sign, its place or nothing."""
+    return {1: "", -1: "sign", None: "place"}[entry.mirror]
+
+
+def sensors(league: str) -> Iterator[Table]:
+    """Yield the numbers and switches of a league's sensors and of the memory behind them."""
+    from soccer_env.leagues import find_league
+
+    found = find_league(league)
+    for name, options in (("sensors", found.sensors), ("memory", found.memory)):
+        rows = option_rows(options)
+        title = f"{type(options).__name__} of {league}; changed by {name}={{name: value}}"
+        yield Table(title, ("name", "value", "allowed", "unit and source"), rows)
+
+
+def rules(league: str) -> Iterator[Table]:
+    """Yield the rules of a league: which are called in each set, and their numbers."""
+    from soccer_env.leagues import find_league
+    from soccer_env.leagues.options import own_notes
+    from soccer_env.leagues.rules import SETS, Rules, rule_set
+
+    sets = [rule_set(find_league(league).rules, name) for name in SETS]
+    notes = own_notes(Rules)
+    rows = [
+        (item.name, *(in_set(getattr(found, item.name)) for found in sets), notes.get(item.name, ""))
+        for item in fields(Rules)
+        if item.name != "name"
+    ]
+    yield Table(f"Rules of {league}; changed by rules=SET:rule=value,...", ("rule", *SETS, "unit and meaning"), rows)
+
+
+def in_set(value: bool | float) -> str:
+    """Return a rule or its number in a set, for a table."""
+    from soccer_env.leagues.rules import NEVER
+
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    return "never" if value >= NEVER else f"{value:g}"
+
+
+def actions() -> Iterator[Table]:
+    """Yield the action kinds: numbers and the discrete set."""
+    from soccer_env.actions import BOX, DISCRETE, MEANINGS
+
+    rows = [(name, meaning, "box, full" if name in BOX else "full") for name, meaning in MEANINGS.items()]
+    yield Table("Actions: numbers in [-1, 1]", ("name", "meaning", "in"), rows)
+    sets = [(f"{n}", name, *(f"{number:g}" for number in row)) for n, (name, row) in enumerate(DISCRETE.items())]
+    yield Table("Actions: discrete", ("", "name", *BOX), sets)
+
+
+def rewards() -> Iterator[Table]:
+    """Yield the reward terms with their weights in each preset."""
+    from soccer_env.rewards import PRESETS, TERMS
+
+    rows = [(x.name, x.kind, x.text, *(f"{getattr(y, x.name):g}" for y in PRESETS.values())) for x in TERMS]
+    yield Table("Reward terms and their weights", ("term", "kind", "meaning", *PRESETS), rows)
+    shaping = "discount of the potentials; a learner with the same discount keeps its best policies"
+    gammas = [("gamma", shaping, *(f"{y.gamma:g}" for y in PRESETS.values()))]
+    yield Table("Discount of one action", ("name", "meaning", *PRESETS), gammas)
+
+
+def statistics() -> Iterator[Table]:
+    """Yield the statistics of play with their definitions."""
+    from soccer_env.statistics.figures import FIGURES, SHARE
+    from soccer_env.statistics.maps import MAP_TEXTS
+
+    rows = [
+        (
+            f"{x.name}_for, _against" if x.team else x.name,
+            x.unit,
+            f"share of {x.whole}" if x.kind == SHARE else {"rate": "a minute"}.get(x.kind, x.kind),
+            x.text,
+        )
+        for x in FIGURES
+    ]
+    title = "Statistics of play: matches.jsonl and infos hold each match's, reports put matches together"
+    yield Table(title, ("name", "unit", "in reports", "definition"), rows)
+    yield Table("Maps: result.json and final nested infos hold them", ("name", "definition"), list(MAP_TEXTS.items()))
+
+
+def claims() -> Iterator[Table]:
+    """Yield the claims of the papers that `soccer reproduce` measures."""
+    from soccer_env.staging import PATIENT
+    from soccer_env.train.papers.claims import all_claims
+    from soccer_env.train.papers.results import rules_in_words
+
+    rows = [
+        (
+            x.id,
+            x.statement,
+            f"{x.paper}, {x.section}".rstrip(", "),
+            rules_in_words(x.rules),
+            "\n".join(c.text for c in x.criteria if c.decides),
+        )
+        for x in all_claims().values()
+    ]
+    title = f"Claims; rules: of whole matches (`soccer reproduce --rules`), staged: {PATIENT}"
+    yield Table(title, ("id", "what the paper says", "where", "rules", "counts as reproduced"), rows)

@@ -1,0 +1,120 @@
+"""`soccer record`, `replay`, `export`, `watch` and `evaluate --recheck`, as command_line.py runs them."""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import TYPE_CHECKING
+
+from soccer_env.train.command.exit_codes import BELOW, STOPPED
+from soccer_env.train.command.parsing import read_settings
+
+if TYPE_CHECKING:
+    from soccer_env.train.evaluate import EvaluateSettings, RecheckResult
+    from soccer_env.train.evaluate.rechecking import Difference
+
+SHOWN = 12  # fields of a pair that differ
+
+
+def run_record(words: list[str]) -> int:
+    """Run `soccer record`."""
+    from soccer_env.train.evaluate.play_settings import RecordSettings
+
+    settings = read_settings(RecordSettings, words, "record")
+    from soccer_env.leagues import find_league
+    from soccer_env.train.command.compiling_beside import step_compiled_beside
+    from soccer_env.train.evaluate.recording import record_with_outcome
+
+    with step_compiled_beside():
+        replay, outcome = record_with_outcome(settings)
+    minutes = len(replay) / find_league(settings.league).control_rate / 60.0
+    rate = settings.out.stat().st_size / 1e3 / max(minutes, 1e-9)
+    print(f"written: {settings.out}, {len(replay)} control steps, {rate:.0f} kB a minute")
+    if outcome:
+        print(f"drill {settings.scene}: {outcome}")
+    return 0
+
+
+def run_replay(words: list[str]) -> int:
+    """Run `soccer replay`."""
+    from soccer_env.train.evaluate.play_settings import ReplaySettings
+
+    settings = read_settings(ReplaySettings, words, "replay")
+    from soccer_env.train.evaluate.recording import play_again
+
+    print(f"{settings.file}: {play_again(settings.file)} control steps agree")
+    return 0
+
+
+def recheck_sample(settings: EvaluateSettings, said: set[str]) -> int:
+    """Run `soccer evaluate --recheck FOLDER`, which tells settings that were `said` from those at their defaults."""
+    from soccer_env.train.evaluate import recheck
+
+    assert settings.recheck is not None
+    try:
+        result = recheck(
+            settings.recheck,
+            pairs=settings.pairs,
+            seed=settings.seed if "seed" in said else None,
+            threads=settings.threads,
+            where={name: getattr(settings, name) for name in ("home", "away", "league", "scene") if name in said},
+            tell=None if settings.json else say_pair,
+        )
+    except KeyboardInterrupt:
+        print("stopped; no file was changed", file=sys.stderr)
+        return STOPPED
+    if settings.json:
+        print(json.dumps(result.as_dict(), indent=2))
+    else:
+        say_checked(result)
+    return 0 if result.agrees else BELOW
+
+
+def say_pair(pair: int, differences: list[Difference]) -> None:
+    """Print what came of a pair that was played again."""
+    print(f"pair {pair}, matches {2 * pair} and {2 * pair + 1}: {'differs' if differences else 'agrees'}")
+    for difference in differences[:SHOWN]:
+        print(f"  {difference}")
+    if len(differences) > SHOWN:
+        print(f"  and {len(differences) - SHOWN} more fields: --json names them all")
+    sys.stdout.flush()
+
+
+def say_checked(result: RecheckResult) -> None:
+    """Print what came of all pairs that were played again, and how to do the same once more."""
+    played, differing = len(result.pairs), len(result.differing)
+    drawn = f" (drawn with --pairs {played} --seed {result.seed})" if played < result.finished else ""
+    which = f"{played} of {result.finished} finished pairs played again{drawn}"
+    print(f"{result.folder}: {which}, {played - differing} agree, {differing} differ")
+    if result.finished < result.asked:
+        print(f"{result.asked - result.finished} pairs of {result.asked} are not finished")
+    if result.result:
+        print(f"result.json: {', '.join(result.result)} does not follow from matches.jsonl")
+    elif result.result is not None:
+        print("result.json follows from matches.jsonl")
+    for other in result.made_otherwise:
+        print(f"made otherwise, so that lines may differ: {other}")
+
+
+def run_export(words: list[str]) -> int:
+    """Run `soccer export`."""
+    from soccer_env.train.evaluate.play_settings import ExportSettings
+
+    settings = read_settings(ExportSettings, words, "export")
+    from soccer_env.train.evaluate.exporting import export
+
+    print(f"written: {export(settings)}")
+    return 0
+
+
+def run_watch(words: list[str]) -> int:
+    """Run `soccer watch`."""
+    from soccer_env.train.command.watching.settings import WatchSettings
+
+    settings = read_settings(WatchSettings, words, "watch")
+    from soccer_env.train.command.compiling_beside import step_compiled_beside
+    from soccer_env.train.command.watching.watching import watch
+
+    with step_compiled_beside():
+        watch(settings)
+    return 0

@@ -1,0 +1,103 @@
+"""What the keys of `soccer watch` have set: whether the tape runs and how fast, overlays, whom the picture follows."""
+
+from dataclasses import replace
+from math import ceil
+
+from soccer_env.render.captions import clock_words
+from soccer_env.render.overlays.flags import AT_BALL, OverlayFlags
+from soccer_env.train.command.watching.tape import Tape
+
+SMOOTH = 50.0  # [1/s] frames shown, at most
+IDLE = 30.0  # [1/s] looks at the keyboard while nothing moves
+JUMP = 5.0  # [s] that the arrows go
+SLOWEST, FASTEST = 1 / 16, 100.0
+OVERLAYS = {
+    "b": "belief",
+    "v": "sight",
+    "x": "field",
+    "w": "path",
+    "o": "roles",
+    "i": "infrared",
+    "t": "trail",
+}
+HELP = (
+    "space: pause     , .: one step back, on",
+    "left, right: 5 s back, on     home: to the start",
+    "up, down: faster, slower",
+    "r: next robot     e: whoever is at the ball",
+    "f: follow that robot, the ball, nobody",
+    "b: belief     v: what its camera sees",
+    "x: potential field     w: planned, travelled way",
+    "o: roles     i: infrared     t: trail of the ball",
+    "h: these keys     escape: end",
+)
+FOLLOWS = ("", "robot", "ball")
+
+
+class Deck:
+    """What the keys have set; `rate` is the tape's shots a second of the match, `agents` the robots to pick from."""
+
+    def __init__(
+        self,
+        tape: Tape,
+        rate: float,
+        speed: float,
+        flags: OverlayFlags | None = None,
+        agents: tuple[str, ...] = (),
+        follow: str = "",
+    ) -> None:
+        if not 0.0 < speed <= FASTEST:
+            raise ValueError(f"speed must be above 0 and at most {FASTEST:g}, got {speed}")
+        self.tape, self.rate, self.speed = tape, rate, speed
+        self.flags, self.agents = flags or OverlayFlags(), agents
+        self.follow = follow
+        self.paused = self.helps = False
+
+    def press(self, key: str) -> None:
+        """Do what a key asks for; keys without a meaning do nothing."""
+        if key == "space":
+            self.paused = not self.paused
+        elif key in (",", "."):
+            self.paused = True
+            self.tape.go(1 if key == "." else -1)
+        elif key in ("left", "right"):
+            self.tape.go(round(JUMP * self.rate) * (1 if key == "right" else -1))
+        elif key in ("up", "down"):
+            faster = 2.0 if key == "up" else 0.5
+            self.speed = min(max(self.speed * faster, SLOWEST), FASTEST)
+        elif key == "home":
+            self.tape.go(-self.tape.at)
+        else:
+            self._press_for_view(key)
+
+    def _press_for_view(self, key: str) -> None:
+        if key in OVERLAYS:
+            self.flags = self.flags.turned(OVERLAYS[key])
+        elif key in ("h", "?", "f1"):
+            self.helps = not self.helps
+        elif key == "f":
+            self.follow = FOLLOWS[(FOLLOWS.index(self.follow) + 1) % len(FOLLOWS)]
+        elif key == "e":
+            self.flags = replace(self.flags, robot=AT_BALL)
+        elif key == "r" and self.agents:
+            at = self.agents.index(self.flags.robot) if self.flags.robot in self.agents else -1
+            self.flags = replace(self.flags, robot=self.agents[(at + 1) % len(self.agents)])
+
+    @property
+    def skip(self) -> int:
+        """Return how many shots lie between two frames: no more than SMOOTH a second are shown."""
+        return max(1, ceil(self.rate * self.speed / SMOOTH))
+
+    @property
+    def fps(self) -> float:
+        """Return the frames to show a second [1/s]."""
+        return IDLE if self.paused else self.rate * self.speed / self.skip
+
+    def words(self) -> str:
+        """Return the caption of the window."""
+        state = "paused" if self.paused else "end" if self.over() else f"{self.speed:g}x"
+        return f"soccer_env  {clock_words(self.tape.shot[0])}  {state}  (h: keys)"
+
+    def over(self) -> bool:
+        """Tell whether the last shot of all is shown."""
+        return self.tape.ended and self.tape.at == len(self.tape.shots) - 1

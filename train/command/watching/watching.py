@@ -1,0 +1,75 @@
+"""The window of `soccer watch`, until it is closed: a replay file, or a match that is played."""
+
+from math import ceil
+
+import numpy as np
+
+from soccer_env.render import Window, check_display
+from soccer_env.render.closeup import Closeup
+from soccer_env.render.overlays.flags import part_of_flags
+from soccer_env.render.overlays.layers import overlays_of
+from soccer_env.render.overlays.onlooker import Reel
+from soccer_env.render.overlays.panel import Help
+from soccer_env.render.overlays.scene import Cast, cast_of
+from soccer_env.render.overlays.ways import TRAVELLED
+from soccer_env.replay import Replay, Thoughts
+from soccer_env.replay.thought import Reader
+from soccer_env.train.command.watching.deck import HELP, Deck
+from soccer_env.train.command.watching.settings import WatchSettings
+from soccer_env.train.command.watching.tape import KEPT, Tape, live
+from soccer_env.train.evaluate.recording import start
+
+
+def watch(settings: WatchSettings) -> None:
+    """Show a replay file, or play a match, in a window; ValueError where there is no display."""
+    if settings.file is not None:
+        replay = Replay.read(settings.file)
+        check_display()
+        reel = Reel(replay)
+        cast, teams, stride = reel.cast, replay.teams, max(1, ceil(len(replay) / KEPT))
+        tape = Tape(reel.shots(), stride)
+    else:
+        check_display()
+        match, played = start(settings)
+        teams, stride = played.names, 1
+        thoughts = Thoughts(match)
+        cast = cast_of(match, Reader.of(thoughts) if thoughts.slots else None)
+        tape = Tape(live(match, thoughts), stride)
+    flags = part_of_flags(settings)
+    cast.picked(flags, tape.shot)
+    rate, agents = cast.league.control_rate / stride, tuple(cast.agents)
+    deck = Deck(tape, rate, settings.speed, flags, agents, settings.follow)
+    stays = settings.file is not None
+    show(deck, cast, Closeup(cast.league, settings.width), Window("soccer_env"), teams, stays)
+
+
+def show(deck: Deck, cast: Cast, picture: Closeup, window: Window, teams: tuple[str, str], stays: bool) -> None:
+    """Show a tape until the user closes the window, or until its end unless the window `stays`."""
+    try:
+        while True:
+            window.fps = deck.fps
+            window.say(deck.words())
+            if not window.show(frame_of(deck, cast, picture, teams)):
+                return
+            for key in window.pressed():
+                deck.press(key)
+            if deck.paused:
+                continue
+            deck.tape.go(deck.skip)
+            if deck.over() and not stays:
+                return
+    finally:
+        window.close()
+
+
+def frame_of(deck: Deck, cast: Cast, picture: Closeup, teams: tuple[str, str]) -> np.ndarray:
+    """Return the frame (H, W, 3) uint8 that the deck asks for now."""
+    shot, past = deck.tape.shot, deck.tape.past(ceil(TRAVELLED * deck.rate))
+    overlays = overlays_of(deck.flags, cast, shot, past, picture.width)
+    if deck.helps:
+        overlays.append(Help(HELP))
+    if not deck.follow:
+        return picture.draw(shot.match, shot.ball, shot.robots, title=teams, overlays=overlays)
+    followed = shot.ball if deck.follow == "ball" else shot.robots[cast.picked(deck.flags, shot)]
+    around = (float(followed["x"]), float(followed["y"]))
+    return picture.draw_near(shot.match, shot.ball, shot.robots, around, title=teams, overlays=overlays)

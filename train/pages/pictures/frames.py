@@ -1,0 +1,89 @@
+"""The three frames of the package on a pitch: field, team and robot; and what bearing and distance are."""
+
+from math import atan2, cos, hypot, pi, sin
+
+import numpy as np
+
+from soccer_env import staging
+from soccer_env.match import Match
+from soccer_env.render import Arrows, Label, Overlay, Picture, Polyline
+from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Colour
+from soccer_env.train.pages.pictures.legend import Entry, with_legend
+from soccer_env.train.pages.pictures.settings import PictureSettings
+from soccer_env.types import Phase
+
+ROBOT = (-0.70, -0.60, 0.45)  # [m, m, rad] pose of red 0 in the field frame
+OTHER = (0.85, -0.55, 2.6)  # of blue 0
+BALL = (-0.51, 0.48)  # [m]
+AXIS = 0.42  # [m] length of the arrows
+LETTERS = 24.0  # [px] in a picture of 1000 px
+
+ENTRIES = (
+    Entry("axes", WHITE, "field frame, origin at the centre spot: in the first half also home's team frame"),
+    Entry("axes", TEAMS_LIGHT[1], "away's team frame in the first half: half a turn, so its own goal lies at -x too"),
+    Entry("axes", KEEPER, "robot frame: x forward, y left; heading is its angle in the field frame"),
+    Entry("polar", BALL_SHINE, "bearing and distance: where a thing lies in the robot frame"),
+)
+
+
+def frames_picture(settings: PictureSettings) -> np.ndarray:
+    """Return the drawing of the frames, (H, W, 3) uint8."""
+    match = Match(settings.league, home=1, away=1, seed=0)
+    staging.set_phase(match, Phase.PLAY)
+    for row, pose in enumerate((ROBOT, OTHER)):
+        staging.put(match, row, *pose)
+    staging.put_ball(match, *BALL)
+    size = settings.still_width / 1000.0
+    overlays = [*axes_of_pitch(size), *axes_of_robot(size), *polar_place(size)]
+    picture = Picture(match.league, settings.still_width)
+    frame = picture.draw(match.matches[0], match.balls[0], match.robots[0], title=("home", "away"), overlays=overlays)
+    return with_legend(frame, ENTRIES, columns=1)
+
+
+def axes_of_pitch(size: float) -> list[Overlay]:
+    """Return the axes of the field frame and of the away team's frame, both at the centre spot."""
+    found: list[Overlay] = []
+    for direction, colour in ((0.0, WHITE), (pi, TEAMS_LIGHT[1])):
+        found += axes(0.0, 0.0, direction, colour, size)
+    return found
+
+
+def axes_of_robot(size: float) -> list[Overlay]:
+    """Return the axes of the robot frame, and the heading as an arc from the direction of the field's x."""
+    x, y, heading = ROBOT
+    along = Polyline([(x, y), (x + 1.15 * AXIS, y)], WHITE, 1.5 * size)
+    beside = (x + 0.36 * cos(0.4 * heading), y + 0.36 * sin(0.4 * heading))
+    words = Label(beside, "heading", WHITE, LETTERS * size, align="left")
+    return [along, arc(x, y, 0.0, heading, 0.33, WHITE, size), words, *axes(x, y, heading, KEEPER, size)]
+
+
+def polar_place(size: float) -> list[Overlay]:
+    """Return the line from the robot to the ball, and the bearing as an arc."""
+    x, y, heading = ROBOT
+    direction = atan2(BALL[1] - y, BALL[0] - x)
+    half_way = 0.62 * hypot(BALL[0] - x, BALL[1] - y)
+    at = (x + half_way * cos(direction), y + half_way * sin(direction))
+    high = heading + 0.65 * (direction - heading)  # clear of the name of the robot's x
+    beside = (x + 0.35 * cos(high), y + 0.35 * sin(high))
+    return [
+        Polyline([(x, y), BALL], BALL_SHINE, 2.0 * size),
+        arc(x, y, heading, direction, 0.26, BALL_SHINE, size),
+        Label(beside, "bearing", BALL_SHINE, LETTERS * size, align="left"),
+        Label(at, "distance", BALL_SHINE, LETTERS * size, (-8.0 * size, 0.0), "right"),
+    ]
+
+
+def axes(x: float, y: float, direction: float, colour: Colour, size: float) -> list[Overlay]:
+    """Return two arrows with their names."""
+    ahead, left = (cos(direction), sin(direction)), (-sin(direction), cos(direction))
+    vectors = [(AXIS * u, AXIS * v) for u, v in (ahead, left)]
+    found: list[Overlay] = [Arrows([(x, y)] * 2, vectors, colour, 4.0 * size)]
+    for name, (u, v) in zip("xy", vectors, strict=True):
+        found.append(Label((x + 1.13 * u, y + 1.13 * v), name, colour, 1.2 * LETTERS * size))
+    return found
+
+
+def arc(x: float, y: float, start: float, end: float, radius: float, colour: Colour, size: float) -> Polyline:
+    """Return a piece of a circle."""
+    angles = np.linspace(start, end, 24)
+    return Polyline(np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=-1), colour, 2.5 * size)

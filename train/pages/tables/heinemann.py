@@ -1,0 +1,73 @@
+"""The README of the teams of 2006: what the paper says beside what was measured, and every setting with its source.
+
+`python -m soccer_env.train.pages.tables.heinemann [run FOLDER ... | write]`: see `paper_page.py`.
+
+The paper's figure, planned and travelled paths of both planners, is drawn anew each time that something is measured.
+"""
+
+import sys
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from soccer_env.baselines.heinemann_2006 import settings as heinemann_settings
+from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings
+from soccer_env.baselines.weigel_2001.planner import PlannerSettings
+from soccer_env.train.pages.tables.paper_page import SHOWN, PaperPage
+from soccer_env.train.pages.tables.sacks_settings import settings_table
+from soccer_env.train.papers.claim import HEINEMANN
+from soccer_env.train.papers.reproduction import reproduce
+from soccer_env.train.papers.settings import ReproduceSettings
+from soccer_env.train.report.style import canvas, plot
+from soccer_env.whole_files import write_whole
+
+RUN = Path("runs/claims-heinemann")  # where all claims are measured, so that it can be stopped
+PATHS = "heinemann-paths.png"
+
+
+def measure() -> Path:
+    """Measure every claim of the paper; return the folder of the run."""
+    reproduce(ReproduceSettings(claims=PAGE.claims, threads=2, out=RUN))
+    return RUN
+
+
+PAGE = PaperPage(
+    folder=Path(heinemann_settings.__file__).resolve().parent,
+    paper=HEINEMANN,
+    pictures={"H10": 1, "H20": 1},
+    measure=measure,
+    tables={
+        "settings": partial(settings_table, HeinemannSettings()),
+        "planner": partial(settings_table, PlannerSettings()),
+    },
+)
+
+
+@plot
+def draw_paths() -> Any:
+    """Return the paper's figure as a PNG: both planners in crossing a after 1, 30 and 60 cycles.  MH18"""
+    from soccer_env.baselines.weigel_2001.planner.drawing import draw_travel
+    from soccer_env.train.papers.claims.planning.crossings import CYCLES
+    from soccer_env.train.papers.claims.planning.runs import PLANNERS, travel
+    from soccer_env.train.papers.claims.planning.scenes import CANONICAL
+
+    drawn, rows = canvas(5.2, 10.0, 2, len(CYCLES), sharex=True, sharey=True)
+    for row, (name, changes) in zip(rows, PLANNERS.items(), strict=True):
+        one = travel(CANONICAL["a"], **changes)
+        for axes, cycle in zip(row, CYCLES, strict=True):
+            draw_travel(axes, one, cycle)
+            axes.set_title(f"{'conventional' if name == 'old' else 'time-variant'}, t = {cycle}", fontsize="small")
+            axes.set(xlim=(-4.0, 4.0), ylim=(-2.5, 2.5))
+    return drawn
+
+
+def main(words: list[str]) -> int:
+    """Do what the words ask for; return the exit code."""
+    code = PAGE.main(words)
+    if code == 0 and words != ["write"]:
+        write_whole(SHOWN / PATHS, draw_paths())
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

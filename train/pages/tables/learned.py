@@ -1,0 +1,154 @@
+"""The tables of the learned team: which evaluations they are made of, and the time that training takes."""
+
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.evaluate.evaluation import evaluate
+from soccer_env.train.evaluate.settings import EvaluateSettings
+from soccer_env.train.files import read_lines
+from soccer_env.train.pages.tables.teams import MEASURED, measured, row_of, row_settings
+
+TEAM = "learned"
+MATCHES = 200
+MINUTES = 4.0
+HELD_OUT = 2  # seed: the policy was trained with other seeds, and seeds of matches follow from it
+LONG = 10.0  # [min] of the match in which the share of points against the chaser is asked for
+LEAGUE, SMOOTH = "legged-2001", "legged-2001-smooth"
+TEAMS = ("chaser", "sacks-2001", "sacks-2001-tuned")
+LADDER = ("sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75")
+CLEAN = ("goals_clean_kick_for", "goals_clean_dribble_for")
+WHISTLES = "fouls_"
+
+
+def learned_rows() -> Iterator[EvaluateSettings]:
+    """Yield the evaluations of the learned team, the long one against the chaser first."""
+    yield learned_row("chaser", 3, minutes=LONG)
+    for players in (3, 2, 1):
+        yield from (learned_row(away, players) for away in (*TEAMS, "random"))
+    yield from (learned_row(away, 3) for away in LADDER)
+    yield from (learned_row(away, players) for players in ("1v3", "3v1", 5) for away in TEAMS)
+    yield from (learned_row(away, players, senses="ideal") for players in (3, 2, 1) for away in TEAMS[:2])
+    yield from (learned_row(away, 3, league=SMOOTH) for away in TEAMS[:2])
+    yield from (learned_row(away, 3, rules="none") for away in TEAMS[:2])
+
+
+def learned_row(
+    away: str, players: int | str, *, league: str = LEAGUE, senses: str = "sensors", minutes: float = MINUTES,
+    rules: str = "league",
+) -> EvaluateSettings:  # fmt: skip
+    """Return the evaluation behind one row."""
+    settings = row_settings(league, TEAM, away, senses, MATCHES, minutes, players, HELD_OUT)
+    return replace(settings, rules=rules)
+
+
+def measure_learned(evaluations: Iterable[EvaluateSettings]) -> list[dict[str, Any]]:
+    """Play evaluations and return their rows, with the rules, the whistles and how the goals fell."""
+    rows = []
+    for settings in evaluations:
+        result = evaluate(settings)
+        rows.append(row_of(settings, result) | play_of(result.statistics) | {"rules": settings.rules})
+    return rows
+
+
+def play_of(statistics: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the whistles against both teams, and how many of the learned team's goals fell how."""
+    whistles = [
+        sum(one.total for name, one in statistics.items() if name.startswith(WHISTLES) and name.endswith(side))
+        for side in ("for", "against")
+    ]
+    clean = sum(statistics[name].total for name in CLEAN)
+    return {"whistles": whistles, "clean_goals": [clean, statistics["goals_for"].total]}
+
+
+def learned_table(table: dict[str, Any]) -> str:
+    """Return the table of the learned team in Markdown."""
+    head = ["players", "senses", "rules", "against", "minutes", *MEASURED, "whistles a match, against it : them",
+            "goals by clean kick or dribble"]  # fmt: skip
+    lines = [f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
+    for row in table["rows"]:
+        rules = row["rules"] if row["league"] == LEAGUE else f"{row['rules']}, `{row['league']}`"
+        who = [sizes_of(row["players"]), row["senses"], rules, row["away"], f"{row['minutes']:g}"]
+        whistles = " : ".join(f"{number / row['matches']:.2f}" for number in row["whistles"])
+        clean, goals = row["clean_goals"]
+        share = f"{100 * clean / goals:.0f} % of {goals:.0f}" if goals else "-"
+        lines.append(f"| {' | '.join(who)} | {measured(row)} | {whistles} | {share} |")
+    command = f"Command of a row: `{table['rows'][0]['command']}`"
+    return "\n".join([*lines, "", f"{MATCHES} matches a row. {command}"])
+
+
+def sizes_of(players: int | str) -> str:
+    """Return team sizes as "3 v 3"."""
+    first, second = players.split("v") if isinstance(players, str) else (players, players)
+    return f"{first} v {second}"
+
+
+# The reference run: how fast training is, and where its time goes
+
+ROLLOUTS, WARM_UP = 14, 2  # the first ones are not counted: they load and compile
+WANTED = 15_000  # [decisions/s]
+STAGES = {
+    "matches": "matches: physics, sensors, beliefs, opponents, observations",
+    "networks": "networks while playing, and the rollout's bookkeeping",
+    "update": "update: four epochs of PPO",
+    "checkpoint": "checkpoint",
+}
+
+
+def reference_settings(out: Path, rollouts: int = ROLLOUTS) -> Any:
+    """Return the settings of the reference run: 3 v 3 against sacks-2001, every control step a decision."""
+    from soccer_env.train.ppo.settings import TrainSettings
+
+    rollout, matches = 32, 256
+    return TrainSettings(
+        players="3v3", opponents="sacks-2001", matches=matches, rollout=rollout, batch=8192, epochs=4,
+        hidden="64,64", critic="64,64", action_repeat=1, teacher="", critic_first=0, mirror=False,
+        central_critic=False, steps=3 * matches * rollout * rollouts, evaluate_every=10**12, evaluate_matches=2,
+        evaluate_minutes=0.1, evaluate_against="sacks-2001", threads=2, seed=1, out=out,
+    )  # fmt: skip
+
+
+def measure_training(rollouts: int = ROLLOUTS) -> dict[str, Any]:
+    """Run the reference run; return its decisions a second and the time of each stage [us a decision]."""
+    from soccer_env.train.bench.benchmark import machine
+    from soccer_env.train.ppo import train
+    from soccer_env.train.ppo.settings import command_of
+
+    host = machine()
+    with tempfile.TemporaryDirectory() as folder:
+        settings = reference_settings(Path(folder) / "reference", rollouts)
+        train(settings)
+        lines = read_lines(settings.out / "log.jsonl")[WARM_UP:]
+    decisions = 3 * settings.matches * settings.rollout
+    stages = {name: [1e6 * line["seconds"][name] / decisions for line in lines] for name in STAGES}
+    whole = [sum(parts) for parts in zip(*stages.values(), strict=True)]
+    command = command_of(settings).replace(str(settings.out), "runs/reference")
+    return {
+        "command": command,
+        "machine": host,
+        "speed": 1e6 / float(np.median(whole)),
+        "fastest": 1e6 / min(whole),
+        "slowest": 1e6 / max(whole),
+        "stages": {name: float(np.median(times)) for name, times in stages.items()},
+    }
+
+
+def training_table(table: dict[str, Any]) -> str:
+    """Return the time of each stage of training in Markdown."""
+    whole = sum(table["stages"].values())
+    lines = ["| stage | time a decision | share |", "|---|---|---|"]
+    for name, words in STAGES.items():
+        time = table["stages"][name]
+        lines.append(f"| {words} | {time:.1f} us | {100 * time / whole:.0f} % |")
+    speed, low, high = (f"{table[name]:,.0f}" for name in ("speed", "slowest", "fastest"))
+    reached = "" if table["speed"] >= WANTED else " (missed)"
+    lines.append(
+        f"| all: {speed} decisions a second ({low} to {high} in single rollouts) | target {WANTED:,}{reached} | |"
+    )
+    host = table["machine"]
+    where = f"{host['processor']}, {host['cores']} cores, load before {host['load before']}, Python {host['python']}"
+    return "\n".join([*lines, "", f"Command: `{table['command']}`. {where}."])

@@ -1,0 +1,236 @@
+"""The tables of the pages: measured by commands, kept as JSON beside this file, written between markers.
+
+PAGES says which page each belongs to; the headlines of the main README are picked out of the others.
+
+    python -m soccer_env.train.pages.tables [NAME]     measure all tables, or one, anew and write file and pages
+    python -m soccer_env.train.pages.tables write      write the pages again from the file, without measuring
+    python -m soccer_env.train.pages.tables states     take the final states of first pairs anew where scores
+                                                       agree, after a change of what records hold (never of play)
+    python -m soccer_env.train.pages.tables --check    replay a small part of each and fail where it no longer agrees
+
+The check plays the first pair of matches of every row again and compares score and final state; where versions or the
+kind of machine differ from those of the table, play differs in its last bits, and it says so instead. For speed it
+measures quickly and asks only that no ratio has grown beyond a factor.
+"""
+
+import json
+import platform
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from soccer_env.train.bench.benchmark import run as run_bench
+from soccer_env.train.bench.settings import BenchSettings
+from soccer_env.train.pages.tables.claims import claims_table, measure_claims, measure_sensors, sensors_table
+from soccer_env.train.pages.tables.drills import drills_table, measure_drills
+from soccer_env.train.pages.tables.headlines import headlines_table
+from soccer_env.train.pages.tables.learned import (
+    learned_rows,
+    learned_table,
+    measure_learned,
+    measure_training,
+    training_table,
+)
+from soccer_env.train.pages.tables.markers import between_markers
+from soccer_env.train.pages.tables.plausibility import measure_plausibility, plausibility_table
+from soccer_env.train.pages.tables.teams import (
+    first_pair,
+    heinemann_rows,
+    heinemann_table,
+    measure_rows,
+    replay_row,
+    sacks_rows,
+    sacks_table,
+    scripted_rows,
+    scripted_table,
+)
+from soccer_env.train.provenance import commit, version_of
+from soccer_env.whole_files import write_whole
+
+DATA = Path(__file__).with_name("tables.json")
+ROOT = Path(__file__).resolve().parents[3]
+PAGES = {  # the page that shows a table, seen from the checkout's root
+    "headlines": "README.md",
+    "sensors": "soccer_env/perception/README.md",
+    "scripted": "baselines/README.md",
+    "sacks": "baselines/README.md",
+    "heinemann": "baselines/README.md",
+    "drills": "baselines/README.md",
+    "learned": "agents/policies/README.md",
+    "claims": "train/MEASURED.md",
+    "training": "train/MEASURED.md",
+    "speed": "train/MEASURED.md",
+    "plausibility": "train/MEASURED.md",
+}
+PLAYED = ("scripted", "sacks", "heinemann", "learned", "plausibility")  # tables whose rows are matches
+LIBRARIES = ("pymunk", "numba", "numpy")
+SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
+
+
+def measure_speed(quick: bool = False) -> dict[str, Any]:
+    """Measure the speed."""
+    bench = run_bench(BenchSettings(quick=quick))
+    command = "soccer bench --quick" if quick else "soccer bench"
+    return {"about": about(), "command": command, "machine": bench["machine"], "rows": bench["rows"]}
+
+
+MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
+    "sensors": lambda: {"about": about(), **measure_sensors()},
+    "claims": lambda: {"about": about(), **measure_claims()},
+    "scripted": lambda: {"about": about(), "rows": measure_rows(scripted_rows())},
+    "sacks": lambda: {"about": about(), "rows": measure_rows(sacks_rows())},
+    "heinemann": lambda: {"about": about(), "rows": measure_rows(heinemann_rows())},
+    "drills": lambda: {"about": about(), **measure_drills()},
+    "learned": lambda: {"about": about(), "rows": measure_learned(learned_rows())},
+    "training": lambda: {"about": about(), **measure_training()},
+    "speed": measure_speed,
+    "plausibility": lambda: {"about": about(), **measure_plausibility()},
+}
+SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a measured table in Markdown
+    "sensors": lambda table: with_footer(sensors_table(table), table),
+    "claims": lambda table: with_footer(claims_table(table), table),
+    "scripted": lambda table: with_footer(scripted_table(table), table),
+    "sacks": lambda table: with_footer(sacks_table(table), table),
+    "heinemann": lambda table: with_footer(heinemann_table(table), table),
+    "drills": lambda table: with_footer(drills_table(table), table),
+    "learned": lambda table: with_footer(learned_table(table), table),
+    "training": lambda table: with_footer(training_table(table), table),
+    "speed": lambda table: speed_table(table),
+    "plausibility": lambda table: with_footer(plausibility_table(table), table),
+}
+
+
+def about() -> dict[str, str]:
+    """Return what a table was made with."""
+    import datetime
+
+    versions = {name: version_of(name) for name in LIBRARIES}
+    today = datetime.datetime.now(datetime.timezone.utc).date().isoformat()
+    return {"date": today, "commit": commit(), "machine": machine(), **versions}
+
+
+def machine() -> str:
+    """Return the kind of machine, on which bits depend."""
+    return f"{platform.system()} {platform.machine()}"
+
+
+def speed_table(table: dict[str, Any]) -> str:
+    """Return the table of speeds in Markdown."""
+    lines = ["| | measured | target |", "|---|---|---|"]
+    for row in table["rows"]:
+        missed = {False: " (missed)", True: "", None: ""}[row["met"]]
+        lines.append(f"| {row['name']} | {row['text']}{missed} | {row['target']} |")
+    host = table["machine"]
+    where = f"{host['processor']}, {host['cores']} cores, load before {host['load before']}, Python {host['python']}"
+    return "\n".join([*lines, "", f"Command: `{table['command']}`. {where}.", footer(table["about"])])
+
+
+def with_footer(text: str, table: dict[str, Any]) -> str:
+    """Return a table with the line under it."""
+    return f"{text}\n{footer(table['about'])}"
+
+
+def footer(facts: dict[str, str]) -> str:
+    """Return the line under a table."""
+    return "Made by `make tables`: " + ", ".join(f"{name} {value}" for name, value in facts.items()) + "."
+
+
+def with_tables(text: str, page: str, data: dict[str, Any]) -> str:
+    """Return a page with its tables between their markers; ValueError for a marker that is missing."""
+    for name, where in PAGES.items():
+        if where != page:
+            continue
+        if name == "headlines":
+            text = between_markers(text, name, headlines_table(data))
+        elif name in data:
+            text = between_markers(text, name, SHOW[name](data[name]))
+    return text
+
+
+def page_text(page: str) -> str:
+    """Return what a page says now."""
+    return (ROOT / page).read_text(encoding="utf-8")
+
+
+def check(data: dict[str, Any], quick: bool = False) -> list[str]:
+    """Return one sentence for each table, or part of it, that no longer agrees; `quick` leaves out the speed."""
+    problems = []
+    for page in dict.fromkeys(PAGES.values()):
+        if with_tables(page_text(page), page, data) != page_text(page):
+            problems.append(f"{page} does not show what tables.json holds: run python -m {__package__} write")
+    now = about()
+    for name in PLAYED:
+        if name not in data:
+            continue
+        made = data[name]["about"]
+        if all(made[what] == now[what] for what in (*LIBRARIES, "machine")):
+            problems += [problem for row in data[name]["rows"] for problem in replay_row(row)]
+        else:
+            print(f"tables: versions or machine differ from those of {name}; matches are not compared", file=sys.stderr)
+    return problems if quick else problems + slower_rows(data["speed"])
+
+
+def take_states(data: dict[str, Any]) -> list[str]:
+    """Put the final states of first pairs as they are now into the data; return the rows whose scores differ."""
+    problems = []
+    for row in (row for name in PLAYED for row in data.get(name, {"rows": []})["rows"]):
+        found = first_pair(row)
+        if [pair[:2] for pair in found] == [pair[:2] for pair in row["first_pair"]]:
+            row["first_pair"] = found
+        else:
+            problems.append(f"{row['command']}: the first pair now ends {found}, the table has {row['first_pair']}")
+    return problems
+
+
+def slower_rows(table: dict[str, Any]) -> list[str]:
+    """Measure quickly; return the ratios to the bare physics that have grown beyond the allowed factor."""
+    before = {
+        row["name"]: row["value"] for row in table["rows"] if " over " in row["name"] and "threads" not in row["name"]
+    }
+    now = {row["name"]: row["value"] for row in run_bench(BenchSettings(quick=True))["rows"]}
+    return [
+        f"{name}: {now[name]:.2f} now, {value:.2f} in the table"
+        for name, value in before.items()
+        if now[name] > SLOWER * value
+    ]
+
+
+def stored() -> dict[str, Any]:
+    """Return what was measured last."""
+    found: dict[str, Any] = json.loads(DATA.read_text(encoding="utf-8"))
+    return found
+
+
+def write_pages(data: dict[str, Any]) -> None:
+    """Write every table into its page."""
+    for page in dict.fromkeys(PAGES.values()):
+        write_whole(ROOT / page, with_tables(page_text(page), page, data))
+
+
+def main(arguments: list[str]) -> int:
+    """Measure and write the tables, or check them; return the exit code."""
+    names = [name for name in arguments if name in MEASURE]
+    if arguments not in (names, ["write"], ["states"], ["--check"], ["--check", "--quick"]):
+        choices = f"[{'|'.join(MEASURE)}|write|states] [--check [--quick]]"
+        print(f"usage: python -m soccer_env.train.pages.tables {choices}", file=sys.stderr)
+        return 2
+    if arguments == ["write"]:
+        write_pages(stored())
+        return 0
+    if arguments == names:
+        data = stored() if names else {}
+        data |= {name: MEASURE[name]() for name in names or MEASURE}
+        write_whole(DATA, json.dumps(data, indent=1) + "\n")
+        write_pages(data)
+        return 0
+    if arguments == ["states"]:
+        data = stored()
+        problems = take_states(data)
+        write_whole(DATA, json.dumps(data, indent=1) + "\n")
+    else:
+        problems = check(stored(), quick="--quick" in arguments)
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    print("tables: " + ("all agree" if not problems else f"{len(problems)} no longer agree"))
+    return 1 if problems else 0

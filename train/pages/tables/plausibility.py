@@ -1,0 +1,155 @@
+"""How teams play beside what is published of real matches: statistics of play, and whether they lie inside.
+
+Published figures come as ranges; a measured one is inside if its interval meets the range. Little is published: of
+possession, passes or stuck balls no figure of either league was found, so those stand without a verdict.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import inf
+from typing import Any
+
+from soccer_env.statistics import figures
+from soccer_env.train.evaluate.evaluation import evaluate
+from soccer_env.train.evaluate.results import EvaluationResult
+from soccer_env.train.evaluate.settings import EvaluateSettings
+from soccer_env.train.evaluate.statistics import Total, finite, in_pairs, told
+from soccer_env.train.pages.tables.teams import row_of, row_settings
+from soccer_env.train.statistics import ratio_bootstrap
+
+MATCHES, MINUTES, SEED = 60, 4.0, 5  # seeds that no other table has
+PAIRINGS = (  # league, home, away, players a side
+    ("legged-2001", "chaser", "chaser", 3),
+    ("legged-2001", "sacks-2001", "chaser", 3),
+    ("legged-2001", "learned", "sacks-2001", 3),
+    ("middle-size-2006", "chaser", "chaser", 5),
+)
+
+
+@dataclass(frozen=True)
+class Published:
+    """What is known of real matches: a range, and where from."""
+
+    low: float
+    high: float
+    text: str
+    source: str
+
+
+UNSW = "UNSW's results and diary of RoboCup 2000"
+PUBLISHED = {  # by league and statistic
+    ("legged-2001", "goals"): Published(
+        1 / 20, 14 / 20, "0.26 (12 games of 20 min: 63 goals, 1 to 14 a game)", UNSW
+    ),
+    ("legged-2001", "one_sided"): Published(
+        0.0, 14 / 20, "at most 0.70 (14-0 in 20 min)", UNSW
+    ),
+    ("middle-size-2006", "goals"): Published(
+        0.05, 12 / 30, "0.05 in 1997, 0.10 in 2000; 0.24 in 2006 (10 games of 30 min: 72 goals, 3 to 12 a game)",
+        "Isekenmeier, Nebel, Weigel; FU-Fighters' diary and Osnabrück's press note of Bremen 2006",
+    ),
+    ("middle-size-2006", "one_sided"): Published(
+        0.0, 11 / 30, "at most 0.37 (11-1 in 30 min)", "Osnabrück's press note of Bremen 2006",
+    ),
+}  # fmt: skip
+SCUFFLES = 'UNSW\'s diary: scuffles in the corner "occurred so often" (1999)'
+REMARKS = {  # what is said without a figure
+    ("legged-2001", "in_corner"): SCUFFLES,
+    ("legged-2001", "goals_pushed_in"): "UNSW's diary: the champions of 2000 ran the ball in",
+}
+RESTARTS = tuple(f"restarts_{phase.name.lower()}" for phase in figures.RESTARTS)
+FOULS = tuple(figure.name for figure in figures.FIGURES if figure.name.startswith("fouls_"))
+SHOWN: dict[str, tuple[str, tuple[str, ...]]] = {  # name -> in words, and the statistics that are added up
+    "goals": ("goals of both teams", ("goals",)),
+    "one_sided": ("goals of the better team", ()),
+    "in_play": ("ball in play", ("in_play",)),
+    "stoppages": ("stoppages", (*RESTARTS, "drops")),
+    "possession": ("ball at one team alone", ("possession",)),
+    "touches": ("touches", ("touches",)),
+    "kicks": ("kicks", ("kicks",)),
+    "shots": ("shots", ("shots",)),
+    "passes": ("passes completed", ("passes",)),
+    "still": ("ball lies still", ("still",)),
+    "at_boards": ("ball at a board or line", ("at_boards",)),
+    "in_corner": ("ball in a corner", ("in_corner",)),
+    "scrum": ("scrum", ("scrum",)),
+    "fouls": ("whistles for fouls", FOULS),
+    "goals_clean_kick": ("goals by a clean kick", ("goals_clean_kick",)),
+    "goals_clean_dribble": ("goals by a clean dribble", ("goals_clean_dribble",)),
+    "goals_pushed_in": ("goals pushed in", ("goals_pushed_in",)),
+}
+
+
+def plausibility_rows() -> Iterator[EvaluateSettings]:
+    """Yield the evaluations of the pairings."""
+    for league, home, away, players in PAIRINGS:
+        yield row_settings(league, home, away, "sensors", MATCHES, MINUTES, players, SEED)
+
+
+def measure_plausibility() -> dict[str, Any]:
+    """Play the pairings, and keep of each what the table shows."""
+    rows = []
+    for settings in plausibility_rows():
+        result = evaluate(settings)
+        rows.append(row_of(settings, result) | {"play": play_of(result)})
+    return {"rows": rows}
+
+
+def play_of(result: EvaluationResult) -> dict[str, list[Any]]:
+    """Return value, low, high and unit of what the table shows, of both teams together."""
+    lines = [line.statistics for line in result.lines]
+    better = "goals_for" if result.goals_for >= result.goals_against else "goals_against"
+    added = {name: columns_of(names) or [better] for name, (_, names) in SHOWN.items()}
+    parts = in_pairs([[sum(line[x] for x in columns) for columns in added.values()] for line in lines])
+    wholes = in_pairs([[line[whole_of(columns[0])] for columns in added.values()] for line in lines])
+    shown = {}
+    for name, *numbers in zip(added, *ratio_bootstrap(parts, wholes), strict=True):
+        timed = figure_of(added[name][0]).kind == figures.SHARE
+        shown[name] = [*(finite((100.0 if timed else 60.0) * x) for x in numbers), "%" if timed else "/min"]
+    return shown
+
+
+def columns_of(names: tuple[str, ...]) -> list[str]:
+    """Return the numbers of a match that are added up for some statistics, of both teams."""
+    found = [figure_of(name) for name in names]
+    return [f"{x.name}_{side}" if x.team else x.name for x in found for side in (figures.SIDES if x.team else ("",))]
+
+
+def figure_of(name: str) -> figures.Statistic:
+    """Return the statistic that a number of a match belongs to."""
+    return next(x for x in figures.FIGURES if name in (x.name, f"{x.name}_for", f"{x.name}_against"))
+
+
+def whole_of(name: str) -> str:
+    """Return what a number of a match is a share of, or counted in."""
+    return figure_of(name).whole
+
+
+def verdict(league: str, name: str, low: float | None, high: float | None) -> str:
+    """Return whether a measured interval meets the published range, "" without one."""
+    known = PUBLISHED.get((league, name))
+    if known is None:
+        return ""
+    return "inside" if (low if low is not None else -inf) <= known.high and (high or 0.0) >= known.low else "outside"
+
+
+def plausibility_table(table: dict[str, Any]) -> str:
+    """Return the table in Markdown, pairing by pairing."""
+    parts = []
+    for row in table["rows"]:
+        lines = [
+            f"{row['home']} against {row['away']}, {row['league']}, {row['players']} a side, by sensors:", "",
+            "| | measured | published | source | verdict |", "|---|---|---|---|---|",
+        ]  # fmt: skip
+        lines += [line_of(row, name, words) for name, (words, _) in SHOWN.items()]
+        parts.append("\n".join([*lines, "", f"Command: `{row['command']}`"]))
+    return "\n\n".join(parts) + "\n"
+
+
+def line_of(row: dict[str, Any], name: str, words: str) -> str:
+    """Return the line of one statistic."""
+    value, low, high, unit = row["play"][name]
+    known = PUBLISHED.get((row["league"], name))
+    text, source = (known.text, known.source) if known else ("-", REMARKS.get((row["league"], name), "none found"))
+    measured = told(Total(0.0, value, low, high, unit))
+    return f"| {words} | {measured} | {text} | {source} | {verdict(row['league'], name, low, high)} |"

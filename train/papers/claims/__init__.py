@@ -1,0 +1,50 @@
+"""The claims of the two papers, a folder for each theme, each claim with its own measurement.
+
+To add a claim:
+
+1. Write a module in the folder of its theme (or extend one) with `CLAIMS = (Claim(...), ...)`; a module without CLAIMS
+   serves the others of its folder.
+2. `rules` states under which rules its matches are made: PLAYED (`kick_off`), STAGED (`stage`, `drill`), both, or
+   NO_MATCH; a match under others is refused. What reads robots skips those that are sent off (`active`).
+3. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin, play), plays them, and
+   returns arrays whose first axis are independent units (normally the matches); NaN stands for "no value". All
+   randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
+4. Criteria (`../verdicts.py`): `measured` (any quantity of the samples, bootstrap over units), `counted` (share of hits
+   among trials in each unit), `exact` (arithmetic), `reported` (a number that decides nothing). All must hold.
+5. `without=Without(ingredient, measure)` makes it by construction: the same criteria with the ingredient off.
+6. One batch should take 2 to 3 s compiled on one core; write what it takes into `seconds`, the cap into `batches`
+   (default run: at most about 2 minutes a claim). `figures(samples)` returns plain data; the report draws it.
+7. `soccer reproduce ID --quick`; a test in tests/train/papers holds every module to these rules.
+
+Measure what the paper's words say over the range they speak of; a claim that does not hold is a finding.
+
+    ball/            finding and following the ball       players/         recognising and remembering other players
+    stuck/           noticing that one is stuck           dribble/         keeping the ball, past others
+    field/           the potential field                  goalkeeper.py    what a goalkeeper makes of velocities
+    ways/            of the planners of 2006            keeping/         its goalkeeper and receiver
+    own_pose.py      a middle-size robot's own pose       middle_size.py   its sight in changing light
+    resolution.py    what a finer camera would bring      sensors.py       errors of all sensors over the range
+"""
+
+from collections.abc import Iterable, Mapping
+from importlib import import_module
+from pkgutil import walk_packages
+
+from soccer_env.names import unknown
+from soccer_env.train.papers.claim import Claim
+
+
+def all_claims() -> dict[str, Claim]:
+    """Return the claims of every module in this folder, by id; studies come last."""
+    modules = [import_module(found.name) for found in walk_packages(__path__, f"{__name__}.")]
+    claims = [claim for module in modules for claim in getattr(module, "CLAIMS", ())]
+    return {claim.id: claim for claim in sorted(claims, key=lambda claim: (claim.study, claim.id))}
+
+
+def find_claims(ids: Iterable[str], known: Mapping[str, Claim]) -> list[Claim]:
+    """Return claims by their ids, each once; ValueError for an unknown id says which exist."""
+    wanted = list(dict.fromkeys(ids))
+    for name in wanted:
+        if name not in known:
+            raise ValueError(unknown("claim", name, known))
+    return [known[name] for name in wanted]

@@ -1,0 +1,153 @@
+"""How steady the believed ball is: averaging four estimates, and bearing against range.  [Sacks 2001, 3.1.1, fn 4]"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from soccer_env.leagues import find_league
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, FIRST_SCENE, RANGE_LABEL
+from soccer_env.train.papers.staging import LEGGED, ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
+from soccer_env.train.papers.true_sight import look_first
+from soccer_env.train.papers.values import about_own_mean, in_bins, mean, middles_of, rms
+from soccer_env.train.papers.verdicts import Samples, exact, measured
+from soccer_env.types import RobotStream
+
+MATCHES = 128
+CAMERA = int(RobotStream.CAMERA)
+SLOW = 8  # frames: half a second
+LARGE = 0.11  # [m] radius of the middle-size league's ball
+SETTLE = 1.0  # [s]
+SECONDS = 2.0  # [s] measured
+NEAR, FAR = 0.20, 1.50  # [m] of the balls, along the ground from the camera
+STEADY = {"dither": 0.0, "scale_error": 0.0, "ball_miss": 0.0, "patches": 0.0}  # a camera without noise
+JUMP = 0.30  # [m] by which a ball is moved at once, to see when the filter has forgotten the old place
+BINS = (0.60, 0.75, 0.90, 1.05, 1.20, 1.50)  # [m] edges for bearing against range, from where the criterion begins
+
+
+def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None) -> Samples:
+    """Return deviations (M, T) [m] of estimates from each robot's own mean, and the ball's range (M,) [m].
+
+    hold: frames for which the camera flickers in the same way; radius: of the ball [m], None for the league's.
+    """
+    rng = batch.rng()
+    league = find_league(LEGGED)
+    if radius is not None:
+        league = replace(league, ball=replace(league.ball, radius=radius))
+    match = stage(batch, league, matches=MATCHES, actions="full", sensors={"patches": 0.0})
+    put(match, 0, rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.2, 0.2, MATCHES), rng.choice([0.0, np.pi], MATCHES))
+    place = rng.uniform(NEAR, FAR, MATCHES)
+    put_ball(match, *ahead_of(match, 0, CAMERA_AHEAD + place, rng.uniform(-0.4, 0.4, MATCHES)))
+    begin(match)
+    true, bearing = ball_from(match)
+    look_first(match, SETTLE)
+    frames = []
+    draws = match.robots["noise"][:, 0, CAMERA]
+    before = draws.copy()
+    for step in play(match, SECONDS):
+        if (step + 1) % hold:
+            draws[:] = before  # the next frame flickers as this one did
+        before = draws.copy()
+        ball = match.beliefs["ball"][:, 0]
+        seen = ball["age"] < 0.5 * match.league.dt
+        aside = true * wrapped(ball["bearing"] - bearing)
+        frames.append([np.where(seen, x, np.nan) for x in (ball["distance"], ball["filtered_distance"], aside)])
+    match.close()
+    raw, filtered, aside = (about_own_mean(np.stack(values, axis=1)) for values in zip(*frames, strict=True))
+    return {"range": place, "raw": raw, "filtered": filtered, "aside": aside, "span": np.full(MATCHES, span_of(batch))}
+
+
+def span_of(batch: Batch) -> float:
+    """Return the time [s] over which the filter averages: frames in which a ball moved at once is still two places."""
+    match = stage(batch, matches=1, actions="full", sensors=STEADY)
+    put(match, 0, 0.0, 0.0)
+    put_ball(match, 0.5, 0.0)
+    begin(match)
+    look_first(match, SETTLE)
+    put_ball(match, 0.5 + JUMP, 0.0)
+    match.rebuild()
+    places = [float(match.beliefs["ball"]["filtered_distance"][0, 0]) for _ in play(match, SETTLE)]
+    match.close()
+    still = [abs(place - places[-1]) < 0.1 * JUMP for place in places]
+    return (still.index(True) + 1) * match.league.dt if True in still else float("nan")
+
+
+def ratio(samples: Samples) -> float:
+    """Return the deviation of the filtered range over that of the raw one."""
+    return rms(samples["filtered"]) / max(rms(samples["raw"]), 1e-12)
+
+
+def radial_over_tangential(samples: Samples) -> list[float]:
+    """Return the deviation along the line of sight over that across it, in each bin of BINS."""
+    inside = in_bins(samples["range"], BINS)
+    return [rms(samples["raw"][here]) / max(rms(samples["aside"][here]), 1e-12) for here in inside]
+
+
+def filter_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the deviation of raw and filtered range, and across the line of sight, against the distance."""
+    edges = np.linspace(NEAR, FAR, 9)
+    inside = in_bins(samples["range"], edges)
+    keys = {"raw": "raw", "mean of four": "filtered", "across the line of sight": "aside"}
+    curves = tuple(
+        Curve(name, middles_of(edges, 100), [100 * rms(samples[key][i]) for i in inside]) for name, key in keys.items()
+    )
+    return (Figure("Scatter of a still ball's estimate", RANGE_LABEL, "deviation [cm]", curves),)
+
+
+HOW = (
+    f"{MATCHES} standing robots a batch look at still balls {100 * NEAR:.0f} to {100 * FAR:.0f} cm from the "
+    f"camera for {SECONDS:g} s; scatter of each robot's estimates about its own mean."
+)
+
+S16 = Claim(
+    id="S16",
+    section="3.1.1",
+    statement="The average of the last four estimates, over about 1/4 s, steadies the ball's position.",
+    method=f"{HOW} The span is the time in which a ball that is moved at once has left the average.",
+    criteria=(
+        measured("deviation of the filtered range 0.45 to 0.6 of the raw one", ratio, at_least=0.45, at_most=0.6),
+        exact(
+            "the average spans 0.2 to 0.3 s", lambda samples: mean(samples["span"]), unit="s", at_least=0.2, at_most=0.3
+        ),
+    ),
+    rules=STAGED,
+    measure=look_at_still_balls,
+    without=Without(
+        f"flicker that is drawn anew in each frame: here every {SLOW} frames, a gait step of half a second",
+        lambda batch: look_at_still_balls(batch, hold=SLOW),
+    ),
+    changed=FIRST_SCENE,
+    figures=filter_figure,
+    ingredients=("memory.averaged = 4", "16 frames a second", "sensors.dither, drawn anew in each frame"),
+    seconds=0.5,
+    batches=32,
+)
+
+S17 = Claim(
+    id="S17",
+    section="footnote 4",
+    statement="Angles to the ball are more stable over time than distances.",
+    method=f"{HOW} Raw estimates, along the line of sight and across it, in bins of "
+    f"{', '.join(f'{100 * edge:.0f}' for edge in BINS)} cm; the bin where they differ least counts.",
+    criteria=(
+        measured(
+            "deviation of the range at least 3 times that across the line of sight, at 60 cm and beyond",
+            lambda samples: float(np.min(radial_over_tangential(samples))),
+            at_least=3.0,
+        ),
+    ),
+    rules=STAGED,
+    measure=look_at_still_balls,
+    without=Without(
+        "a ball 84 mm across: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",
+        lambda batch: look_at_still_balls(batch, radius=LARGE),
+    ),
+    changed=FIRST_SCENE,
+    figures=filter_figure,
+    ingredients=("sensors.dither, the same for a blob's size and its place", "88x72 pixels over 57.6 degrees"),
+    seconds=0.5,
+    batches=32,
+)
+
+CLAIMS = (S16, S17)

@@ -1,0 +1,155 @@
+"""The ball in play: how often the head keeps it centred, and what is mistaken for it.  [Sacks 2001, 3.1.1]"""
+
+from typing import Any
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.train.papers.claim import PLAYED, STAGED, Batch, Claim
+from soccer_env.train.papers.staging import ball_from, kick_off, play, stage, standing
+from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, follow
+from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
+
+MATCHES, SECONDS = 32, 20.0  # [s] of 3 v 3: S10
+SETTLE = 3.0  # [s] after the kick-off, until heads have found the ball
+WATCHED, TIME = 48, 20.0  # matches with one robot that watches, [s]: S11
+KEPT = 0.5  # [m] from the ball, S11
+JUMP = 0.5  # [m] in a frame, S11
+RIGHT = 0.25  # [1] of the true distance within which a sighting is right
+MOVED = 0.2  # [m] a ball that moves farther in a frame was put elsewhere by the referee
+
+
+def heads_in_play(batch: Batch) -> Samples:
+    """Count what `heads_of` counts, of chasers, and beside it of the paper's team."""
+    found = heads_of(batch, "chaser")
+    return found | {f"{name} by the paper's team": counts for name, counts in heads_of(batch, "sacks-2001").items()}
+
+
+def heads_of(batch: Batch, team: str) -> Samples:
+    """Count frames in which robots see the ball in 3 v 3 play, and those in which the camera's axis meets it (M,)."""
+    match = kick_off(batch, matches=MATCHES, team=team)
+    on_ball, seen = np.zeros(MATCHES), np.zeros(MATCHES)
+    for step in play(match, SETTLE + SECONDS):
+        if (step + 1) * match.league.dt <= SETTLE:
+            continue
+        for r in range(match.robots.shape[1]):
+            tracking = (match.beliefs["ball"][:, r]["age"] < 0.5 * match.league.dt) & (
+                match.robots["active"][:, r] == 1
+            )
+            distance, angle = ball_in_sight(match, r)
+            seen += tracking
+            on_ball += tracking & (angle <= ball_angle(match, distance))
+    match.close()
+    return {"on ball": on_ball, "seen": seen}
+
+
+class Counter:
+    """Counts of one run with its own rules: jumps to a wrong place, and right sightings, for each match (M,)."""
+
+    def __init__(self, match: Match) -> None:
+        self.jumps, self.right = np.zeros(match.count), np.zeros(match.count)
+        self.before, self.place = self._believed(match), self._place(match)
+
+    def note(self, match: Match) -> None:
+        """Count what the last frame brought."""
+        now = self._believed(match)
+        place = self._place(match)
+        true = ball_from(match)[0]
+        put_elsewhere = np.hypot(*(place - self.place)) > MOVED
+        known = np.isfinite(match.beliefs["ball"][:, 0]["age"])
+        seen = match.beliefs["ball"][:, 0]["age"] < 0.5 * match.league.dt
+        self.jumps += known & ~put_elsewhere & (now - self.before > JUMP) & (np.abs(now - true) > JUMP)
+        self.right += seen & (np.abs(now - true) < RIGHT * true)
+        self.before, self.place = now, place
+
+    @staticmethod
+    def _believed(match: Match) -> np.ndarray:
+        return match.beliefs["ball"][:, 0]["distance"].copy()
+
+    @staticmethod
+    def _place(match: Match) -> np.ndarray:
+        return np.stack([match.balls["x"], match.balls["y"]])
+
+
+def watch_three(batch: Batch, **memory: Any) -> Counter:
+    """Let a robot follow the true ball, with which three opponents with ideal senses play, always in the same way."""
+    senses = {"home": "sensors", "away": "ideal"}
+    match = stage(batch, matches=WATCHED, home=1, away=3, opponents="chaser", senses=senses, memory=memory)
+    match.reset(seeds=batch.seeds(WATCHED))
+    counter, actions = Counter(match), standing(match)
+    for step in play(match, SETTLE + TIME, actions):
+        actions[:, 0, :3] = follow(match, KEPT)
+        if (step + 1) * match.league.dt > SETTLE:
+            counter.note(match)
+    match.close()
+    return counter
+
+
+def false_balls(batch: Batch) -> Samples:
+    """Count jumps and right sightings with both rules, with each of them, and with none."""
+    rules = {"none": (False, False), "both": (True, True), "horizon": (True, False), "area": (False, True)}
+    found: Samples = {}
+    for name, (horizon, area) in rules.items():
+        counter = watch_three(batch, horizon=horizon, double_area=area)
+        found[f"jumps {name}"], found[f"right {name}"] = counter.jumps, counter.right
+    return found
+
+
+def fewer_jumps(samples: Samples, name: str) -> float:
+    """Return by how much jumps are fewer with some rules than with none [%]."""
+    without = samples["jumps none"].sum()
+    return float(100 * (1.0 - samples[f"jumps {name}"].sum() / without)) if without else float("nan")
+
+
+S10 = Claim(
+    id="S10",
+    section="3.1.1",
+    statement="While robots track the ball it is often at the image's centre, where the infrared sensor measures.",
+    method=f"{MATCHES} matches a batch of 3 v 3, chasers on their sensors, {SECONDS:g} s each: frames in which a robot "
+    "sees the ball and the camera's axis meets it.",
+    criteria=(
+        counted("frames with the axis on the ball: at least 60 %", "on ball", "seen", at_least=60.0),
+        reported(
+            "the same by sacks-2001, whose robots look up now and then while they dribble",
+            lambda s: float(100 * s["on ball by the paper's team"].sum() / max(s["seen by the paper's team"].sum(), 1)),
+            unit="%",
+        ),
+    ),
+    rules=PLAYED,
+    measure=heads_in_play,
+    ingredients=("speeds of neck joints", "belief/legged/head.py", "the chaser as the team that plays"),
+    seconds=2.5,
+    batches=32,
+)
+
+S11 = Claim(
+    id="S11",
+    section="3.1.1",
+    statement="Sudden jumps to much larger distances come from small orange patches seen when the ball is lost; a test "
+    "of height and a larger area threshold after near sightings fix them.",
+    method=f"{WATCHED} matches a batch of {TIME:g} s in which a robot follows at 50 cm a ball that three opponents "
+    "have, with orange patches round the field and on red stickers; jumps: over 50 cm farther in a frame, to a place "
+    "more than 50 cm wrong; the same play with the two rules and without.",
+    criteria=(
+        measured(
+            "jumps with both rules: at least 80 % fewer", lambda s: fewer_jumps(s, "both"), unit="%", at_least=80.0
+        ),
+        measured(
+            "frames with a right sighting lost by the rules: at most 5 %",
+            lambda samples: float(100 * (1.0 - samples["right both"].sum() / max(samples["right none"].sum(), 1.0))),
+            unit="%",
+            at_most=5.0,
+        ),
+        reported("fewer jumps by the height test alone", lambda s: fewer_jumps(s, "horizon"), unit="%"),
+        reported("fewer jumps by the area thresholds alone", lambda s: fewer_jumps(s, "area"), unit="%"),
+        reported("jumps a minute without the rules", lambda s: float(s["jumps none"].mean() * 60.0 / TIME)),
+    ),
+    rules=STAGED,
+    measure=false_balls,
+    changed="Before: a robot that ran into the ball, its head on the believed place (78.4 % fewer jumps: undecided).",
+    ingredients=("sensors.patches, patch_low, red_as_orange", "memory.horizon_angle, area_small, area_large"),
+    seconds=4.0,
+    batches=24,
+)
+
+CLAIMS = (S10, S11)

@@ -1,0 +1,255 @@
+"""A ball that other robots hide in part, and what the rules make of it.  [Sacks 2001, 3.1.1]
+
+Scenes: a robot looks at a ball 30 to 60 cm ahead of its camera; one or two others stand at random before a part of
+it, on the ground plan. What they hide is measured in two pictures without noise, with them and without.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from soccer_env.leagues import find_league
+from soccer_env.match import Match
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claims.ball.range import OLD
+from soccer_env.train.papers.staging import (
+    LEGGED,
+    ahead_of,
+    ball_from,
+    begin,
+    play,
+    put,
+    put_ball,
+    stage,
+    standing,
+    wrapped,
+)
+from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, camera_of, stare
+from soccer_env.train.papers.values import in_bins, least_rise, median, middles_of
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+MATCHES = 192
+NEAR, FAR = 0.45, 0.75  # [m] of the ball from the body's centre: 30 to 60 cm from the camera
+LOOK, SETTLE = 0.75, 1.25  # [s] turned to the ball, until measuring begins
+SECONDS = 0.5  # [s] measured
+APART, CLEAR = 0.30, 0.205  # [m] between two robots' middles, and from a robot's middle to the ball's: nothing overlaps
+SIGHT = 0.25  # [m] from the line of sight within which others are put
+START = -0.3  # [m] where the robot stands that looks, ahead along the field
+BODY, CAMERA_AHEAD = find_league(LEGGED).body, find_league(LEGGED).head.camera_ahead
+SIDE, ENDS = BODY.hind_y + BODY.tip_radius, (BODY.hind_x - BODY.tip_radius, BODY.front)  # [m] of a trunk over its legs
+TRUNK = np.array([(x, y) for x in ENDS for y in (-SIDE, SIDE)])  # [m] its corners
+FINE = {"resolution": "176x144", "dither": 0.0, "scale_error": 0.0, "ball_miss": 0.0}
+PLAIN = {"patches": 0.0, "red_as_orange": 0.0}  # nothing but the ball is orange
+CUT = 0.9  # [1] share of a dimension that is left, below which it counts as cut; a pixel is up to 5 % of it
+HIDDEN = (0.0, 0.05, 0.25, 0.50, 0.75)  # [1] edges of the hidden share of the picture
+WELL_BEFORE = 0.10  # [m] before the ball's middle: two of its radii and the ranger's error
+
+Scene = dict[str, np.ndarray]
+
+
+def draw_scene(batch: Batch) -> Scene:
+    """Draw the ball's place and those of two others in the axes of the robot that looks; NaN: not there."""
+    rng = batch.rng()
+    scene = {"distance": rng.uniform(NEAR, FAR, MATCHES), "bearing": rng.uniform(-0.3, 0.3, MATCHES)}
+    scene["others"] = np.full((MATCHES, 2, 3), np.nan)  # x, y, heading
+    for m in range(MATCHES):
+        ball = scene["distance"][m] * np.array([np.cos(scene["bearing"][m]), np.sin(scene["bearing"][m])])
+        taken = [np.zeros(2)]
+        for other in range(1 + int(rng.random() < 0.5)):
+            place = free_place(rng, ball, taken)
+            if place is not None:
+                taken.append(place[:2])
+                scene["others"][m, other] = place
+    return scene
+
+
+def free_place(rng: np.random.Generator, ball: np.ndarray, taken: list[np.ndarray]) -> np.ndarray | None:
+    """Return a random place (x, y, heading) of a robot that is free and before a part of the ball, None without any."""
+    along = ball / np.linalg.norm(ball)
+    for _ in range(200):
+        share, aside = rng.uniform(0.3, 1.0), rng.uniform(-SIGHT, SIGHT)
+        place: np.ndarray = share * ball + aside * np.array([-along[1], along[0]])
+        heading = rng.uniform(-np.pi, np.pi)
+        free = np.linalg.norm(place - ball) > CLEAR and all(np.linalg.norm(place - other) > APART for other in taken)
+        if free and stands_before(ball, place, heading):
+            return np.array([*place, heading])
+    return None
+
+
+def stands_before(ball: np.ndarray, place: np.ndarray, heading: float) -> bool:
+    """Tell whether a robot's trunk is before a part of the ball, seen from the camera on the ground plan."""
+    turn = np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
+    camera = CAMERA_AHEAD * ball / np.linalg.norm(ball)
+    trunk, away = place + TRUNK @ turn - camera, ball - camera
+    angles = wrapped(np.arctan2(trunk[:, 1], trunk[:, 0]) - np.arctan2(away[1], away[0]))
+    half = np.arcsin(find_league(LEGGED).ball.radius / np.linalg.norm(away))
+    return bool(angles.min() < half and angles.max() > -half and np.ptp(angles) < np.pi)
+
+
+def set_up(batch: Batch, scene: Scene, others: bool, **settings: Any) -> Match:
+    """Return matches of the scene, with the others or without."""
+    match = stage(batch, matches=MATCHES, away=2, actions="full", **settings)
+    put(match, 0, START, 0.0, 0.0)
+    put_ball(match, *ahead_of(match, 0, scene["distance"], scene["bearing"]))
+    for other in range(2):
+        there = np.isfinite(scene["others"][:, other, 0]) & others
+        row = match.robots[:, 1 + other]
+        for axis, (name, shift) in enumerate((("x", START), ("y", 0.0), ("heading", 0.0))):
+            row[name] = np.where(there, scene["others"][:, other, axis] + shift, row[name])
+        row["active"] = there
+    begin(match)
+    return match
+
+
+def hidden_parts(batch: Batch, scene: Scene) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return what is left (M,) [1] of the ball's width, height and area in the picture; NaN if it cannot be told."""
+    sizes = []
+    for others in (False, True):
+        match = set_up(batch, scene, others, sensors=PLAIN | FINE)
+        actions = standing(match)
+        for _ in play(match, SETTLE, actions):
+            stare(match, actions)
+        blob = match.percepts["ball"][:, 0, 0]
+        width, height = blob["left"] - blob["right"], blob["high"] - blob["low"]
+        sizes.append(np.stack([width, height, blob["area"]]).astype(float))
+        match.close()
+    free, hidden = sizes
+    left = np.where((free[2] > 0) & (hidden[2] > 0), hidden / np.maximum(free, 1.0), np.nan)
+    return left[0], left[1], left[2]
+
+
+def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory: dict[str, Any]) -> Samples:
+    """Return relative errors of the range (M, T) in frames that show the ball, and true ranges from the camera [m].
+
+    Heads are turned to the true ball; then, unless they go on staring, they are left to track what they take for it.
+    "centred": the axis meets the ball; "short": the ranger reads something well before it.
+    """
+    match = set_up(batch, scene, others, sensors=PLAIN, memory=memory)
+    actions, dt = standing(match), match.league.dt
+    rows: dict[str, list[np.ndarray]] = {"error": [], "believed": [], "range": [], "centred": [], "short": []}
+    for step in play(match, SETTLE + SECONDS, actions):
+        actions[:, 0, 4] = -1.0
+        if staring or (step + 1) * dt <= LOOK:
+            stare(match, actions)
+        if (step + 1) * dt <= SETTLE:
+            continue
+        ball, infrared = match.beliefs["ball"][:, 0], match.percepts["infrared"][:, 0]
+        camera, _ = camera_of(match)
+        distance, angle = ball_in_sight(match)
+        ground = np.hypot(match.balls["x"] - camera[:, 0], match.balls["y"] - camera[:, 1])
+        seen = ball["age"] < 0.5 * dt
+        rows["error"].append(np.where(seen, (ball["distance"] - ball_from(match)[0]) / ground, np.nan))
+        rows["believed"].append(np.where(seen, ball["distance"], np.nan))
+        rows["range"].append(ground)
+        rows["centred"].append(seen & (angle < ball_angle(match, distance)))
+        rows["short"].append((infrared > 0.0) & (infrared < distance - WELL_BEFORE))
+    match.close()
+    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+
+
+def by_dimension(batch: Batch, **memory: Any) -> Samples:
+    """Return the errors by width, by height and by the closer of them, of hidden balls, and what is left of them."""
+    scene = draw_scene(batch)
+    found = dict(zip(("width left", "height left", "area left"), hidden_parts(batch, scene), strict=True))
+    for size in ("width", "height", "closer"):
+        found[size] = watch_scene(batch, scene, True, True, OLD | {"ball_size": size} | memory)["error"]
+    return found
+
+
+def bias_by_share(samples: Samples) -> list[float]:
+    """Return the median error [%] of range by one dimension (width and height alike) for each bin of HIDDEN."""
+    gone = 1.0 - samples["area left"]
+    both = np.concatenate([samples["width"], samples["height"]], axis=1)
+    edges = zip(HIDDEN, (*HIDDEN[1:], 1.01), strict=True)
+    return [100 * median(both[(gone >= low if low else gone < high) & (gone < high)]) for low, high in edges]
+
+
+def cuts(samples: Samples) -> np.ndarray:
+    """Return in how many dimensions each ball is cut (M,): 0, 1 or 2; NaN if it cannot be told."""
+    width, height = samples["width left"], samples["height left"]
+    found: np.ndarray = np.where(np.isfinite(width), (width < CUT).astype(float) + (height < CUT), np.nan)
+    return found
+
+
+def bias_of_cut(samples: Samples, dimensions: int, size: str = "closer") -> float:
+    """Return the median error [%] of balls that are cut in so many dimensions."""
+    return 100 * median(samples[size][cuts(samples) == dimensions])
+
+
+def hidden_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the bias against the hidden share."""
+    gone = 1.0 - samples["area left"]
+    edges = np.linspace(0.0, 1.0, 9)
+    inside = in_bins(gone, edges)
+    curves = [
+        Curve(label, middles_of(edges, 100), [100 * median(samples[name][i]) for i in inside])
+        for name, label in {"width": "by width", "height": "by height", "closer": "the closer of both"}.items()
+    ]
+    hidden = "hidden share of the ball's picture [%]"
+    return (Figure("Range of a ball that is partly hidden", hidden, "median range error [%]", tuple(curves)),)
+
+
+SCENES = f"{MATCHES} scenes a batch with one or two robots at random before a ball 30 to 60 cm from the camera"
+SCENE_CHANGED = "Before: the others stood anywhere about, mostly not before the ball."
+
+S07 = Claim(
+    id="S07",
+    section="3.1.1",
+    statement="A partially obstructed ball seems farther away.",
+    method=f"{SCENES}; median error of range by width and by height alone, in bins of the hidden share of the picture "
+    f"({', '.join(f'{100 * edge:.0f}' for edge in HIDDEN)} % and more).",
+    criteria=(
+        measured(
+            "the median error rises from bin to bin (least rise above 0)",
+            lambda samples: least_rise(bias_by_share(samples)),
+            unit="%",
+            above=0.0,
+        ),
+        measured("it is above 0 once 5 % are hidden", lambda samples: bias_by_share(samples)[1], unit="%", above=0.0),
+    ),
+    rules=STAGED,
+    measure=by_dimension,
+    without=Without(
+        "ranges read from the blob's size, and a smaller blob reads farther: with the ranger's reading instead",
+        lambda batch: by_dimension(batch, ball_range="infrared"),
+    ),
+    changed=SCENE_CHANGED,
+    figures=hidden_figure,
+    ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
+)
+
+S08 = Claim(
+    id="S08",
+    section="3.1.1",
+    statement="The closer of the estimates by height and by width guards well against obstruction, unless the ball is "
+    "obstructed in both dimensions.",
+    method=f"{SCENES}; a dimension counts as cut if less than {100 * CUT:.0f} % of it is left.",
+    criteria=(
+        measured(
+            "cut in one dimension: median error within 10 %",
+            lambda samples: abs(bias_of_cut(samples, 1)),
+            unit="%",
+            at_most=10.0,
+        ),
+        measured(
+            "cut in both: median error at least 30 % too long",
+            lambda samples: bias_of_cut(samples, 2),
+            unit="%",
+            at_least=30.0,
+        ),
+        reported("not cut: median error", lambda samples: bias_of_cut(samples, 0), unit="%"),
+        reported(
+            "cut in one dimension, by width alone: median error",
+            lambda samples: bias_of_cut(samples, 1, "width"),
+            unit="%",
+        ),
+    ),
+    rules=STAGED,
+    measure=by_dimension,
+    changed=SCENE_CHANGED,
+    figures=hidden_figure,
+    ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
+)
+
+CLAIMS = (S07, S08)

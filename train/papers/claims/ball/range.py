@@ -1,0 +1,240 @@
+"""How far away a legged robot takes the ball to be: by size, by infrared, and what a pixel is worth.
+
+[Sacks 2001, 3.1.1]
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env.leagues import find_league
+from soccer_env.perception.legged.calibration import calibrate
+from soccer_env.train.papers.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.staging import LEGGED, ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
+from soccer_env.train.papers.true_sight import camera_of, look_first
+from soccer_env.train.papers.values import in_bins, median, middles_of, quantile, rms
+from soccer_env.train.papers.verdicts import Samples, exact, measured
+
+# The ball system that Sacks found: the larger dimension by table, no ranger, no rules, no filter, bearing-only memory.
+OLD = {
+    "infrared_override": False, "horizon": False, "double_area": False, "odometry": "rotation", "averaged": 1,
+}  # fmt: skip
+MATCHES = 128
+SETTLE = 0.75  # [s] in which the head is turned to the ball; then it tracks by itself
+SECONDS = 1.0  # [s] that are measured
+FRESH = 1e-6  # [s] age of a ball that is seen in this frame
+CAMERA_AHEAD = 0.15  # [m] of the body's centre, roughly: only where balls are put
+# Ranges that a claim about sensors names count along the ground from the camera, as those of the tables of sizes do.
+NEAR, FAR = 0.05, 0.60  # [m] from a ball before the paws to the range that the criterion names
+LEAST_RANGE, MOST_RANGE = 0.15, 0.90  # [m] S06
+WIDTH = 0.05  # [m] of its bins
+CROSSING = (0.35, 0.45)  # [m] "about 40 cm"
+BEYOND = (0.45, 0.80)  # [m] where the ranger must be the worse one
+STEPS = ((0.05, 0.52, 0.64), (0.10, 0.74, 0.90))  # [m] worth of a pixel, and the ranges between which it falls: S15
+FIRST_SCENE = "Before: heads that had to find the ball, orange patches round the field."  # of many claims
+RANGE_LABEL = "range along the ground from the camera [cm]"
+SMALLEST, LARGEST = 3, 60  # [px] sizes of the ball that S15 looks at
+
+
+def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **settings: Any) -> Samples:
+    """Return what robots that stand and look at a ball believe: arrays (M, T), NaN in frames that do not show it.
+
+    place (M,) [m] from the camera, roughly; pose, heading and bearing are random, nothing else is orange. "true" is the
+    distance from the body's centre, "range" that from the camera, "distance" and "bearing" are errors.
+    """
+    rng = batch.rng()
+    count = len(place)
+    distance = CAMERA_AHEAD + place
+    sensors = {"patches": 0.0, **settings.pop("sensors", {})}
+    match = stage(batch, matches=count, actions="full", sensors=sensors, **settings)
+    put(match, 0, rng.uniform(-0.5, 0.5, count), rng.uniform(-0.2, 0.2, count), rng.uniform(-np.pi, np.pi, count))
+    put_ball(match, *ahead_of(match, 0, distance, rng.uniform(-0.7, 0.7, count)))
+    begin(match)
+    look_first(match, SETTLE)
+    rows: dict[str, list[np.ndarray]] = {"true": [], "range": [], "distance": [], "bearing": []}
+    for _ in play(match, seconds):
+        true, bearing = ball_from(match)
+        camera, _ = camera_of(match)
+        rows["range"].append(np.hypot(match.balls["x"] - camera[:, 0], match.balls["y"] - camera[:, 1]))
+        ball = match.beliefs["ball"][:, 0]
+        seen = ball["age"] < FRESH
+        rows["true"].append(true)
+        rows["distance"].append(np.where(seen, ball["distance"] - true, np.nan))
+        rows["bearing"].append(np.where(seen, wrapped(ball["bearing"] - bearing), np.nan))
+    match.close()
+    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+
+
+def old_system(batch: Batch) -> Samples:
+    """Watch balls at all distances to 60 cm with the system that Sacks found."""
+    return watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD)
+
+
+def range_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the median error against the distance."""
+    edges = np.linspace(NEAR, FAR, 9)
+    error = np.abs(samples["distance"])
+    errors = [error[there] for there in in_bins(samples["range"][:, 0], edges)]
+    low, middle, high = ([100 * quantile(e, q) for e in errors] for q in (0.25, 0.5, 0.75))
+    curve = Curve("median and quartiles", middles_of(edges, 100), middle, low, high)
+    return (Figure("Range error of the ball, unobstructed", RANGE_LABEL, "error [cm]", (curve,)),)
+
+
+S05 = Claim(
+    id="S05",
+    section="3.1.1",
+    statement="The old system, range by a table of sizes and angle by head and image position, works fairly well.",
+    method=f"{MATCHES} standing robots a batch track an unobstructed ball {100 * NEAR:.0f} to {100 * FAR:.0f} cm from "
+    "the camera, along the ground, for 1 s; raw estimate against truth, frames that show it.",
+    criteria=(
+        measured(
+            "median range error <= 10 % of the distance",
+            lambda samples: 100 * median(np.abs(samples["distance"]) / samples["range"]),
+            unit="%",
+            at_most=10.0,
+        ),
+        measured(
+            "median bearing error <= 2 deg",
+            lambda samples: np.degrees(median(np.abs(samples["bearing"]))),
+            unit="deg",
+            at_most=2.0,
+        ),
+    ),
+    rules=STAGED,
+    measure=old_system,
+    changed=FIRST_SCENE,
+    figures=range_figure,
+    ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/legged/calibration.py"),
+    seconds=0.7,
+)
+
+
+def size_and_infrared(batch: Batch, **sensors: float) -> Samples:
+    """Watch the same balls by size and by infrared alone: true range (M, T) and the error of each [m]."""
+    place = batch.rng(1).uniform(LEAST_RANGE - 0.05, MOST_RANGE + 0.05, 2 * MATCHES)
+    rule = OLD | {"under_head": False}
+    found = {}
+    for kind in ("size", "infrared"):
+        seen = watch_ball(batch, place, 0.5, memory=rule | {"ball_range": kind}, sensors=sensors)
+        found[kind] = seen["distance"]
+        found["range"] = seen["range"]
+    return found
+
+
+def binned_rms(samples: Samples, kind: str) -> tuple[np.ndarray, np.ndarray]:
+    """Return the middles of the bins [m] and the rms error of a kind of range in each [m]."""
+    edges = np.arange(LEAST_RANGE, MOST_RANGE + 1e-9, WIDTH)
+    inside = in_bins(samples["range"], edges)
+    return np.array(middles_of(edges)), np.array([rms(samples[kind][i]) for i in inside])
+
+
+def crossing(samples: Samples) -> float:
+    """Return the range [cm] from which on, up to 60 cm, infrared errs more than size; interpolated between bins."""
+    middles, by_size = binned_rms(samples, "size")
+    ratio = np.log(binned_rms(samples, "infrared")[1] / by_size)
+    better = np.flatnonzero((ratio <= 0.0) & (middles < FAR))
+    if len(better) == 0:
+        return 100 * LEAST_RANGE
+    last = int(better[-1])
+    share = np.clip(ratio[last] / min(ratio[last] - ratio[last + 1], -1e-9), 0.0, 1.0)
+    return float(100 * (middles[last] + share * WIDTH))
+
+
+def least_ratio(samples: Samples) -> float:
+    """Return the smallest ratio of the rms errors, infrared over size, of the bins beyond the crossing."""
+    middles, by_size = binned_rms(samples, "size")
+    there = (middles > BEYOND[0]) & (middles < BEYOND[1])
+    return float(np.min((binned_rms(samples, "infrared")[1] / by_size)[there]))
+
+
+def crossing_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw both errors against the range."""
+    curves = []
+    for kind in ("size", "infrared"):
+        middles, error = binned_rms(samples, kind)
+        curves.append(Curve(f"by {kind}", list(100 * middles), list(100 * error)))
+    return (Figure("Range error of the ball", RANGE_LABEL, "rms error [cm]", tuple(curves)),)
+
+
+def table_steps(resolution: str) -> Samples:
+    """Return the calibration table's ranges [m] between neighbouring sizes, and how far they are apart."""
+    league = find_league(LEGGED)
+    sensors = replace(league.sensors, resolution=resolution)
+    table = calibrate(replace(league, sensors=sensors))["ball_width"][0, SMALLEST : LARGEST + 1]
+    return {"range": 0.5 * (table[1:] + table[:-1])[None], "step": (table[:-1] - table[1:])[None]}
+
+
+def range_of_step(samples: Samples, step: float) -> float:
+    """Return the range [cm] at which one pixel is worth a step [m]."""
+    order = np.argsort(samples["step"][0], kind="stable")
+    return float(100 * np.interp(step, samples["step"][0][order], samples["range"][0][order]))
+
+
+def step_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw what a pixel is worth against the range."""
+    curve = Curve("88x72", list(100 * samples["range"][0]), list(100 * samples["step"][0]))
+    return (Figure("One pixel of the ball's width", "range [cm]", "worth in range [cm]", (curve,), rules=(5.0, 10.0)),)
+
+
+S06 = Claim(
+    id="S06",
+    section="3.1.1",
+    statement="Range by infrared is less accurate than range by size when the ball is more than about 40 cm away.",
+    method=f"{2 * MATCHES} standing robots a batch track an unobstructed ball; range by size or by the ranger "
+    "(by size in frames without a valid reading on the ball), all frames that show the ball, bins of 5 cm.",
+    criteria=(
+        measured(
+            "infrared becomes the worse one at 35 to 45 cm",
+            crossing,
+            unit="cm",
+            at_least=100 * CROSSING[0],
+            at_most=100 * CROSSING[1],
+        ),
+        measured(
+            "rms error of infrared over that of size above 1 in each bin from 45 to 80 cm", least_ratio, above=1.0
+        ),
+    ),
+    rules=STAGED,
+    measure=size_and_infrared,
+    changed=FIRST_SCENE,
+    figures=crossing_figure,
+    without=Without(
+        "sensors.infrared_growth = 0: a ranger as good far away as near",
+        lambda b: size_and_infrared(b, infrared_growth=0.0),
+    ),
+    ingredients=(
+        "sensors.infrared_growth and infrared_power, chosen so that the laws cross at 40 cm",
+        "sensors.dither",
+    ),
+    seconds=2.5,
+    batches=32,
+)
+
+S15 = Claim(
+    id="S15",
+    section="3.1.1",
+    statement="A single pixel of the ball's size changes its distance by 5 or 10 cm in some cases.",
+    method="The calibration table for the ball's width: range at which neighbouring sizes are 5 and 10 cm apart.",
+    criteria=tuple(
+        exact(
+            f"a pixel is worth {100 * step:.0f} cm at {100 * low:.0f} to {100 * high:.0f} cm",
+            partial(range_of_step, step=step),
+            unit="cm",
+            at_least=100 * low,
+            at_most=100 * high,
+        )
+        for step, low, high in STEPS
+    ),
+    rules=NO_MATCH,
+    measure=lambda batch: table_steps("88x72"),
+    figures=step_figure,
+    without=Without("88x72 pixels: with 176x144 instead", lambda batch: table_steps("176x144")),
+    ingredients=("88 pixels over 57.6 degrees", "a ball 84 mm across"),
+    seconds=0.5,
+    batches=1,
+)
+
+CLAIMS = (S05, S06, S15)

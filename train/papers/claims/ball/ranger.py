@@ -1,0 +1,84 @@
+"""A ball hidden in both dimensions, and the infrared ranger that knows better.  [Sacks 2001, 3.1.1]"""
+
+import numpy as np
+
+from soccer_env.train.papers.claim import STAGED, Batch, Claim
+from soccer_env.train.papers.claims.ball.occlusion import (
+    CUT,
+    SCENES,
+    draw_scene,
+    hidden_parts,
+    watch_scene,
+)
+from soccer_env.train.papers.claims.ball.range import OLD
+from soccer_env.train.papers.values import known, mean
+from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
+
+DEEP = 2.0 / 3.0  # [1] share of both dimensions below which a right reading is less than 2/3 of the range by size
+FAR = 0.60  # [m] range along the ground from the camera
+
+
+def with_and_without_infrared(batch: Batch) -> Samples:
+    """Return errors (M, T) [m] of balls cut in both dimensions, with the rule and without, and triggers on free balls.
+
+    "on", "off": cut below DEEP, the axis meets the ball; "all ...": the same balls in every frame that shows them;
+    "mild ...": cut below CUT, the axis meets the ball.
+    """
+    scene = draw_scene(batch)
+    width, height, _ = hidden_parts(batch, scene)
+    found = {}
+    for name, rule in (("on", True), ("off", False)):
+        seen = watch_scene(batch, scene, True, False, OLD | {"infrared_override": rule})
+        error, near = np.abs(seen["error"] * seen["range"]), seen["range"] <= FAR
+        deep, mild = (((width < share) & (height < share))[:, None] & near for share in (DEEP, CUT))
+        found[name] = np.where(deep & seen["centred"], error, np.nan)
+        found[f"all {name}"] = np.where(deep, error, np.nan)
+        found[f"mild {name}"] = np.where(mild & seen["centred"], error, np.nan)
+        found[f"short {name}"] = np.where(deep & seen["centred"], seen["short"], np.nan)
+        found[f"free {name}"] = watch_scene(batch, scene, False, True, OLD | {"infrared_override": rule})["believed"]
+    judged = np.isfinite(found["free off"])
+    found["triggers"] = (judged & (np.abs(found["free on"] - found["free off"]) > 1e-6)).sum(axis=1)
+    found["judged"] = judged.sum(axis=1)
+    return found
+
+
+def error_ratio(samples: Samples, frames: str = "") -> float:
+    """Return the mean absolute error with the rule over that without it, in some frames."""
+    return mean(samples[f"{frames}on"]) / max(mean(samples[f"{frames}off"]), 1e-9)
+
+
+S09 = Claim(
+    id="S09",
+    section="3.1.1",
+    statement="Taking the infrared reading where it is less than 2/3 of the range by size repairs obstruction in both "
+    "dimensions.",
+    method=f"{SCENES}, robots tracking what they see; balls of which less than 2/3 is left in both dimensions (of "
+    "others the size says less than 3/2 of the range, and the rule has no business), up to 60 cm away, in frames "
+    "in which the camera's axis meets the ball; and the same balls unobstructed, at the centre, for false triggers.",
+    criteria=(
+        measured("mean absolute error with the rule at most half of that without", error_ratio, at_most=0.5),
+        counted(
+            "unobstructed frames in which the rule changes the range: at most 2 %", "triggers", "judged", at_most=2.0
+        ),
+        reported("the first ratio in all frames of these balls", lambda samples: error_ratio(samples, "all ")),
+        reported(
+            f"the first ratio of balls of which less than {100 * CUT:.0f} % is left in both",
+            lambda samples: error_ratio(samples, "mild "),
+        ),
+        reported("mean error without the rule", lambda samples: 100 * mean(samples["off"]), unit="cm"),
+        reported("the same in all frames of these balls", lambda samples: 100 * mean(samples["all off"]), unit="cm"),
+        reported(
+            "frames in which the ranger reads something more than 10 cm before the ball",
+            lambda samples: 100 * mean(samples["short off"]),
+            unit="%",
+        ),
+        reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
+    ),
+    rules=STAGED,
+    measure=with_and_without_infrared,
+    changed="Before: heads that looked at the believed place, and balls cut below 90 % counted as hidden in both.",
+    least=4,
+    ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),
+)
+
+CLAIMS = (S09,)

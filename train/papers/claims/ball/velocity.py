@@ -1,0 +1,236 @@
+"""The relative velocity of the ball: how often to read it, and what a reading is worth.  [Sacks 2001, 3.2, 3.3]"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from soccer_env.leagues import find_league
+from soccer_env.match import Match
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, FIRST_SCENE
+from soccer_env.train.papers.staging import LEGGED, ahead_of, begin, play, put, put_ball, stage, standing
+from soccer_env.train.papers.true_sight import camera_of, stare
+from soccer_env.train.papers.values import least_rise, rms
+from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
+
+MATCHES = 96
+TOP_SPEED = 0.12  # [m/s] "our robots' fastest speed", Sacks 2001, 3.3
+READING = 1.0 / 3.0  # [s] between two readings, Sacks 2001, 3.2
+HALF_WAY = -0.5 * TOP_SPEED  # [m/s] a radial velocity below it is judged to be an approach
+SETTLE = 1.5  # [s] until filter and velocity have forgotten the beginning
+LOOK = 0.5  # [s] in which the head is turned to the ball; then it tracks by itself
+INTERVALS = (0.08, 0.17, 0.33, 0.67)  # [s] of the claim
+PIXEL_JUMP = 0.05  # [m] "even a difference of 5 cm between successive readings", Sacks 2001, 3.3
+PLACE, AROUND = 0.60, 0.05  # [m] from the camera, where single readings are judged
+READINGS = 9
+NEAREST = 0.15  # [m] from the camera, nearest ball of a stuck robot: nearer ones lie between the paws
+LONG, SHORT = 1.10, 0.70  # [m] from the camera, where walks begin: S18
+WALK = 0.25  # [m] half of a walk and what comes before it: who stands is as far off as who walks is on the mean
+
+
+def true_radial(match: Match, r: int = 0) -> np.ndarray:
+    """Return the true rate of the distance between robot r and the ball (M,) [m/s]."""
+    robot, ball = match.robots[:, r], match.balls
+    x, y = ball["x"] - robot["x"], ball["y"] - robot["y"]
+    away = np.maximum(np.hypot(x, y), 1e-9)
+    rate: np.ndarray = (x * (ball["vx"] - robot["vx"]) + y * (ball["vy"] - robot["vy"])) / away
+    return rate
+
+
+def walk_to_ball(
+    batch: Batch, start: np.ndarray, seconds: float, stuck: bool, pace: float = 1.0, **settings: Any
+) -> Samples:
+    """Let robots walk straight to a still ball `start` (M,) [m] from the camera: radial velocities (M, T), "range" [m].
+
+    Stuck robots stand on ice: their legs walk, their odometry counts it, and they stay, whatever is in sight. At pace 0
+    they stand.
+    """
+    count = len(start)
+    rng = batch.rng()
+    league = find_league(LEGGED)
+    if stuck:
+        league = replace(league, drive=replace(league.drive, traction=1e-9, thrust=1e-9))
+    sensors = {"patches": 0.0, **settings.pop("sensors", {})}
+    match = stage(batch, league, matches=count, actions="full", sensors=sensors, **settings)
+    put(
+        match, 0, rng.uniform(-0.9, -0.7, count), rng.uniform(-0.5, 0.5, count), 0.0, 0.0 if stuck else pace * TOP_SPEED
+    )
+    put_ball(match, *ahead_of(match, 0, CAMERA_AHEAD + start, 0.0))
+    begin(match)
+    actions = standing(match)
+    actions[:, 0, 0] = pace
+    rows: dict[str, list[np.ndarray]] = {"radial": [], "rate": [], "range": []}
+    for step in play(match, SETTLE + seconds, actions):
+        actions[:, 0, 4] = -1.0
+        if (step + 1) * match.league.dt <= LOOK:
+            stare(match, actions)
+        if (step + 1) * match.league.dt <= SETTLE:
+            continue
+        camera, _ = camera_of(match)
+        rows["radial"].append(match.beliefs["ball"]["radial"][:, 0].copy())
+        rows["rate"].append(true_radial(match))
+        rows["range"].append(np.hypot(match.balls["x"] - camera[:, 0], match.balls["y"] - camera[:, 1]))
+    match.close()
+    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+
+
+def sweep_intervals(batch: Batch) -> Samples:
+    """Return the errors (M, T) of the radial velocity for each interval, walking towards a ball and standing."""
+    rng = batch.rng(1)
+    starts = {"walking": rng.uniform(SHORT, LONG, MATCHES), "standing": rng.uniform(SHORT - WALK, LONG - WALK, MATCHES)}
+    found = {}
+    for name, start in starts.items():
+        pace = 1.0 if name == "walking" else 0.0
+        for interval in INTERVALS:
+            memory: dict[str, Any] = {"velocity_interval": interval}
+            seen = walk_to_ball(batch, start, 1.5, stuck=False, pace=pace, memory=memory)
+            found[f"{name} {interval}"] = seen["radial"] - seen["rate"]
+    for interval in INTERVALS[1:3]:
+        memory = {"velocity_interval": interval, "radial_from": "raw"}
+        seen = walk_to_ball(batch, starts["walking"], 1.5, stuck=False, memory=memory)
+        found[f"raw {interval}"] = seen["radial"] - seen["rate"]
+    return found
+
+
+def interval_errors(samples: Samples, how: str) -> list[float]:
+    """Return the root mean square error [cm/s] for each interval, "walking" or "standing"."""
+    return [100 * rms(samples[f"{how} {interval}"]) for interval in INTERVALS]
+
+
+def least_fall(samples: Samples, how: str) -> float:
+    """Return by how much the error falls least from an interval to the next longer one [cm/s]."""
+    return least_rise([-error for error in interval_errors(samples, how)])
+
+
+def error_over(samples: Samples, how: str, one: int, other: int = 2) -> float:
+    """Return the error at one interval over that at another, by their places in INTERVALS."""
+    errors = interval_errors(samples, how)
+    return errors[one] / max(errors[other], 1e-9)
+
+
+def readings_at_60(batch: Batch, **settings: Any) -> Samples:
+    """Count readings of stuck and of walking robots about 60 cm from the ball, and those judged wrongly."""
+    shifts = batch.rng(1).uniform(-AROUND, AROUND, MATCHES)
+    free = walk_to_ball(batch, PLACE + TOP_SPEED * (SETTLE + 0.5) + shifts, 1.0, stuck=False, **settings)
+    stuck = walk_to_ball(batch, PLACE + shifts, 1.0, stuck=True, **settings)
+    near = np.abs(free["range"] - PLACE) <= AROUND
+    wrong = (near & (free["radial"] >= HALF_WAY)).sum(axis=1) + (stuck["radial"] < HALF_WAY).sum(axis=1)
+    return {"wrong": wrong, "judged": near.sum(axis=1) + stuck["radial"].shape[1]}
+
+
+def series_of_readings(batch: Batch) -> Samples:
+    """Return means of the first 1 to 9 readings (M, 9) [m/s], of robots that walk in from 60 cm and of stuck ones."""
+    dt = find_league(LEGGED).dt
+    seconds = READINGS * READING
+    times = SETTLE + dt * np.arange(1, round(seconds / dt) + 1)
+    period = np.floor(times / READING + 1e-6)
+    last = np.flatnonzero(np.diff(period, append=period[-1] + 1))[:READINGS]  # the last frame of each reading
+    start = np.full(MATCHES, PLACE + TOP_SPEED * (SETTLE - 0.5 * READING))  # about 60 cm at the first reading
+    free = walk_to_ball(batch, start, seconds, stuck=False)["radial"]
+    stuck = walk_to_ball(batch, batch.rng(1).uniform(NEAREST, PLACE, MATCHES), seconds, stuck=True)["radial"]
+    counts = np.arange(1, len(last) + 1)
+    means = {name: np.cumsum(x[:, last], axis=1) / counts for name, x in (("free", free), ("stuck", stuck))}
+    wrong = (means["free"] >= HALF_WAY).astype(float) + (means["stuck"] < HALF_WAY)
+    return {**means, "wrong": wrong, "wrong at last": wrong[:, -1], "judged": np.full(MATCHES, 2.0)}
+
+
+def interval_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the error against the interval, and the speed of the walk as a rule."""
+    curves = tuple(Curve(how, INTERVALS, interval_errors(samples, how)) for how in ("walking", "standing"))
+    label = "interval between readings [s]"
+    return (Figure("Error of the radial velocity", label, "rms error [cm/s]", curves, rules=(100 * TOP_SPEED,)),)
+
+
+def readings_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the share of wrong judgements against the number of readings."""
+    shares = [50.0 * float(samples["wrong"][:, n].mean()) for n in range(READINGS)]
+    curve = Curve("stuck or walking, from 60 cm on", range(1, READINGS + 1), shares)
+    return (
+        Figure("Judging whether a robot is stuck", "readings averaged", "judged wrongly [%]", (curve,), rules=(5.0,)),
+    )
+
+
+S18 = Claim(
+    id="S18",
+    section="3.2",
+    statement="Velocities read more often than every 1/3 s show sensor errors more than any real movement.",
+    method=f"{MATCHES} robots a batch walk at {100 * TOP_SPEED:.0f} cm/s to a still ball 90 to 40 cm from the camera, "
+    "and as many stand so far from one; error of the believed radial velocity (filtered positions) for four intervals "
+    f"between readings ({', '.join(f'{interval:g}' for interval in INTERVALS)} s), same seeds.",
+    criteria=(
+        measured(
+            "walking: the rms error falls from each interval to the next longer one (least fall above 0)",
+            lambda samples: least_fall(samples, "walking"),
+            unit="cm/s",
+            above=0.0,
+        ),
+        measured("standing: the same", lambda samples: least_fall(samples, "standing"), unit="cm/s", above=0.0),
+        reported("walking: rms error at 0.17 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 1)),
+        reported("walking: rms error at 0.08 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 0)),
+        reported("walking: rms error at 0.67 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 3)),
+        reported(
+            "standing: rms error at 0.17 s over that at 0.33 s", lambda samples: error_over(samples, "standing", 1)
+        ),
+        reported(
+            "walking, by raw positions: 0.17 s over 0.33 s",
+            lambda samples: rms(samples[f"raw {INTERVALS[1]}"]) / max(rms(samples[f"raw {INTERVALS[2]}"]), 1e-9),
+        ),
+        reported(
+            "walking: rms error at 0.17 s, against a real movement of 12 cm/s",
+            lambda samples: interval_errors(samples, "walking")[1],
+            unit="cm/s",
+        ),
+        reported("walking: the same at 0.33 s", lambda samples: interval_errors(samples, "walking")[2], unit="cm/s"),
+    ),
+    rules=STAGED,
+    measure=sweep_intervals,
+    changed="Before: at 0.17 s twice the error at 0.33 s (1.48: not), which independent errors cannot give.",
+    figures=interval_figure,
+    ingredients=("sensors.dither", "memory.averaged = 4", "16 frames a second"),
+    note="Positions are means of four frames: those of readings less than 1/4 s apart share frames, and with them "
+    "a part of their error.",
+    seconds=3.0,
+)
+
+S20 = Claim(
+    id="S20",
+    section="3.3",
+    statement="Two readings 1/3 s apart that differ by 5 cm make 15 cm/s, more than the robots' top speed of 12 cm/s.",
+    method=f"Arithmetic; and {MATCHES} robots a batch that walk to the ball, as many that are stuck, both with the "
+    f"ball {100 * (PLACE - AROUND):.0f} to {100 * (PLACE + AROUND):.0f} cm from the camera: a single reading is wrong "
+    "if it lies on the wrong side of half the top speed.",
+    criteria=(
+        exact("5 cm in 1/3 s over the top speed", lambda samples: PIXEL_JUMP / READING / TOP_SPEED, above=1.0),
+        counted("single readings at 60 cm that misjudge: at least 10 %", "wrong", "judged", at_least=10.0),
+    ),
+    rules=STAGED,
+    measure=readings_at_60,
+    changed="Before: heads that had to find the ball, 60 cm from the body's middle (5.5 % misjudged: not).",
+    without=Without(
+        "sensors.dither = 0: blobs without flicker", lambda batch: readings_at_60(batch, sensors={"dither": 0.0})
+    ),
+    ingredients=("the identity 5 cm / (1/3 s) = 15 cm/s", "sensors.dither"),
+    seconds=0.8,
+    batches=32,
+)
+
+S21 = Claim(
+    id="S21",
+    section="3.3",
+    statement="Averaged over a number of readings the velocity is accurate enough to tell whether a robot is stuck.",
+    method=f"{MATCHES} robots a batch walk in from {100 * PLACE:.0f} cm, as many are stuck {100 * NEAREST:.0f} to "
+    f"{100 * PLACE:.0f} cm from the ball, counted from the camera; the mean of the first 1 to {READINGS} readings "
+    "against half the top speed.",
+    criteria=(counted(f"wrong after {READINGS} readings: at most 5 %", "wrong at last", "judged", at_most=5.0),),
+    rules=STAGED,
+    measure=series_of_readings,
+    changed=FIRST_SCENE,
+    figures=readings_figure,
+    ingredients=("sensors.dither", "memory.velocity_interval = 1/3 s"),
+    seconds=0.7,
+    batches=32,
+)
+
+CLAIMS = (S18, S20, S21)

@@ -1,0 +1,120 @@
+"""Dribbling past a mover among players who stand, class by class.  [Sacks 2001, 4.2, 4.3.4]"""
+
+from functools import partial
+from math import pi
+from typing import Any
+
+import numpy as np
+
+from soccer_env.leagues.league import League
+from soccer_env.scenes import Scene
+from soccer_env.scenes.drills_legged import drill, put_at, send_mover, start_dribble
+from soccer_env.scenes.scene import Draw
+from soccer_env.train.papers.claim import STAGED, Batch, Claim
+from soccer_env.train.papers.claims.dribble.past import (
+    BODIES,
+    MATCHES,
+    MOVING,
+    RULES,
+    Plan,
+    clean,
+    play_both_ways,
+)
+from soccer_env.train.papers.drill_runs import PAPER
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+
+def place_still_behind(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+    """Put a mover as in dribble-past-mover-far, and a still player on the way behind where it crosses."""
+    robot, (still, mover), way = start_dribble(league, ball, robots, draw, 2)
+    put_at(league, robot, still, draw.between(0.95, 1.1), way + draw.between(-0.1, 0.1), draw.between(-pi, pi))
+    aside = draw.side() * draw.between(0.35, 0.7)
+    send_mover(league, robot, mover, draw, way, (1.1, 1.5), aside, (0.3, 0.6))
+
+
+STILL_BEHIND = drill("still-behind-mover", "a mover, and a still player behind where it crosses", place_still_behind,
+                     "home gets past", "still", "walker@0.5")  # fmt: skip
+CLASSES: tuple[tuple[str, tuple[str | Scene, ...]], ...] = (
+    ("one still", ("dribble-past-one",)),
+    ("one mover", MOVING),
+    ("mover, a still player behind", (STILL_BEHIND,)),
+    ("mover and still, opposite sides", ("mover-and-still",)),
+)
+OPPOSITE = len(CLASSES) - 1
+
+
+def pass_classes(batch: Batch) -> Samples:
+    """Dribble in all classes; arrays (M, classes): a class of several drills is their mean; "middle ..." as well."""
+    plan: Plan = [(scene, {}, PAPER) for _, scenes in CLASSES for scene in scenes]
+    found = play_both_ways(batch, plan, MATCHES)
+    ends = np.cumsum([0] + [len(scenes) for _, scenes in CLASSES])
+    return {
+        name: np.stack([values[:, a:b].mean(axis=1) for a, b in zip(ends, ends[1:], strict=False)], axis=1)
+        for name, values in found.items()
+    }
+
+
+def best_less_next(samples: Samples, name: str = "clean") -> float:
+    """Return the clean share [%] with one still player less the best of the other classes."""
+    return clean(samples, name, 0) - max(clean(samples, name, i) for i in range(1, len(CLASSES)))
+
+
+def others_less_opposite(samples: Samples, name: str = "clean") -> float:
+    """Return the least clean share [%] of the other classes less that of mover and still on opposite sides."""
+    return min(clean(samples, name, i) for i in range(OPPOSITE)) - clean(samples, name, OPPOSITE)
+
+
+S64 = Claim(
+    id="S64",
+    section="4.3.4",
+    statement="With stationary players besides a mover it does well much of the time, but not with one on each side.",
+    method=f"{MATCHES} runs a batch in each drill of four classes: {', '.join(name for name, _ in CLASSES)}; movers at "
+    f"6 cm/s. {RULES}",
+    criteria=(
+        measured("clean past one still player, less the best other class", best_less_next, unit="%", above=0.0),
+        measured("the least other class less mover and still on opposite sides", others_less_opposite, unit="%",
+                 above=0.0),
+        *(reported(f"clean, {name}", partial(clean, name="clean", columns=i), unit="%")
+          for i, (name, _) in enumerate(CLASSES)),
+        *(reported(f"past without a contact that stopped it or turned somebody, {name}",
+                   partial(clean, name="free", columns=i), unit="%") for i, (name, _) in enumerate(CLASSES)),
+        *(reported(f"past, touched or not, {name}", partial(clean, name="past", columns=i), unit="%")
+          for i, (name, _) in enumerate(CLASSES)),
+        *(reported(f"from the middle: clean, {name}", partial(clean, name="middle clean", columns=i), unit="%")
+          for i, (name, _) in enumerate(CLASSES)),
+        reported("from the middle: one still player less the best other class",
+                 partial(best_less_next, name="middle clean"), unit="%"),
+        reported("from the middle: the least other class less opposite sides",
+                 partial(others_less_opposite, name="middle clean"), unit="%"),
+    ),
+    rules=STAGED,
+    measure=pass_classes,
+    ingredients=("the walker goes straight on and never gives way", "the drills' places, STILL_BEHIND here"),
+    changed="Before: distances from middle to middle (undecided); at first a still player who stood in the way (not).",
+    note=BODIES,
+    seconds=8.0,
+    batches=6,
+)  # fmt: skip
+
+S43 = Claim(
+    id="S43",
+    section="4.2",
+    statement="The potential field handles moving obstacles about as well as stationary ones.",
+    method=f"The runs of S64: share that touch somebody, one mover at 6 cm/s against one who stands. {RULES}",
+    criteria=(
+        *(reported(f"{where}touched, {text}", partial(clean, name=f"{prefix}touched", columns=i), unit="%")
+          for prefix, where in (("", ""), ("middle ", "from the middle: "))
+          for i, text in ((0, "one still player"), (1, "one mover"))),
+        *(reported(f"{where}touched, mover less still",
+                   lambda s, name=f"{prefix}touched": clean(s, name, 1) - clean(s, name, 0), unit="%")  # type: ignore[misc]
+          for prefix, where in (("", ""), ("middle ", "from the middle: "))),
+    ),
+    rules=STAGED,
+    measure=pass_classes,
+    ingredients=("the walker goes straight on and never gives way",),
+    note="A report, for the paper gives no measure; S62 to S64 judge. The field has positions alone, no velocities.",
+    seconds=8.0,
+    batches=2,
+)  # fmt: skip
+
+CLAIMS = (S43, S64)

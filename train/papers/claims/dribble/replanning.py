@@ -1,0 +1,84 @@
+"""How often a dribbler has to decide on its way.  [Sacks 2001, 4.3.2]"""
+
+from collections.abc import Sequence
+from functools import partial
+
+import numpy as np
+
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.dribble.past import FEWER, RULES, Plan, clean, play_both_ways
+from soccer_env.train.papers.drill_runs import PAPER
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+REPLANS = (0.125, 0.25, 0.5, 1.0, 2.0)  # [s] between two decisions; the paper's is 0.5
+SCENES = ("dribble-past-two", "dribble-past-mover-far")
+DEGREE = 2  # of the curve in the logarithm of the time: a rise, a fall and a bend
+
+
+def pass_by_replan(batch: Batch) -> Samples:
+    """Dribble past two still players and past a mover that starts afar: arrays (M, times), the mean of both."""
+    plan: Plan = [(scene, {"replan": time}, PAPER) for scene in SCENES for time in REPLANS]
+    found, count = play_both_ways(batch, plan, FEWER), len(REPLANS)
+    return {name: 0.5 * (values[:, :count] + values[:, count:]) for name, values in found.items()}
+
+
+def at_time(samples: Samples, *times: float) -> float:
+    """Return the clean share [%] at some times between decisions."""
+    return clean(samples, "clean", [REPLANS.index(time) for time in times])
+
+
+def fitted(samples: Samples, *times: float, name: str = "clean") -> float:
+    """Return the clean share [%] at some times (mean) of the curve that fits all times best."""
+    curve = np.polyfit(np.log2(REPLANS), 100.0 * samples[name].mean(axis=0), DEGREE)
+    return float(np.polyval(curve, np.log2(times)).mean())
+
+
+def gained(samples: Samples, name: str = "clean") -> float:
+    """Return by how much [%] the curve is higher at a quarter and an eighth of a second than at half a second."""
+    return fitted(samples, 0.125, 0.25, name=name) - fitted(samples, 0.5, name=name)
+
+
+def worse(samples: Samples, name: str = "clean") -> float:
+    """Return by how much [%] the curve is lower at a second than at half a second."""
+    return fitted(samples, 0.5, name=name) - fitted(samples, 1.0, name=name)
+
+
+def replan_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the clean runs against the time between decisions, and the curve."""
+    curves = [
+        Curve(text, REPLANS, list(100.0 * samples[name].mean(axis=0)))
+        for name, text in (("clean", "without a touch"), ("past", "past"), ("middle clean", "from the middle"))
+    ]
+    times = np.geomspace(REPLANS[0], REPLANS[-1], 33)
+    curves.append(Curve("without a touch, curve", list(times), [fitted(samples, time) for time in times]))
+    return (Figure("Dribbling by the time between decisions", "time [s]", "runs [%]", tuple(curves)),)
+
+
+S52 = Claim(
+    id="S52",
+    section="4.3.2",
+    statement="Half a second between recalculations suits steps that take half a second.",
+    method=f"{FEWER} runs a batch past two still players and past a mover, with decisions every "
+    f"{', '.join(f'{time:g}' for time in REPLANS)} s; a curve of degree {DEGREE} in the logarithm of the time is "
+    f"fitted to the clean share. {RULES}",
+    criteria=(
+        measured("curve at 0.125 and 0.25 s less at 0.5 s: no gain of 5 points", gained, unit="%", at_most=5.0),
+        measured("curve at 0.5 s less at 1 s", worse, unit="%", above=0.0),
+        *(reported(f"clean at {time:g} s", partial(lambda s, time: at_time(s, time), time=time), unit="%")
+          for time in REPLANS),
+        reported("from the middle: curve at 0.125 and 0.25 s less at 0.5 s", partial(gained, name="middle clean"),
+                 unit="%"),
+        reported("from the middle: curve at 0.5 s less at 1 s", partial(worse, name="middle clean"), unit="%"),
+    ),
+    rules=STAGED,
+    measure=pass_by_replan,
+    figures=replan_figure,
+    ingredients=("gait steps of half a second: a decision takes effect when one begins",),
+    changed="Before: shares at the single times instead of a curve, distances from middle to middle (undecided).",
+    note="A decision takes effect when the next gait step begins: deciding more often brings a fresher picture. "
+    "A second is only two steps, 7 cm.",
+    seconds=8.0,
+    batches=7,
+)  # fmt: skip
+
+CLAIMS = (S52,)

@@ -1,0 +1,242 @@
+"""The forces of the potential field: exponents, the goal's pull, the cosine, walls.  [Sacks 2001, 4.2, 4.3.1, 4.3.2]"""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.train.papers.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claims.field.point_world import players
+from soccer_env.train.papers.claims.field.points import (
+    FIELD,
+    SCENES,
+    START,
+    TOUCH,
+    UNIT,
+    collided,
+    draw_field,
+    one_ahead,
+    run_points,
+    starts,
+)
+from soccer_env.train.papers.claims.field.robots import ROBOTS, filled, run_both_ways
+from soccer_env.train.papers.values import mean, median
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+EXPONENTS = (1, 2, 3)
+FEW_MORE = 2.0  # [pp] of runs that collide more with the factor: no extra collisions
+REACTS = np.radians(5.0)  # [rad] off the goal's direction from which the robot has begun to go round, assumed
+DEGREES = 180.0 / np.pi
+NEAR_GOAL, FAR_GOAL = 0.8, 2.5  # [m]
+GOAL_X = 1.6  # [m] of the point that a dribbler makes for
+
+
+def matched_exponents(batch: Batch) -> Samples:
+    """Return onset [m], peak and mean turn [rad], clearance [m] (scenes, exponents), equal forces at 444 mm."""
+    rng = batch.rng()
+    start, crowd = starts(rng), one_ahead(rng, 0.0, 0.25)
+    found: dict[str, list[np.ndarray]] = {"onset": [], "peak": [], "clearance": []}
+    for exponent in EXPONENTS:
+        runs = run_points(rng, start, crowd, exponent=exponent, player_gain=matched_gain(exponent))
+        away = np.linalg.norm(runs.others[:-1, :, 0] - runs.path[:-1], axis=-1)
+        reacts = np.abs(runs.off) > REACTS
+        first = reacts.argmax(axis=0)
+        found["onset"].append(np.where(reacts.any(axis=0), away[first, np.arange(SCENES)], np.nan))
+        found["peak"].append(np.nanmax(np.abs(runs.turns), axis=0))
+        found["clearance"].append(runs.clearance)
+    return {name: np.stack(values, axis=1) for name, values in found.items()}
+
+
+def matched_gain(exponent: int) -> float:
+    """Return the gain [m^n] with which a player's force is 1 at 444 mm, whatever the exponent."""
+    return 0.8 * UNIT ** (exponent - 1)
+
+
+def of_exponent(samples: Samples, n: int, name: str, scale: float) -> float:
+    """Return the median of a quantity for an exponent."""
+    return scale * median(samples[name][:, EXPONENTS.index(n)])
+
+
+def of_exponents(samples: Samples, name: str, scale: float) -> list[float]:
+    """Return the median of a quantity for each exponent."""
+    return [of_exponent(samples, n, name, scale) for n in EXPONENTS]
+
+
+def exponent_figures(samples: Samples) -> Sequence[Figure]:
+    """Draw the forces against the distance, and paths past a player through the field of the last version."""
+    distances = np.linspace(0.25, 1.1, 35)
+    curves, paths = [], {}
+    crowd, start = players([[0.0, 0.12]]), np.array([[START, 0.0]])
+    for exponent in EXPONENTS:
+        settings: dict[str, Any] = {"exponent": exponent, "player_gain": matched_gain(exponent)}
+        play = SacksSettings(**settings).record()[0]
+        forces = [FIELD.repulsion(x, play["player_gain"], play["player_range"], play) for x in distances]
+        curves.append(Curve(f"exponent {exponent}", list(100 * distances), forces))
+        paths[f"exponent {exponent}"] = run_points(np.random.default_rng(0), start, crowd, **settings).path[:, 0]
+    return (
+        Figure("Force of a player, 1 at 444 mm", "distance [cm]", "force [goal's pull]", tuple(curves), rules=(1.0,)),
+        draw_field("Paths past a player, and the forces with exponent 1", crowd, paths),
+    )
+
+
+S44 = Claim(
+    id="S44",
+    section="4.3.1",
+    statement="The cube of the distance makes forces too small from afar or too large nearby; inversely proportional "
+    "to the distance itself the robot reacts earlier and goes a smoother way.",
+    method=f"{SCENES} points a batch pass a player that stands up to 25 cm beside their way, exponents 1, 2 and 3 with "
+    "the gain for which the force is 1 at 444 mm, all else as in the team; distance from which the way is 5 degrees "
+    "off the goal, and greatest turn from one step to the next.",
+    criteria=(
+        measured(
+            "distance of the first reaction falls with the exponent (least fall of the median)",
+            lambda samples: -float(np.diff(of_exponents(samples, "onset", 100.0)).max()),
+            unit="cm",
+            above=0.0,
+        ),
+        measured(
+            "greatest turn rises with the exponent (least rise of the median)",
+            lambda samples: float(np.diff(of_exponents(samples, "peak", DEGREES)).min()),
+            unit="deg",
+            above=0.0,
+        ),
+        *(
+            reported(f"exponent {n}: first reaction", partial(of_exponent, n=n, name="onset", scale=100.0), unit="cm")
+            for n in EXPONENTS
+        ),
+        *(
+            reported(f"exponent {n}: greatest turn", partial(of_exponent, n=n, name="peak", scale=DEGREES), unit="deg")
+            for n in EXPONENTS
+        ),
+    ),
+    rules=NO_MATCH,
+    measure=matched_exponents,
+    seconds=0.5,
+    batches=8,
+    figures=exponent_figures,
+    ingredients=("the distance at which the exponents are matched: where the paper's force is 1",),
+)
+
+
+def reactions(batch: Batch, **play: Any) -> Samples:
+    """Return how far off the goal robots go [degrees] past a player at the same place, near the goal and far away."""
+    rng, samples = batch.rng(), {}
+    distance, bearing = rng.uniform(0.25, 0.7, SCENES), rng.uniform(-1.0, 1.0, SCENES)
+    for name, away in (("near", NEAR_GOAL), ("far", FAR_GOAL)):
+        start = np.column_stack([np.full(SCENES, GOAL_X - away), np.zeros(SCENES)])
+        place = start + np.column_stack([distance * np.cos(bearing), distance * np.sin(bearing)])
+        for kind in ("unit", "proportional"):
+            runs = run_points(rng, start, players(place[:, None]), **{"goal_force": kind, **play})
+            samples[f"{kind} {name}"] = np.degrees(runs.off[0])
+    return samples
+
+
+def difference(samples: Samples, kind: str) -> np.ndarray:
+    """Return how much reactions differ [degrees] (M,) between near the goal and far from it."""
+    values: np.ndarray = np.abs(samples[f"{kind} near"] - samples[f"{kind} far"])
+    return values
+
+
+S46 = Claim(
+    id="S46",
+    section="4.3.1",
+    statement="With a goal force of constant size the reaction to obstacles does not depend on how far the goal is; "
+    "proportional to the distance it does.",
+    method=f"{SCENES} points a batch, {NEAR_GOAL:g} m and {FAR_GOAL:g} m from the goal, have a player at the same "
+    "place relative to themselves, 25 to 70 cm away; difference of the directions off the goal that they take.",
+    criteria=(
+        measured(
+            "unit force: greatest difference", lambda s: float(difference(s, "unit").max()), unit="deg", at_most=1e-6
+        ),
+        reported("proportional force: mean difference", lambda s: mean(difference(s, "proportional")), unit="deg"),
+        reported("proportional, near: mean size", lambda s: mean(np.abs(s["proportional near"])), unit="deg"),
+        reported("proportional, far: mean size", lambda s: mean(np.abs(s["proportional far"])), unit="deg"),
+    ),
+    rules=NO_MATCH,
+    measure=reactions,
+    seconds=0.5,
+    batches=4,
+    without=Without(
+        "a goal force of size 1 everywhere; here it is k1 times the distance, k1 = 1/m assumed",
+        partial(reactions, goal_force="proportional"),
+    ),
+)
+
+
+def with_and_without_cosine(batch: Batch) -> Samples:
+    """Return deviation and length [m] and collisions (M,) with the cosine factor and without it."""
+    rng, samples = batch.rng(), {}
+    start, crowd = starts(rng), one_ahead(rng, 0.0, 0.4)
+    for name, cosine in (("with", True), ("without", False)):
+        runs = run_points(rng, start, crowd, cosine_factor=cosine)
+        samples[f"deviation {name}"], samples[f"length {name}"] = runs.deviation, runs.length
+        samples[f"hit {name}"] = collided(runs).astype(float)
+        for prefix, robots in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], cosine_factor=cosine):
+            samples[f"{prefix}robots deviation {name}"] = filled(robots.deviation)
+            samples[f"{prefix}robots clean {name}"] = filled(robots.is_clean)
+    return samples | {"aside": np.abs(crowd["y"][:, 0])}
+
+
+def cosine_figures(samples: Samples) -> Sequence[Figure]:
+    """Draw two paths past a player with each field."""
+    crowd, start = players([[0.0, 0.15]]), np.array([[START, 0.0]])
+    paths = {
+        name: run_points(np.random.default_rng(0), start, crowd, cosine_factor=cosine).path[:, 0]
+        for name, cosine in (("with the cosine", True), ("without", False))
+    }
+    return (
+        draw_field("Forces with the cosine factor", crowd, paths),
+        draw_field("Forces without the cosine factor", crowd, paths, cosine_factor=False),
+    )
+
+
+def saved(samples: Samples, name: str) -> float:
+    """Return by which share [%] the factor lessens the median of a quantity."""
+    return 100.0 * (1.0 - median(samples[f"{name} with"]) / median(samples[f"{name} without"]))
+
+
+S47 = Claim(
+    id="S47",
+    section="4.3.1",
+    statement="Without the cosine factor robots steer farther aside than necessary, for players beside and behind them "
+    "repel them as well.",
+    method=f"{SCENES} points a batch pass a player that stands up to 40 cm beside their way, with the factor and "
+    f"without; greatest deviation from the straight way; a collision is a distance below {100 * TOUCH:.0f} cm. "
+    f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of robots.",
+    criteria=(
+        measured("deviation is less by (medians)", lambda s: saved(s, "deviation"), unit="%", at_least=20.0),
+        measured(
+            "collisions with the factor less those without",
+            lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])),
+            unit="pp",
+            at_most=FEW_MORE,
+        ),
+        reported("deviation with the factor", lambda s: 100 * median(s["deviation with"]), unit="cm"),
+        reported("deviation without", lambda s: 100 * median(s["deviation without"]), unit="cm"),
+        measured(
+            "robots: deviation is less by (medians)", lambda s: saved(s, "robots deviation"), unit="%", at_least=20.0
+        ),
+        reported("robots: clean with the factor", lambda s: 100 * mean(s["robots clean with"]), unit="%"),
+        reported("robots: clean without", lambda s: 100 * mean(s["robots clean without"]), unit="%"),
+        reported(
+            "robots, distances from the middle: deviation is less by",
+            lambda s: saved(s, "middle robots deviation"),
+            unit="%",
+        ),
+        reported(
+            "extra length of the path is less by",
+            lambda s: 100 * (median(s["length without"]) - median(s["length with"])),
+            unit="cm",
+        ),
+    ),
+    changed="Before: points alone decided (38.7 %), and no more collisions with the factor, of which there were none.",
+    rules=STAGED,
+    measure=with_and_without_cosine,
+    seconds=4.0,
+    batches=6,
+    figures=cosine_figures,
+)
+
+CLAIMS = (S44, S46, S47)

@@ -1,0 +1,198 @@
+"""Local minima and what is left of indecision, in the point simulator and in the full one.  [Sacks 2001, 4.3.3, 5]"""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.field.paths import GAP, HARD_GAPS, bounced, hard_set
+from soccer_env.train.papers.claims.field.point_world import players
+from soccer_env.train.papers.claims.field.points import (
+    NOISE,
+    SCENES,
+    START,
+    draw_field,
+    gap_ahead,
+    run_points,
+    starts,
+)
+from soccer_env.train.papers.claims.field.robots import ROBOTS, SECONDS, filled, run_both_ways, run_robots
+from soccer_env.train.papers.values import mean
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+NO_LIMIT: dict[str, Any] = {"clamp": False, "body_clamp": False}
+STRAIGHT = 0.01  # [m] that a player right ahead stands off the way at most
+SOMETIMES = 10.0  # [%] of the runs, at least: "sometimes", assumed
+LEFT = 5.0  # [%] of the runs in which indecision remains, at least, assumed
+BACK = 0.07  # [m] farther from the goal than before: two steps, more than a body's sway
+DECISIONS: dict[str, dict[str, Any]] = {"all rules": {}, "decisive": {"decisive": True}}
+LIMITS: dict[str, dict[str, Any]] = {"off": NO_LIMIT, "on": {}}
+
+
+def right_ahead(rng: np.random.Generator) -> np.ndarray:
+    """Return one standing player (M, 1) between the dribbler's start, on the middle line, and the goal."""
+    place = np.stack([rng.uniform(-0.3, 0.3, SCENES), rng.uniform(-STRAIGHT, STRAIGHT, SCENES)], axis=-1)
+    return players(place[:, None])
+
+
+def before_minima(batch: Batch) -> Samples:
+    """Return for head-on and gap scenes, limits off and on, what became of points and of robots (M,), a row for each.
+
+    NaN where the full simulator, in which fewer scenes are played, has no value.
+    """
+    rng, samples = batch.rng(), {}
+    start = np.column_stack([np.full(SCENES, START), np.zeros(SCENES)])
+    scenes = {"head-on": right_ahead(rng), "gap": gap_ahead(rng, *GAP, askew=0.0)}
+    for scene, crowd in scenes.items():
+        for limit, play in LIMITS.items():
+            runs = run_points(batch.rng(1), start, crowd, **play)
+            name = f"{scene}, limit {limit}"
+            samples[f"points {name}: stalls"] = (~runs.arrived).astype(float)
+            samples[f"points {name}: retreats"] = (runs.retreats > 0).astype(float)
+            for prefix, robots in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], **play):
+                samples[f"{prefix}robots {name}: stalls"] = filled(~robots.arrived)
+                samples[f"{prefix}robots {name}: retreats"] = filled(robots.retreat > BACK)
+    return samples
+
+
+def trouble(samples: Samples, who: str, scene: str, limit: str) -> np.ndarray:
+    """Return 1 for each run that stalls or retreats, NaN for one that was not played."""
+    stalls, retreats = (samples[f"{who} {scene}, limit {limit}: {what}"] for what in ("stalls", "retreats"))
+    worse: np.ndarray = np.maximum(stalls, retreats)
+    return worse
+
+
+def share(samples: Samples, who: str, limit: str, scenes: Sequence[str] = ("head-on", "gap")) -> float:
+    """Return the share of runs [%] that stall or retreat."""
+    return 100 * mean([trouble(samples, who, scene, limit) for scene in scenes])
+
+
+def more(samples: Samples, who: str) -> float:
+    """Return how many more runs [pp] stall or retreat without the limits."""
+    return share(samples, who, "off") - share(samples, who, "on")
+
+
+def minimum_figures(samples: Samples) -> Sequence[Figure]:
+    """Draw the way that ends before a player right ahead."""
+    crowd, start = players([[0.0, 0.0]]), np.array([[START, 0.0]])
+    paths = {
+        name: run_points(np.random.default_rng(0), start, crowd, **play).path[:, 0]
+        for name, play in (("no limit", NO_LIMIT), ("70 degrees", {}))
+    }
+    return (draw_field("A player right between dribbler and goal", crowd, paths),)
+
+
+S54 = Claim(
+    id="S54",
+    section="4.3.3",
+    statement="In the simulation and on the robots the total force sometimes pushed the robot away from the goal: an "
+    "obstacle right between it and the goal makes a local minimum.",
+    method=f"{SCENES} points and {ROBOTS} robots a batch before a player within {100 * STRAIGHT:.0f} cm of their "
+    f"way, and as many before a square gap of {100 * GAP[0]:.0f} to {100 * GAP[1]:.0f} cm, without the limits of 70 "
+    "and 45 degrees and with them. A run retreats if a step of a point leads away from the goal, or if a robot is "
+    f"{100 * BACK:.0f} cm farther from it than it was; it stalls if it does not come past within 70 s (points) or "
+    f"{SECONDS:.0f} s (robots).",
+    criteria=(
+        measured(
+            "points without limits that stall or retreat",
+            partial(share, who="points", limit="off"),
+            unit="%",
+            above=SOMETIMES,
+        ),
+        measured(
+            "robots that do so: without limits less with them", partial(more, who="robots"), unit="pp", above=SOMETIMES
+        ),
+        reported("points with the limits", partial(share, who="points", limit="on"), unit="%"),
+        *(
+            reported(f"{who} without limits, {scene}", partial(share, who=who, limit="off", scenes=(scene,)), unit="%")
+            for who in ("points", "robots")
+            for scene in ("head-on", "gap")
+        ),
+        *(
+            reported(
+                f"robots with the limits, {scene}", partial(share, who="robots", limit="on", scenes=(scene,)), unit="%"
+            )
+            for scene in ("head-on", "gap")
+        ),
+        reported(
+            "robots, distances from the middle: the same difference", partial(more, who="middle robots"), unit="pp"
+        ),
+    ),
+    changed="Before: more than none of the points (98.8 %), which nothing could have missed.",
+    rules=STAGED,
+    measure=before_minima,
+    seconds=9.0,
+    batches=6,
+    figures=minimum_figures,
+    note="Robots that lose the ball, or touch a player, stall or go back as well: that is what they do with "
+    "the limits.",
+)
+
+
+def hard_runs(batch: Batch) -> Samples:
+    """Count flips (M,) in the harder set with all of the paper's rules, points and robots; and of decisive ones."""
+    rng, samples = batch.rng(), {}
+    start, crowd = starts(rng, SCENES, 0.2), hard_set(rng)
+    for name, play in DECISIONS.items():
+        runs = run_points(batch.rng(1), start, crowd, {"range_noise": NOISE}, **play)
+        samples[f"points {name}"] = runs.flips.astype(float)
+        for prefix, robots in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], **play):
+            samples[f"{prefix}robots {name}"] = filled(robots.flips)
+            samples[f"{prefix}clean {name}"] = filled(robots.is_clean)
+    ideal = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], senses="ideal")
+    return samples | {"robots that see all": filled(ideal.flips)}
+
+
+def flips_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw how often runs change sides."""
+    count = np.arange(13)
+    curves = []
+    for name in ("points all rules", "points decisive", "robots all rules", "robots decisive"):
+        flips = samples[name][np.isfinite(samples[name])]
+        curves.append(Curve(name, list(count), [100 * mean(flips >= n) for n in count]))
+    return (Figure("Indecision in the harder set", "changes of side", "runs with as many or more [%]", tuple(curves)),)
+
+
+S68 = Claim(
+    id="S68",
+    section="5",
+    statement="The problem of local minima is not solved: the robots' indecision remains.",
+    method=f"{SCENES} points (range error {100 * NOISE:.0f} %) and {ROBOTS} robots with their sensors a batch before a "
+    f"gap of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near it, all of the paper's "
+    "rules on; changes between more than 20 degrees left of the goal and as much right of it.",
+    criteria=(
+        measured("points: runs with a change of side", partial(bounced, name="points all rules"), unit="%", above=LEFT),
+        measured("robots: runs with a change of side", partial(bounced, name="robots all rules"), unit="%", above=LEFT),
+        reported("points: changes of side in a run (mean)", lambda s: mean(s["points all rules"])),
+        reported("robots: changes of side in a run (mean)", lambda s: mean(s["robots all rules"])),
+        reported("points that are decisive (mean)", lambda s: mean(s["points decisive"])),
+        reported("robots that are decisive (mean)", lambda s: mean(s["robots decisive"])),
+        reported("robots that see all (ideal senses) (mean)", lambda s: mean(s["robots that see all"])),
+        reported("robots that pass and touch nobody", lambda s: 100 * mean(s["clean all rules"]), unit="%"),
+        reported("the same of decisive ones", lambda s: 100 * mean(s["clean decisive"]), unit="%"),
+        reported(
+            "robots, distances from the middle: runs with a change of side",
+            partial(bounced, name="middle robots all rules"),
+            unit="%",
+        ),
+        reported(
+            "robots, distances from the middle: that pass and touch nobody",
+            lambda s: 100 * mean(s["middle clean all rules"]),
+            unit="%",
+        ),
+    ),
+    changed="Before: more than no change of side, which nothing could have missed.",
+    rules=STAGED,
+    measure=hard_runs,
+    seconds=7.0,
+    batches=6,
+    figures=flips_figure,
+    note="Most changes of robots come from what they see: with ideal senses there are few. Decisive points "
+    "(sacks-2001-future), who leave a side only when the other has clearly become better, hardly ever change sides; "
+    "decisive robots do as often as the others.",
+)
+
+
+CLAIMS = (S54, S68)

@@ -1,0 +1,186 @@
+"""The numbers of the potential field: who exerts no force, where a force is 1, players and walls.  [Sacks 2001, 4.3]"""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.baselines.sacks_2001.steering import force_of_players
+from soccer_env.belief_types import BELIEF, TRACK
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.train.papers.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claims.field.point_world import players
+from soccer_env.train.papers.claims.field.points import FIELD, SCENES, START, TOUCH, is_clean, run_points
+from soccer_env.train.papers.claims.field.robots import ROBOTS, filled, run_both_ways
+from soccer_env.train.papers.staging import LEGGED
+from soccer_env.train.papers.values import mean, median
+from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
+
+K = constants_of(find_league(LEGGED))[0]
+
+
+def forces_aside(batch: Batch, **play: Any) -> Samples:
+    """Return the forces (M,) of players 90 to 180 degrees off the goal's direction, 5 to 99 cm away."""
+    rng, record = batch.rng(), SacksSettings(**play).record()[0]
+    distance, goal = rng.uniform(0.05, 0.99, SCENES), rng.uniform(-np.pi, np.pi, SCENES)
+    angle = goal + np.radians(np.linspace(90.0, 270.0, SCENES))
+    places = list(zip(distance * np.cos(angle), distance * np.sin(angle), np.cos(goal), np.sin(goal), strict=True))
+    return {
+        "force": np.array([np.hypot(*FIELD.player_force(*place, record)) for place in places]),
+        "middles": np.array([push_of(*place, record) for place in places]),
+    }
+
+
+def push_of(x: float, y: float, goal_x: float, goal_y: float, record: np.void) -> float:
+    """Return the force of a player whose middle a robot that heads along x knows to be at x, y [m]."""
+    belief, tracks = np.zeros(1, BELIEF), np.zeros(1, TRACK)
+    tracks["present"], tracks["x"], tracks["y"] = 1, x, y
+    force: Any = force_of_players  # a kernel
+    return float(np.hypot(*force(belief[0], tracks, goal_x, goal_y, K, record)))
+
+
+S48 = Claim(
+    id="S48",
+    section="4.3.1",
+    statement="A player beside or behind the dribbler exerts no force.",
+    method=f"Force of {SCENES} players a batch that are 90 to 180 degrees off the goal's direction, 5 to 99 cm away.",
+    criteria=(
+        exact("greatest force, in units of the goal's", lambda s: float(s["force"].max()), at_most=1e-12),
+        reported(
+            "players that exert none as seen from the robot's middle, and some as seen from its camera",
+            lambda s: 100.0 * mean(s["middles"] > 1e-12),
+            unit="%",
+        ),
+    ),
+    rules=NO_MATCH,
+    measure=forces_aside,
+    batches=1,
+    seconds=0.1,
+    without=Without("the cosine factor, which is 0 there", partial(forces_aside, cosine_factor=False)),
+)
+
+
+def unit_distance(batch: Batch, **play: Any) -> Samples:
+    """Return the distance [m] between middles at which a robot's force from a player straight ahead is 1.
+
+    Found by bisection: "middles" with the paper's distance, from camera to surface; "middle" with that between middles;
+    "distance" is the first as the sensors gave it.
+    """
+    found = {}
+    for name, way in (("middles", "surface"), ("middle", "middle")):
+        record = SacksSettings(distance_from=way, **play).record()[0]
+        near, far = 0.05, 2.0
+        while far - near > 1e-9:
+            half = 0.5 * (near + far)
+            pushes = push_of(half, 0.0, 1.0, 0.0, record) > 1.0
+            near, far = (half, far) if pushes else (near, half)
+        found[name] = np.array([near])
+    return found | {"distance": found["middles"] - K["head_camera_ahead"] - K["body_front"]}
+
+
+S49 = Claim(
+    id="S49",
+    section="4.3.2",
+    statement="With k2 = 800 and x0 = 1000 mm a player about 45 cm away repels as strongly as the goal pulls.",
+    method="The distance from camera to surface at which the force of a player straight ahead is 1, by bisection.",
+    criteria=(
+        exact("distance", lambda s: 1000 * float(s["distance"][0]), unit="mm", at_least=440.0, at_most=460.0),
+        reported("between the middles of both then", lambda s: 1000 * float(s["middles"][0]), unit="mm"),
+        reported("between the middles, if that were the distance", lambda s: 1000 * float(s["middle"][0]), unit="mm"),
+    ),
+    rules=NO_MATCH,
+    measure=unit_distance,
+    batches=1,
+    seconds=0.1,
+    without=Without(
+        "the constants and the exponent 1 of the last version; here the exponent is the theory's 3",
+        partial(unit_distance, exponent=3),
+    ),
+    note="Exactly 444.4 mm: 1 / (1/800 + 1/1000).",
+)
+
+
+def walls_against_players(batch: Batch, **play: Any) -> Samples:
+    """Return the greatest ratio of a wall's force to a player's, and who comes through near walls with and without."""
+    record = SacksSettings(**play).record()[0]
+    ratios = [
+        abs(FIELD.wall_force(1.0 - x, 1.0, record)) / np.hypot(*FIELD.player_force(x, 0.0, 1.0, 0.0, record))
+        for x in np.linspace(0.02, 0.99, 98)
+    ]
+    start, crowd = along_wall(batch.rng())
+    samples: Samples = {"ratio": np.full(SCENES, max(ratios))}
+    for name, walls in (("with", True), ("without", False)):
+        runs = run_points(batch.rng(1), start, crowd, {"body": True}, **{"walls": walls, **play})
+        at_wall = np.nanmax(np.abs(runs.path[..., 1]), axis=0) > 1.0 - TOUCH / 2.0
+        samples[f"clean {name}"] = (is_clean(runs) & ~at_wall).astype(float)
+        samples[f"at wall {name}"] = at_wall.astype(float)
+        samples[f"clearance {name}"] = runs.clearance
+    return samples
+
+
+def walls_with_robots(batch: Batch, **play: Any) -> Samples:
+    """Return the same, and which robots come through cleanly in the first of the scenes."""
+    start, crowd = along_wall(batch.rng())
+    robots = {
+        f"{prefix}robots {name}": filled(runs.is_clean)
+        for name, walls in (("with", True), ("without", False))
+        for prefix, runs in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], **{"walls": walls, **play})
+    }
+    return walls_against_players(batch, **play) | robots
+
+
+def along_wall(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """Return starts 15 to 50 cm from a wall, and a player (M, 1) that stands up to 25 cm farther inside."""
+    y = rng.uniform(0.5, 0.85, SCENES) * rng.choice([-1.0, 1.0], SCENES)
+    start = np.column_stack([np.full(SCENES, START), y])
+    place = np.column_stack([rng.uniform(-0.6, 0.2, SCENES), y - np.sign(y) * rng.uniform(0.0, 0.25, SCENES)])
+    return start, players(place[:, None])
+
+
+def wall_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the forces of walls and players against the distance."""
+    record, x = SacksSettings().record()[0], np.linspace(0.06, 1.1, 53)
+    forces = {
+        "player": [float(np.hypot(*FIELD.player_force(d, 0.0, 1.0, 0.0, record))) for d in x],
+        "wall": [abs(FIELD.wall_force(1.0 - d, 1.0, record)) if d < 1.0 else 0.0 for d in x],
+    }
+    curves = tuple(Curve(name, list(100 * x), values) for name, values in forces.items())
+    return (Figure("Forces of players and walls", "distance [cm]", "force [goal's pull]", curves, rules=(1.0,)),)
+
+
+S50 = Claim(
+    id="S50",
+    section="4.3, 4.3.2",
+    statement="Walls exert significantly less force than players; whether their force is needed is unclear.",
+    method=f"Greatest ratio of a wall's force to that of a player at the same distance; and {SCENES} points a batch "
+    "that start 15 to 50 cm from a wall and pass a player that stands up to 25 cm farther inside, with the walls' "
+    f"force and without: who comes through and keeps {50 * TOUCH:.0f} cm from the wall; the same with {ROBOTS} robots.",
+    criteria=(
+        measured("wall over player at equal distances, greatest", lambda s: float(s["ratio"].max()), below=1.0),
+        reported("clean with the walls' force", lambda s: 100 * mean(s["clean with"]), unit="%"),
+        reported("clean without", lambda s: 100 * mean(s["clean without"]), unit="%"),
+        reported("at the wall with its force", lambda s: 100 * mean(s["at wall with"]), unit="%"),
+        reported("at the wall without", lambda s: 100 * mean(s["at wall without"]), unit="%"),
+        reported("distance kept from the player with it", lambda s: 100 * median(s["clearance with"]), unit="cm"),
+        reported("distance kept without", lambda s: 100 * median(s["clearance without"]), unit="cm"),
+        reported("robots that pass and touch nobody, with it", lambda s: 100 * mean(s["robots with"]), unit="%"),
+        reported("robots that do so without", lambda s: 100 * mean(s["robots without"]), unit="%"),
+        reported("distances from the middle: with it", lambda s: 100 * mean(s["middle robots with"]), unit="%"),
+        reported("distances from the middle: without", lambda s: 100 * mean(s["middle robots without"]), unit="%"),
+    ),
+    rules=STAGED,
+    measure=walls_with_robots,
+    seconds=4.0,
+    batches=6,
+    figures=wall_figure,
+    without=Without(
+        "the walls' constants 200 and 350 mm; here they are the players'",
+        partial(walls_with_robots, wall_gain=0.8, wall_range=1.0),
+    ),
+    note="The effect of the walls' force is reported, not judged: the paper does not say which it is.",
+)
+
+CLAIMS = (S48, S49, S50)

@@ -1,0 +1,264 @@
+"""Ways through the potential field: steadiness, retreat, indecision.  [Sacks 2001, 4.3.1, 4.3.3]"""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.papers.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claims.field.point_world import players
+from soccer_env.train.papers.claims.field.points import (
+    BLOBS,
+    NO_CUT_OFF,
+    NOISE,
+    SCENES,
+    START,
+    draw_field,
+    gap_ahead,
+    run_points,
+    starts,
+)
+from soccer_env.train.papers.claims.field.robots import ROBOTS, filled, run_both_ways
+from soccer_env.train.papers.values import mean, median
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+NOISY = {"range_noise": NOISE, "false_blobs": BLOBS}
+JITTERS = {"noise and blobs": NOISY, "noise": {"range_noise": NOISE}, "blobs": {"false_blobs": BLOBS}}
+CUT_OFFS: dict[str, dict[str, Any]] = {"with": {}, "without": NO_CUT_OFF, "unmatched": {"cut_off": False}}
+GAP = (0.45, 0.55)  # [m] about 500 mm
+HARD_GAPS = (0.35, 0.70)  # [m] of a harder set
+
+
+def far_players(batch: Batch) -> Samples:
+    """Return the rms change of direction [degrees] (M,) from step to step, with the cut-off and without it.
+
+    "unmatched": without it k2 is the same, so that forces are stronger everywhere as well.
+    """
+    rng, samples = batch.rng(), {}
+    start = starts(rng, SCENES, 0.3)
+    x, y = (
+        rng.uniform(-0.4, 1.2, (SCENES, 3)),
+        rng.uniform(0.3, 0.9, (SCENES, 3)) * rng.choice([-1.0, 1.0], (SCENES, 3)),
+    )
+    crowd = players(np.stack([x, y], axis=-1))
+    for seen, world in JITTERS.items():
+        for name, play in CUT_OFFS.items():
+            runs = run_points(batch.rng(1), start, crowd, world, **play)
+            samples[f"{seen} {name}"] = np.degrees(np.sqrt(np.nanmean(runs.turns**2, axis=0)))
+    return samples
+
+
+def less_jitter(samples: Samples, seen: str, other: str = "without") -> float:
+    """Return by which share [%] the cut-off lessens the mean jitter."""
+    return 100.0 * (1.0 - mean(samples[f"{seen} with"]) / mean(samples[f"{seen} {other}"]))
+
+
+S45 = Claim(
+    id="S45",
+    section="4.3.1",
+    statement="A greatest distance of the forces keeps false blobs and distant players from moving the robot about: a "
+    "more stable path.",
+    method=f"{SCENES} points a batch among three players that stand 30 to 90 cm beside the way, ranges with an error "
+    f"of {100 * NOISE:.0f} %, a false blob in {100 * BLOBS:.0f} % of the decisions; rms change of direction from step "
+    "to step with the cut-off at 1 m and without, k2 then such that a force is 1 at the same distance as with it.",
+    criteria=(
+        measured("jitter is less by (means)", partial(less_jitter, seen="noise and blobs"), unit="%", above=0.0),
+        reported("jitter with the cut-off", lambda s: mean(s["noise and blobs with"]), unit="deg"),
+        reported("jitter without", lambda s: mean(s["noise and blobs without"]), unit="deg"),
+        reported("less by, noise alone", partial(less_jitter, seen="noise"), unit="%"),
+        reported("less by, false blobs alone", partial(less_jitter, seen="blobs"), unit="%"),
+        reported(
+            "less by, against the same k2 without the cut-off",
+            partial(less_jitter, seen="noise and blobs", other="unmatched"),
+            unit="%",
+        ),
+    ),
+    changed="Before: one k2 with the cut-off and without, which changes strength and reach at once (69.6 %).",
+    rules=NO_MATCH,
+    measure=far_players,
+    seconds=0.8,
+    batches=8,
+    ingredients=("how often blobs are false, and where they seem to be: 0.5 to 2.5 m",),
+)
+
+
+def crowds(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """Return starts and one to three standing players anywhere before the goal."""
+    place = np.stack([rng.uniform(-0.7, 1.0, (SCENES, 3)), rng.uniform(-0.5, 0.5, (SCENES, 3))], axis=-1)
+    place[np.arange(SCENES)[:, None] % 3 < np.arange(3)] = (0.0, 50.0)  # far off the field: one, two or three are left
+    return starts(rng, SCENES, 0.5), players(place)
+
+
+def steps_away(batch: Batch, **play: Any) -> Samples:
+    """Count the steps of each run, and those that lead away from the goal."""
+    start, crowd = crowds(batch.rng())
+    runs = run_points(batch.rng(1), start, crowd, {"range_noise": NOISE}, **play)
+    return {"steps": runs.steps, "away": runs.retreats, "arrived": runs.arrived.astype(float)}
+
+
+S55 = Claim(
+    id="S55",
+    section="4.3.3",
+    statement="Never going more than 70 degrees off the goal's direction, the robot never goes away from the goal.",
+    method=f"{SCENES} points a batch past one to three standing players anywhere on their way, ranges with an error of "
+    f"{100 * NOISE:.0f} %; steps after which the goal is farther away.",
+    criteria=(
+        measured("steps away from the goal", lambda s: float(s["away"].sum()), at_most=0.0),
+        reported("runs that arrive", lambda s: 100 * mean(s["arrived"]), unit="%"),
+    ),
+    rules=NO_MATCH,
+    measure=steps_away,
+    seconds=0.3,
+    batches=8,
+    without=Without(
+        "the limit of 70 degrees: a step at a smaller angle shortens the way", partial(steps_away, clamp=False)
+    ),
+    note="Geometry, as long as the robot goes where it wants to: 3.5 cm at 70 degrees bring the goal 1.2 cm nearer.",
+)
+
+
+def through_gaps(batch: Batch) -> Samples:
+    """Count flips (M,) before a gap of about 50 cm: with the limit alone and the rule that keeps the side."""
+    rng, samples = batch.rng(), {}
+    start = starts(rng)
+    crowd = gap_ahead(rng, *GAP, askew=0.0)
+    askew = gap_ahead(rng, *GAP)
+    hard_start, hard_crowd = starts(rng, SCENES, 0.2), hard_set(rng)
+    for name, keep in (("limit", False), ("rule", True)):
+        for seen, world in (("", {}), (" noisy", {"range_noise": NOISE})):
+            runs = run_points(batch.rng(1), start, crowd, world, keep_side=keep)
+            samples[name + seen] = runs.flips.astype(float)
+            samples[f"{name}{seen} askew"] = run_points(batch.rng(1), start, askew, world, keep_side=keep).flips.astype(
+                float
+            )
+        runs = run_points(batch.rng(1), hard_start, hard_crowd, {"range_noise": NOISE}, keep_side=keep)
+        samples[f"{name} hard"] = runs.flips.astype(float)
+    return samples
+
+
+def gaps_with_robots(batch: Batch) -> Samples:
+    """Return the same, and the flips of robots in the first of the scenes, with the rule and without."""
+    rng = batch.rng()
+    start, crowd = starts(rng), gap_ahead(rng, *GAP, askew=0.0)
+    samples = through_gaps(batch)
+    for name, keep in (("limit", False), ("rule", True)):
+        for prefix, robots in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], keep_side=keep):
+            samples[f"{prefix}robots {name}"] = filled(robots.flips)
+            samples[f"{prefix}clean {name}"] = filled(robots.is_clean)
+    return samples
+
+
+def fewer(samples: Samples, who: str = "", seen: str = "") -> float:
+    """Return how many times as many changes of side there are without the rule as with it (means)."""
+    return mean(samples[f"{who}limit{seen}"]) / max(mean(samples[f"{who}rule{seen}"]), 1e-3)
+
+
+def bounced(samples: Samples, name: str) -> float:
+    """Return the share of runs [%] with a change of side or more."""
+    flips = samples[name]
+    return 100.0 * mean(np.where(np.isfinite(flips), flips > 0.0, np.nan))
+
+
+def hard_set(rng: np.random.Generator) -> np.ndarray:
+    """Return three standing players (M, 3): a gap of 35 to 70 cm, and one behind it or before it."""
+    gap = gap_ahead(rng, *HARD_GAPS)
+    third = np.stack([gap["x"].mean(axis=1) + rng.uniform(-0.4, 0.4, SCENES), rng.uniform(-0.4, 0.4, SCENES)], axis=-1)
+    return players(np.concatenate([np.stack([gap["x"], gap["y"]], axis=-1), third[:, None]], axis=1))
+
+
+def gap_figures(samples: Samples) -> Sequence[Figure]:
+    """Draw paths before a gap, and how often runs flip."""
+    crowd, start = players([[0.0, 0.25], [0.0, -0.25]]), np.array([[START, 0.01]])
+    kinds: dict[str, dict[str, Any]] = {
+        "no limit": {"clamp": False},
+        "70 degrees": {"keep_side": False},
+        "and the side kept": {},
+    }
+    paths = {
+        name: run_points(np.random.default_rng(0), start, crowd, **play).path[:, 0] for name, play in kinds.items()
+    }
+    names = {
+        "limit": "limit alone",
+        "limit noisy": "limit, noise",
+        "rule": "side kept",
+        "rule noisy": "side kept, noise",
+    }
+    count = np.arange(41)
+    curves = tuple(
+        Curve(title, list(count), [100 * mean(samples[name] >= n) for n in count]) for name, title in names.items()
+    )
+    return (
+        draw_field("Before a gap of 50 cm", crowd, paths),
+        Figure("Indecision before a gap of about 50 cm", "changes of side", "runs with as many or more [%]", curves),
+    )
+
+
+S56 = Claim(
+    id="S56",
+    section="4.3.3",
+    statement="With the limit of 70 degrees alone the robot sometimes bounces between left and right.",
+    method=f"{SCENES} points a batch before two players with a gap of {100 * GAP[0]:.0f} to {100 * GAP[1]:.0f} cm "
+    "between their middles, square to their way and within 5 cm of it, nothing but the 70 degrees limit; changes "
+    "between more than 20 degrees left of the goal and as much right of it.",
+    criteria=(
+        measured("changes of side in a run (mean)", lambda s: mean(s["limit"]), at_least=10.0),
+        reported("changes of side in a run (median)", lambda s: median(s["limit"])),
+        reported("with range noise (mean)", lambda s: mean(s["limit noisy"])),
+        reported("runs with 10 or more", lambda s: 100 * mean(s["limit"] >= 10), unit="%"),
+        reported("gap up to 20 degrees askew: in a run (mean)", lambda s: mean(s["limit askew"])),
+        reported("gap askew: runs with 10 or more", lambda s: 100 * mean(s["limit askew"] >= 10), unit="%"),
+    ),
+    changed="Before: gaps up to 20 degrees askew and the median, which read 0 (not); their mean stands beside it.",
+    rules=NO_MATCH,
+    measure=through_gaps,
+    seconds=0.8,
+    batches=8,
+    figures=gap_figures,
+    note="About half of these runs bounce, and then 20 to 30 times; a robot that comes more to one side of the gap's "
+    "middle passes both players there. In a gap that is askew it hardly ever bounces.",
+)
+
+S57 = Claim(
+    id="S57",
+    section="4.3.3",
+    statement="Staying on one's side when pushed back by more than 135 degrees cures the indecision in most cases, but "
+    "not all the time.",
+    method=f"The runs of S56 with ranges that have an error of {100 * NOISE:.0f} %, with the rule and without; and a "
+    f"harder set: gaps of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near them. "
+    f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of both.",
+    criteria=(
+        measured(
+            "changes of side without the rule over those with it (means)",
+            partial(fewer, seen=" noisy"),
+            at_least=5.0,
+        ),
+        measured("runs with a change of side, with the rule", partial(bounced, name="rule noisy"), unit="%", above=5.0),
+        reported("changes of side in a run with the rule (mean)", lambda s: mean(s["rule noisy"])),
+        reported("without noise: changes without the rule (mean)", lambda s: mean(s["limit"])),
+        reported("without noise: changes with it (mean)", lambda s: mean(s["rule"])),
+        reported(
+            "gap up to 20 degrees askew: without the rule over with it",
+            partial(fewer, seen=" noisy askew"),
+        ),
+        reported("harder set: without the rule over with it", partial(fewer, seen=" hard")),
+        reported("harder set: changes with the rule (mean)", lambda s: mean(s["rule hard"])),
+        measured("robots: changes without the rule over those with it", partial(fewer, who="robots "), at_least=5.0),
+        reported("robots: changes with the rule (mean)", lambda s: mean(s["robots rule"])),
+        reported("robots that pass and touch nobody, with the rule", lambda s: 100 * mean(s["clean rule"]), unit="%"),
+        reported("robots that do so without the rule", lambda s: 100 * mean(s["clean limit"]), unit="%"),
+        reported("robots, distances from the middle: without over with", partial(fewer, who="middle robots ")),
+        reported(
+            "robots, distances from the middle: clean with it", lambda s: 100 * mean(s["middle clean rule"]), unit="%"
+        ),
+    ),
+    changed="Before: points alone (24.3 times fewer), and more than no change of side, which nothing could miss.",
+    rules=STAGED,
+    measure=gaps_with_robots,
+    seconds=6.0,
+    batches=6,
+    figures=gap_figures,
+)
+
+
+CLAIMS = (S45, S55, S56, S57)

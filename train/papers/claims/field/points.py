@@ -1,0 +1,93 @@
+"""Scenes of the point simulator: a dribbler on its way to the goal and others in its way.  [Sacks 2001, 4.3]
+
+Team frame: the dribbler comes from -x; the goal that it makes for lies at x = 1.6 m.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from soccer_env.baselines.sacks_2001 import forces
+from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.train.papers.claim import Arrows, Curve, Figure
+from soccer_env.train.papers.claims.field.point_runs import PointRuns
+from soccer_env.train.papers.claims.field.point_world import PointWorld, players
+from soccer_env.train.papers.staging import LEGGED
+
+SCENES = 256  # of a batch
+SECONDS = 70.0  # [s] of a run: 2.8 m at 7 cm/s take 40
+FIELD: Any = forces  # the team's own formulas
+START = -1.2  # [m] x of the dribbler
+ASIDE = 0.05  # [m] off the middle at which it starts, at most
+ASKEW = 0.35  # [rad] that a gap is at most: 20 degrees
+TOUCH = 0.23  # [m] between two middles at which bodies touch: 16 cm to the paws, 8 cm to a flank
+UNIT = 1.0 / (1.0 / 0.8 + 1.0 / 1.0)  # [m] where a player's force is 1 with the paper's constants
+WALL_UNIT = 1.0 / (1.0 / 0.2 + 1.0 / 0.35)  # [m] where a wall's is
+NO_CUT_OFF = {"cut_off": False, "player_gain": UNIT, "wall_gain": WALL_UNIT}  # k2/x is 1 where the paper's forces are
+NOISE = 0.08  # [1] of the range: as much as S35 is judged at
+BLOBS = 0.2  # [1] of the decisions see a player where there is none, assumed
+
+
+def run_points(
+    rng: np.random.Generator, start: np.ndarray, crowd: np.ndarray, world: dict[str, Any] | None = None, **play: Any
+) -> PointRuns:
+    """Let points go from start (M, 2) past a crowd (M, P) under settings of the team by name."""
+    return PointWorld(SacksSettings(**play), **(world or {})).run(start, crowd, SECONDS, rng)
+
+
+def starts(rng: np.random.Generator, count: int = SCENES, aside: float = ASIDE) -> np.ndarray:
+    """Return where dribblers start (M, 2) [m]."""
+    return np.column_stack([np.full(count, START), rng.uniform(-aside, aside, count)])
+
+
+def one_ahead(rng: np.random.Generator, nearest: float, widest: float, count: int = SCENES) -> np.ndarray:
+    """Return one standing player (M, 1) near the middle of the way, `nearest` to `widest` [m] beside it."""
+    y = rng.uniform(nearest, widest, count) * rng.choice([-1.0, 1.0], count)
+    return players(np.stack([rng.uniform(-0.3, 0.3, count), y], axis=-1)[:, None])
+
+
+def gap_ahead(rng: np.random.Generator, narrowest: float, widest: float, askew: float = ASKEW) -> np.ndarray:
+    """Return two standing players (M, 2), a gap [m] between their middles, across the way, up to `askew` [rad] so."""
+    half, angle = 0.5 * rng.uniform(narrowest, widest, SCENES), askew * rng.uniform(-1.0, 1.0, SCENES)
+    x, y = rng.uniform(-0.3, 0.3, SCENES), rng.uniform(-0.05, 0.05, SCENES)
+    sides = [np.stack([x - s * half * np.sin(angle), y + s * half * np.cos(angle)], axis=-1) for s in (1.0, -1.0)]
+    return players(np.stack(sides, axis=1))
+
+
+def collided(runs: PointRuns) -> np.ndarray:
+    """Tell in which runs the bodies would have touched (M,)."""
+    hit: np.ndarray = runs.clearance < TOUCH
+    return hit
+
+
+def is_clean(runs: PointRuns) -> np.ndarray:
+    """Tell in which runs the dribbler came to the goal and touched nobody (M,)."""
+    clean: np.ndarray = runs.arrived & ~collided(runs)
+    return clean
+
+
+def draw_field(title: str, crowd: np.ndarray, paths: dict[str, np.ndarray], **play: Any) -> Figure:
+    """Return a picture of the forces over the field round players (1, P) at rest, and of paths (T, 2) through it."""
+    ways = {name: path[np.isfinite(path[:, 0])] for name, path in paths.items()}
+    curves = [Curve(name, list(way[:, 0]), list(way[:, 1])) for name, way in ways.items()]
+    for i, one in enumerate(crowd[0]):
+        curves.append(Curve("player" if i == 0 else f"player {i + 1}", [one["x"]], [one["y"]]))
+    arrows = force_arrows(crowd, SacksSettings(**play))
+    return Figure(title, "x [m], towards the goal", "y [m]", tuple(curves), arrows=arrows)
+
+
+def force_arrows(crowd: np.ndarray, settings: SacksSettings) -> Arrows:
+    """Return the directions of the total force, before any limit, on a grid over the field."""
+    play, k = settings.record()[0], constants_of(find_league(LEGGED))[0]
+    xs, ys = np.meshgrid(np.linspace(-1.2, 1.2, 25), np.linspace(-0.8, 0.8, 17))
+    rows = []
+    for x, y in zip(xs.ravel(), ys.ravel(), strict=True):
+        goal = 0.5 * k["pitch_length"] + 0.1 - x, -y
+        wall = 0.0, FIELD.wall_force(y, 0.5 * k["pitch_width"], play)
+        force = np.add(FIELD.goal_force(*goal, play), wall)
+        for one in crowd[0]:
+            force = force + FIELD.player_force(one["x"] - x, one["y"] - y, *goal, play)
+        rows.append((x, y, *(force / max(float(np.hypot(*force)), 1e-9))))
+    return Arrows(*(list(column) for column in zip(*rows, strict=True)))

@@ -1,0 +1,116 @@
+"""The scenes of the point simulator with robots, ball and sensors: the full simulator.  [Sacks 2001, 4.3]"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from soccer_env.baselines.sacks_2001.memory import DRIBBLE
+from soccer_env.staging import memory_of
+from soccer_env.teams import make_team
+from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.claims.field.point_runs import SIDE
+from soccer_env.train.papers.claims.field.points import SCENES
+from soccer_env.train.papers.dribble_runs import NO_SHOTS, WAYS, Way, place_with_ball, run
+from soccer_env.train.papers.staging import put, stage, standing, wrapped
+
+ROBOTS = 24  # runs of a batch
+SECONDS = 40.0  # [s] of a run: 1.5 m at 7 cm/s take 21
+PASSED = 0.55  # [m] x from which on a dribbler has passed the others, who stand before x = 0.3
+GOAL_X = 1.6  # [m] of the point that a dribbler makes for
+
+
+@dataclass(frozen=True)
+class RobotRuns:
+    """Runs of M dribblers, T control steps."""
+
+    way: Way
+    off: np.ndarray  # (T, M) [rad] that it has decided to go off the goal's direction; NaN: it does not dribble
+
+    @property
+    def passed(self) -> np.ndarray:
+        """Tell in which steps each dribbler has passed the others, now or before (T, M)."""
+        there: np.ndarray = np.maximum.accumulate((self.way.x > PASSED) | self.way.goal, axis=0)
+        return there
+
+    @property
+    def arrived(self) -> np.ndarray:
+        """Tell which dribblers passed the others (M,)."""
+        arrived: np.ndarray = self.passed[-1]
+        return arrived
+
+    @property
+    def collided(self) -> np.ndarray:
+        """Tell which touched another robot before (M,)."""
+        touched: np.ndarray = (self.way.touches & ~self.passed).any(axis=0)
+        return touched
+
+    @property
+    def is_clean(self) -> np.ndarray:
+        """Tell which passed the others and touched nobody (M,)."""
+        clean: np.ndarray = self.arrived & ~self.collided
+        return clean
+
+    @property
+    def flips(self) -> np.ndarray:
+        """Count the changes between left and right of the goal while dribbling (M,)."""
+        count, last = np.zeros(self.off.shape[1], int), np.zeros(self.off.shape[1])
+        for off, passed in zip(self.off, self.passed, strict=True):
+            now = np.where(~passed & (np.abs(off) > SIDE), np.sign(off), 0.0)
+            count += now * last < 0.0
+            last = np.where(now != 0.0, now, last)
+        return count
+
+    @property
+    def deviation(self) -> np.ndarray:
+        """Return the greatest distance [m] from the straight way to the goal before the others are passed (M,)."""
+        x, y = self.way.x, self.way.y
+        to_x, to_y = GOAL_X - x[0], -y[0]
+        across = np.abs(to_x * (y - y[0]) - to_y * (x - x[0])) / np.hypot(to_x, to_y)
+        greatest: np.ndarray = np.where(self.passed, 0.0, across).max(axis=0)
+        return greatest
+
+    @property
+    def retreat(self) -> np.ndarray:
+        """Return by how much [m] the goal was farther away at worst than it had been before (M,)."""
+        distance = np.hypot(GOAL_X - self.way.x, self.way.y)
+        back = np.where(self.passed, 0.0, distance - np.minimum.accumulate(distance, axis=0))
+        worst: np.ndarray = back.max(axis=0)
+        return worst
+
+
+def filled(values: np.ndarray) -> np.ndarray:
+    """Return values of robots as the first of (SCENES,), NaN for the scenes that only points play."""
+    found = np.full(SCENES, np.nan)
+    found[: len(values)] = values
+    return found
+
+
+def run_both_ways(batch: Batch, start: np.ndarray, crowd: np.ndarray, **play: Any) -> Iterator[tuple[str, RobotRuns]]:
+    """Yield prefix and runs of `run_robots`: distances from camera to surface, "", and from the "middle "."""
+    for prefix, way in WAYS.items():
+        yield prefix, run_robots(batch, start, crowd, **way, **play)
+
+
+def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str = "sensors", **play: Any) -> RobotRuns:
+    """Let sacks-2001, with settings by name, dribble from start (M, 2) past a crowd (M, P) that stands or walks on."""
+    count, others = crowd.shape
+    team = make_team("sacks-2001", **{**NO_SHOTS, **play})
+    match = stage(batch, matches=count, away=others, controllers={"home": team}, keeper=0, senses=senses)
+    place_with_ball(match, start[:, 0], start[:, 1], np.arctan2(-start[:, 1], GOAL_X - start[:, 0]))
+    actions = standing(match)
+    for i in range(others):
+        one = crowd[:, i]
+        speed = np.hypot(one["vx"], one["vy"])
+        faces = np.where(speed > 0.0, np.arctan2(one["vy"], one["vx"]), np.pi)
+        put(match, 1 + i, one["x"], one["y"], faces, forward=speed)
+        actions[:, 1 + i, 0] = speed / match.league.drive.forward
+    off: list[np.ndarray] = []
+
+    def note(step: int) -> None:
+        memory, robot = memory_of(match), match.robots[:, 0]
+        goal = np.arctan2(-robot["y"], GOAL_X - robot["x"])
+        off.append(np.where(memory["behaviour"] == DRIBBLE, wrapped(memory["way"] - goal), np.nan))
+
+    return RobotRuns(run(match, SECONDS, actions, note), np.array(off))

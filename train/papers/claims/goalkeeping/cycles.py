@@ -1,0 +1,63 @@
+"""How often a player decides: every 20 ms, 40 ms or 100 ms.  [Heinemann et al. 2006, 2]"""
+
+from collections.abc import Sequence
+
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.goalkeeping.passes import BALL_TEXT, receive
+from soccer_env.train.papers.claims.goalkeeping.shots import SHOT_TEXT, SHOTS, face_shots
+from soccer_env.train.papers.values import mean
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+CYCLES = (0.02, 0.04, 0.1)  # [s]
+
+
+def by_cycle(batch: Batch) -> Samples:
+    """Return which shots are saved (M,) and which balls are had, by the length of a cycle."""
+    found: Samples = {}
+    for cycle in CYCLES:
+        found[f"saved {cycle:g}"] = 1.0 - face_shots(batch, {"cycle": cycle}).goal.astype(float)
+        found[f"had {cycle:g}"] = receive(batch, {"cycle": cycle})["got"]
+    return found
+
+
+def rise(samples: Samples, name: str, slow: float, fast: float) -> float:
+    """Return by how much a share [%] is greater with the faster of two cycles."""
+    return 100.0 * mean(samples[f"{name} {fast:g}"] - samples[f"{name} {slow:g}"])
+
+
+def cycle_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw saves and balls had against the cycle."""
+    names = {"saved": "far-post shots saved", "had": "rolling balls had"}
+    curves = tuple(
+        Curve(
+            text, [1000.0 * cycle for cycle in CYCLES], [100.0 * mean(samples[f"{name} {cycle:g}"]) for cycle in CYCLES]
+        )
+        for name, text in names.items()
+    )
+    return (Figure("What a shorter cycle is worth", "cycle [ms]", "share [%]", curves),)
+
+
+H28 = Claim(
+    id="H28",
+    section="2",
+    statement="A global cycle of 20 ms enables the robot to be extremely reactive.",
+    method=f"{SHOTS} {SHOT_TEXT}; {BALL_TEXT}. Decisions every 20, 40 and 100 ms, the camera and the delay "
+    "as they are.",
+    criteria=(
+        measured("more saves at 20 than at 100 ms, of 100", lambda s: rise(s, "saved", 0.1, 0.02), above=0.0),
+        measured("more balls had at 20 than at 100 ms, of 100", lambda s: rise(s, "had", 0.1, 0.02), above=0.0),
+        measured("saves at 40 ms above 100 ms, of 100", lambda s: rise(s, "saved", 0.1, 0.04), at_least=-5.0),
+        measured("saves at 20 ms above 40 ms, of 100", lambda s: rise(s, "saved", 0.04, 0.02), at_least=-5.0),
+        reported("balls had at 20 ms above 40 ms, of 100", lambda s: rise(s, "had", 0.04, 0.02)),
+        reported("saves at 20 ms", lambda s: 100 * mean(s["saved 0.02"]), unit="%"),
+        reported("balls had at 20 ms", lambda s: 100 * mean(s["had 0.02"]), unit="%"),
+    ),
+    rules=STAGED,
+    measure=by_cycle,
+    seconds=12.0,
+    batches=4,
+    figures=cycle_figure,
+    ingredients=("camera and delay stay at 50 Hz and 0.1 s: only decisions are rarer",),
+)
+
+CLAIMS = (H28,)

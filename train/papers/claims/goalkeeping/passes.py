@@ -1,0 +1,211 @@
+"""Balls that roll past a player, and passes: who gets them, by which base, by which kick.  [H. 2006, abstract, 1, 2]"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings
+from soccer_env.baselines.set_pieces import strength_for
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.match import Match
+from soccer_env.teams import make_team
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.goalkeeping.shots import SHOT_TEXT, SHOTS, face_shots
+from soccer_env.train.papers.staging import MIDDLE, ahead_of, begin, put, put_ball, stage, standing
+from soccer_env.train.papers.values import in_bins, mean, median, middles_of
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+BALLS = 48  # of a batch
+SECONDS = 6.0  # [s] until a ball has to be had
+HAD = 0.3  # [s] for which it has to lie at the kicker
+LOOK = 0.5  # [s] of looking at the ball before it moves
+FROM = (3.0, 5.0)  # [m] of the ball from the player
+ASIDE = (0.0, 1.5)  # [m] of the ball's way beside the player, to either side
+SPEEDS = (1.0, 3.0)  # [m/s] of the rolling ball where it starts
+OLD = "middle-size-2006-differential"
+BALL_TEXT = (
+    f"{BALLS} balls a batch that roll at {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s from {FROM[0]:g} to {FROM[1]:g} m away "
+    f"past a player that faces them, up to {ASIDE[1]:g} m aside, by sensors and particles; it gets a ball if that lies "
+    f"at its kicker for {HAD:g} s within {SECONDS:g} s, while the ball is on the pitch"
+)
+
+
+def receive(batch: Batch, settings: dict[str, Any], league: str = MIDDLE) -> Samples:
+    """Return which balls (M,) a field player of heinemann-2006 gets, after what time [s], and how fast they were."""
+    rng, team = batch.rng(), make_team("heinemann-2006", **settings)
+    match = stage(batch, league, matches=BALLS, home=2, controllers={"home": team, "away": "still"})
+    x, y = rng.uniform(-2.0, 1.0, BALLS), rng.uniform(-1.5, 1.5, BALLS)
+    from_, away = rng.uniform(-np.pi, np.pi, BALLS), rng.uniform(*FROM, BALLS)
+    aside, speed = rng.choice([-1.0, 1.0], BALLS) * rng.uniform(*ASIDE, BALLS), rng.uniform(*SPEEDS, BALLS)
+    put(match, 1, x, y, from_)
+    ball_x = np.clip(x + away * np.cos(from_), -5.5, 5.5)
+    ball_y = np.clip(y + away * np.sin(from_), -3.6, 3.6)
+    course = np.arctan2(y - ball_y, x - ball_x) + np.arctan2(aside, away)
+    put_ball(match, ball_x, ball_y)
+    begin(match, placed=True)
+    for _ in range(round(LOOK * match.league.control_rate)):
+        put(match, 1, x, y, from_)
+        put_ball(match, ball_x, ball_y)
+        match.rebuild()
+        match.step()
+    put(match, 1, x, y, from_)
+    put_ball(match, ball_x, ball_y, speed * np.cos(course), speed * np.sin(course))
+    match.rebuild()
+    return had_by(match, 1) | {"speed": speed}
+
+
+def had_by(match: Match, r: int, actions: np.ndarray | None = None) -> Samples:
+    """Play until a robot has had the ball for a while; return which got it (M,), and after what time [s]."""
+    league, pitch = match.league, match.league.pitch
+    held, got, time = np.zeros(match.count), np.zeros(match.count, bool), np.full(match.count, SECONDS)
+    open_ = np.ones(match.count, bool)
+    for step in range(round(SECONDS * league.control_rate)):
+        match.step(actions)
+        held = np.where(match.robots["has_ball"][:, r] == 1, held + league.dt, 0.0)
+        now = open_ & (held > HAD)
+        got |= now
+        time[now] = step * league.dt
+        on = (np.abs(match.balls["x"]) < pitch.length / 2) & (np.abs(match.balls["y"]) < pitch.width / 2)
+        open_ &= ~got & on
+        if not open_.any():
+            break
+    match.close()
+    return {"got": got.astype(float), "time": time}
+
+
+def named(name: str, found: Samples) -> Samples:
+    """Return samples with a name before theirs, the speed as it is."""
+    return {key if key == "speed" else f"{name} {key}": values for key, values in found.items()}
+
+
+def by_velocity(batch: Batch) -> Samples:
+    """Return what a player that reckons with the ball's velocity gets, and one that does not."""
+    return named("with", receive(batch, {})) | named("without", receive(batch, {"intercepts": False}))
+
+
+def got(samples: Samples, name: str) -> float:
+    """Return the share of balls that are had [%]."""
+    return 100.0 * mean(samples[f"{name} got"])
+
+
+def by_speed(samples: Samples) -> Sequence[Figure]:
+    """Draw the share of balls that are had against their speed."""
+    edges = (1.0, 1.5, 2.0, 2.5, 3.0)
+    names = {"with": "with the ball's velocity", "without": "without"}
+    curves = tuple(
+        Curve(
+            text,
+            middles_of(edges),
+            [100 * mean(samples[f"{name} got"][bin_]) for bin_ in in_bins(samples["speed"], edges)],
+        )
+        for name, text in names.items()
+    )
+    return (Figure("Passes received", "speed of the ball [m/s]", "received [%]", curves),)
+
+
+H24 = Claim(
+    id="H24",
+    section="1",
+    statement="Robot control incorporates the velocity of the ball for its interception as a pass receiver.",
+    method=f"{BALL_TEXT}; with the ball's velocity, and going to where the ball is.",
+    criteria=(
+        measured("more balls are had, of 100", lambda s: got(s, "with") - got(s, "without"), above=5.0),
+        reported("with the velocity", lambda s: got(s, "with"), unit="%"),
+        reported("without it", lambda s: got(s, "without"), unit="%"),
+        reported("time with it, of those had", lambda s: median(s["with time"][s["with got"] > 0]), unit="s"),
+        reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
+    ),
+    rules=STAGED,
+    measure=by_velocity,
+    seconds=5.0,
+    batches=6,
+    figures=by_speed,
+)
+
+
+def by_base(batch: Batch) -> Samples:
+    """Return balls that are had, and far-post shots that go in, by the fast base and the old one."""
+    found: Samples = {}
+    for name, league in (("fast", MIDDLE), ("old", OLD)):
+        found |= named(name, receive(batch, {}, league))
+        found[f"{name} goal"] = face_shots(batch, {}, league=league).goal.astype(float)
+    return found
+
+
+H01 = Claim(
+    id="H01",
+    section="1, 2",
+    statement="Custom-built omnidirectional robots of 2.6 m/s replaced the Pioneers of 1.6 m/s, in order to stay "
+    "competitive.",
+    method=f"{BALL_TEXT}; and {SHOTS} {SHOT_TEXT}. The same team on both bases.",
+    criteria=(
+        measured("more balls are had, of 100", lambda s: got(s, "fast") - got(s, "old"), above=5.0),
+        measured(
+            "fewer goals by far-post shots, of 100", lambda s: 100 * mean(s["old goal"] - s["fast goal"]), above=5.0
+        ),
+        reported("balls had, fast base", lambda s: got(s, "fast"), unit="%"),
+        reported("balls had, old base", lambda s: got(s, "old"), unit="%"),
+        reported("goals, fast base", lambda s: 100 * mean(s["fast goal"]), unit="%"),
+        reported("goals, old base", lambda s: 100 * mean(s["old goal"]), unit="%"),
+    ),
+    rules=STAGED,
+    measure=by_base,
+    seconds=9.0,
+    batches=4,
+    note="The old base turns in place and cannot step aside: both differ, as they did.",
+)
+
+FAR = (2.5, 4.5)  # [m] of a pass
+
+
+def kicked(batch: Batch, controlled: bool) -> Samples:
+    """Let a robot kick a pass to a mate; return the ball's top speed [m/s] and which passes (M,) the mate gets."""
+    rng, league = batch.rng(), find_league(MIDDLE)
+    k = constants_of(league)[0]
+    match = stage(batch, MIDDLE, matches=BALLS, home=3, controllers={"home_2": make_team("heinemann-2006")})
+    far, way = rng.uniform(*FAR, BALLS), rng.uniform(-np.pi, np.pi, BALLS)
+    x, y = -0.5 * far * np.cos(way), -0.5 * far * np.sin(way)
+    put(match, 1, x, y, way)
+    put(match, 2, -x, -y, way + np.pi)
+    put_ball(match, *ahead_of(match, 1, league.body.front + league.ball.radius + 0.003, 0.0))
+    begin(match, placed=True)
+    actions = standing(match)
+    arrival = HeinemannSettings().pass_arrival
+    kick = np.array([strength_for(k, one, arrival) for one in far]) if controlled else np.ones(BALLS)
+    actions[:, 1, 3] = kick
+    top = np.zeros(BALLS)
+    for _ in range(2):  # a kick takes a ball that has been noticed at the kicker
+        match.step(actions)
+        top = np.maximum(top, np.hypot(match.balls["vx"], match.balls["vy"]))
+    return had_by(match, 2, standing(match)) | {"top": top}
+
+
+def by_kick(batch: Batch) -> Samples:
+    """Return passes with controlled strength, and with all of it."""
+    return named("soft", kicked(batch, True)) | named("full", kicked(batch, False))
+
+
+H03 = Claim(
+    id="H03",
+    section="2",
+    statement="The kicker accelerates the ball to up to 10 m/s, and its strength can be controlled in order to pass "
+    "the ball to a team-mate instead of kicking it at full strength.",
+    method=f"{BALLS} passes a batch over {FAR[0]:g} to {FAR[1]:g} m to a mate that faces the kicker, with the strength "
+    f"after which the ball arrives at {HeinemannSettings().pass_arrival:g} m/s, and with all of it; had as in H24.",
+    criteria=(
+        measured("fastest ball after a full kick (mean)", lambda s: mean(s["full top"]), unit="m/s", at_most=10.3),
+        measured("more passes are had, of 100", lambda s: got(s, "soft") - got(s, "full"), above=20.0),
+        reported("controlled passes had", lambda s: got(s, "soft"), unit="%"),
+        reported("full kicks had", lambda s: got(s, "full"), unit="%"),
+        reported("speed after a controlled kick", lambda s: mean(s["soft top"]), unit="m/s"),
+    ),
+    rules=STAGED,
+    measure=by_kick,
+    seconds=5.0,
+    batches=4,
+    ingredients=("the kicker's 0 to 10 m/s and the scatter of 5 % and 2 degrees of a kick",),
+)
+
+CLAIMS = (H01, H03, H24)

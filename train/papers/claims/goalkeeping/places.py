@@ -1,0 +1,152 @@
+"""Where the goalkeeper stands, and how far it has to go: geometry of its kernels.  [Heinemann et al. 2006, 4]
+
+`k`: the league's constants, `play`: the team's settings; here arrays of one.
+"""
+
+from functools import partial
+
+import numpy as np
+
+from soccer_env.baselines.heinemann_2006.goalkeeper import interception, passive_place
+from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
+from soccer_env.baselines.sight import SIGHT
+from soccer_env.compiled import compiled
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.train.papers.claim import NO_MATCH, Batch, Claim, Without
+from soccer_env.train.papers.staging import MIDDLE
+from soccer_env.train.papers.values import mean, median
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+SCENES = 300  # of a batch
+BALLS, ANGLES = (2.0, 6.0), (0.0, 1.0)  # [m], [rad] of a still ball from the middle of the goal
+OFF = (0.1, 0.2, 0.3, 0.4, 0.5)  # [m] along the half circle off the line d
+LEAGUE = find_league(MIDDLE)
+CONSTANTS = constants_of(LEAGUE)
+OMNI = 1  # row of a team's settings
+
+
+@compiled
+def place_all(balls, places, k, play):
+    """Fill (n, 2) places with where the passive keeper stands for (n, 2) balls."""
+    for i in range(len(balls)):
+        places[i, 0], places[i, 1] = passive_place(balls[i, 0], balls[i, 1], k[0], play[0])
+
+
+@compiled
+def meet_all(sights, places, k, play):
+    """Fill (n, 2) places with where the active keeper moves to, by what it sees (n,)."""
+    for i in range(len(sights)):
+        places[i, 0], places[i, 1] = interception(sights[i], k[0], play[0])
+
+
+def open_angle(balls: np.ndarray, keepers: np.ndarray) -> np.ndarray:
+    """Return the angle [degrees] between the posts through which balls (n, 2) pass keepers (n, 2)."""
+    pitch, radius = LEAGUE.pitch, LEAGUE.ball.radius
+    goal, half = -pitch.length / 2, pitch.goal_width / 2 - radius
+    away = goal - balls[:, 0]
+    low, high = (np.arctan2(side * half - balls[:, 1], -away) for side in (-1.0, 1.0))
+    dx, dy = balls[:, 0] - keepers[:, 0], keepers[:, 1] - balls[:, 1]
+    middle = np.arctan2(dy, dx)
+    wide = np.arcsin(np.clip((LEAGUE.body.disc_radius + radius) / np.hypot(dx, dy), -1.0, 1.0))
+    shadow = np.clip(np.minimum(high, middle + wide) - np.maximum(low, middle - wide), 0.0, None)
+    left: np.ndarray = np.degrees(high - low - shadow)
+    return left
+
+
+def angles(batch: Batch) -> Samples:
+    """Return the open angle (M,) [degrees] of keepers on the line d and off it along their half circle."""
+    rng, goal = batch.rng(), -LEAGUE.pitch.length / 2
+    away, angle = rng.uniform(*BALLS, SCENES), rng.choice([-1.0, 1.0], SCENES) * rng.uniform(*ANGLES, SCENES)
+    balls, places = np.stack([goal + away * np.cos(angle), away * np.sin(angle)], axis=-1), np.zeros((SCENES, 2))
+    settings = HeinemannSettings()
+    place_all(balls, places, CONSTANTS, settings_of(settings)[OMNI : OMNI + 1])
+    found = {"on": open_angle(balls, places)}
+    for off in OFF:
+        for side in (-1.0, 1.0):
+            turn = angle + side * off / settings.keeper_radius
+            beside = np.stack([goal + settings.keeper_radius * np.cos(turn), settings.keeper_radius * np.sin(turn)], -1)
+            found[f"off {side * off:g}"] = open_angle(balls, beside)
+    return found
+
+
+def gains(samples: Samples) -> np.ndarray:
+    """Return by how much (M,) [degrees] the open angle is smaller on the line than at the best place off it."""
+    off = np.stack([values for name, values in samples.items() if name != "on"])
+    least: np.ndarray = off.min(axis=0) - samples["on"]
+    return least
+
+
+H17 = Claim(
+    id="H17",
+    section="4",
+    statement="A goalkeeper minimises the angles under which the ball can be shot into the goal by a place on the "
+    "line d through the ball and the middle of the goal.",
+    method=f"{SCENES} still balls a batch, {BALLS[0]:g} to {BALLS[1]:g} m from the goal and up to {ANGLES[1]:g} rad "
+    "off its middle: the angle beside the passive keeper, and beside one 10 to 50 cm off along its half circle.",
+    criteria=(
+        measured("balls to which d is best, to 0.1 degrees", lambda s: 100 * mean(gains(s) > -0.1), unit="%",
+                 at_least=95.0),
+        measured("it is better than 50 cm off by (mean)", lambda s: mean(
+            np.minimum(s["off 0.5"], s["off -0.5"]) - s["on"]), unit="deg", above=1.0),
+        reported("open angle on d", lambda s: mean(s["on"]), unit="deg"),
+        reported("open angle at the best of these places", lambda s: mean(s["on"] + np.minimum(gains(s), 0)),
+                 unit="deg"),
+    ),
+    rules=NO_MATCH,
+    measure=angles,
+    seconds=0.2,
+    batches=4,
+    ingredients=("the keeper as a disc of its body's radius",),
+)  # fmt: skip
+
+
+def ways(batch: Batch, waits: bool = False) -> Samples:
+    """Return the ways (M,) [m] of the active keeper to its point of the trajectory, and to where it crosses its line.
+
+    `waits`: to the point that it reaches in time, not the nearest one.
+    """
+    rng, goal = batch.rng(), -LEAGUE.pitch.length / 2
+    settings = HeinemannSettings(keeper_waits=waits)
+    away, angle = rng.uniform(3.0, 5.0, SCENES), rng.choice([-1.0, 1.0], SCENES) * rng.uniform(0.3, 0.8, SCENES)
+    sights, places = np.zeros(SCENES, SIGHT), np.zeros((SCENES, 2))
+    sights["ball_x"], sights["ball_y"] = goal + away * np.cos(angle), away * np.sin(angle)
+    aim, speed = rng.uniform(-0.9, 0.9, SCENES), rng.uniform(2.4, 6.0, SCENES)
+    way = np.arctan2(aim - sights["ball_y"], goal - sights["ball_x"])
+    sights["ball_vx"], sights["ball_vy"] = speed * np.cos(way), speed * np.sin(way)
+    record = settings_of(settings)[OMNI : OMNI + 1]
+    place_all(np.stack([sights["ball_x"], sights["ball_y"]], -1), places, CONSTANTS, record)
+    sights["x"], sights["y"] = places.T
+    meet_all(sights, places, CONSTANTS, record)
+    line = goal + settings.keeper_out
+    cross = sights["ball_y"] + (line - sights["ball_x"]) * np.tan(way)
+    return {
+        "perpendicular": np.hypot(places[:, 0] - sights["x"], places[:, 1] - sights["y"]),
+        "crossing": np.hypot(line - sights["x"], cross - sights["y"]),
+    }
+
+
+H21 = Claim(
+    id="H21",
+    section="4",
+    statement="Moving perpendicular into the predicted trajectory results in a very short distance.",
+    method=f"{SCENES} shots a batch from 3 to 5 m at passive keepers: way to the foot of the perpendicular, and to "
+    "where the trajectory crosses the keeper's line.",
+    criteria=(
+        measured("one way over the other (median)", lambda s: median(s["perpendicular"] / s["crossing"]), at_most=0.7),
+        measured("shots to which the perpendicular is the shorter", lambda s: 100 * mean(
+            s["perpendicular"] <= s["crossing"] + 1e-9), unit="%", at_least=99.0),
+        reported("perpendicular way (mean)", lambda s: 100 * mean(s["perpendicular"]), unit="cm"),
+        reported("way to the crossing (mean)", lambda s: 100 * mean(s["crossing"]), unit="cm"),
+    ),
+    rules=NO_MATCH,
+    measure=ways,
+    without=Without(
+        "the nearest point of the trajectory: here the first at which the keeper is in time", partial(ways, waits=True)
+    ),
+    seconds=0.2,
+    batches=4,
+    note="That the perpendicular is the shortest way to a line is geometry.",
+)  # fmt: skip
+
+CLAIMS = (H17, H21)

@@ -1,0 +1,232 @@
+"""What the passive goalkeeper saves of shots at its farther post, and the active one.  [Heinemann et al. 2006, 4]"""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.goalkeeping.shots import FEWER, SHOT_TEXT, SHOTS, SLOWER, SPEEDS, face_shots
+from soccer_env.train.papers.values import in_bins, mean, middles_of
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+KEEPERS: dict[str, dict[str, Any]] = {"passive": {"keeper": "passive"}, "active": {}}
+LINES: dict[str, dict[str, Any]] = {"nearer": {"keeper_radius": 0.8}, "line": {"stance": "line"}}  # 0.8 m: Tribots 2005
+BINS = (4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0)  # [m/s] edges of the speed at the kick
+CHOSEN = (
+    "The radius of the keeper's half circle, 1.2 m, was chosen on shots like these: 0.7 m let in more, of both keepers."
+)
+INGREDIENTS = (
+    "a reaction of 0.1 s and 4 m/s2: the league's delay and base",
+    "radius of the keeper's half circle, chosen on shots like these",
+)
+
+
+def both_keepers(batch: Batch, **more: Any) -> Samples:
+    """Return goals (M,) of far-post shots at both keepers, the keepers' ways [m] and the speeds."""
+    found: Samples = {}
+    for name, settings in KEEPERS.items():
+        faced = face_shots(batch, settings, **more)
+        found |= {"speed": faced.speed, name: faced.goal.astype(float), f"{name} way": faced.moved}
+    return found
+
+
+def with_near_post(batch: Batch) -> Samples:
+    """Return the same, with near-post shots, and passive keepers on the goal line beside."""
+    near = {f"near {name}": face_shots(batch, settings, near_post=True).goal.astype(float)
+            for name, settings in KEEPERS.items()}  # fmt: skip
+    line = face_shots(batch, {"keeper": "passive", "stance": "line"}).goal.astype(float)
+    return both_keepers(batch) | near | {"line": line}
+
+
+def on_other_lines(batch: Batch) -> Samples:
+    """Return the same, with both keepers on a half circle of 0.8 m and on the goal line beside."""
+    found = both_keepers(batch)
+    for line, stance in LINES.items():
+        for name, settings in KEEPERS.items():
+            found[f"{line} {name}"] = face_shots(batch, settings | stance).goal.astype(float)
+    return found
+
+
+def conceded(samples: Samples, name: str) -> float:
+    """Return the share of shots that go in [%]."""
+    return 100.0 * mean(samples[name])
+
+
+def slower(samples: Samples, name: str) -> float:
+    """Return the share of the slower shots that go in [%]."""
+    return 100.0 * mean(samples[name][samples["speed"] <= SLOWER])
+
+
+def ratio(samples: Samples, share: Any) -> float:
+    """Return the active keeper's share of goals over the passive one's; 1 where that has none."""
+    passive = share(samples, "passive")
+    return float(share(samples, "active") / passive) if passive > 0.0 else 1.0
+
+
+def goals_by_speed(samples: Samples) -> Sequence[Figure]:
+    """Draw the share of goals against the speed of the shot, for both keepers."""
+    names = {"passive": "passive, far post", "active": "active, far post"}
+    names |= {f"near {name}": f"{name}, near post" for name in KEEPERS}
+    curves = tuple(
+        Curve(text, middles_of(BINS), [100.0 * mean(samples[name][there]) for there in in_bins(samples["speed"], BINS)])
+        for name, text in names.items()
+        if name in samples
+    )
+    words = ("Goals of shots at the goalkeeper", "speed at the kick [m/s]", "goals [%]")
+    return (Figure(*words, curves, rules=(50.0,), rule="half of them"),)
+
+
+H18 = Claim(
+    id="H18",
+    section="4",
+    statement="With its delay from perception to reaction and its greatest acceleration, a goalkeeper on the line d "
+    "gets a goal in most of the cases from shots at the farther post.",
+    method=f"{SHOTS} {SHOT_TEXT}: the farther post, passive keeper on its half circle.",
+    criteria=(
+        measured("shots that go in", partial(conceded, name="passive"), unit="%", at_least=50.0),
+        reported(f"of those up to {SLOWER:g} m/s", partial(slower, name="passive"), unit="%"),
+        reported("on the goal line instead of the half circle", partial(conceded, name="line"), unit="%"),
+        reported("at the nearer post", partial(conceded, name="near passive"), unit="%"),
+    ),
+    rules=STAGED,
+    measure=with_near_post,
+    seconds=8.0,
+    batches=4,
+    figures=goals_by_speed,
+    ingredients=INGREDIENTS,
+    note=f"{CHOSEN} A kicked ball slides first and rolls on at 0.6 of its speed; shots in the paper's words are not.",
+)
+
+H19 = Claim(
+    id="H19",
+    section="4",
+    statement="Even considering its reaction time and greatest acceleration, there is a high chance that the active "
+    "goalkeeper intercepts the ball.",
+    method=f"{SHOTS} {SHOT_TEXT}: the farther post, active keeper.",
+    criteria=(
+        measured(
+            f"shots saved, {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s", lambda s: 100 - conceded(s, "active"), unit="%",
+            at_least=80.0,
+        ),
+        reported(f"of those up to {SLOWER:g} m/s", lambda s: 100 - slower(s, "active"), unit="%"),
+        reported("of those at 8 m/s and more", lambda s: 100 - 100 * mean(s["active"][s["speed"] >= 8.0]), unit="%"),
+        reported("at the nearer post", lambda s: 100 - conceded(s, "near active"), unit="%"),
+    ),
+    rules=STAGED,
+    measure=with_near_post,
+    seconds=8.0,
+    batches=4,
+    figures=goals_by_speed,
+    ingredients=INGREDIENTS,
+    note=CHOSEN,
+)  # fmt: skip
+
+H20 = Claim(
+    id="H20",
+    section="4",
+    statement="Moving into the predicted trajectory drastically reduces the number of goals by shots to the farther "
+    "post.",
+    method=f"{SHOTS} {SHOT_TEXT}: the farther post, the same shots at both keepers.",
+    criteria=(
+        measured("active keeper's goals over the passive one's", partial(ratio, share=conceded), at_most=0.5),
+        measured(f"the same up to {SLOWER:g} m/s", partial(ratio, share=slower), at_most=0.2),
+        reported("goals, passive", partial(conceded, name="passive"), unit="%"),
+        reported("goals, active", partial(conceded, name="active"), unit="%"),
+        reported("half circle of 0.8 m, passive", partial(conceded, name="nearer passive"), unit="%"),
+        reported("half circle of 0.8 m, active", partial(conceded, name="nearer active"), unit="%"),
+        reported("goal line, passive", partial(conceded, name="line passive"), unit="%"),
+        reported("goal line, active", partial(conceded, name="line active"), unit="%"),
+    ),
+    rules=STAGED,
+    measure=on_other_lines,
+    seconds=9.0,
+    batches=6,
+    figures=goals_by_speed,
+    ingredients=INGREDIENTS,
+    note=f"{CHOSEN} Tribots 2005 stood 0.8 m before the goal, and many keepers of these years on its line.",
+)
+
+H23 = Claim(
+    id="H23",
+    section="4",
+    statement="The passive goalkeeper is too static until the ball is directly passing it.",
+    method=f"{SHOTS} {SHOT_TEXT}: the farther post; how far the keeper has moved when the ball is past it, saved "
+    "or in.",
+    criteria=(
+        measured(
+            "active keeper's way over the passive one's (means)",
+            lambda s: mean(s["active way"]) / mean(s["passive way"]), above=2.0,
+        ),
+        reported("passive keeper's way", lambda s: 100 * mean(s["passive way"]), unit="cm"),
+        reported("active keeper's way", lambda s: 100 * mean(s["active way"]), unit="cm"),
+    ),
+    rules=STAGED,
+    measure=both_keepers,
+    seconds=3.0,
+    batches=6,
+    ingredients=INGREDIENTS,
+    note=CHOSEN,
+)  # fmt: skip
+
+NOISES = {"own": 0.7, "tenfold": 7.0, "thirtyfold": 21.0}  # [px] sd of a blob's place in the image
+FITS: dict[str, dict[str, Any]] = {"kalman": {}, "fit": {"filter": "least-squares", "window": 5.0}}
+TRIED = (("fit", "own"), ("fit", "tenfold"), ("fit", "thirtyfold"), ("kalman", "own"), ("kalman", "thirtyfold"))
+
+
+def by_noise(batch: Batch) -> Samples:
+    """Return goals (M,) of both keepers by the noise of the camera, by a fit over five frames and the Kalman filter."""
+    found: Samples = {}
+    for fit, noise in TRIED:
+        asked: dict[str, Any] = {"sensors": {"pixel_noise": NOISES[noise]}, "memory": FITS[fit], "shots": FEWER}
+        faced = {name: face_shots(batch, settings | LINES["line"], **asked) for name, settings in KEEPERS.items()}
+        found |= {f"{fit} {noise} {name}": one.goal.astype(float) for name, one in faced.items()}
+        found[f"{fit} {noise} error"] = faced["active"].error
+    return found
+
+
+def benefit(samples: Samples, fit: str, noise: str) -> float:
+    """Return how many goals in a hundred shots the active keeper spares."""
+    return 100.0 * mean(samples[f"{fit} {noise} passive"] - samples[f"{fit} {noise} active"])
+
+
+def benefit_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw what the active keeper spares against the error of the believed ball."""
+    curves = tuple(
+        Curve(
+            text,
+            [100.0 * mean(samples[f"{fit} {noise} error"]) for tried, noise in TRIED if tried == fit],
+            [benefit(samples, fit, noise) for tried, noise in TRIED if tried == fit],
+        )
+        for fit, text in (("kalman", "Kalman filter"), ("fit", "fit over five frames"))
+    )
+    return (Figure("What the active keeper spares", "error of the believed ball [cm]", "goals [%]", curves),)
+
+
+H22 = Claim(
+    id="H22",
+    section="4",
+    statement="The active keeper needs the ball's velocity through a good object tracking.",
+    method=f"{FEWER} {SHOT_TEXT}: the farther post, both keepers on the goal line, blobs displaced by a noise of "
+    "0.7 px (the sensor's own) to 21 px, velocities by the Kalman filter and by a fit over five frames.",
+    criteria=(
+        measured("goals spared at the sensor's own noise", partial(benefit, fit="fit", noise="own"), unit="%",
+                 above=10.0),
+        measured(
+            "goals spared at 30 times the noise, fit over five frames", partial(benefit, fit="fit", noise="thirtyfold"),
+            unit="%", at_most=5.0,
+        ),
+        reported("goals spared at 10 times the noise", partial(benefit, fit="fit", noise="tenfold"), unit="%"),
+        reported("at 30 times, Kalman filter", partial(benefit, fit="kalman", noise="thirtyfold"), unit="%"),
+        reported("error of the ball at 10 times", lambda s: 100 * mean(s["fit tenfold error"]), unit="cm"),
+        reported("error of the ball at 30 times", lambda s: 100 * mean(s["fit thirtyfold error"]), unit="cm"),
+    ),
+    changed="Before: on the half circle, where the active keeper spared no goals at the sensor's own noise either.",
+    rules=STAGED,
+    measure=by_noise,
+    seconds=10.5,
+    batches=5,
+    figures=benefit_figure,
+    ingredients=INGREDIENTS,
+)  # fmt: skip
+
+CLAIMS = (H18, H19, H20, H22, H23)

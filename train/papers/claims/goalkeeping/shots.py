@@ -1,0 +1,105 @@
+"""Shots at the goalkeeper of 2006: from 3 to 5 m, kicked at 4 to 10 m/s at the farther post or the nearer one.
+
+The radius of the keeper's half circle was chosen on a drill like this one, and by it alone.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.teams import make_team
+from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.staging import MIDDLE, begin, put, put_ball, stage
+
+SHOTS = 48  # of a batch
+LOOK, SECONDS = 1.0, 3.0  # [s] of looking at the ball before it is kicked, and longest of a shot
+FROM = (3.0, 5.0)  # [m] of the ball from the middle of the goal
+ANGLES = (0.3, 0.8)  # [rad] of it off the middle of the pitch, so that one post is the farther
+BESIDE = (0.05, 0.35)  # [m] between the ball and the post that it is aimed at
+SPEEDS = (4.0, 10.0)  # [m/s] at the kick, after which a ball slides and then rolls on at 0.6 of it
+SLOW = 0.2  # [m/s] of a ball that is taken to be stopped
+SLOWER = 6.0  # [m/s] up to which shots count as slower ones
+FEWER = 20  # of a batch of which every shot is repeated ten times
+SHOT_TEXT = (
+    f"shots a batch from {FROM[0]:g} to {FROM[1]:g} m, {ANGLES[0]:g} to {ANGLES[1]:g} rad off the middle, at "
+    f"{SPEEDS[0]:g} to {SPEEDS[1]:g} m/s at the kick, {100 * BESIDE[0]:.0f} to {100 * BESIDE[1]:.0f} cm inside a post, "
+    f"at a goalkeeper that has looked at the ball for {LOOK:g} s, by sensors and particles"
+)
+
+
+@dataclass(frozen=True)
+class Faced:
+    """What became of the shots of a batch, arrays (M,)."""
+
+    speed: np.ndarray  # [m/s] at the kick
+    goal: np.ndarray  # bool: it went in
+    moved: np.ndarray  # [m] of the keeper from its place at the kick until the ball was past it, saved or in
+    error: np.ndarray  # [m] rms error of the believed ball while it rolled
+
+
+def face_shots(
+    batch: Batch,
+    settings: dict[str, Any],
+    *,
+    shots: int = SHOTS,
+    near_post: bool = False,
+    league: str = MIDDLE,
+    **more: Any,
+) -> Faced:
+    """Let shots be kicked at a goalkeeper of heinemann-2006 with some settings; `more` is for the match."""
+    rng = batch.rng()
+    team = make_team("heinemann-2006", **settings)
+    match = stage(batch, league, matches=shots, home=2, controllers={"home": team, "away": "still"}, **more)
+    pitch, ball = match.league.pitch, match.league.ball
+    goal, side = -pitch.length / 2, rng.choice([-1.0, 1.0], shots)
+    away, angle = rng.uniform(*FROM, shots), side * rng.uniform(*ANGLES, shots)
+    x, y = goal + away * np.cos(angle), away * np.sin(angle)
+    post = side if near_post else -side
+    aim = post * (pitch.goal_width / 2 - ball.radius - rng.uniform(*BESIDE, shots))
+    way, speed = np.arctan2(aim - y, goal - x), rng.uniform(*SPEEDS, shots)
+    facing = np.arctan2(y, x - goal)
+    put(match, 0, goal + 0.8 * np.cos(facing), 0.8 * np.sin(facing), facing)
+    put_ball(match, x, y)
+    begin(match, placed=True)
+    return shoot(match, (x, y), speed, way)
+
+
+def shoot(match: Match, place: tuple[np.ndarray, np.ndarray], speed: np.ndarray, way: np.ndarray) -> Faced:
+    """Hold the ball for a moment, kick it, and tell what becomes of it."""
+    rate, count = match.league.control_rate, match.count
+    for _ in range(round(LOOK * rate)):
+        put_ball(match, *place)
+        match.rebuild()
+        match.step()
+    put_ball(match, *place, speed * np.cos(way), speed * np.sin(way), rolls=False)
+    match.rebuild()
+    start = match.robots["x"][:, 0].copy(), match.robots["y"][:, 0].copy()
+    ball_radius = match.league.ball.radius
+    goal, open_, moved, square = np.zeros(count, bool), np.ones(count, bool), np.zeros(count), []
+    for _ in range(round(SECONDS * rate)):
+        match.step()
+        keeper, ball = match.robots[:, 0], match.balls
+        goal |= match.matches["score"][:, 1] > 0
+        error = ball_error(match)
+        square.append(np.where(open_, error * error, np.nan))
+        far = np.hypot(keeper["x"] - start[0], keeper["y"] - start[1])
+        moved = np.where(open_, np.maximum(moved, far), moved)
+        stopped = goal | (ball["vx"] > -SLOW) | (ball["x"] < -match.league.pitch.length / 2 - ball_radius)
+        open_ &= ~stopped & (ball["x"] > keeper["x"])
+        if stopped.all():
+            break
+    match.close()
+    seen = np.sqrt(np.nanmean(np.array(square), axis=0))
+    return Faced(speed, goal, moved, seen)
+
+
+def ball_error(match: Match) -> np.ndarray:
+    """Return how far (M,) [m] the ball is from where the goalkeeper believes it, seen from its own true pose."""
+    keeper, believed, ball = match.robots[:, 0], match.beliefs["ball"][:, 0], match.balls
+    cosine, sine = np.cos(keeper["heading"]), np.sin(keeper["heading"])
+    x = keeper["x"] + cosine * believed["x"] - sine * believed["y"]
+    y = keeper["y"] + sine * believed["x"] + cosine * believed["y"]
+    error: np.ndarray = np.hypot(ball["x"] - x, ball["y"] - y)
+    return error

@@ -1,0 +1,174 @@
+"""What a middle-size robot sees while the light changes, by a fixed colour table and an adapting one.  [H. 2006, 1]"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.staging import MIDDLE, from_robot, play, put, put_ball, stage
+from soccer_env.train.papers.values import middles_of, rms
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+MATCHES = 64
+SECONDS = 16.0  # [s] of play: about an eighth of the light's period, which begins anywhere in it
+NEAR, FAR = 1.0, 5.0  # [m] of ball and player
+BINS = (0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0)  # [1] edges of the light's distance from the one that the table is made for
+CHANGED = 3  # first bin in which the light counts as changed: half of what "glaring" is
+CLEAN = {"false_balls": 0.0}  # what is read as a ball is one
+DRIFT = CLEAN | {"light_drift": 1.0}  # from dark to glaring
+VARIANTS: dict[str, dict[str, Any]] = {
+    "constant": CLEAN | {"light_drift": 0.0},
+    "adaptive": DRIFT | {"colour_table": "adaptive"},
+    "fixed": DRIFT | {"colour_table": "fixed"},
+}
+LABELS = {"constant": "constant light", "adaptive": "table that adapts", "fixed": "fixed table"}
+THINGS = ("ball", "player", "own goal", "opponents' goal")
+
+
+def watch_under(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarray]:
+    """Return, for each frame (M, T): the light, how many of the four THINGS are seen, the ball's range error [m]."""
+    rng = batch.rng()
+    match = stage(batch, MIDDLE, matches=MATCHES, sensors=sensors, senses={"home": "sensors", "away": "ideal"})
+    x, y = rng.uniform(-0.8, 0.8, (2, MATCHES))
+    put(match, 0, x, y, rng.uniform(-np.pi, np.pi, MATCHES))
+    course = rng.choice([0.0, np.pi], MATCHES) + rng.uniform(-0.5, 0.5, MATCHES)  # the ball here, the player there
+    away, beyond = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(NEAR, FAR, MATCHES)
+    put_ball(match, x + away * np.cos(course), y + away * np.sin(course))
+    put(match, 1, x - beyond * np.cos(course), y - beyond * np.sin(course))
+    match.rebuild()  # not begun anew: the table has followed the light before
+    true, _ = from_robot(match, 0, match.balls["x"], match.balls["y"])
+    frames: dict[str, list[np.ndarray]] = {"light": [], "found": [], "error": []}
+    for step in play(match, SECONDS):
+        if step < match.league.sensors.camera_delay + 1:
+            continue
+        percept = match.percepts[:, 0]
+        error, ball = percept["ball"]["distance"] - true, percept["ball"]["seen"] == 1
+        others = [percept["players"]["seen"][:, 0], percept["own_goal"]["seen"], percept["opponent_goal"]["seen"]]
+        frames["light"].append(percept["light"].astype(float))
+        frames["found"].append(ball + sum((seen == 1).astype(int) for seen in others))
+        frames["error"].append(np.where(ball, error, np.nan))
+    match.close()
+    return {name: np.stack(rows, axis=1) for name, rows in frames.items()}
+
+
+def compare_tables(batch: Batch, **adaptive: Any) -> Samples:
+    """Return counts, things found and squared errors (M, bins) of each variant, by the light of the changing runs.
+
+    All three see the same scenes; under constant light the same frames count as under the changing one. `adaptive`:
+    further settings of the sensors of the variant whose table adapts.
+    """
+    seen = {name: watch_under(batch, VARIANTS[name] | (adaptive if name == "adaptive" else {})) for name in VARIANTS}
+    place = np.digitize(np.abs(seen["fixed"]["light"]), BINS[1:-1])
+    samples: Samples = {}
+    for name, frames in seen.items():
+        known = np.isfinite(frames["error"])
+        parts = {
+            "frames": np.ones_like(place), "found": frames["found"], "read": known,
+            "square": np.where(known, frames["error"], 0.0) ** 2,
+        }  # fmt: skip
+        for part, values in parts.items():
+            summed = [np.where(place == b, values, 0).sum(axis=1) for b in range(len(BINS) - 1)]
+            samples[f"{part} {name}"] = np.stack(summed, axis=1).astype(float)
+    return samples
+
+
+def shares(samples: Samples, name: str) -> np.ndarray:
+    """Return the share of things that are seen in each bin of light [1]."""
+    frames = samples[f"frames {name}"].sum(axis=0)
+    found: np.ndarray = samples[f"found {name}"].sum(axis=0) / np.maximum(len(THINGS) * frames, 1.0)
+    return np.where(frames > 0, found, np.nan)
+
+
+def errors(samples: Samples, name: str) -> np.ndarray:
+    """Return the root mean square range error [m] in each bin of light."""
+    read = samples[f"read {name}"].sum(axis=0)
+    found: np.ndarray = np.sqrt(samples[f"square {name}"].sum(axis=0) / np.maximum(read, 1.0))
+    return np.where(read > 0, found, np.nan)
+
+
+def over_best(samples: Samples, name: str, quantity: Any) -> np.ndarray:
+    """Return a quantity in each bin over that of constant light in the same frames."""
+    ratio: np.ndarray = quantity(samples, name) / quantity(samples, "constant")
+    return ratio
+
+
+def seen_in_changed_light(samples: Samples, name: str) -> float:
+    """Return the share of things that are seen in light that has changed, over that of constant light."""
+    frames, best = (samples[f"found {kind}"][:, CHANGED:].sum() for kind in (name, "constant"))
+    return float(frames / max(best, 1.0))
+
+
+def light_figures(samples: Samples) -> Sequence[Figure]:
+    """Draw detection and range error against the light."""
+    middles = middles_of(BINS)
+    found = [Curve(label, middles, list(100 * shares(samples, name))) for name, label in LABELS.items()]
+    erring = [Curve(label, middles, list(100 * errors(samples, name))) for name, label in LABELS.items()]
+    light = "difference of light from the table's own [1]"
+    return (
+        Figure("Things seen under changing light", light, "frames that show a thing [%]", tuple(found)),
+        Figure("Range error of the ball under changing light", light, "rms error [cm]", tuple(erring)),
+    )
+
+
+H26 = Claim(
+    id="H26",
+    section="abstract, 1",
+    statement="A static colour table relies on nearly constant light; the one that adapts online lets robots play at "
+    "changing illumination.",
+    method=f"{MATCHES} robots a batch look at a ball and a player {NEAR:g} to {FAR:g} m away and at both goals for "
+    f"{SECONDS:g} s, while the light swings between dark and glaring (amplitude 1, period 120 s); share of these four "
+    "that a picture shows and range error of the ball in bins of the light's change, against the same frames under "
+    "constant light.",
+    criteria=(
+        measured(
+            "adapting table: share seen in the worst light >= 90 % of that under constant light",
+            lambda samples: 100 * float(np.nanmin(over_best(samples, "adaptive", shares))),
+            unit="%",
+            at_least=90.0,
+        ),
+        measured(
+            "adapting table: range error in the worst light <= 110 % of that under constant light",
+            lambda samples: 100 * float(np.nanmax(over_best(samples, "adaptive", errors))),
+            unit="%",
+            at_most=110.0,
+        ),
+        measured(
+            f"fixed table: share seen in light that differs by {BINS[CHANGED]:g} or more <= 50 %",
+            lambda samples: 100 * seen_in_changed_light(samples, "fixed"),
+            unit="%",
+            at_most=50.0,
+        ),
+        reported(
+            f"fixed table: share seen in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
+            lambda samples: 100 * float(over_best(samples, "fixed", shares)[1]),
+            unit="%",
+        ),
+        reported(
+            f"fixed table: range error in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
+            lambda samples: 100 * float(over_best(samples, "fixed", errors)[1]),
+            unit="%",
+        ),
+        reported("range error under constant light", lambda samples: 100 * rms(errors(samples, "constant")), unit="cm"),
+    ),
+    rules=STAGED,
+    measure=compare_tables,
+    without=Without(
+        "the own pose, by which the table knows what a pixel must show: here no white line tells it",
+        lambda batch: compare_tables(batch, line_miss=1.0),
+    ),
+    figures=light_figures,
+    ingredients=(
+        "sensors.table_width and the laws of perception/omni/lighting.py",
+        "sensors.table_time",
+        "sensors.light_period",
+    ),
+    pose="particles",
+    note="That light costs a table pixels, and that one which learns at known places follows, is put in; what is "
+    "measured is whether it follows fast enough, with what a robot sees of the white lines. The paper gives no numbers "
+    "of its algorithm: its speed and reach are assumed. Where light changes fastest the table lags by "
+    "2 pi table_time / light_period = 0.105, at which 88 % of the pixels keep their class: the first criterion "
+    "hangs on that.",
+)
+
+CLAIMS = (H26,)

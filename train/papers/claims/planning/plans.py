@@ -1,0 +1,231 @@
+"""What a plan costs, and how it comes about: local gradients, the search, planning backwards.  [H. 2006, 2, 3]"""
+
+from functools import partial
+from time import perf_counter
+
+import numpy as np
+
+from soccer_env.baselines.weigel_2001.planner import Plan, Planner, PlannerSettings
+from soccer_env.train.bench.plans import PlanLoad
+from soccer_env.train.papers.claim import NO_MATCH, Batch, Claim, Without
+from soccer_env.train.papers.claims.planning.crossings import ASSUMED, LOOKED_AT
+from soccer_env.train.papers.claims.planning.runs import (
+    CROSSING,
+    PLANNERS,
+    SCENES,
+    crossing_text,
+    plan,
+    plans_of,
+    scenes_of,
+)
+from soccer_env.train.papers.claims.planning.scenes import WAY, Scene, still_obstacle, wall
+from soccer_env.train.papers.values import mean, median, quantile
+from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
+
+CYCLE = 0.02  # [s] Heinemann 2006, 2  MH03
+HEADING = 0.5  # [m] of path by which its first heading is told
+TEXT = crossing_text()
+SETTINGS = PlannerSettings()
+CELLS = (2 * SETTINGS.half_u + 1) * (2 * SETTINGS.half_v + 1)  # of the whole grid
+
+
+def evaluations(batch: Batch) -> Samples:
+    """Return how many cells' worth of the potential (M,) plans of both planners look at."""
+    return {name: np.array([one.evaluations for one in plans_of(batch, **changes)], float)
+            for name, changes in PLANNERS.items()}  # fmt: skip
+
+
+def of_field(samples: Samples, name: str) -> float:
+    """Return the mean share [%] of the whole field's cells that a plan evaluates."""
+    return 100.0 * mean(samples[name]) / CELLS
+
+
+H04 = Claim(
+    id="H04",
+    section="3",
+    statement="Evaluating the potential only locally, at adjacent cells, spares the evaluation of the whole field.",
+    method=f"{TEXT}; evaluations of the potential in a whole plan, all its passes and searches together, over the "
+    f"{CELLS} cells of the field.",
+    criteria=(
+        measured("conventional planner: evaluations a plan", partial(of_field, name="old"), unit="%", at_most=5.0),
+        measured("time-variant planner: evaluations a plan", partial(of_field, name="new"), unit="%", at_most=5.0),
+        reported("of the time-variant one, 99 % below", lambda s: 100 * quantile(s["new"], 0.99) / CELLS, unit="%"),
+    ),
+    rules=NO_MATCH,
+    measure=evaluations,
+    seconds=0.6,
+    batches=4,
+    ingredients=ASSUMED,
+    note=LOOKED_AT,
+)
+
+
+def with_and_without_search(batch: Batch) -> Samples:
+    """Return which plans (M,) past rows and cups join robot and target, with the local search and without it."""
+    found = {"on": plans_of(batch, wall), "off": plans_of(batch, wall, search=False)}
+    samples = {name: np.array([one.arrived for one in plans], float) for name, plans in found.items()}
+    touches = np.array([one.clearance() < -0.02 for one in found["on"]], float)
+    return samples | {"all": np.ones(SCENES), "clean": samples["on"] * (1.0 - touches)}
+
+
+H05 = Claim(
+    id="H05",
+    section="3",
+    statement="A local search along the grid, when the path enters a cell twice, overcomes the problem of "
+    "local minima.",
+    method=f"{SCENES} scenes a batch: rows of two or three robots that touch square to the way, cups of nine about the "
+    "target; which plans join robot and target, with the search and without it.",
+    criteria=(
+        counted("plans that arrive with the search", "on", "all", at_least=99.0),
+        counted("plans that arrive without it", "off", "all", at_most=50.0),
+        measured("arrive with it and touch nobody", lambda s: 100 * mean(s["clean"]), unit="%", at_least=95.0),
+    ),
+    rules=NO_MATCH,
+    measure=with_and_without_search,
+    seconds=1.0,
+    batches=4,
+    ingredients=ASSUMED,
+    note=LOOKED_AT,
+)
+
+
+def first_heading(one: Plan, scene: Scene) -> float:
+    """Return by how much [degrees] a path leads off the straight way over its first half metre."""
+    path = one.path
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
+    x, y = (np.interp(HEADING, along, path[:, i]) - path[0, i] for i in (0, 1))
+    to_x, to_y = scene.target[0] - scene.robot[0], scene.target[1] - scene.robot[1]
+    return float(np.degrees(abs(np.arctan2(to_x * y - to_y * x, to_x * x + to_y * y))))
+
+
+def sharpest(one: Plan) -> float:
+    """Return by how much [degrees] a path turns within half a metre at most."""
+    path = one.path
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
+    at = np.arange(0.0, along[-1], 0.1)
+    x, y = (np.interp(at, along, path[:, i]) for i in (0, 1))
+    heading = np.unwrap(np.arctan2(np.diff(y), np.diff(x)))
+    return float(np.degrees(np.abs(heading[5:] - heading[:-5]).max()))
+
+
+def backward_and_forward(batch: Batch) -> Samples:
+    """Return first heading, length and sharpest turn (M,) of plans made backwards and forwards in the same scenes."""
+    scenes, found = scenes_of(batch, still_obstacle, SCENES), {}
+    for name, backward in (("back", True), ("fore", False)):
+        plans = [plan(scene, time_variant=False, backward=backward) for scene in scenes]
+        found[f"{name} heading"] = np.array([first_heading(*pair) for pair in zip(plans, scenes, strict=True)])
+        found[f"{name} length"] = np.array([one.length for one in plans])
+        found[f"{name} turn"] = np.array([sharpest(one) for one in plans])
+    return found
+
+
+def more(samples: Samples, name: str) -> float:
+    """Return by how much the backward plans' mean of a quantity exceeds the forward plans'."""
+    return mean(samples[f"back {name}"] - samples[f"fore {name}"])
+
+
+H06 = Claim(
+    id="H06",
+    section="3",
+    statement="Planned backwards from the target, the robot directly enters a trajectory that leads around the "
+    "obstacle, instead of heading into it and then following a curve around it.",
+    method=f"{SCENES} ways a batch of {WAY:g} m with one obstacle that stands on them, planned in both directions; "
+    f"first heading over {HEADING:g} m, length, sharpest turn within {HEADING:g} m.",
+    criteria=(
+        measured("the first heading is farther off straight by", partial(more, name="heading"), unit="deg", above=2.0),
+        measured("the way is longer by", lambda s: 100 * more(s, "length") / WAY, unit="%", at_most=1.0),
+        measured("the sharpest turn is less by", lambda s: -more(s, "turn"), unit="deg", above=0.0),
+        reported("first heading, backwards", lambda s: mean(s["back heading"]), unit="deg"),
+        reported("first heading, forwards", lambda s: mean(s["fore heading"]), unit="deg"),
+    ),
+    rules=NO_MATCH,
+    measure=backward_and_forward,
+    seconds=0.8,
+    batches=4,
+    ingredients=ASSUMED,
+)
+
+
+def costs(batch: Batch) -> Samples:
+    """Return the time [us] that each scene (M,) takes both planners, the least of five tries each."""
+    scenes, found = scenes_of(batch, CROSSING, SCENES), {}
+    for name, changes in PLANNERS.items():
+        planner = Planner(**changes)
+        found[name] = np.array([min(timed(planner, scene) for _ in range(5)) for scene in scenes])
+    return found
+
+
+def timed(planner: Planner, scene: Scene) -> float:
+    """Return how long a plan takes [us], with what Python adds to it."""
+    begun = perf_counter()
+    planner.plan(*scene)
+    return 1e6 * (perf_counter() - begun)
+
+
+def load(batch: Batch) -> Samples:
+    """Return the time [us] of plans of both planners, and of plans past nine obstacles."""
+    _, plans = PlanLoad(int(batch.sequence().generate_state(1)[0])).sample(SCENES)
+    return costs(batch) | {"nine": 1e6 * np.array(plans)}
+
+
+H02 = Claim(
+    id="H02",
+    section="2, 3",
+    statement="The planner computes paths in real time, 50 times a second: the software fits a cycle of 20 ms.",
+    method=f"Time of {SCENES} plans a batch over 5 m past nine moving obstacles, on one core; a tenth of the cycle, "
+    "as a machine 20 years younger than the paper's can hardly miss the whole.",
+    criteria=(
+        measured(
+            "time that 1 % of the plans exceed", lambda s: 1e-4 * quantile(s["nine"], 0.99) / CYCLE,
+            unit="% of 20 ms", at_most=10.0,
+        ),
+        reported("plan (median)", lambda s: median(s["nine"]), unit="us"),
+    ),
+    rules=NO_MATCH,
+    measure=load,
+    seconds=2.0,
+    batches=2,
+    ingredients=("the machine, and compiled code: numbers differ from run to run",),
+)  # fmt: skip
+
+H15 = Claim(
+    id="H15",
+    section="3",
+    statement="The path planning approach is very fast, comparable to the standard potential field path planners.",
+    method=f"{TEXT}, by both planners; the least of five times each, on one core, with what Python adds to both.",
+    criteria=(
+        measured("time over the conventional planner's (median)", lambda s: median(s["new"] / s["old"]), at_most=3.0),
+        reported("that 1 % exceed", lambda s: quantile(s["new"] / s["old"], 0.99)),
+    ),
+    rules=NO_MATCH,
+    measure=costs,
+    seconds=1.5,
+    batches=2,
+    ingredients=("the machine, and compiled code: numbers differ from run to run",),
+)
+
+
+def same_paths(batch: Batch, still: bool = True) -> Samples:
+    """Return which plans (M,) of both planners are the same to the last bit; `still`: with obstacles that stand."""
+    scenes, same = scenes_of(batch, CROSSING, SCENES), []
+    for scene in scenes:
+        rows = [(x, y, 0.0, 0.0) if still else (x, y, vx, vy) for x, y, vx, vy in scene.obstacles]
+        first, second = (plan(scene._replace(obstacles=rows), **changes).path for changes in PLANNERS.values())
+        same.append(np.array_equal(first, second))
+    return {"same": np.array(same, float)}
+
+
+H16 = Claim(
+    id="H16",
+    section="3",
+    statement="Conventional planners are unaware of the speed of the other robots.",
+    method=f"{TEXT} by both planners, all velocities taken away: which paths are the same to the last bit.",
+    criteria=(exact("paths that are the same", lambda s: 100 * mean(s["same"]), unit="%", at_least=100.0),),
+    rules=NO_MATCH,
+    measure=same_paths,
+    without=Without("velocities of 0: here the obstacles move", partial(same_paths, still=False)),
+    seconds=0.8,
+    batches=2,
+)
+
+CLAIMS = (H02, H04, H05, H06, H15, H16)

@@ -1,0 +1,86 @@
+"""Points that travel through scenes by either planner, and plans that are made once."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env.baselines.weigel_2001.planner import Plan, Planner, PlannerSettings, Travel
+from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.claims.planning.scenes import WAY, Scene, crossing
+from soccer_env.train.papers.verdicts import Samples
+
+SPEED = PlannerSettings().speed  # [m/s] of the robot
+SCENES = 200  # planned once of a batch
+LONGEST = 15.0  # [s] of a travel: thrice what the canonical ones take
+PLANNERS: dict[str, dict[str, Any]] = {"old": {"time_variant": False}, "new": {}}  # Weigel's, and that of the paper
+Draw = Callable[[np.random.Generator], Scene]
+CROSSING: Draw = partial(crossing, speed=SPEED)
+
+
+def scenes_of(batch: Batch, draw: Draw, count: int) -> list[Scene]:
+    """Return the scenes of a batch."""
+    rng = batch.rng()
+    return [draw(rng) for _ in range(count)]
+
+
+def travel(scene: Scene, **changes: Any) -> Travel:
+    """Return how a point gets through a scene by a planner with some settings."""
+    return Planner(**changes).travel(*scene, seconds=LONGEST)
+
+
+def plan(scene: Scene, **changes: Any) -> Plan:
+    """Return the plan that is made of a scene by a planner with some settings."""
+    return Planner(**changes).plan(*scene)
+
+
+def plans_of(batch: Batch, draw: Draw = CROSSING, **changes: Any) -> list[Plan]:
+    """Return the plans of a batch of scenes."""
+    planner = Planner(**changes)
+    return [planner.plan(*scene) for scene in scenes_of(batch, draw, SCENES)]
+
+
+def crossing_text() -> str:
+    """Return what is planned, in words."""
+    return f"{SCENES} crossings a batch, of one obstacle and a way of {WAY:g} m, each planned once"
+
+
+def side_changes(travels: Travel) -> int:
+    """Return how often the plans of a travel change the side on which they pass the first obstacle.
+
+    The side is that of the obstacle when the planned path is nearest to it, seen along the path; a plan that stays
+    more than a metre away from the obstacle has none, as there it is no longer passed.
+    """
+    sides = [side_of(travels, cycle) for cycle in range(len(travels.stations) - 1)]
+    there = [side for side in sides if side != 0]
+    return sum(a != b for a, b in zip(there, there[1:], strict=False))
+
+
+def side_of(travels: Travel, cycle: int) -> int:
+    """Return +1 if a plan passes the first obstacle with it on the left, -1 on the right, 0 if it is out of its way."""
+    path = travels.planned(cycle)
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
+    one = travels.obstacles[0]
+    t = cycle * 0.02 + along / travels.settings.speed
+    x, y = one["x"] + t * one["vx"] - path[:, 0], one["y"] + t * one["vy"] - path[:, 1]
+    nearest = int(np.argmin(np.hypot(x, y)))
+    if np.hypot(x[nearest], y[nearest]) > 1.0 or nearest in (0, len(path) - 1):
+        return 0
+    way = path[nearest + 1] - path[nearest - 1]
+    across = way[0] * y[nearest] - way[1] * x[nearest]
+    return int(np.sign(across))
+
+
+def figures_of(travels: list[Travel], name: str) -> Samples:
+    """Return what travels (M,) come to: collisions, smallest gap [m], time [s], length [m], turn [degrees] ..."""
+    found = {
+        "arrived": [one.arrived for one in travels],
+        "hit": [one.clearance < 0.0 for one in travels],
+        "gap": [one.clearance for one in travels],
+        "time": [one.time for one in travels],
+        "length": [one.length for one in travels],
+        "turn": [np.degrees(one.turn) for one in travels],
+        "away": [one.cycles_away for one in travels],
+    }
+    return {f"{name} {key}": np.array(values, float) for key, values in found.items()}

@@ -1,0 +1,103 @@
+"""The time T that a plan is made for, and the passes until the time that it takes agrees.  [H. 2006, 3]"""
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.papers.claim import NO_MATCH, Batch, Claim, Without
+from soccer_env.train.papers.claims.planning.crossings import ASSUMED, LOOKED_AT
+from soccer_env.train.papers.claims.planning.runs import SCENES, crossing_text, plan, plans_of
+from soccer_env.train.papers.claims.planning.scenes import CANONICAL
+from soccer_env.train.papers.values import mean, median
+from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
+
+TEXT = crossing_text()
+KINDS: dict[str, dict[str, Any]] = {"smooth": {}, "literal": {"literal": True}}
+
+
+def times(batch: Batch, slower: float = 1.0) -> Samples:
+    """Return T over T_min (M,), iterations and convergence of plans; `slower` scales the speed behind T_min."""
+    found = {name: plans_of(batch, **changes) for name, changes in
+             KINDS.items()}  # fmt: skip
+    samples: Samples = {}
+    for name, plans in found.items():
+        samples[f"{name} ratio"] = np.array([one.time / (slower * one.least_time) for one in plans])
+        samples[f"{name} passes"] = np.array([one.iterations for one in plans], float)
+        samples[f"{name} open"] = np.array([not one.converged for one in plans], float)
+        samples[f"{name} error"] = np.array([one.times[-1] - one.guesses[-1] for one in plans])
+    return samples
+
+
+H12 = Claim(
+    id="H12",
+    section="3",
+    statement="The time of the straight line at full speed always underestimates the time needed to follow the path.",
+    method=f"{TEXT}; time of the path over the time of the straight line.",
+    criteria=(
+        exact("smallest ratio", lambda s: float(s["smooth ratio"].min()), at_least=1.0 - 1e-9),
+        reported("mean ratio", lambda s: mean(s["smooth ratio"])),
+    ),
+    rules=NO_MATCH,
+    measure=times,
+    without=Without("one speed for both: here the straight line is timed at 0.9 of it", partial(times, slower=1 / 0.9)),
+    seconds=0.8,
+    batches=2,
+    note="No path is shorter than the straight line, and both are timed at the same speed.",
+)
+
+H13 = Claim(
+    id="H13",
+    section="3",
+    statement="The iterative path planning process needs very few iterations to converge to a reasonable path.",
+    method=f"{TEXT}; passes over the grid until the times agree to 0.1 s, at most eight.",
+    criteria=(
+        measured("passes (median)", lambda s: median(s["smooth passes"]), at_most=2.0),
+        measured("plans that do not converge", lambda s: 100 * mean(s["smooth open"]), unit="%", at_most=10.0),
+        reported("plans of one pass", lambda s: 100 * mean(s["smooth passes"] == 1), unit="%"),
+        reported("the paper's words alone: passes (median)", lambda s: median(s["literal passes"])),
+        reported("they alone: plans that do not converge", lambda s: 100 * mean(s["literal open"]), unit="%"),
+    ),
+    rules=NO_MATCH,
+    measure=times,
+    seconds=0.8,
+    batches=4,
+    ingredients=("T of the smoothed path, damped by half: the paper speaks of neither",),
+    note=f"{LOOKED_AT} Taken at its word, T is that of the way of cells, which is longer than the path that is driven, "
+    "and swings where an obstacle is met head on.",
+)
+
+
+def first_plans(batch: Batch) -> Samples:
+    """Return passes and error of T [s] of the first plan of both canonical crossings, and of random ones beside."""
+    fixed = [plan(scene) for scene in CANONICAL.values()]
+    found = times(batch)
+    for name, one in zip(CANONICAL, fixed, strict=True):
+        found[f"{name} passes"] = np.full(SCENES, float(one.iterations))
+        found[f"{name} error"] = np.full(SCENES, float(one.times[0] - one.guesses[0]))
+    return found
+
+
+H14 = Claim(
+    id="H14",
+    section="3, figure 2",
+    statement="For the path of the figure a single iteration was enough to estimate the time to less than 100 ms.",
+    method=f"The first plans of both canonical crossings; beside them {TEXT}.",
+    criteria=(
+        exact("canonical: passes", lambda s: max(s[f"{name} passes"][0] for name in CANONICAL), at_most=1.0),
+        exact(
+            "canonical: greater error of T", lambda s: max(abs(s[f"{name} error"][0]) for name in CANONICAL),
+            unit="s", below=0.1,
+        ),
+        reported("random crossings planned in one pass", lambda s: 100 * mean(s["smooth passes"] == 1), unit="%"),
+    ),
+    rules=NO_MATCH,
+    measure=first_plans,
+    seconds=0.8,
+    batches=2,
+    ingredients=ASSUMED,
+    note=LOOKED_AT,
+)  # fmt: skip
+
+
+CLAIMS = (H12, H13, H14)

@@ -1,0 +1,136 @@
+"""What a ghost costs the memory of other players, and what a player that is missed costs it.  [Sacks 2001, 4.1.1]
+
+Both errors are the paper's own: for one frame no blob counts as part of another's player (ghosts), or all blobs of a
+colour count as one player (the farther is missed). Without it the same frames are remembered without either.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.staging import memory_settings_of
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.players.grouping import (
+    TILT,
+    ghosts_and_misses,
+    put_two_in_view,
+    seen_and_believed,
+)
+from soccer_env.train.papers.claims.players.seen import (
+    gaps_to,
+    matched,
+    put_facing,
+    slots_of,
+    watchers,
+)
+from soccer_env.train.papers.staging import begin, play, standing
+from soccer_env.train.papers.true_sight import turn_head
+from soccer_env.train.papers.values import mean
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+MATCHES = 256
+LOOK_ASIDE = 1.0  # [s] at the third opponent
+LOOK_AHEAD = 1.0  # [s] at the first two
+AFTER = 5.0  # [s] after the error
+ASIDE, TURNED = (1.1, 1.4), 1.25  # [rad] bearing of the third opponent, out of view of a head that looks ahead; pan
+NEAR, FAR = 0.5, 1.0  # [m] of the third opponent
+KNOWN = 1.0  # [m] beyond which a slot stands for nobody: where obstacles exert no force any more, 4.3.2
+FOES = [1, 2, 3]
+EVENTS: dict[str, float | None] = {"none": None, "ghost": 0.0, "miss": 1e6}  # grouping factor for one frame
+
+
+def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
+    """Return the memory's error (M, T) [m] from an event on: mean gap of the three opponents to their slots.
+
+    "ghosts" and "missed" (M,): those of the frame of the event.
+    """
+    rng = batch.rng()
+    match = watchers(batch, MATCHES, away=3)
+    put_two_in_view(match, rng)
+    side = rng.choice([-1.0, 1.0], MATCHES)
+    put_facing(
+        match, 3, rng.uniform(NEAR, FAR, MATCHES), side * rng.uniform(*ASIDE, MATCHES), rng.uniform(-3.0, 3.0, MATCHES)
+    )
+    begin(match)
+    actions = standing(match)
+    for pan, seconds in ((side * TURNED, LOOK_ASIDE), (0.0, LOOK_AHEAD)):
+        turn_head(match, actions, 0, pan, TILT)
+        for _ in play(match, seconds, actions):
+            pass
+    chosen, factor = float(memory_settings_of(match)["grouping"][0]), EVENTS[event]
+    memory_settings_of(match)["grouping"] = chosen if factor is None else factor
+    match.step(actions)
+    memory_settings_of(match)["grouping"] = chosen
+    ghosts, missed = ghosts_and_misses(*seen_and_believed(match))
+    errors = [error_of(match)]
+    for _ in play(match, AFTER, actions):
+        errors.append(error_of(match))
+    match.close()
+    return {"error": np.stack(errors, axis=1), "ghosts": ghosts.astype(float), "missed": missed.astype(float)}
+
+
+def error_of(match: Match) -> np.ndarray:
+    """Return the mean distance (M,) [m] of the opponents from the slots that stand for them, KNOWN if none does."""
+    gaps = matched(gaps_to(match, slots_of(match), FOES), KNOWN)
+    return np.asarray(np.minimum(gaps, KNOWN).mean(axis=1))
+
+
+def compare_errors(batch: Batch) -> Samples:
+    """Return what each ghost and each miss adds to the memory's error, over AFTER (M,) and frame by frame (M, T) [m].
+
+    Matches count in which the event made a ghost, or a miss, and the same frame without the event has neither.
+    """
+    found = {event: remember_three(batch, event) for event in EVENTS}
+    quiet = (found["none"]["ghosts"] == 0) & (found["none"]["missed"] == 0)
+    samples: Samples = {"plain": found["none"]["error"].mean(axis=1)}
+    for event, name in (("ghost", "ghosts"), ("miss", "missed")):
+        number = found[event][name]
+        counts = quiet & (number > 0) & (found[event]["ghosts"] * found[event]["missed"] == 0)
+        added = (found[event]["error"] - found["none"]["error"]) / np.maximum(number, 1.0)[:, None]
+        samples[f"course {event}"] = np.where(counts[:, None], added, np.nan)
+        samples[event] = np.where(counts, added.mean(axis=1), np.nan)
+    return samples
+
+
+def ghost_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw what both errors add against the time since."""
+    steps = samples["course ghost"].shape[1]
+    times = np.linspace(0.0, AFTER, steps)[::4]
+    curves = [
+        Curve(f"a {event}", list(times), [100 * mean(samples[f"course {event}"][:, i]) for i in range(0, steps, 4)])
+        for event in ("ghost", "miss")
+    ]
+    return (Figure("What one frame's error does to the memory", "time since [s]", "added error [cm]", tuple(curves)),)
+
+
+S34 = Claim(
+    id="S34",
+    section="4.1.1",
+    statement="It is better to ignore a player that is present than to see a ghost, which may push the position of a "
+    "real player out of the memory.",
+    method=f"{MATCHES} robots a batch have looked at three standing opponents, two of which are in view; for one frame "
+    "every blob counts as a player (ghosts), or all blobs as one (a miss); mean distance of the opponents from the "
+    f"slots that stand for them (at most {100 * KNOWN:.0f} cm), less that without the event, over the {AFTER:g} s "
+    "after it, for each ghost and for each miss.",
+    criteria=(
+        measured(
+            "added error for a ghost less that for a miss > 0",
+            lambda samples: 100 * (mean(samples["ghost"]) - mean(samples["miss"])),
+            unit="cm",
+            above=0.0,
+        ),
+        reported("added error for a ghost", lambda samples: 100 * mean(samples["ghost"]), unit="cm"),
+        reported("added error for a miss", lambda samples: 100 * mean(samples["miss"]), unit="cm"),
+        reported("error without either", lambda samples: 100 * mean(samples["plain"]), unit="cm"),
+        reported("share of events that make a ghost", lambda s: 100 * float(np.isfinite(s["ghost"]).mean()), unit="%"),
+        reported("share of events that make a miss", lambda s: 100 * float(np.isfinite(s["miss"]).mean()), unit="%"),
+    ),
+    rules=STAGED,
+    measure=compare_errors,
+    seconds=5.0,
+    figures=ghost_figure,
+    ingredients=("three slots for three opponents", "memory.distance_power, angle_power"),
+)
+
+CLAIMS = (S34,)

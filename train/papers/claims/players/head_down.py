@@ -1,0 +1,158 @@
+"""A robot nearby that looks down at the ball: its black head hides its jersey.  [Sacks 2001, 4.3.3]"""
+
+from collections.abc import Sequence
+from functools import partial
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, watchers
+from soccer_env.train.papers.staging import begin, from_robot, play, standing
+from soccer_env.train.papers.true_sight import camera_of, turn_head
+from soccer_env.train.papers.values import in_bins, mean, middles_of
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+MATCHES = 128
+SETTLE, SECONDS = 1.0, 1.0  # [s]
+NEAR, FAR = 0.35, 0.60  # [m] between the bodies' centres: from nearly touching to what the ranger sees under 40 cm
+FRONTAL = 0.6  # [rad] from head-on: an opponent that comes for the ball
+DOWN = -1.0  # [rad] head of one that looks at the ball before its paws
+TILTS = {"up": 0.0, "down": DOWN}
+OVERLOOKED = 1.5  # times as far as it is: the same share by which a reading is "significantly" closer, MS49
+
+
+def look_at_heads(batch: Batch, **sensors: float) -> Samples:
+    """Return each run's mean range error (M,) [m] of a near player with its head up and down, NaN if it is not seen.
+
+    "up" and "down" by the size of its jersey, "... by infrared" with the reading in its place; the shares of frames
+    that show it, and of those in which the robot overlooks it, with and without the obstacle that the reading makes.
+    """
+    samples: Samples = {}
+    for name, tilt in TILTS.items():
+        by_size, by_ranger, nearest, true = stare_at_head(batch, tilt, sensors, obstacle=True)
+        samples[name] = np.array([mean(run) for run in by_size.T])
+        samples[f"{name} by infrared"] = np.array([mean(run) for run in by_ranger.T])
+        samples[f"seen {name}"] = np.isfinite(by_size).mean(axis=0)
+        samples[f"overlooked, head {name}"] = (nearest > OVERLOOKED * true).mean(axis=0)
+    _, _, nearest, true = stare_at_head(batch, DOWN, sensors, obstacle=False)
+    samples["overlooked without the obstacle"] = (nearest > OVERLOOKED * true).mean(axis=0)
+    return samples | {"distance": true[-1]}
+
+
+def stare_at_head(batch: Batch, tilt: float, sensors: dict[str, float], obstacle: bool) -> tuple[np.ndarray, ...]:
+    """Let robot 0 stare at a near player with its head tilted [rad]; return arrays (T, M) [m].
+
+    The errors of its range by size and by infrared, NaN without; the distance of the nearest that the robot knows of,
+    player or obstacle; and the true distance.
+    """
+    rng = batch.rng()
+    match = watchers(batch, MATCHES, sensors=sensors, memory={"player_infrared": False, "obstacle": obstacle})
+    distance, view = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-FRONTAL, FRONTAL, MATCHES)
+    put_facing(match, 1, distance, rng.uniform(-0.3, 0.3, MATCHES), view)
+    begin(match)
+    actions = standing(match)
+    turn_head(match, actions, 1, 0.0, tilt)
+    rows = []
+    for step in play(match, SETTLE + SECONDS, actions):
+        look_at(match, actions)
+        if step >= SETTLE * match.league.control_rate:
+            true, _ = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+            rows.append([nearest_seen(match)[0] - true, by_infrared(match) - true, nearest_known(match), true])
+    match.close()
+    return tuple(np.moveaxis(np.array(rows), 1, 0))
+
+
+def nearest_known(match: Match) -> np.ndarray:
+    """Return how far robot 0 (M,) [m] believes the nearest player or obstacle to be; inf if it knows of none."""
+    slots, obstacle = match.tracks[:, 0], match.beliefs["obstacle"]["distance"][:, 0].astype(float)
+    player = np.where(slots["present"] == 1, slots["distance"], np.inf).min(axis=1)
+    nearest: np.ndarray = np.minimum(player, np.where(obstacle > 0.0, obstacle, np.inf))
+    return nearest
+
+
+def by_infrared(match: Match) -> np.ndarray:
+    """Return how far from robot 0 (M,) [m] a player is whose chest the ranger meets, NaN without a valid reading."""
+    camera, axis = camera_of(match)
+    robot, reading = match.robots[:, 0], match.percepts["infrared"][:, 0].astype(float)
+    level = np.hypot(axis[:, 0], axis[:, 1])
+    reach = reading + match.league.body.front / level  # to the middle of the body, half a body behind its chest
+    place = np.hypot(camera[:, 0] + reach * axis[:, 0] - robot["x"], camera[:, 1] + reach * axis[:, 1] - robot["y"])
+    return np.where(reading > 0.0, place, np.nan)
+
+
+def heads_that_hide_nothing(batch: Batch) -> Samples:
+    """Return the same where no head is ever so low that it hides stickers."""
+    return look_at_heads(batch, head_down=np.pi)
+
+
+def hundred_times(samples: Samples, name: str) -> float:
+    """Return the mean of a quantity: [cm] of one in metres, [%] of a share."""
+    return 100 * mean(samples[name])
+
+
+def farther(samples: Samples) -> float:
+    """Return by how much farther a player seems with its head down than with it up [cm]."""
+    return 100 * mean(samples["down"] - samples["up"])
+
+
+def left_over(samples: Samples) -> float:
+    """Return how wrong a player with its head down seems by infrared, too far or too near, over `farther` [%].
+
+    NaN where a lowered head makes nobody seem farther.
+    """
+    difference = farther(samples)
+    return 100 * abs(hundred_times(samples, "down by infrared")) / difference if difference > 0.0 else np.nan
+
+
+def head_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the bias against the distance."""
+    edges = np.linspace(NEAR, FAR, 6)
+    inside = in_bins(samples["distance"], edges)
+    curves = [
+        Curve(f"head {name}", middles_of(edges, 100), [100 * mean(samples[name][i]) for i in inside])
+        for name in (*TILTS, "down by infrared")
+    ]
+    return (Figure("Range bias of a near player by its head", "distance [cm]", "bias [cm]", tuple(curves)),)
+
+
+S61 = Claim(
+    id="S61",
+    section="4.3.3",
+    statement="A near robot with its head down is seen as much farther than it is, because its black head hides part "
+    "of its jersey; the infrared reading in its place repairs that.",
+    method=f"{MATCHES} robots a batch stare at a player {100 * NEAR:.0f} to {100 * FAR:.0f} cm away that faces them "
+    f"(within {np.degrees(FRONTAL):.0f} degrees), its head level or {np.degrees(-DOWN):.0f} degrees down; mean range "
+    "error of each run by the size of its jersey, and with the infrared reading in its place, same seeds; and how "
+    "often the player is overlooked, with the obstacle that a reading makes (MS49) and, its head down, without.",
+    criteria=(
+        measured("head down: bias by size > 0", partial(hundred_times, name="down"), unit="cm", above=0.0),
+        measured("bias by size, head down less head up > 0", farther, unit="cm", above=0.0),
+        measured("head down: bias by infrared <= 33 % of that difference", left_over, unit="%", at_most=100.0 / 3.0),
+        *(
+            reported(f"bias, head {name}", partial(hundred_times, name=name), unit="cm")
+            for name in ("up", "up by infrared", "down by infrared")
+        ),
+        *(
+            reported(f"frames that show it, head {name}", partial(hundred_times, name=f"seen {name}"), unit="%")
+            for name in TILTS
+        ),
+        *(
+            reported(f"frames in which it is {name}", partial(hundred_times, name=name), unit="%")
+            for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")
+        ),
+    ),
+    rules=STAGED,
+    measure=look_at_heads,
+    seconds=1.5,
+    without=Without("sensors.head_down, the angle from which a head hides stickers", heads_that_hide_nothing),
+    figures=head_figure,
+    ingredients=("sensors.head_down", "sensors.head_size", "stickers of the chest"),
+    changed="Before: a bias by infrared that is negative counted as none, so that -41 % of the difference passed.",
+    note="In the criteria the reading replaces the player's range whenever there is one. The paper's rule, by which a "
+    "reading significantly closer than every player in memory is an obstacle (MS49), is what the shares of frames are "
+    "about in which the player is overlooked: neither it nor an obstacle is believed to be within 1.5 times its true "
+    "distance. In the frames that do not show it the lowered head leaves nothing of the jersey to be seen.",
+)
+
+CLAIMS = (S61,)

@@ -1,0 +1,216 @@
+"""A jersey of stickers, seen from all sides and from afar.  [Sacks 2001, 4.1.2]
+
+Sizes of stickers are guesses, so that each claim here is judged over jerseys of 0.7 to 1.3 times their size: the worst
+of them counts.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, view_of, watchers
+from soccer_env.train.papers.staging import begin, from_robot, play, standing
+from soccer_env.train.papers.values import mean
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+JERSEYS = (0.7, 1.0, 1.3)  # [1] scale of all stickers
+RUNS = 32  # of each jersey
+SETTLE = 1.0  # [s] in which the head finds the player
+ROUND = 8.5  # [s] in which a robot that turns at full speed has turned once round
+NEAR, FAR = 0.5, 1.0  # [m]
+SECTORS = 12  # of 30 degrees, the first one head-on
+FRONT, SIDES = (0,), (3, 9)  # sectors head-on and from the sides
+ALL, ASIDE = tuple(range(SECTORS)), tuple(range(1, SECTORS))  # all of them, and all but head-on
+# [m] of the flank's stickers, for a jersey whose stickers are all alike; on chest and rump side by side
+FLANK = {"width": 0.06, "height": 0.06, "apart": 0.062}
+ALIKE = {f"sticker_{place}_{name}": size for place in ("chest", "rump") for name, size in FLANK.items()}
+SIZES = {
+    "width": "width of the largest blob",
+    "height": "height of the largest blob",
+    "all width": "width of all blobs",
+    "all height": "height of all blobs",
+}
+TABLES = {"front table": "table made head-on", "side table": "table made from the side"}
+QUANTITIES = (*SIZES, *TABLES)
+
+
+def box_sizes(match: Match) -> list[np.ndarray]:
+    """Return width and height (M,) [px] of the largest blob of the opponents' colour, and of the box round all."""
+    blobs = match.percepts["opponents"][:, 0]
+    there = blobs["area"] > 0
+    width = np.where(there, blobs["left"].astype(float) - blobs["right"], 0.0)
+    height = np.where(there, blobs["high"].astype(float) - blobs["low"], 0.0)
+    largest, rows = (width + height).argmax(axis=1), np.arange(len(blobs))
+    edges = {
+        name: np.where(there, blobs[name].astype(float), end).max(axis=1) if end < 0 else
+        np.where(there, blobs[name].astype(float), end).min(axis=1)
+        for name, end in (("left", -1e9), ("right", 1e9), ("high", -1e9), ("low", 1e9))
+    }  # fmt: skip
+    found = [width[rows, largest], height[rows, largest], edges["left"] - edges["right"], edges["high"] - edges["low"]]
+    return [np.where(there.any(axis=1), values, np.nan) for values in found]
+
+
+def turn_once_round(batch: Batch, jersey: float, view: str, **sensors: Any) -> dict[str, np.ndarray]:
+    """Return sizes [px] and relative range errors of a player that turns, means (RUNS, SECTORS) by the view."""
+    rng = batch.rng()
+    settings = {"jersey": jersey, **sensors}
+    match = watchers(batch, RUNS, sensors=settings, memory={"player_infrared": False, "player_view": view})
+    distance = rng.uniform(NEAR, FAR, RUNS)
+    put_facing(match, 1, distance, rng.uniform(-0.4, 0.4, RUNS), rng.uniform(-np.pi, np.pi, RUNS))
+    begin(match)
+    actions = standing(match)
+    frames = []
+    for step in play(match, SETTLE + ROUND, actions):
+        look_at(match, actions)
+        actions[:, 1, 2] = 1.0 if step >= SETTLE * match.league.control_rate else 0.0
+        if step >= SETTLE * match.league.control_rate:
+            true, _ = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+            sector = np.round(view_of(match, 1) / (2.0 * np.pi) * SECTORS).astype(int) % SECTORS
+            frames.append([sector, *box_sizes(match), nearest_seen(match)[0] / true - 1.0])
+    match.close()
+    sector, *values = (np.stack(rows, axis=1) for rows in zip(*frames, strict=True))
+    names = ("width", "height", "all width", "all height", f"{view} table")
+    return {name: by_sector(sector, rows) for name, rows in zip(names, values, strict=True)}
+
+
+def by_sector(sector: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Return the means (M, SECTORS) of values (M, T) by their sector (M, T); NaN without any."""
+    there = np.isfinite(values)
+    totals = [np.where(there & (sector == i), values, 0.0).sum(axis=1) for i in range(SECTORS)]
+    counts = [(there & (sector == i)).sum(axis=1) for i in range(SECTORS)]
+    total, count = np.stack(totals, axis=1), np.stack(counts, axis=1)
+    return np.where(count > 0, total / np.maximum(count, 1), np.nan)
+
+
+def jerseys_from_all_sides(batch: Batch, **sensors: Any) -> Samples:
+    """Return arrays (RUNS, jerseys, SECTORS) of every quantity."""
+    found = []
+    for jersey in JERSEYS:
+        front = turn_once_round(batch, jersey, "front", **sensors)
+        side = turn_once_round(batch, jersey, "side", **sensors)
+        found.append(front | {"side table": side["side table"]})
+    return {name: np.stack([one[name] for one in found], axis=1) for name in QUANTITIES}
+
+
+def stickers_alike(batch: Batch) -> Samples:
+    """Return the same with stickers of chest and rump as large as those of the flanks."""
+    return jerseys_from_all_sides(batch, **ALIKE)
+
+
+def variation(sizes: np.ndarray) -> np.ndarray:
+    """Return the mean coefficient of variation over the views of each jersey (jerseys,) [1]; sizes (runs, j, views)."""
+    there = np.isfinite(sizes)
+    count = np.maximum(there.sum(axis=2), 1)
+    middle = np.where(there, sizes, 0.0).sum(axis=2) / count
+    square = np.where(there, (sizes - middle[..., None]) ** 2, 0.0).sum(axis=2) / count
+    return np.asarray((np.sqrt(square) / np.maximum(middle, 1e-9)).mean(axis=0))
+
+
+def width_over_height(samples: Samples, which: str = "") -> float:
+    """Return how many times as much the width varies with the view as the height does, in the worst jersey."""
+    return float((variation(samples[f"{which}width"]) / variation(samples[f"{which}height"])).min())
+
+
+def front_over_side(samples: Samples, which: str = "") -> np.ndarray:
+    """Return the height seen head-on over that from the side, of each jersey (jerseys,)."""
+    height = samples[f"{which}height"]
+    front, side = height[:, :, FRONT].mean(axis=2), height[:, :, SIDES].mean(axis=2)
+    return np.array([mean(front[:, j] / side[:, j]) for j in range(len(JERSEYS))])
+
+
+def bias(samples: Samples, table: str, sectors: Sequence[int]) -> np.ndarray:
+    """Return the mean relative range error [%] of each jersey (jerseys,) in some sectors."""
+    errors = samples[f"{table} table"][:, :, list(sectors)]
+    return np.array([100 * mean(errors[:, j]) for j in range(len(JERSEYS))])
+
+
+def over_views(labels: dict[str, str], title: str, unit: str, scale: float) -> Callable[[Samples], Sequence[Figure]]:
+    """Return a drawing of quantities, by name with their labels, against the view, at the stickers' own size."""
+
+    def draw(samples: Samples) -> Sequence[Figure]:
+        views = [360.0 / SECTORS * i for i in range(SECTORS)]
+        middle = JERSEYS.index(1.0)
+        curves = [
+            Curve(label, views, [scale * mean(samples[name][:, middle, i]) for i in range(SECTORS)])
+            for name, label in labels.items()
+        ]
+        return (Figure(title, "view [degrees from head-on]", unit, tuple(curves)),)
+
+    return draw
+
+
+HOW = (
+    f"{RUNS} players a batch and jersey (stickers of {', '.join(f'{j:g}' for j in JERSEYS)} times their size) turn "
+    f"once round, {100 * NEAR:.0f} to {100 * FAR:.0f} cm before a robot that stares at them; means in 30-degree sectors"
+)
+
+S37 = Claim(
+    id="S37",
+    section="4.1.2",
+    statement="The width of a player differs with the angle of view; the height of its jersey hardly does, but seen "
+    "head-on it is slightly smaller.",
+    method=f"{HOW}; coefficient of variation of width and height of the box round all stickers over the sectors, and "
+    "heights of the largest sticker; the worst jersey counts.",
+    criteria=(
+        measured(
+            "player: width varies at least 3 times as much as height",
+            lambda samples: width_over_height(samples, "all "),
+            at_least=3.0,
+        ),
+        measured(
+            "largest sticker: height head-on over that from the side < 1",
+            lambda samples: float(front_over_side(samples).max()),
+            below=1.0,
+        ),
+        reported("largest sticker: variation of width over that of height", width_over_height),
+        reported("player: height head-on over that from the side", lambda s: float(front_over_side(s, "all ").mean())),
+    ),
+    rules=STAGED,
+    measure=jerseys_from_all_sides,
+    seconds=1.5,
+    changed="Before: one sticker on each side of the trunk (3.93 times: by construction).",
+    without=Without("smaller stickers on chest and rump than on the flanks; here all are alike", stickers_alike),
+    figures=over_views(SIZES, "Size of a player by the angle of view", "size [px]", 1.0),
+    ingredients=("sensors.sticker_*, all assumed", "the four largest blobs of a colour alone are delivered (MS04)"),
+    note="The smallest jersey decides: seen askew from behind its stickers are six blobs, of which four are delivered, "
+    "so that the head is missing and the player is a fifth lower. With one sticker on each side of the trunk it varies "
+    "5.3 times as much in width.",
+)
+
+S38 = Claim(
+    id="S38",
+    section="4.1.2",
+    statement="A table made head-on errs on the side of taking other players to be closer than they are.",
+    method=f"{HOW}; relative error of the range by a table made head-on, and by one made from the side, without the "
+    "ranger; all sectors but the head-on one; the worst jersey counts.",
+    criteria=(
+        measured(
+            "head-on table: mean error in the other views <= 0",
+            lambda samples: float(bias(samples, "front", ASIDE).max()),
+            unit="%",
+            at_most=0.0,
+        ),
+        measured(
+            "head-on table less side table, mean error in all views < 0",
+            lambda samples: float((bias(samples, "front", ALL) - bias(samples, "side", ALL)).max()),
+            unit="%",
+            below=0.0,
+        ),
+        reported("head-on table: mean error head-on", lambda s: float(bias(s, "front", FRONT).mean()), unit="%"),
+        reported("head-on table: mean error from the side", lambda s: float(bias(s, "front", SIDES).mean()), unit="%"),
+        reported("side table: mean error head-on", lambda s: float(bias(s, "side", FRONT).mean()), unit="%"),
+        reported("side table: mean error in the other views", lambda s: float(bias(s, "side", ASIDE).mean()), unit="%"),
+    ),
+    rules=STAGED,
+    measure=jerseys_from_all_sides,
+    seconds=1.5,
+    changed="Before: one sticker on each side of the trunk (-4.6 %: by construction).",
+    without=Without("smaller stickers on chest and rump than on the flanks; here all are alike", stickers_alike),
+    figures=over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
+    ingredients=("sensors.sticker_*, all assumed", "the tables of perception/legged/calibration.py"),
+)
+
+CLAIMS = (S37, S38)

@@ -1,0 +1,208 @@
+"""Whether one opponent fills the whole memory of opponents, by how they are matched.  [Sacks 2001, 4.1.1]
+
+How often a frame misses a sticker, or a whole player, is a guess, so that S35 is judged over both: the worst counts.
+"""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.players.grouping import TILT
+from soccer_env.train.papers.claims.players.seen import is_fresh, put_facing, slots_of, watchers
+from soccer_env.train.papers.staging import begin, play, standing
+from soccer_env.train.papers.true_sight import turn_head
+from soccer_env.train.papers.values import about_own_mean, mean, median, rms
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+MATCHES = 64
+SECONDS = 30.0  # [s] in which a single opponent is in view
+LOOK = 1.0  # [s] at each of the two others before
+NEAR, FAR = 0.5, 1.5  # [m] of the opponents
+AHEAD = 0.25  # [rad] greatest bearing of the one in view
+ASIDE, TURNED = (1.1, 1.4), 1.25  # [rad] bearings of the others, out of view of a head that looks ahead; pan at them
+POWERS = {  # of distance and angle in the likelihood
+    "U/d": (1.0, 0.0),
+    "U/d^3": (3.0, 0.0),
+    "U/(d a)": (1.0, 1.0),
+    "U/(d^3 a)": (3.0, 1.0),
+}
+STEADY = 0.08  # [1] scatter of the range up to which the narrowed criterion asks
+ONE_PLAYER = 1e6  # grouping factor by which all blobs of a colour are one player
+EVERY = 8  # frames between two points of the figure
+FIRST, FINAL = "U/d", "U/(d^3 a)"  # what was tried first, and what was kept
+MISSES: dict[str, dict[str, float]] = {  # what frames miss
+    "nothing": {"sticker_miss": 0.0, "player_miss": 0.0},
+    "5 % of the stickers": {"sticker_miss": 0.05, "player_miss": 0.0},
+    "5 % of the players": {"sticker_miss": 0.0, "player_miss": 0.05},
+}
+ONE_STICKER = {"trunk_stickers": 1, "sticker_miss": 0.05, "player_miss": 0.0}  # on a side: what is lost then
+
+
+def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict[str, np.ndarray]:
+    """Look at three opponents, then for SECONDS at one alone; arrays (M, T).
+
+    "filled": how many slots have been filled since, which should be one; "range": scatter of its distance [1].
+    """
+    rng = batch.rng()
+    match = watchers(batch, MATCHES, away=3, sensors=sensors, memory=memory)
+    for r, low, high in ((1, -AHEAD, AHEAD), (2, *ASIDE), (3, -ASIDE[1], -ASIDE[0])):
+        distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(low, high, MATCHES)
+        put_facing(match, r, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
+    begin(match)
+    actions = standing(match)
+    for pan in (TURNED, -TURNED, 0.0):
+        turn_head(match, actions, 0, pan, TILT)
+        for _ in play(match, LOOK, actions):
+            pass
+    filled: list[np.ndarray] = []
+    seen: list[np.ndarray] = []
+    for step in play(match, SECONDS, actions):
+        slots = slots_of(match)
+        since = (step + 0.5) * match.league.dt
+        filled.append(((slots["present"] == 1) & (slots["age"] < since)).sum(axis=1))
+        nearest = np.where(is_fresh(match, slots), slots["distance"], np.inf).min(axis=1)
+        seen.append(np.where(np.isfinite(nearest), nearest, np.nan))
+    match.close()
+    ranges = np.stack(seen, axis=1)
+    middle = np.array([median(run) for run in ranges])
+    return {"filled": np.stack(filled, axis=1), "range": about_own_mean(ranges) / middle[:, None]}
+
+
+def compare_likelihoods(batch: Batch) -> Samples:
+    """Return the share of time (M,) in which one opponent holds two slots or more, by each likelihood.
+
+    All blobs in view count as one player, so that only the matching can fill a second slot.
+    """
+    samples: Samples = {}
+    for name, (distance, angle) in POWERS.items():
+        found = stare_at_one(batch, {}, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
+        samples[name] = (found["filled"] >= 2).mean(axis=1)
+        samples[f"all {name}"] = (found["filled"] >= 3).mean(axis=1)
+        samples[f"course {name}"] = found["filled"][:, ::EVERY] >= 2
+    return samples
+
+
+def compare_misses(batch: Batch) -> Samples:
+    """Return the share of time (M,) in which one opponent holds two slots or more, for all that frames may miss.
+
+    "steady": by the final likelihood in runs whose ranges hardly scatter; "grouped": with blobs grouped as usual;
+    "one sticker": with one sticker on a side of the trunk, and 5 % of the stickers missed.
+    """
+    samples: Samples = {}
+    for name in (FIRST, FINAL):
+        (distance, angle), courses, steady = POWERS[name], [], []
+        for missed, sensors in MISSES.items():
+            found = stare_at_one(batch, sensors, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
+            held = found["filled"] >= 2
+            samples[f"{name}, {missed}"] = held.mean(axis=1)
+            samples[f"range, {missed}"] = found["range"]
+            courses.append(held[:, ::EVERY])
+            scatter = np.array([rms(run) for run in found["range"]])
+            steady.append(np.where(scatter <= STEADY, held.mean(axis=1), np.nan))
+        samples[f"course {name}"], samples[f"steady {name}"] = np.stack(courses, axis=1), np.stack(steady, axis=1)
+    one = stare_at_one(batch, ONE_STICKER, grouping=ONE_PLAYER)
+    samples["one sticker"] = (one["filled"] >= 2).mean(axis=1)
+    samples["grouped"] = (stare_at_one(batch, {})["filled"] >= 2).mean(axis=1)
+    return samples
+
+
+def by_misses(samples: Samples, name: str) -> list[float]:
+    """Return the share of time [%] by a likelihood in each case of MISSES."""
+    return [share(samples, f"{name}, {missed}") for missed in MISSES]
+
+
+def share(samples: Samples, name: str) -> float:
+    """Return a share of time [%]."""
+    return 100 * mean(samples[name])
+
+
+def slot_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw how many runs have a second slot filled against the time."""
+    names = [name for name in POWERS if f"course {name}" in samples]
+    steps = samples[f"course {FINAL}"].shape[-1]
+    times = [float(i * SECONDS / steps) for i in range(steps)]
+    courses = [samples[f"course {name}"].reshape(-1, steps) for name in names]
+    curves = [Curve(name, times, list(100 * course.mean(axis=0))) for name, course in zip(names, courses, strict=True)]
+    return (Figure("One opponent in view: runs in which it holds two slots", "time [s]", "runs [%]", tuple(curves)),)
+
+
+HOW = (
+    f"{MATCHES} robots a batch have looked at three standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away and "
+    f"then look at one of them alone for {SECONDS:g} s, all its blobs taken for one player; share of the time in which "
+    "it has filled two slots or more, same seeds for each likelihood"
+)
+
+S35 = Claim(
+    id="S35",
+    section="4.1.1",
+    statement="Uncertainty over distance lets a single opponent fill all three slots; over the cube of the distance "
+    "and the angle it usually does not.",
+    method=f"{HOW}: U/d first, U/(d^3 angle) at last; if frames miss nothing, 5 % of the stickers, or 5 % of the "
+    "players; the worst of them counts.",
+    criteria=(
+        measured(
+            "U/d: two slots or more >= 80 % of the time, whatever is missed",
+            lambda samples: min(by_misses(samples, FIRST)),
+            unit="%",
+            at_least=80.0,
+        ),
+        measured(
+            "U/(d^3 angle): two slots or more <= 10 %, whatever is missed",
+            lambda samples: max(by_misses(samples, FINAL)),
+            unit="%",
+            at_most=10.0,
+        ),
+        *(
+            reported(f"U/(d^3 angle), missed: {missed}", partial(share, name=f"{FINAL}, {missed}"), unit="%")
+            for missed in MISSES
+        ),
+        reported(
+            "U/(d^3 angle), runs whose ranges scatter by 8 % or less", lambda s: share(s, f"steady {FINAL}"), unit="%"
+        ),
+        reported(
+            "U/(d^3 angle), one sticker on a side, 5 % missed", lambda samples: share(samples, "one sticker"), unit="%"
+        ),
+        reported("U/(d^3 angle) with blobs grouped by factor 3", lambda samples: share(samples, "grouped"), unit="%"),
+        reported("scatter of a frame's range", lambda s: 100 * rms(s["range, 5 % of the stickers"]), unit="%"),
+        reported("the same, nothing missed", lambda s: 100 * rms(s["range, nothing"]), unit="%"),
+    ),
+    rules=STAGED,
+    measure=compare_misses,
+    batches=10,
+    seconds=6.0,
+    changed="Before: one sticker on a side of the trunk, 5 % of them missed (U/(d^3 angle) 43.5 %: not).",
+    figures=slot_figure,
+    ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
+    note="Where a frame misses all of the trunk's stickers, the one of the head is the largest blob that is left, the "
+    "player seems half as far again, and may go into another slot.",
+)
+
+
+S36 = Claim(
+    id="S36",
+    section="4.1.1",
+    statement="It is not clear that the factor of the angle helps.",
+    method=f"{HOW}: with the angle and without.",
+    criteria=(
+        reported("U/(d^3 angle)", lambda samples: share(samples, "U/(d^3 a)"), unit="%"),
+        reported("U/d^3", lambda samples: share(samples, "U/d^3"), unit="%"),
+        reported("U/(d angle)", lambda samples: share(samples, "U/(d a)"), unit="%"),
+        reported("U/d", lambda samples: share(samples, "U/d"), unit="%"),
+        reported(
+            "the angle takes away, of U/d^3",
+            lambda samples: share(samples, "U/d^3") - share(samples, "U/(d^3 a)"),
+            unit="%",
+        ),
+    ),
+    rules=STAGED,
+    measure=compare_likelihoods,
+    batches=4,
+    seconds=5.0,
+    figures=slot_figure,
+    ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
+)
+
+CLAIMS = (S35, S36)

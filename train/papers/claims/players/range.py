@@ -1,0 +1,169 @@
+"""How well a legged robot tells the range of another player: against the ball's, and by infrared.  [Sacks 2001, 4.1.2]
+
+In the scenes a robot stands and stares at a player, or at a ball, whatever it believes.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, view_of, watchers
+from soccer_env.train.papers.staging import ahead_of, ball_from, begin, from_robot, play, put_ball, standing
+from soccer_env.train.papers.true_sight import stare
+from soccer_env.train.papers.values import in_bins, middles_of, rms
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+MATCHES = 128
+SETTLE = 1.0  # [s] in which the head finds what it looks at
+SECONDS = 1.0  # [s] that are measured
+NEAR, FAR = 0.45, 1.50  # [m] S40: from bodies that nearly touch to what the criterion of the ball speaks of
+RANGER_NEAR, RANGER_FAR = 0.35, 0.70  # [m] S41: between bodies' centres; the beam begins 14 cm ahead of the looker's
+RANGER_MOST = 0.40  # [m] "its maximum reliable range", Sacks 2001, 4.1.2
+ASIDE = 0.4  # [rad] of the bearing
+
+
+def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> Samples:
+    """Return what robots that look at one other player believe: arrays (M, T), NaN in frames that do not show it.
+
+    "range": error of the distance between the bodies' centres [m]; "true" [m]; "view" [rad]; "infrared" [m], 0: none.
+    """
+    rng = batch.rng()
+    match = watchers(batch, MATCHES, **settings)
+    distance, bearing = rng.uniform(near, far, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
+    put_facing(match, 1, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
+    begin(match)
+    actions = standing(match)
+    rows: dict[str, list[np.ndarray]] = {"range": [], "true": [], "view": [], "infrared": []}
+    for step in play(match, SETTLE + SECONDS, actions):
+        look_at(match, actions)
+        if step < SETTLE * match.league.control_rate:
+            continue
+        true, _ = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+        rows["range"].append(nearest_seen(match)[0] - true)
+        rows["true"].append(true)
+        rows["view"].append(view_of(match, 1))
+        rows["infrared"].append(match.percepts["infrared"][:, 0].astype(float))
+    match.close()
+    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+
+
+def look_at_balls(batch: Batch) -> Samples:
+    """Return the same of a ball at the places where `look_at_players` has the player: "range" and "true" alone."""
+    rng = batch.rng()
+    match = watchers(batch, MATCHES, sensors={"patches": 0.0})
+    distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
+    put_ball(match, *ahead_of(match, 0, distance, bearing))
+    begin(match)
+    actions = standing(match)
+    rows: dict[str, list[np.ndarray]] = {"range": [], "true": []}
+    for step in play(match, SETTLE + SECONDS, actions):
+        stare(match, actions)
+        if step < SETTLE * match.league.control_rate:
+            continue
+        true, _ = ball_from(match)
+        ball = match.beliefs["ball"][:, 0]
+        rows["range"].append(np.where(ball["age"] < 0.5 * match.league.dt, ball["distance"] - true, np.nan))
+        rows["true"].append(true)
+    match.close()
+    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+
+
+def player_and_ball(batch: Batch) -> Samples:
+    """Return the relative range errors (M, T) of players and of balls at the same places."""
+    player, ball = look_at_players(batch, NEAR, FAR), look_at_balls(batch)
+    return {
+        "player": player["range"] / player["true"], "ball": ball["range"] / ball["true"],
+        "true": ball["true"][:, 0],
+    }  # fmt: skip
+
+
+def over_ball(samples: Samples) -> float:
+    """Return the relative error of the player's range over that of the ball's."""
+    return rms(samples["player"]) / max(rms(samples["ball"]), 1e-12)
+
+
+def error_curves(samples: Samples, labels: dict[str, str], near: float, far: float) -> tuple[Curve, ...]:
+    """Return the root mean squares of some labelled errors, times 100, against the true distance."""
+    edges = np.linspace(near, far, 8)
+    inside = in_bins(samples["true"], edges)
+    return tuple(
+        Curve(label, middles_of(edges, 100), [100 * rms(samples[name][i]) for i in inside])
+        for name, label in labels.items()
+    )
+
+
+def ball_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw both errors against the distance."""
+    curves = error_curves(samples, {"player": "player", "ball": "ball"}, NEAR, FAR)
+    return (Figure("Range error of a player and of the ball", "distance [cm]", "rms error [%]", curves),)
+
+
+def with_and_without_ranger(batch: Batch) -> Samples:
+    """Return the range errors (M, T) [m] with the ranger's rule and without, in frames where it takes the reading."""
+    found = {
+        name: look_at_players(batch, RANGER_NEAR, RANGER_FAR, memory={"player_infrared": rule})
+        for name, rule in (("with", True), ("without", False))
+    }
+    reading = found["with"]["infrared"]
+    taken = np.abs(found["with"]["range"] - found["without"]["range"]) > 1e-9
+    samples = {name: np.where(taken, one["range"], np.nan) for name, one in found.items()}
+    near = (reading > 0.0) & (reading < RANGER_MOST)
+    return samples | {"true": found["with"]["true"], "near": near, "taken": taken}
+
+
+def gain(samples: Samples) -> float:
+    """Return by how much the ranger lowers the error [cm]: above 0 it helps."""
+    return 100 * (rms(samples["without"]) - rms(samples["with"]))
+
+
+def ranger_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the error with the rule and without against the distance."""
+    curves = error_curves(samples, {"with": "by infrared", "without": "by size"}, RANGER_NEAR, RANGER_FAR)
+    label = "distance between bodies' centres [cm]"
+    return (Figure("Range error of a centred player, infrared below 40 cm", label, "rms error [cm]", curves),)
+
+
+S40 = Claim(
+    id="S40",
+    section="4.1.2",
+    statement="It is often more difficult to obtain an accurate distance estimate for a player than for the ball.",
+    method=f"{MATCHES} robots a batch stare at a standing player, seen from any side, and then at a ball in the same "
+    f"place, {100 * NEAR:.0f} to {100 * FAR:.0f} cm away; error of the latest range over the true one, frames that "
+    "show it; all rules of both systems on.",
+    criteria=(
+        measured("relative error of the player's range over that of the ball's > 1", over_ball, above=1.0),
+        reported("relative error, player (root mean square)", lambda samples: 100 * rms(samples["player"]), unit="%"),
+        reported("relative error, ball", lambda samples: 100 * rms(samples["ball"]), unit="%"),
+    ),
+    rules=STAGED,
+    measure=player_and_ball,
+    batches=32,
+    seconds=1.0,
+    figures=ball_figure,
+    ingredients=("sizes of stickers and ball", "sensors.dither", "the same camera and ranger for both"),
+)
+
+S41 = Claim(
+    id="S41",
+    section="4.1.2",
+    statement="For a player in the middle of the picture, infrared readings under 40 cm give the better distance.",
+    method=f"{MATCHES} robots a batch stare at a player {100 * RANGER_NEAR:.0f} to {100 * RANGER_FAR:.0f} cm away, "
+    "seen from any side; frames in which the rule takes the reading, being under 40 cm while the player's largest blob "
+    "is in the middle, whatever the beam met; range error with the rule and without, same seeds.",
+    criteria=(
+        measured("error without the rule less that with it > 0", gain, unit="cm", above=0.0),
+        reported("error with the rule (root mean square)", lambda samples: 100 * rms(samples["with"]), unit="cm"),
+        reported("error without the rule", lambda samples: 100 * rms(samples["without"]), unit="cm"),
+        reported("frames with a reading under 40 cm", lambda samples: 100 * float(np.mean(samples["near"])), unit="%"),
+        reported("frames in which the rule takes it", lambda samples: 100 * float(np.mean(samples["taken"])), unit="%"),
+    ),
+    rules=STAGED,
+    measure=with_and_without_ranger,
+    seconds=1.0,
+    figures=ranger_figure,
+    ingredients=("sensors.infrared_noise, infrared_growth, infrared_pointing", "half a body behind the surface"),
+)
+
+CLAIMS = (S40, S41)

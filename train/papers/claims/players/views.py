@@ -1,0 +1,110 @@
+"""Under which angles players see each other in play.  [Sacks 2001, 4.1.2]"""
+
+from collections.abc import Sequence
+from functools import partial
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.staging import kick_off, wrapped
+from soccer_env.train.papers.verdicts import Samples, measured, reported
+
+MATCHES = 16
+SECONDS = 60.0  # [s] of each
+EVERY = 8  # control steps between two looks at the play: half a second
+FAR = 2.0  # [m] within which another player is more than a speck, assumed
+THIRDS = ("head-on", "from the side", "from behind")
+SECTORS = 12  # of 15 degrees in the histogram, both sides together
+
+
+def views_in_play(match: Match) -> tuple[np.ndarray, np.ndarray]:
+    """Return the angles (M, R, R) [rad] under which robots see others, 0 head-on; and whether they have them in view.
+
+    In view: not farther than FAR, within the camera's width where the head looks now; what hides it is not asked.
+    """
+    robots = match.robots
+    dx = robots["x"][:, None, :] - robots["x"][:, :, None]  # from the one that looks (axis 1) to the other (axis 2)
+    dy = robots["y"][:, None, :] - robots["y"][:, :, None]
+    course, distance = np.arctan2(dy, dx), np.hypot(dx, dy)
+    view = np.abs(wrapped(course + np.pi - robots["heading"][:, None, :]))
+    gaze = (robots["heading"] + robots["pan"])[:, :, None]
+    seen = np.abs(wrapped(course - gaze)) < 0.5 * match.league.sensors.view_width
+    both = (robots["active"][:, :, None] == 1) & (robots["active"][:, None, :] == 1)
+    return view, seen & both & (distance < FAR) & ~np.eye(robots.shape[1], dtype=bool)
+
+
+def play_matches(batch: Batch, senses: str) -> np.ndarray:
+    """Return how often others are in view in matches of the chaser, by the angle, in SECTORS: counts (M, SECTORS)."""
+    match = kick_off(batch, matches=MATCHES, senses=senses)
+    counts = np.zeros((MATCHES, SECTORS))
+    for step in range(round(SECONDS * match.league.control_rate)):
+        match.step(None)
+        if step % EVERY == 0:
+            view, seen = views_in_play(match)
+            sector = np.minimum((view / np.pi * SECTORS).astype(int), SECTORS - 1)
+            for m in range(MATCHES):
+                counts[m] += np.bincount(sector[m][seen[m]], minlength=SECTORS)
+    match.close()
+    return counts
+
+
+def meet_in_play(batch: Batch) -> Samples:
+    """Return the counts in matches in which robots use their sensors, and in matches with ideal senses."""
+    return {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")}
+
+
+def thirds(counts: np.ndarray) -> np.ndarray:
+    """Return the shares [%] of the three thirds of the circle: 60 degrees to both sides of the front, sides, rear."""
+    total = counts.sum(axis=0).reshape(3, -1).sum(axis=1)
+    return np.asarray(100.0 * total / max(total.sum(), 1.0))
+
+
+def share_of(samples: Samples, third: int) -> float:
+    """Return the share of a third [%] in play by sensors."""
+    return float(thirds(samples["sensors"])[third])
+
+
+def lead_of_front(counts: np.ndarray) -> float:
+    """Return by how much the share of head-on views is above the next [%]."""
+    front, side, rear = thirds(counts)
+    return float(front - max(side, rear))
+
+
+def view_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the histogram of view angles."""
+    width = 180.0 / SECTORS
+    middles = [width * (i + 0.5) for i in range(SECTORS)]
+    curves = []
+    for name, label in (("sensors", "sensors"), ("ideal", "ideal senses")):
+        total = samples[name].sum(axis=0)
+        curves.append(Curve(f"play by {label}", middles, list(100 * total / max(total.sum(), 1.0))))
+    angle = "angle from head-on [degrees]"
+    return (Figure("Angles under which players are seen, 3 v 3", angle, "share of views [%]", tuple(curves)),)
+
+
+S69 = Claim(
+    id="S69",
+    section="4.1.2",
+    statement="A robot's most common view of another player is a head-on view.",
+    method=f"{MATCHES} games of 3 v 3 a batch, chaser against chaser by their own sensors, {SECONDS:g} s each, every "
+    f"half second: the angle under which each other player within {FAR:g} m and within the width of the camera's view "
+    "is seen, in thirds of the circle: head-on (60 degrees to both sides), from the side, from behind.",
+    criteria=(
+        measured(
+            "share of head-on views less that of the next third > 0",
+            lambda samples: lead_of_front(samples["sensors"]),
+            unit="%",
+            above=0.0,
+        ),
+        *(reported(f"share {name}", partial(share_of, third=i), unit="%") for i, name in enumerate(THIRDS)),
+        reported("the lead where robots know the truth", lambda s: lead_of_front(s["ideal"]), unit="%"),
+    ),
+    rules=PLAYED,
+    measure=meet_in_play,
+    seconds=4.0,
+    figures=view_figure,
+    ingredients=("the chaser, who faces the ball that it goes for", "the head, which follows the ball"),
+)
+
+CLAIMS = (S69,)

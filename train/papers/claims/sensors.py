@@ -1,0 +1,209 @@
+"""Error against range for every sensor and estimate of both leagues: a study beside the claims."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.train.evaluate.report import plain, table
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.staging import (
+    LEGGED,
+    MIDDLE,
+    ahead_of,
+    begin,
+    from_robot,
+    put,
+    put_ball,
+    stage,
+    standing,
+    watch,
+    wrapped,
+)
+from soccer_env.train.papers.true_sight import look_first
+from soccer_env.train.papers.values import in_bins, mean, middles_of, rms
+from soccer_env.train.papers.verdicts import Samples
+
+MATCHES = 256
+SETTLE, SECONDS = 1.5, 1.0  # [s]
+DIGITS = 2  # significant digits of the tables
+PLAIN = {"patches": 0.0, "red_as_orange": 0.0}
+LEGGED_EDGES = (0.2, 0.4, 0.6, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5)  # [m]
+MIDDLE_EDGES = (0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # [m]
+EDGES = {LEGGED: LEGGED_EDGES, MIDDLE: MIDDLE_EDGES}
+BACK = {LEGGED: -1.25, MIDDLE: -5.5}  # [m] where the robot that looks stands, facing the other goal
+ASIDE = 0.15  # [rad] bearings to either side
+LEVEL = -0.15  # [rad] tilt of a head that looks for players
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A quantity whose error is shown, of one kind of scene."""
+
+    league: str
+    name: str
+    unit: str
+    scale: float  # from SI to the unit
+
+    @property
+    def key(self) -> str:
+        """Return the name of its samples."""
+        return f"{self.league} {self.name}"
+
+
+ESTIMATES = tuple(
+    Estimate(league, name, unit, scale)
+    for league in (LEGGED, MIDDLE)
+    for name, unit, scale in (
+        ("ball, range", "cm", 100.0),
+        ("ball, filtered range", "cm", 100.0),
+        ("ball, range by infrared", "cm", 100.0),
+        ("ball, bearing", "deg", 180.0 / np.pi),
+        ("ball, velocity along", "cm/s", 100.0),
+        ("player, range", "cm", 100.0),
+        ("player, bearing", "deg", 180.0 / np.pi),
+        ("ball, seen", "%", 100.0),
+        ("player, seen", "%", 100.0),
+    )
+    if league == LEGGED or "infrared" not in name
+)
+
+
+def look_at_things(batch: Batch) -> Samples:
+    """Return errors (M, T) of every estimate, and true distances (M,), of still balls and players at all ranges."""
+    found: Samples = {}
+    for league in (LEGGED, MIDDLE):
+        place = batch.rng(1).uniform(EDGES[league][0], EDGES[league][-1], MATCHES)
+        bearing = batch.rng(2).uniform(-ASIDE, ASIDE, MATCHES)
+        found[f"{league} place"] = place
+        ball = watch_ball(batch, league, place, bearing)
+        if league == LEGGED:
+            by_ranger = watch_ball(batch, league, place, bearing, memory={"ball_range": "infrared"})
+            ball["ball, range by infrared"] = by_ranger["ball, range"]
+        seen = ball | watch_player(batch, league, place, bearing)
+        found |= {f"{league} {name}": values for name, values in seen.items()}
+    return found
+
+
+def set_up(batch: Batch, league: str, **settings: Any) -> Match:
+    """Return matches in which a robot stands in front of its own goal and looks across the field."""
+    if league == LEGGED:
+        settings["sensors"] = PLAIN  # what is taken for a ball and is none has no range to be wrong about
+    match = stage(batch, league, matches=MATCHES, actions="full", **settings)
+    put(match, 0, BACK[league], batch.rng(3).uniform(-0.1, 0.1, MATCHES), 0.0)
+    return match
+
+
+def watch_ball(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray, **settings: Any) -> Samples:
+    """Return the errors of what robots believe of a still ball, NaN in frames that do not show it."""
+    match = set_up(batch, league, **settings)
+    put_ball(match, *ahead_of(match, 0, place, bearing))
+    begin(match)
+    true, off = from_robot(match, 0, match.balls["x"], match.balls["y"])
+    if match.league.head.pan_limit > 0.0:
+        look_first(match, SETTLE)  # the search is no matter here
+    rows: dict[str, list[np.ndarray]] = {}
+    for _ in watch(match, SECONDS, settle=SETTLE):
+        ball = match.beliefs["ball"][:, 0]
+        seen = ball["age"] < fresh(match)
+        errors = {
+            "ball, range": ball["distance"] - true,
+            "ball, filtered range": ball["filtered_distance"] - true,
+            "ball, bearing": wrapped(ball["bearing"] - off),
+            "ball, velocity along": ball["radial"],
+        }
+        note(rows, errors, seen, "ball, seen")
+    match.close()
+    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+
+
+def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray) -> Samples:
+    """Return the errors of what robots believe of an opponent that stands any way round, as `watch_ball`."""
+    match = set_up(batch, league)
+    put_ball(match, -BACK[league], 0.45 * match.league.pitch.width)  # far off, out of the way
+    put(match, 1, *ahead_of(match, 0, place, bearing), batch.rng(4).uniform(-np.pi, np.pi, MATCHES))
+    begin(match)
+    true, off = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+    actions, head = standing(match), match.league.head
+    if head.pan_limit > 0.0:
+        actions[..., 4], actions[..., 5] = 1.0, 0.0  # both: a lowered head would hide the other's jersey
+        actions[..., 6] = (2.0 * LEVEL - head.tilt_high - head.tilt_low) / (head.tilt_high - head.tilt_low)
+    rows: dict[str, list[np.ndarray]] = {}
+    for _ in watch(match, SECONDS, actions, settle=SETTLE):
+        tracks = match.tracks[:, 0]
+        usable = (tracks["present"] == 1) & (tracks["teammate"] == 0)
+        slot = np.where(usable, tracks["age"], np.inf).argmin(axis=1)
+        track = tracks[np.arange(MATCHES), slot]
+        seen = usable[np.arange(MATCHES), slot] & (track["age"] < fresh(match))
+        errors = {"player, range": track["distance"] - true, "player, bearing": wrapped(track["bearing"] - off)}
+        note(rows, errors, seen, "player, seen")
+    match.close()
+    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+
+
+def fresh(match: Match) -> float:
+    """Return the age [s] below which a thing is seen in the newest picture, which may be delivered late."""
+    late = getattr(match.league.sensors, "camera_delay", 0)
+    return (late + 0.5) * match.league.dt
+
+
+def note(rows: dict[str, list[np.ndarray]], errors: dict[str, np.ndarray], seen: np.ndarray, name: str) -> None:
+    """Append the errors of one frame where the thing is seen, and whether it is."""
+    for key, error in errors.items():
+        rows.setdefault(key, []).append(np.where(seen, error, np.nan))
+    rows.setdefault(name, []).append(seen.astype(float))
+
+
+def profile(samples: Samples, estimate: Estimate) -> list[float]:
+    """Return the rms error in each bin of the distance, or the share of frames for what is seen."""
+    edges, place = EDGES[estimate.league], samples[f"{estimate.league} place"]
+    value = mean if estimate.name.endswith("seen") else rms
+    return [estimate.scale * value(samples[estimate.key][there]) for there in in_bins(place, edges)]
+
+
+def sensor_figures(samples: Samples) -> Sequence[Figure]:
+    """Draw, for each league, everything of one unit together."""
+    figures = []
+    for league in (LEGGED, MIDDLE):
+        middles = middles_of(EDGES[league], 100)
+        for unit in ("cm", "deg", "cm/s", "%"):
+            those = [one for one in ESTIMATES if one.league == league and one.unit == unit]
+            curves = tuple(Curve(one.name, middles, profile(samples, one)) for one in those)
+            label = "share of frames [%]" if unit == "%" else f"rms error [{unit}]"
+            figures.append(Figure(f"Sensors of {league}", "distance [cm]", label, curves))
+    return figures
+
+
+def sensor_tables(samples: Samples) -> str:
+    """Return the table of each league: a row for each estimate, a column for each bin of the distance."""
+    parts = []
+    for league in (LEGGED, MIDDLE):
+        edges = EDGES[league]
+        head = (league, *(f"{low:g} to {high:g} m" for low, high in zip(edges, edges[1:], strict=False)))
+        rows = []
+        for one in (estimate for estimate in ESTIMATES if estimate.league == league):
+            cells = [plain(x, DIGITS).replace("nan", "-") for x in profile(samples, one)]
+            rows.append((f"{one.name} [{one.unit}]", *cells))
+        parts.append(table(head, rows))
+    return "\n\n".join(["Rms errors in frames that show the thing, and the share of frames that do:", *parts])
+
+
+CLAIMS = (
+    Claim(
+        id="sensors",
+        section="",
+        statement="Error against range for every sensor and estimate.",
+        method=f"{MATCHES} robots a batch stand and look at a still ball, or at an opponent who stands any way round.",
+        criteria=(),
+        rules=STAGED,
+        measure=look_at_things,
+        batches=4,
+        seconds=4.0,
+        figures=sensor_figures,
+        note=sensor_tables,
+        study=True,
+        ingredients=("all settings of leagues/legged_sensors.py and leagues/omni_sensors.py",),
+    ),
+)

@@ -1,0 +1,177 @@
+"""What becomes of robots that were held in play: the future of sampled moments, with the recovery and without."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from soccer_env.baselines.sacks_2001.memory import BACK, ROTATE, SIDESTEP
+from soccer_env.match import Match
+from soccer_env.staging import memory_of
+from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.claims.stuck.runs import recover
+from soccer_env.train.papers.claims.stuck.sampled import (
+    HELD,
+    MATCHES,
+    MOST,
+    Moments,
+    Watch,
+    behaviours,
+    branch,
+    sample,
+)
+from soccer_env.train.papers.staging import play, wrapped
+from soccer_env.train.papers.verdicts import Samples
+from soccer_env.types import AWAY, HOME, NO_TEAM
+
+FUTURE = 24.0  # [s] of a branch
+FREE_TIME = 1.0  # [s] of walking as asked, in contact with nobody, after which a robot is free; assumed
+AS_ASKED = 0.5  # [1] of the way that its legs walk, assumed
+NUMBERS = ("got", "freed", "began", "aside", "over", "again", "tries", "goals", "before", "after", "at ball")
+
+
+class Fate:
+    """What robots, one in each match, come to: times [s] since the moment, NaN for what does not happen (N,)."""
+
+    def __init__(self, match: Match, robots: np.ndarray) -> None:
+        self.match, self.robots, self.rows = match, robots, np.arange(match.count)
+        self.watch = Watch(match)
+        self.found = {name: np.full(match.count, np.nan) for name in NUMBERS}
+        self.found["tries"][:] = self.found["goals"][:] = 0.0
+        self.found["before"] = misalignment(match, robots)
+        self.clear, self.was_back = np.zeros(match.count), np.zeros(match.count, bool)
+        self.ended = np.zeros(match.count, bool)  # by a goal: what follows is another situation
+
+    def look(self, now: float) -> None:
+        """Note what a control step has brought."""
+        match, at = self.match, (self.rows, self.robots)
+        self.watch.look()
+        doing = behaviours(match)[at]
+        recovers = (doing >= BACK) & (doing <= ROTATE)
+        begins = (doing == BACK) & ~self.was_back & ~self.ended
+        self.was_back = doing == BACK
+        self.first("began", begins, now)
+        self.found["tries"] += begins & np.isnan(self.found["got"])
+        self.first("aside", doing == SIDESTEP, now)
+        self.first("over", ~recovers & ~np.isnan(self.found["began"]), now)
+        fresh = self.found["over"] == now
+        self.found["after"][fresh] = misalignment(match, self.robots)[fresh]
+        alone = has_alone(match, self.robots)
+        self.first("got", alone, now)
+        fresh = self.found["got"] == now
+        self.found["at ball"][fresh] = misalignment(match, self.robots)[fresh]
+        self.first("freed", self.goes_freely(recovers) | alone, now)
+        if self.watch.full():
+            self.first("again", self.watch.held()[at] & (self.found["over"] + 1.0 <= now), now)
+        scored = match.events["goal"]
+        ours = np.where(scored == match.robots["team"][at], 1.0, -1.0)
+        self.found["goals"] += np.where((scored != NO_TEAM) & ~self.ended, ours, 0.0)
+        self.ended |= scored != NO_TEAM
+
+    def first(self, name: str, happens: np.ndarray, now: float) -> None:
+        """Note when something happens for the first time."""
+        self.found[name][happens & ~self.ended & np.isnan(self.found[name])] = now
+
+    def goes_freely(self, recovers: np.ndarray) -> np.ndarray:
+        """Return who has walked as asked for FREE_TIME, or stood if nothing was asked, in contact with nobody."""
+        match, at = self.match, (self.rows, self.robots)
+        robot = match.robots[at]
+        asked = np.hypot(robot["walk"]["forward"], robot["walk"]["left"])
+        goes = np.hypot(robot["vx"], robot["vy"]) >= AS_ASKED * asked
+        free = goes & ~recovers & (match.robot_events["collision"][at] == 0) & (robot["active"] == 1)
+        self.clear = np.where(free, self.clear + match.league.dt, 0.0)
+        found: np.ndarray = self.clear >= FREE_TIME
+        return found
+
+
+def has_alone(match: Match, robots: np.ndarray) -> np.ndarray:
+    """Return which of the robots, one in each match, have the ball while no opponent has it."""
+    at = (np.arange(match.count), robots)
+    has = match.robots["has_ball"] == 1
+    theirs = (has & (match.robots["team"] != match.robots["team"][at][:, None])).any(axis=1)
+    found: np.ndarray = has[at] & ~theirs
+    return found
+
+
+def misalignment(match: Match, robots: np.ndarray) -> np.ndarray:
+    """Return the angles (M,) [deg] between the ways from robots to the ball and from the ball to their goals."""
+    robot, ball = match.robots[np.arange(match.count), robots], match.balls
+    ahead = match.matches["home_direction"] * np.where(robot["team"] == HOME, 1.0, -1.0)
+    to_ball = np.arctan2(ball["y"] - robot["y"], ball["x"] - robot["x"])
+    to_goal = np.arctan2(-ball["y"], ahead * match.league.pitch.length / 2 - ball["x"])
+    off: np.ndarray = np.degrees(np.abs(wrapped(to_ball - to_goal)))
+    return off
+
+
+def follow(
+    batch: Batch, *, begun: bool = False, kind: int = HELD, random_sides: bool = False, **settings: Any
+) -> Samples:
+    """Return what becomes of the robots of sampled moments, (MATCHES, MOST) each, with settings by name for them.
+
+    NaN: no such moment, or it did not happen. `begun`: they begin to recover at once, as if they had noticed;
+    `random_sides`: they step aside to a side that is drawn.
+    """
+    return _follow(replace(batch, claim="moments"), begun, kind, random_sides, tuple(sorted(settings.items())))
+
+
+@lru_cache(maxsize=1024)
+def _follow(batch: Batch, begun: bool, kind: int, random_sides: bool, settings: tuple[tuple[str, Any], ...]) -> Samples:
+    """Return the same of arguments that can be looked up."""
+    moments = sample(batch)
+    place = places(moments)
+    found = {
+        name: np.full((MATCHES, MOST), np.nan) for name in (*NUMBERS, "near", "still", "touching", "theirs", "held")
+    }
+    for team in (HOME, AWAY):
+        of_team = moments.team == team
+        rows = np.flatnonzero((moments.kind == kind) & of_team)
+        if len(rows) == 0:
+            continue
+        fate = run(branch(batch, moments, rows, team, dict(settings)), moments.robot[rows], batch, begun, random_sides)
+        at = (moments.match[rows], place[rows])
+        for name, values in fate.items():
+            found[name][at] = values
+        for name in ("near", "still", "touching", "theirs", "held"):
+            found[name][at] = getattr(moments, name)[rows]
+    return found
+
+
+def run(match: Match, robots: np.ndarray, batch: Batch, begun: bool, random_sides: bool) -> Samples:
+    """Play a branch to its end."""
+    if begun:
+        for r in np.unique(robots):
+            recover(match, robots == r, int(r))
+    side = batch.rng(3).choice([-1.0, 1.0], match.count)
+    fate = Fate(match, robots)
+    for step in play(match, FUTURE):
+        fate.look((step + 1) * match.league.dt)
+        if random_sides:
+            for r in np.unique(robots):
+                memory = memory_of(match, int(r))
+                steps = (memory["behaviour"] == SIDESTEP) & (robots == r)
+                memory["side"][steps] = side[steps]
+    match.close()
+    return fate.found
+
+
+def places(moments: Moments) -> np.ndarray:
+    """Return the number of each moment within its match."""
+    before = moments.match[:, None] == moments.match[None, :]
+    found: np.ndarray = np.tril(before, -1).sum(axis=1)
+    return found
+
+
+def chosen(found: Samples, **flags: float) -> np.ndarray:
+    """Return which moments (MATCHES, MOST) there are, of those whose flags are as asked: still=1.0, near=0.0."""
+    there: np.ndarray = np.isfinite(found["near"])
+    for name, value in flags.items():
+        there = there & (found[name] == value)
+    return there
+
+
+def shares_of(found: Samples, hit: Callable[[Samples], np.ndarray], **flags: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the numbers of moments and of hits among them in each match (MATCHES,), flags as asked."""
+    there = chosen(found, **flags)
+    return there.sum(axis=1).astype(float), (there & hit(found)).sum(axis=1).astype(float)

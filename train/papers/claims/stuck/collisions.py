@@ -1,0 +1,161 @@
+"""Collisions on the way to the ball: how common they are, and that robots stay in them.  [Sacks 2001, 1, 3]"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from soccer_env.baselines.sacks_2001.memory import APPROACH
+from soccer_env.match import Match
+from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.stuck.branches import follow, shares_of
+from soccer_env.train.papers.claims.stuck.runs import converge
+from soccer_env.train.papers.claims.stuck.sampled import Watch, behaviours
+from soccer_env.train.papers.staging import kick_off, play
+from soccer_env.train.papers.values import mean, median, percent
+from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
+
+OFF = "sacks-2001:recovery=False,avoidance=False"  # "everything off": S01
+MATCHES, SECONDS = 12, 120.0  # of 3 v 3, [s] of each: S01
+CROWD, NEAR = 3, 0.5  # [1] robots within [m] of the ball, assumed: S01
+PART = 1.0  # [s] without contact that ends an episode
+MOVED = 0.1  # [m] by which a ball that lies still moves at most, assumed: S03
+PAIRS, COME, DEADLOCK = 64, 12.0, 20.0  # pairs a batch, [s] in which they come to hold each other, [s] then: S03
+
+
+def near_ball(match: Match) -> np.ndarray:
+    """Return how many robots (M,) on the field are nearer to the ball than NEAR."""
+    robots, ball = match.robots, match.balls
+    away = np.hypot(robots["x"] - ball["x"][:, None], robots["y"] - ball["y"][:, None])
+    found: np.ndarray = ((away < NEAR) & (robots["active"] == 1)).sum(axis=1)
+    return found
+
+
+def contacts(batch: Batch) -> Samples:
+    """Count contact episodes (M,), the time with a crowd at the ball (M,) [s], approaches and those with a contact."""
+    match = kick_off(batch, matches=MATCHES, team=OFF)
+    episodes, crowded, touching, approaches, met = np.zeros((5, MATCHES))
+    since, was = np.full(match.robots.shape, np.inf), np.zeros(match.robots.shape, bool)
+    fresh = was.copy()  # an approach that has not met anybody yet
+    for _ in play(match, SECONDS):
+        touch = match.robot_events["collision"] == 1
+        episodes += (touch & (since > PART)).sum(axis=1)
+        since = np.where(touch, 0.0, since + match.league.dt)
+        crowded += near_ball(match) >= CROWD
+        touching += touch.any(axis=1)
+        goes = behaviours(match) == APPROACH
+        approaches += (goes & ~was).sum(axis=1)
+        fresh = goes & (fresh | ~was)
+        met += (fresh & touch).sum(axis=1)
+        fresh, was = fresh & ~touch, goes
+    match.close()
+    in_seconds = {"crowded": crowded * match.league.dt, "touching": touching * match.league.dt}
+    return {"episodes": 0.5 * episodes, **in_seconds, "approaches": approaches, "met": met}
+
+
+S01 = Claim(
+    id="S01",
+    section="abstract, 1",
+    statement="Three or four robots often head for the ball at once, and collisions between robots are common.",
+    method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, sacks-2001 without recovery and avoidance: "
+    f"contacts after {PART:g} s without, of two robots each; time with {CROWD} robots and more within "
+    f"{100 * NEAR:.0f} cm of the ball; approaches to the ball in which the robot touches another.",
+    criteria=(
+        measured("contact episodes a minute and match", lambda s: mean(s["episodes"]) * 60.0 / SECONDS, at_least=1.0),
+        measured(
+            "time with three robots and more near the ball",
+            lambda s: 100.0 * mean(s["crowded"]) / SECONDS,
+            unit="%",
+            at_least=10.0,
+        ),
+        counted("approaches in which the robot touches another (common)", "met", "approaches", at_least=20.0),
+        reported("time with some robots in contact", lambda s: 100.0 * mean(s["touching"]) / SECONDS, unit="%"),
+    ),
+    rules=PLAYED,
+    measure=contacts,
+    ingredients=("sacks-2001: one attacker, the others support", "recovery=False, avoidance=False"),
+    changed="The share of approaches was added: one contact a minute (7.4 were read) is hardly missed.",
+    seconds=4.0,
+    batches=8,
+)
+
+
+def deadlocks(batch: Batch, recovery: bool) -> Samples:
+    """Let pairs go for a ball; return who came to be held short of it, who then had nothing 20 s later, and when."""
+    match = converge(batch, PAIRS, recovery=recovery)
+    watch = Watch(match)
+    held, got = np.full(PAIRS, np.nan), np.full(PAIRS, np.inf)
+    moved, lay_x, lay_y = np.zeros(PAIRS, bool), match.balls["x"].copy(), match.balls["y"].copy()
+    for step in play(match, COME + DEADLOCK):
+        now = (step + 1) * match.league.dt
+        watch.look()
+        got[np.isinf(got) & (match.robots["has_ball"] == 1).any(axis=1)] = now
+        if watch.full() and now <= COME:
+            held[np.isnan(held) & np.isinf(got) & watch.short().any(axis=1)] = now
+        moved |= (np.hypot(match.balls["x"] - lay_x, match.balls["y"] - lay_y) > MOVED) & (now <= held + DEADLOCK)
+    match.close()
+    after = got - held
+    without = after > DEADLOCK
+    found = {"held": ~np.isnan(held), "without": without, "stuck": without & ~moved}
+    return {**{name: values.astype(float) for name, values in found.items()}, "until": after}
+
+
+def pairs(batch: Batch) -> Samples:
+    """Return both variants (M,), and who of the robots that are held in play is not free 20 s later (M,)."""
+    off, on = deadlocks(batch, False), deadlocks(batch, True)
+    held, bound = shares_of(follow(batch, recovery=False), lambda f: ~(f["freed"] <= DEADLOCK))
+    lay, still = shares_of(follow(batch, recovery=False), lambda f: ~(f["freed"] <= DEADLOCK), still=1.0)
+    play_of = {"play": held, "play bound": bound, "lay": lay, "lay bound": still}
+    padded = {name: np.concatenate([v, np.zeros(PAIRS - len(v))]) for name, v in play_of.items()}
+    return {**off, **{f"{name} on": values for name, values in on.items()}, **padded, "one": np.ones(PAIRS)}
+
+
+def deadlock_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw how many of those that came to be held have nothing by when."""
+    grid = np.linspace(0.0, DEADLOCK, 41)
+    curves = []
+    for name, title in (("", "no detection"), (" on", "detection and recovery")):
+        until = samples[f"until{name}"][samples[f"held{name}"] == 1.0]
+        curves.append(Curve(title, grid.tolist(), [100.0 * mean(until > t) for t in grid]))
+    return (
+        Figure("Two robots held short of a still ball", "time [s]", "without ball [%]", tuple(curves), rules=(80.0,)),
+    )
+
+
+S03 = Claim(
+    id="S03",
+    section="3",
+    statement="Two robots that push against each other over a still ball would go on, and none would move anywhere.",
+    method=f"{PAIRS} pairs a batch, both sacks-2001 without the stuck counters, go for a still ball 50 to 70 cm before "
+    "their cameras, from ways that meet at 30 to 120 degrees; of those in which a robot comes to be held short of it "
+    "(contact, and in 1.5 s no nearer to it than by a quarter of what its legs walk): neither has had the ball "
+    f"{DEADLOCK:g} s later, and the ball has not moved. Beside it robots that are held in 3 v 3 play.",
+    criteria=(
+        counted("held pairs without the ball 20 s later, the ball where it lay", "stuck", "held", at_least=80.0),
+        reported("the same wherever the ball is then", lambda s: percent("without", "held", s), unit="%"),
+        reported("pairs that come to be held", lambda s: percent("held", "one", s), unit="%"),
+        reported(
+            "median time until one has the ball (20: nobody)",
+            lambda s: median(np.minimum(s["until"], DEADLOCK)),
+            unit="s",
+        ),
+        reported(
+            "held pairs without the ball 20 s later, with recovery",
+            lambda s: percent("without on", "held on", s),
+            unit="%",
+        ),
+        reported("robots held in play, not free 20 s later", lambda s: percent("play bound", "play", s), unit="%"),
+        reported("the same where the ball lay still", lambda s: percent("lay bound", "lay", s), unit="%"),
+    ),
+    rules=PLAYED_AND_STAGED,
+    measure=pairs,
+    figures=deadlock_figure,
+    ingredients=("friction of bodies and ball", "bodies are a trunk and four posts, which can interlock"),
+    note="Bodies slide past each other: three in ten pairs are held short of the ball at all, and half of these have "
+    "it a second later. Where they stay together they push the ball on before both of them, and come no nearer. "
+    "Deadlocks last longer in play, where more robots press: see the robots that are held there.",
+    changed="Before: two robots face to face with the ball between their paws, who no longer want it (78.7 %).",
+    seconds=4.0,
+    batches=12,
+)
+
+CLAIMS = (S01, S03)

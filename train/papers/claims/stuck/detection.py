@@ -1,0 +1,187 @@
+"""How a robot notices that it is stuck: the ball does not come nearer.  [Sacks 2001, 3, 3.3]"""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.stuck.branches import follow, shares_of
+from soccer_env.train.papers.claims.stuck.runs import hold, recovers, walk_up
+from soccer_env.train.papers.claims.stuck.sampled import BASE, MATCHES, SECONDS, Watch, of_camera
+from soccer_env.train.papers.staging import ball_from, kick_off, play
+from soccer_env.train.papers.values import in_bins, known, median, middles_of, percent
+from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
+
+HELD = 64  # robots a batch that are held
+WALK = 1.5  # [s] of free walk before
+LIMIT, LATE, LATEST = 5.0, 8.0, 20.0  # [s] assumed: S22
+WAIT = 12.0  # [s] for which a held robot may think
+NEAREST = 0.2  # [m] of the ball, 3.3 and assumed; so are the three below
+NEAR = 0.35  # [m]
+MIDDLE = 0.6  # [m]
+FARTHEST = 0.8  # [m]
+BINS = (0.2, 0.35, 0.5, 0.6, 0.7, 0.8)  # [m] edges of distances
+COUNTED = (  # name, [s] in which to notice, [m] nearest and farthest ball
+    ("60 cm", LIMIT, NEAREST, MIDDLE),
+    ("80 cm", LATE, NEAREST, FARTHEST),
+    ("near", LIMIT, NEAREST, NEAR),
+    ("near, late", 10.0, NEAREST, NEAR),
+    ("middle", LIMIT, NEAR, MIDDLE),
+    ("far", LIMIT, MIDDLE, FARTHEST),
+)
+WINDOW = 2.5  # [s] over which the velocity is averaged, assumed
+
+
+def latencies(batch: Batch, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Hold robots on their way to a still ball; return its distance then [m] and the time until they notice [s], (M,).
+
+    The distance is from the camera. inf: not within WAIT; NaN: before.
+    """
+    match = walk_up(batch, HELD, NEAREST + 0.1, FARTHEST + 0.1, **settings)
+    for _ in play(match, WALK):
+        pass
+    hold(match)
+    distance = of_camera(match, *ball_from(match))
+    after, began = np.full(HELD, np.inf), recovers(match)
+    for step in play(match, WAIT):
+        after[recovers(match) & np.isinf(after)] = (step + 1) * match.league.dt
+    match.close()
+    after[began] = np.nan
+    return distance, after
+
+
+def held(batch: Batch) -> Samples:
+    """Return distances and latencies of held robots (M,), and the counts of criteria."""
+    distance, after = latencies(batch)
+    found = {"distance": distance, "after": after}
+    for name, seconds, low, high in COUNTED:
+        trials = (distance >= low) & (distance < high) & ~np.isnan(after)
+        found[f"trials {name}"], found[f"in {name}"] = trials.astype(float), (trials & (after <= seconds)).astype(float)
+    fate = follow(batch, recovery=True)
+    for name, seconds in (("5 s", LIMIT), ("20 s", LATEST)):
+        robots, known = shares_of(fate, lambda f, limit=seconds: f["began"] <= limit)  # type: ignore[misc]
+        for word, counts in (("robots", robots), ("known", known)):
+            found[f"{word} {name}"] = np.concatenate([counts, np.zeros(HELD - len(counts))])
+    return found
+
+
+def latency_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw quantiles of the latency against the ball's distance."""
+    bins = [samples["after"][there & ~np.isnan(samples["after"])] for there in in_bins(samples["distance"], BINS)]
+    curves = tuple(
+        Curve(
+            f"{100 * share:.0f} %", middles_of(BINS, 100), [float(np.quantile(b, share, method="lower")) for b in bins]
+        )
+        for share in (0.5, 0.9)
+    )
+    return (Figure("Time until a held robot thinks itself stuck", "distance of the ball [cm]", "time [s]", curves),)
+
+
+S22 = Claim(
+    id="S22",
+    section="3.3",
+    statement="Robots almost always determine that they are stuck within a few seconds of running into an obstacle.",
+    method=f"{HELD} robots a batch walk to a still ball for {WALK:g} s and are then held, their legs slip; time until "
+    f"the team begins its recovery, the ball {100 * NEAREST:.0f} to {100 * FARTHEST:.0f} cm from the camera. Beside "
+    "them robots that others hold in 3 v 3 play (contact, a quarter of the way that their legs walk for 1.5 s).",
+    criteria=(
+        counted("ball at 20 to 60 cm: noticed within 5 s", "in 60 cm", "trials 60 cm", at_least=95.0),
+        counted("ball at 20 to 80 cm: noticed within 8 s", "in 80 cm", "trials 80 cm", at_least=90.0),
+        reported("ball at 20 to 35 cm: noticed within 5 s", partial(percent, "in near", "trials near"), unit="%"),
+        reported(
+            "ball at 20 to 35 cm: noticed within 10 s",
+            partial(percent, "in near, late", "trials near, late"),
+            unit="%",
+        ),
+        reported("ball at 35 to 60 cm: noticed within 5 s", partial(percent, "in middle", "trials middle"), unit="%"),
+        reported("ball at 60 to 80 cm: noticed within 5 s", partial(percent, "in far", "trials far"), unit="%"),
+        reported("held in play: noticed within 5 s", partial(percent, "known 5 s", "robots 5 s"), unit="%"),
+        reported("held in play: noticed within 20 s", partial(percent, "known 20 s", "robots 20 s"), unit="%"),
+    ),
+    rules=PLAYED_AND_STAGED,
+    measure=held,
+    figures=latency_figure,
+    ingredients=(
+        "stuck_count 9, near_zero, clearly, near_time 8 s: all assumed",
+        "a held robot sees the ball throughout",
+    ),
+    note="Nine net readings at three a second take 3 s at least, and within 35 cm the second counter waits for its "
+    "8 s: there nobody notices within 5 s, and everybody within 10 s. Of robots that others hold in play a third "
+    "notice in 20 s: most stand within 35 cm, often before an opponent that has the ball, and the ball moves or they "
+    "come free before both counters have tripped.",
+    changed="Before: balls at 35 to 60 and 35 to 80 cm alone, from the middle of the body (98.1 % and 100 %).",
+    seconds=3.0,
+    batches=12,
+    least=4,
+)
+
+
+def windows(batch: Batch) -> Samples:
+    """Return the mean radial velocity [m/s] of windows of play, of robots that go freely and of held ones (M, K).
+
+    Windows do not overlap; NaN: no more of them in a match.
+    """
+    match = kick_off(batch, matches=MATCHES, team=BASE)
+    watch = Watch(match, WINDOW)
+    radial: list[np.ndarray] = []
+    found: dict[str, list[np.ndarray]] = {"free": [], "stuck": []}
+    for _ in play(match, SECONDS):
+        watch.look()
+        radial.append(match.beliefs["ball"]["radial"].copy())
+        if len(radial) < watch.size:
+            continue
+        x, y = match.balls["x"][:, None] - match.robots["x"], match.balls["y"][:, None] - match.robots["y"]
+        near = of_camera(match, np.hypot(x, y), np.arctan2(y, x) - match.robots["heading"]) <= FARTHEST
+        free = (watch.mean(4) == 1.0) & (watch.mean(3) == 0.0)
+        for name, there in (("free", free & near), ("stuck", watch.held() & near)):
+            found[name].append(np.where(there, np.mean(radial, axis=0), np.nan))
+        radial.clear()
+    match.close()
+    return {name: np.concatenate(values, axis=1) for name, values in found.items()}
+
+
+def area(samples: Samples) -> float:
+    """Return the area under the ROC curve: how often a stuck robot reads more than a free one."""
+    free, stuck = known(samples["free"]), known(samples["stuck"])
+    if len(stuck) == 0:
+        return float("nan")
+    ranks = np.argsort(np.argsort(np.concatenate([free, stuck]))) + 1
+    count = len(stuck)
+    return float((ranks[len(free) :].sum() - count * (count + 1) / 2) / (count * len(free)))
+
+
+def velocity_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the distributions of both."""
+    edges = np.linspace(-0.2, 0.1, 25)
+    curves = []
+    for name, title in (("free", "walks freely"), ("stuck", "held")):
+        counts, _ = np.histogram(known(samples[name]), edges)
+        curves.append(Curve(title, middles_of(edges, 100), (100.0 * counts / max(len(samples[name]), 1)).tolist()))
+    return (Figure(f"Radial velocity over {WINDOW:g} s", "mean radial velocity [cm/s]", "robots [%]", tuple(curves)),)
+
+
+S04 = Claim(
+    id="S04",
+    section="3",
+    statement="If a robot is trying to move toward the ball, but the ball is not getting closer, it is probably stuck.",
+    method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, in which nobody recovers; windows of {WINDOW:g} s "
+    f"of robots that go for a ball nearer than {100 * FARTHEST:.0f} cm: mean of the filtered radial velocity of those "
+    "that others hold (contact, a quarter of the way that their legs walk or less) and of those that touch nobody.",
+    criteria=(
+        measured("area under the ROC curve of the mean velocity", area, at_least=0.9),
+        reported("median of free robots", lambda s: 100 * median(s["free"]), unit="cm/s"),
+        reported("median of held robots", lambda s: 100 * median(s["stuck"]), unit="cm/s"),
+    ),
+    rules=PLAYED,
+    measure=windows,
+    figures=velocity_figure,
+    ingredients=("sensors.dither", "memory.filter_length"),
+    changed="Before: a still ball, and held robots whose legs slipped on the spot, which settled it (area 1).",
+    seconds=2.0,
+    batches=12,
+    least=4,
+)
+
+CLAIMS = (S04, S22)

@@ -1,0 +1,270 @@
+"""How a stuck robot gets free: steps back, then aside or round, then to the ball again.  [Sacks 2001, 3.4]"""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claims.stuck.branches import FUTURE, follow, shares_of
+from soccer_env.train.papers.claims.stuck.sampled import MATCHES, SECONDS
+from soccer_env.train.papers.values import mean, percent
+from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
+
+BACK_STEPS = (2, 5, 10, 15)  # S26
+AGAIN = 5.0  # [s] "immediately", assumed: S26
+CLEAR = 10.0  # [s] after a recovery in which one that has cleared the way is not held again, assumed: S27
+FREE = 10.0  # [s] within which a robot is to be free: S29
+FEW = 3  # tries: S29
+QUICK: dict[str, Any] = {"stuck_count": 5, "near_time": 1.0}  # readings, [s]: with these most notice soon: S29
+SITUATIONS = {  # in which robots are held: S29
+    "ball still, nearer than 35 cm": {"still": 1.0, "near": 1.0},
+    "ball moved, nearer": {"still": 0.0, "near": 1.0},
+    "ball farther": {"near": 0.0},
+    "an opponent has it": {"theirs": 1.0},
+}
+SCENE = (
+    f"Robots that others hold on their way to the ball (contact, a quarter of the way that their legs walk for 1.5 s) "
+    f"in 3 v 3 play, {MATCHES} matches a batch of {SECONDS:g} s; from there on they recover at once, as if they had "
+    "noticed, "
+)
+HELD = "who holds it goes on playing: sacks-2001 without recovery"
+
+
+def stuck_again(batch: Batch, way_back: bool = False) -> Samples:
+    """Return who is held again within AGAIN after the recovery, for each number of steps back (M, moments, numbers).
+
+    `way_back`: the time that it takes to walk as far ahead as it went back does not count.
+    """
+    found = []
+    for steps in BACK_STEPS:
+        fate = follow(batch, begun=True, back_steps=steps)
+        after = fate["again"] - fate["over"] - (0.5 * steps * BACK_PACE if way_back else 0.0)
+        found.append(np.where(np.isfinite(fate["over"]), (after <= AGAIN).astype(float), np.nan))
+    return {"again": np.stack(found, axis=-1)}
+
+
+BACK_PACE = 0.10 / 0.12  # [1] of the top speeds back and ahead
+
+
+def shares(samples: Samples) -> list[float]:
+    """Return the share [%] held again for each number of steps back."""
+    return [100.0 * mean(samples["again"][..., i]) for i in range(len(BACK_STEPS))]
+
+
+def share(samples: Samples, number: int) -> float:
+    """Return the share [%] held again for one of the numbers of steps back."""
+    return shares(samples)[number]
+
+
+def ten_over_fewer(samples: Samples) -> float:
+    """Return the share held again after 10 steps over the mean of those after 2 and 5; NaN: nobody is."""
+    two, five, ten, _ = shares(samples)
+    return ten / (0.5 * (two + five)) if two + five > 0.0 else float("nan")
+
+
+def again_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw the share against the steps."""
+    curve = Curve("held again within 5 s", BACK_STEPS, shares(samples))
+    return (Figure("Held again after a recovery", "steps back", "robots [%]", (curve,)),)
+
+
+S26 = Claim(
+    id="S26",
+    section="3.4",
+    statement="Ten steps back are more than is usually necessary, but help ensure that the robot will not immediately "
+    "get stuck again.",
+    method=SCENE + f"with {', '.join(map(str, BACK_STEPS))} steps back: who is held again within {AGAIN:g} s after the "
+    "recovery.",
+    criteria=(
+        measured("held again after 10 steps over the mean of 2 and 5", ten_over_fewer, at_most=0.5),
+        *(
+            reported(f"held again after {steps} steps back", partial(share, number=i), unit="%")
+            for i, steps in enumerate(BACK_STEPS)
+        ),
+    ),
+    rules=PLAYED_AND_STAGED,
+    measure=stuck_again,
+    without=Without("the way back counted in the five seconds, as here it is not", partial(stuck_again, way_back=True)),
+    figures=again_figure,
+    ingredients=(HELD, "side_steps 5: assumed"),
+    changed="Before: a ball past a robot that nobody could push aside; none of 64 held again after ten steps.",
+    seconds=4.0,
+    batches=12,
+    least=4,
+)
+
+
+def sides(batch: Batch) -> Samples:
+    """Return misalignments [deg] and who cleared the way, (M, moments) and counts (M,), and with a drawn side."""
+    found: Samples = {}
+    for word, drawn in (("", False), (" either", True)):
+        fate = follow(batch, begun=True, random_sides=drawn)
+        aside, clear = shares_of(
+            stepped(fate), lambda f: ~(f["again"] - f["over"] <= CLEAR) & np.isfinite(f["over"]), stepped=1.0
+        )
+        there = np.isfinite(fate["aside"])
+        found |= {
+            f"aside{word}": aside,
+            f"clear{word}": clear,
+            f"before{word}": np.where(there, fate["before"], np.nan),
+        }
+        found[f"after{word}"] = np.where(there, fate["after"], np.nan)
+        found[f"at ball{word}"] = np.where(there & (fate["got"] >= fate["over"]), fate["at ball"], np.nan)
+    return found
+
+
+def stepped(fate: Samples) -> Samples:
+    """Return the same with a flag of those that stepped aside."""
+    return {**fate, "stepped": np.isfinite(fate["aside"]).astype(float)}
+
+
+def change(samples: Samples, name: str = "", until: str = "at ball") -> float:
+    """Return the mean change [deg] of the misalignment since before a recovery, until the ball or "after" it."""
+    return mean(samples[f"{until}{name}"] - samples[f"before{name}"])
+
+
+S27 = Claim(
+    id="S27",
+    section="3.4",
+    statement="The sidestep that keeps the ball between robot and goal does not always get it around the obstacle, but "
+    "works well enough, and positions it to shoot.",
+    method=SCENE
+    + f"those that step aside: who is not held again within {CLEAR:g} s after the recovery has cleared the "
+    "way. Angle between the ways from robot to ball and from ball to goal, before and when the robot has the ball; "
+    "beside it a side drawn at random, and the angle right after the recovery.",
+    criteria=(
+        counted("cleared the obstacle: at least 50 %", "clear", "aside", at_least=50.0),
+        counted("cleared the obstacle: at most 95 %", "clear", "aside", at_most=95.0),
+        measured("change of the misalignment until the robot has the ball", change, unit="deg", below=0.0),
+        measured(
+            "misalignment when it has the ball, less that with a random side",
+            lambda s: mean(s["at ball"] - s["at ball either"]),
+            unit="deg",
+            below=0.0,
+        ),
+        reported("cleared with a random side", partial(percent, "clear either", "aside either"), unit="%"),
+        reported("the same change with a random side", lambda s: change(s, " either"), unit="deg"),
+        reported("change of the misalignment by the recovery alone", partial(change, until="after"), unit="deg"),
+        reported(
+            "misalignment right after it, less that with a random side",
+            lambda s: mean(s["after"]) - mean(s["after either"]),
+            unit="deg",
+        ),
+        reported("misalignment before", lambda s: mean(s["before"]), unit="deg"),
+    ),
+    rules=PLAYED_AND_STAGED,
+    measure=sides,
+    ingredients=(HELD, "side_steps 5: assumed"),
+    note="The paper speaks of the moment at which the robot reaches the ball. Right after the recovery a robot is "
+    "placed worse than before: while it retreats the others take the ball elsewhere.",
+    changed="Before: a ball past a robot that nobody could push aside, cleared by having the ball (49.5 %).",
+    seconds=3.0,
+    batches=12,
+    least=4,
+)
+
+
+def attempts(batch: Batch) -> Samples:
+    """Return what becomes of held robots (M, moments): recovering at once, when they notice, and not at all."""
+    found: Samples = {"one": np.zeros(0), "few": np.zeros(0)}
+    variants = {
+        "begun": follow(batch, begun=True),
+        "on": follow(batch, recovery=True),
+        "off": follow(batch, recovery=False),
+        "quick": follow(batch, **QUICK),
+    }
+    for word, fate in variants.items():
+        there = np.isfinite(fate["near"])
+        for name in ("freed", "got"):
+            found[f"{name} {word}"] = np.where(there, np.nan_to_num(fate[name], nan=np.inf), np.nan)
+        found[f"goals {word}"], found[f"tries {word}"] = fate["goals"], fate["tries"]
+    for name in ("still", "near", "theirs"):
+        found[name] = variants["on"][name]
+    found["one"], found["few"] = shares_of(variants["begun"], lambda f: np.isfinite(f["freed"]) & (f["tries"] <= FEW))
+    return found
+
+
+def within(samples: Samples, name: str, seconds: float, flags: dict[str, float]) -> float:
+    """Return the share [%] of robots that were free, or had the ball, in time; flags as asked."""
+    times = samples[name]
+    for flag, value in flags.items():
+        times = np.where(samples[flag] == value, times, np.nan)
+    return 100.0 * mean(np.where(np.isnan(times), np.nan, times <= seconds))
+
+
+def gain(samples: Samples, name: str = "freed", word: str = "begun", flags: dict[str, float] | None = None) -> float:
+    """Return by how much [pp] more robots are free, or have the ball, with a recovery than without."""
+    asked = flags or {}
+    seconds = FREE if name == "freed" else FUTURE
+    return within(samples, f"{name} {word}", seconds, asked) - within(samples, f"{name} off", seconds, asked)
+
+
+def tries_figure(samples: Samples) -> Sequence[Figure]:
+    """Draw how many are free by when."""
+    grid = np.linspace(0.0, FUTURE, 49)
+    curves = []
+    for word, title in (("begun", "recover at once"), ("on", "recover when they notice"), ("off", "push on")):
+        times = samples[f"freed {word}"][~np.isnan(samples[f"freed {word}"])]
+        curves.append(Curve(title, grid.tolist(), [100.0 * float((times <= t).mean()) for t in grid]))
+    return (Figure("Robots held in play: free by when", "time [s]", "robots [%]", tuple(curves)),)
+
+
+def several(samples: Samples) -> float:
+    """Return the share [%] of recoveries that begin again before the robot has the ball."""
+    tries = samples["tries begun"]
+    return 100.0 * mean(np.where(np.isnan(tries), np.nan, tries > 1.0))
+
+
+S29 = Claim(
+    id="S29",
+    section="3.4",
+    statement="It sometimes takes a few tries to get around an obstacle, but the recovery seems relatively effective.",
+    method=SCENE
+    + "or push on: free is who walks as asked for 1 s, not recovering and in contact with nobody, or has the "
+    f"ball alone. Beside it the same when they notice by themselves, and the ball got within {FUTURE:g} s.",
+    criteria=(
+        counted("free after at most three tries", "few", "one", at_least=90.0),
+        measured("cases that take more than one try, until it has the ball", several, unit="%", at_least=5.0),
+        measured("free within 10 s: recovering less pushing on", gain, unit="pp", above=0.0),
+        reported("free within 10 s, pushing on", partial(within, name="freed off", seconds=FREE, flags={}), unit="%"),
+        reported(
+            "when they notice by themselves: free within 10 s, less pushing on", partial(gain, word="on"), unit="pp"
+        ),
+        reported(
+            "noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
+            partial(gain, word="quick"),
+            unit="pp",
+        ),
+        reported("the same: ball got, less pushing on", partial(gain, name="got", word="quick"), unit="pp"),
+        *(
+            reported(f"{title}: free within 10 s, recovering less pushing on", partial(gain, flags=flags), unit="pp")
+            for title, flags in SITUATIONS.items()
+        ),
+        *(
+            reported(
+                f"{title}: ball got, recovering less pushing on", partial(gain, name="got", flags=flags), unit="pp"
+            )
+            for title, flags in {"all": {}, **SITUATIONS}.items()
+        ),
+        reported(
+            "goals in 100, recovering less pushing on",
+            lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"])),
+        ),
+    ),
+    rules=PLAYED_AND_STAGED,
+    measure=attempts,
+    figures=tries_figure,
+    ingredients=(HELD, "side_steps 5: assumed"),
+    note="A robot that backs off comes free more often than one that pushes on, most of all where the ball lies still, "
+    "but gets the ball less often: others are there first while it is away. When it has to notice by itself nothing is "
+    "gained in 10 s, for a quarter only notices within 5 s; with thresholds of 5 readings and 1 s most do, and it "
+    "comes free more often too.",
+    changed="Before: a ball past a robot that nobody could push aside, the ball within three tries (79.7 %).",
+    seconds=3.0,
+    batches=12,
+    least=4,
+)
+
+CLAIMS = (S26, S27, S29)

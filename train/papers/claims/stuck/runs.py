@@ -1,0 +1,113 @@
+"""Runs of a robot that makes for a ball and is stopped on the way, for the claims on collisions.  [Sacks 2001, 3]
+
+A robot that walks slides past another sooner or later, and moves one that stands by millimetres.
+Where a claim is about a robot that is stuck, it is therefore held (`hold`: its legs slip), or what it walks into is
+(`anchor`).
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from soccer_env.baselines.sacks_2001.memory import BACK, ROTATE
+from soccer_env.match import Match
+from soccer_env.staging import constants_of, memory_of, set_mass, team_settings_of
+from soccer_env.teams import make_team
+from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.staging import LEGGED, ahead_of, begin, put, put_ball, stage
+
+HEAVY = 1e4  # [kg], [kg m2]
+NO_GRIP = 1e-6  # [m/s2] traction of legs that slip on the spot
+ABREAST = 0.16  # [m] aside at which two robots just pass each other
+OVERLAP = 0.08  # [m] of bodies at most: with more the ball is hidden
+POST, BEYOND = (0.33, 0.4), (0.22, 0.35)  # [m] of the one in the way, and of the ball beyond it
+AHEAD, ANGLE = (0.5, 0.7), (np.pi / 6.0, 2.0 * np.pi / 3.0)  # [m] of the ball before a camera, [rad] between ways
+START = -0.9  # [m] x of the robot at the start
+
+
+def seekers(batch: Batch, matches: int, others: int = 1, **settings: Any) -> Match:
+    """Return matches in which sacks-2001, with settings by name, plays robot 0, and opponents stand still."""
+    sides = {"home": make_team("sacks-2001", **settings), "away": "still"}
+    return stage(batch, LEGGED, matches=matches, away=others, controllers=sides)
+
+
+def recovers(match: Match) -> np.ndarray:
+    """Return where (M,) the player of robot 0 is recovering from a collision."""
+    behaviour = memory_of(match)["behaviour"]
+    return (behaviour >= BACK) & (behaviour <= ROTATE)
+
+
+def hold(match: Match) -> None:
+    """Immobilise robots: from now on they go nowhere, whatever their legs do; they can still turn."""
+    constants_of(match)["drive_traction"] = constants_of(match)["drive_thrust"] = NO_GRIP
+    for name in ("vx", "vy"):
+        match.robots[name] = 0.0
+    match.rebuild()
+
+
+def anchor(match: Match, rows: Sequence[int]) -> None:
+    """Make robots so heavy that nobody moves them at all."""
+    set_mass(match, rows, HEAVY, HEAVY)
+
+
+def walk_up(batch: Batch, matches: int, nearest: float, farthest: float, **settings: Any) -> Match:
+    """Return matches in which robot 0 walks towards a still ball `nearest` to `farthest` [m] before its camera."""
+    rng = batch.rng()
+    match = seekers(batch, matches, **settings)
+    heading = rng.uniform(-0.5, 0.5, matches)
+    put(match, 0, START, rng.uniform(-0.3, 0.3, matches), heading, forward=match.league.drive.forward)
+    far = rng.uniform(nearest, farthest, matches) + match.league.head.camera_ahead
+    put_ball(match, *ahead_of(match, 0, far, rng.uniform(-0.3, 0.3, matches)))
+    begin(match, placed=True)
+    return match
+
+
+def converge(batch: Batch, matches: int, **settings: Any) -> Match:
+    """Return matches in which two opponents walk to a still ball ahead of both, from ways that meet at an angle.
+
+    Both are sacks-2001, with settings by name.
+    """
+    rng = batch.rng(4)
+    team = make_team("sacks-2001", **settings)
+    match = stage(batch, LEGGED, matches=matches, controllers={"home": team, "away": team}, keeper=0)
+    x, y = rng.uniform(-0.5, 0.5, matches), rng.uniform(-0.3, 0.3, matches)
+    way, between = rng.uniform(-np.pi, np.pi, matches), rng.choice([-1.0, 1.0], matches) * rng.uniform(*ANGLE, matches)
+    for r, off in ((0, 0.0), (1, between)):
+        far = rng.uniform(*AHEAD, matches) + match.league.head.camera_ahead
+        place = x - far * np.cos(way + off), y - far * np.sin(way + off)
+        put(match, r, *place, way + off, forward=match.league.drive.forward)
+    put_ball(match, x, y)
+    begin(match, placed=True)
+    return match
+
+
+def behind_post(batch: Batch, matches: int, ways: float = 0.4, **settings: Any) -> Match:
+    """Return matches in which a robot that nobody pushes aside stands in robot 0's way to a still ball.
+
+    It stands aside of the straight way, so far that the ball is seen past it, and their bodies overlap by up to
+    OVERLAP; the ways (M,) [rad] are up to `ways` off the goal's direction.
+    """
+    rng = batch.rng()
+    match = seekers(batch, matches, **settings)
+    way, side = rng.uniform(-ways, ways, matches), rng.choice([-1.0, 1.0], matches)
+    x, y = rng.uniform(-0.6, 0.3, matches), rng.uniform(-0.2, 0.2, matches)
+    ahead, aside = rng.uniform(*POST, matches), side * (ABREAST - rng.uniform(0.0, OVERLAP, matches))
+    put(match, 0, x, y, way)
+    post_x = x + ahead * np.cos(way) - aside * np.sin(way)
+    post_y = y + ahead * np.sin(way) + aside * np.cos(way)
+    put(match, 1, post_x, post_y, way + np.pi + rng.uniform(-0.3, 0.3, matches))
+    put_ball(match, *ahead_of(match, 0, ahead + rng.uniform(*BEYOND, matches), 0.0))
+    begin(match, placed=True)
+    anchor(match, (1,))
+    return match
+
+
+def recover(match: Match, rows: Any = slice(None), r: int = 0) -> None:
+    """Let the player of robot r begin a recovery now, as if it had noticed that it is stuck."""
+    memory, steps = memory_of(match, r), team_settings_of(match, r)["back_steps"][0]
+    memory["behaviour"][rows] = BACK
+    memory["clock"][rows] = 0.0
+    memory["stuck"][rows] = 0
+    memory["tries"][rows] = 1
+    memory["left"][rows] = steps * match.league.drive.gait_steps * match.league.dt

@@ -1,0 +1,90 @@
+"""A robot that faces out at the field's edge and turns to a ball aside or behind.  [Sacks 2001, 3.4]"""
+
+from math import pi
+from typing import Any
+
+import numpy as np
+
+from soccer_env.staging import memory_of, put_ball
+from soccer_env.teams import make_team
+from soccer_env.train.papers.claim import STAGED, Batch, Claim
+from soccer_env.train.papers.staging import ahead_of, begin, drill, play
+from soccer_env.train.papers.values import mean, percent
+from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
+
+RUNS, LONGEST = 48, 40.0  # a batch and variant, [s] of each
+ASIDE, AWAY = (35.0, 90.0), (0.4, 0.8)  # [deg] that a panned head sees, [m] of a ball that is seen, assumed
+
+
+def face_wall(batch: Batch, seen: bool, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Run the drill facing-wall; return who got the ball (M,) and the tries to get free.
+
+    `seen`: the ball lies aside, where the robot sees it, not behind.
+    """
+    team, rng = make_team("sacks-2001", **settings), batch.rng()
+    match = drill(batch, "facing-wall", team, matches=RUNS)
+    if seen:
+        inwards = rng.choice([-1.0, 1.0], RUNS)
+        place = ahead_of(match, 0, rng.uniform(*AWAY, RUNS), inwards * np.radians(rng.uniform(*ASIDE, RUNS)))
+        half_length, half_width = match.league.pitch.length / 2 - 0.1, match.league.pitch.width / 2 - 0.1
+        put_ball(match, np.clip(place[0], -half_length, half_length), np.clip(place[1], -half_width, half_width))
+        begin(match, placed=True)
+    solved, tries = np.zeros(RUNS), np.zeros(RUNS)
+    for _ in play(match, LONGEST):
+        solved += match.events["drill"] == 1
+        tries = np.where(match.matches["over"] == 1, tries, np.maximum(tries, memory_of(match)["tries"]))
+        if match.matches["over"].all():
+            break
+    match.close()
+    return solved, tries
+
+
+def walls(batch: Batch) -> Samples:
+    """Run both scenes with the rule that turns to a ball far aside, with sidesteps always, and without recovery."""
+    found: Samples = {"one": np.ones(RUNS)}
+    for scene, seen in (("aside", True), ("behind", False)):
+        found[f"{scene} rotate"], found[f"{scene} tries"] = face_wall(batch, seen)
+        found[f"{scene} sidestep"], _ = face_wall(batch, seen, rotate_beyond=pi)
+        found[f"{scene} none"], _ = face_wall(batch, seen, recovery=False)
+    found["recovers"] = (found["aside tries"] > 0).astype(float)  # with sidesteps too: until then all goes the same way
+    for way in ("rotate", "sidestep"):
+        found[f"recovered {way}"] = found[f"aside {way}"] * found["recovers"]
+    return found
+
+
+S28 = Claim(
+    id="S28",
+    section="3.4",
+    statement="If the ball is more than 30 degrees aside the robot rotates instead: often it faces out at the field's "
+    "edge and the wall prevents it from rotating; it need only back away and face the ball.",
+    method=f"{RUNS} runs a batch: a robot faces out, a paw at the board's foot (drill facing-wall), the ball "
+    f"{ASIDE[0]:g} to {ASIDE[1]:g} degrees aside, where its head sees it; of those that come to recover, got "
+    f"within {LONGEST:g} s, with the rule and with sidesteps always. Beside it all of them, also without any recovery, "
+    "and the drill itself, the ball behind the robot.",
+    criteria=(
+        counted("those that recover: got the ball", "recovered rotate", "recovers", at_least=90.0),
+        measured(
+            "those that recover: got the ball, rotation less sidesteps",
+            lambda s: percent("recovered rotate", "recovers", s) - percent("recovered sidestep", "recovers", s),
+            unit="pp",
+            above=0.0,
+        ),
+        reported("got the ball, all", lambda s: 100.0 * mean(s["aside rotate"]), unit="%"),
+        reported("got the ball without any recovery", lambda s: 100.0 * mean(s["aside none"]), unit="%"),
+        reported("robots that recovered at all", lambda s: 100.0 * mean(s["aside tries"] > 0), unit="%"),
+        reported("ball behind: got", lambda s: 100.0 * mean(s["behind rotate"]), unit="%"),
+        reported("ball behind: got without any recovery", lambda s: 100.0 * mean(s["behind none"]), unit="%"),
+        reported("ball behind: robots that recovered at all", lambda s: 100.0 * mean(s["behind tries"] > 0), unit="%"),
+    ),
+    rules=STAGED,
+    measure=walls,
+    ingredients=("the counters run while the robot sees the ball and goes for it: what it searches for trips none",),
+    note="At the board a turn is blocked, and who recovers gets away. Whether it then turns or steps aside matters "
+    "little, for it turns to the ball on its way to it. Where the ball lies behind, a robot that has not seen it "
+    "searches for it and turns against the board; no counter runs in a search, and recovery never begins.",
+    changed="Before: paws 5 to 7 cm off the board, the ball behind, and all counted, of whom a third recovered.",
+    seconds=4.0,
+    batches=10,
+)
+
+CLAIMS = (S28,)

@@ -1,0 +1,153 @@
+"""Runs of the legged dribbling drills: who plays them, under which rules, how they end.
+
+They are under the drill's own rules, PATIENT: nobody is whistled or pulled apart, and no stuck ball is called. Only
+where opponents play for the ball until a goal (S31) it is play, under the rules of play.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.match import Match
+from soccer_env.match_settings import Senses
+from soccer_env.scenes import Scene, find_scene
+from soccer_env.scenes.judging import LOST, LOST_TIME, PAST
+from soccer_env.teams import make_team
+from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.dribble_runs import NO_SHOTS, start_dribbling
+from soccer_env.train.papers.staging import LEGGED, make, wrapped
+from soccer_env.train.papers.verdicts import Samples
+from soccer_env.types import HOME
+
+STEP = SacksSettings().step_length  # [m] of a dribbler
+TOP = 0.12  # [m/s] of a walker at strength 1: the top speed ahead of the legged league
+PAPER = 0.06  # [m/s] of movers in the drills
+LONGEST = 40.0  # [s] of a run
+HELD = 0.5  # [1] of a full step: who makes less while it touches somebody is stopped by it, assumed
+TURNED = 0.09  # [rad] by which a contact turns another robot at least: 5 degrees, more than its gait does, assumed
+
+
+def start_drill(
+    batch: Batch,
+    scene: str | Scene,
+    settings: dict[str, Any],
+    matches: int,
+    mover: float,
+    senses: Senses = "sensors",
+    opponents: str | None = None,
+    rules: str | None = None,
+) -> Match:
+    """Return matches at the start of a drill's scene, with nobody to end them; movers walk at a speed [m/s].
+
+    `opponents`: a team that plays all of them instead; `rules`: others than the drill's.
+    """
+    found = find_scene(scene)
+    sides: dict[str, Any] = {"home": make_team("sacks-2001", **settings)}
+    for row, name in enumerate(found.opponents):
+        sides[f"away_{row}"] = "still" if name == "still" else f"walker@{mover / TOP:g}"
+    if opponents is not None:
+        sides = {"home": sides["home"], "away": opponents}
+    match = make(
+        batch, LEGGED, rules or found.rules, matches=matches, home=1, away=len(found.opponents), scene=found,
+        senses=senses, controllers=sides,
+    )  # fmt: skip
+    start_dribbling(match)
+    return match
+
+
+def gap_to_others(match: Match) -> np.ndarray:
+    """Return the distance (M,) [m] from robot 0 to the nearest other robot, between the middles of their bodies."""
+    robot, others = match.robots[:, :1], match.robots[:, 1:]
+    gap: np.ndarray = np.hypot(others["x"] - robot["x"], others["y"] - robot["y"]).min(axis=1)
+    return gap
+
+
+@dataclass
+class Contacts:
+    """What contacts with others do to the runs of a drill; arrays (M, ...)."""
+
+    step: int  # [control steps] of a gait step
+    headings: np.ndarray  # [rad] of the others at the start: nobody but the dribbler turns by himself
+    trail: list[tuple[np.ndarray, ...]]  # x, y [m] of robot 0 and whether it touches, over the last gait step
+    touched: np.ndarray  # bool: it touched somebody
+    hindered: np.ndarray  # bool: a contact stopped it for a gait step, or turned another
+
+    def note(self, match: Match, running: np.ndarray) -> None:
+        """Take in a control step of the runs that go on."""
+        robot, others = match.robots[:, 0], match.robots[:, 1:]
+        touches = match.robot_events["collision"][:, 0] == 1
+        self.touched |= running & touches
+        self.trail = [*self.trail[-self.step :], (robot["x"].copy(), robot["y"].copy(), touches)]
+        x, y, _ = self.trail[0]
+        touching = np.array([touch for _, _, touch in self.trail]).any(axis=0)
+        full = len(self.trail) > self.step
+        made = np.hypot(robot["x"] - x, robot["y"] - y) if full else np.inf
+        turned = np.abs(wrapped(others["heading"] - self.headings)).max(axis=1) > TURNED
+        self.hindered |= running & touching & (turned | (made < HELD * STEP))
+
+
+def contacts_of(match: Match) -> Contacts:
+    """Return the record of contacts of runs that begin."""
+    none = np.zeros((2, match.count), bool)
+    return Contacts(int(match.league.drive.gait_steps), match.robots["heading"][:, 1:].copy(), [], *none)
+
+
+@dataclass
+class Ends:
+    """How the runs of a drill end; arrays (M,)."""
+
+    past: np.ndarray  # bool: beyond everybody with the ball, or in the goal
+    lost: np.ndarray  # bool: the ball was far for a while
+    away: np.ndarray  # [s] for which it has been far
+    seconds: np.ndarray  # [s] until the end
+    nearest: np.ndarray  # [m] that the middles of bodies came
+
+    def note(self, match: Match, running: np.ndarray) -> None:
+        """Take in a control step of the runs that go on."""
+        robot, ball = match.robots[:, 0], match.balls
+        beyond = ball["x"] > match.robots["x"][:, 1:].max(axis=1) + PAST
+        self.past |= running & ((beyond & (robot["has_ball"] == 1)) | (match.events["goal"] == HOME))
+        near = np.hypot(ball["x"] - robot["x"], ball["y"] - robot["y"]) <= LOST
+        self.away = np.where(near, 0.0, self.away + match.league.dt)
+        self.lost |= running & ~self.past & (self.away > LOST_TIME)
+        self.seconds += running * match.league.dt
+        self.nearest = np.where(running, np.minimum(self.nearest, gap_to_others(match)), self.nearest)
+
+
+def play_drill(
+    batch: Batch,
+    scene: str | Scene,
+    settings: dict[str, Any],
+    matches: int,
+    mover: float = PAPER,
+    senses: Senses = "sensors",
+) -> Samples:
+    """Let sacks-2001, with settings by name and without shots, play a drill's scene; arrays (M,).
+
+    As the drill judges, but a touch ends nothing: "past", "lost", "seconds" and "nearest" as in Ends; "clean": past
+    without a touch; "touched" before the end; "free": past without a contact that stopped it or turned somebody.
+    """
+    match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
+    (past, lost), (away, seconds) = np.zeros((2, matches), bool), np.zeros((2, matches))
+    ends = Ends(past, lost, away, seconds, nearest=np.full(matches, np.inf))
+    contacts = contacts_of(match)
+    for _ in range(round(LONGEST * match.league.control_rate)):
+        running = ~(ends.past | ends.lost)
+        if not running.any():
+            break
+        match.step()
+        contacts.note(match, running)
+        ends.note(match, running)
+    match.close()
+    found = {
+        "past": ends.past,
+        "clean": ends.past & ~contacts.touched,
+        "free": ends.past & ~contacts.hindered,
+        "touched": contacts.touched,
+        "lost": ends.lost,
+        "seconds": ends.seconds,
+        "nearest": ends.nearest,
+    }
+    return {name: values.astype(float) for name, values in found.items()}

@@ -1,0 +1,142 @@
+"""Examine one claim: batch by batch of each seed, until the interval decides or the cap is reached.
+
+Every batch follows from a seed, the claim's id and the batch's number alone, so that no result depends on threads, on
+other claims, or on where a stopped run went on. The verdict is that of the samples of all seeds together; what each
+seed's samples say alone stands beside it. A claim is looked at after its least number of batches of each seed, twice
+that, four times that, and so on; the looks share the 5 % of the interval (Bonferroni), so that stopping early does
+not make verdicts bolder. It is done when all seeds together decide it and each of them alone does too; if some seed
+leaves it open, at a third of its cap, where all seeds have as many samples as one at its cap.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from soccer_env.train.papers.claim import LEAGUE, Batch, Claim, as_plain, joined, none_or_float
+from soccer_env.train.papers.results import ClaimResult, as_record
+from soccer_env.train.papers.settings import ReproduceSettings, command_of
+from soccer_env.train.papers.verdicts import (
+    BY_CONSTRUCTION,
+    CONTEXT,
+    REPRODUCED,
+    UNDECIDED,
+    Finding,
+    Samples,
+    combine,
+    deciding,
+    find,
+)
+from soccer_env.train.statistics import CONFIDENCE
+
+ENOUGH = 1.0 / 3.0  # of the cap, of samples where all seeds together decide a claim
+
+
+def examine(
+    claim: Claim,
+    settings: ReproduceSettings,
+    cap: int,
+    settings_hash: str,
+    advance: Callable[[float], None] = lambda seconds: None,
+) -> ClaimResult:
+    """Take batches of a claim, at most `cap` of each seed, until it is decided; return the result.
+
+    `advance` is told the seconds of work that are done, all of them in the end.
+    """
+    looks = looks_at(cap, claim.least)
+    confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
+    taken: list[list[Samples]] = [[] for _ in settings.seeds]
+    findings: list[Finding] = []
+    alone: list[list[Finding]] = []
+    for index in range(cap):
+        for batches, seed in zip(taken, settings.seeds, strict=True):
+            batches.append(claim.measure(batch_of(claim, settings, seed, index)))
+            advance(claim.seconds)
+        if index + 1 in looks:
+            findings = find_all(claim, all_of(taken), confidence)
+            alone = [find_all(claim, joined(batches), confidence) for batches in taken]
+            if is_enough(findings, alone, (index + 1) / cap):
+                break
+    count = len(taken[0])
+    advance((cap - count) * claim.seconds * len(taken))
+    without: list[Finding] = []
+    if claim.without is not None:
+        indices = ((seed, index) for seed in settings.seeds for index in range(count))
+        off = [claim.without.measure(batch_of(claim, settings, *where)) for where in indices]
+        without = find_all(claim, joined(off), confidence)
+    found = Found(findings, without, alone, cap / count)
+    return result_of(claim, settings, all_of(taken), found, settings_hash)
+
+
+def is_enough(findings: list[Finding], alone: list[list[Finding]], share: float) -> bool:
+    """Tell whether a claim is decided, and by each seed alone too unless a good share of the cap is taken."""
+    if combine(findings) in (UNDECIDED, CONTEXT):
+        return False
+    return share >= ENOUGH or all(combine(found) != UNDECIDED for found in alone)
+
+
+def batch_of(claim: Claim, settings: ReproduceSettings, seed: int, index: int) -> Batch:
+    """Return a batch of a claim."""
+    return Batch(claim.id, seed, index, settings.threads, claim.pose or settings.pose, rules_of(claim, settings))
+
+
+def rules_of(claim: Claim, settings: ReproduceSettings) -> tuple[str, ...]:
+    """Return the rule sets of a claim's matches: those that a run asks for instead of the league's."""
+    return tuple(settings.rules if rules == LEAGUE else rules for rules in claim.rules)
+
+
+def find_all(claim: Claim, samples: Samples, confidence: float) -> list[Finding]:
+    """Return what samples say about each criterion of a claim."""
+    return [find(criterion, samples, confidence) for criterion in claim.criteria]
+
+
+def all_of(taken: list[list[Samples]]) -> Samples:
+    """Return the samples of all seeds as one."""
+    return joined([batch for batches in taken for batch in batches])
+
+
+def looks_at(cap: int, least: int = 1) -> list[int]:
+    """Return after how many batches a claim is looked at: the least number, twice, four times ... that, and its cap."""
+    return [*(least * 2**i for i in range(cap.bit_length()) if least * 2**i < cap), cap]
+
+
+class Found(NamedTuple):
+    """What the samples of a claim say about its criteria."""
+
+    findings: list[Finding]  # of the samples of all seeds
+    without: list[Finding]  # the same with the ingredient off
+    alone: list[list[Finding]]  # of each seed's samples by themselves
+    share: float  # of the cap to the batches that were taken
+
+
+def result_of(
+    claim: Claim, settings: ReproduceSettings, samples: Samples, found: Found, settings_hash: str
+) -> ClaimResult:
+    """Return the result of a claim from its samples and what they say about each criterion."""
+    verdict, main = combine(found.findings), deciding(found.findings)
+    if claim.without is not None and verdict == REPRODUCED:
+        verdict = BY_CONSTRUCTION
+    units = len(next(iter(samples.values()))) if samples else 0
+    note = claim.note if isinstance(claim.note, str) else claim.note(samples)
+    return ClaimResult(
+        **{name: getattr(claim, name) for name in ("id", "paper", "section", "statement", "method", "changed")},
+        verdict=verdict,
+        quick=settings.quick,
+        pose=claim.pose or settings.pose,
+        rules=list(rules_of(claim, settings)),
+        estimate=none_or_float(main.estimate) if main else None,
+        low=none_or_float(main.low) if main else None,
+        high=none_or_float(main.high) if main else None,
+        criterion=main.criterion if main else "",
+        n=units,
+        n_used=main.n if main else units,
+        cap=round(units * found.share),
+        seeds=list(settings.seeds),
+        by_seed=[combine(findings) for findings in found.alone],
+        command=command_of(settings, claim.id),
+        ingredients=list(claim.ingredients),
+        note=note,
+        findings=[as_record(finding) for finding in found.findings],
+        without=claim.without.ingredient if claim.without else "",
+        without_findings=[as_record(finding) for finding in found.without],
+        figures=[as_plain(figure) for figure in claim.figures(samples)],
+        settings=settings_hash,
+    )

@@ -1,0 +1,167 @@
+"""The report of a reproduction run in Markdown, and its table on the screen: both follow from the results alone."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from soccer_env.staging import PATIENT
+from soccer_env.train.evaluate.report import plain, table
+from soccer_env.train.papers.results import ClaimResult, rules_in_words
+from soccer_env.train.papers.verdicts import CONTEXT, UNDECIDED, VERDICTS
+from soccer_env.train.results_folder import ResultsFolder
+from soccer_env.train.written_settings import POSES
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+COLUMNS = ("id", "claim", "rules", "verdict", "seeds", "estimate (95 % interval)", "n")
+DIGITS = 3  # significant digits of a number
+EXPLANATION = f"""\
+* `reproduced`: the whole 95 % interval satisfies the criterion. `not`: the whole interval violates it. `undecided`: \
+neither, at the cap on samples.
+* `by construction`: satisfied because of something that was put in, which is named and switched off for comparison; \
+never counted as reproduced. `context`: nothing to decide.
+* A claim with several criteria needs all of them. Looks at growing samples share the 5 % of an interval. n counts \
+independent units (runs, matches) of all seeds together; "40 of 96": so many of them have a \
+value in the criterion that decides.
+* [changed]: a criterion or scene was changed after a first look; below stands in a line what it was before.
+* Rules: the set under which whole matches were played; staged scenes are under `{PATIENT}`, where nobody is \
+whistled, pulled apart or given a dropped ball, whatever `--rules` asks for.
+* Seeds: what the samples of each seed say alone, r reproduced, n not, u undecided, c context."""
+
+
+def markdown(results: Sequence[ClaimResult], folder: ResultsFolder, plots: dict[str, list[str]], trouble: str) -> str:
+    """Return the report; `plots` are the files of each claim's figures, `trouble` says why there are none."""
+    about = folder.about
+    facts = [
+        ("begun, commit", f"{about.get('date', '')}, {about.get('commit') or 'none'}"),
+        ("settings hash", folder.settings),
+        *((name.replace("_", " "), value) for name, value in folder.made_with.items()),
+    ]
+    counts = Counter(result.verdict for result in results)
+    total = ", ".join(f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict])
+    quick = ' Few samples were taken: verdicts are marked "(quick)".' if any(result.quick for result in results) else ""
+    lines = [
+        "# Claims of the papers, measured",
+        f"{len(results)} claims: {total}.{quick} {poses_of(results)}",
+        table(COLUMNS, [row(result) for result in results]),
+        EXPLANATION,
+        trouble and trouble[0].upper() + trouble[1:] + ". The same data stand here as tables.",
+        *(section(result, plots.get(result.id, [])) for result in results),
+        "## Conditions",
+        table(("", ""), facts),
+        "This command measures what is missing and writes this report again:",
+        f"```bash\n{about.get('command', '')}\n```",
+    ]
+    return "\n\n".join(line for line in lines if line) + "\n"
+
+
+def poses_of(results: Sequence[ClaimResult]) -> str:
+    """Return in a sentence how robots knew where they are: in most claims, and in which others differently."""
+    ids = {pose: [result.id for result in results if result.pose == pose] for pose in POSES}
+    most, *rest = sorted(POSES, key=lambda pose: -len(ids[pose]))
+    others = [f"{pose} for {', '.join(ids[pose])}" for pose in rest if ids[pose]]
+    return f"Own pose: {'; '.join([most, *others])}."
+
+
+def rules_of(result: ClaimResult) -> str:
+    """Return in a sentence under which rules a claim was measured, and whether --rules can change it."""
+    played = [name for name in result.rules if name != PATIENT]
+    if played:
+        return f"Rules of play: {played[0]}{f'; of staged scenes: {PATIENT}' if PATIENT in result.rules else ''}."
+    stated = f"staged scenes alone, {PATIENT}" if result.rules else "it makes no match"
+    return f"Rules: {stated}; --rules changes nothing."
+
+
+def row(result: ClaimResult) -> tuple[str, ...]:
+    """Return a claim as a row of the table at the head."""
+    unit = next((found["unit"] for found in result.findings if found["criterion"] == result.criterion), "")
+    found = {"estimate": result.estimate, "low": result.low, "high": result.high, "unit": unit}
+    shown = with_interval(found) if result.criterion else ""
+    marked = f"{result.marked} [changed]" if result.changed else result.marked
+    rules, n = rules_in_words(result.rules), units_of(result.n_used, result.n)
+    return result.id, result.statement, rules, marked, result.alone, shown, n
+
+
+def units_of(used: int, units: int) -> str:
+    """Return how many units have a value, of how many."""
+    return f"{used}" if used == units else f"{used} of {units}"
+
+
+def section(result: ClaimResult, plots: Sequence[str]) -> str:
+    """Return what the report says about one claim."""
+    n = f"n = {result.n}" + (f" (cap {result.cap})" if result.verdict == UNDECIDED else "")
+    seeds = ", ".join(f"{seed}: {verdict}" for seed, verdict in zip(result.seeds, result.by_seed, strict=True))
+    source = f"{result.paper}, {result.section}" if result.section else result.paper
+    parts = [
+        f"## {result.id}: {result.marked}",
+        f"{result.statement} [{source}]",
+        f"Measured: {result.method} {n}. Own pose: {result.pose}. {rules_of(result)}",
+        f"Each seed alone: {seeds}.",
+        findings_table(result.findings, result.n),
+        f"Rests on: {'; '.join(result.ingredients)}." if result.ingredients else "",
+        f"With the ingredient off ({result.without}):" if result.without else "",
+        findings_table(result.without_findings, result.n),
+        f"Changed after a first look. {result.changed}" if result.changed else "",
+        result.note,
+        *(f"![{figure['title']}]({file})" for figure, file in zip(result.figures, plots, strict=False)),
+        *(figure_table(figure) for figure in ([] if plots else result.figures)),
+        f"`{result.command}`",
+    ]
+    return "\n\n".join(part for part in parts if part)
+
+
+def findings_table(findings: Sequence[dict[str, Any]], units: int) -> str:
+    """Return the criteria of a claim with what was found in so many units; "" without any."""
+    cells = finding_rows(findings, units)
+    return table(("criterion", "asked", "estimate (95 % interval)", "n", "verdict"), cells) if cells else ""
+
+
+def finding_rows(findings: Sequence[dict[str, Any]], units: int) -> list[tuple[str, ...]]:
+    """Return the criteria of a claim as rows of a table."""
+    verdicts = ["reported" if found["verdict"] == CONTEXT else found["verdict"] for found in findings]
+    return [
+        (found["criterion"], found["asked"], with_interval(found), units_of(found["n"], units), verdict)
+        for found, verdict in zip(findings, verdicts, strict=True)
+    ]
+
+
+def figure_table(figure: dict[str, Any]) -> str:
+    """Return the data of a figure as a table, one column for each curve; of a picture of the field its title."""
+    if "arrows" in figure:
+        return f"{figure['title']}: a picture of the field, which needs matplotlib"
+    places = sorted({x for curve in figure["curves"] for x in curve["x"]})
+    columns = [dict(zip(curve["x"], curve["y"], strict=True)) for curve in figure["curves"]]
+    cells = [(number(x), *(number(column.get(x)) for column in columns)) for x in places]
+    head = (figure["x_label"], *(curve["name"] for curve in figure["curves"]))
+    return f"{figure['title']} ({figure['y_label']})\n\n{table(head, cells)}"
+
+
+def with_interval(found: dict[str, Any]) -> str:
+    """Return an estimate with its interval and unit; an exact one without an interval."""
+    unit = f" {found['unit']}" if found["unit"] else ""
+    if found["estimate"] is None:
+        return "no value"
+    if found["low"] == found["estimate"] == found["high"]:
+        return f"{number(found['estimate'])}{unit}"
+    return f"{number(found['estimate'])}{unit} ({number(found['low'])} to {number(found['high'])})"
+
+
+def number(value: float | None) -> str:
+    """Return a number in a few digits; an open side of an interval as a question mark."""
+    return "?" if value is None else plain(value, DIGITS)
+
+
+def screen_table(results: Sequence[ClaimResult]) -> Table:
+    """Return the verdicts as a table for the terminal."""
+    from rich.table import Table
+
+    title = f"Claims of the papers, measured. {poses_of(results)} Staged: under {PATIENT}."
+    drawn = Table(title=title, title_justify="left")
+    for column in COLUMNS:
+        drawn.add_column(column, overflow="fold")
+    for result in results:
+        drawn.add_row(*row(result))
+    return drawn

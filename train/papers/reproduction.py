@@ -1,0 +1,104 @@
+"""Measure the papers' claims: batch by batch, until the interval decides or the cap is reached.
+
+    results = reproduce(ReproduceSettings(claims=("S05",), quick=True))
+
+How one claim is examined stands in `examination.py`; with several threads claims are measured in processes of their
+own, as most of a claim's time is spent in Python (`workers.py`).
+"""
+
+import json
+from collections.abc import Mapping, Sequence
+
+from soccer_env.train.papers.claim import Claim
+from soccer_env.train.papers.claims import all_claims, find_claims
+from soccer_env.train.papers.examination import examine
+from soccer_env.train.papers.page import page_of
+from soccer_env.train.papers.report import markdown
+from soccer_env.train.papers.results import CLAIMS, REPRODUCTION, ClaimResult, plot_name
+from soccer_env.train.papers.settings import ReproduceSettings, command_of
+from soccer_env.train.papers.workers import examine_in_processes
+from soccer_env.train.progress import Progress
+from soccer_env.train.provenance import LIBRARIES, digest, made_now, module_hash, version_of
+from soccer_env.train.report import MISSING, can_draw, draw_curves
+from soccer_env.train.results_folder import ResultsFolder
+
+
+def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None = None) -> list[ClaimResult]:
+    """Measure the claims that settings.out does not hold yet and return the results of all.
+
+    `known` are a user's own claims instead of ours. Raises ValueError for an unknown id and for a folder
+    that holds another run.
+    """
+    ours = known is None
+    known = all_claims() if known is None else known
+    asked = settings.claims or [claim.id for claim in known.values() if not claim.study]
+    claims = find_claims(asked, known)
+    conditions = {
+        "claims": [claim.id for claim in claims], "budget": settings.budget, "pose": settings.pose,
+        "rules": settings.rules, "seeds": list(settings.seeds),
+    }  # fmt: skip
+    about = {"command": command_of(settings), **made_now()}
+    folder = ResultsFolder(settings.out, REPRODUCTION, conditions, made_with(claims), about, settings.anew)
+    done = measure_missing(claims, settings, folder, ours)
+    results = [done[claim.id] for claim in claims]
+    folder.write("results.json", json.dumps([result.as_dict() for result in results], indent=2) + "\n")
+    plots, trouble = draw_all(results, folder)
+    folder.write("report.md", markdown(results, folder, plots, trouble))
+    if folder.path is not None:
+        folder.write("report.html", page_of(results, folder))
+    return results
+
+
+def made_with(claims: list[Claim]) -> dict[str, str]:
+    """Return what must be the same for results to be the same: versions, and the code of matches and claims."""
+    modules = sorted(
+        {getattr(claim.measure, "func", claim.measure).__module__ for claim in claims}
+    )  # func: of a partial
+    code = {"code": module_hash("soccer_env.match"), "claims": digest("".join(map(module_hash, modules)))}
+    return {name: version_of(name) for name in LIBRARIES} | code
+
+
+def measure_missing(
+    claims: list[Claim], settings: ReproduceSettings, folder: ResultsFolder, ours: bool
+) -> dict[str, ClaimResult]:
+    """Measure every claim that the folder lacks; return the results of all by their ids.
+
+    Claims of `ours` are shared between processes; another's may be functions that no other process can find.
+    """
+    done = folder.results(CLAIMS, ClaimResult, "id")
+    missing = [claim for claim in claims if claim.id not in done]
+    caps = {claim.id: settings.cap(claim.batches, claim.quick, claim.seconds, len(claims)) for claim in missing}
+    work = {claim.id: caps[claim.id] * claim.seconds * len(settings.seeds) for claim in missing}
+    with Progress("reproduce", sum(work.values())) as progress:
+        if ours and settings.threads > 1 and len(missing) > 1:
+            longest_first = {name: caps[name] for name in sorted(caps, key=lambda name: -work[name])}
+            found = examine_in_processes(
+                longest_first, settings, folder.settings, lambda name: progress.advance(work[name])
+            )
+        else:
+            advance = progress.advance
+            found = (examine(claim, settings, caps[claim.id], folder.settings, advance) for claim in missing)
+        progress.note(f"{len(done)} of {len(claims)} done")
+        for result in found:
+            done[result.id] = result
+            folder.add(CLAIMS, [result])
+            progress.note(f"{result.id}: {result.verdict}, {len(done)} of {len(claims)} done")
+    return done
+
+
+__all__ = ["ReproduceSettings", "reproduce"]
+
+
+def draw_all(results: Sequence[ClaimResult], folder: ResultsFolder) -> tuple[dict[str, list[str]], str]:
+    """Draw every figure into the folder; return the files of each claim, and why nothing was drawn ("" if it was)."""
+    if folder.path is None or not any(result.figures for result in results):
+        return {}, ""
+    if not can_draw():
+        return {}, MISSING
+    files: dict[str, list[str]] = {}
+    for result in results:
+        for number, figure in enumerate(result.figures, 1):
+            name = plot_name(result.id, number)
+            folder.write(name, draw_curves(figure))
+            files.setdefault(result.id, []).append(name)
+    return files, ""

@@ -1,0 +1,96 @@
+"""What a reproduction run found: the result of each claim, and what a run leaves in its folder."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from soccer_env.staging import PATIENT
+from soccer_env.train.papers.claim import none_or_float
+from soccer_env.train.papers.verdicts import NOT, REPRODUCED, Finding
+from soccer_env.train.results_folder import Kind
+
+
+@dataclass(frozen=True)
+class ClaimResult:
+    """A claim that has been measured. Numbers that are not finite are None: an open side of an interval."""
+
+    id: str
+    paper: str
+    section: str
+    statement: str
+    method: str
+    verdict: str
+    quick: bool  # few samples were taken
+    pose: str  # how robots knew where they are: "particles" or "percept"
+    rules: list[str]  # rule sets of its matches, that of play first; none: it makes no match
+    estimate: float | None  # of the criterion that decides
+    low: float | None
+    high: float | None
+    criterion: str
+    n: int  # independent units (runs, matches) that were reached, of all seeds
+    n_used: int  # of them with a value in that criterion
+    cap: int  # units at which it would have been undecided
+    seeds: list[int]
+    by_seed: list[str]  # the verdict from each seed's samples alone
+    command: str
+    ingredients: list[str]
+    note: str
+    changed: str  # what a criterion or scene was before it changed after a first look
+    findings: list[dict[str, Any]]  # of every criterion
+    without: str  # the ingredient that a by-construction claim rests on
+    without_findings: list[dict[str, Any]]  # the same criteria with it off
+    figures: list[dict[str, Any]]
+    settings: str  # hash of the conditions and of what the run was made with
+
+    @property
+    def marked(self) -> str:
+        """Return the verdict, marked if it comes from few samples."""
+        return f"{self.verdict} (quick)" if self.quick else self.verdict
+
+    @property
+    def alone(self) -> str:
+        """Return what each seed says by itself: "r r u", or "r r n, they disagree"."""
+        return seeds_in_letters(self.by_seed)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return what results.json holds of it; beside the verdict stands how it is shown, marked if it is quick."""
+        record: dict[str, Any] = {}
+        for name, value in asdict(self).items():
+            if name not in ("figures", "settings"):
+                record[name] = value
+            if name == "verdict":
+                record["shown"] = self.marked
+        return record
+
+
+def seeds_in_letters(verdicts: Sequence[str]) -> str:
+    """Return the verdicts of single seeds by their first letters, and whether they contradict each other."""
+    letters = " ".join(verdict[0] for verdict in verdicts)
+    return f"{letters}, they disagree" if {REPRODUCED, NOT} <= set(verdicts) else letters
+
+
+def rules_in_words(rules: Sequence[str]) -> str:
+    """Return the rule sets of a claim for a table: "league", "simple, staged", "staged" or "no match"."""
+    return ", ".join("staged" if name == PATIENT else name for name in rules) or "no match"
+
+
+def as_record(finding: Finding) -> dict[str, Any]:
+    """Return a finding as JSON can hold it."""
+    return asdict(finding) | {name: none_or_float(getattr(finding, name)) for name in ("estimate", "low", "high")}
+
+
+def plot_name(claim: str, number: object) -> str:
+    """Return the name of a picture of a claim in the folder of a run: plots/ID-1.png, ID-2.png, ..."""
+    return f"plots/{re.sub(r'[^A-Za-z0-9]', '-', claim)}-{number}.png"
+
+
+def plots_of(conditions: dict[str, Any]) -> list[str]:
+    """Return the patterns of the pictures of a run with these conditions."""
+    return [plot_name(str(claim), "[0-9]*") for claim in conditions.get("claims", ())]
+
+
+CLAIMS = "claims.jsonl"  # of a folder: a line for each claim that has been measured
+REPRODUCTION = Kind(
+    "a reproduction run", ("claims", "budget"), (CLAIMS, "results.json", "report.md", "report.html"), plots_of
+)

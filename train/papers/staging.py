@@ -1,0 +1,131 @@
+"""Stage matches for claims: the many matches of a batch, with sensors and memory as a claim asks, and play them.
+
+    match = stage(batch, LEGGED, matches=128, memory={"infrared_override": False})
+    put(match, 0, x=0.0, y=0.0, heading=batch.rng().uniform(-pi, pi, 128))
+    put_ball(match, *ahead_of(match, 0, distance, bearing))
+    begin(match)
+    for _ in play(match, seconds=2.0): ...   # match.percepts, match.beliefs, match.tracks against the truth
+
+Nobody is on the field until `put` brings him on, and the referee calls goals and the ball out of play alone (PATIENT).
+
+    stage      scenes of our own          drill     a drill of the package as it is judged
+    kick_off   whole matches, under the rules of play that the claim states
+
+All matches of claims are made here (`make`), so that none is played under rules that its claim does not state.
+"""
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy as np
+
+from soccer_env.leagues.league import League
+from soccer_env.match import Match
+from soccer_env.scenes import find_scene
+from soccer_env.staging import PATIENT, send_off, set_phase
+from soccer_env.staging import begin as begin
+from soccer_env.staging import put as put
+from soccer_env.staging import put_ball as put_ball
+from soccer_env.train.papers.claim import Batch
+from soccer_env.types import Phase
+
+LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
+
+
+def make(batch: Batch, league: str | League, rules: str, *, matches: int, **settings: Any) -> Match:
+    """Return matches under a rule set, with the batch's seeds and threads; ValueError for one that is not stated."""
+    if rules not in batch.rules:
+        raise ValueError(f"claim {batch.claim} states the rules {batch.rules}, its matches are made with {rules!r}")
+    asked = {"pose": batch.pose, **settings}
+    return Match(league, matches=matches, seeds=batch.seeds(matches), threads=batch.threads, rules=rules, **asked)
+
+
+def stage(
+    batch: Batch, league: str | League = LEGGED, *, matches: int = 128, home: int = 1, away: int = 1,
+    rules: str = PATIENT, **settings: Any,
+) -> Match:  # fmt: skip
+    """Return matches in play whose robots use their sensors, all parked off the field, the ball at the centre.
+
+    `settings` are those of a Match: sensors={...}, memory={...}; the batch says how robots know where they are. Every
+    variant of a batch has the same seeds.
+    """
+    asked = {"observe": "belief", "senses": "sensors", **settings}
+    match = make(batch, league, rules, matches=matches, home=home, away=away, **asked)
+    set_phase(match, Phase.PLAY)
+    send_off(match, range(home + away))
+    return match
+
+
+def kick_off(
+    batch: Batch, *, matches: int = 32, team: str = "chaser", rules: str | None = None, **settings: Any
+) -> Match:
+    """Return legged matches of the usual team sizes from the kick-off, both sides played by a team on its sensors.
+
+    Under the rules of play of the batch, unless others are given.
+    """
+    asked = {"senses": "sensors", "controllers": {"home": team, "away": team}, **settings}
+    return make(batch, LEGGED, rules or batch.play_rules, matches=matches, **asked)
+
+
+def drill(batch: Batch, scene: str, team: Any, *, matches: int) -> Match:
+    """Return a legged drill for one robot of a team against one that stands, under the drill's own rules."""
+    return make(
+        batch, LEGGED, find_scene(scene).rules, matches=matches, home=1, away=1, keeper=0, scene=scene,
+        episode="drill", controllers={"home": team, "away": "still"},
+    )  # fmt: skip
+
+
+def hide_ball(match: Match, rows: Any = slice(None)) -> None:
+    """Take the ball out of sight in some matches (rows or a mask), far behind the boards, where it lies still."""
+    for name, value in (("x", 50.0), ("y", 50.0), ("vx", 0.0), ("vy", 0.0), ("roll_x", 0.0), ("roll_y", 0.0)):
+        match.balls[name][rows] = value
+
+
+def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Iterator[int]:
+    """Step all matches for a time, yielding 0, 1, ... after each control step; robots stand unless actions say more.
+
+    Actions (M, R, 4 or 7) may be changed between steps.
+    """
+    numbers = standing(match) if actions is None and match.learns.any() else actions
+    for step in range(round(seconds * match.league.control_rate)):
+        match.step(numbers)
+        yield step
+
+
+def standing(match: Match) -> np.ndarray:
+    """Return actions (M, R, 4), or 7 of a match with actions="full", by which all stand, heads left to themselves."""
+    actions = np.zeros((match.count, match.robots.shape[1], match.settings.actions.size))
+    actions[..., 4:5] = -1.0
+    return actions
+
+
+def ahead_of(match: Match, r: int, distance: Any, bearing: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return the point (x, y) [m, field frame] at a distance and bearing from robot r."""
+    robot = match.robots[:, r]
+    angle = robot["heading"] + bearing
+    return robot["x"] + distance * np.cos(angle), robot["y"] + distance * np.sin(angle)
+
+
+def ball_from(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """Return the true distance [m] and bearing [rad] of the ball from robot r (M,)."""
+    return from_robot(match, r, match.balls["x"], match.balls["y"])
+
+
+def from_robot(match: Match, r: int, x: Any, y: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return the true distance [m] and bearing [rad] of a point from robot r (M,)."""
+    robot = match.robots[:, r]
+    dx, dy = x - robot["x"], y - robot["y"]
+    return np.hypot(dx, dy), wrapped(np.arctan2(dy, dx) - robot["heading"])
+
+
+def wrapped(angle: np.ndarray) -> np.ndarray:
+    """Return angles [rad] in [-pi, pi)."""
+    turned: np.ndarray = (angle + np.pi) % (2.0 * np.pi) - np.pi
+    return turned
+
+
+def watch(match: Match, seconds: float, actions: np.ndarray | None = None, settle: float = 0.0) -> Iterable[int]:
+    """Play, and yield only after the first `settle` seconds, in which heads and filters come to rest."""
+    for _ in play(match, settle, actions):
+        pass
+    return play(match, seconds, actions)

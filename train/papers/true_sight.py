@@ -1,0 +1,102 @@
+"""Where legged robots truly look: camera, ranger beam and ball as the truth has them, for all matches at once."""
+
+from typing import Any
+
+import numpy as np
+
+from soccer_env.match import Match
+from soccer_env.optics.head_camera import share_of_tilt
+from soccer_env.staging import sensors_of
+from soccer_env.train.papers.staging import from_robot, play, standing
+
+
+def camera_of(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """Return where the camera of robot r is (M, 3) [m] and the unit vector along its axis (M, 3), field frame.
+
+    The same geometry as soccer_env.optics.head_camera, which works on one robot at a time; a test holds them together.
+    """
+    s, robot = match.league.sensors, match.robots[:, r]
+    pan, tilt = robot["heading"] + robot["pan"], robot["tilt"]
+    forward = s.camera_ahead * np.cos(tilt) - s.camera_up * np.sin(tilt)
+    height = s.neck_height + s.camera_up * np.cos(tilt) + s.camera_ahead * np.sin(tilt)
+    x = robot["x"] + s.neck_ahead * np.cos(robot["heading"]) + forward * np.cos(pan)
+    y = robot["y"] + s.neck_ahead * np.sin(robot["heading"]) + forward * np.sin(pan)
+    axis = np.stack([np.cos(tilt) * np.cos(pan), np.cos(tilt) * np.sin(pan), np.sin(tilt)], axis=1)
+    return np.stack([x, y, height], axis=1), axis
+
+
+def ball_in_sight(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """Return how far the ball's middle is from the camera (M,) [m], and how far off its axis (M,) [rad]."""
+    camera, axis = camera_of(match, r)
+    ball = np.stack([match.balls["x"], match.balls["y"], np.full(match.count, match.league.ball.radius)], axis=1)
+    away = ball - camera
+    distance = np.linalg.norm(away, axis=1)
+    cosine = (away * axis).sum(axis=1) / np.maximum(distance, 1e-9)
+    return distance, np.arccos(np.clip(cosine, -1.0, 1.0))
+
+
+def ball_angle(match: Match, distance: np.ndarray) -> np.ndarray:
+    """Return the angle [rad] under which the ball's radius is seen from a distance (M,)."""
+    angle: np.ndarray = np.arcsin(np.minimum(match.league.ball.radius / np.maximum(distance, 1e-9), 1.0))
+    return angle
+
+
+def stare(match: Match, actions: np.ndarray, r: int = 0) -> None:
+    """Turn the head of robot r to the true ball, whatever it believes: fills in columns 4 to 6 of actions (M, R, 7)."""
+    look_at_point(match, actions, r, match.balls["x"], match.balls["y"], match.league.ball.radius)
+
+
+def look_at_point(match: Match, actions: np.ndarray, r: int, x: np.ndarray, y: np.ndarray, height: float) -> None:
+    """Turn the head of robot r to a point (M,) [m, field frame]: fills in columns 4 to 6 of actions (M, R, 7)."""
+    s = match.league.sensors
+    distance, bearing = from_robot(match, r, x, y)
+    # from the neck, about which the head turns
+    ahead, left = distance * np.cos(bearing) - s.neck_ahead, distance * np.sin(bearing)
+    away, down = np.hypot(ahead, left), s.neck_height - height
+    # the camera stands camera_up above the line through the neck along which it looks
+    tilt = -np.arctan2(down, away) - np.arcsin(np.minimum(s.camera_up / np.hypot(away, down), 1.0))
+    turn_head(match, actions, r, np.arctan2(left, ahead), tilt)
+
+
+def turn_head(match: Match, actions: np.ndarray, r: int, pan: Any, tilt: Any) -> None:
+    """Ask robot r to turn its head to pan and tilt [rad]: fills in columns 4 to 6 of actions (M, R, 7)."""
+    head = match.league.head
+    actions[:, r, 4] = 1.0
+    actions[:, r, 5] = np.clip(pan / head.pan_limit, -1.0, 1.0)
+    actions[:, r, 6] = np.clip(share_of_tilt(tilt, head.tilt_low, head.tilt_high), -1.0, 1.0)
+
+
+def look_first(match: Match, seconds: float, r: int = 0) -> None:
+    """Let robot r stand and stare at the true ball for a time, with which it has found it; needs actions="full"."""
+    actions = standing(match)
+    for _ in play(match, seconds, actions):
+        stare(match, actions, r)
+
+
+BLIND = {"ball_miss": 1.0, "red_as_orange": 0.0, "false_balls": 0.0}  # of either league, where it has them
+
+
+def blind(match: Match) -> None:
+    """Let no frame show the ball any more, nor what robots take for it, from now on; patches are the caller's."""
+    for name, value in BLIND.items():
+        if hasattr(match.league.sensors, name):
+            sensors_of(match)[name] = value
+
+
+def see_again(match: Match) -> None:
+    """End what `blind` did."""
+    for name in BLIND:
+        if hasattr(match.league.sensors, name):
+            sensors_of(match)[name] = getattr(match.league.sensors, name)
+
+
+def follow(match: Match, keep: float = 0.0, r: int = 0) -> np.ndarray:
+    """Return the walk (M, 3) in [-1, 1] by which robot r turns to the true ball and keeps so far from it [m].
+
+    0: it runs into the ball.
+    """
+    distance, bearing = from_robot(match, r, match.balls["x"], match.balls["y"])
+    walk = np.zeros((match.count, 3))
+    walk[:, 0] = np.where(np.abs(bearing) < 0.6, np.clip((distance - keep) / 0.2, -1.0, 1.0), 0.0)
+    walk[:, 2] = np.clip(bearing / 0.4, -1.0, 1.0)
+    return walk

@@ -1,0 +1,138 @@
+"""Processes that share the claims of a run: each measures one claim after another, on one core.
+
+    python -m soccer_env.train.papers.workers     what a worker runs; it is told what to do line by line
+
+A worker reads JSON lines: first the settings of the run, then a claim's id and its cap for each claim to examine. It
+answers each claim with a line, the result. No result depends on who measured it, or beside what.
+"""
+
+import json
+import os
+import queue
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+from soccer_env.train.papers.claims import all_claims
+from soccer_env.train.papers.examination import examine
+from soccer_env.train.papers.results import ClaimResult
+from soccer_env.train.papers.settings import ReproduceSettings
+
+DONE = None  # in the queue of results: a worker has ended
+
+
+def examine_in_processes(
+    caps: Mapping[str, int],
+    settings: ReproduceSettings,
+    settings_hash: str,
+    finished: Callable[[str], None] = lambda claim: None,
+) -> Iterator[ClaimResult]:
+    """Yield results as they come, from settings.threads processes; `caps` holds the ids of claims in order, and caps.
+
+    `finished` is told each id. Raises RuntimeError if a process fails; what it said stands on the screen.
+    """
+    asked: queue.SimpleQueue[tuple[str, int]] = queue.SimpleQueue()
+    for claim in caps.items():
+        asked.put(claim)
+    answers: queue.SimpleQueue[Any] = queue.SimpleQueue()
+    head = json.dumps({"settings": as_json(settings), "hash": settings_hash})
+    workers = [start_worker() for _ in range(min(settings.threads, len(caps)))]
+    threads = [threading.Thread(target=serve, args=(worker, head, asked, answers), daemon=True) for worker in workers]
+    try:
+        for thread in threads:
+            thread.start()
+        running = len(workers)
+        while running:
+            answer = answers.get()
+            running -= answer is DONE
+            if isinstance(answer, Exception):
+                raise answer
+            if answer is not DONE:
+                finished(answer["id"])
+                yield ClaimResult(**answer)
+    finally:
+        for worker, thread in zip(workers, threads, strict=True):
+            end(worker, thread)
+
+
+def start_worker() -> subprocess.Popen[str]:
+    """Start a process that examines claims."""
+    command = [sys.executable, "-m", "soccer_env.train.papers.workers"]
+    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+
+def end(worker: subprocess.Popen[str], thread: threading.Thread) -> None:
+    """End a worker, whatever it does, and the thread that talks to it."""
+    worker.kill()
+    if thread.is_alive():
+        thread.join()
+    with worker:  # closes its pipes
+        pass
+
+
+def serve(
+    worker: subprocess.Popen[str],
+    head: str,
+    asked: queue.SimpleQueue[tuple[str, int]],
+    answers: queue.SimpleQueue[Any],
+) -> None:
+    """Give a worker one claim after another until none is left, and hand on what it answers."""
+    assert worker.stdin is not None and worker.stdout is not None
+    claim = ""
+    try:
+        tell(worker, head)
+        while True:
+            try:
+                claim, cap = asked.get_nowait()
+            except queue.Empty:
+                break
+            tell(worker, json.dumps([claim, cap]))
+            answers.put(json.loads(worker.stdout.readline()))
+    except (OSError, ValueError):
+        answers.put(RuntimeError(f"the process that measured claim {claim} ended with code {worker.wait()}"))
+    answers.put(DONE)
+
+
+def tell(worker: subprocess.Popen[str], line: str) -> None:
+    """Write a line to a worker."""
+    assert worker.stdin is not None
+    worker.stdin.write(line + "\n")
+    worker.stdin.flush()
+
+
+def as_json(settings: ReproduceSettings) -> dict[str, Any]:
+    """Return what decides the results of a run, as JSON can hold it; a worker has one core."""
+    left_out = {"out", "anew", "threads"}
+    return {name: value for name, value in asdict(settings).items() if name not in left_out}
+
+
+def work(lines: Sequence[str] | Iterator[str], say: Any) -> None:
+    """Examine the claims that are named line by line, and say the result of each in a line."""
+    claims = all_claims()
+    rest = iter(lines)
+    head = json.loads(next(rest, "{}"))
+    if not head:  # who started this process was killed
+        return
+    settings = ReproduceSettings(**head["settings"])
+    for line in rest:
+        claim, cap = json.loads(line)
+        result = examine(claims[claim], settings, cap, head["hash"])
+        print(json.dumps(asdict(result)), file=say, flush=True)
+
+
+def main() -> None:
+    """Work for the process that started this one, until it has nothing more to ask."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # who started it ends it
+    answers, sys.stdout = sys.stdout, sys.stderr  # whatever a claim prints is no answer
+    try:
+        work(sys.stdin, answers)
+    except BrokenPipeError:  # who started this process was killed: nobody waits for the answer
+        os.dup2(os.open(os.devnull, os.O_WRONLY), answers.fileno())
+
+
+if __name__ == "__main__":
+    main()

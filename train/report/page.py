@@ -1,0 +1,131 @@
+"""A report page: parts in order, of which every text is escaped, in one file with its style and pictures."""
+
+import html
+import re
+from collections.abc import Iterable, Sequence
+from importlib.resources import files
+from urllib.parse import quote
+
+from soccer_env.replay import browser
+from soccer_env.train.report.style import COLOURS, for_page
+
+DARK_COLOURS = ("#86b4ff", "#ff9d5c", "#46c878", "#d590ea", "#d6bf4a", "#ff8a94")  # of curves, in the order of COLOURS
+ROOT = re.compile(r':root(\[data-theme="dark"\])? \{[^}]*\}')  # of the replay's style: its colours
+NUMBER = re.compile(r"[-+±]?\d[\d,.:]*(\s?(%|s|s?/min|m|cm|kB|MB))?( \(.*\))?|[-?]|\d+ : \d+|\d+(, \d+)+")
+
+
+class ReportPage:
+    """The page of a report; `what` is the command that made it. All texts may hold anything: markup is shown."""
+
+    def __init__(self, title: str, what: str) -> None:
+        self._title, self._what = title, what
+        self._parts: list[str] = []
+        self._sections: list[str] = []
+        self._figures = 0
+
+    def say(self, text: str, strong: bool = False) -> None:
+        """Add a paragraph; what stands between `backticks` is code."""
+        if text:
+            start = '<p class="lead">' if strong else "<p>"
+            self._parts.append(f"{start}{inline(text)}</p>")
+
+    def section(self, title: str) -> None:
+        """Begin a section, which the page's head links to."""
+        self._sections.append(title)
+        self._parts.append(f'<h2 id="section{len(self._sections)}">{inline(title)}</h2>')
+
+    def heading(self, title: str) -> None:
+        """Begin a part of a section."""
+        self._parts.append(f"<h3>{inline(title)}</h3>")
+
+    def table(self, head: Sequence[str], rows: Iterable[Sequence[str]], sorts: bool = False) -> None:
+        """Add a table; columns of numbers stand to the right. `sorts`: a tap on a head sorts it."""
+        self._table(head, [(row, "") for row in rows], ' class="sorts"' if sorts else "")
+
+    def links(self, head: Sequence[str], rows: Iterable[tuple[Sequence[str], Sequence[tuple[str, str]]]]) -> None:
+        """Add a table whose rows end with links: texts, and (words, file beside the page)."""
+        self._table(head, [(texts, f"<td>{' '.join(link(*one) for one in those)}</td>") for texts, those in rows])
+
+    def _table(self, head: Sequence[str], rows: list[tuple[Sequence[str], str]], kind: str = "") -> None:
+        """Add a table of texts; each row ends with some markup."""
+        kinds = [alignment([texts[at] for texts, _ in rows if at < len(texts)]) for at in range(len(head))]
+        heads = "".join(f'<th scope="col"{one}>{inline(name)}</th>' for name, one in zip(head, kinds, strict=True))
+        body = "".join(
+            f"<tr>{''.join(f'<td{one}>{inline(text)}</td>' for text, one in zip(texts, kinds, strict=False))}{end}</tr>"
+            for texts, end in rows
+        )
+        top = f"<thead><tr>{heads}</tr></thead>" if any(head) else ""
+        self._parts.append(f'<div class="wide" tabindex="0"><table{kind}>{top}<tbody>{body}</tbody></table></div>')
+
+    def figure(self, svg: bytes, caption: str) -> None:
+        """Add a picture of `train.report`, drawn with form="svg"."""
+        self._figures += 1
+        drawn = for_page(svg, f"figure{self._figures}")
+        drawn = drawn.replace("<svg", f'<svg role="img" aria-label="{html.escape(caption)}"', 1)
+        self._parts.append(
+            f'<figure><div class="plot" tabindex="0">{drawn}</div><figcaption>{inline(caption)}</figcaption></figure>'
+        )
+
+    def command(self, text: str) -> None:
+        """Add a command as it is typed."""
+        self._parts.append(f"<pre>{html.escape(text)}</pre>")
+
+    def fold(self, summary: str) -> None:
+        """Begin a part that is folded away; `unfold` ends it."""
+        self._parts.append(f"<details><summary>{inline(summary)}</summary>")
+
+    def unfold(self) -> None:
+        """End a part that `fold` began."""
+        self._parts.append("</details>")
+
+    def html(self) -> str:
+        """Return the page."""
+        names = "".join(f'<a href="#section{n}">{inline(name)}</a>' for n, name in enumerate(self._sections, 1))
+        filled = {
+            "TITLE": html.escape(self._title),
+            "WHAT": inline(self._what),
+            "STYLE": style(),
+            "SECTIONS": names,
+            "BODY": "\n".join(self._parts),
+            "SCRIPT": part("report.js"),
+        }
+        pieces = part("report.html").split(
+            "%%"
+        )  # text, name, text, ..., text: what is filled in is not looked at again
+        return "".join(filled[piece] if at % 2 else piece for at, piece in enumerate(pieces))
+
+
+def inline(text: str) -> str:
+    """Return a text as markup that shows it; what stands between `backticks` is code."""
+    return re.sub(r"`([^`]+)`", r"<code>\1</code>", html.escape(text))
+
+
+def alignment(texts: Sequence[str]) -> str:
+    """Return the class of a column's cells: that of numbers if most of its texts are such."""
+    told = [bool(NUMBER.fullmatch(text)) for text in texts if text]
+    return ' class="number"' if told and 2 * sum(told) > len(told) else ""
+
+
+def link(words: str, file: str) -> str:
+    """Return a link to a file beside the page."""
+    return f'<a href="{html.escape(quote(file))}">{inline(words)}</a>'
+
+
+def style() -> str:
+    """Return the style of a page: the replay's colours, those of curves, and the report's own."""
+    light, dark = (
+        found.group() for found in list(ROOT.finditer(files(browser).joinpath("look.css").read_text("utf-8")))[:2]
+    )
+    for colours, which in ((COLOURS, "light"), (DARK_COLOURS, "dark")):
+        added = " ".join(f"--c{n}: {colour};" for n, colour in enumerate(colours, 1)) + " }"
+        if which == "light":
+            light = light.removesuffix("}") + added
+        else:
+            dark = dark.removesuffix("}") + added
+    system = dark.replace(':root[data-theme="dark"]', ':root:not([data-theme="light"])')
+    return f"{light}\n{dark}\n@media (prefers-color-scheme: dark) {{ {system} }}\n{part('report.css')}"
+
+
+def part(name: str) -> str:
+    """Return the text of a file of this folder."""
+    return files(__package__).joinpath(name).read_text(encoding="utf-8")
