@@ -6,7 +6,8 @@ What was measured stands in the table of baselines/README.md; a floor lies well 
 import pytest
 
 from soccer_env.scenes import SCENES
-from soccer_env.train.pages.tables.drills import TEAMS, drills_of, run_drill
+from soccer_env.train.evaluate.drills import run_drill
+from soccer_env.train.pages.tables.drills import TEAMS, drills_of
 
 RUNS = 60
 FLOORS: dict[str, dict[str, float]] = {  # [1] of the runs of a drill of the legged league

@@ -11,6 +11,7 @@ report.py          the result in Markdown and on the screen
 page.py            the same as a page for the browser, with pictures
 recording.py       a match into a replay file, and out of it again
 exporting.py       a replay as a film, a page, data or a picture
+drills.py          `run_drill`: how often a team succeeds in a drill
 rechecking.py      `recheck`: a sample played again, every line compared bit for bit
 same_contest.py    what a folder of results says, and the contest that it tells of, made again
 map_pictures.py    heat maps, pass networks and shot maps as a picture

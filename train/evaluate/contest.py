@@ -72,7 +72,7 @@ def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]
         how = f"run_drill({league.name!r}, {scene.name!r}, {conditions.home!r}, runs=100)"
         raise ValueError(
             f"scene {scene.name!r} is a drill, evaluations play matches: `soccer record --scene {scene.name}` plays it "
-            f"once, in Python {how} of soccer_env.train.pages.tables.drills says how many of a hundred runs succeed"
+            f"once, in Python {how} of soccer_env.train.evaluate.drills says how many of a hundred runs succeed"
         )
     return Contest(conditions, league, *(find_team(name, teams) for name in (conditions.home, conditions.away)))
 

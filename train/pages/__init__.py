@@ -1,1 +1,4 @@
-"""What this repository's pages show, made by commands: `tables/` measures, `pictures/` draws. Not in the wheel."""
+"""What the pages of this repository show, made by commands. Not in the wheel.
+
+tables/     measured, kept as JSON, written into the pages        pictures/   drawn
+"""

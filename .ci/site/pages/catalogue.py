@@ -9,7 +9,7 @@ from soccer_env import truth_state
 from soccer_env.leagues import find_league
 from soccer_env.observations import OBSERVE, Entry
 from soccer_env.observations.scales import in_numbers
-from soccer_env.train import listing
+from soccer_env.train.command import listing
 
 MAIN = ("legged-2001", "middle-size-2006")  # of the variants the numbers differ, not the names
 PLAYERS = 1  # a side, of the state that is shown: it has the same entries for each

@@ -11,7 +11,7 @@ from typing import get_args
 import pytest
 
 from soccer_env.teams import registry
-from soccer_env.train import command_line
+from soccer_env.train.command import command_line
 from soccer_env.train.command.command_line import main
 from soccer_env.train.command.listing import Table, What
 

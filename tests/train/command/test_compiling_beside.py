@@ -8,7 +8,7 @@ import pytest
 
 from soccer_env.compiled import compiled, config
 from soccer_env.compiling.cache import is_kept
-from soccer_env.train import compiling_beside
+from soccer_env.train.command import compiling_beside
 from soccer_env.train.command.compiling_beside import step_compiled_beside
 
 pytestmark = pytest.mark.skipif(bool(config.DISABLE_JIT), reason="nothing is compiled")

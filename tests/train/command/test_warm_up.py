@@ -4,7 +4,7 @@ import pytest
 
 from soccer_env.compiling import cache
 from soccer_env.teams import NAMES
-from soccer_env.train import warm_up
+from soccer_env.train.command import warm_up
 from soccer_env.train.command.command_line import main
 from soccer_env.train.command.warm_up import WarmUpSettings, parts_of
 

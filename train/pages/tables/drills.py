@@ -3,15 +3,12 @@
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
 from soccer_env.leagues import find_league
-from soccer_env.match import Match
-from soccer_env.scenes import SCENES, Scene, find_scene
-from soccer_env.train.casting import controllers_of, sizes_of
+from soccer_env.scenes import SCENES, Scene
+from soccer_env.train.evaluate.drills import SEED, run_drill
 from soccer_env.train.statistics import wilson_interval
 
-SEED, RUNS = 1, 400  # 400 runs of a share of a half: +-5 %
+RUNS = 400  # 400 runs of a share of a half: +-5 %
 FIXED = ("still", "random", "walker")
 TEAMS = {
     "legged-2001": (*FIXED, "chaser", "sacks-2001", "sacks-2001-tuned", "sacks-2001-future", "learned"),
@@ -25,22 +22,6 @@ def drills_of(league: str) -> Iterator[Scene]:
     for scene in SCENES.values():
         if scene.success != "none" and (not scene.families or family in scene.families):
             yield scene
-
-
-def run_drill(league: str, scene: str | Scene, team: str, runs: int, seed: int = SEED, threads: int = 2) -> int:
-    """Play a drill by sensors under its own rules; return how many runs succeed."""
-    scene = find_scene(scene)
-    home, away = sizes_of(scene)
-    match = Match(
-        league, home=home, away=away, matches=runs, seed=seed, threads=threads, scene=scene, episode="drill",
-        controllers=controllers_of(scene, team), senses="sensors",
-    )  # fmt: skip
-    succeeded = np.zeros(runs, bool)
-    while not (match.terminated | match.truncated).all():
-        match.step()
-        succeeded |= match.events["drill"] == 1
-    match.close()
-    return int(succeeded.sum())
 
 
 def measure_drills() -> dict[str, Any]:

@@ -21,7 +21,7 @@ Measure what the paper's words say over the range they speak of; a claim that do
     ball/            finding and following the ball       players/         recognising and remembering other players
     stuck/           noticing that one is stuck           dribble/         keeping the ball, past others
     field/           the potential field                  goalkeeper.py    what a goalkeeper makes of velocities
-    ways/            of the planners of 2006            keeping/         its goalkeeper and receiver
+    planning/        the planners of 2006                 goalkeeping/     its goalkeeper and receiver
     own_pose.py      a middle-size robot's own pose       middle_size.py   its sight in changing light
     resolution.py    what a finer camera would bring      sensors.py       errors of all sensors over the range
 """
