@@ -191,6 +191,7 @@ def supporting(ball: tuple[float, float], x: float, y: float) -> Mind:
         ((0.5, 0.9), (-0.3, 0.45)),
         ((-1.2, 0.3), (-1.5 + 3.0 * LEAGUE.body.reach, -0.15)),  # off the goal line
         ((0.0, 0.15), (-0.8, -0.3)),
+        ((0.5, 1.5), (-0.3, 1.0 - LEAGUE.body.reach)),
         ((0.5, -1.5), (-0.3, -1.0 + LEAGUE.body.reach)),  # of a ball that is believed outside, not beyond the board
     ],
 )
