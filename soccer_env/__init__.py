@@ -6,6 +6,7 @@ How to use it:
     gymnasium_envs.py    the Gymnasium API
     api/                 what both share
     match.py             `Match`: many matches at once, without dictionaries
+    thoughts/            what robots saw, believed and decided, noted as a match is played
     replay/              matches on disk that play again exactly
     data_out/            replays as tables and in the formats of football data
     render/              pictures, windows and overlays

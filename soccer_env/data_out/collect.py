@@ -18,7 +18,7 @@ from soccer_env.match import Match
 from soccer_env.types import AWAY, HOME, Phase
 
 if TYPE_CHECKING:
-    from soccer_env.replay.replay_file import Replay
+    from soccer_env.thoughts.recorded import Recorded
 
 SHOOT_OUT = 5  # period, as kloppy and the Common Data Format number it
 SIDES = {HOME: "home", AWAY: "away"}
@@ -79,7 +79,7 @@ class Collected:
         return np.where(ours & ~theirs, HOME, np.where(theirs & ~ours, AWAY, -1))
 
 
-def collect(replay: Replay, name: str = "match", note: Callable[[int], None] | None = None) -> Collected:
+def collect(replay: Recorded, name: str = "match", note: Callable[[int], None] | None = None) -> Collected:
     """Play the first match of a replay and return what happened; `note` is told of each control step.
 
     ValueError names the first step that differs from what was recorded.

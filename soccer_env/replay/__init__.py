@@ -5,14 +5,11 @@ pictured.py      what a replay shows: frames, films, pages
 checks.py        whether a stranger's file is one, and no larger than one ever is
 parts.py         its parts: records and settings as plain values
 clips.py         parts of a recording that play again bit for bit
-thoughts.py      what robots saw, believed and decided, noted beside the commands
 browser/         a replay as one page for the browser
-groups.py        what the camera delivered and where robots plan to go, noted with it
-thought.py       such a note as numbers in metres, for drawing
 film.py          a replay as MP4 or GIF
 """
 
 from soccer_env.replay.replay_file import Recorder, Replay
-from soccer_env.replay.thoughts import Thoughts
+from soccer_env.thoughts.thoughts import Thoughts
 
 __all__ = ["Recorder", "Replay", "Thoughts"]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from soccer_env.checking import check_names
-from soccer_env.replay.thoughts import Notes
+from soccer_env.thoughts.thoughts import Notes
 
 if TYPE_CHECKING:
     from soccer_env.replay.replay_file import Replay

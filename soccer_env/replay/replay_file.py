@@ -24,8 +24,8 @@ from soccer_env.match_settings import REPLAYED, version
 from soccer_env.replay.checks import FORMAT, LARGEST, check_format, check_room, check_size, check_start
 from soccer_env.replay.parts import as_actions, as_numbers, as_records, describe, rebuild
 from soccer_env.replay.pictured import Pictured
-from soccer_env.replay.thoughts import Thoughts
 from soccer_env.scenes import Scene
+from soccer_env.thoughts.thoughts import Thoughts
 from soccer_env.types import COMMAND, GAZE
 from soccer_env.whole_files import read_plain, write_whole
 

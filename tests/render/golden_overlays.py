@@ -9,8 +9,8 @@ from soccer_env.render import Picture, contact_sheet
 from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, flags_of
 from soccer_env.render.overlays.layers import overlays_of
 from soccer_env.render.overlays.scene import Cast, Shot
-from soccer_env.replay.groups import PLAN
-from soccer_env.replay.thought import Reader
+from soccer_env.thoughts.groups import PLAN
+from soccer_env.thoughts.thought import Reader
 from tests.render.golden_frames import staged
 from tests.render.staged_notes import GOES, LEGGED_LEAGUE, MIDDLE, MUTE, PULLS, cast_for, note_of
 

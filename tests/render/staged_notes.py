@@ -7,10 +7,10 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.render.overlays.scene import Camera, Cast, Part
-from soccer_env.replay.groups import LEGGED, OBSTACLE, OMNI, PLAN, Group, width_of
-from soccer_env.replay.thought import Reader
-from soccer_env.replay.thoughts import SEES, TABLE, TRACK
 from soccer_env.teams import Explanation, Mind
+from soccer_env.thoughts.groups import LEGGED, OBSTACLE, OMNI, PLAN, Group, width_of
+from soccer_env.thoughts.thought import Reader
+from soccer_env.thoughts.thoughts import SEES, TABLE, TRACK
 from tests.scenes.staging import LEGGED as LEGGED_LEAGUE
 from tests.scenes.staging import MIDDLE
 

@@ -11,7 +11,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.replay.browser.page import as_script, write_page
-from soccer_env.replay.thought import Reader
+from soccer_env.thoughts.thought import Reader
 from soccer_env.train.evaluate.recording import shown_of_memory
 from tests.render.chromium import Chromium, find_chromium
 

@@ -24,8 +24,8 @@ from soccer_env.render.overlays.sight import to_board
 from soccer_env.render.overlays.states import words_of
 from soccer_env.render.overlays.ways import JUMP, unbroken
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.replay.thought import Player, Reader, Thought, between, note_at
 from soccer_env.teams import explanation_of, shipped_team
+from soccer_env.thoughts.thought import Player, Reader, Thought, between, note_at
 from tests.render.staged_frames import near
 
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}

@@ -10,8 +10,8 @@ import pytest
 from soccer_env import Match
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.replay.browser.events import Play, Storyteller
-from soccer_env.replay.thought import Reader
 from soccer_env.staging import put_ball
+from soccer_env.thoughts.thought import Reader
 from soccer_env.train.evaluate.recording import shown_of_memory
 from tests.render.chromium import Chromium, find_chromium
 from tests.scenes.staging import LEGGED, MIDDLE, each_league, stand

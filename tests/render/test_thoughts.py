@@ -7,7 +7,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.replay.thoughts import SEES, TABLE, Notes
+from soccer_env.thoughts.thoughts import SEES, TABLE, Notes
 from soccer_env.train.evaluate.recording import shown_of_memory
 
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}

@@ -50,6 +50,7 @@ LAYERS = (
     ("match_batch",),
     ("match_views",),
     ("match",),
+    ("thoughts",),
     ("soccer_v0", "gymnasium_envs", "api", "render", "replay", "data_out", "staging"),
     ("baselines", "agents"),
     ("train",),
@@ -81,7 +82,7 @@ HIDDEN_FROM_PLAYERS = {
     "senses",
     "match_batch",
     "match",
-} | {"replay", "soccer_v0", "gymnasium_envs", "api", "staging"}
+} | {"thoughts", "replay", "soccer_v0", "gymnasium_envs", "api", "staging"}
 # Belief works on percepts. The records of types.py that hold the truth, by name:
 BELIEF_MAY_SEE = {*LAYERS[0], "leagues", "belief"} - {"world"}
 TRUTH_RECORDS = {"MATCH", "BALL", "ROBOT", "EVENTS", "ROBOT_EVENTS"}

@@ -106,7 +106,7 @@ PUBLIC = (
         "Replays, pictures and data",
         "Matches on disk that play again bit for bit, as pictures, films, pages and tables.",
         (
-            *("replay.replay_file.Recorder", "replay.replay_file.Replay", "replay.thoughts.Thoughts"),
+            *("replay.replay_file.Recorder", "replay.replay_file.Replay", "thoughts.thoughts.Thoughts"),
             *("render.frame.Picture", "render.overlays.onlooker.Onlooker", "data_out"),
         ),
         "from soccer_env.replay import Recorder, Replay, Thoughts\nfrom soccer_env.render import Picture, save_png",

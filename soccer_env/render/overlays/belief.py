@@ -12,7 +12,7 @@ from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Co
 from soccer_env.render.overlays.scene import Cast, Shot
 from soccer_env.render.overlays.shapes import Area, Label, Overlay, Points, Polyline
 from soccer_env.render.robots import parts_of
-from soccer_env.replay.thought import Thought
+from soccer_env.thoughts.thought import Thought
 
 JUST_SEEN = 0.5  # [s] what was seen so lately is not marked with its age
 WHOLE = 1.95  # [s] from which an age is told in whole seconds: a point is lost in small pictures

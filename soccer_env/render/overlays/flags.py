@@ -49,7 +49,7 @@ class OverlayFlags(Checked):
 
     @property
     def need_groups(self) -> bool:
-        """Tell whether what cameras delivered and robots plan is to be shown: `replay.groups`."""
+        """Tell whether what cameras delivered and robots plan is to be shown: `thoughts.groups`."""
         return self.sight or self.field or self.path or self.infrared
 
     @property

@@ -11,9 +11,9 @@ from soccer_env.render.colours import Colour
 from soccer_env.render.overlays.scene import Cast, Part, Shot
 from soccer_env.render.overlays.shapes import ArrowGrid, Overlay
 from soccer_env.render.overlays.ways import plan_of
-from soccer_env.replay.groups import CENTI
-from soccer_env.replay.thought import Thought
 from soccer_env.teams import Mind
+from soccer_env.thoughts.groups import CENTI
+from soccer_env.thoughts.thought import Thought
 
 ACROSS = 24  # arrows along the pitch
 WEAK: Colour = (126, 190, 140)

@@ -15,7 +15,7 @@ from soccer_env.render.overlays.shapes import Overlay
 from soccer_env.render.overlays.sight import in_sight
 from soccer_env.render.overlays.states import beams, mark_of_picked, roles
 from soccer_env.render.overlays.ways import ball_trail, plan_of, planned, travelled
-from soccer_env.replay.thought import Thought
+from soccer_env.thoughts.thought import Thought
 
 LEAST_UNIT = 0.7  # of sizes in a picture of 960 px: letters stay legible in smaller ones
 

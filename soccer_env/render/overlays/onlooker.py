@@ -13,11 +13,11 @@ from soccer_env.render.overlays.layers import overlays_of
 from soccer_env.render.overlays.scene import Cast, Shot, cast_of, cast_of_replay, shot_of
 from soccer_env.render.overlays.shapes import Overlay
 from soccer_env.render.overlays.ways import TRAVELLED
-from soccer_env.replay.thought import Reader, note_at
-from soccer_env.replay.thoughts import Thoughts
+from soccer_env.thoughts.thought import Reader, note_at
+from soccer_env.thoughts.thoughts import Thoughts
 
 if TYPE_CHECKING:
-    from soccer_env.replay.replay_file import Replay
+    from soccer_env.thoughts.recorded import Recorded
 
 
 class Onlooker:
@@ -51,7 +51,7 @@ class Onlooker:
 class Reel:
     """A replay as shots, with what robots thought in them if that is wanted; `cast` says who plays."""
 
-    def __init__(self, replay: Replay, thoughts: bool = True) -> None:
+    def __init__(self, replay: Recorded, thoughts: bool = True) -> None:
         self._notes = replay.notes() if thoughts else None
         self._playing = replay.play()
         first = next(self._playing)

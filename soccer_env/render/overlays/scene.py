@@ -15,12 +15,12 @@ from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.percept_types import LINES
 from soccer_env.render.overlays.flags import OverlayFlags
-from soccer_env.replay.thought import Reader, Thought
 from soccer_env.settings import plain
 from soccer_env.teams import Explanation, explanation_of, shipped_team
+from soccer_env.thoughts.thought import Reader, Thought
 
 if TYPE_CHECKING:
-    from soccer_env.replay.replay_file import Replay
+    from soccer_env.thoughts.recorded import Recorded
 
 PIXELS = re.compile(r"([1-9]\d{1,3})x([1-9]\d{1,3})")
 
@@ -31,7 +31,7 @@ class Shot(NamedTuple):
     match: np.void
     ball: np.void
     robots: np.ndarray  # (R,)
-    note: np.ndarray | None = None  # (R, C) int16 what robots think, see `replay.thoughts`
+    note: np.ndarray | None = None  # (R, C) int16 what robots think, see `soccer_env.thoughts`
 
 
 def shot_of(match: Match, note: np.ndarray | None = None) -> Shot:
@@ -135,7 +135,7 @@ def cast_of(match: Match, reader: Reader | None) -> Cast:
     )
 
 
-def cast_of_replay(replay: Replay, match: Match, reader: Reader | None) -> Cast:
+def cast_of_replay(replay: Recorded, match: Match, reader: Reader | None) -> Cast:
     """Return the cast of a replay; `match` is the one that it plays. Teams are known by name, with their own settings.
 
     Only shipped teams are asked: a name in a file loads nothing else.

@@ -11,7 +11,7 @@ from soccer_env.leagues.league import League
 from soccer_env.render.colours import BALL, GOALS, KEEPER, TEAMS_LIGHT, WHITE, Colour
 from soccer_env.render.overlays.scene import Camera, Cast, Shot
 from soccer_env.render.overlays.shapes import Area, Overlay, Points, Polyline
-from soccer_env.replay.groups import CENTI, LINE_STEPS
+from soccer_env.thoughts.groups import CENTI, LINE_STEPS
 
 SIGHT: Colour = (255, 246, 190)
 RAYS = 41  # of the fan that the field of view is drawn as

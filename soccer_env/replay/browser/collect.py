@@ -22,7 +22,7 @@ from soccer_env.render.robots import parts_of
 from soccer_env.replay.browser.events import Storyteller
 from soccer_env.replay.browser.fields import Fields
 from soccer_env.replay.browser.packing import pack
-from soccer_env.replay.thoughts import SEES, TABLE, TRACK, Notes, whole
+from soccer_env.thoughts.thoughts import SEES, TABLE, TRACK, Notes, whole
 from soccer_env.types import Phase
 
 if TYPE_CHECKING:

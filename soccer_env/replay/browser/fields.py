@@ -14,8 +14,8 @@ from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.forces import ACROSS, forces_at, grid, has_forces, shares_of, target_of
 from soccer_env.render.overlays.scene import cast_of_replay, shot_of
 from soccer_env.replay.browser.packing import pack_bytes
-from soccer_env.replay.thought import Reader
-from soccer_env.replay.thoughts import Notes
+from soccer_env.thoughts.thought import Reader
+from soccer_env.thoughts.thoughts import Notes
 
 if TYPE_CHECKING:
     from soccer_env.replay.replay_file import Replay

@@ -13,7 +13,7 @@ from soccer_env.render.overlays.panel import Help
 from soccer_env.render.overlays.scene import Cast, cast_of
 from soccer_env.render.overlays.ways import TRAVELLED
 from soccer_env.replay import Replay, Thoughts
-from soccer_env.replay.thought import Reader
+from soccer_env.thoughts.thought import Reader
 from soccer_env.train.command.watching.deck import HELP, Deck
 from soccer_env.train.command.watching.settings import WatchSettings
 from soccer_env.train.command.watching.tape import KEPT, Tape, live
