@@ -146,18 +146,24 @@ class Run:
 
     def judge(self, row: Row, text: str) -> Row | None:
         """Return the row of a mutant with its verdict, None if the time is over first; write it in both cases."""
-        copy = self.copies.get()
         began, before = time.monotonic(), self.rows.get(row["id"], {"by": "0", "cpu": 0.0})
-        tests = [([row["test"]], ())] if "test" in row else judging.stages(self.related, row["file"])
-        try:
-            verdict = judging.verdict_on(copy, row["file"], text, tests, begin=int(before["by"]))
-        finally:
-            self.copies.put(copy)
+        verdict = self.asked_tests(row, text, int(before["by"]))
         row |= {"verdict": verdict.word, "by": verdict.by, "cpu": round(before["cpu"] + verdict.seconds, 1)}
         row |= {"seconds": round(time.monotonic() - began, 1)}
         with self.lock, self.asked.out.open("a", encoding="utf-8") as out:
             out.write(json.dumps(row) + "\n")
         return row if finished(row) else None
+
+    def asked_tests(self, row: Row, text: str, stage: int) -> judging.Verdict:
+        """Return what tests say to a mutant, from a stage on; those that are known to change nothing are not asked."""
+        if equivalents.reason(row):
+            return judging.Verdict("lived", "", 0.0)
+        tests = [([row["test"]], ())] if "test" in row else judging.stages(self.related, row["file"])
+        copy = self.copies.get()
+        try:
+            return judging.verdict_on(copy, row["file"], text, tests, begin=stage)
+        finally:
+            self.copies.put(copy)
 
     def tell(self, row: Row, number: int, count: float) -> None:
         """Print the verdict on a mutant, and which tests were found to fail without any."""
