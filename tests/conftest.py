@@ -11,7 +11,10 @@ from pathlib import Path
 
 import pettingzoo  # noqa: F401  # first, for it sets the sound driver as it is imported
 import pytest
+from hypothesis import settings
 
+settings.register_profile("busy machine", deadline=None)
+settings.load_profile("busy machine")
 os.environ["SDL_VIDEODRIVER"] = os.environ["SDL_AUDIODRIVER"] = "dummy"
 sys.path.append(str(Path(__file__).parents[1]))
 

@@ -62,7 +62,7 @@ def test_a_flipped_bit_is_refused_or_harmless() -> None:
                 assert all(np.isfinite(array).all() for array in found.weights + found.biases)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(st.binary(max_size=200), st.booleans())
 def test_any_bytes_are_refused(noise: bytes, behind_a_length: bool) -> None:
     refused(struct.pack("<Q", len(noise)) + noise if behind_a_length else noise)
@@ -75,7 +75,7 @@ JSON = st.recursive(
 )
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(st.sampled_from(sorted(TABLE)), JSON)
 def test_any_json_in_a_field_is_refused_or_a_policy(key: str, value: Any) -> None:
     try:
@@ -84,7 +84,7 @@ def test_any_json_in_a_field_is_refused_or_a_policy(key: str, value: Any) -> Non
         assert str(refusal).startswith(f"policy file {WHERE!r}: ") and str(refusal).isprintable()
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(st.sampled_from(["dtype", "shape", "data_offsets", "more"]), JSON)
 def test_any_json_in_a_tensor_is_refused(key: str, value: Any) -> None:
     if value != HEADER["layer0.weight"].get(key, None):

@@ -68,7 +68,7 @@ def test_a_file_gives_back_the_policy(tmp_path: Path) -> None:
         assert own.tobytes() == other.tobytes() and own.shape == other.shape
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(
     widths=st.lists(st.integers(1, 9), max_size=7),
     made=st.dictionaries(

@@ -44,12 +44,20 @@ def verdict_on(copy: Copy, file: str, text: str, asked: list[Stage], begin: int 
                     if ran.code in (0, NONE_CHOSEN):
                         break
                     verdict = judged(copy, file, ran)
-                    if verdict:
+                    if verdict and (verdict[0] != "killed" or fails_again(copy, verdict[1])):
                         return Verdict(*verdict, seconds)
                 stage += 1
         except StoppedError:
             return Verdict("unfinished", str(stage), seconds)
     return Verdict("lived", "", seconds)
+
+
+def fails_again(copy: Copy, test: str) -> bool:
+    """Tell whether a test fails a second time; one that does not is asked no more, for it fails by chance."""
+    if "::" not in test or copy.run_tests([test]).code != 0:
+        return True
+    copy.ground.failing.add(test)
+    return False
 
 
 def judged(copy: Copy, file: str, ran: Ran) -> tuple[str, str] | None:

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from soccer_env.train.command.command_line import main
+from soccer_env.train.evaluate.exporting import check_free
 
 PLAYED = ["--home", "chaser", "--away", "still", "--players", "1", "--minutes", "0.03"]
 
@@ -43,6 +44,19 @@ def test_a_folder_becomes_a_file_for_each_match_or_one_table(
         assert all(content.lower().startswith(starts.lower()) for content in contents.values())
         assert main(command) == 2 and "exists already" in capsys.readouterr().err
         assert all(path.read_bytes() == content for path, content in contents.items())
+
+
+@pytest.mark.parametrize("anew", [False, True])
+def test_a_link_a_folder_or_a_file_of_another_kind_is_in_the_way(tmp_path: Path, anew: bool) -> None:
+    link, folder, file = tmp_path / "x.xml", tmp_path / "y.csv", tmp_path / "z.cdf"
+    link.symlink_to(tmp_path / "nowhere")
+    folder.mkdir()
+    file.write_bytes(b"")
+    for target in (link, folder, file):
+        with pytest.raises(ValueError, match=f"{target.name} is in the way"):
+            check_free([tmp_path / "free.csv", target], anew)
+    (tmp_path / "own.cdf").mkdir()
+    check_free([tmp_path / "own.cdf"], anew=True)
 
 
 @pytest.mark.parametrize("name", ["x.html", "x.xml"])

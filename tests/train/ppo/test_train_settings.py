@@ -198,7 +198,7 @@ CHANGES: dict[str, st.SearchStrategy[Any]] = {
 }
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(changes=st.fixed_dictionaries({}, optional=CHANGES))
 def test_a_command_asks_for_the_same_settings(changes: dict[str, Any]) -> None:
     wanted = TrainSettings(**changes)
