@@ -118,6 +118,7 @@ def test_without_matplotlib_a_report_has_its_tables_and_says_so(monkeypatch: pyt
     monkeypatch.setattr("soccer_env.train.evaluate.page.can_draw", lambda: False)
     text = page_of(result, {"command": EVIL})
     assert "pip install &quot;soccer_env[plot]&quot;" in text and "<svg" not in text and "shots: off target" in text
+    assert "Replays" not in text, "none were kept"
 
 
 def test_pictures_of_maps_leave_a_page_small(evaluated: Path) -> None:
