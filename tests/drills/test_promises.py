@@ -230,3 +230,11 @@ def test_every_drill_is_told_of_here() -> None:
     common = {"empty-goal", "shot-at-keeper"}
     told |= {"far-post-shot", "near-post-shot", "receive-pass", "challenge-2003", "three-v-one", "counter-attack"}
     assert told | common == {name for name, scene in SCENES.items() if scene.success != "none"} and len(LEAGUES) == 2
+
+
+@pytest.mark.parametrize("scene", DRIBBLES)
+def test_a_dribbler_begins_with_the_ball_3_mm_from_its_chest(scene: str) -> None:
+    match = drill(scene)
+    away, bearing = ball_from(match)
+    gap = away * np.cos(bearing) - match.league.body.front - match.league.ball.radius
+    assert gap == pytest.approx(0.003, abs=1e-9)

@@ -1,6 +1,7 @@
 """Both ways of driving Chipmunk give the same bits, and neither touches memory that is not its own."""
 
 import copy
+import ctypes
 import os
 import subprocess
 import sys
@@ -257,3 +258,18 @@ assert c.bodies.tobytes() == batch.bodies.tobytes()
 """
     environment = os.environ | {"NUMBA_DISABLE_JIT": "1", "PYTHONPATH": str(ROOT)}
     subprocess.run([sys.executable, "-c", code], env=environment, check=True, timeout=60)
+
+
+@pytest.mark.parametrize(
+    ("call", "kinds", "given"),
+    [
+        (chipmunk._python_step, (ctypes.c_size_t, ctypes.c_double), (7, 0.25)),
+        (chipmunk._python_each, (ctypes.c_size_t,) * 3, (7, 9, 11)),
+        (chipmunk._python_shape, (ctypes.c_size_t,) * 2, (7, 9)),
+    ],
+)
+def test_without_compiling_a_function_of_chipmunk_is_called_by_its_address(call, kinds, given):
+    heard = []
+    function = ctypes.CFUNCTYPE(None, *kinds)(lambda *words: heard.append(words))
+    call(ctypes.cast(function, ctypes.c_void_p).value, *given)
+    assert heard == [given]
