@@ -19,7 +19,7 @@ policies/       the bundled policies, with their page
 
 from typing import TYPE_CHECKING
 
-from soccer_env.names import lazy_names
+from soccer_env.guards.names import lazy_names
 
 if TYPE_CHECKING:
     from soccer_env.agents.sb3_zip import convert_sb3, load_sb3

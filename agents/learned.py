@@ -13,9 +13,9 @@ from soccer_env.agents.perceptron import AT_ONCE, REPEAT, act, given, pack, wide
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.compiled import compiled
+from soccer_env.guards.names import Made
+from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, record
 from soccer_env.leagues.league import League
-from soccer_env.names import Made
-from soccer_env.ranges import COUNT, FLAG, NUMBER, record
 from soccer_env.teams import ObservingTeam
 
 BUNDLED = Path(__file__).parent / "policies" / "legged-2001.safetensors"

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.checking import brief
+from soccer_env.guards.checking import brief
 
 KEYS = ("mean", "deviation", "limit")
 MOST = 1e30  # of a mean, a deviation and the limit: nothing can overflow

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from math import prod
 from typing import Any, NoReturn
 
-from soccer_env.checking import brief
+from soccer_env.guards.checking import brief
 
 MAX_FILE = 16 * 2**20  # [bytes] as of our own policy files
 MAX_PARTS = 50_000  # messages in a file; an export has a few for each operator

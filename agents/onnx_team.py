@@ -18,7 +18,7 @@ import numpy as np
 from soccer_env.actions import BOX, DISCRETE, FULL
 from soccer_env.agents.onnx_checks import MAX_FILE, axes_of, check_sizes, checked_model, inputs_of
 from soccer_env.agents.policy_file import file_name, one_line, read_plain
-from soccer_env.function_teams import FunctionTeam, team_of_function
+from soccer_env.teams.function_teams import FunctionTeam, team_of_function
 
 HALVES = (2 * len(BOX), 2 * len(FULL))
 

@@ -24,7 +24,7 @@ from soccer_env.agents.attention import TENSORS, layout_of
 from soccer_env.agents.normalising import check_normalise
 from soccer_env.agents.rules_known import check_recorded, recorded, tell_of_rules
 from soccer_env.agents.trained_with import check_trained_with
-from soccer_env.checking import brief, one_of, refuse
+from soccer_env.guards.checking import brief, one_of, refuse
 from soccer_env.leagues.checks import check_family
 from soccer_env.leagues.league import MAX_RATE, League
 from soccer_env.observations import OBSERVE, Entry, entries_named, names_of

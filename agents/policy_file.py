@@ -26,12 +26,12 @@ from safetensors import SafetensorError
 from safetensors.numpy import load as tensors_of
 from safetensors.numpy import save
 
-from soccer_env import whole_files
 from soccer_env.agents.attention import TENSORS
 from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, league_of
-from soccer_env.checking import brief
+from soccer_env.guards import whole_files
+from soccer_env.guards.checking import brief
 from soccer_env.leagues import LEAGUES
-from soccer_env.match_settings import version
+from soccer_env.match.arguments import version
 
 VERSION = 5
 KEY = "soccer_env.policy"

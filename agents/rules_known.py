@@ -11,7 +11,7 @@ from functools import cache
 from math import isfinite
 from typing import Any
 
-from soccer_env.checking import brief, refuse
+from soccer_env.guards.checking import brief, refuse
 from soccer_env.leagues.rules import SWITCHES, Rules
 
 MAX_RULES = 200  # entries of a policy file

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from soccer_env.agents.policy import MAX_INPUTS
-from soccer_env.checking import brief
+from soccer_env.guards.checking import brief
 
 Layers = tuple[np.ndarray, ...]
 NAMES = "PPO, A2C, SAC, TD3, DDPG and DQN"

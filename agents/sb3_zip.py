@@ -28,10 +28,10 @@ from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, Policy, league_of
 from soccer_env.agents.policy_file import dump, file_name, one_line, read_plain, strict_json
 from soccer_env.agents.sb3_actor import algorithm_of, is_discrete, layers_of
 from soccer_env.agents.trained_with import known_senses, tell_of_truth
-from soccer_env.checking import brief, one_of
+from soccer_env.guards.checking import brief, one_of
+from soccer_env.guards.whole_files import write_whole
 from soccer_env.leagues import League, find_league
 from soccer_env.observations import OBSERVE, names_of
-from soccer_env.whole_files import write_whole
 
 MAX_FILE = 256 * 2**20  # [bytes] most of it the optimiser's state, which is not read
 MAX_MEMBER = 64 * 2**20  # [bytes] unpacked, policy.pth and its records

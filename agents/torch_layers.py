@@ -7,7 +7,7 @@ import numpy as np
 
 from soccer_env.actions import BOX, FULL
 from soccer_env.agents.policy import ACTIVATIONS
-from soccer_env.checking import one_of
+from soccer_env.guards.checking import one_of
 
 SKIPPED = ("Identity", "Flatten", "Dropout")  # what changes nothing when a policy plays
 HALVED = (2 * len(BOX), 2 * len(FULL))  # outputs: means, then deviations

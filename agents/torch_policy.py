@@ -19,12 +19,12 @@ from soccer_env.agents.policy import ACTIONS, Policy, trained_in
 from soccer_env.agents.policy_file import dump
 from soccer_env.agents.torch_layers import Network, applied, network_of
 from soccer_env.agents.trained_with import known_senses, tell_of_truth
-from soccer_env.checking import one_of
+from soccer_env.guards.checking import one_of
+from soccer_env.guards.whole_files import write_whole
 from soccer_env.leagues import League, find_league
 from soccer_env.leagues.rules import rule_set
-from soccer_env.match_settings import version
+from soccer_env.match.arguments import version
 from soccer_env.observations import OBSERVE, names_of
-from soccer_env.whole_files import write_whole
 
 ENDING = ".safetensors"
 PROBES = 256  # observations for which both are compared

@@ -12,8 +12,8 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple, get_args
 
 from soccer_env.agents.rules_known import warn_once
-from soccer_env.checking import one_of
-from soccer_env.match_settings import Pose, Senses
+from soccer_env.guards.checking import one_of
+from soccer_env.match.arguments import Pose, Senses
 
 if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy

@@ -6,10 +6,10 @@
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.guards.ranges import NUMBER, record
 from soccer_env.random_numbers import uniform
-from soccer_env.ranges import NUMBER, record
-from soccer_env.team_kernels import STRENGTH, per_blind_player
 from soccer_env.teams import CompiledTeam
+from soccer_env.teams.kernels import STRENGTH, per_blind_player
 from soccer_env.types import RobotStream
 
 MEMORY = record(

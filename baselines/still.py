@@ -5,10 +5,10 @@
 
 import numpy as np
 
-from soccer_env.baselines.skills import stand
 from soccer_env.compiled import compiled
-from soccer_env.team_kernels import NO_MEMORY, STRENGTH, per_blind_player
+from soccer_env.skills.moves import stand
 from soccer_env.teams import CompiledTeam
+from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_blind_player
 
 
 def team(strength: float = 1.0) -> CompiledTeam:

@@ -7,10 +7,10 @@ What moves in drills: strengths 0.25, 0.5, 0.75 and 1 are 3, 6, 9 and 12 cm/s in
 
 import numpy as np
 
-from soccer_env.baselines.skills import stand
 from soccer_env.compiled import compiled
-from soccer_env.team_kernels import NO_MEMORY, STRENGTH, per_blind_player
+from soccer_env.skills.moves import stand
 from soccer_env.teams import CompiledTeam
+from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_blind_player
 
 
 def team(strength: float = 1.0) -> CompiledTeam:

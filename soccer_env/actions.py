@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.checking import one_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
+from soccer_env.guards.checking import one_of
 
 BOX = ("forward", "left", "turn", "kick")
 FULL = (*BOX, "head", "pan", "tilt")

@@ -13,15 +13,15 @@ import numpy as np
 from gymnasium.envs.registration import EnvSpec
 
 from soccer_env.api.shown import Shown
-from soccer_env.checking import check_names
+from soccer_env.guards.checking import check_names
+from soccer_env.guards.names import Made
 from soccer_env.guards.turns import held
-from soccer_env.match_settings import LearnerSetup, MatchSetup, SoloArguments, by_settings, made_from, part_of
-from soccer_env.names import Made
+from soccer_env.match.arguments import LearnerSetup, MatchSetup, SoloArguments, by_settings, made_from, part_of
 
 
 def choose_learner(asked: LearnerSetup) -> tuple[str, dict[str, Any]]:
     """Return the learner, home's last robot unless `agent` names it, and the settings of a match it plays in."""
-    from soccer_env.settings import make_settings
+    from soccer_env.match.settings import make_settings
 
     checked, controllers = make_settings(asked), asked.controllers
     sizes = {"home": checked.home, "away": checked.away}

@@ -6,7 +6,7 @@
 | observation | one float32 vector in [-1, 1] a robot, see `soccer_env.observations.layout`, or what a user's own has |
 | action | Box(4): forward, left, turn, kick; or Box(7): and head, pan, tilt; or Discrete; see `soccer_env.actions` |
 | reward | weighted terms, see `soccer_env.rewards.TERMS` |
-| state | the whole truth of the match in [-1, 1], see `soccer_env.truth_state` |
+| state | the whole truth of the match in [-1, 1], see `soccer_env.match.truth_state` |
 
 `infos[agent]` are numbers under keys that never change, which `soccer_env.api.infos` lists: "active", "score_for",
 "phase", "opponent", "reward_goal", "event_goal" ...; infos="full" adds statistics of play. infos="nested" has dicts in
@@ -43,10 +43,10 @@ from soccer_env.api.report import (
 )
 from soccer_env.api.shown import Shown
 from soccer_env.api.turn_env import OrderedSoccer, TurnSoccer
+from soccer_env.guards.names import Made
 from soccer_env.guards.turns import held
 from soccer_env.match import Match
-from soccer_env.match_settings import EnvArguments, InfoKind, MatchArguments, MatchSetup, by_settings, part_of, takes
-from soccer_env.names import Made
+from soccer_env.match.arguments import EnvArguments, InfoKind, MatchArguments, MatchSetup, by_settings, part_of, takes
 from soccer_env.observations.own import copied, pick, space_of
 
 FLOATS = "fd"  # dtype characters of float32 and float64

@@ -9,7 +9,7 @@ in a dtype (a dtype that grows would compile every kernel again). Frames are tho
 * robot frame: x forward, y left; a bearing is an angle in it, 0 straight ahead.
 
 SI units and radians everywhere. Integers are used for flags and codes; fields of eight bytes lie at multiples of eight.
-Beside each field stands its range, of `ranges.py`: what a save or a replay may bring in.
+Beside each field stands its range, of `guards/ranges.py`: what a save or a replay may bring in.
 """
 
 from enum import IntEnum
@@ -17,7 +17,7 @@ from math import inf
 
 import numpy as np
 
-from soccer_env.ranges import (
+from soccer_env.guards.ranges import (
     AMOUNT,
     ANGLE,
     ANY,

@@ -9,8 +9,8 @@ from numba.core import cgutils
 from numba.core.runtime import _nrt_python, rtsys
 from numba.extending import intrinsic
 
-from soccer_env.borrowing import borrowed, keep
 from soccer_env.compiled import compiled, config
+from soccer_env.compiling.borrowing import borrowed, keep
 
 RECORD = np.dtype([("x", "f8"), ("n", "i8")])
 Pair = namedtuple("Pair", ("records", "number"))

@@ -268,7 +268,7 @@ def test_the_physics_kernels_depend_on_their_imports_and_on_nothing_beside_them(
     within = {file.relative_to(physics).as_posix() for file in found if file.is_relative_to(physics)}
     assert within == engine | solver | {"block.py", "gait.py"} and len(solver) > 4
     beside = {file.relative_to(PACKAGE).parts[0] for file in found} - {"physics"}
-    ground = {"compiled.py", "checking.py", "geometry.py", "names.py", "ranges.py", "types.py"}
+    ground = {"compiled.py", "geometry.py", "types.py"}
     assert beside == ground | {"compiling", "guards", "leagues"}
 
 

@@ -17,9 +17,10 @@ from gymnasium.vector import AsyncVectorEnv
 from pettingzoo.test import parallel_api_test
 
 import soccer_env
-from soccer_env import Match, make_team, match_settings, soccer_v0
+from soccer_env import Match, make_team, soccer_v0
 from soccer_env.agents.learned import BUNDLED
 from soccer_env.agents.policy_file import dump, load
+from soccer_env.match import arguments as match_settings
 from soccer_env.teams import NAMES, View
 
 ROOT = Path(__file__).parents[1]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env.whole_files import folder_aside, write_whole, written_aside
+from soccer_env.guards.whole_files import folder_aside, write_whole, written_aside
 
 
 def test_a_file_is_replaced_whole(tmp_path: Path) -> None:
@@ -67,7 +67,7 @@ def test_the_file_written_aside_follows_no_link(tmp_path: Path, monkeypatch: pyt
     mine.write_text("mine")
     (tmp_path / f".result.json.{os.getpid()}.tmp").symlink_to(mine)
     write_whole(path, "new")
-    monkeypatch.setattr("soccer_env.whole_files.token_hex", lambda _: "guessed")
+    monkeypatch.setattr("soccer_env.guards.whole_files.token_hex", lambda _: "guessed")
     (tmp_path / ".result.json.guessed.tmp").symlink_to(mine)
     with pytest.raises(FileExistsError, match="result.json"):
         write_whole(path, "newer")

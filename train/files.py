@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from soccer_env.whole_files import read_plain
+from soccer_env.guards.whole_files import read_plain
 
 LARGEST = 1 << 30  # [bytes] of a file of results
 

@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 
 from soccer_env.compiling.sources import ROOT, file_of, sources
+from soccer_env.guards.names import MODULE_PATH
 from soccer_env.leagues import LEAGUES
 from soccer_env.leagues.league import League
-from soccer_env.names import MODULE_PATH
 from soccer_env.teams import CompiledTeam, Team, make_team
 
 LIBRARIES = ("soccer_env", "pymunk", "numba", "numpy")
@@ -32,7 +32,7 @@ def of_modules(names: Iterable[str]) -> dict[str, str]:
 def made_with(league: League, home: str | Team, away: str | Team) -> dict[str, str]:
     """Return what must be the same for matches to be the same: versions, code, the two teams and the league."""
     versions = {name: version_of(name) for name in LIBRARIES}
-    hashes = {"code": module_hash("soccer_env.match"), "home_team": team_hash(home), "away_team": team_hash(away)}
+    hashes = {"code": module_hash("soccer_env.match.match"), "home_team": team_hash(home), "away_team": team_hash(away)}
     own = {} if LEAGUES.get(league.name) is league else {"league": digest(league.in_full())}
     return {**versions, **hashes, **own}
 

@@ -16,10 +16,10 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any, TypeVar, get_origin, get_type_hints
 
-from soccer_env.checking import brief
+from soccer_env.guards.checking import brief
+from soccer_env.guards.whole_files import read_plain, write_whole
 from soccer_env.train.files import LARGEST, append_lines, read_lines
 from soccer_env.train.provenance import settings_hash
-from soccer_env.whole_files import read_plain, write_whole
 
 T = TypeVar("T")
 Self = TypeVar("Self", bound="ResultsFolder")

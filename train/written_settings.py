@@ -8,8 +8,8 @@ from collections.abc import Collection
 from dataclasses import fields
 from typing import Any
 
-from soccer_env.checking import FROM_ZERO, Checked, Range, refuse
-from soccer_env.match_settings import Pose
+from soccer_env.guards.checking import FROM_ZERO, Checked, Range, refuse
+from soccer_env.match.arguments import Pose
 from soccer_env.types import MAX_TEAM
 
 SENSES = ("ideal", "sensors")

@@ -5,7 +5,7 @@
 
 from math import atan2, inf
 
-from soccer_env.baselines.attacking import (
+from soccer_env.baselines.chaser.attacking import (
     DEFENDED,
     approach,
     choose_aim,
@@ -14,16 +14,16 @@ from soccer_env.baselines.attacking import (
     wants_to_shoot,
     wriggle,
 )
-from soccer_env.baselines.carrying import is_pressed
 from soccer_env.baselines.heinemann_2006.dribbling import dribble, way_round
 from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.intercepting import meeting_time
 from soccer_env.baselines.heinemann_2006.passing import choose_pass, is_at_kicker, pass_strength
-from soccer_env.baselines.set_pieces import strength_for
-from soccer_env.baselines.sight import rolls_to
-from soccer_env.baselines.skills import shot_room, turned
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
+from soccer_env.skills.carrying import is_pressed
+from soccer_env.skills.moves import shot_room, turned
+from soccer_env.skills.set_pieces import strength_for
+from soccer_env.skills.sight import rolls_to
 
 BEHIND = 0.3  # [m] more than touching it that the place behind the ball lies from it, assumed
 

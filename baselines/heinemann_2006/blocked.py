@@ -7,11 +7,11 @@ Plans end before a ring of robots, and whoever holds off an opponent with the ba
 
 from math import atan2
 
-from soccer_env.baselines.deciding import PLAY
 from soccer_env.baselines.heinemann_2006.driving import drive_to
-from soccer_env.baselines.sight import side_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
+from soccer_env.skills.deciding import PLAY
+from soccer_env.skills.sight import side_of
 
 PATIENCE = 5.0  # [s] of standing, assumed
 DETOUR = 2.0  # [s] of going round, assumed

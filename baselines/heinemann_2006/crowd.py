@@ -7,10 +7,10 @@ They are the robot's own tracks: what its camera saw, and where its team-mates s
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from soccer_env.baselines.skills import FOUGHT_FOR
 from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
+from soccer_env.skills.moves import FOUGHT_FOR
 
 
 @compiled

@@ -12,12 +12,12 @@ below a grip, v w <= g, and the base steps aside as it turns: it turns about the
 
 from math import atan2
 
-from soccer_env.baselines.carrying import pushing_speed
 from soccer_env.baselines.heinemann_2006.crowd import note_crowd
 from soccer_env.baselines.heinemann_2006.driving import plan_to
 from soccer_env.baselines.weigel_2001.planner.measuring import place_on
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
+from soccer_env.skills.carrying import pushing_speed
 
 LEAST = 0.15  # [m/s] ahead while it turns, so that the ball stays at the kicker, assumed
 

@@ -12,13 +12,13 @@ from math import atan2, sqrt
 
 from soccer_env.baselines.heinemann_2006.crowd import note_crowd
 from soccer_env.baselines.heinemann_2006.settings import PLANNERS
-from soccer_env.baselines.sight import side_of
-from soccer_env.baselines.skills import braking_speed, drive_differential, go, hold_back, push, turn_by
 from soccer_env.baselines.weigel_2001.planner.measuring import place_on
 from soccer_env.baselines.weigel_2001.planner.planning import plan_way
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, wrap
 from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
+from soccer_env.skills.moves import braking_speed, drive_differential, go, hold_back, push, turn_by
+from soccer_env.skills.sight import side_of
 
 NO_PLANNER = PLANNERS["none"]
 KEPT = 2  # decisions, this one and the next, for which the velocity asked for is known

@@ -9,9 +9,9 @@ from soccer_env.baselines.heinemann_2006.crowd import note_crowd
 from soccer_env.baselines.heinemann_2006.driving import ways_of
 from soccer_env.baselines.heinemann_2006.memory import ROLES, SCRATCH
 from soccer_env.baselines.heinemann_2006.team import act
-from soccer_env.baselines.sight import look
 from soccer_env.baselines.weigel_2001.planner.potential import gradient
 from soccer_env.compiled import compiled
+from soccer_env.skills.sight import look
 from soccer_env.teams import Explanation, Mind
 from soccer_env.types import COMMAND
 

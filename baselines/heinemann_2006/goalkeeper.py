@@ -14,14 +14,14 @@
 
 from math import atan2
 
-from soccer_env.baselines.goalkeeping import clear, may_clear
+from soccer_env.baselines.chaser.goalkeeping import clear, may_clear
 from soccer_env.baselines.heinemann_2006.driving import drive_along
 from soccer_env.baselines.heinemann_2006.intercepting import moving_time, rolling_time
 from soccer_env.baselines.heinemann_2006.settings import KEEPERS, STANCES
-from soccer_env.baselines.skills import braking_speed, go
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
+from soccer_env.skills.moves import braking_speed, go
 
 ACTIVE, CIRCLE = KEEPERS["active"], STANCES["circle"]
 POINTS = 12  # of the trajectory, between the nearest one and the goal line, that are tried, assumed

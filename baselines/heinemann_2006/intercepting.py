@@ -11,9 +11,9 @@ its acceleration up to its top speed, after a reaction.
 
 from math import inf, sqrt
 
-from soccer_env.baselines.sight import rolls_to
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
+from soccer_env.skills.sight import rolls_to
 
 STEP = 0.1  # [s] between two moments at which a ball could be met, assumed
 

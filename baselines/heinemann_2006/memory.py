@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from soccer_env.baselines.chaser import MEMORY as SKILL_MEMORY
-from soccer_env.baselines.sight import SIGHT
+from soccer_env.baselines.chaser.team import MEMORY as SKILL_MEMORY
 from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES, OBSTACLE, PLAN, POINT
 from soccer_env.baselines.weigel_2001.planner.records import SCRATCH as PLANNING
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
-from soccer_env.belief_types import SITUATION
-from soccer_env.ranges import COUNT, FLAG, NUMBER, UNIT, Range, record
+from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, UNIT, Range, record
+from soccer_env.records.beliefs import SITUATION
+from soccer_env.skills.sight import SIGHT
 from soccer_env.types import PHASE
 
 KEEPER, ATTACKER, DEFENDER, SUPPORTER = range(4)

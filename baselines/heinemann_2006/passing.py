@@ -11,10 +11,10 @@ goal. Where mates are is what they say by radio, or what is seen of them.
 
 from math import inf
 
-from soccer_env.baselines.set_pieces import strength_for
-from soccer_env.baselines.skills import lane_room, turned_away
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
+from soccer_env.skills.moves import lane_room, turned_away
+from soccer_env.skills.set_pieces import strength_for
 
 LED = 0.4  # [s] of a mate's motion by which a pass is led, assumed
 TURN_COST = 0.8  # [m] towards the goal that a pass may lose for a quarter turn less, assumed

@@ -5,9 +5,9 @@
 
 from math import atan2
 
-from soccer_env.baselines.attacking import comes_to_me, receive
-from soccer_env.baselines.chaser import watch_ball
-from soccer_env.baselines.deciding import PLAY, free_ring
+from soccer_env.baselines.chaser.attacking import comes_to_me, receive
+from soccer_env.baselines.chaser.supporting import support_point
+from soccer_env.baselines.chaser.team import watch_ball
 from soccer_env.baselines.heinemann_2006.attacking import attack
 from soccer_env.baselines.heinemann_2006.blocked import go_round, note_standing
 from soccer_env.baselines.heinemann_2006.driving import drive_to
@@ -15,8 +15,10 @@ from soccer_env.baselines.heinemann_2006.goalkeeper import keep_goal
 from soccer_env.baselines.heinemann_2006.memory import KEEPER
 from soccer_env.baselines.heinemann_2006.passing import open_place, own_ball
 from soccer_env.baselines.heinemann_2006.roles import choose_role
-from soccer_env.baselines.searching import LOST, end_search, search
-from soccer_env.baselines.set_pieces import (
+from soccer_env.compiled import compiled
+from soccer_env.skills.deciding import PLAY, free_ring
+from soccer_env.skills.searching import LOST, end_search, search
+from soccer_env.skills.set_pieces import (
     HOLDS_OFF,
     holds_off,
     leave_ball,
@@ -25,8 +27,6 @@ from soccer_env.baselines.set_pieces import (
     take_restart,
     wait_for_pass,
 )
-from soccer_env.baselines.supporting import support_point
-from soccer_env.compiled import compiled
 
 SAME_TIME = 1e-6  # [s] less than a control step: sums of steps differ by rounding
 

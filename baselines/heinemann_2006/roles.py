@@ -7,7 +7,7 @@ first; the defender the one of the others that is nearest to a place between bal
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from soccer_env.baselines.chaser import way_to_ball
+from soccer_env.baselines.chaser.team import way_to_ball
 from soccer_env.baselines.heinemann_2006.intercepting import meeting_time
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, DEFENDER, SUPPORTER
 from soccer_env.compiled import compiled

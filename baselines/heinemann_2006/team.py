@@ -5,14 +5,14 @@
 
 from typing import Any
 
-from soccer_env.baselines.deciding import apply_strength, keep_decision, must_decide
 from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
 from soccer_env.baselines.heinemann_2006.playing import decide
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
-from soccer_env.baselines.sight import look
 from soccer_env.compiled import compiled
-from soccer_env.team_kernels import per_player
+from soccer_env.skills.deciding import apply_strength, keep_decision, must_decide
+from soccer_env.skills.sight import look
 from soccer_env.teams import CompiledTeam
+from soccer_env.teams.kernels import per_player
 
 FAMILIES = ("middle-size",)
 EXPLAINS = "soccer_env.baselines.heinemann_2006.explaining:EXPLANATION"

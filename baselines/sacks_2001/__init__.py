@@ -2,7 +2,7 @@
 
 Each player decides for itself, from its own belief and tracks, in the three parts of the paper's software:
 
-    XLSs       what it knows: self, ball, foes, pals: belief, tracks, and ../sight.py
+    XLSs       what it knows: self, ball, foes, pals: belief, tracks, and soccer_env/skills/sight.py
     planner    what it does: the planner, with one module for each mechanism
     XLAs       how it walks and looks
 

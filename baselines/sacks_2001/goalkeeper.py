@@ -9,9 +9,9 @@ not said either: that it kicks it clear is ours.
 
 from math import atan2
 
-from soccer_env.baselines.skills import faces, go, turn_by, way_clear
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
+from soccer_env.skills.moves import faces, go, turn_by, way_clear
 
 FAST = 0.6  # [m/s] a ball that comes nearer faster is met without delay, one of unknown speed so fast, assumed
 CLEAR_COSINE = 0.77  # [1] of the angle to the way clear of the goal within which it kicks, 40 degrees, assumed

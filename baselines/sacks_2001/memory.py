@@ -1,6 +1,6 @@
 """What a player of sacks-2001 remembers between two decisions."""
 
-from soccer_env.ranges import COUNT, ENDLESS, FLAG, LATELY, NUMBER, UNIT, Range, record
+from soccer_env.guards.ranges import COUNT, ENDLESS, FLAG, LATELY, NUMBER, UNIT, Range, record
 
 SEARCH, APPROACH, BACK, SIDESTEP, ROTATE, ORBIT, DRIBBLE, SHOOT, PASS, SUPPORT, GUARD, YIELD = range(12)
 BEHAVIOURS = (

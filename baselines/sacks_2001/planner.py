@@ -7,7 +7,7 @@ and head.
     goalkeeper                            meet a shot  >  clear  >  guard                     goalkeeper.py
     opponents' restart, or not nearest    yield, support                                      positions.py
     attacker without the ball             approach  >  stuck?  >  back, aside or round        stuck.py, recovery.py
-    in the own penalty area, not its keeper   walk out: the rules, not the paper              ../obeying.py
+    in the own penalty area, not its keeper   walk out: the rules, not the paper              skills/keeping_rules.py
     whoever has the ball                  clear, the goalkeeper  >  shoot  >  pass  >  orbit  >  dribble   steering.py
 
 `k`: the league's constants; `play`: the team's settings.
@@ -15,8 +15,6 @@ and head.
 
 from math import atan2
 
-from soccer_env.baselines.deciding import free_ring
-from soccer_env.baselines.obeying import is_in_own_area, leave_area, may_not_enter, wait_at_area
 from soccer_env.baselines.sacks_2001.ball_notes import JUST_SEEN, note_possession, note_sighting
 from soccer_env.baselines.sacks_2001.goalkeeper import can_clear, guard, is_shot, may_clear, meet_shot
 from soccer_env.baselines.sacks_2001.memory import (
@@ -52,9 +50,11 @@ from soccer_env.baselines.sacks_2001.xla import (
     walk_back,
     walk_to_ball,
 )
-from soccer_env.baselines.sight import side_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import wrap
+from soccer_env.skills.deciding import free_ring
+from soccer_env.skills.keeping_rules import is_in_own_area, leave_area, may_not_enter, wait_at_area
+from soccer_env.skills.sight import side_of
 
 REALLY_HAS = (
     1.0  # [s] of doing one thing with the ball after which an approach is over; until then its counters go on, assumed

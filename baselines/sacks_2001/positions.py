@@ -8,11 +8,11 @@ believes itself nearer than any of them says attacks; the others support.
 
 from math import atan2, inf
 
-from soccer_env.baselines.obeying import ROOM, may_not_enter, out_of_own_area
-from soccer_env.baselines.sight import side_of
-from soccer_env.baselines.skills import go
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
+from soccer_env.skills.keeping_rules import ROOM, may_not_enter, out_of_own_area
+from soccer_env.skills.moves import go
+from soccer_env.skills.sight import side_of
 
 OLD_WORD = 2.5  # [s] after which what a team-mate said counts no more, assumed
 EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assumed

@@ -7,9 +7,9 @@ from math import cos, sin
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE, SIDESTEP
 from soccer_env.baselines.sacks_2001.stuck import forget_approach
-from soccer_env.baselines.sight import side_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
+from soccer_env.skills.sight import side_of
 
 FACING = 0.15  # [rad] a robot that is turned to the ball this far faces it, assumed
 ASIDE = 0.6  # [m] within which players count when a side is chosen, assumed

@@ -11,9 +11,9 @@ dribbler's shots; `choose_shots` is ours.
 from math import atan2
 
 from soccer_env.baselines.sacks_2001.steering import direction_to_goal, force_of_players
-from soccer_env.baselines.skills import choose_shot, lane_room, shot_room, turned
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
+from soccer_env.skills.moves import choose_shot, lane_room, shot_room, turned
 
 NEAREST_PASS, FARTHEST_PASS = 0.4, 1.4  # [m] a soft kick rolls about a metre, assumed
 WIDEST_PASS = 1.2  # [rad] beside straight ahead, assumed

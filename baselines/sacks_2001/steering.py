@@ -9,9 +9,9 @@ off straight ahead (MS48)  ->  a step of 3.5 cm (MS45)
 from math import atan2, cos, sin
 
 from soccer_env.baselines.sacks_2001.forces import as_sensed, goal_force, player_force, repulsion, wall_force
-from soccer_env.baselines.sight import side_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, out_of_frame, wrap
+from soccer_env.skills.sight import side_of
 
 SAME = 0.6  # [rad] within which the ranger's obstacle is taken to be one of the players, assumed  MS49
 BEHIND_LINE = 0.10  # [m] the goal that a dribbler makes for lies so far behind the line, assumed

@@ -5,15 +5,15 @@
 
 from typing import Any
 
-from soccer_env.baselines.deciding import apply_strength, keep_decision, must_decide
 from soccer_env.baselines.sacks_2001.ball_notes import NEVER
 from soccer_env.baselines.sacks_2001.memory import MEMORY
 from soccer_env.baselines.sacks_2001.planner import decide
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.baselines.sight import SIGHT, look
 from soccer_env.compiled import compiled
-from soccer_env.team_kernels import per_player
+from soccer_env.skills.deciding import apply_strength, keep_decision, must_decide
+from soccer_env.skills.sight import SIGHT, look
 from soccer_env.teams import CompiledTeam
+from soccer_env.teams.kernels import per_player
 
 FAMILIES = ("legged",)
 EXPLAINS = "soccer_env.baselines.sacks_2001.explaining:EXPLANATION"

@@ -7,11 +7,11 @@ Walks are asked for by step: the gait takes them up when a step ends.
 
 from math import atan2, cos, pi, sin
 
-from soccer_env.baselines.sight import rolls_to, side_of
-from soccer_env.baselines.skills import avoid_others, push, turn_by
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length
 from soccer_env.optics.head_camera import share_of_tilt
+from soccer_env.skills.moves import avoid_others, push, turn_by
+from soccer_env.skills.sight import rolls_to, side_of
 
 GLANCE_TILT = -12.0 * pi / 180.0  # [rad] at which a dribbler sees players near and far, assumed
 GLANCE_PAN = 40.0 * pi / 180.0  # [rad] to both sides, in turn, assumed

@@ -12,11 +12,11 @@ from soccer_env.api.nested_arrays import NestedArrays
 from soccer_env.api.opponents import Met, against
 from soccer_env.api.report import Screen, check_options, check_render_mode, kind_of_infos
 from soccer_env.api.shown import Shown
+from soccer_env.guards.names import Made
 from soccer_env.guards.turns import held
 from soccer_env.gymnasium_envs import choose_learner
 from soccer_env.match import Match
-from soccer_env.match_settings import InfoKind, VectorArguments, by_settings, made_from, part_of
-from soccer_env.names import Made
+from soccer_env.match.arguments import InfoKind, VectorArguments, by_settings, made_from, part_of
 from soccer_env.observations.own import copied, pick, space_of
 
 MODES: dict[AutoresetMode, Literal["next_step", "same_step"]] = {

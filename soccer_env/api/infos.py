@@ -20,7 +20,7 @@ import numpy as np
 from soccer_env.api.opponents import Met
 from soccer_env.api.report import FINAL_RECORDS, NO_EVENTS, Infos, Report, side_of
 from soccer_env.match import Match
-from soccer_env.match_settings import InfoKind
+from soccer_env.match.arguments import InfoKind
 from soccer_env.statistics.figures import flat, numbers_of
 from soccer_env.types import EVENTS, QUIET, ROBOT_EVENTS
 

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.match_settings import MatchArguments, part_of
-from soccer_env.squads import Squad, who_plays
+from soccer_env.match.arguments import MatchArguments, part_of
+from soccer_env.match.squads import Squad, who_plays
 
 LEARNER = "learner"  # what infos call a robot that no team plays
 

@@ -6,9 +6,9 @@ from typing import Any, get_args
 import numpy as np
 
 from soccer_env.api.opponents import opponents_of
-from soccer_env.checking import check_names, one_of, refuse
+from soccer_env.guards.checking import check_names, one_of, refuse
 from soccer_env.match import Match
-from soccer_env.match_settings import InfoKind
+from soccer_env.match.arguments import InfoKind
 from soccer_env.statistics.figures import flat
 from soccer_env.statistics.maps import maps_of
 from soccer_env.types import AWAY, HOME, QUIET, ROBOT_EVENTS, Phase

@@ -6,8 +6,8 @@ import logging
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
-from soccer_env.checking import brief
-from soccer_env.match_settings import MatchSettings
+from soccer_env.guards.checking import brief
+from soccer_env.match.arguments import MatchSettings
 
 if TYPE_CHECKING:
     from soccer_env.match import Match

@@ -12,8 +12,8 @@ from pettingzoo.utils.agent_selector import AgentSelector
 from pettingzoo.utils.conversions import parallel_to_aec_wrapper
 from pettingzoo.utils.wrappers import OrderEnforcingWrapper
 
+from soccer_env.guards.names import Made
 from soccer_env.guards.turns import held
-from soccer_env.names import Made
 
 if TYPE_CHECKING:
     from soccer_env.soccer_v0 import ParallelSoccer

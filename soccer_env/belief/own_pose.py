@@ -29,8 +29,8 @@ from soccer_env.belief.particles import (
 )
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, out_of_frame, wrap
-from soccer_env.percept_types import POSE_SENSED, POSE_TOLD
-from soccer_env.ranges import COUNT, FLAG, NUMBER, SHARE, record
+from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, SHARE, record
+from soccer_env.records.percepts import POSE_SENSED, POSE_TOLD
 
 SURE = 100.0  # confidence of a pose that is given
 HELD = 0.3  # [1] share of the particles that do not move with the odometry while others are near, assumed

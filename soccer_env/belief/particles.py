@@ -19,8 +19,8 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, point_of_frame, wrap
+from soccer_env.guards.ranges import AMOUNT, NUMBER, record
 from soccer_env.random_numbers import uniform
-from soccer_env.ranges import AMOUNT, NUMBER, record
 from soccer_env.types import RobotStream
 
 PARTICLES = int(RobotStream.PARTICLES)

@@ -16,9 +16,9 @@ from math import inf
 
 import numpy as np
 
-from soccer_env.ball_words import SILENT
 from soccer_env.compiled import compiled
-from soccer_env.ranges import FLAG, LATELY, record
+from soccer_env.guards.ranges import FLAG, LATELY, record
+from soccer_env.records.ball_words import SILENT
 from soccer_env.types import RobotStream
 
 RADIO = int(RobotStream.RADIO)

@@ -5,4 +5,5 @@ stops.py      where a signal may end compiling
 cache.py      machine code on disk
 sources.py    which source files that code depends on
 callback.py   functions of ours that C calls
+borrowing.py  arrays in compiled code without a count of references
 """

@@ -5,3 +5,7 @@ tables.py       tidy tables, every column with unit and meaning     table_files.
 standard.py     the Common Data Format                              sportec.py      XML of the German league (DFL)
 kloppy_data.py  datasets of kloppy
 """
+
+from soccer_env.data_out.kloppy_data import kloppy_events, kloppy_tracking
+
+__all__ = ["kloppy_events", "kloppy_tracking"]

@@ -1,4 +1,4 @@
-"""A match as datasets of kloppy (extra `data`): `Replay.to_kloppy()` and `Replay.to_kloppy_events()`.
+"""A match as datasets of kloppy (extra `data`): `kloppy_tracking` and `kloppy_events`.
 
 Places are in metres from the centre spot, y to the left of x, on a pitch of the league's length and width; kloppy turns
 them into its other coordinate systems: `dataset.transform(to_coordinate_system="kloppy")`. Those that stretch places
@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.data_out.collect import SHOOT_OUT, Collected
+from soccer_env.data_out.collect import SHOOT_OUT, Collected, collect
 from soccer_env.data_out.events import NOBODY, Event
 from soccer_env.leagues.league import Pitch
+from soccer_env.replay import Replay
 from soccer_env.types import AWAY, HOME
 
 HOW = 'pip install "soccer_env[data]"'
@@ -26,6 +27,18 @@ def require_kloppy() -> Any:
     except ImportError as error:
         raise ImportError(f"kloppy is not installed: {HOW}") from error
     return domain
+
+
+def kloppy_tracking(replay: Replay) -> Any:
+    """Return the first match as a kloppy TrackingDataset in metres; ImportError if the extra `data` is missing."""
+    require_kloppy()
+    return tracking_dataset(collect(replay))
+
+
+def kloppy_events(replay: Replay) -> Any:
+    """Return the first match as a kloppy EventDataset: passes, shots, interceptions, saves, fouls, calls."""
+    require_kloppy()
+    return event_dataset(collect(replay))
 
 
 def tracking_dataset(found: Collected) -> Any:

@@ -8,7 +8,7 @@ numbered from 10,000 in the first half and from 100,000 in the second; each show
 Places are in metres from the centre spot, y to the left of x, not turned, speeds (S) in km/h; penalty shoot-outs have
 no place in it. It wants a date: a match begins at KICK_OFF, which is no date of anything. A robot that
 is sent off has no frames. BallPossession is 1 home, 2 guest, 0 nobody or both, which kloppy reads as guest: it knows
-no ball of nobody; `Replay.to_kloppy()` does.
+no ball of nobody; `kloppy_tracking` does.
 """
 
 from collections.abc import Iterator
@@ -21,8 +21,8 @@ import numpy as np
 
 from soccer_env.data_out.collect import Collected, Player
 from soccer_env.data_out.standard import KICK_OFF
+from soccer_env.guards.whole_files import write_whole
 from soccer_env.types import AWAY, HOME
-from soccer_env.whole_files import write_whole
 
 RATE = 25  # [1/s] frames, fixed by the format
 SECTIONS = {1: ("firstHalf", 10_000), 2: ("secondHalf", 100_000)}  # by period: name, and number of the first frame

@@ -24,8 +24,8 @@ import numpy as np
 
 from soccer_env.data_out.collect import SHOOT_OUT, SIDES, Collected, Player
 from soccer_env.data_out.events import NOBODY, Event
-from soccer_env.match_settings import version
-from soccer_env.whole_files import folder_aside, write_whole
+from soccer_env.guards.whole_files import folder_aside, write_whole
+from soccer_env.match.arguments import version
 
 VERSION = "0.3.2"  # of the Common Data Format
 KICK_OFF = datetime(2000, 1, 1, tzinfo=timezone.utc)

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.data_out.tables import TABLES, Column, Table
-from soccer_env.whole_files import written_aside
+from soccer_env.guards.whole_files import written_aside
 
 HOW = 'pip install "soccer_env[data]"'
 

@@ -15,13 +15,13 @@ pose_memory.py        the settings of a robot's own pose, alike in all leagues
 checks.py             checks of the numbers of a league
 """
 
-from soccer_env.checking import check_names
+from soccer_env.guards.checking import check_names
+from soccer_env.guards.names import of_module
 from soccer_env.leagues import legged_2001, middle_size_2006
 from soccer_env.leagues.league import BallModel, League, Pitch, Slots, Substeps
 from soccer_env.leagues.materials import Materials, Pair
 from soccer_env.leagues.robot import Block, Body, Drive, Head, Kicker
 from soccer_env.leagues.rules import Rules
-from soccer_env.names import of_module
 
 LEAGUES: dict[str, League] = {
     league.name: league

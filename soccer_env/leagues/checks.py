@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from soccer_env.checking import FROM_ZERO, Checked, refuse
+from soccer_env.guards.checking import FROM_ZERO, Checked, refuse
 
 PYTHON_ONLY = {"kernels": False}  # metadata of a field that no compiled kernel reads: it is not among the constants
 FAMILY = re.compile(r"[a-z0-9][a-z0-9-]{0,63}")

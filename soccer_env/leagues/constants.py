@@ -11,7 +11,7 @@ from typing import get_type_hints
 
 import numpy as np
 
-from soccer_env.checking import type_of
+from soccer_env.guards.checking import type_of
 from soccer_env.leagues.checks import PYTHON_ONLY
 from soccer_env.leagues.league import League
 from soccer_env.leagues.robot import DRIVE_KINDS, MOST_CORNERS

@@ -27,7 +27,7 @@ from dataclasses import dataclass, field, fields
 from math import sqrt
 from typing import Any, Literal
 
-from soccer_env.checking import ABOVE_ZERO, Range, refuse
+from soccer_env.guards.checking import ABOVE_ZERO, Range, refuse
 from soccer_env.leagues.checks import PYTHON_ONLY, Part, check_family
 from soccer_env.leagues.materials import Materials
 from soccer_env.leagues.robot import Block, Body, Drive, Head, Kicker

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, fields
 
-from soccer_env.checking import SHARE, refuse
+from soccer_env.guards.checking import SHARE, refuse
 from soccer_env.leagues.checks import Part
 
 

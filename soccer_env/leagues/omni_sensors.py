@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from soccer_env.leagues.options import GREATEST, Options
 from soccer_env.leagues.pose_memory import PoseMemory
-from soccer_env.percept_types import LINES
+from soccer_env.records.percepts import LINES
 
 LEAST = 1e-3  # [m, s, 1] of lengths, times and widths that are divided by
 MOST_DELAY = 3  # [frames] that a picture may be late

@@ -8,8 +8,8 @@ from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 
-from soccer_env.checking import BELOW, Checked, Range, type_of
-from soccer_env.names import unknown
+from soccer_env.guards.checking import BELOW, Checked, Range, type_of
+from soccer_env.guards.names import unknown
 
 GREATEST = 1e6  # no number of sensors or memory is larger
 SIGNED = (-GREATEST, GREATEST)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from math import hypot
 
-from soccer_env.checking import ABOVE_ZERO, ANY, SHARE, Range
+from soccer_env.guards.checking import ABOVE_ZERO, ANY, SHARE, Range
 from soccer_env.leagues.checks import PYTHON_ONLY, Part, is_convex
 
 GAIT = 0

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.names import unknown
+from soccer_env.guards.names import unknown
 
 KINDS = {
     "legged": "soccer_env.robot_kinds.legged:LEGGED",

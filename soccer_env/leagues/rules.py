@@ -10,7 +10,7 @@ A set is changed by name: "league:pushing=False,holding_time=5".
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
-from soccer_env.checking import ABOVE_ZERO, SHARE, Range, check_names, type_of
+from soccer_env.guards.checking import ABOVE_ZERO, SHARE, Range, check_names, type_of
 from soccer_env.leagues.checks import PYTHON_ONLY, Part
 
 NEVER = 1e9  # [s]

@@ -13,7 +13,7 @@ from soccer_env.observations.entry import CAMERA, NONE, SIDE, Entry, Y, of_group
 from soccer_env.observations.percepts import BODY, BODY_ROW, BODY_SIZE, write_body
 from soccer_env.observations.row import part
 from soccer_env.observations.truth import GAME, GAME_ROW
-from soccer_env.percept_types import BLOBS, LANDMARKS
+from soccer_env.records.percepts import BLOBS, LANDMARKS
 
 RANGER = of_group(
     "infrared ranger",

@@ -13,7 +13,7 @@ from soccer_env.observations.entry import NONE, ROBOT, SIDE, Entry, X, Y, record
 from soccer_env.observations.percepts import BODY, BODY_ROW, BODY_SIZE, write_body
 from soccer_env.observations.row import part
 from soccer_env.observations.truth import GAME, GAME_ROW
-from soccer_env.percept_types import OTHERS
+from soccer_env.records.percepts import OTHERS
 
 SIGHTING = (
     Entry("seen", "1: it is in the picture; else its entries are 0", "1", NONE),

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.checking import brief, check_names, refuse
+from soccer_env.guards.checking import brief, check_names, refuse
 
 BUILT_IN = ("truth", "percepts", "belief")
 OBJECTS = (

@@ -12,12 +12,12 @@ from math import atan2, cos, inf, pi, sin
 
 import numpy as np
 
-from soccer_env.ball_words import word_for
-from soccer_env.belief_types import clear_slots
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, into_frame, length, wrap
+from soccer_env.records.ball_words import word_for
+from soccer_env.records.beliefs import clear_slots
+from soccer_env.records.world import World
 from soccer_env.types import MAX_TEAM, NO_TEAM
-from soccer_env.world import World
 
 SURE = 100.0  # confidence of what is seen  MS03
 

@@ -14,9 +14,9 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of, wrap
-from soccer_env.percept_types import NO_POSE, POSE_SENSED, POSE_TOLD
+from soccer_env.guards.ranges import NUMBER, record
 from soccer_env.random_numbers import normal
-from soccer_env.ranges import NUMBER, record
+from soccer_env.records.percepts import NO_POSE, POSE_SENSED, POSE_TOLD
 from soccer_env.types import RobotStream
 
 POSE = int(RobotStream.POSE)

@@ -12,7 +12,7 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.perception.body import sense_body
-from soccer_env.world import World
+from soccer_env.records.world import World
 
 
 class Sensing(NamedTuple):

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
+from soccer_env.guards.whole_files import write_whole
 from soccer_env.render.canvas import require_pygame
 from soccer_env.render.colours import PANEL
-from soccer_env.whole_files import write_whole
 
 
 def check_frame(frame: np.ndarray) -> None:

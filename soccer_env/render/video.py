@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.guards.whole_files import written_aside
 from soccer_env.render import colours
 from soccer_env.render.sheet import check_frame
-from soccer_env.whole_files import written_aside
 
 KINDS = (".mp4", ".gif")
 HOW = 'pip install "soccer_env[video]"'

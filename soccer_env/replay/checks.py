@@ -4,8 +4,8 @@ import io
 from typing import Any
 from zipfile import ZipFile
 
-from soccer_env import saving
-from soccer_env.match_settings import version
+from soccer_env.match import saving
+from soccer_env.match.arguments import version
 
 FORMAT = "soccer_env replay 2"
 LARGEST = 1 << 29  # [bytes] of a replay's parts, unpacked: three times a match of 22 robots over half an hour

@@ -7,8 +7,7 @@ clip begins at the last such moment that is early enough, which playing it shows
 
 from collections import deque
 
-from soccer_env import saving
-from soccer_env.match import Match
+from soccer_env.match import Match, saving
 from soccer_env.replay.replay_file import Recorder, Replay
 
 EVERY = 0.25  # [s] between moments at which a clip may begin

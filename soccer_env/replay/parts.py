@@ -5,10 +5,10 @@ from typing import Any, get_type_hints
 
 import numpy as np
 
+from soccer_env.guards.ranges import outside
 from soccer_env.match import Match
-from soccer_env.match_settings import REPLAYED
-from soccer_env.ranges import outside
-from soccer_env.settings import plain
+from soccer_env.match.arguments import REPLAYED
+from soccer_env.match.settings import plain
 
 
 def as_actions(commands: np.ndarray) -> np.ndarray:

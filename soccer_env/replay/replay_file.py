@@ -16,18 +16,16 @@ from zipfile import BadZipFile
 
 import numpy as np
 
-from soccer_env import saving
-from soccer_env.checking import brief
+from soccer_env.guards.checking import brief
+from soccer_env.guards.whole_files import read_plain, write_whole
 from soccer_env.leagues.league import League
-from soccer_env.match import Match
-from soccer_env.match_settings import REPLAYED, version
+from soccer_env.match import Match, saving
+from soccer_env.match.arguments import REPLAYED, version
 from soccer_env.replay.checks import FORMAT, LARGEST, check_format, check_room, check_size, check_start
 from soccer_env.replay.parts import as_actions, as_numbers, as_records, describe, rebuild
-from soccer_env.replay.pictured import Pictured
 from soccer_env.scenes import Scene
-from soccer_env.thoughts.thoughts import Thoughts
+from soccer_env.thoughts.thoughts import Notes, Thoughts
 from soccer_env.types import COMMAND, GAZE
-from soccer_env.whole_files import read_plain, write_whole
 
 
 class Recorder:
@@ -94,7 +92,7 @@ class Recorder:
         return Replay(settings, self.start, commands, gazes, list(self.hashes), list(self.log), version(), thoughts)
 
 
-class Replay(Pictured):
+class Replay:
     """A recorded match: `play` runs it again, `write` and `read` keep it in a file."""
 
     def __init__(
@@ -132,6 +130,15 @@ class Replay(Pictured):
             names = [str(name) for agent, name in known.items() if agent.startswith(side)]
             sides.append(" + ".join(dict.fromkeys(names)) or "learner")
         return sides[0], sides[1]
+
+    def notes(self) -> Notes | None:
+        """Return what robots thought, None where that was not recorded; ValueError if it is damaged."""
+        if not self.thoughts:
+            return None
+        try:
+            return Notes(self.thoughts, self.commands.shape[2])
+        except (KeyError, TypeError, RecursionError, OverflowError) as error:
+            raise ValueError(f"the thoughts of this replay are damaged: {error!r}") from error
 
     def make_match(self) -> Match:
         """Return the match as it was when the recording began, all robots played from outside."""

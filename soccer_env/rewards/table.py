@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.checking import SHARE, Range, check_names, number, one_of, refuse
-from soccer_env.names import of_module
+from soccer_env.guards.checking import SHARE, Range, check_names, number, one_of, refuse
+from soccer_env.guards.names import of_module
 from soccer_env.rewards.terms import approach, cover, crowding, effort, foul, guard, progress, score, shot, strength
 
 KINDS = ("potential", "event", "cost")

@@ -5,9 +5,9 @@ from soccer_env.belief.legged.talk import SOUND_MESSAGE
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.leagues.robot_kind import RobotKind
 from soccer_env.observations.legged import entries, observe_slice
-from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.perception.legged.calibration import calibrate
 from soccer_env.perception.legged.sense import LEGGED_SENSOR_STATE, sense_slice
+from soccer_env.records.percepts import LEGGED_PERCEPT
 
 LEGGED = RobotKind(
     percept=LEGGED_PERCEPT,

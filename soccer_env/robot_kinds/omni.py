@@ -5,8 +5,8 @@ from soccer_env.belief.omni.radio import RADIO_MESSAGE
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.leagues.robot_kind import RobotKind
 from soccer_env.observations.omni import entries, observe_slice
-from soccer_env.percept_types import OMNI_PERCEPT
 from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
+from soccer_env.records.percepts import OMNI_PERCEPT
 
 OMNI = RobotKind(
     percept=OMNI_PERCEPT,

@@ -13,8 +13,8 @@ that need them.
     judging.py        what counts as success
 """
 
-from soccer_env.checking import check_names
-from soccer_env.names import MODULE_PATH, of_module
+from soccer_env.guards.checking import check_names
+from soccer_env.guards.names import MODULE_PATH, of_module
 from soccer_env.scenes.drills import DRILLS
 from soccer_env.scenes.drills_alone import DRILLS_ALONE
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED

@@ -7,7 +7,7 @@ from enum import IntEnum
 
 import numpy as np
 
-from soccer_env.ranges import ANY, COUNT, FLAG, LATELY, NUMBER, ROW, ROW_OR_NONE, SUM, Range, record
+from soccer_env.guards.ranges import ANY, COUNT, FLAG, LATELY, NUMBER, ROW, ROW_OR_NONE, SUM, Range, record
 from soccer_env.types import MAX_TEAM, PHASE, TEAM, Foul, Phase
 
 ROWS = 2 * MAX_TEAM  # robots that a record has room for

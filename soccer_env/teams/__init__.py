@@ -3,6 +3,8 @@
     team.py       the protocol, and compiled teams
     explaining.py what a team tells people who watch it
     lineup.py     several teams, one of which plays each episode
+    kernels.py    the kernel of a team, made from what one player does
+    function_teams/ functions of observations as teams: policies of any library
     registry.py   teams by name: shipped, of packages, of files, of modules of one's own
 
 The teams themselves stand in `baselines/` and `agents/`.

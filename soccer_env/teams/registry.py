@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.names import MODULE_PATH, of_module, unknown
+from soccer_env.guards.names import MODULE_PATH, of_module, unknown
 from soccer_env.teams.team import Team
 
 NAMES = {  # strings only: resolved at first use

@@ -1,7 +1,7 @@
 """What a team is.
 
 A team decides from beliefs alone. It is a protocol: anything with `name`, `memory_dtype` and `act` plays. The shipped
-teams also offer a compiled `kernel`, which a match runs without Python between its steps (`team_kernels.py`).
+teams also offer a compiled `kernel`, which a match runs without Python between its steps (`kernels.py`).
 """
 
 from collections.abc import Callable
@@ -10,10 +10,10 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
+from soccer_env.guards.names import Made, by_names
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.options import Options
-from soccer_env.names import Made, by_names
 from soccer_env.random_numbers import mix
 from soccer_env.types import RobotStream
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.squads import Squad
+from soccer_env.match.squads import Squad
 from soccer_env.teams import Explanation, Mind, explanation_of
 
 BOX = ["left", "right", "high", "low"]

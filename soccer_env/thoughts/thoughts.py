@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.squads import Squad
+from soccer_env.match.squads import Squad
 from soccer_env.teams import explanation_of
 from soccer_env.thoughts.groups import Group, checked_groups, group_columns, groups_of, width_of
 from soccer_env.types import HOME

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from soccer_env.baselines.attacking import PASSED, pass_ball
 from soccer_env.baselines.chaser import team
-from soccer_env.baselines.sight import SIGHT
-from soccer_env.baselines.skills import BRAKE_SHARE, TURNING, turn_by
+from soccer_env.baselines.chaser.attacking import PASSED, pass_ball
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills.moves import BRAKE_SHARE, TURNING, turn_by
+from soccer_env.skills.sight import SIGHT
 from soccer_env.types import COMMAND
 from tests.scenes.staging import MIDDLE, put, put_ball, stage, steps_in
 

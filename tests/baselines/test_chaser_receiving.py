@@ -8,12 +8,12 @@ from math import cos, sin
 import numpy as np
 import pytest
 
-from soccer_env.baselines.attacking import GIVE_TIME, MEET, MET, comes_to_me, meet
-from soccer_env.baselines.carrying import PRESSED, SLOW, pushing_speed, turn_to_goal
-from soccer_env.baselines.chaser import MEMORY, team
-from soccer_env.baselines.sight import SIGHT
+from soccer_env.baselines.chaser.attacking import GIVE_TIME, MEET, MET, comes_to_me, meet
+from soccer_env.baselines.chaser.team import MEMORY, team
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills.carrying import PRESSED, SLOW, pushing_speed, turn_to_goal
+from soccer_env.skills.sight import SIGHT
 from soccer_env.types import COMMAND
 from tests.scenes.staging import MIDDLE
 

@@ -4,8 +4,13 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.chaser import MEMORY, team
-from soccer_env.baselines.set_pieces import (
+from soccer_env.baselines.chaser.team import MEMORY, team
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.match.staging import begin, put_ball
+from soccer_env.records.beliefs import BELIEF
+from soccer_env.skills.moves import KEPT_OFF, hold_back
+from soccer_env.skills.set_pieces import (
     KEPT,
     PASSES_BY,
     holds_off,
@@ -14,12 +19,7 @@ from soccer_env.baselines.set_pieces import (
     round_ball,
     strength_for,
 )
-from soccer_env.baselines.sight import SIGHT
-from soccer_env.baselines.skills import KEPT_OFF, hold_back
-from soccer_env.belief_types import BELIEF
-from soccer_env.leagues import find_league
-from soccer_env.leagues.constants import constants_of
-from soccer_env.staging import begin, put_ball
+from soccer_env.skills.sight import SIGHT
 from soccer_env.types import Foul, Phase
 from tests.scenes.staging import MIDDLE, endless, put
 

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from soccer_env.baselines.chaser import MEMORY, NUMBERS, team
-from soccer_env.baselines.glancing import KEEPER_ROOM, ROOM, look_up
-from soccer_env.belief_types import BELIEF
+from soccer_env.baselines.chaser.glancing import KEEPER_ROOM, ROOM, look_up
+from soccer_env.baselines.chaser.team import MEMORY, NUMBERS, team
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.optics.head_camera import share_of_tilt
+from soccer_env.records.beliefs import BELIEF
 from soccer_env.types import COMMAND
 from tests.scenes.staging import LEGGED, MIDDLE
 

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.attacking import DEFENDED, choose_aim, side_inside
 from soccer_env.baselines.chaser import team as chaser_team
-from soccer_env.baselines.goalkeeping import part_angle
-from soccer_env.baselines.sight import SIGHT
+from soccer_env.baselines.chaser.attacking import DEFENDED, choose_aim, side_inside
+from soccer_env.baselines.chaser.goalkeeping import part_angle
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills.sight import SIGHT
 from tests.scenes.staging import LEGGED, MIDDLE, put, put_ball, stage, steps_in
 
 MATCHES = 64

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.obeying import is_in_own_area, out_of_own_area
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills.keeping_rules import is_in_own_area, out_of_own_area
 from soccer_env.teams import make_team
 from soccer_env.types import Foul, Phase
 from tests.scenes.staging import LEGGED, put, put_ball, set_phase, steps_in

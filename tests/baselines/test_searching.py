@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.chaser import MEMORY, team
-from soccer_env.baselines.searching import FULL_TURN, LOOKOUT, SEARCH, search
-from soccer_env.baselines.sight import SIGHT
-from soccer_env.belief_types import BELIEF
+from soccer_env.baselines.chaser.team import MEMORY, team
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.records.beliefs import BELIEF
+from soccer_env.skills.searching import FULL_TURN, LOOKOUT, SEARCH, search
+from soccer_env.skills.sight import SIGHT
 from soccer_env.types import COMMAND
 from tests.scenes.staging import LEGGED, MIDDLE
 

@@ -7,8 +7,8 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.compiled import compiled
-from soccer_env.team_kernels import NO_MEMORY, STRENGTH, per_blind_player, per_player
 from soccer_env.teams import CompiledTeam
+from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_blind_player, per_player
 
 COUNT = np.dtype([("decisions", "i8")])
 SUM = np.dtype([("players", "i8")])

@@ -9,11 +9,11 @@ import numpy as np
 
 from soccer_env.belief.legged.talk import SOUND_MESSAGE, exchange
 from soccer_env.belief.omni.radio import RADIO_MESSAGE, exchange_radio
-from soccer_env.belief_types import BELIEF, TRACK
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.percept_types import LEGGED_PERCEPT, OMNI_PERCEPT
+from soccer_env.records.beliefs import BELIEF, TRACK
+from soccer_env.records.percepts import LEGGED_PERCEPT, OMNI_PERCEPT
 from soccer_env.types import NOISE_STREAMS
 from tests.scenes.staging import LEGGED, MIDDLE
 

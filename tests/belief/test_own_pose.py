@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 
 from soccer_env.belief.own_pose import POSE_MEMORY, add_motion, is_crowded, motion_since
-from soccer_env.belief_types import OWN_POSE, TRACK
 from soccer_env.compiled import compiled
-from soccer_env.percept_types import POSE_SENSED
+from soccer_env.records.beliefs import OWN_POSE, TRACK
+from soccer_env.records.percepts import POSE_SENSED
 from tests.scenes.pose_worlds import World, believe_all
 from tests.scenes.staging import LEGGED, MIDDLE, each_league
 

@@ -8,9 +8,9 @@ import pytest
 from soccer_env.belief import particles as kernels
 from soccer_env.belief.own_pose import POSE_MEMORY
 from soccer_env.belief.particles import PARTICLE
-from soccer_env.belief_types import OWN_POSE
 from soccer_env.leagues.legged_sensors import LeggedMemory
 from soccer_env.random_numbers import start_streams
+from soccer_env.records.beliefs import OWN_POSE
 from soccer_env.types import NOISE_STREAMS
 
 W = LeggedMemory().record()[0]

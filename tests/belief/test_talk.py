@@ -9,7 +9,7 @@ import pytest
 from scipy.stats import binomtest
 
 from soccer_env import Match
-from soccer_env.ball_words import FARTHEST, GROWTH, NEAREST, SILENT, distance_of, word_for
+from soccer_env.records.ball_words import FARTHEST, GROWTH, NEAREST, SILENT, distance_of, word_for
 from tests.belief.staged_talk import Talkers
 from tests.scenes.staging import MIDDLE, each_league
 

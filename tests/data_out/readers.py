@@ -17,13 +17,14 @@ from xml.etree import ElementTree
 
 import numpy as np
 
+from soccer_env.data_out import kloppy_tracking
 from soccer_env.data_out.collect import Collected
 from soccer_env.data_out.sportec import write_sportec
 from soccer_env.data_out.standard import KICK_OFF, write_standard
 from soccer_env.data_out.table_files import write_tables
 from soccer_env.data_out.tables import tables_of
 from soccer_env.replay import Replay
-from soccer_env.replay.browser.collect import collect
+from soccer_env.shows.browser.collect import collect
 
 Told = dict[str, np.ndarray]
 NAN = float("nan")
@@ -115,7 +116,7 @@ def numbers_of(element: ElementTree.Element, *names: str) -> tuple[float, ...]:
 
 
 def from_kloppy(replay: Replay, found: Collected, _: Path) -> Told:
-    dataset = replay.to_kloppy()
+    dataset = kloppy_tracking(replay)
     names = {player.name: player.row for player in found.players}
     shape = (len(dataset.frames), len(names))
     robots, speeds, headings = np.full((*shape, 2), NAN), np.full(shape, NAN), np.full(shape, NAN)

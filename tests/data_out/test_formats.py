@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
+from soccer_env.data_out import kloppy_events, kloppy_tracking
 from soccer_env.data_out.collect import SIDES, Collected
 from soccer_env.data_out.sportec import RATE, write_sportec
 from soccer_env.data_out.standard import FILES, write_standard
@@ -88,7 +89,7 @@ def test_xml_escapes_what_came_from_a_file(found: Collected, tmp_path: Path) -> 
 
 def test_kloppy_turns_its_dataset_there_and_back(replay: Replay, found: Collected) -> None:
     pytest.importorskip("kloppy")
-    dataset = replay.to_kloppy()
+    dataset = kloppy_tracking(replay)
     assert len(dataset) == len(found)
     assert dataset.metadata.frame_rate == found.league.control_rate
     ours = dataset.metadata.coordinate_system
@@ -106,7 +107,7 @@ def test_kloppy_turns_its_dataset_there_and_back(replay: Replay, found: Collecte
 
 def test_kloppys_events_tell_goals_passes_and_shots(replay: Replay, found: Collected) -> None:
     pytest.importorskip("kloppy")
-    dataset = replay.to_kloppy_events()
+    dataset = kloppy_events(replay)
     kinds = [event.kind for event in found.events]
     goals: Any = [*dataset.filter("shot.goal")]
     own = [*dataset.filter("shot.own_goal")]
@@ -119,4 +120,4 @@ def test_kloppys_events_tell_goals_passes_and_shots(replay: Replay, found: Colle
 def test_without_kloppy_it_says_what_to_install(replay: Replay, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "kloppy", None)
     with pytest.raises(ImportError, match=r'pip install "soccer_env\[data\]"'):
-        replay.to_kloppy()
+        kloppy_tracking(replay)

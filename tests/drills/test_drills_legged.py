@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
+from soccer_env.match.staging import put
 from soccer_env.scenes import SCENES, Scene
 from soccer_env.scenes.drills_alone import DRILLS_ALONE
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED
 from soccer_env.scenes.judging import LOST, LOST_TIME, PAST
-from soccer_env.staging import put
 from soccer_env.types import AWAY
 from tests.scenes.staging import LEGGED, deepest_overlaps, put_ball, stand
 from tests.scenes.symmetry import Records, mirrored, mirrored_actions

@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from soccer_env import saving
-from soccer_env.ranges import ANY, Columns, Place, Range, columns, places
-from soccer_env.saving.saves import MAGIC, kept
+from soccer_env.guards.ranges import ANY, Columns, Place, Range, columns, places
+from soccer_env.match import saving
+from soccer_env.match.saving.saves import MAGIC, kept
 
 WHOLE = (-1, 0, 1, 2, 3, 4, 5, 7, 127, 1000, 1 << 31, (1 << 31) - 1, 2_000_000, 10**11)
 BROKEN = (nan, inf, -inf, 1e308, -1e308, 5e-324, -5e-324, 0.0, -0.0, 1.0, -1.0, 1e-12, 1e-300, 0.5, 3.141592653589794)

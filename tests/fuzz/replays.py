@@ -13,8 +13,9 @@ from unittest.mock import patch
 
 import numpy as np
 
-from soccer_env import Match, saving
-from soccer_env.ranges import UNIT, Place
+from soccer_env import Match, shows
+from soccer_env.guards.ranges import UNIT, Place
+from soccer_env.match import saving
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.train.command.command_line import main
 from tests.fuzz.children import Task
@@ -201,7 +202,7 @@ def use(parts: dict[str, np.ndarray], path: Path, how: str) -> str:
         replay = Replay.read(path)
         str(replay), repr(replay)
         if how == "page":
-            replay.html(path.with_suffix(".html"), anew=True)
+            shows.html(replay, path.with_suffix(".html"), anew=True)
             return ""
         replay.notes()
         return "".join(not_a_number(match) for match in replay.play())

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import Match, saving
+from soccer_env import Match
+from soccer_env.match import saving
 from soccer_env.replay import Recorder
 from tests.fuzz.children import outcomes
 from tests.fuzz.fuzz import Forger, found_by

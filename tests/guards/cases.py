@@ -11,8 +11,8 @@ import numpy as np
 from soccer_env import Match, Rewards, soccer_v0
 from soccer_env.api.gymnasium_vector import SoccerVectorEnv
 from soccer_env.gymnasium_envs import SoloSoccer
+from soccer_env.match.saving.saves import kept
 from soccer_env.replay import Recorder
-from soccer_env.saving.saves import kept
 
 Do = Callable[[int], Any]  # from the number of the trial
 

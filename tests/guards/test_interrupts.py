@@ -149,7 +149,8 @@ SIGNALS = """
 LINES = """
     import gc, signal, sys, numpy as np
     import pymunk.body, pymunk.constraints, pymunk.shapes, pymunk.space
-    from soccer_env import Match, match_batch
+    from soccer_env import Match
+    from soccer_env.match import batch as match_batch
     from soccer_env.physics.engine import dropping, space, space_batch
     from soccer_env.physics.solver import rounds
     match = Match("legged-2001", home=1, away=1, seed=1)

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
+from soccer_env.match.saving.fitting import differences
 from soccer_env.replay import Recorder
-from soccer_env.saving.fitting import differences
 from tests.scenes.staging import LEAGUES
 
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}

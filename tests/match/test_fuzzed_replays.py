@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import Match
+from soccer_env import Match, shows
 from soccer_env.replay import Recorder, Replay
 from soccer_env.train.command.command_line import main
 
@@ -183,9 +183,9 @@ def test_a_page_escapes_names_that_came_from_a_file(sound: bytes, tmp_path: Path
     header["settings"]["teams"] = {"home_0": hostile, "away_0": "\u2028" + hostile}
     path = tmp_path / "a.replay"
     path.write_bytes(packed(parts | {"header": np.frombuffer(json.dumps(header).encode(), np.uint8)}))
-    plain, page = tmp_path / "plain.html", Replay.read(path).html(tmp_path / "x.html").read_text()
+    plain, page = tmp_path / "plain.html", shows.html(Replay.read(path), tmp_path / "x.html").read_text()
     (tmp_path / "b.replay").write_bytes(sound)
-    Replay.read(tmp_path / "b.replay").html(plain)
+    shows.html(Replay.read(tmp_path / "b.replay"), plain)
     assert hostile not in page
     assert "alert(" in page
     assert "<b onclick" not in page

@@ -10,7 +10,7 @@ import pytest
 from soccer_env import Match, soccer_v0
 from soccer_env.api.gymnasium_vector import SoccerVectorEnv
 from soccer_env.gymnasium_envs import SoloSoccer
-from soccer_env.match_settings import (
+from soccer_env.match.arguments import (
     FREE,
     REPLAYED,
     EnvArguments,
@@ -19,7 +19,7 @@ from soccer_env.match_settings import (
     SoloArguments,
     VectorArguments,
 )
-from soccer_env.settings import make_settings
+from soccer_env.match.settings import make_settings
 
 APIS = [
     (Match, Match.__init__, MatchArguments),

@@ -74,8 +74,8 @@ def test_a_class_is_no_team() -> None:
 
 def test_a_compiled_team_is_clipped_and_checked() -> None:
     from soccer_env.compiled import compiled
-    from soccer_env.team_kernels import NO_MEMORY, STRENGTH
     from soccer_env.teams import CompiledTeam
+    from soccer_env.teams.kernels import NO_MEMORY, STRENGTH
 
     @compiled
     def ask(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):  # type: ignore[no-untyped-def]

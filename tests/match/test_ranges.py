@@ -5,9 +5,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import Match, saving
-from soccer_env.ranges import ANY, FLAG, NUMBER, ROW_OR_NONE, SIGN, outside, places, record
-from soccer_env.saving.saves import kept
+from soccer_env import Match
+from soccer_env.guards.ranges import ANY, FLAG, NUMBER, ROW_OR_NONE, SIGN, outside, places, record
+from soccer_env.match import saving
+from soccer_env.match.saving.saves import kept
 from soccer_env.teams import registry
 from soccer_env.types import COMMAND, GAZE
 from tests.fuzz import targets

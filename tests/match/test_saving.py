@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import Match, saving
+from soccer_env import Match
+from soccer_env.match import saving
 from soccer_env.replay import Recorder, Replay
 from soccer_env.types import RobotStream
 

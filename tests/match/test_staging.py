@@ -6,7 +6,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE, SHOOT
 from soccer_env.leagues import find_league
-from soccer_env.staging import (
+from soccer_env.match.staging import (
     begin,
     constants_of,
     memory_of,

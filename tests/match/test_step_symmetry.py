@@ -8,6 +8,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.compiled import compiled
+from soccer_env.match.step import clear_events
 from soccer_env.observations.truth import observe_slice
 from soccer_env.perception.ideal import believe_truth_slice
 from soccer_env.physics.drive import drive, move_head
@@ -18,7 +19,6 @@ from soccer_env.physics.solver.rounds import hold_ground
 from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.steering import steer_to_place
-from soccer_env.step import clear_events
 from soccer_env.types import NO_TEAM, Phase
 from tests.scenes.staging import LEGGED, MIDDLE, each_league, put_ball, scatter, speed
 from tests.scenes.symmetry import (

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from soccer_env import Match, truth_state
+from soccer_env import Match
+from soccer_env.match import truth_state
 from tests.scenes.staging import LEAGUES
 
 

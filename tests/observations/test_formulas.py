@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.truth_state import SIDES, WholeTruth
+from soccer_env.match.truth_state import SIDES, WholeTruth
 from soccer_env.types import Phase
 from tests.observations import formulas, formulas_believed
 from tests.scenes.staging import LEAGUES, scatter

@@ -10,8 +10,8 @@ import pytest
 from soccer_env import Match
 from soccer_env.compiled import compiled
 from soccer_env.leagues.omni_sensors import OmniSensors
-from soccer_env.percept_types import BODY_PERCEPT
 from soccer_env.perception.body import light_barrier
+from soccer_env.records.percepts import BODY_PERCEPT
 from soccer_env.types import ROBOT
 from tests.scenes.staging import LEGGED, MIDDLE, WALK, asking, each_league, put, put_ball, stage, stand, steady
 from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_percepts, swapped_rows, turned

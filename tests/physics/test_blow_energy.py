@@ -7,8 +7,8 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues.league import League
+from soccer_env.match.staging import constants_of
 from soccer_env.physics.engine.space import robot_moment
-from soccer_env.staging import constants_of
 from tests.scenes.staging import (
     LEGGED,
     asking,

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.staging import constants_of
+from soccer_env.match.staging import constants_of
 from tests.scenes.staging import LEGGED, icy, put, put_ball, stage, stand
 
 GAP = 0.004  # [m] between two that are about to meet, less than one travels in a control step

@@ -15,7 +15,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
-from soccer_env.staging import constants_of
+from soccer_env.match.staging import constants_of
 from tests.scenes.staging import MIDDLE, boarded, each_league, energy, icy, put, put_ball, stage, stand
 
 RATE = 1000  # [1/s] control steps, so short that a step holds one blow

@@ -5,10 +5,10 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
+from soccer_env.match.staging import constants_of
 from soccer_env.physics.contacts import robots_touch
 from soccer_env.referee.places import MARGIN, capsule, in_the_way
 from soccer_env.referee.restarts import STEP_ASIDE, make_room
-from soccer_env.staging import constants_of
 from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM, Phase
 from tests.scenes.staging import (
     LEAGUES,

@@ -5,8 +5,8 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues.constants import constants_of
+from soccer_env.match.staging import put_ball
 from soccer_env.referee.shoot_out import is_decided
-from soccer_env.staging import put_ball
 from soccer_env.types import AWAY, HOME, Phase
 from tests.scenes.staging import MIDDLE, stand
 

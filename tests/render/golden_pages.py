@@ -14,9 +14,9 @@ from soccer_env.render import Picture, contact_sheet
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.onlooker import Onlooker
 from soccer_env.render.overlays.scene import Cast, camera_of, cast_of, cast_of_replay, directions_of
-from soccer_env.replay.browser.collect import collect
-from soccer_env.replay.browser.page import as_script
-from soccer_env.replay.film import FilmSettings, film_frames
+from soccer_env.shows.browser.collect import collect
+from soccer_env.shows.browser.page import as_script
+from soccer_env.shows.film import FilmSettings, film_frames
 from tests.render.staged_replays import StagedReplay
 from tests.scenes.staging import LEGGED, MIDDLE
 

@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from soccer_env import Match
+from soccer_env import Match, shows
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.forces import force_arrows, grid, target_of
 from soccer_env.render.overlays.onlooker import Reel
 from soccer_env.render.overlays.shapes import ArrowGrid
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.replay.browser.collect import collect
-from soccer_env.replay.browser.fields import APART, DIRECTIONS, LEVELS, coded
+from soccer_env.shows.browser.collect import collect
+from soccer_env.shows.browser.fields import APART, DIRECTIONS, LEVELS, coded
 from tests.render.chromium import Chromium, find_chromium
 
 CHROMIUM = find_chromium()
@@ -39,7 +39,7 @@ def replay(request: pytest.FixtureRequest) -> Replay:
 def browser(replay: Replay, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chromium]:
     assert CHROMIUM is not None
     folder = tmp_path_factory.mktemp("page")
-    replay.html(folder / "a.html", field=True, robot="home_1")
+    shows.html(replay, folder / "a.html", field=True, robot="home_1")
     with Chromium(CHROMIUM, folder / "profile") as chromium:
         chromium.open(folder / "a.html")
         yield chromium
@@ -108,7 +108,7 @@ def test_a_page_shows_the_frame_that_is_nearest(browser: Chromium) -> None:
 @needs_chromium
 @pytest.mark.parametrize(("home", "thinks"), [("chaser", True), ("sacks-2001", False)])
 def test_a_page_without_fields_hides_the_switch(home: str, thinks: bool, tmp_path: Path) -> None:
-    recorded("legged-2001", home, 2, thinks).html(tmp_path / "a.html", field=True, robot="home_1")
+    shows.html(recorded("legged-2001", home, 2, thinks), tmp_path / "a.html", field=True, robot="home_1")
     assert CHROMIUM is not None
     with Chromium(CHROMIUM, tmp_path / "profile") as browser:
         browser.open(tmp_path / "a.html")

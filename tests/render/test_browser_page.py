@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from soccer_env import Match
+from soccer_env import Match, shows
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.replay.browser.page import as_script, write_page
+from soccer_env.shows.browser.page import as_script, write_page
 from soccer_env.thoughts.thought import Reader
 from soccer_env.train.evaluate.recording import shown_of_memory
 from tests.render.chromium import Chromium, find_chromium
@@ -168,7 +168,7 @@ def test_a_tap_picks_the_robot_that_stands_there(browser: Chromium) -> None:
 
 @needs_chromium
 def test_a_page_without_thoughts_works_on_a_phone(tmp_path: Path) -> None:
-    path = recorded("middle-size-2006", "heinemann-2006", thinks=False).html(tmp_path / "a.html")
+    path = shows.html(recorded("middle-size-2006", "heinemann-2006", thinks=False), tmp_path / "a.html")
     assert CHROMIUM is not None
     with Chromium(CHROMIUM, tmp_path / "profile", 390, 844, phone=True) as phone:
         phone.open(path)
@@ -181,10 +181,10 @@ def test_a_page_is_not_written_over_and_a_forged_replay_leaves_none(tmp_path: Pa
     replay = recorded()
     (tmp_path / "a.html").write_text("mine")
     with pytest.raises(ValueError, match=r"a\.html exists already; give another path or anew=True"):
-        replay.html(tmp_path / "a.html")
+        shows.html(replay, tmp_path / "a.html")
     replay.hashes[3] = "0" * 32
     with pytest.raises(ValueError, match="differs from the recorded match at control step 3"):
-        replay.html(tmp_path / "b.html")
+        shows.html(replay, tmp_path / "b.html")
     with pytest.raises(ValueError, match=r"must end with \.html"):
-        replay.html(tmp_path / "b.htm")
+        shows.html(replay, tmp_path / "b.htm")
     assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("a.html", "mine")]

@@ -11,7 +11,7 @@ import pytest
 
 pytest.importorskip("pygame")
 
-from soccer_env import Match
+from soccer_env import Match, shows
 from soccer_env.geometry import out_of_frame
 from soccer_env.render import Picture, colours
 from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, flags_of
@@ -83,7 +83,9 @@ def test_a_replay_draws_what_the_match_drew(league: str, tmp_path: Path) -> None
         for who, last in ((reel.cast, shots[-1]), (cast, shot))
     ]
     assert np.array_equal(*frames)
-    assert np.array_equal(replay.frame(90 / match.league.control_rate, width=480)[200:], picture.draw(*shot[:3])[200:])
+    assert np.array_equal(
+        shows.frame(replay, 90 / match.league.control_rate, width=480)[200:], picture.draw(*shot[:3])[200:]
+    )
 
 
 def test_the_field_pulls_to_the_goal_and_players_ahead_push_back() -> None:

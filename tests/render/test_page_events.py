@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import Match
+from soccer_env import Match, shows
+from soccer_env.match.staging import put_ball
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.replay.browser.events import Play, Storyteller
-from soccer_env.staging import put_ball
+from soccer_env.shows.browser.events import Play, Storyteller
 from soccer_env.thoughts.thought import Reader
 from soccer_env.train.evaluate.recording import shown_of_memory
 from tests.render.chromium import Chromium, find_chromium
@@ -179,7 +179,7 @@ def with_a_goal(thinks: bool = True) -> Replay:
 @needs_chromium
 def test_a_page_says_who_scored_and_what_the_scorer_believed(tmp_path: Path) -> None:
     replay = with_a_goal()
-    replay.html(tmp_path / "a.html", belief=True)
+    shows.html(replay, tmp_path / "a.html", belief=True)
     notes = replay.notes()
     assert notes is not None and CHROMIUM is not None
     with Chromium(CHROMIUM, tmp_path / "profile") as browser:
@@ -221,7 +221,7 @@ def test_a_page_says_who_scored_and_what_the_scorer_believed(tmp_path: Path) -> 
 
 @needs_chromium
 def test_a_page_without_thoughts_says_so_of_the_scorer(tmp_path: Path) -> None:
-    with_a_goal(thinks=False).html(tmp_path / "a.html")
+    shows.html(with_a_goal(thinks=False), tmp_path / "a.html")
     assert CHROMIUM is not None
     with Chromium(CHROMIUM, tmp_path / "profile") as browser:
         browser.open(tmp_path / "a.html")

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from soccer_env import Match
+from soccer_env import Match, shows
 from soccer_env.render import video
 from soccer_env.replay import Recorder, Replay
-from soccer_env.replay.film import FilmSettings, drawn_steps
+from soccer_env.shows.film import FilmSettings, drawn_steps
 from soccer_env.train.command.command_line import main
 
 pytest.importorskip("pygame")
@@ -27,7 +27,7 @@ def replay() -> Replay:
 
 def test_an_mp4_has_as_many_frames_as_its_length_asks_for(replay: Replay, tmp_path: Path) -> None:
     ffmpeg = pytest.importorskip("imageio_ffmpeg")
-    path = replay.video(tmp_path / "a.mp4", width=321)
+    path = shows.video(replay, tmp_path / "a.mp4", width=321)
     frames, seconds = ffmpeg.count_frames_and_secs(str(path))
     assert (frames, round(seconds, 2)) == (31, 31 / 25)  # 1.2 s and the start, at 25 frames a second
     assert [file.name for file in tmp_path.iterdir()] == ["a.mp4"]
@@ -35,7 +35,7 @@ def test_an_mp4_has_as_many_frames_as_its_length_asks_for(replay: Replay, tmp_pa
 
 def test_a_gif_shows_real_time_in_hundredths_of_a_second(replay: Replay, tmp_path: Path) -> None:
     image = pytest.importorskip("PIL.Image")
-    with image.open(replay.video(tmp_path / "a.gif", width=240, speed=2.0)) as film:
+    with image.open(shows.video(replay, tmp_path / "a.gif", width=240, speed=2.0)) as film:
         assert film.n_frames == 8  # 1.2 s in 0.6, each 0.08 s
         assert film.info["duration"] == 80 and film.info["loop"] == 0
 
@@ -55,9 +55,9 @@ def test_a_file_that_exists_is_not_written_over(replay: Replay, tmp_path: Path) 
     path = tmp_path / "a.gif"
     path.write_bytes(b"mine")
     with pytest.raises(ValueError, match=r"a\.gif exists already; give another path or anew=True"):
-        replay.video(path)
+        shows.video(replay, path)
     assert path.read_bytes() == b"mine"
-    replay.video(path, anew=True, width=240)
+    shows.video(replay, path, anew=True, width=240)
     assert path.read_bytes().startswith(b"GIF89a")
 
 
@@ -66,7 +66,7 @@ def test_a_film_that_fails_leaves_nothing_behind(replay: Replay, tmp_path: Path,
     pytest.importorskip("imageio_ffmpeg")
     forged = Replay(replay.settings, replay.start, replay.commands, replay.gazes, ["0" * 32] * 60, replay.log)
     with pytest.raises(ValueError, match="differs from the recorded match at control step 0"):
-        forged.video(tmp_path / f"a{ending}", width=240)
+        shows.video(forged, tmp_path / f"a{ending}", width=240)
     assert list(tmp_path.iterdir()) == []
 
 
@@ -77,9 +77,9 @@ def test_a_film_that_fails_leaves_nothing_behind(replay: Replay, tmp_path: Path,
 def test_wrong_settings_are_named(replay: Replay, tmp_path: Path, settings: dict[str, float], message: str) -> None:
     pytest.importorskip("PIL")
     with pytest.raises(ValueError, match=message):
-        replay.video(tmp_path / "a.gif", **settings)
+        shows.video(replay, tmp_path / "a.gif", **settings)
     with pytest.raises(TypeError, match="unknown setting 'sped', did you mean 'speed'"):
-        replay.video(tmp_path / "a.gif", sped=1.0)
+        shows.video(replay, tmp_path / "a.gif", sped=1.0)
 
 
 @pytest.mark.parametrize(("ending", "module"), [(".mp4", "imageio_ffmpeg"), (".gif", "PIL.Image")])
@@ -88,9 +88,9 @@ def test_a_missing_extra_is_named(
 ) -> None:
     monkeypatch.setitem(sys.modules, module, None)
     with pytest.raises(ImportError, match=r'not installed: pip install "soccer_env\[video\]"'):
-        replay.video(tmp_path / f"a{ending}")
+        shows.video(replay, tmp_path / f"a{ending}")
     with pytest.raises(ValueError, match=r"must end with .mp4 or .gif, got '.*a.avi'"):
-        replay.video(tmp_path / "a.avi")
+        shows.video(replay, tmp_path / "a.avi")
 
 
 def test_a_gif_that_would_be_too_long_is_refused_before_it_is_drawn(tmp_path: Path) -> None:

@@ -68,8 +68,8 @@ def test_nothing_refers_to_documents_that_are_not_in_the_repository() -> None:
 
 
 def test_a_missing_document_is_noticed() -> None:
-    assert CITED.findall("see soccer_env/match.py, ../gone.md and robots.x.py()") == [
-        "soccer_env/match.py",
+    assert CITED.findall("see soccer_env/match/match.py, ../gone.md and robots.x.py()") == [
+        "soccer_env/match/match.py",
         "../gone.md",
     ]
     assert not is_there("gone.md", tracked()) and is_there("match.py", tracked())

@@ -13,45 +13,18 @@ ROOT = Path(__file__).parents[2]
 FOLDERS = {"soccer_env.baselines": "baselines", "soccer_env.agents": "agents", "soccer_env.train": "train"}
 
 # Lowest first. Members of one layer do not see each other, except in the groups of PEERS and as BESIDE says.
-COMPILING = ("borrowing", "compiled", "compiling")
 LAYERS = (
-    (
-        "types",
-        "ranges",
-        "checking",
-        "percept_types",
-        "belief_types",
-        "world",
-        "geometry",
-        "optics",
-        "ball_words",
-        "random_numbers",
-        "whole_files",
-        "names",
-        "guards",
-        *COMPILING,
-    ),
+    ("types", "guards", "geometry", "random_numbers", "compiled", "compiling"),
+    ("records", "optics"),
     ("leagues",),
-    ("teams", "team_kernels"),  # the protocol, and names as strings
-    ("physics", "perception", "belief", "referee"),
+    ("physics", "perception", "belief", "referee", "skills"),
     ("actions", "observations", "rewards", "scenes", "statistics"),
-    ("match_settings", "function_teams"),
-    ("settings", "robot_kinds"),
-    (
-        "step",
-        "episodes",
-        "squads",
-        "senses",
-        "truth_state",
-        "saving",
-        "user_code",
-        "match_views",
-    ),  # the parts of a match
-    ("match_batch",),
-    ("match_views",),
+    ("teams", "robot_kinds"),
     ("match",),
     ("thoughts",),
-    ("soccer_v0", "gymnasium_envs", "api", "render", "replay", "data_out", "staging"),
+    ("render", "replay"),
+    ("shows", "data_out"),
+    ("soccer_v0", "gymnasium_envs", "api"),
     ("baselines", "agents"),
     ("train",),
     ("__main__",),
@@ -59,7 +32,7 @@ LAYERS = (
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
 PEERS = (
     set(LAYERS[0]),  # one floor
-    set(LAYERS[-4]),  # the single-agent APIs stand on the parallel one, all draw
+    set(LAYERS[-4]),  # the single-agent APIs stand on the parallel one
 )
 # Who may import what stands beside it in the same layer: one entry each, with its reason.
 BESIDE = {
@@ -68,24 +41,13 @@ BESIDE = {
 }
 
 PLAYERS = {"baselines", "agents"}
-HIDDEN_FROM_PLAYERS = {
-    "world",
-    "physics",
-    "referee",
-    "statistics",
-    "perception",
-    "step",
-    "episodes",
-    "truth_state",
-    "saving",
-    "robot_kinds",
-    "senses",
-    "match_batch",
-    "match",
-} | {"thoughts", "replay", "soccer_v0", "gymnasium_envs", "api", "staging"}
-# Belief works on percepts. The records of types.py that hold the truth, by name:
-BELIEF_MAY_SEE = {*LAYERS[0], "leagues", "belief"} - {"world"}
+HIDDEN_FROM_PLAYERS = {"physics", "referee", "statistics", "perception", "robot_kinds", "match", "thoughts", "replay"}
+HIDDEN_FROM_PLAYERS |= {"shows", "soccer_v0", "gymnasium_envs", "api"}
+SHOWN_TO_PLAYERS = {"soccer_env.match.arguments"}  # a policy file names the settings that it was trained with
+BELIEF_MAY_SEE = {*LAYERS[0], "records", "optics", "leagues", "belief"}
+# Belief works on percepts. The records of types.py and records/ that hold the truth, by name:
 TRUTH_RECORDS = {"MATCH", "BALL", "ROBOT", "EVENTS", "ROBOT_EVENTS"}
+WORLD = ("World", "world")  # records.world, which bundles them
 # `from soccer_env import Match` reaches upward, except for what is no part of any layer.
 PUBLIC_TO_ALL = {"__version__"}
 
@@ -180,7 +142,7 @@ def objections(part: str, taken: Import, parts: set[str]) -> Iterator[str]:
         yield f"{part} imports {target}, which stands above it"
     elif LEVEL[target] == LEVEL[part] and not may_see_beside(part, target):
         yield f"{part} imports {target}, which stands beside it"
-    if part in PLAYERS and target in HIDDEN_FROM_PLAYERS:
+    if part in PLAYERS and target in HIDDEN_FROM_PLAYERS and taken.module not in SHOWN_TO_PLAYERS:
         yield f"{part}/ decides from beliefs alone and may not import {target}"
     if part == "belief" and target not in BELIEF_MAY_SEE:
         yield f"belief/ may not import {target}, which holds truth"
@@ -201,9 +163,9 @@ def objections_to_root(part: str, taken: Import) -> Iterator[str]:
 def truth_names(file: Path) -> Iterator[tuple[str, int]]:
     """Yield the truth records that a file of belief/ names, however it came by them."""
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.ImportFrom) and "types" in (node.module or ""):
+        if isinstance(node, ast.ImportFrom) and {"types", "records"} & {*(node.module or "").split(".")}:
             for alias in node.names:
-                if alias.name in TRUTH_RECORDS or alias.name == "*":
+                if alias.name in (*TRUTH_RECORDS, *WORLD, "*"):
                     yield alias.name, node.lineno
         elif isinstance(node, ast.Attribute) and node.attr in TRUTH_RECORDS:
             yield node.attr, node.lineno
@@ -223,7 +185,7 @@ def test_the_truth_records_exist() -> None:
 def package_with(root: Path, files: dict[str, str]) -> Path:
     """Write a small well-behaved package, then the given files over it."""
     good = {
-        "soccer_env/__init__.py": "from soccer_env.match import Match\n__version__ = '0'\n",
+        "soccer_env/__init__.py": "from soccer_env.match.match import Match\n__version__ = '0'\n",
         "soccer_env/types.py": "BALL = BELIEF = None\n",
         "soccer_env/compiled.py": "from soccer_env import __version__\n",
         "soccer_env/geometry.py": "from .compiled import compiled\n",
@@ -235,7 +197,7 @@ def package_with(root: Path, files: dict[str, str]) -> Path:
         "soccer_env/belief/ball.py": "from soccer_env.types import BELIEF\n",
         "soccer_env/rewards.py": "import soccer_env.referee.goals\n",
         "soccer_env/referee/goals.py": "",
-        "soccer_env/match.py": "from soccer_env.physics import ball\n",
+        "soccer_env/match/match.py": "from soccer_env.physics import ball\n",
         "soccer_env/gymnasium_envs.py": "from soccer_env import soccer_v0\n",
         "soccer_env/soccer_v0.py": "def render():\n    from soccer_env.render import pictures\n",
         "soccer_env/render/pictures.py": "import pygame\n",
@@ -258,6 +220,11 @@ def test_a_good_package_passes(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("file", "text", "complaint"),
     [
+        (
+            "agents/learned.py",
+            "from ..match.arguments import MatchArguments\nfrom ..match import step",
+            "agents/ decides",
+        ),
         ("soccer_env/geometry.py", "import soccer_env.match", "geometry imports match, which stands above"),
         ("soccer_env/types.py", "from .leagues import League", "types imports leagues, which stands above"),
         ("soccer_env/teams.py", "from soccer_env.baselines import chaser", "teams imports baselines"),
@@ -270,30 +237,35 @@ def test_a_good_package_passes(tmp_path: Path) -> None:
         ),
         ("soccer_env/referee/goals.py", "from soccer_env.scenes import *", "referee imports scenes"),
         ("soccer_env/rewards.py", "from soccer_env import actions", "rewards imports actions, which stands beside"),
-        ("soccer_env/match.py", "import_module('soccer_env.train.ppo')", "match imports train"),
+        ("soccer_env/match/match.py", "import_module('soccer_env.train.ppo')", "match imports train"),
         (
-            "soccer_env/match.py",
-            "import importlib\nimportlib.import_module('.render', __package__)",
+            "soccer_env/match/match.py",
+            "import importlib\nimportlib.import_module('..render', __package__)",
             "match imports rend",
         ),
-        ("soccer_env/match.py", "from soccer_env import make_team", "match imports make_team from the package root"),
-        ("soccer_env/match.py", "import soccer_env", "match imports all from the package root"),
-        ("soccer_env/match.py", "import pymunk", "only physics/ imports pymunk"),
+        (
+            "soccer_env/match/match.py",
+            "from soccer_env import make_team",
+            "match imports make_team from the package root",
+        ),
+        ("soccer_env/match/match.py", "import soccer_env", "match imports all from the package root"),
+        ("soccer_env/match/match.py", "import pymunk", "only physics/ imports pymunk"),
         ("train/ppo.py", "from pymunk import Space", "only physics/ imports pymunk"),
         ("soccer_env/__init__.py", "from .train import evaluate", "the package root imports train"),
         ("soccer_env/render/pictures.py", "from soccer_env.baselines import still", "render imports baselines"),
         ("soccer_env/manager.py", "", "soccer_env.manager: no layer is known"),
-        ("soccer_env/match.py", "from soccer_env.manager import x", "soccer_env.manager has no layer"),
+        ("soccer_env/match/match.py", "from soccer_env.manager import x", "soccer_env.manager has no layer"),
         ("baselines/chaser.py", "from soccer_env.physics import ball", "baselines/ decides from beliefs alone"),
         ("baselines/deep/er.py", "from ...referee.goals import goal", "baselines/ decides from beliefs alone"),
         ("baselines/chaser.py", "from soccer_env import Match", "baselines imports Match from the package root"),
-        ("agents/learned.py", "from ..match import Match", "agents/ decides from beliefs alone"),
+        ("agents/learned.py", "from ..match.match import Match", "agents/ decides from beliefs alone"),
         ("agents/learned.py", "from soccer_env import soccer_v0", "agents/ decides from beliefs alone"),
         ("agents/learned.py", "from ..gymnasium_envs import Env", "agents/ decides from beliefs alone"),
         ("agents/learned.py", "from soccer_env.train import ppo", "agents imports train, which stands above"),
         ("soccer_env/belief/ball.py", "from soccer_env.perception import camera", "belief/ may not import perception"),
         ("soccer_env/belief/ball.py", "from soccer_env.types import BALL", "belief/ sees BALL"),
         ("soccer_env/belief/ball.py", "from soccer_env.types import *", "belief/ sees *"),
+        ("soccer_env/belief/ball.py", "from soccer_env.records.world import World", "belief/ sees World"),
         ("soccer_env/belief/ball.py", "from soccer_env import types as t\nt.ROBOT", "belief/ sees ROBOT"),
     ],
 )

@@ -106,9 +106,9 @@ def test_wheel_holds_the_package_and_nothing_else(wheel: Path) -> None:
     names = set(zipfile.ZipFile(wheel).namelist())
     assert {name for name in names if name.endswith(".py")} == installed()
     assert {"soccer_env/py.typed", "soccer_env/REFERENCES.md"} <= names
-    page = ROOT / "soccer_env" / "replay" / "browser"
-    assert {f"soccer_env/replay/browser/{file.name}" for file in page.iterdir() if file.suffix != ".py"} - {
-        "soccer_env/replay/browser/__pycache__"
+    page = ROOT / "soccer_env" / "shows" / "browser"
+    assert {f"soccer_env/shows/browser/{file.name}" for file in page.iterdir() if file.suffix != ".py"} - {
+        "soccer_env/shows/browser/__pycache__"
     } <= names
     assert {name.split("/")[0].split("-")[0] for name in names} == {"soccer_env"}
     (entry_points,) = (name for name in names if name.endswith(".dist-info/entry_points.txt"))

@@ -38,7 +38,7 @@ def test_mypy_knows_the_public_names_and_refuses_wrong_settings(tmp_path: Path) 
     ran = subprocess.run(words, cwd=tmp_path, env=seen, capture_output=True, text=True, check=False)
     said = ran.stdout.splitlines()
     found = {int(line.split(":")[1]): line for line in reversed(said) if line.split(":")[0].endswith("user.py")}
-    assert 'Revealed type is "soccer_env.match.Match"' in found[5]
+    assert 'Revealed type is "soccer_env.match.match.Match"' in found[5]
     assert 'Revealed type is "soccer_env.soccer_v0.ParallelSoccer"' in found[6]
     assert 'Unexpected keyword argument "homee" for "Match"; did you mean "home"?' in found[7]
     assert 'Argument "home" to "Match" has incompatible type "str"' in found[8]

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from soccer_env.leagues import LEAGUES
-from soccer_env.match_settings import MatchSettings
+from soccer_env.match.arguments import MatchSettings
 from soccer_env.teams import NAMES
 from soccer_env.train.command.command_line import COMMANDS
 

@@ -20,7 +20,7 @@ import pytest
 import soccer_env
 from soccer_env.actions import MEANINGS
 from soccer_env.leagues import find_league
-from soccer_env.match_settings import MatchArguments
+from soccer_env.match.arguments import MatchArguments
 from soccer_env.observations import OBSERVE, layout
 from soccer_env.rewards import NAMES
 from soccer_env.scenes import SCENES
@@ -87,7 +87,7 @@ def read() -> ModuleType:
     return loader.load("soccer_env")  # type: ignore[no-any-return]
 
 
-@pytest.mark.parametrize("module", ["types", "percept_types", "belief_types"])
+@pytest.mark.parametrize("module", ["types", "records.percepts", "records.beliefs"])
 def test_every_field_of_every_record_and_code_is_in_a_table(read: Any, module: str) -> None:
     for name, found in vars(import_module(f"soccer_env.{module}")).items():
         if isinstance(found, np.dtype) and name.isupper() and name in read[module].members:
@@ -107,7 +107,7 @@ def test_fields_have_their_units_defaults_and_meanings(read: Any) -> None:
     ball, phase = read["types.BALL"].docstring.value, read["types.Phase"].docstring.value
     assert "| `vx` | `f8` | `NUMBER` | m/s | field frame |" in ball
     assert "| `PENALTY_KICK` | 7 | of a penalty shoot-out |" in phase
-    settings = read["match_settings.MatchArguments"].docstring.value
+    settings = read["match.arguments.MatchArguments"].docstring.value
     assert sorted(rows_of(settings)) == sorted(field.name for field in fields(MatchArguments))
     assert "| `max_cycles` | `int | None` | `None` | steps until an episode is truncated; None: never |" in settings
 

@@ -9,7 +9,7 @@ FOLDERS = ("soccer_env", "baselines", "agents", "train")
 LINES = 300  # of a file
 FUNCTION = 35  # lines of a function, with decorators and docstring
 FILES = 16  # of a folder, beside its __init__.py
-GROUND_FLOOR = 32  # files of soccer_env/ itself
+GROUND_FLOOR = 10  # files of soccer_env/ itself
 
 # Functions that are longer, each with the lines that it may have. This list may only shrink.
 LONGER = {

@@ -20,19 +20,19 @@ from soccer_env.belief.legged.own_pose import believe_pose_legged
 from soccer_env.belief.omni.own_pose import believe_pose_omni
 from soccer_env.belief.own_pose import POSE_MEMORY
 from soccer_env.belief.particles import PARTICLE
-from soccer_env.belief_types import OWN_POSE
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.optics import head_camera as optics
-from soccer_env.percept_types import LANDMARKS, LEGGED_PERCEPT, NO_POSE, OMNI_PERCEPT, POSE_TOLD
 from soccer_env.perception.body import count_steps
 from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables
 from soccer_env.perception.omni.sense import sense_slice as sense_omni
 from soccer_env.perception.sensing import Sensing, SensorNumbers
 from soccer_env.random_numbers import normal, start_streams, uniform
+from soccer_env.records.beliefs import OWN_POSE
+from soccer_env.records.percepts import LANDMARKS, LEGGED_PERCEPT, NO_POSE, OMNI_PERCEPT, POSE_TOLD
+from soccer_env.records.world import World as TrueWorld
 from soccer_env.types import BALL, EVENTS, MATCH, NOISE_STREAMS, ROBOT, ROBOT_EVENTS, RobotStream
-from soccer_env.world import World as TrueWorld
 from tests.scenes.projection import pixel_of_direction
 
 CAMERA = int(RobotStream.CAMERA)

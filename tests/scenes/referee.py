@@ -8,9 +8,9 @@ import numpy as np
 
 from soccer_env import Match
 from soccer_env.leagues.constants import constants_of
+from soccer_env.match.staging import put, put_ball, set_phase
 from soccer_env.physics.contacts import find_collisions
 from soccer_env.referee.fouls.judging import judge_fouls
-from soccer_env.staging import put, put_ball, set_phase
 from soccer_env.types import HOME, Phase
 from tests.scenes.staging import MIDDLE
 

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.belief_types import BELIEF, TRACK
+from soccer_env.records.beliefs import BELIEF, TRACK
 
 MEMORY_LATERAL = ("aim_error", "side", "way", "way_side", "aside", "turn")  # what a mirror turns round in a memory
 

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env import make_team
-from soccer_env.belief_types import BELIEF, TRACK
 from soccer_env.leagues import find_league
+from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.teams import TeamRandom, View
 from soccer_env.types import NOISE_STREAMS
 

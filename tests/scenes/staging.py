@@ -9,11 +9,11 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import League
 from soccer_env.leagues.constants import constants_of
+from soccer_env.match.staging import patient, send_off, set_phase
+from soccer_env.match.staging import put as put
+from soccer_env.match.staging import put_ball as put_ball
 from soccer_env.physics.contacts import paws_gap
 from soccer_env.physics.engine.space import robot_moment
-from soccer_env.staging import patient, send_off, set_phase
-from soccer_env.staging import put as put
-from soccer_env.staging import put_ball as put_ball
 from soccer_env.types import Phase
 from tests.scenes.outlines import ball_board_gaps, robot_board_gaps, robot_gaps
 

@@ -12,17 +12,17 @@ from soccer_env import Match
 from soccer_env.belief.believing import believe_kernel
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.compiled import compiled
+from soccer_env.guards.ranges import Range, record
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.options import Options
 from soccer_env.leagues.robot_kind import KINDS, RobotKind, kind_of
 from soccer_env.observations import names_of
 from soccer_env.observations.entry import Entry
-from soccer_env.percept_types import BODY_PERCEPT
 from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.perception.sensing import sense_kernel
 from soccer_env.random_numbers import normal
-from soccer_env.ranges import Range, record
+from soccer_env.records.percepts import BODY_PERCEPT
 from soccer_env.types import HOME, RobotStream
 
 CAMERA = int(RobotStream.CAMERA)

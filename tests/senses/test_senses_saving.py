@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.saving import dump
+from soccer_env.match.saving import dump
 from tests.senses.staged_senses import LEAGUES, draws, sensing
 
 

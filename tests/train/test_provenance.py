@@ -8,8 +8,8 @@ import pytest
 
 from soccer_env import make_team
 from soccer_env.compiled import compiled
-from soccer_env.team_kernels import NO_MEMORY, STRENGTH, per_blind_player
 from soccer_env.teams import CompiledTeam, TeamRandom, View
+from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_blind_player
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.provenance import UNKNOWN, team_hash
 

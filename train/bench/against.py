@@ -23,11 +23,11 @@ from typing import IO, TYPE_CHECKING, Any, cast
 import numpy as np
 
 from soccer_env.compiling.sources import ROOT as PACKAGE
+from soccer_env.guards.whole_files import write_whole
 from soccer_env.train.bench.benchmark import machine
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.progress import Progress
 from soccer_env.train.statistics import unit_bootstrap
-from soccer_env.whole_files import write_whole
 
 if TYPE_CHECKING:
     from rich.table import Table

@@ -13,6 +13,7 @@ from pathlib import Path
 from statistics import median
 from typing import TYPE_CHECKING, Any
 
+from soccer_env.guards.whole_files import write_whole
 from soccer_env.leagues import find_league
 from soccer_env.train.bench.apis import (
     START_TIMES,
@@ -37,7 +38,6 @@ from soccer_env.train.bench.plans import PlanLoad, TeamLoad
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import LIBRARIES, commit, version_of
-from soccer_env.whole_files import write_whole
 
 if TYPE_CHECKING:
     from rich.table import Table

@@ -12,7 +12,7 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, get_args
 
-from soccer_env.names import unknown
+from soccer_env.guards.names import unknown
 from soccer_env.train.command.exit_codes import BELOW, STOPPED, WRONG
 from soccer_env.train.command.match_commands import recheck_sample, run_export, run_record, run_replay, run_watch
 from soccer_env.train.command.parsing import COMPLETION, completion, read_settings, reason_of, taken_out

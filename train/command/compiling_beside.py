@@ -14,7 +14,7 @@ import numpy as np
 
 from soccer_env.compiled import config
 from soccer_env.compiling.cache import is_kept
-from soccer_env.step import step_slice
+from soccer_env.match.step import step_slice
 
 
 @contextmanager

@@ -272,7 +272,7 @@ def statistics() -> Iterator[Table]:
 
 def claims() -> Iterator[Table]:
     """Yield the claims of the papers that `soccer reproduce` measures."""
-    from soccer_env.staging import PATIENT
+    from soccer_env.match.staging import PATIENT
     from soccer_env.train.papers.claims import all_claims
     from soccer_env.train.papers.results import rules_in_words
 

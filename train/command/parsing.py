@@ -13,8 +13,8 @@ from dataclasses import MISSING, fields
 from pathlib import Path
 from typing import Annotated, Any, TypeVar, Union
 
-from soccer_env.checking import brief
-from soccer_env.names import unknown
+from soccer_env.guards.checking import brief
+from soccer_env.guards.names import unknown
 
 T = TypeVar("T")
 SHELLS = ("bash", "zsh", "fish")

@@ -20,7 +20,7 @@ replays/           replays of matches worth keeping
 
 from typing import TYPE_CHECKING
 
-from soccer_env.names import lazy_names
+from soccer_env.guards.names import lazy_names
 
 if TYPE_CHECKING:
     from soccer_env.train.evaluate.evaluation import evaluate

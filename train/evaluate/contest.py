@@ -13,13 +13,13 @@ import numpy as np
 
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.trained_with import differences
-from soccer_env.function_teams import FunctionTeam
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
 from soccer_env.scenes import find_scene
 from soccer_env.statistics.maps import maps_of
 from soccer_env.teams import CompiledTeam, ObservingTeam, Team, in_module, make_team, registered
+from soccer_env.teams.function_teams import FunctionTeam
 from soccer_env.train.evaluate.results import MatchLine
 from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings
 from soccer_env.train.evaluate.statistics import line_of_statistics

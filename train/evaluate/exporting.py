@@ -12,8 +12,9 @@ from soccer_env.data_out.tables import tables_of
 from soccer_env.render import save_png
 from soccer_env.render.overlays.flags import OverlayFlags, part_of_flags
 from soccer_env.replay import Replay
-from soccer_env.replay.browser import write_page
-from soccer_env.replay.film import FilmSettings, drawn_steps, make_film
+from soccer_env.shows import frame
+from soccer_env.shows.browser import write_page
+from soccer_env.shows.film import FilmSettings, drawn_steps, make_film
 from soccer_env.train.evaluate.map_pictures import KINDS as MAPS
 from soccer_env.train.evaluate.map_pictures import export_maps
 from soccer_env.train.evaluate.play_settings import ExportSettings
@@ -81,7 +82,7 @@ def export_one(settings: ExportSettings, kind: str) -> str:
 def write_picture(replay: Replay, settings: ExportSettings) -> str:
     """Write one frame; return its name and size in words."""
     overlays = {item.name: getattr(settings, item.name) for item in fields(OverlayFlags)}
-    save_png(replay.frame(settings.start, width=settings.width, **overlays), settings.out)
+    save_png(frame(replay, settings.start, width=settings.width, **overlays), settings.out)
     return f"{settings.out}, {settings.out.stat().st_size / 1e3:.0f} kB"
 
 

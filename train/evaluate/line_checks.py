@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.checking import brief, is_number, whole_number
+from soccer_env.guards.checking import brief, is_number, whole_number
 from soccer_env.statistics.maps import OUTCOMES, maps_of
 from soccer_env.statistics.records import FRESH, SHOTS
 from soccer_env.train.evaluate.results import MatchLine

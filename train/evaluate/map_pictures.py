@@ -6,14 +6,14 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.guards.whole_files import read_plain, write_whole
+from soccer_env.match.settings import plain
 from soccer_env.replay import Replay
-from soccer_env.settings import plain
 from soccer_env.statistics.maps import maps_of
 from soccer_env.statistics.records import CELLS_LONG, CELLS_WIDE
 from soccer_env.train.report import can_draw
 from soccer_env.train.report.pitch_maps import MARKS, Maps, draw_maps
 from soccer_env.types import HOME, MAX_TEAM
-from soccer_env.whole_files import read_plain, write_whole
 
 KINDS = (".png", ".svg", ".pdf")
 LARGEST = 1 << 26  # [bytes] of a result.json

@@ -8,7 +8,7 @@ from typing import Literal
 
 import tyro
 
-from soccer_env.checking import FROM_ZERO, Range
+from soccer_env.guards.checking import FROM_ZERO, Range
 from soccer_env.render.frame import LEAST_WIDTH, MOST_WIDTH
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.train.written_settings import CommandSettings, split_players

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.checking import brief, whole_number
+from soccer_env.guards.checking import brief, whole_number
 from soccer_env.leagues.league import League
 from soccer_env.teams import Team
 from soccer_env.train.evaluate.contest import Contest, play_batches

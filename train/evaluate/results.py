@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from soccer_env.leagues.league import Pitch
-from soccer_env.settings import plain
+from soccer_env.match.settings import plain
 from soccer_env.statistics.maps import added
 from soccer_env.train.evaluate.settings import Conditions
 from soccer_env.train.evaluate.statistics import Total, totals

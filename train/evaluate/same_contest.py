@@ -6,10 +6,10 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
 
-from soccer_env.checking import brief
+from soccer_env.guards.checking import brief
+from soccer_env.guards.names import MODULE_PATH
 from soccer_env.leagues import LEAGUES, find_league
 from soccer_env.leagues.league import League
-from soccer_env.names import MODULE_PATH
 from soccer_env.scenes import names_in
 from soccer_env.teams import Team, in_module
 from soccer_env.train.evaluate.contest import Contest, contest_of

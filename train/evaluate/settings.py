@@ -9,9 +9,9 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Literal
 
-from soccer_env.checking import SHARE, Range
+from soccer_env.guards.checking import SHARE, Range
 from soccer_env.leagues.league import League
-from soccer_env.match_settings import Placement, Pose
+from soccer_env.match.arguments import Placement, Pose
 from soccer_env.train.evaluate.replays.choice import Keep
 from soccer_env.train.written_settings import (
     POSES,

@@ -18,7 +18,7 @@ claims/           the claims by theme, with the guide to adding one
 
 from typing import TYPE_CHECKING
 
-from soccer_env.names import lazy_names
+from soccer_env.guards.names import lazy_names
 
 if TYPE_CHECKING:
     from soccer_env.train.papers.reproduction import reproduce

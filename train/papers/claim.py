@@ -7,8 +7,8 @@ from typing import Any, Literal
 
 import numpy as np
 
-from soccer_env.match_settings import Pose
-from soccer_env.staging import PATIENT
+from soccer_env.match.arguments import Pose
+from soccer_env.match.staging import PATIENT
 from soccer_env.train.papers.verdicts import Criterion, Samples
 
 SACKS, HEINEMANN = "Sacks 2001", "Heinemann et al. 2006"

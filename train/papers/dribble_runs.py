@@ -11,7 +11,7 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
-from soccer_env.staging import memory_of
+from soccer_env.match.staging import memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.staging import begin, put, put_ball, stage

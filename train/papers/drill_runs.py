@@ -11,7 +11,7 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.match import Match
-from soccer_env.match_settings import Senses
+from soccer_env.match.arguments import Senses
 from soccer_env.scenes import Scene, find_scene
 from soccer_env.scenes.judging import LOST, LOST_TIME, PAST
 from soccer_env.teams import make_team

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from soccer_env.staging import PATIENT
+from soccer_env.match.staging import PATIENT
 from soccer_env.train.evaluate.report import plain, table
 from soccer_env.train.papers.results import ClaimResult, rules_in_words
 from soccer_env.train.papers.verdicts import CONTEXT, UNDECIDED, VERDICTS

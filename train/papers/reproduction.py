@@ -54,7 +54,7 @@ def made_with(claims: list[Claim]) -> dict[str, str]:
     modules = sorted(
         {getattr(claim.measure, "func", claim.measure).__module__ for claim in claims}
     )  # func: of a partial
-    code = {"code": module_hash("soccer_env.match"), "claims": digest("".join(map(module_hash, modules)))}
+    code = {"code": module_hash("soccer_env.match.match"), "claims": digest("".join(map(module_hash, modules)))}
     return {name: version_of(name) for name in LIBRARIES} | code
 
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from soccer_env.staging import PATIENT
+from soccer_env.match.staging import PATIENT
 from soccer_env.train.papers.claim import none_or_float
 from soccer_env.train.papers.verdicts import NOT, REPRODUCED, Finding
 from soccer_env.train.results_folder import Kind

@@ -13,7 +13,7 @@ from typing import Annotated, Literal
 
 import tyro
 
-from soccer_env.checking import Range, refuse, whole_number
+from soccer_env.guards.checking import Range, refuse, whole_number
 from soccer_env.train.written_settings import CommandSettings
 
 

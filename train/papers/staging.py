@@ -21,11 +21,11 @@ import numpy as np
 
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
+from soccer_env.match.staging import PATIENT, send_off, set_phase
+from soccer_env.match.staging import begin as begin
+from soccer_env.match.staging import put as put
+from soccer_env.match.staging import put_ball as put_ball
 from soccer_env.scenes import find_scene
-from soccer_env.staging import PATIENT, send_off, set_phase
-from soccer_env.staging import begin as begin
-from soccer_env.staging import put as put
-from soccer_env.staging import put_ball as put_ball
 from soccer_env.train.papers.claim import Batch
 from soccer_env.types import Phase
 

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.match.staging import sensors_of
 from soccer_env.optics.head_camera import share_of_tilt
-from soccer_env.staging import sensors_of
 from soccer_env.train.papers.staging import from_robot, play, standing
 
 

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from soccer_env.names import lazy_names
+from soccer_env.guards.names import lazy_names
 
 if TYPE_CHECKING:
     from soccer_env.train.ppo.settings import TrainSettings

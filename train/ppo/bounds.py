@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from soccer_env.checking import FROM_ZERO, Range
+from soccer_env.guards.checking import FROM_ZERO, Range
 from soccer_env.rewards import NAMES
 
 LOGS = ("csv", "tensorboard", "wandb")  # further logs, each in a folder of that name

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 import torch
 
+from soccer_env.guards.whole_files import read_plain, write_whole
 from soccer_env.train.files import LARGEST
-from soccer_env.whole_files import read_plain, write_whole
 
 LATEST = "latest.json"
 NAMES = ("checkpoint-0.pt", "checkpoint-1.pt")

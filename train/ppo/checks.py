@@ -14,7 +14,7 @@ from typing import Any
 
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import load
-from soccer_env.checking import brief
+from soccer_env.guards.checking import brief
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.teams import CompiledTeam, make_team

@@ -4,8 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env import truth_state
-from soccer_env.match import Match
+from soccer_env.match import Match, truth_state
 
 
 def with_state(observations: np.ndarray, match: Match, records: Any, players: int) -> np.ndarray:

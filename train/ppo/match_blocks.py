@@ -12,11 +12,11 @@ import numpy as np
 
 from soccer_env.actions import DISCRETE
 from soccer_env.api.opponents import LEARNER
-from soccer_env.checking import whole_number
+from soccer_env.guards.checking import whole_number
 from soccer_env.guards.interrupts import HeldBack
-from soccer_env.match import BLOCK, Match
-from soccer_env.saving import signals_wait, undoing
-from soccer_env.squads import who_plays
+from soccer_env.match.match import BLOCK, Match
+from soccer_env.match.saving import signals_wait, undoing
+from soccer_env.match.squads import who_plays
 
 
 @dataclass(frozen=True)

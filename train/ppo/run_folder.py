@@ -11,6 +11,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from soccer_env.guards.whole_files import write_whole
 from soccer_env.train.evaluate.results import KEPT_FILES
 from soccer_env.train.files import read_lines
 from soccer_env.train.ppo.bounds import LOGS
@@ -18,7 +19,6 @@ from soccer_env.train.ppo.checkpoints import LATEST, NAMES
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.provenance import of_modules
 from soccer_env.train.results_folder import SETTINGS, Kind, ResultsFolder
-from soccer_env.whole_files import write_whole
 
 LOG = "log.jsonl"
 TABLE = "progress.csv"

@@ -12,10 +12,10 @@ from typing import Annotated, Any, Literal
 import tyro
 
 from soccer_env.agents.trained_with import senses_of_run
+from soccer_env.guards.names import unknown
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import rule_set
-from soccer_env.names import unknown
 from soccer_env.rewards import NAMES, PRESETS, TERMS, Rewards, find_rewards
 from soccer_env.scenes import Scene, mixture, names_in
 from soccer_env.train.evaluate.replays.choice import Keep

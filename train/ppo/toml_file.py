@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from soccer_env import agents
-from soccer_env.names import unknown
+from soccer_env.guards.names import unknown
+from soccer_env.guards.whole_files import read_plain
 from soccer_env.train.ppo.settings import TrainSettings
-from soccer_env.whole_files import read_plain
 
 if sys.version_info >= (3, 11):
     import tomllib

@@ -27,13 +27,13 @@ except ModuleNotFoundError as error:
 
 from soccer_env.actions import FULL
 from soccer_env.agents.learned import first_decision
-from soccer_env.checking import brief
+from soccer_env.guards.checking import brief
+from soccer_env.guards.names import Made
 from soccer_env.guards.workers import Workers
 from soccer_env.match import Match
-from soccer_env.names import Made
+from soccer_env.match.saving import by_save, calls_python, signals_wait
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards
-from soccer_env.saving import by_save, calls_python, signals_wait
 from soccer_env.train.ppo.critic_state import records_of, with_state
 from soccer_env.train.ppo.match_blocks import Result, begin, check_request, playing, shares, taken, undone
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from importlib.resources import files
 from urllib.parse import quote
 
-from soccer_env.replay import browser
+from soccer_env.shows import browser
 from soccer_env.train.report.style import COLOURS, for_page
 
 DARK_COLOURS = ("#86b4ff", "#ff9d5c", "#46c878", "#d590ea", "#d6bf4a", "#ff8a94")  # of curves, in the order of COLOURS

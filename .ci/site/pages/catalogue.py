@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from pages.markdown import code, table
-from soccer_env import truth_state
 from soccer_env.leagues import find_league
+from soccer_env.match import truth_state
 from soccer_env.observations import OBSERVE, Entry
 from soccer_env.observations.scales import in_numbers
 from soccer_env.train.command import listing

@@ -30,7 +30,7 @@ PUBLIC = (
         "Play",
         "A match in arrays, and the environments of PettingZoo and Gymnasium around it.",
         (
-            *("match.Match", "soccer_v0.parallel_env", "soccer_v0.env", "soccer_v0.raw_env"),
+            *("match.match.Match", "soccer_v0.parallel_env", "soccer_v0.env", "soccer_v0.raw_env"),
             *("soccer_v0.ParallelSoccer", "api.turn_env.TurnSoccer", "gymnasium_envs.SoloSoccer"),
             "api.gymnasium_vector.SoccerVectorEnv",
         ),
@@ -41,7 +41,7 @@ PUBLIC = (
         "Records",
         "What `match.matches`, `balls`, `robots`, `events`, `percepts`, `beliefs` and `tracks` hold, field by field, "
         "and the codes in them.",
-        ("types", "percept_types", "belief_types"),
+        ("types", "records.percepts", "records.beliefs"),
         "from soccer_env.types import Phase, Foul",
     ),
     Page(
@@ -50,7 +50,7 @@ PUBLIC = (
         "What a learner sees: the entries of a layout, an observation of your own, the whole truth.",
         (
             *("observations.layout", "observations.entry.Entry", "observations.entry.Observation"),
-            "truth_state.WholeTruth",
+            "match.truth_state.WholeTruth",
         ),
         "from soccer_env import WholeTruth\nfrom soccer_env.observations import Entry, layout",
     ),
@@ -67,7 +67,7 @@ PUBLIC = (
         "Teams by name, teams of your own, and several of them drawn by weights.",
         (
             *("teams.registry.make_team", "teams.lineup.Lineup", "teams.team.Team", "teams.team.View"),
-            *("teams.team.TeamRandom", "teams.team.CompiledTeam", "function_teams.team.team_of_function"),
+            *("teams.team.TeamRandom", "teams.team.CompiledTeam", "teams.function_teams.team.team_of_function"),
         ),
         "from soccer_env import Lineup, Team, make_team, team_of_function",
     ),

@@ -11,7 +11,7 @@ from soccer_env.baselines.weigel_2001.planner.measuring import fill_forces, leas
 from soccer_env.baselines.weigel_2001.planner.planning import plan_way
 from soccer_env.baselines.weigel_2001.planner.records import ENDINGS, PLAN, POINT, SCRATCH
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
-from soccer_env.checking import FROM_ZERO, number
+from soccer_env.guards.checking import FROM_ZERO, number
 
 LOOK = 0.01  # [s] between two looks at the gap along a plan
 

@@ -9,7 +9,7 @@ from soccer_env.baselines.weigel_2001.planner.plan import Plan, make_plan
 from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES, OBSTACLE, SCRATCH
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
 from soccer_env.baselines.weigel_2001.planner.travelling import CYCLE, Travel, make_travel
-from soccer_env.checking import Range, one_of, refuse, whole_number
+from soccer_env.guards.checking import Range, one_of, refuse, whole_number
 
 FARTHEST = 1000.0  # [m] from the middle of the pitch: what is farther is no place on it but a mistake
 FASTEST = 100.0  # [m/s] of an obstacle; robots of 2006 drive at up to 5  MH25

@@ -9,7 +9,7 @@ from math import floor
 from typing import ClassVar
 
 from soccer_env.baselines.weigel_2001.planner.records import GRID, MOST_CELLS, MOST_ITERATIONS
-from soccer_env.checking import ABOVE_ZERO, refuse
+from soccer_env.guards.checking import ABOVE_ZERO, refuse
 from soccer_env.leagues.options import Options
 
 FORMS = {"scalar": 0, "vector": 1}

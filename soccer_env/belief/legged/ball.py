@@ -25,9 +25,9 @@ from soccer_env.belief.legged.velocity import ROUNDING, turn_velocity, update_ve
 from soccer_env.belief.odometry import motion_of
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
+from soccer_env.guards.ranges import FLAG, LATELY, NUMBER, Range, record
 from soccer_env.leagues.legged_sensors import AVERAGED_MOST, ODOMETRY
-from soccer_env.percept_types import POSE_TOLD
-from soccer_env.ranges import FLAG, LATELY, NUMBER, Range, record
+from soccer_env.records.percepts import POSE_TOLD
 
 SURE = 100.0  # confidence of what is seen, Sacks 2001, 2  MS03
 HELD_TIME = 0.5  # [s] unseen after which no ball is believed to lie in the pocket, assumed

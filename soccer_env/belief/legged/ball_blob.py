@@ -20,7 +20,7 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.leagues.legged_sensors import RANGES, SIZES
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_x, focal_y
-from soccer_env.percept_types import BLOBS
+from soccer_env.records.percepts import BLOBS
 
 BY_INFRARED = RANGES["infrared"]
 BY_HEIGHT, BY_WIDTH = SIZES["height"], SIZES["width"]

@@ -16,7 +16,7 @@ from soccer_env.belief.legged.players import PLAYERS_MEMORY, believe_players
 from soccer_env.belief.legged.talk import exchange
 from soccer_env.belief.own_pose import POSE_MEMORY, is_crowded
 from soccer_env.compiled import compiled
-from soccer_env.ranges import record
+from soccer_env.guards.ranges import record
 
 LEGGED_MEMORY = record(
     [("ball", BALL_MEMORY), ("players", PLAYERS_MEMORY), ("pose", POSE_MEMORY), ("head", HEAD_MEMORY)]

@@ -21,7 +21,7 @@ from __future__ import annotations
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.leagues.legged_sensors import PLAYER_BLOBS
-from soccer_env.percept_types import BLOBS
+from soccer_env.records.percepts import BLOBS
 
 COMBINED = PLAYER_BLOBS["combined"]
 SMALLEST = 1.0  # [px] a blob has a pixel at least, whatever its box says

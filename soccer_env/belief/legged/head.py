@@ -12,8 +12,8 @@ import numpy as np
 from soccer_env.belief.odometry import motion_of, move_point
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.percept_types import POSE_TOLD
-from soccer_env.ranges import COUNT, NUMBER, UNIT, record
+from soccer_env.guards.ranges import COUNT, NUMBER, UNIT, record
+from soccer_env.records.percepts import POSE_TOLD
 
 DEGREE = pi / 180.0
 NEAR_TILT = -68.0 * DEGREE  # [rad] of a sweep over the ground at the feet, a ball between the paws too, assumed

@@ -25,8 +25,8 @@ from soccer_env.belief.particles import OUTLIER, bounded, draw_seeing, move_part
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, point_of_frame
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, image_height, image_width
-from soccer_env.percept_types import BLOBS, LANDMARKS
 from soccer_env.random_numbers import uniform
+from soccer_env.records.percepts import BLOBS, LANDMARKS
 from soccer_env.types import RobotStream
 
 PARTICLES = int(RobotStream.PARTICLES)

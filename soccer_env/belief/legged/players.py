@@ -20,13 +20,13 @@ from soccer_env.belief.legged.grouping import COMBINED, box_of_player, largest_l
 from soccer_env.belief.legged.matching import likeliest_slot
 from soccer_env.belief.legged.surface import half_a_body
 from soccer_env.belief.odometry import motion_of
-from soccer_env.belief_types import clear_slots
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
+from soccer_env.guards.ranges import COUNT, record
 from soccer_env.leagues.legged_sensors import PLAYER_VIEWS, SLOTS
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_x, focal_y
-from soccer_env.percept_types import BLOBS, POSE_TOLD
-from soccer_env.ranges import COUNT, record
+from soccer_env.records.beliefs import clear_slots
+from soccer_env.records.percepts import BLOBS, POSE_TOLD
 
 SURE = 100.0  # confidence of what is seen, Sacks 2001, 2  MS03
 NEAREST = SLOTS["nearest"]

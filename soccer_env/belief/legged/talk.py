@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from soccer_env.ball_words import SILENT, distance_of, word_for
 from soccer_env.belief.talk import RADIO, REMEMBERED, SEEN, deliver, frames_between, hear, message_of, send
-from soccer_env.belief_types import WORDS
 from soccer_env.compiled import compiled
+from soccer_env.guards.ranges import ENDLESS, LATELY, record
 from soccer_env.random_numbers import uniform
-from soccer_env.ranges import ENDLESS, LATELY, record
+from soccer_env.records.ball_words import SILENT, distance_of, word_for
+from soccer_env.records.beliefs import WORDS
 
 WORD = record(
     [  # what a loudspeaker says

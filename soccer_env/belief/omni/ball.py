@@ -25,7 +25,7 @@ from soccer_env.belief.omni.tracking import (
 )
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.ranges import AMOUNT, CONFIDENCE, ENDLESS, NUMBER, record
+from soccer_env.guards.ranges import AMOUNT, CONFIDENCE, ENDLESS, NUMBER, record
 
 SURE = 100.0  # confidence of what is seen
 BALL_SPEED = 4.0  # [m/s] sd of the speed of a ball of which only one reading is known, assumed

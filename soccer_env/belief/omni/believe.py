@@ -14,10 +14,10 @@ from soccer_env.belief.omni.players import READING, SLOTS, believe_players
 from soccer_env.belief.omni.radio import exchange_radio
 from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, note_motion
 from soccer_env.belief.own_pose import POSE_MEMORY, is_crowded
-from soccer_env.belief_types import TRACK, forget
 from soccer_env.compiled import compiled, records
-from soccer_env.percept_types import OTHERS, POSE_TOLD
-from soccer_env.ranges import record
+from soccer_env.guards.ranges import record
+from soccer_env.records.beliefs import TRACK, forget
+from soccer_env.records.percepts import OTHERS, POSE_TOLD
 
 OMNI_MEMORY = record(
     [

@@ -16,8 +16,8 @@ from soccer_env.belief.odometry import move_point
 from soccer_env.belief.particles import OUTLIER, bounded, draw_seeing, move_particle, scatter
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length, point_of_frame
-from soccer_env.percept_types import LINES
 from soccer_env.random_numbers import uniform
+from soccer_env.records.percepts import LINES
 from soccer_env.types import RobotStream
 
 PARTICLES = int(RobotStream.PARTICLES)

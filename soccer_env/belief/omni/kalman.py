@@ -15,7 +15,7 @@ from __future__ import annotations
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.ranges import AMOUNT, NUMBER, record
+from soccer_env.guards.ranges import AMOUNT, NUMBER, record
 
 COVARIANCE = record(
     [

@@ -23,10 +23,10 @@ from soccer_env.belief.omni.tracking import (
     reading_of,
     start,
 )
-from soccer_env.belief_types import UNKNOWN, forget
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
-from soccer_env.percept_types import OTHERS
+from soccer_env.records.beliefs import UNKNOWN, forget
+from soccer_env.records.percepts import OTHERS
 from soccer_env.types import MAX_TEAM
 
 SURE = 100.0  # confidence of what is seen

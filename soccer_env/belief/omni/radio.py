@@ -9,13 +9,13 @@ from math import inf
 
 import numpy as np
 
-from soccer_env.ball_words import word_for
 from soccer_env.belief.omni.reports import adopt_ball, place_teammates, write_report
 from soccer_env.belief.talk import RADIO, REMEMBERED, SEEN, deliver, frames_between, hear, message_of, send
-from soccer_env.belief_types import PLAYER_OR_UNKNOWN, WORDS
 from soccer_env.compiled import compiled
+from soccer_env.guards.ranges import CONFIDENCE, ENDLESS, FLAG, LATELY, NUMBER, record
 from soccer_env.random_numbers import uniform
-from soccer_env.ranges import CONFIDENCE, ENDLESS, FLAG, LATELY, NUMBER, record
+from soccer_env.records.ball_words import word_for
+from soccer_env.records.beliefs import PLAYER_OR_UNKNOWN, WORDS
 
 REPORT = record(
     [

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from math import atan2, cos, inf, sin
 
-from soccer_env.belief_types import UNKNOWN
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length, out_of_frame, wrap
+from soccer_env.records.beliefs import UNKNOWN
 
 SURE = 100.0  # confidence of what is seen
 TOLD = 0.95  # [1] confidence of what is told against what is seen, assumed: as good as a look 0.2 s earlier

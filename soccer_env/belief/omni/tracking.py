@@ -22,9 +22,9 @@ from soccer_env.belief.omni.kalman import (
 )
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
+from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, Range, record
 from soccer_env.leagues.omni_sensors import FILTERS
 from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_of
-from soccer_env.ranges import COUNT, FLAG, NUMBER, Range, record
 
 KALMAN, LEAST_SQUARES = FILTERS["kalman"], FILTERS["least-squares"]
 DELAYS = 3  # frames that a picture may be late, at most

@@ -13,10 +13,10 @@ from math import floor
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.percept_types import BLOBS, LANDMARKS
 from soccer_env.perception.legged.occlusion import PIECES
 from soccer_env.perception.legged.sketch import BALL, OPPONENT_GOAL, OPPONENTS, OWN_GOAL, PATCHES, TEAMMATES
 from soccer_env.random_numbers import GOLDEN, mix, normal, uniform
+from soccer_env.records.percepts import BLOBS, LANDMARKS
 from soccer_env.types import RobotStream
 
 CAMERA_NOISE = int(RobotStream.CAMERA)

@@ -12,10 +12,10 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.percept_types import LANDMARKS
 from soccer_env.perception.legged.camera import from_camera, in_view
 from soccer_env.perception.legged.sketch import LANDMARK, NOBODY, OPPONENT_GOAL, OWN_GOAL, PATCHES, draw_panel
 from soccer_env.random_numbers import GOLDEN, MIX_1, MIX_2, mix
+from soccer_env.records.percepts import LANDMARKS
 
 TO_UNIT = 1.0 / 9007199254740992.0  # 2**-53
 PATCH_KEY = np.uint64(

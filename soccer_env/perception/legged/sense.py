@@ -6,13 +6,13 @@
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
+from soccer_env.guards.ranges import NUMBER, record
 from soccer_env.perception.legged.infrared import measure_range
 from soccer_env.perception.legged.picture import take_picture
 from soccer_env.perception.legged.sketch import make_sketch
 from soccer_env.perception.legged.touch import feel_touch
 from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.perception.sensing import sense_kernel
-from soccer_env.ranges import NUMBER, record
 
 LEGGED_SENSOR_STATE = record(
     [  # what the sensors remember and do not deliver

@@ -15,7 +15,6 @@ import numpy as np
 
 from soccer_env.compiled import compiled, records
 from soccer_env.leagues.legged_sensors import STICKERS_MOST
-from soccer_env.percept_types import BLOB, LANDMARKS, OTHERS
 from soccer_env.perception.legged.bodies import BODY, RECTANGLE, measure_hull
 from soccer_env.perception.legged.camera import CAMERA, POSE, axes_of, face_ahead, in_view, open_camera, sphere_box
 from soccer_env.perception.legged.occlusion import (
@@ -40,6 +39,7 @@ from soccer_env.perception.legged.outlines import (
     project_rectangle,
     put_corner,
 )
+from soccer_env.records.percepts import BLOB, LANDMARKS, OTHERS
 from soccer_env.types import MAX_TEAM
 
 BALL, TEAMMATES, OPPONENTS, OWN_GOAL, OPPONENT_GOAL, PATCHES, LANDMARK = range(7)  # kinds of pieces

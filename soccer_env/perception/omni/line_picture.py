@@ -14,10 +14,10 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.geometry import out_of_frame
 from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_of
-from soccer_env.percept_types import LINES
 from soccer_env.perception.omni.around import body_radius
 from soccer_env.perception.omni.sightings import CAMERA, to_pixel
 from soccer_env.random_numbers import uniform
+from soccer_env.records.percepts import LINES
 
 LINE_MAP = np.dtype(
     [  # the straight lines of a quarter of a pitch; the mirror images of each at -x and -y are lines as well

@@ -10,7 +10,7 @@ A robot that was just placed gets its first pictures without delay: those on the
 from __future__ import annotations
 
 from soccer_env.compiled import compiled, records
-from soccer_env.percept_types import NO_POSE, POSE_TOLD
+from soccer_env.guards.ranges import NUMBER, record
 from soccer_env.perception.body import light_barrier
 from soccer_env.perception.omni.around import AROUND, survey
 from soccer_env.perception.omni.lighting import (
@@ -26,7 +26,7 @@ from soccer_env.perception.omni.lines import TABLES, line_tables
 from soccer_env.perception.omni.sightings import clear, find_ball, find_goals, find_players
 from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.perception.sensing import sense_kernel
-from soccer_env.ranges import NUMBER, record
+from soccer_env.records.percepts import NO_POSE, POSE_TOLD
 from soccer_env.types import MAX_TEAM
 
 __all__ = ["OMNI_SENSOR_STATE", "TABLES", "line_tables", "sense_slice"]

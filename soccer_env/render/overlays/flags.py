@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
-from soccer_env.checking import Checked, check_names, refuse
+from soccer_env.guards.checking import Checked, check_names, refuse
 
 AT_BALL = "ball"
 NUMBERED = re.compile(r"(home|away|red|blue)[ _-]?(\d+)")

@@ -6,7 +6,7 @@ from math import cos, sin
 
 import numpy as np
 
-from soccer_env.belief_types import BELIEF, TRACK
+from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.render.colours import Colour
 from soccer_env.render.overlays.scene import Cast, Part, Shot
 from soccer_env.render.overlays.shapes import ArrowGrid, Overlay

@@ -13,9 +13,9 @@ import numpy as np
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
-from soccer_env.percept_types import LINES
+from soccer_env.match.settings import plain
+from soccer_env.records.percepts import LINES
 from soccer_env.render.overlays.flags import OverlayFlags
-from soccer_env.settings import plain
 from soccer_env.teams import Explanation, explanation_of, shipped_team
 from soccer_env.thoughts.thought import Reader, Thought
 

@@ -19,9 +19,9 @@ from soccer_env.baselines.heinemann_2006.goalkeeper import (
 from soccer_env.baselines.heinemann_2006.intercepting import STEP, meeting_time, moving_time, rolling_time
 from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
-from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills.sight import SIGHT
 from soccer_env.types import COMMAND
 from tests.scenes.staging import MIDDLE
 

@@ -6,7 +6,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, KEEPER, MEMORY, SCRATCH
 from soccer_env.baselines.heinemann_2006.playing import hear
-from soccer_env.belief_types import SITUATION
+from soccer_env.records.beliefs import SITUATION
 from soccer_env.types import Phase
 from tests.baselines.heinemann_2006.test_goalkeeper import settings
 from tests.scenes.staging import MIDDLE

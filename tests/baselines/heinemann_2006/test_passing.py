@@ -10,9 +10,9 @@ from soccer_env import Match
 from soccer_env.baselines.heinemann_2006.memory import MEMORY
 from soccer_env.baselines.heinemann_2006.passing import choose_pass, open_place, own_ball, pass_strength
 from soccer_env.baselines.heinemann_2006.roles import right_rank, way_there
-from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills.sight import SIGHT
 from soccer_env.types import Phase
 from tests.baselines.heinemann_2006.test_goalkeeper import settings
 from tests.scenes.staging import MIDDLE

@@ -9,9 +9,9 @@ from soccer_env import Match, make_team
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, DEFENDER, KEEPER, MEMORY, SUPPORTER
 from soccer_env.baselines.heinemann_2006.roles import choose_role
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
-from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills.sight import SIGHT
 from soccer_env.teams import CompiledTeam, TeamRandom, View
 from soccer_env.types import COMMAND, NOISE_STREAMS
 from tests.scenes.sacks_beliefs import draw_beliefs, draw_tracks

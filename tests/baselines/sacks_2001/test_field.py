@@ -16,9 +16,9 @@ from soccer_env.baselines.sacks_2001.steering import (
     off_ahead,
     step_speed,
 )
-from soccer_env.belief_types import BELIEF, TRACK
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.train.papers.claims.field.point_world import PointWorld, players
 from tests.scenes.sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
 from tests.scenes.sacks_mind import LEAGUE, Mind

@@ -18,12 +18,12 @@ from typing import Any
 import numpy as np
 
 from soccer_env.belief.legged.ball import BALL_MEMORY, believe_ball
-from soccer_env.belief_types import BELIEF
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.optics.head_camera import camera_place, focal_x, focal_y
-from soccer_env.percept_types import LEGGED_PERCEPT
+from soccer_env.records.beliefs import BELIEF
+from soccer_env.records.percepts import LEGGED_PERCEPT
 from tests.scenes.projection import pixel_of_direction
 
 LEAGUE = find_league("legged-2001")

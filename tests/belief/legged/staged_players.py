@@ -20,14 +20,14 @@ import numpy as np
 import pytest
 
 from soccer_env.belief.legged.players import PLAYERS_MEMORY, believe_players
-from soccer_env.belief_types import OWN_POSE, TRACK
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import Slots
 from soccer_env.optics.head_camera import camera_place, focal_y
-from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.perception.legged.calibration import CALIBRATION
+from soccer_env.records.beliefs import OWN_POSE, TRACK
+from soccer_env.records.percepts import LEGGED_PERCEPT
 from tests.scenes.projection import pixel_of_direction
 
 LEAGUE = find_league("legged-2001")

@@ -10,7 +10,7 @@ import pytest
 
 from soccer_env.belief.odometry import move_point
 from soccer_env.leagues.legged_sensors import LeggedMemory
-from soccer_env.percept_types import LEGGED_PERCEPT, POSE_TOLD
+from soccer_env.records.percepts import LEGGED_PERCEPT, POSE_TOLD
 from tests.belief.legged.staged_ball import LEAGUE, Watcher
 from tests.scenes.symmetry import assert_same, mirrored_beliefs, mirrored_percepts
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from soccer_env.belief.legged.grouping import box_of_player, is_larger, largest_left, player_of, size_of
-from soccer_env.percept_types import BLOB, BLOBS
+from soccer_env.records.percepts import BLOB, BLOBS
 from tests.belief.legged.staged_players import LEAGUE, Blob, player
 
 NONE = (0, 0, 0, 0, 0)

@@ -10,12 +10,12 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.belief.legged.head import FAR_TILT, HEAD_MEMORY, NEAR_TILT, choose_gaze
-from soccer_env.belief_types import BELIEF
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.optics.head_camera import camera_place
-from soccer_env.percept_types import LEGGED_PERCEPT
+from soccer_env.records.beliefs import BELIEF
+from soccer_env.records.percepts import LEGGED_PERCEPT
 from soccer_env.types import GAZE
 from tests.belief.legged.staged_ball import Watcher
 from tests.scenes.projection import pixel_of_direction

@@ -10,8 +10,8 @@ from soccer_env.belief.legged.landmarks import LANDMARK_VIEW
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.random_numbers import start_streams
+from soccer_env.records.percepts import LEGGED_PERCEPT
 from soccer_env.types import NOISE_STREAMS, ROBOT
 from tests.scenes.pose_worlds import see_from
 

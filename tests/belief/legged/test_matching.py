@@ -18,9 +18,9 @@ from soccer_env.belief.legged.matching import (
     uncertainty_of,
 )
 from soccer_env.belief.legged.players import grow_older, remember
-from soccer_env.belief_types import TRACK
 from soccer_env.compiled import compiled
 from soccer_env.leagues.constants import constants_of
+from soccer_env.records.beliefs import TRACK
 from tests.belief.legged.staged_players import LEAGUE
 
 LINEAR = {"distance_power": 1.0, "angle_power": 0.0}  # what was tried first

@@ -11,9 +11,9 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.belief.legged.obstacle import believe_obstacle
-from soccer_env.belief_types import BELIEF
 from soccer_env.compiled import compiled
 from soccer_env.optics.head_camera import camera_place
+from soccer_env.records.beliefs import BELIEF
 from tests.belief.legged.staged_players import LEAGUE, Onlooker
 from tests.scenes.staging import LEGGED, put, put_ball, send_off, stage
 from tests.scenes.symmetry import assert_same, mirrored_beliefs, mirrored_percepts

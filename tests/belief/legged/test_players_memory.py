@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from soccer_env.belief.odometry import move_point
-from soccer_env.belief_types import TRACK
+from soccer_env.records.beliefs import TRACK
 from tests.belief.legged.staged_players import AHEAD, LEFT, RIGHT, Onlooker, near, places, player
 from tests.scenes.symmetry import assert_same, mirrored_percepts, mirrored_tracks
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from soccer_env.belief.omni.ball import BALL_MEMORY
-from soccer_env.belief_types import BALL_BELIEF
+from soccer_env.records.beliefs import BALL_BELIEF
 from tests.belief.omni.staged_omni import begin, in_frame, off, run, state, thinking
 from tests.scenes.staging import asking, put, put_ball, stand
 

@@ -10,15 +10,15 @@ import pytest
 from soccer_env.belief.omni import field_lines as kernels
 from soccer_env.belief.omni.field_lines import LINE_VIEW
 from soccer_env.belief.particles import PARTICLE
-from soccer_env.belief_types import OWN_POSE
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.percept_types import OMNI_PERCEPT
 from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
 from soccer_env.perception.sensing import Sensing, SensorNumbers
 from soccer_env.random_numbers import start_streams
+from soccer_env.records.beliefs import OWN_POSE
+from soccer_env.records.percepts import OMNI_PERCEPT
+from soccer_env.records.world import World
 from soccer_env.types import NOISE_STREAMS
-from soccer_env.world import World
 
 LEAGUE = find_league("middle-size-2006")
 SENSORS = LEAGUE.sensors.changed({"line_miss": 0.0, "goal_miss": 0.0, "camera_delay": 0})

@@ -12,11 +12,11 @@ from soccer_env import Match
 from soccer_env.belief.omni.believe import OMNI_MEMORY
 from soccer_env.belief.omni.players import READING, nearest_pair
 from soccer_env.belief.omni.tracking import FILTER
-from soccer_env.belief_types import TRACK
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import Slots
-from soccer_env.percept_types import OMNI_PERCEPT
+from soccer_env.records.beliefs import TRACK
+from soccer_env.records.percepts import OMNI_PERCEPT
 from tests.belief.omni.staged_omni import begin, in_frame, run, state, thinking
 from tests.scenes.staging import MIDDLE, asking, put, put_ball, scatter, set_phase
 

@@ -13,7 +13,7 @@ from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_of
-from soccer_env.percept_types import SIGHTING
+from soccer_env.records.percepts import SIGHTING
 from tests.scenes.staging import MIDDLE
 
 LEAGUE = find_league(MIDDLE)

@@ -18,11 +18,11 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.optics.head_camera import camera_place, focal_x, focal_y, image_height, image_width
-from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.perception.legged.occlusion import PIECE, PIECES
 from soccer_env.perception.legged.picture import draw_scene, take_picture
 from soccer_env.perception.legged.sense import LEGGED_SENSOR_STATE
 from soccer_env.perception.legged.sketch import KINDS, make_sketch
+from soccer_env.records.percepts import LEGGED_PERCEPT
 from soccer_env.types import BALL, MATCH, ROBOT
 from tests.scenes.staging import LEGGED
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.percept_types import OTHERS
+from soccer_env.records.percepts import OTHERS
 from tests.perception.omni.staged_omni import SURE, apart, look, watching
 from tests.scenes.staging import MIDDLE, put
 

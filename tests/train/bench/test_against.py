@@ -100,7 +100,7 @@ def test_slower_and_faster_are_said_only_where_the_interval_says_so() -> None:
 
 
 def test_each_checkout_runs_its_own_code_wherever_its_folders_stand(tmp_path: Path) -> None:
-    other = checkout(tmp_path / "other", "soccer_env/match.py", "baselines/__init__.py", "train/__init__.py")
+    other = checkout(tmp_path / "other", "soccer_env/match/match.py", "baselines/__init__.py", "train/__init__.py")
     script = tmp_path / "script.py"
     script.write_text(
         "import json, sys\nimport soccer_env.baselines, soccer_env.train\nfrom pathlib import Path\n"

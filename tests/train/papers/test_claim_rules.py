@@ -8,8 +8,8 @@ import pytest
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK
 from soccer_env.match import Match
+from soccer_env.match.staging import PATIENT, memory_of
 from soccer_env.scenes import SCENES
-from soccer_env.staging import PATIENT, memory_of
 from soccer_env.train.command import listing
 from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import NO_MATCH, PLAYED, PLAYED_AND_STAGED, STAGED, Batch

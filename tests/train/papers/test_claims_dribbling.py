@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
 from soccer_env.leagues import find_league
-from soccer_env.staging import memory_of
+from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import goalkeeper
 from soccer_env.train.papers.claims.dribble import classes, dribbling, replanning

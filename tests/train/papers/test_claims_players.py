@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from soccer_env.match.staging import memory_settings_of
 from soccer_env.optics import head_camera as optics
-from soccer_env.staging import memory_settings_of
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import find_claims
 from soccer_env.train.papers.claims.players import blobs as players_blobs

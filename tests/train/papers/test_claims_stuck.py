@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE
-from soccer_env.staging import memory_of
+from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import all_claims, find_claims
 from soccer_env.train.papers.claims.stuck import alarms_in_play, false_alarms, stealing, wall

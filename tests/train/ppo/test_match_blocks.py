@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from soccer_env.match import BLOCK
+from soccer_env.match.match import BLOCK
 
 pytest.importorskip("stable_baselines3")
 

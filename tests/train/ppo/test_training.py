@@ -21,7 +21,7 @@ import pytest
 from soccer_env.agents.learned import BUNDLED
 from soccer_env.agents.policy_file import load
 from soccer_env.agents.rules_known import recorded
-from soccer_env.checking import Range
+from soccer_env.guards.checking import Range
 from soccer_env.leagues import find_league
 from soccer_env.leagues.rules import rule_set
 from soccer_env.train.command.command_line import main

@@ -5,8 +5,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import Match, truth_state
+from soccer_env import Match
 from soccer_env.actions import DISCRETE
+from soccer_env.match import truth_state
 from soccer_env.random_numbers import seeds_for
 
 pytest.importorskip("stable_baselines3")

@@ -11,7 +11,7 @@ import pytest
 pytest.importorskip("stable_baselines3")
 
 from soccer_env import make_team
-from soccer_env.squads import Lineup
+from soccer_env.match.squads import Lineup
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
 

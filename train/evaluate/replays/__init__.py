@@ -13,7 +13,7 @@ page_section.py  kept replays as a part of a report's page
 
 from typing import TYPE_CHECKING
 
-from soccer_env.names import lazy_names
+from soccer_env.guards.names import lazy_names
 
 if TYPE_CHECKING:
     from soccer_env.train.evaluate.replays.choice import Keep

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from soccer_env.names import unknown
+from soccer_env.guards.names import unknown
 
 if TYPE_CHECKING:
     from soccer_env.train.evaluate.results import MatchLine

@@ -12,9 +12,10 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 
+from soccer_env.guards.whole_files import read_plain, write_whole
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.replay.browser import write_page
 from soccer_env.replay.clips import Clips
+from soccer_env.shows.browser import write_page
 from soccer_env.train.evaluate.contest import Contest
 from soccer_env.train.evaluate.recording import NOTE_EVERY, shown_of_memory
 from soccer_env.train.evaluate.replays.choice import GOALS, KINDS, Keep
@@ -22,7 +23,6 @@ from soccer_env.train.evaluate.results import KEPT, REPLAYS, MatchLine
 from soccer_env.train.files import LARGEST
 from soccer_env.train.progress import Progress
 from soccer_env.types import NO_TEAM
-from soccer_env.whole_files import read_plain, write_whole
 
 BEFORE, AFTER = 8.0, 1.5  # [s] that a clip shows of what led to a goal, at least, and of what came of it
 

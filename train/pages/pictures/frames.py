@@ -4,8 +4,7 @@ from math import atan2, cos, hypot, pi, sin
 
 import numpy as np
 
-from soccer_env import staging
-from soccer_env.match import Match
+from soccer_env.match import Match, staging
 from soccer_env.render import Arrows, Label, Overlay, Picture, Polyline
 from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Colour
 from soccer_env.train.pages.pictures.legend import Entry, with_legend

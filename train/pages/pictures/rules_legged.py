@@ -7,8 +7,8 @@ from dataclasses import replace
 from functools import partial
 from math import pi
 
-from soccer_env import staging
 from soccer_env.leagues import find_league
+from soccer_env.match import staging
 from soccer_env.train.pages.pictures.rules import Ruling
 from soccer_env.train.pages.pictures.staged_rules import Staged, stage_rule
 from soccer_env.types import Foul

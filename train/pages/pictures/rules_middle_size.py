@@ -8,9 +8,8 @@ from math import pi
 
 import numpy as np
 
-from soccer_env import staging
 from soccer_env.leagues import find_league
-from soccer_env.match import Match
+from soccer_env.match import Match, staging
 from soccer_env.train.pages.pictures.rules import Ruling
 from soccer_env.train.pages.pictures.staged_rules import Staged, stage_rule
 from soccer_env.types import AWAY, HOME, Foul, Phase

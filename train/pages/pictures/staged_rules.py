@@ -4,9 +4,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from soccer_env import staging
 from soccer_env.leagues.league import League
-from soccer_env.match import Match
+from soccer_env.match import Match, staging
 from soccer_env.types import Phase
 
 Pose = tuple[float, float, float]  # [m, m, rad]

@@ -13,13 +13,13 @@ from typing import Any
 from soccer_env.baselines.heinemann_2006 import settings as heinemann_settings
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings
 from soccer_env.baselines.weigel_2001.planner import PlannerSettings
+from soccer_env.guards.whole_files import write_whole
 from soccer_env.train.pages.tables.paper_page import SHOWN, PaperPage
 from soccer_env.train.pages.tables.sacks_settings import settings_table
 from soccer_env.train.papers.claim import HEINEMANN
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.report.style import canvas, plot
-from soccer_env.whole_files import write_whole
 
 RUN = Path("runs/claims-heinemann")  # where all claims are measured, so that it can be stopped
 PATHS = "heinemann-paths.png"

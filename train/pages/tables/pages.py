@@ -20,6 +20,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from soccer_env.guards.whole_files import write_whole
 from soccer_env.train.bench.benchmark import run as run_bench
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.pages.tables.claims import claims_table, measure_claims, measure_sensors, sensors_table
@@ -46,7 +47,6 @@ from soccer_env.train.pages.tables.teams import (
     scripted_table,
 )
 from soccer_env.train.provenance import commit, version_of
-from soccer_env.whole_files import write_whole
 
 DATA = Path(__file__).with_name("tables.json")
 ROOT = Path(__file__).resolve().parents[3]

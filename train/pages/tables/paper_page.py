@@ -15,6 +15,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from soccer_env.guards.whole_files import write_whole
 from soccer_env.train.files import read_lines
 from soccer_env.train.pages.tables.markers import between_markers
 from soccer_env.train.papers.claims import all_claims
@@ -22,7 +23,6 @@ from soccer_env.train.papers.report import units_of, with_interval
 from soccer_env.train.papers.results import ClaimResult, plot_name, rules_in_words, seeds_in_letters
 from soccer_env.train.papers.verdicts import CONTEXT, NOT, VERDICTS
 from soccer_env.train.results_folder import SETTINGS, read_settings
-from soccer_env.whole_files import write_whole
 
 SHOWN = Path(__file__).resolve().parents[3] / "soccer_env" / "pictures"
 NOT_MEASURED = "not measured"

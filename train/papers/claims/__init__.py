@@ -30,7 +30,7 @@ from collections.abc import Iterable, Mapping
 from importlib import import_module
 from pkgutil import walk_packages
 
-from soccer_env.names import unknown
+from soccer_env.guards.names import unknown
 from soccer_env.train.papers.claim import Claim
 
 

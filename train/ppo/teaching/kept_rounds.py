@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import torch
 
+from soccer_env.guards.whole_files import write_whole
 from soccer_env.train.ppo.run_folder import ROUNDS
 from soccer_env.train.ppo.teaching.imitation import Rows
-from soccer_env.whole_files import write_whole
 
 ROWS = ("observations", "advice")
 NETWORK = "network/"

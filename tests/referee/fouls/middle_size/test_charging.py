@@ -4,7 +4,7 @@ from math import pi
 
 import pytest
 
-from soccer_env.staging import put_ball
+from soccer_env.match.staging import put_ball
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
 from tests.scenes.staging import asking

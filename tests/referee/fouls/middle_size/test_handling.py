@@ -2,8 +2,8 @@
 
 import pytest
 
+from soccer_env.match.staging import put_ball
 from soccer_env.referee.fouls.middle_size.handling import share_within
-from soccer_env.staging import put_ball
 from soccer_env.types import AWAY, HOME, Foul
 from tests.scenes.referee import Referee
 

@@ -9,8 +9,8 @@ import pytest
 pytest.importorskip("pygame")
 
 from soccer_env import Match
-from soccer_env.belief_types import TRACK
 from soccer_env.leagues import find_league
+from soccer_env.records.beliefs import TRACK
 from soccer_env.render import Area, Label, Points, Polyline
 from soccer_env.render.colours import BALL_SHINE, TEAMS_LIGHT
 from soccer_env.render.overlays.sight import to_board

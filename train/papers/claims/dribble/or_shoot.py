@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.staging import send_off
+from soccer_env.match.staging import send_off
 from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.dribble_runs import FROM_MIDDLE
 from soccer_env.train.papers.drill_runs import start_drill

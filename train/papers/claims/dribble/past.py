@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.match_settings import Senses
+from soccer_env.match.arguments import Senses
 from soccer_env.scenes import Scene
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import one_ahead, starts

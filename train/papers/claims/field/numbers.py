@@ -8,9 +8,9 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.steering import force_of_players
-from soccer_env.belief_types import BELIEF, TRACK
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.train.papers.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import FIELD, SCENES, START, TOUCH, is_clean, run_points

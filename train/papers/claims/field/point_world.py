@@ -19,11 +19,11 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.memory import MEMORY
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.steering import BEHIND_LINE, choose_way, direction_to_goal, off_ahead, step_speed
-from soccer_env.belief_types import BELIEF, TRACK
 from soccer_env.compiled import compiled, records
 from soccer_env.geometry import length, wrap
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.train.papers.claims.field.point_runs import PointRuns
 
 ARRIVED = 0.20  # [m] from the point that it makes for, 10 cm behind the goal line: in the goal's mouth, assumed

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
-from soccer_env.staging import memory_of
+from soccer_env.match.staging import memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims.field.point_runs import SIDE

@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings
-from soccer_env.baselines.set_pieces import strength_for
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.match import Match
+from soccer_env.skills.set_pieces import strength_for
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.goalkeeping.shots import SHOT_TEXT, SHOTS, face_shots

@@ -9,10 +9,10 @@ import numpy as np
 
 from soccer_env.baselines.heinemann_2006.goalkeeper import interception, passive_place
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
-from soccer_env.baselines.sight import SIGHT
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills.sight import SIGHT
 from soccer_env.train.papers.claim import NO_MATCH, Batch, Claim, Without
 from soccer_env.train.papers.staging import MIDDLE
 from soccer_env.train.papers.values import mean, median

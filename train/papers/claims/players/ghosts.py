@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.staging import memory_settings_of
+from soccer_env.match.staging import memory_settings_of
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.grouping import (
     TILT,

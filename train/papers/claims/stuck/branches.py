@@ -9,7 +9,7 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import BACK, ROTATE, SIDESTEP
 from soccer_env.match import Match
-from soccer_env.staging import memory_of
+from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims.stuck.runs import recover
 from soccer_env.train.papers.claims.stuck.sampled import (

@@ -12,7 +12,7 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import BACK, ROTATE
 from soccer_env.match import Match
-from soccer_env.staging import constants_of, memory_of, set_mass, team_settings_of
+from soccer_env.match.staging import constants_of, memory_of, set_mass, team_settings_of
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.staging import LEGGED, ahead_of, begin, put, put_ball, stage

@@ -15,8 +15,8 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.memory import APPROACH
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.match import Match
-from soccer_env.saving import parts
-from soccer_env.staging import PATIENT, memory_of
+from soccer_env.match.saving import parts
+from soccer_env.match.staging import PATIENT, memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.staging import kick_off, play

@@ -83,7 +83,7 @@ S30 = Claim(
     ),
     rules=PLAYED,
     measure=steals,
-    ingredients=("how the team walks round others: baselines/skills.py",),
+    ingredients=("how the team walks round others: soccer_env/skills/moves.py",),
     changed="Before: at least as many balls won as by who avoids (2.8 points fewer), without a referee.",
     seconds=3.0,
     batches=16,

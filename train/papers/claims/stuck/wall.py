@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.staging import memory_of, put_ball
+from soccer_env.match.staging import memory_of, put_ball
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import STAGED, Batch, Claim
 from soccer_env.train.papers.staging import ahead_of, begin, drill, play

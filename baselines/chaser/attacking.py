@@ -1,0 +1,283 @@
+"""The attacker of the chaser: meet the ball, get behind it, turn it to the goal, shoot; work it loose when stuck.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from math import acos, atan2, sqrt
+
+from soccer_env.baselines.chaser.boards import go_into_corner, lies_in_trouble, sweep
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, into_frame, length, wrap
+from soccer_env.leagues.robot import WHEELS_OMNI
+from soccer_env.skills.carrying import SLOW, is_opposed, line_speed, turn_to_goal
+from soccer_env.skills.moves import (
+    braking_speed,
+    choose_shot,
+    choose_way,
+    go,
+    push,
+    shot_room,
+    turn_by,
+    turned,
+    way_clear,
+)
+from soccer_env.skills.set_pieces import strength_for
+from soccer_env.skills.sight import rolls_to, side_of
+
+MEET = 1.0  # [m/s] at which a base that steps aside runs in at most, assumed
+MET = 0.3  # [m/s] of the ball and the robot towards each other when they meet, assumed
+GIVE_TIME = 0.35  # [s] in which a robot slows down to that, assumed
+RECEIVED = 0.35  # [m/s] at which a ball that comes is received, assumed
+RECEIVE_TIME = 1.5  # [s] before it comes, at most, assumed
+RECEIVE_ASIDE = 0.6  # [m] that it would pass beside the robot, at most, assumed
+PASSED = 0.03  # [m] kept between a robot and a ball that it goes round, assumed
+NEAR_BALL = 0.8  # [m] to the ball within which it does, assumed
+DEFENDED = 2.5  # [m] from the middle of the own goal within which the ball is played clear of it, assumed
+UPFIELD = ASIDE = sqrt(0.5)  # [1] way of a ball out of the mouth of the own goal: 45 degrees off its line, assumed
+ALONG_LINE = 0.8  # cosine of the angle off its way at which a ball before the own goal may be run at, assumed
+
+
+@compiled
+def attack(command, sight, memory, k, play):
+    """Bring the ball to the goal, with the first skill of the ladder that applies."""
+    ux, uy = choose_aim(sight, k, play)
+    ux, uy = turned(ux, uy, memory.aim_error)
+    if memory.sweep > 0.0:
+        sweep(command, sight, memory, k)
+    elif lies_in_trouble(sight.ball_x, sight.ball_y, k):
+        free_from_corner(command, sight, memory, k, play)
+    elif memory.wriggle > 0.0:
+        wriggle(command, sight, memory, k, play)
+    elif sight.held == 1:
+        turn_to_goal(command, sight, memory, k, play, ux, uy)
+    elif comes_to_me(sight, k):
+        receive(command, sight, k, play)
+    else:
+        approach(command, sight, memory, k, play, ux, uy, MEET)
+    if wants_to_shoot(sight, memory, k, play):
+        goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
+        command.kick = strength_for(k, goal, play.arrival) if play.arrival > 0.0 else 1.0
+
+
+@compiled
+def choose_aim(sight, k, play):
+    """Return the unit vector along which to play the ball: at the goal if a shot is open, else round the opponents.
+
+    On wheels the ball is played clear of the own goal where it is near, never across its mouth.
+    """
+    if k.walled == 0 and length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < DEFENDED:
+        return way_clear(sight, k)
+    if 0.5 * k.pitch_length - sight.ball_x < play.shot_range:
+        ux, uy, room = choose_shot(sight, k)
+        if room > play.room:
+            return ux, uy
+    return choose_way(sight, k, play)
+
+
+@compiled
+def wants_to_shoot(sight, memory, k, play):
+    """Tell whether a kick now would go in between the posts, past the opponents."""
+    if sight.now_ahead > sight.touch + play.kick_gap or abs(sight.now_left) > play.kick_aside or sight.now_ahead <= 0.0:
+        return False
+    if k.kicker_wind_up > 0.0 and sight.held == 0:
+        return False
+    ux, uy = turned(sight.now_cosine, sight.now_sine, memory.aim_error)
+    return 0.5 * k.pitch_length - sight.ball_x < play.shot_range and shot_room(sight, k, ux, uy) > play.room
+
+
+@compiled
+def comes_to_me(sight, k):
+    """Tell whether the ball rolls to a player that can step aside, and would bounce off it."""
+    speed = length(sight.ball_vx, sight.ball_vy)
+    if k.drive_sideways <= 0.0 or k.walled == 1 or speed < RECEIVED:
+        return False
+    x, y = sight.x - sight.ball_x, sight.y - sight.ball_y
+    along = (x * sight.ball_vx + y * sight.ball_vy) / speed
+    across = abs(x * sight.ball_vy - y * sight.ball_vx) / speed
+    far = min(RECEIVE_TIME * speed, 0.5 * speed * speed / k.ball_rolling)
+    return 0.0 < along < far + sight.touch and across < RECEIVE_ASIDE
+
+
+@compiled
+def receive(command, sight, k, play):
+    """Face a ball that comes, step into its way, and give way to it so that it does not bounce off."""
+    speed = length(sight.ball_vx, sight.ball_vy)
+    ux, uy = sight.ball_vx / speed, sight.ball_vy / speed
+    x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
+    gap = max(-(ux * x + uy * y) - sight.touch, 0.0)
+    back = max(speed - MET - gap / GIVE_TIME, 0.0)
+    across = uy * x - ux * y  # of the ball's way, to the right of it
+    aside = clip(across / play.settle, -k.drive_sideways, k.drive_sideways)
+    vx, vy = back * ux + aside * uy, back * uy - aside * ux
+    size = max(length(vx, vy), 1e-6)
+    ahead, left = into_frame(vx / size, vy / size, sight.cosine, sight.sine)
+    push(command, sight, k, ahead, left, size)
+    turn_by(command, sight, k, play, wrap(atan2(-uy, -ux) - sight.heading))
+
+
+@compiled
+def approach(command, sight, memory, k, play, ux, uy, most):
+    """Go to where the ball can be met: straight in from behind it, round it from its other side.
+
+    A base that steps aside is slower than `most` [m/s] there, and careful; above `MEET` it drives into the ball.
+    """
+    gap = max(sight.distance - sight.touch, 0.0)
+    x, y = rolls_to(sight, k, clip(gap / (k.drive_forward * sight.pace), play.delay, play.lead))
+    x, y = reachable(x, y, k)
+    ux, uy = clear_of_boards(x, y, ux, uy, sight, k)
+    away_x, away_y = sight.x - x, sight.y - y
+    away = max(length(away_x, away_y), 1e-6)
+    behind = -(away_x * ux + away_y * uy) / away
+    own_goal = lies_before_own_goal(x, y, k, 2.0 * sight.touch)
+    near = away < play.near * sight.touch
+    if behind > (ALONG_LINE if own_goal else play.near_cosine if near else play.run_in_cosine):
+        run_in(command, sight, k, play, x, y, ux, uy, most)
+    elif own_goal and away < sight.touch + play.clearance:  # paws that step aside or turn push it on
+        ahead, left = into_frame(away_x / away, away_y / away, sight.cosine, sight.sine)
+        push(command, sight, k, ahead, left, k.drive_forward)
+    else:
+        go_round(command, sight, memory, k, play, x, y, ux, uy)
+
+
+@compiled
+def run_in(command, sight, k, play, x, y, ux, uy, most):
+    """Run at a ball from behind it: a base that can step aside faces where the ball is to go."""
+    if play.square_up > 0.0:
+        into = sight.touch - play.square_up
+        go(command, sight, k, play, x - into * ux, y - into * uy, atan2(uy, ux), play.bump)
+        if sight.distance < NEAR_BALL and most <= MEET:
+            meet(command, sight, k, x - into * ux - sight.x, y - into * uy - sight.y)
+    else:
+        go(command, sight, k, play, x, y, atan2(y - sight.y, x - sight.x), play.bump)
+
+
+@compiled
+def meet(command, sight, k, x, y):
+    """Run along (x, y) into the ball, only so much faster than it rolls that it hardly bounces off.
+
+    The limit is on the speed towards each other: who tackles a ball that is carried past runs along with it.
+    """
+    away = max(length(x, y), 1e-6)
+    x, y = x / away, y / away
+    gap = max(sight.distance - sight.touch, 0.0)
+    most = min(MET + gap / GIVE_TIME, MEET, SLOW if is_opposed(sight, x, y) else line_speed(sight, k, x, y))
+    vx, vy = k.drive_forward * command.forward, k.drive_sideways * command.left
+    ball_ahead, ball_left = into_frame(sight.ball_vx, sight.ball_vy, sight.cosine, sight.sine)
+    speed = length(vx - ball_ahead, vy - ball_left)
+    if speed > most:
+        ahead = ball_ahead + most / speed * (vx - ball_ahead)
+        left = ball_left + most / speed * (vy - ball_left)
+        size = max(length(ahead, left), 1e-6)
+        push(command, sight, k, ahead / size, left / size, size)
+
+
+@compiled
+def reachable(x, y, k):
+    """Return the point [m] nearest to a ball that a robot rubbing along the boards can reach with a paw."""
+    if k.walled == 0:
+        return x, y
+    room = k.body_tip_y + k.body_tip_radius
+    edge_x, edge_y = 0.5 * k.pitch_length - room, 0.5 * k.pitch_width - room
+    if abs(y) > 0.5 * k.pitch_goal_width:
+        x = clip(x, -edge_x, edge_x)
+    return x, clip(y, -edge_y, edge_y)
+
+
+@compiled
+def lies_before_own_goal(x, y, k, far):
+    """Tell whether a ball lies in the mouth of the own goal between boards, or less than `far` [m] before it."""
+    return k.walled == 1 and x < far - 0.5 * k.pitch_length and abs(y) < 0.5 * k.pitch_goal_width
+
+
+@compiled
+def clear_of_boards(x, y, ux, uy, sight, k):
+    """Return the direction in which to push a ball, turned so that there is room for a robot behind it.
+
+    Out of a corner there is no such room: run along one board, and turn along the other with the ball. Out of the mouth
+    of the own goal it is pushed along the line, on to the side on which it lies, or away from a player aside of it.
+    """
+    if k.walled == 0:
+        return ux, uy
+    if lies_before_own_goal(x, y, k, 0.5 * sight.touch):
+        return UPFIELD, ASIDE * (side_of(y) if abs(y) > k.ball_radius else side_of(y - sight.y))
+    room = k.body_tip_y + k.body_tip_radius
+    edge_x, edge_y = 0.5 * k.pitch_length - room, 0.5 * k.pitch_width - room
+    back_x = x - clip(x - sight.touch * ux, -edge_x, edge_x)
+    back_y = y - clip(y - sight.touch * uy, -edge_y, edge_y)
+    size = length(back_x, back_y)
+    if size > 0.5 * k.ball_radius:
+        return back_x / size, back_y / size
+    return (0.0, side_of(y)) if abs(ux) > abs(uy) else (side_of(x), 0.0)
+
+
+@compiled
+def go_round(command, sight, memory, k, play, x, y, ux, uy):
+    """Go round the ball at (x, y) to its back, at a distance at which it is not touched."""
+    away_x, away_y = sight.x - x, sight.y - y
+    away = max(length(away_x, away_y), 1e-6)
+    radius = sight.touch + play.clearance
+    angle = acos(clip(-(away_x * ux + away_y * uy) / away, -1.0, 1.0))
+    way = side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius)
+    step = min(angle, play.orbit_step + acos(min(radius / away, 1.0)))
+    to_x, to_y = turned(away_x / away, away_y / away, way * step)
+    facing = atan2(uy, ux) if play.square_up > 0.0 else atan2(-away_y, -away_x)
+    go(command, sight, k, play, x + radius * to_x, y + radius * to_y, facing, play.orbit_speed)
+    if k.drive_kind == WHEELS_OMNI:
+        pass_ball(command, sight, k, play)
+
+
+@compiled
+def pass_ball(command, sight, k, play):
+    """Take from a velocity what would drive into the ball: towards it, as it rolls, only what the gap lets brake."""
+    away = max(sight.distance, 1e-6)
+    ux, uy = into_frame((sight.ball_x - sight.x) / away, (sight.ball_y - sight.y) / away, sight.cosine, sight.sine)
+    rolls_x, rolls_y = into_frame(sight.ball_vx, sight.ball_vy, sight.cosine, sight.sine)
+    vx, vy = k.drive_forward * command.forward, k.drive_sideways * command.left
+    closing = (vx - rolls_x) * ux + (vy - rolls_y) * uy
+    excess = max(closing - braking_speed(k, play, max(away - sight.touch - PASSED, 0.0)), 0.0)
+    command.forward = clip((vx - excess * ux) / k.drive_forward, -1.0, 1.0)
+    command.left = clip((vy - excess * uy) / k.drive_sideways, -1.0, 1.0)
+
+
+@compiled
+def side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
+    """Return on which side to go round a ball, +1 counter-clockwise: inside near a board, else the shorter way."""
+    way = side_of(away_y * ux - away_x * uy)
+    if k.walled == 1 and angle > 1.6:
+        room = radius + k.body_tip_y + k.body_tip_radius
+        if 0.5 * k.pitch_width - abs(y) < room:
+            return side_inside(away_x, away_y, ux, uy, 0.0, -side_of(y))
+        if 0.5 * k.pitch_length - abs(x) < room:
+            return side_inside(away_x, away_y, ux, uy, -side_of(x), 0.0)
+    if angle > 2.6 and memory.way != 0.0:
+        way = memory.way
+    memory.way = way
+    return way
+
+
+@compiled
+def side_inside(away_x, away_y, ux, uy, inner_x, inner_y):
+    """Return on which side to go round a ball to its back so as never to come between it and a board.
+
+    (away_x, away_y): the player seen from the ball [m]; (ux, uy): unit vector of the way on which the ball is to go;
+    (inner_x, inner_y): unit vector away from the board.
+    """
+    now = atan2(inner_x * away_y - inner_y * away_x, inner_x * away_x + inner_y * away_y)
+    back = atan2(inner_y * ux - inner_x * uy, -inner_x * ux - inner_y * uy)
+    return side_of(back - now)
+
+
+@compiled
+def free_from_corner(command, sight, memory, k, play):
+    """Get the ball out of a corner; step back from it first after a try that failed."""
+    if memory.wriggle > 0.0:
+        command.forward = -sight.pace
+    else:
+        go_into_corner(command, sight, memory, k, play)
+
+
+@compiled
+def wriggle(command, sight, memory, k, play):
+    """Work a stuck ball out: turn at it with all force towards the remembered side."""
+    push(command, sight, k, play.wriggle_ahead, 0.0, k.drive_forward)
+    command.turn = memory.wriggle_side * sight.pace

@@ -1,0 +1,68 @@
+"""When the chaser looks up from the ball to see where it is: by the landmarks round the field.
+
+A head that follows the ball sees no landmark while the ball is near, and a robot that does not know which way it faces
+plays the ball anywhere. So a player that is unsure sweeps its head over the horizon for a moment on its way to the
+ball, to one side first and the next time to the other, and looks at the ball again before it would have to search for
+it. A ball farther away is kept in the lower part of the picture, the horizon in the upper one.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from math import atan2, pi
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip
+from soccer_env.optics.head_camera import share_of_tilt
+from soccer_env.skills.sight import side_of
+
+TILT = -8.0 * pi / 180.0  # [rad] of the sweep: goals and landmarks from near to far are in the picture, assumed
+SWEEP = 1.2  # [rad] to either side, assumed
+SEEN = 0.2  # [s] unseen at most before a player takes its eyes off the ball, assumed
+FAR = 0.45  # [m] from which ball and horizon fit into one picture, assumed
+ROOM = 0.3  # [m] a ball that is nearer a player lets out of its eyes only if it is quite lost, assumed
+KEEPER_ROOM = 1.0  # [m] the same of a goalkeeper, assumed
+
+
+@compiled
+def look_up(belief, command, memory, k, play):
+    """Send the head over the horizon for a moment if the player is unsure where it is; call it in every step."""
+    if k.head_pan_limit <= 0.0 or belief.situation.active == 0:
+        return
+    if memory.glance > 0.0:
+        sweep_horizon(command, memory, k, play)
+        return
+    memory.glance = min(memory.glance + k.dt, 0.0)
+    ball = belief.ball
+    if ball.age > SEEN:
+        return
+    unsure = play.unsure if may_look_away(belief) else play.lost
+    if memory.glance == 0.0 and belief.own.confidence < unsure:
+        memory.glance = play.glance_time
+        if memory.glance_side == 0.0:
+            memory.glance_side = side_of(ball.bearing)
+    elif ball.distance > FAR:
+        tilt = -atan2(k.head_camera_height - k.ball_radius, ball.distance - k.head_camera_ahead)
+        point_head(command, k, ball.bearing, tilt + play.raised)
+
+
+@compiled
+def may_look_away(belief):
+    """Tell whether the ball is so far away that a player may leave it unseen for a moment."""
+    return belief.ball.distance > (KEEPER_ROOM if belief.situation.keeper == 1 else ROOM)
+
+
+@compiled
+def sweep_horizon(command, memory, k, play):
+    """Sweep the head from one side to the other, over goals and landmarks."""
+    memory.glance -= k.dt
+    share = clip(memory.glance / play.glance_time, 0.0, 1.0)
+    point_head(command, k, memory.glance_side * SWEEP * (2.0 * share - 1.0), TILT)
+    if memory.glance <= 0.0:
+        memory.glance, memory.glance_side = -play.glance_rest, -memory.glance_side
+
+
+@compiled
+def point_head(command, k, pan, tilt):
+    """Send the head to a pan and tilt [rad] instead of where it looks by itself."""
+    command.head, command.pan = 1.0, clip(pan / k.head_pan_limit, -1.0, 1.0)
+    command.tilt = share_of_tilt(tilt, k.head_tilt_low, k.head_tilt_high)

@@ -1,0 +1,108 @@
+"""The goalkeeper of the chaser: stand between ball and goal, meet shots on the line, clear what lies near.
+
+With a kicker it kicks the ball clear; without one, in the middle-size league, it clears by driving into the ball.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from math import atan2
+
+from soccer_env.baselines.chaser.attacking import approach
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
+from soccer_env.skills.carrying import turn_to_goal
+from soccer_env.skills.keeping_rules import is_in_own_area
+from soccer_env.skills.moves import faces, go, way_clear
+from soccer_env.skills.sight import rolls_to
+
+AT_GOAL = 0.2  # cosine of the angle to its own goal line within which a keeper on legs faces it, assumed
+FOREVER = 60.0  # [s] any ball has stopped by then
+
+
+@compiled
+def keep_goal(command, sight, memory, k, play):
+    """Keep the goal, with the first skill of the ladder that applies."""
+    line = -0.5 * k.pitch_length + play.keeper_line * k.body_reach
+    coming, crossing = shot_crosses(sight, k, play, line)
+    if coming:
+        go(command, sight, k, play, line, crossing, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), play.dive)
+    elif may_clear(sight, k, play):
+        clear(command, sight, memory, k, play)
+    else:
+        guard(command, sight, k, play, line)
+
+
+@compiled
+def shot_crosses(sight, k, play, line):
+    """Tell whether the ball rolls over the keeper's line towards the goal, and where [m]."""
+    if sight.ball_vx > -play.shot_speed or sight.ball_x < line:
+        return False, 0.0
+    end_x, _ = rolls_to(sight, k, FOREVER)
+    crossing = sight.ball_y + sight.ball_vy * (line - sight.ball_x) / sight.ball_vx
+    widest = 0.5 * k.pitch_goal_width
+    return end_x < line and abs(crossing) < widest + k.body_reach, clip(crossing, -widest, widest)
+
+
+@compiled
+def guard(command, sight, k, play, line):
+    """Stand on the line between the ball and the middle of the goal, a little way out.
+
+    On wheels it parts the angle between the posts instead: from the side the near post is open else, and a ball that
+    rolls along the goal line passes behind the keeper.
+    """
+    x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
+    away = max(length(x, y), 1e-6)
+    out = play.keeper_out * k.body_reach
+    stand_x = max(-0.5 * k.pitch_length + out * x / away, line)
+    widest = 0.5 * k.pitch_goal_width - 0.5 * k.body_reach
+    stand_y = clip(part_angle(sight, k, stand_x) if k.walled == 0 else out * y / away, -widest, widest)
+    go(command, sight, k, play, stand_x, stand_y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+
+
+@compiled
+def part_angle(sight, k, x):
+    """Return where [m] the line that halves the angle from the ball to both posts crosses a keeper's x [m]."""
+    ahead, half = -0.5 * k.pitch_length - sight.ball_x, 0.5 * k.pitch_goal_width
+    left, right = length(ahead, half - sight.ball_y), length(ahead, -half - sight.ball_y)
+    along = ahead / max(left, 1e-6) + ahead / max(right, 1e-6)
+    across = (half - sight.ball_y) / max(left, 1e-6) - (half + sight.ball_y) / max(right, 1e-6)
+    if x >= sight.ball_x:
+        return sight.ball_y
+    return sight.ball_y + (x - sight.ball_x) * across / min(along, -1e-6)
+
+
+@compiled
+def may_clear(sight, k, play):
+    """Tell whether the ball lies so near to the goal, and so far from a field player, that the keeper fetches it.
+
+    A ball that lies at its kicker it clears from anywhere. In a penalty area that field players may not enter every
+    slow ball is the keeper's.
+    """
+    if sight.held == 1 and k.keeper_kicks == 1:
+        return True
+    if k.rules_illegal_defender == 1 and is_in_own_area(sight.ball_x, sight.ball_y, k, k.body_reach):
+        return length(sight.ball_vx, sight.ball_vy) <= play.shot_speed
+    x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
+    if length(x, y) > play.keeper_zone or length(sight.ball_vx, sight.ball_vy) > play.shot_speed:
+        return False
+    for i in range(sight.others):
+        if (
+            sight.mate[i] == 1
+            and length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y) < sight.distance
+        ):
+            return False
+    return True
+
+
+@compiled
+def clear(command, sight, memory, k, play):
+    """Play the ball away from the own goal, with a kick once the keeper faces that way.
+
+    On legs a ball at its feet on the side of its own goal is not turned with but gone round: who turns walks on.
+    """
+    ux, uy = way_clear(sight, k)
+    if sight.held == 1 and (k.legs == 0 or not faces(sight, -1.0, 0.0, AT_GOAL)):
+        turn_to_goal(command, sight, memory, k, play, ux, uy)
+        command.kick = 1.0 if faces(sight, ux, uy, play.clear_cosine) else 0.0
+    else:
+        approach(command, sight, memory, k, play, ux, uy, k.drive_forward)

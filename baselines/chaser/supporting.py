@@ -1,0 +1,61 @@
+"""Where the chaser's players stand who do not go to the ball: behind it, the next ones spread out in pairs.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from math import atan2
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
+from soccer_env.skills.keeping_rules import ROOM as AREA_ROOM
+from soccer_env.skills.keeping_rules import out_of_own_area
+from soccer_env.skills.moves import go
+from soccer_env.skills.set_pieces import out_of_area, round_ball
+from soccer_env.skills.sight import side_of
+
+ROOM = 2.5  # [body reaches] between the first two players that keep away from the opponents' restart, assumed
+HOME_EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assumed
+
+
+@compiled
+def support(command, sight, memory, k, play, ring, keeps_out):
+    """Stand where the player's rank asks, and look at the ball; arguments as of `support_point`."""
+    x, y = support_point(sight, memory, k, play, ring, keeps_out)
+    go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+
+
+@compiled
+def support_point(sight, memory, k, play, ring, keeps_out):
+    """Return where to go [m, m] by the player's rank, `ring` [m] off the ball; `keeps_out`: not in the own area."""
+    if memory.side == 0.0 or abs(sight.ball_y) > play.change_side:
+        memory.side = -side_of(sight.ball_y)
+    back, aside = support_place(memory, play, ring)
+    home_x, home_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
+    away = max(length(home_x, home_y), 1e-6)
+    home_x, home_y = home_x / away, home_y / away
+    off_x, off_y = back * home_x + aside * home_y, back * home_y - aside * home_x
+    ring += ROOM * k.body_reach * min(memory.rank, 1)
+    stretch = max(ring / length(off_x, off_y), 1.0) if ring > 0.0 else 1.0
+    edge_x, edge_y = 0.5 * k.pitch_length - HOME_EDGE * k.body_reach, 0.5 * k.pitch_width - k.body_reach
+    x = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x)
+    y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
+    if keeps_out:
+        x, y = out_of_own_area(x, y, k, k.body_reach + play.berth + AREA_ROOM)
+    if memory.rank > 0 or ring == 0.0:
+        x, y = out_of_area(sight, k, x, y, ring)
+    return round_ball(sight, k, x, y)
+
+
+@compiled
+def support_place(memory, play, ring):
+    """Return how far back from the ball towards the own goal, and how far to the left of that way, a rank stands [m].
+
+                3            ball  ->  opponents' goal       rank 0 goes to the ball, or stands right before it
+    5                1   (0)           (mirrored while the   while the opponents take a restart; 1 covers the goal;
+                2                      ball is on the left)  the others follow in pairs, one on either side
+    """
+    if memory.rank < 2:
+        return (ring if memory.rank == 0 else play.cover), 0.0
+    pair = memory.rank // 2
+    side = memory.side if memory.rank % 2 == 0 else -memory.side
+    return play.back * (pair - 0.5), side * play.aside

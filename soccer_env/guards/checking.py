@@ -1,0 +1,234 @@
+"""Check what somebody gives: every setting, number and name, with one kind of message.
+
+    <what> must be <what is allowed>, got <value>
+    unknown <what> <name>, did you mean <one like it>? known: <all of them>
+
+A settings record is a frozen dataclass that inherits from `Checked`: its annotations and a few tables beside them say
+what each field may hold, and `allowed` says the same in words.
+"""
+
+import operator
+import sys
+from collections.abc import Iterable, Mapping
+from dataclasses import Field, fields
+from functools import cache
+from math import inf
+from pathlib import Path
+from reprlib import Repr
+from types import NoneType, UnionType
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple, NoReturn, Union, get_args, get_origin
+
+import numpy as np
+
+from soccer_env.guards.names import unknown
+
+BRIEF = Repr()
+BRIEF.maxstring = BRIEF.maxother = 80
+BELOW = {"at most": (operator.le, "at least"), "less than": (operator.lt, "more than")}  # and what the larger one is
+
+
+class Range(NamedTuple):
+    """The numbers that are allowed, always finite."""
+
+    low: float = -inf
+    high: float = inf
+    above: bool = False  # True: not the lower end itself
+    below: bool = False  # True: not the upper end itself
+
+    def holds(self, value: float) -> bool:
+        """Tell whether a number lies in the range."""
+        value = value.item() if isinstance(value, np.generic) else value  # float32 has no room for the bounds
+        high_enough = value > self.low if self.above else value >= self.low
+        low_enough = value < self.high if self.below else value <= self.high
+        return high_enough and low_enough and abs(value) <= sys.float_info.max
+
+    def text(self, whole: bool = False) -> str:
+        """Return the range in words."""
+        if abs(self.low) < inf and self.high < inf and not (self.above or self.below):
+            return span(self.low, self.high)
+        low = f"{'above' if self.above else 'of at least'} {self.low:g}" if self.low > -inf else ""
+        high = f"{'below' if self.below else 'at most'} {self.high:g}" if self.high < inf else ""
+        bounds = " and ".join(filter(None, (low, high)))
+        return f"a {'whole ' if whole else ''}number {bounds}".strip()
+
+
+ANY = Range()
+ABOVE_ZERO = Range(0.0, above=True)
+FROM_ZERO = Range(0.0)
+SHARE = Range(0.0, 1.0)
+
+
+def span(low: float, high: float) -> str:
+    """Return two bounds in words."""
+    return " to ".join(f"{bound:.0f}" if bound == round(bound) else f"{bound:g}" for bound in (low, high))
+
+
+def in_words(allowed: Range, whole: bool, value: Any) -> str:
+    """Return what numbers are allowed, and that they are whole ones where the value is in range or no number at all."""
+    text = allowed.text(whole)
+    not_whole = whole and not text.startswith("a ") and (not is_number(value) or allowed.holds(value))
+    return f"a whole number, {text}" if not_whole else text
+
+
+def refuse(what: str, allowed: str, value: Any) -> NoReturn:
+    """Raise ValueError for a value that is not allowed."""
+    raise ValueError(f"{what} must be {allowed}, got {brief(value)}")
+
+
+def brief(value: object) -> str:
+    """Return a value as one short line, whatever a stranger's file says."""
+    return BRIEF.repr(value)
+
+
+def check_names(
+    what: str, given: Iterable[Any], known: Iterable[str], error: type[Exception] = ValueError, more: str = ""
+) -> None:
+    """Raise an error for the first name that is not known; it says which are, and the nearest of them."""
+    known = list(known)
+    for name in given:
+        if not isinstance(name, str) or name not in known:
+            raise error(unknown(what, name, known, more=more))
+
+
+def one_of(what: str, value: Any, choices: Iterable[Any]) -> Any:
+    """Return one of the choices; ValueError names them."""
+    choices = list(choices)
+    if not any(isinstance(value, type(choice)) and value == choice for choice in choices):
+        refuse(what, f"one of {', '.join(map(str, choices))}", value)
+    return value
+
+
+def whole_number(what: str, value: Any, low: float = -inf, high: float = inf) -> int:
+    """Return a whole number in a range; ValueError names it and the range."""
+    allowed = Range(low, high)
+    if not (is_number(value, whole=True) and allowed.holds(value)):
+        refuse(what, in_words(allowed, True, value), value)
+    return int(value)
+
+
+def number(what: str, value: Any, allowed: Range = ANY) -> float:
+    """Return a finite number in a range; ValueError names it and the range."""
+    if not (is_number(value) and allowed.holds(value)):
+        refuse(what, allowed.text(), value)
+    return float(value)
+
+
+def is_number(value: Any, whole: bool = False) -> bool:
+    """Tell whether a value is a number, Python's or numpy's, and a whole one if it has to be; switches are none."""
+    if isinstance(value, (int, np.integer)):
+        return not isinstance(value, bool)
+    return not whole and isinstance(value, (float, np.floating))
+
+
+class Checked:
+    """A frozen dataclass whose fields are checked as it is made; a field of a kind not listed here may hold anything.
+
+    bool, int, float, str, Path, Literal, None and their unions are checked by their annotation. Tables add to those of
+    parents; `bounds` in a field's metadata does what BOUNDS does.
+    """
+
+    NAMES: ClassVar[Mapping[str, Iterable[str]]] = {}  # the names that a field may take
+    BOUNDS: ClassVar[Mapping[str, tuple[Any, ...]]] = {}  # of numbers: Range, or (least, greatest); else NUMBER
+    NUMBER: ClassVar[Range] = ANY
+    ORDER: ClassVar[tuple[tuple[str, str, str], ...]] = ()  # (one field, "at most" or "less than", another)
+    EVEN: ClassVar[Mapping[str, str]] = {}  # fields that must be even whole numbers, and why
+    TITLED: ClassVar[bool] = True  # messages name the class before the field
+
+    def __post_init__(self) -> None:
+        # mypy takes the hash of the class for that of its instances.
+        for name, kinds in kinds_of_fields(type(self)).items():  # type: ignore[arg-type]
+            object.__setattr__(self, name, self._checked(name, kinds, getattr(self, name)))
+        self._check_order()
+
+    @classmethod
+    def where(cls, name: str) -> str:
+        """Return what messages call a field."""
+        return f"{cls.__name__}.{name}" if cls.TITLED else name
+
+    def _checked(self, name: str, kinds: tuple[Any, ...], value: Any) -> Any:
+        """Return a field's value as Python's own; ValueError says what is allowed."""
+        if name in self.NAMES:
+            return one_of(self.where(name), value, self.NAMES[name])
+        for kind in kinds:
+            fits, found = as_kind(kind, value, self.bounds(name))
+            if fits:
+                if name in self.EVEN and value is not None and value % 2 != 0:
+                    refuse(self.where(name), f"an even whole number, {self.EVEN[name]}", value)
+                return found
+        refuse(self.where(name), self._words(name, kinds, value), value)
+
+    def _check_order(self) -> None:
+        """Raise ValueError for the first two values that are not in the order that ORDER asks for."""
+        for one, relation, other in self.ORDER:
+            value, bound = getattr(self, one), getattr(self, other)
+            if not BELOW[relation][0](value, bound):
+                refuse(self.where(one), f"{relation} {other} {bound}", value)
+
+    @classmethod
+    def bounds(cls, name: str) -> Range:
+        """Return the numbers that a field may hold."""
+        metadata = cls.__dataclass_fields__[name].metadata  # type: ignore[attr-defined]
+        tables = (kind.BOUNDS[name] for kind in cls.__mro__ if issubclass(kind, Checked) and name in kind.BOUNDS)
+        return Range(*metadata["bounds"]) if "bounds" in metadata else Range(*next(tables, cls.NUMBER))
+
+    @classmethod
+    def _words(cls, name: str, kinds: tuple[Any, ...], value: Any) -> str:
+        """Return in words what a field of some kinds may hold instead of a value, but for the None of its default."""
+        words = {bool: "True or False", str: "a text", Path: "a path"}
+        numbers = in_words(cls.bounds(name), float not in kinds, value)
+        words |= dict.fromkeys((int, float), numbers)
+        choices = [str(choice) for kind in kinds for choice in get_args(kind)]
+        found = [f"one of {', '.join(choices)}"] if len(choices) > 1 else choices
+        return " or ".join(dict.fromkeys([*(words[kind] for kind in kinds if kind in words), *found]))
+
+
+def as_kind(kind: Any, value: Any, bounds: Range) -> tuple[bool, Any]:
+    """Return whether a value is of a kind, numbers within bounds, and the value as Python's own."""
+    if get_origin(kind) is Literal:
+        return any(isinstance(value, type(choice)) and value == choice for choice in get_args(kind)), value
+    if kind is bool:
+        return isinstance(value, (bool, np.bool_)), bool(value) if isinstance(value, np.bool_) else value
+    if kind in (int, float):
+        fits = is_number(value, whole=kind is int) and bounds.holds(value)
+        return fits, kind(value) if fits else value
+    if kind is Path:
+        return isinstance(value, (str, Path)), Path(value) if isinstance(value, str) else value
+    return isinstance(value, kind), value
+
+
+@cache
+def kinds_of_fields(record: type) -> dict[str, tuple[Any, ...]]:
+    """Return the kinds that each field of a settings record may have, of those fields that can be checked."""
+    annotations: dict[str, Any] = {}
+    for parent in reversed(record.__mro__):
+        names = vars(sys.modules[parent.__module__])
+        annotations |= {
+            name: evaluated(kind, names) for name, kind in parent.__dict__.get("__annotations__", {}).items()
+        }
+    found = {field.name: parts_of(annotations[field.name]) for field in fields(record)}
+    return {name: kinds for name, kinds in found.items() if all(map(can_be_checked, kinds))}
+
+
+def evaluated(annotation: Any, names: dict[str, Any]) -> Any:
+    """Return what an annotation means, Any if it names what only type checkers import."""
+    try:
+        return eval(annotation, names) if isinstance(annotation, str) else annotation
+    except NameError:
+        return Any
+
+
+def parts_of(kind: Any) -> tuple[Any, ...]:
+    """Return the members of a union, or the one kind."""
+    if get_origin(kind) is Annotated:
+        kind = get_args(kind)[0]
+    return get_args(kind) if get_origin(kind) in (Union, UnionType) else (kind,)
+
+
+def type_of(field: Field[Any]) -> str:
+    """Return the name of a field's type, as "float": modules that evaluate their annotations have the type itself."""
+    return field.type if isinstance(field.type, str) else field.type.__name__
+
+
+def can_be_checked(kind: Any) -> bool:
+    """Tell whether values can be compared with a kind."""
+    return get_origin(kind) is Literal or kind in (bool, int, float, str, Path, NoneType)

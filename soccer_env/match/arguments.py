@@ -1,0 +1,277 @@
+"""The settings of a match, each declared once; signatures, checks, help and errors of all APIs follow from here.
+
+    MatchSettings      how a match is played
+      MatchSetup       and who plays
+        MatchArguments     soccer_env.Match
+        EnvArguments       soccer_v0.parallel_env, env and raw_env
+        SoloArguments      gymnasium.make
+        VectorArguments    gymnasium.make_vec
+
+`takes` gives a function the signature and the help of such a declaration, for people and for type checkers.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import textwrap
+from collections.abc import Callable, Mapping
+from dataclasses import Field, dataclass, field, fields
+from typing import TYPE_CHECKING, Any, Concatenate, Literal, ParamSpec, TypeVar
+
+from soccer_env.guards.checking import Checked, Range, check_names
+from soccer_env.guards.names import Made
+from soccer_env.leagues.rules import MINUTES
+from soccer_env.types import MAX_TEAM
+
+if TYPE_CHECKING:
+    from gymnasium.vector import AutoresetMode
+
+    from soccer_env.actions import ActionKind
+    from soccer_env.leagues.league import League
+    from soccer_env.leagues.options import Options
+    from soccer_env.leagues.rules import Rules
+    from soccer_env.observations import Observation
+    from soccer_env.rewards import Rewards
+    from soccer_env.scenes import Scene
+
+P = ParamSpec("P")
+T = TypeVar("T")
+A = TypeVar("A")
+
+TEAM_SIZE = Range(1, MAX_TEAM)
+THREADS = Range(1, 256)
+STEPS = Range(1, 2**40)
+Senses = Literal["ideal", "sensors"]
+Pose = Literal["percept", "particles"]
+Placement = Literal["instant", "drive"]
+InfoKind = Literal["flat", "full", "nested", "none"]
+StateSide = Literal["field", "home", "away"]
+SIDE_BY_SIDE = Range(1, 1 << 20)
+INFOS = '"flat" numbers, "full": and statistics of play, "nested" dicts in words, or "none" (False), the fastest'
+
+
+def setting(
+    default: Any, text: str, bounds: Range | None = None, *, free: bool = False, replayed: bool = False, part: str = ""
+) -> Any:
+    """Return a field with a default and one line of help.
+
+    free: the match's future does not depend on it. replayed: a replay needs it. part: of which other setting it
+    becomes a part as soon as that is found. bounds: of a number.
+    """
+    facts = {"text": text, "free": free, "replayed": replayed, "part": part}
+    return field(default=default, metadata={**facts, **({} if bounds is None else {"bounds": bounds})})
+
+
+@dataclass(frozen=True, kw_only=True)
+class MatchSettings(Checked):
+    """How a match is played."""
+
+    TITLED = False
+
+    league: str | League = setting("legged-2001", "a name of `soccer list leagues`, or a League")
+    home: int | None = setting(None, "robots at home; None: the league's own number", TEAM_SIZE, replayed=True)
+    away: int | None = setting(None, "robots away; None: the league's own number", TEAM_SIZE, replayed=True)
+    max_players: int | None = setting(
+        None, "room for robots a side, those too many are inactive; None: as many as play", TEAM_SIZE, replayed=True
+    )
+    observe: Literal["truth", "percepts", "belief"] | Observation = setting(
+        "truth",
+        '"truth", "percepts", "belief", or an object with `names` or `entries` that is called with the Match',
+        free=True,
+    )
+    senses: Senses | Mapping[str, str] | tuple[str, str] = setting(
+        "sensors", 'what fills beliefs: "sensors" or "ideal" (the truth), or {"home": ..., "away": ...}'
+    )
+    pose: Pose = setting(
+        "percept", 'how robots that use their sensors know where they are: a noisy pose is given, or by "particles"'
+    )
+    sensors: Mapping[str, Any] | Options | None = setting(
+        None, "{name: value} that differ from the league's sensors, or an object of that kind", part="league"
+    )
+    memory: Mapping[str, Any] | Options | None = setting(
+        None, "{name: value} that differ from the memory behind them, or an object of that kind", part="league"
+    )
+    state_side: StateSide = setting(
+        "field",
+        'whose `state()` it is: "home" or "away", always playing towards +x, or in the frame of the "field"',
+        free=True,
+    )
+    actions: Literal["box", "full", "discrete"] | ActionKind = setting(
+        "box", '"box" (4 numbers), "full" (7, with the head) or "discrete"', free=True
+    )
+    scene: str | Scene = setting("kick-off", 'a name of `soccer list scenes`, several as "a:0.6,b:0.4", or a Scene')
+    episode: Literal["match", "goal", "drill"] = setting(
+        "match", 'ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True
+    )
+    rules: str | Rules | None = setting(
+        None,
+        '"league", "simple", "none", "league:pushing=False", or Rules; None: "league", or what a drill says',
+        part="league",
+    )
+    rewards: Literal["default", "sparse", "training"] | Rewards = setting(
+        "default", "a name of `soccer list rewards`, or Rewards", free=True
+    )
+    placement: Placement = setting("instant", "how robots reach their places at a restart", replayed=True)
+    keeper: int = setting(0, "number of the goalkeeper, in teams of two or more", replayed=True)
+    minutes: float | None = setting(
+        None, "of play, both halves together; None: the league's own", MINUTES, replayed=True
+    )
+    action_repeat: int = setting(1, "control steps that an action is kept", Range(1, 1000), free=True)
+    max_cycles: int | None = setting(None, "steps until an episode is truncated; None: never", STEPS, free=True)
+
+
+@dataclass(frozen=True, kw_only=True)
+class MatchSetup(MatchSettings):
+    """How a match is played, and by whom."""
+
+    opponents: Any = setting(None, "the team that plays away: then only home robots are left for learners")
+    teammates: Any = setting(None, "the team that plays home but for its last robot")
+    controllers: Mapping[str, Any] | None = setting(None, "{agent or side: team} for any subset")
+
+
+@dataclass(frozen=True, kw_only=True)
+class MatchArguments(MatchSetup):
+    """What a Match is made from."""
+
+    league: str | League = field(
+        default="legged-2001", metadata=MatchSettings.__dataclass_fields__["league"].metadata, kw_only=False
+    )
+    matches: int = setting(1, "how many are played side by side", SIDE_BY_SIDE)
+    threads: int = setting(1, "that step them; nothing depends on them", THREADS)
+    seed: int | None = setting(None, "from which all seeds follow; None: the system's")
+    seeds: Any = setting(None, "(M,) instead of seed: one for each match")
+    autoreset: Literal["next_step", "same_step", "off"] = setting("off", "when a match that ended begins anew")
+    backend: Literal["c", "batch"] | None = setting(
+        None, 'of the physics: "c" (compiled) or "batch"; None: the faster one'
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class EnvArguments(MatchSetup):
+    """What a PettingZoo env is made from."""
+
+    render_mode: Literal["rgb_array", "human"] | None = setting(None, '"rgb_array" for frames, "human" for a window')
+    infos: InfoKind | bool = setting("flat", INFOS)
+    overlays: Any = setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
+
+
+@dataclass(frozen=True, kw_only=True)
+class LearnerSetup(MatchSetup):
+    """How a match of one learner is played, and by whom."""
+
+    opponents: Any = setting("chaser", "the team that plays away")
+    teammates: Any = setting("chaser", "the team that plays the other home robots")
+    agent: str | None = setting(None, "the learner; None: home's last robot")
+    render_mode: Literal["rgb_array", "human"] | None = setting(None, '"rgb_array" for frames, "human" for a window')
+    infos: InfoKind | bool = setting("flat", INFOS)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SoloArguments(LearnerSetup):
+    """What a Gymnasium Env is made from."""
+
+    overlays: Any = setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
+
+
+@dataclass(frozen=True, kw_only=True)
+class VectorArguments(LearnerSetup):
+    """What a Gymnasium VectorEnv is made from."""
+
+    num_envs: int = field(default=1, metadata={"text": "matches side by side", "bounds": SIDE_BY_SIDE}, kw_only=False)
+    max_episode_steps: int | None = setting(None, "Gymnasium's word for max_cycles; the fewer of the two count", STEPS)
+    autoreset_mode: Literal["NextStep", "SameStep", "next_step", "same_step"] | AutoresetMode = setting(
+        "NextStep", '"NextStep", "SameStep" or Gymnasium\'s AutoresetMode'
+    )
+    threads: int = setting(1, "that step the matches", THREADS)
+
+
+def names_with(fact: str) -> tuple[str, ...]:
+    """Return the match settings of which a fact is true."""
+    return tuple(item.name for item in fields(MatchSettings) if item.metadata[fact])
+
+
+FREE = names_with("free")  # what a match's future does not depend on
+REPLAYED = names_with("replayed")  # what a replay needs
+
+
+def part_of(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[str, Any]:
+    """Return those of some arguments that another declaration has as well, by name."""
+    return {item.name: getattr(arguments, item.name) for item in fields(kind)}
+
+
+# Functions that take such arguments
+
+
+def takes(kind: Callable[P, A]) -> Callable[[Callable[[A], T]], Callable[P, T]]:
+    """Let a function of one declaration be called with its fields; TypeError for a name that it does not have."""
+
+    def decorate(function: Callable[[A], T]) -> Callable[P, T]:
+        @functools.wraps(function)
+        def call(*values: P.args, **named: P.kwargs) -> T:
+            return function(gathered(kind, values, named))
+
+        documented(call, kind)
+        return call
+
+    return decorate
+
+
+def made_from(kind: Callable[P, A]) -> Callable[[Callable[[Any, A], None]], Callable[Concatenate[Any, P], None]]:
+    """Do what `takes` does for an __init__."""
+
+    def decorate(function: Callable[[Any, A], None]) -> Callable[Concatenate[Any, P], None]:
+        @functools.wraps(function)
+        def call(self: Any, /, *values: P.args, **named: P.kwargs) -> None:
+            function(self, gathered(kind, values, named))
+
+        documented(call, kind, inspect.Parameter("self", inspect.Parameter.POSITIONAL_ONLY))
+        return call
+
+    return decorate
+
+
+def gathered(kind: Any, values: tuple[Any, ...], named: dict[str, Any]) -> Any:
+    """Return the declaration filled with what a caller gave."""
+    check_names("setting", named, [item.name for item in fields(kind)], TypeError)
+    return kind(*values, **named)
+
+
+def documented(call: Any, kind: Any, *first: inspect.Parameter) -> None:
+    """Give a function the signature of a declaration, and a line of help for each of its fields."""
+    parameters = inspect.signature(kind).parameters.values()
+    returned = call.__annotations__.get("return")
+    call.__signature__ = inspect.Signature([*first, *parameters], return_annotation=returned)
+    lines = [line for item in fields(kind) for line in help_of(item)]
+    call.__doc__ = "\n".join([inspect.cleandoc(call.__doc__ or kind.__doc__ or ""), "", *lines])
+
+
+def help_of(item: Field[Any]) -> list[str]:
+    """Return the lines of help of one setting."""
+    text = f"{item.name} = {item.default!r}: {item.metadata['text']}."
+    return textwrap.wrap(text, 100, subsequent_indent="    ")
+
+
+# Copies: an env is copied by its settings alone, as by Gymnasium's EzPickle; it is to be reset, and draws its own seed
+
+
+def by_settings(make: Callable[..., Any], settings: dict[str, Any]) -> Made:
+    """Return what to pickle of something that `make` makes from settings."""
+    return made_again, (version(), make, settings)
+
+
+def made_again(made_by: str, make: Callable[..., Any], settings: dict[str, Any]) -> Any:
+    """Return what was pickled; ValueError says which version did, if that is why it cannot be made any more."""
+    try:
+        return make(**settings)
+    except (TypeError, ValueError) as error:
+        if made_by == version():
+            raise
+        raise ValueError(f"this was pickled by soccer_env {made_by}, and this is {version()}: {error}") from error
+
+
+def version() -> str:
+    """Return the version of the package."""
+    from soccer_env import __version__
+
+    return __version__

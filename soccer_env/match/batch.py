@@ -1,0 +1,254 @@
+"""MatchBatch: the records of M matches with the Spaces under them, and the verbs by which a slice of them is stepped.
+
+    act -> sense -> tell -> believe -> observe
+
+It knows nothing of who plays: commands lie in the robots' records before a step, and what happened lies in the arrays
+after it. What a robot believes is one row of `beliefs` and `tracks`, which its own provider fills:
+
+    senses="ideal"      the truth, when somebody reads the row (`read`)
+    senses="sensors"    percepts and memory, after every step (`senses.py`), if anybody uses them
+    nobody              rows that nobody reads stay empty
+"""
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import numpy as np
+
+from soccer_env.guards.interrupts import HeldBack
+from soccer_env.match.episodes import start_match
+from soccer_env.match.senses import UNUSED, Senses
+from soccer_env.match.settings import Settings
+from soccer_env.match.step import (
+    BROKEN,
+    PUT_ELSEWHERE,
+    Numbers,
+    Outcome,
+    Physics,
+    begin_slice,
+    finish_slice,
+    step_slice,
+)
+from soccer_env.observations.belief import observe_belief_slice
+from soccer_env.observations.truth import observe_slice
+from soccer_env.perception.ideal import believe_truth_slice
+from soccer_env.physics.engine.space import build_space
+from soccer_env.physics.engine.space_batch import Backend, SpaceBatch
+from soccer_env.physics.exchange import write_rows_of
+from soccer_env.records.beliefs import BELIEF, TRACK
+from soccer_env.records.world import World
+from soccer_env.rewards import COUNT, POTENTIALS
+from soccer_env.scenes import Draw
+from soccer_env.statistics.records import FRESH
+from soccer_env.types import QUIET, ROBOT_EVENTS
+
+Advance = Callable[[float, np.ndarray, int, int], None]  # moves the Spaces on: dt [s], substeps (M,), first, last
+
+
+class MatchBatch:
+    """M matches of R robots each: records (M,) and (M, R), rewards (M, R), observations (M, R, n)."""
+
+    def __init__(self, settings: Settings, matches: int, robots: int, observed: int, backend: Backend | None) -> None:
+        self.settings = settings
+        self.world = World.empty(matches, robots)
+        self.matches, self.balls, self.robots, self.events, self.robot_events = self.world
+        self.everyone = np.arange(robots)
+        league = settings.league
+        self.beliefs = np.zeros((matches, robots), BELIEF)
+        self.tracks = np.zeros((matches, robots, league.slots.teammates + league.slots.opponents), TRACK)
+        self.ideal = np.repeat([senses == "ideal" for senses in settings.senses], settings.rows)  # (R,) by whom filled
+        self.senses: Senses | None = None  # where a team or a learner uses its sensors
+        self.physics = SpaceBatch(matches, robots + 1, backend)
+        self.constants, self.weights = settings.constants(), settings.rewards.weights()
+        self._make_outcome(observed)
+
+    def _make_outcome(self, observed: int) -> None:
+        """Make the arrays that learners get, and bundle what a step works on."""
+        count, robots = self.robots.shape
+        terms = COUNT + len(self.settings.rewards.extra)  # a user's own terms come after ours
+        self.rewards, self.terms = np.zeros((count, robots)), np.zeros((count, robots, terms))
+        self.observations = np.zeros((count, robots, observed), np.float32)
+        self.terminated, self.truncated = np.zeros(count, bool), np.zeros(count, bool)
+        self.statistics = np.full(count, FRESH)
+        self._sees_truth = self.settings.observe == "truth"  # then the step itself observes
+        seen = self.observations if self._sees_truth else np.zeros((count, robots, 0), np.float32)
+        outcome = Outcome(self.rewards, self.terms, seen, self.terminated, self.truncated, self.statistics)
+        numbers = Numbers(self.constants, self.weights, self.settings.limit)
+        self._discounts: bool | None = None  # whether the coming control step does
+        physics = Physics(self.physics.bodies, self.physics.velocities, self.physics.solvers)
+        self._truth = tuple(self.world)
+        self._step = self._truth, tuple(physics), tuple(outcome), tuple(numbers)
+
+    def use_sensors(self, sides: tuple[int, ...]) -> None:
+        """Let the robots of some teams (HOME, AWAY) use their sensors from now on."""
+        self.senses = Senses(self.settings, self.world, self.constants, self.beliefs, self.tracks, sides)
+
+    # Starting
+
+    def discount(self, last: bool) -> None:
+        """Let the shaping of the coming control step discount, as the last one of an action does, or not."""
+        if last != self._discounts:
+            self.weights["gamma"] = self.settings.rewards.gamma if last else 1.0
+            self._discounts = last  # behind it: an error in between changes nothing
+
+    def start(self, m: int, seed: int, episode: int) -> None:
+        """Begin an episode in match m, in a Space of its own."""
+        at = slice(m, m + 1)
+        records = self.matches[at], self.balls[at], self.robots[at]
+        start_match(self.settings, self.constants, *records, seed, episode)
+        if self.senses is not None:
+            self.senses.start(m)
+        self.build_spaces([m])
+        self.events[m], self.statistics[m] = QUIET, FRESH
+        self.robot_events[m] = np.zeros((), ROBOT_EVENTS)
+        self.terminated[m] = self.truncated[m] = False
+
+    def look_first(self, m: int) -> None:
+        """Let the robots of a match that has just begun sense, believe and observe."""
+        record, ball = self.matches[m], self.balls[m].copy()
+        shows = self.settings.scene.of_episode(int(record["seed"]), int(record["episode"])).shows
+        if shows is not None:
+            shows(self.settings.league, self.balls[m], self.robots[m], Draw(record))
+        if self.senses is not None:
+            self.senses.step(m, m + 1)
+        self.balls[m] = ball
+        self.observe_anew(m, m + 1)
+
+    def build_spaces(self, rows: Iterable[int]) -> None:
+        """Rebuild the Spaces of some matches from their records: the first of a match is made, then it is put back."""
+        used, league = [], self.settings.league
+        for m in rows:
+            if self.physics.reusable(m):
+                used.append(m)
+                continue
+            with HeldBack():
+                self.physics.set_space(m, build_space(league, self.balls[m], self.robots[m]))
+                self.physics.take_part(m, league, self.constants)
+        if used:
+            again = np.array(used, np.int64)
+            write_rows_of(self.balls, self.robots, self.physics.bodies, again)
+            self.physics.put_back(again)
+
+    # One control step of a slice of matches
+
+    def act(self, first: int, last: int) -> None:
+        """Let the commands be carried out: drive, physics, referee, restarts, rewards."""
+        if self.senses is not None:
+            self.senses.asleep[first:last] = self.matches["over"][first:last]
+        if self.physics.backend == "c":
+            self._check(step_slice(self.physics.links, *self._step, first, last))
+        else:
+            self.act_in_stages(first, last, self.physics.step_slice)
+
+    def act_in_stages(self, first: int, last: int, advance: Advance) -> None:
+        """Do what `act` does with the physics left to `advance`, between two compiled halves."""
+        count = len(self.matches)
+        before, substeps = np.zeros((count, *POTENTIALS)), np.zeros(count, np.int64)
+        begin_slice(*self._step, before, substeps, first, last)
+        advance(self.settings.league.dt, substeps, first, last)
+        results = substeps.copy()
+        finish_slice(*self._step, before, results, first, last)
+        for m in np.flatnonzero(results == PUT_ELSEWHERE):
+            self.physics.write_bodies(int(m))
+        self._check(int(np.argmax(results == BROKEN)) if (results == BROKEN).any() else -1)
+
+    def _check(self, broken: int) -> None:
+        """Raise RuntimeError if the physics of a match gave numbers that are not finite: a bug in this package."""
+        if broken >= 0:
+            step = self.matches["step"][broken]
+            raise RuntimeError(f"the physics of match {broken} broke down at step {step}; please report this")
+
+    def sense(self, first: int, last: int) -> None:
+        """Let the robots that use their sensors perceive the world."""
+        if self.senses is not None:
+            self.senses.sense(first, last)
+
+    def tell(self, first: int, last: int) -> None:
+        """Tell the same robots how the match stands."""
+        if self.senses is not None:
+            self.senses.tell(first, last)
+
+    def believe(self, first: int, last: int) -> None:
+        """Let them bring their beliefs up to what they perceived."""
+        if self.senses is not None:
+            self.senses.believe(first, last)
+
+    def observe(self, first: int, last: int) -> None:
+        """Write what learners observe, unless they see the truth, which `act` has written."""
+        if not self._sees_truth:
+            self.observe_anew(first, last)
+
+    # Reading
+
+    def read(self, rows: np.ndarray, first: int, last: int) -> None:
+        """Fill the beliefs of those of some robots that have ideal senses; those by sensors are filled already."""
+        ideal = rows[self.ideal[rows]]
+        if len(ideal):
+            believe_truth_slice(self._truth, self.beliefs, self.tracks, self.constants, ideal, first, last)
+
+    def read_all(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return beliefs (M, R) and tracks (M, R, slots) of all robots; ValueError if nobody uses any."""
+        if self.senses is None and not self.ideal.any():
+            raise ValueError(UNUSED)
+        self.read(self.everyone, 0, len(self.matches))
+        return self.beliefs, self.tracks
+
+    def observe_anew(self, first: int, last: int) -> None:
+        """Write the observations of a slice anew."""
+        if self.observations.shape[2]:
+            self.write_observations(self.observations, self.settings.observe, self.everyone, first, last)
+
+    def write_observations(self, out: np.ndarray, observe: Any, rows: np.ndarray, first: int, last: int) -> None:
+        """Write observations of a slice into out (M, R, n): of the truth for all robots, else for `rows` alone."""
+        if observe == "truth":
+            observe_slice(self.matches, self.balls, self.robots, out, self.constants, first, last)
+            return
+        self.read(rows, first, last)
+        if observe == "percepts" and self.senses is not None:
+            self.senses.observe_percepts(out, rows, first, last)
+        elif observe == "belief":
+            rows = rows[self.believing[rows]]
+            half_length = self.settings.half_length
+            observe_belief_slice(
+                self.beliefs, self.tracks, self.robots, out, self.constants, half_length, rows, first, last
+            )
+
+    @property
+    def believing(self) -> np.ndarray:
+        """Return which robots (R,) believe something: somebody fills their rows."""
+        return self.ideal if self.senses is None else self.ideal | self.senses.believes
+
+
+class Sums:
+    """Rewards and events of the control steps for which an action is kept, added up."""
+
+    def __init__(self, batch: MatchBatch) -> None:
+        self._rewards = batch.rewards, batch.terms
+        self._events = (batch.events, QUIET), (batch.robot_events, np.zeros((), ROBOT_EVENTS))
+        self._sums: list[np.ndarray] = []
+        self._latest: list[np.ndarray] = []
+
+    def add(self) -> None:
+        """Add the control step that has just been made."""
+        if not self._sums:
+            self._sums = [values.copy() for values in self._rewards]
+            self._latest = [events.copy() for events, _ in self._events]
+            return
+        for total, values in zip(self._sums, self._rewards, strict=True):
+            total += values
+        for latest, (events, quiet) in zip(self._latest, self._events, strict=True):
+            keep_latest(latest, events, quiet)
+
+    def hand_over(self) -> None:
+        """Put the sums in the place of the last control step's rewards and events."""
+        for total, values in zip(self._sums, self._rewards, strict=True):
+            values[:] = total
+        for latest, (events, _) in zip(self._latest, self._events, strict=True):
+            events[:] = latest
+
+
+def keep_latest(kept: np.ndarray, new: np.ndarray, quiet: np.ndarray) -> None:
+    """Write into `kept` the events of `new` that happened."""
+    for name in new.dtype.names or ():
+        happened = new[name] != quiet[name]
+        kept[name][happened] = new[name][happened]

@@ -1,0 +1,136 @@
+"""How an episode of one match begins: empty records, noise streams, the kick-off formation, then the scene.
+
+The seed chooses which side kicks off first, and the other one kicks off the second half. In a drill home does, whose
+last robot has to do it. Two matches of one seed with the teams' sides swapped begin with a kick-off by the same side,
+so that each team kicks off first in one of the two.
+
+`k`: the league's constants.
+"""
+
+from math import hypot
+from typing import Any
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.match.settings import Settings
+from soccer_env.physics.kicker import holds_ball
+from soccer_env.physics.parking import parking_place
+from soccer_env.random_numbers import start_streams, uniform
+from soccer_env.referee.restarts import carry_out_restart
+from soccer_env.scenes import SCENES, Draw
+from soccer_env.types import AWAY, HOME, NO_TEAM, MatchStream, Phase
+
+KICK_OFF = int(Phase.KICK_OFF)
+WHO_KICKS_OFF = int(MatchStream.KICK_OFF)
+PLAY = int(Phase.PLAY)
+
+
+@compiled
+def begin_episode(match, ball, robots, k, seed, episode, half_length, drill):
+    """Fill the records of one match (robots (R,) with team, number, keeper and active set) for the first kick-off."""
+    match.seed, match.episode = seed, episode
+    start_streams(match.noise, seed, episode, 0)
+    match.handedness = match.home_direction = 1.0
+    match.half_length = half_length
+    match.phase = KICK_OFF
+    match.kick_off_team = HOME if drill == 1 or uniform(match.noise, WHO_KICKS_OFF) < 0.5 else AWAY
+    match.restart_team = match.kick_off_team
+    match.last_touch_team, match.last_touch_robot = NO_TEAM, -1
+    match.whistled = match.kick_off_shot = NO_TEAM
+    match.taker = -1
+    for r in range(robots.shape[0]):
+        start_streams(robots[r].noise, seed, episode, 1 + 2 * robots[r].number + robots[r].team)
+        robots[r].slip.forward = robots[r].slip.left = robots[r].slip.turn = 1.0
+        robots[r].command.head = -1.0
+    carry_out_restart(match, ball, robots, k, 0)
+
+
+@compiled
+def note_possession(ball, robots, k):
+    """Note which robots have the ball."""
+    for r in range(robots.shape[0]):
+        robots[r].has_ball = 1 if robots[r].active == 1 and holds_ball(robots[r], k, ball.x, ball.y) else 0
+
+
+def line_up(settings: Settings, robots: np.ndarray) -> None:
+    """Set who is who in the robots (R,) of one match: teams, numbers, goalkeepers; park the padding."""
+    home_rows = settings.rows[HOME]
+    for r in range(len(robots)):
+        team, number = (HOME, r) if r < home_rows else (AWAY, r - home_rows)
+        size = settings.home if team == HOME else settings.away
+        robots[r]["team"], robots[r]["number"] = team, number
+        robots[r]["active"] = number < size
+        robots[r]["keeper"] = size >= 2 and number == settings.keeper
+        if number >= size:
+            robots[r]["x"], robots[r]["y"], robots[r]["heading"] = parking_place(r)
+
+
+def start_match(
+    settings: Settings, constants: np.ndarray, match: Any, ball: Any, robots: np.ndarray, seed: int, episode: int
+) -> None:
+    """Begin an episode in the records of one match: match (1,), ball (1,), robots (1, R)."""
+    for record in (match, ball, robots):
+        record[...] = np.zeros((), record.dtype)
+    line_up(settings, robots[0])
+    scene = settings.scene.of_episode(seed, episode)
+    drill = int(scene.place is not None)
+    begin_episode_of(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length, drill)
+    if scene.place is not None:
+        scene.place(settings.league, ball[0], robots[0], Draw(match[0]))
+        if SCENES.get(scene.name) is not scene:
+            check_placed(f"scene {scene.name!r}", settings, ball, robots)
+            check_room(f"scene {scene.name!r}", settings, ball[0], robots[0])
+    if scene.in_play:
+        match["phase"], match["restart_team"] = PLAY, NO_TEAM
+        match["restart_x"], match["restart_y"] = ball["x"], ball["y"]
+    match["still_x"], match["still_y"] = ball["x"], ball["y"]
+    robots["placed"] = robots["active"]
+    note_possession_of(ball, robots, constants)
+
+
+def check_placed(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
+    """Raise ValueError if a scene of a user's own left a number that is not finite, or changed who is who."""
+    lined_up = np.zeros(robots.shape[1], robots.dtype)
+    line_up(settings, lined_up)
+    for who, record in (("the ball", ball[0]), *zip(settings.agents, robots[0], strict=True)):
+        for name in record.dtype.names:
+            if record.dtype[name].kind == "f" and not np.isfinite(record[name]).all():
+                raise ValueError(f"{scene} must leave finite numbers, got {name} {record[name]} of {who}")
+    for name in ("team", "number", "keeper"):
+        for agent, found, wanted in zip(settings.agents, robots[0][name], lined_up[name], strict=True):
+            if found != wanted:
+                raise ValueError(f"{scene} must leave {name} of {agent} {wanted}, got {found}")
+
+
+def check_room(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
+    """Raise ValueError if a scene of a user's own put something beyond what stands round the pitch, or two into one.
+
+    Bodies may overlap a little, physics pushes them apart: centres of robots have to be half their reach from each
+    other.
+    """
+    pitch, apart = settings.league.pitch, 0.5 * settings.league.body.reach
+    room = {"x": 0.5 * pitch.length + max(pitch.band_end, pitch.goal_depth), "y": 0.5 * pitch.width + pitch.band_side}
+    there = [("the ball", ball)]
+    for agent, robot in zip(settings.agents, robots, strict=True):
+        there += [(agent, robot)] if robot["active"] else []
+    for number, (who, body) in enumerate(there):
+        for axis, most in room.items():
+            if abs(body[axis]) > most:
+                raise ValueError(f"{scene} must put {who} at {axis} = {-most:g} to {most:g} m, got {body[axis]:g}")
+        for other, near in there[1:number]:  # the ball apart: a robot may stand over it
+            gap = hypot(body["x"] - near["x"], body["y"] - near["y"])
+            if gap < apart:
+                raise ValueError(f"{scene} must put {who} at least {apart:.2g} m from {other}, got {gap:.2g}")
+
+
+@compiled
+def begin_episode_of(matches, balls, robots, constants, seed, episode, half_length, drill):
+    """Call `begin_episode` for the one match of (1,) arrays."""
+    begin_episode(matches[0], balls[0], robots[0], constants[0], seed, episode, half_length, drill)
+
+
+@compiled
+def note_possession_of(balls, robots, constants):
+    """Call `note_possession` for the one match of (1,) arrays."""
+    note_possession(balls[0], robots[0], constants[0])

@@ -1,0 +1,287 @@
+"""Match: M matches side by side, reset and step, without dicts.
+
+    decide -> act -> sense -> tell -> believe -> observe
+              drive, physics, referee, restart, rewards
+
+The records are public arrays (see `types`): `match.balls["x"]` is (M,), `match.robots["heading"]` (M, R). One match
+is M = 1; match m of many is bit for bit the match that runs alone with its seed.
+"""
+
+from collections.abc import Iterable
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from soccer_env.actions import numbers_for, take_actions
+from soccer_env.guards.workers import Workers
+from soccer_env.match import truth_state
+from soccer_env.match.arguments import MatchArguments, made_from
+from soccer_env.match.batch import MatchBatch, Sums
+from soccer_env.match.saving import Branching, whole
+from soccer_env.match.senses import sensing_sides
+from soccer_env.match.settings import make_settings
+from soccer_env.match.squads import TeamArrays, assign, choose_teams, make_squads, run_compiled, run_python
+from soccer_env.match.user_code import OwnTerms, Seen
+from soccer_env.match.views import Views
+from soccer_env.observations import layout
+from soccer_env.observations.own import pick
+from soccer_env.physics.engine.space_batch import Backend
+from soccer_env.random_numbers import check_seeds, seeds_for
+from soccer_env.rewards import NAMES
+from soccer_env.teams.function_teams.asking import standing
+
+Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
+BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
+NOBODY = np.zeros(0, np.int64)
+FINAL = (  # kept of ended episodes
+    "observations", "matches", "balls", "robots", "events", "robot_events", "terms", "statistics",
+)  # fmt: skip
+
+
+@whole
+class Match(Views, Branching):
+    """M matches of one league, stepped together.
+
+    Its settings are the fields of `MatchArguments`, `help(Match.__init__)` explains them; ValueError names a setting
+    that is wrong, and what is allowed. M matches, R robots (home first), n numbers of an observation:
+
+    | attribute | shape | what it holds |
+    |---|---|---|
+    | `observations` | (M, R, n) | what learners observe, named by `observation_names`; of your own as they are made |
+    | `rewards`, `terms` | (M, R), (M, R, terms) | of the last step, and the share of each of `term_names` |
+    | `terminated`, `truncated` | (M,), (M,) | how episodes have ended; with "same_step" `step` returns it |
+    | `ended` | (E,) | with "same_step": rows that began anew in the last step, in order; else empty |
+    | `final` | by name | how they ended: "observations" (E, R, n), "state", records; row i: match `ended[i]` |
+    | `matches`, `balls`, `robots` | (M,), (M,), (M, R) | the truth; and `percepts`, `beliefs`, `tracks` |
+    | `events`, `robot_events` | (M,), (M, R) | what happened in the last control step |
+    | `statistics` | (M,) | counts of play since the episode began; `soccer list statistics` defines the figures |
+    | `agents` | R names | "home_0" and so on: whose row is which |
+    | `learns` | (R,) | 1: actions steer the robot; 0: a team plays it, and its row of actions is ignored |
+    | `seeds` | (M,) | seed of each match: `Match(seeds=[match.seeds[17]])` is match 17 alone |
+    | `settings`, `league` | | every setting resolved, such as `settings.rewards.gamma`; the numbers of the league |
+    """
+
+    @made_from(MatchArguments)
+    def __init__(self, asked: MatchArguments) -> None:
+        self.asked = asked
+        self.count, self.threads, self.autoreset = asked.matches, asked.threads, asked.autoreset
+        self.settings = make_settings(asked)
+        self.league = self.settings.league
+        self.agents = self.settings.agents
+        self.state_names = [entry.name for entry in self.state_entries()]
+        self.term_names = [*NAMES, *self.settings.rewards.extra]
+        self.seen, self._own_terms = Seen(self.settings, self.count), OwnTerms(self.settings.rewards)
+        entries = {group.side: layout(self.league, group.observe) for group in self.seen.groups}
+        names = {side: [entry.name for entry in told] for side, told in entries.items()}
+        self.observation_entries: Any = entries if self.seen.by_side else entries[""]
+        self.observation_names: Any = names if self.seen.by_side else names[""]  # by "home" and "away" if they differ
+        self._make_arrays(asked.backend)
+        self._make_squads(assign(self.agents, self.settings.home, asked.opponents, asked.teammates, asked.controllers))
+        self._pool = Workers(self.threads) if self.count >= 2 * self.threads > 2 else None
+        self.recorder: Any = None  # a replay.Recorder, while one writes this match down
+        self.seeds = np.zeros(self.count, np.uint64)
+        self.ended, self.final = NOBODY, truth_state.Final(self.settings)  # see _restart_same_step
+        self.started = self._stepped = False  # whether it stands as a reset or step leaves it; whether one was made
+        self.reset(seed=asked.seed, seeds=asked.seeds)
+        self.batch.build_spaces([0])  # as good as new: later resets find their kernels compiled
+
+    def _make_arrays(self, backend: Backend | None) -> None:
+        """Make the arrays and show them as attributes; those for a user's own observations are separate."""
+        observed = 0 if self.seen.own else len(self.observation_names)
+        self.batch = batch = MatchBatch(self.settings, self.count, len(self.agents), observed, backend)
+        self.matches, self.balls, self.robots = batch.matches, batch.balls, batch.robots
+        self.events, self.robot_events = batch.events, batch.robot_events
+        self.rewards, self.terms = batch.rewards, batch.terms
+        self.terminated, self.truncated = batch.terminated, batch.truncated
+        self.statistics = batch.statistics
+        self.observations: Any = self.seen.arrays if self.seen.own else batch.observations
+
+    def _make_squads(self, who: dict[str, Any]) -> None:
+        """Make the teams that play inside, with their memories, and the senses that somebody uses."""
+        self.squads = make_squads(self.agents, who, self.settings, self.count)
+        self.learns = np.array([agent not in who for agent in self.agents], np.int64)
+        self._readers = np.array([r for squad in self.squads if squad.reads_beliefs for r in squad.players], np.int64)
+        sides = sensing_sides(self.settings, [(squad.team, squad.players) for squad in self.squads], self.learns)
+        if sides:
+            self.batch.use_sensors(sides)
+        batch, robots = self.batch, self.robots
+        self._team_arrays = TeamArrays(batch.beliefs, batch.tracks, robots["noise"], robots["command"], batch.constants)
+        unplayed = self.count if not self.learns.any() else 0  # with learners there are always actions
+        self._no_actions = np.zeros((unplayed, len(self.agents), self.settings.actions.size))
+
+    # Starting
+
+    def reset(self, seed: int | None = None, seeds: Any = None) -> np.ndarray:
+        """Begin new episodes in all matches; return observations (M, R, n).
+
+        With a seed (or seeds (M,)) the matches start their streams anew; without, each goes on to its next episode.
+        The very first reset without a seed draws one from the system.
+        """
+        if seed is not None and seeds is not None:
+            raise ValueError("give seed or seeds, not both")
+        fresh = seed is not None or seeds is not None or not self.started
+        found = check_seeds(seeds, self.count) if seeds is not None else seeds_for(seed, self.count) if fresh else None
+        self.started = False
+        if found is not None:
+            self.seeds[:] = found
+        self._begin(range(self.count), np.zeros(self.count, np.int64) if fresh else self.matches["episode"] + 1)
+        self.rewards[:] = 0.0
+        self.terms[:] = 0.0
+        self.started = True
+        observations: np.ndarray = self.observations
+        return observations
+
+    def _begin(self, rows: Iterable[int], episodes: np.ndarray) -> None:
+        """Begin the given episodes (M,) in some matches, and observe them."""
+        for m in rows:
+            self.batch.start(int(m), int(self.seeds[m]), int(episodes[m]))
+            for squad in self.squads:
+                squad.memory[m] = np.zeros((), squad.memory.dtype)
+            choose_teams(self.squads, self.settings.rows[0], int(m), int(self.seeds[m]), int(episodes[m]))
+            self.batch.look_first(m)
+        self._observe_own()
+        if self.recorder is not None:
+            self.recorder.note_rebuild(rows)
+
+    # Stepping
+
+    def step(self, actions: Any = None, *, last: bool = True) -> Transition:
+        """Advance all matches by `action_repeat` control steps.
+
+        actions: (M, R, 4 or 7) in [-1, 1] for all robots (rows that teams play are ignored), discrete (M, R) integers,
+        or None if teams play them all. Returns observations (M, R, n) float32, rewards (M, R), terminated (M,) and
+        truncated (M,): the match's own arrays, valid until the next step. ValueError for actions of a wrong shape or
+        that are not finite. With autoreset "off" a match that ended stands still, and one that was truncated goes on.
+        last=False: the action goes on in the next call; the shaping discounts once, in the call that ends the action.
+        """
+        numbers = self._check_actions(actions)
+        self.started = False  # until the end
+        made = self._advance(numbers, last)
+        self.started = self._stepped = True
+        return made
+
+    def _advance(self, numbers: np.ndarray, last: bool) -> Transition:
+        """Play the control steps of one action, and begin anew what has ended."""
+        mode, repeat = self.autoreset, self.settings.action_repeat
+        ended: Any = ()
+        if mode == "next_step" and self._has_ended():
+            ended = np.flatnonzero(self.terminated | self.truncated)
+        sums = Sums(self.batch) if repeat > 1 else None
+        for left in reversed(range(repeat)):  # a match that is over waits
+            self.batch.discount(last and left == 0)
+            self._control_step(numbers)
+            if sums is not None:
+                sums.add()
+        if sums is not None:
+            sums.hand_over()
+        if mode == "same_step":
+            return self._restart_same_step()
+        if len(ended):
+            self._restart_next_step(ended)
+        elif np.count_nonzero(self.terminated):
+            for m in np.flatnonzero(self.terminated).tolist():  # who stands still shows what was asked of it, too
+                self.batch.observe_anew(m, m + 1)
+        return self.observations, self.rewards, self.terminated, self.truncated
+
+    def _check_actions(self, actions: Any) -> np.ndarray:
+        """Return the actions as numbers; ValueError names the first agent whose action is wrong or missing."""
+        if actions is not None:
+            return numbers_for(self.settings.actions, actions, self.agents, self.learns, self.count)
+        if self.learns.any():
+            agent = self.agents[int(np.argmax(self.learns))]
+            raise ValueError(f"actions are missing for {agent}: no team plays it")
+        return self._no_actions
+
+    def _control_step(self, numbers: np.ndarray) -> None:
+        """Run one control step: compiled in slices of matches, users' own Python for all of them before and after."""
+        self._own_terms.begin(self)
+        self._decide_in_python()
+        if self.recorder is not None:  # it notes all commands before anybody moves
+            self._decide(numbers, 0, self.count)
+            self.recorder.note_commands(self.robots["command"])
+        if self._pool is None or not self._stepped:  # the first step may compile, which no interrupt ends in a thread
+            self._step_slice(numbers, 0, self.count)
+        else:
+            edges = [self.count * i // self.threads for i in range(self.threads + 1)]
+            self._pool.map(partial(self._step_slice, numbers), edges[:-1], edges[1:])
+        self._own_terms.pay(self)
+        self._observe_own()
+        if self.recorder is not None:
+            self.recorder.note_state(self)
+
+    def _step_slice(self, numbers: np.ndarray, first: int, last: int) -> None:
+        """Run one control step of a slice of matches, block by block."""
+        batch = self.batch
+        for start in range(first, last, BLOCK):
+            stop = min(start + BLOCK, last)
+            if self.recorder is None:
+                self._decide(numbers, start, stop)  # commands of learners and teams
+            batch.act(start, stop)  # drive, physics, referee, restart, rewards
+            batch.sense(start, stop)  # percepts
+            batch.tell(start, stop)  # how the match stands
+            batch.believe(start, stop)  # beliefs and tracks
+            batch.observe(start, stop)  # what learners get
+
+    def _decide(self, numbers: np.ndarray, first: int, last: int) -> None:
+        """Fill the commands of a slice: learners' actions, and compiled teams."""
+        take_actions(self.robots, numbers, first, last, self.learns)
+        self._decide_compiled(first, last)
+
+    def _decide_compiled(self, first: int, last: int) -> None:
+        """Fill the commands that the compiled teams of a slice give."""
+        if len(self._readers):
+            self.batch.read(self._readers, first, last)
+        for squad in self.squads:
+            if squad.compiled:
+                run_compiled(squad, self._team_arrays, self.batch.write_observations, first, last)
+
+    def decide(self) -> np.ndarray:
+        """Let the compiled teams decide from the records as they stand, without a step; return commands (M, R).
+
+        Robots that no team plays keep the command that they had.
+        """
+        self._decide_compiled(0, self.count)
+        commands: np.ndarray = self.robots["command"]
+        return commands
+
+    def _decide_in_python(self) -> None:
+        """Let teams without a kernel decide, in all matches at once."""
+        for squad in self.squads:
+            if not squad.compiled:
+                self.batch.read(squad.players, 0, self.count)
+                with standing(self, squad.team.name):
+                    run_python(squad, self.league, self.batch.beliefs, self.batch.tracks, self.robots)
+
+    def _observe_own(self) -> None:
+        """Fill the observations that a user's own code makes."""
+        if self.seen.own:
+            self.seen.fill(self)
+
+    # Starting again
+
+    def _restart_next_step(self, ended: np.ndarray) -> None:
+        """Begin new episodes in the matches that had ended before this step, which earns them no reward."""
+        self._begin(ended, self.matches["episode"] + 1)
+        self.rewards[ended] = 0.0
+        self.terms[ended] = 0.0
+
+    def _restart_same_step(self) -> Transition:
+        """Begin new episodes at once where one ended: `ended` (rows); `final` has their last records, and "state"."""
+        if not self._has_ended():
+            self.ended = NOBODY
+            return self.observations, self.rewards, self.terminated, self.truncated
+        terminated, truncated = self.terminated.copy(), self.truncated.copy()
+        self.ended = np.flatnonzero(terminated | truncated)
+        self.final = truth_state.Final(self.settings, {name: pick(getattr(self, name), self.ended) for name in FINAL})
+        self._begin(self.ended, self.matches["episode"] + 1)
+        return self.observations, self.rewards, terminated, truncated
+
+    def _has_ended(self) -> bool:
+        """Tell whether any episode has ended."""
+        return bool(np.count_nonzero(self.terminated) or np.count_nonzero(self.truncated))
+
+    def close(self) -> None:
+        """End the threads."""
+        if self._pool is not None:
+            self._pool.shutdown()

@@ -1,0 +1,28 @@
+"""Save, restore, hash and branch matches: bytes with a checked header, or copies in memory; nothing executable.
+
+saves.py      a match as bytes and back, hashes, copies by pickle
+fitting.py    in which settings two matches differ that do not fit each other
+checks.py     whether the numbers of a save can come from a match
+branches.py   matches of one Match copied over matches of another, in memory
+branching.py  the methods of Match that do all that
+whole.py      what guards them: one thread at a time, whole or not at all
+"""
+
+from soccer_env.match.saving.branching import Branching
+from soccer_env.match.saving.saves import by_save, dump, open_save, parts, play_hash, restore, state_hash
+from soccer_env.match.saving.whole import calls_python, signals_wait, undoing, whole
+
+__all__ = [
+    "Branching",
+    "by_save",
+    "calls_python",
+    "dump",
+    "open_save",
+    "parts",
+    "play_hash",
+    "restore",
+    "signals_wait",
+    "state_hash",
+    "undoing",
+    "whole",
+]

@@ -1,0 +1,75 @@
+"""Steps, resets, loads and branches that happen whole or not at all, each in one thread at a time."""
+
+from collections.abc import Iterator
+from typing import Any, TypeVar
+
+import numpy as np
+
+from soccer_env.guards.turns import GoBack, in_turn
+from soccer_env.match.saving.saves import kept
+from soccer_env.scenes import is_own
+
+Match = Any  # soccer_env.match.match.Match, which stands above this file
+T = TypeVar("T")
+CHANGING = ("reset", "step", "decide", "load", "_take")  # methods that change records
+METHODS = (*CHANGING, "rebuild", "save", "branch")
+UNMOVED = ("step", "decide")  # methods that leave the physics of a match alone whose step and episode stay the same
+
+
+def whole(kind: type[T]) -> type[T]:
+    """Let what changes a match be one thread's alone, and be done or not done, whatever raises in it."""
+    return in_turn(kind, METHODS, calls_python, undoing)
+
+
+def undoing(match: Match, doing: str) -> GoBack | None:
+    """Return what makes a match again what it is now; None at its first reset.
+
+    The physics is left alone if it has not moved, else it is rebuilt as by a load.
+    """
+    if match.batch.physics.spaces[0] is None:
+        return None
+    arrays = shown(match) if doing in CHANGING else {"matches": match.matches}
+    before = {name: array.copy() for name, array in arrays.items()}
+    ended, final, recorder, started = match.ended, match.final, match.recorder, match.started
+    written = recorder.length() if recorder is not None else None
+
+    def go_back() -> None:
+        record, old = arrays["matches"], before["matches"]
+        moved = (record["step"] != old["step"]) | (record["episode"] != old["episode"]) | (doing not in UNMOVED)
+        for name, values in before.items():
+            arrays[name][...] = values
+        match.ended, match.final = ended, final
+        if recorder is not None:
+            recorder.cut(written)
+        match.started = started
+        if started and moved.any():
+            match.rebuild(np.flatnonzero(moved).tolist())
+
+    return go_back
+
+
+def shown(match: Match) -> dict[str, np.ndarray]:
+    """Return all arrays of a match that a step, reset or load changes, by name."""
+    seen = dict(leaves("observations", match.observations))
+    return {**kept(match, True), "rewards": match.rewards, "terms": match.terms, **seen}
+
+
+def leaves(name: str, observations: Any) -> Iterator[tuple[str, np.ndarray]]:
+    """Yield the arrays of observations, which are dicts of such where teams or a user's own observe several."""
+    if isinstance(observations, np.ndarray):
+        yield name, observations
+    else:
+        for key, part in observations.items():
+            yield from leaves(f"{name} {key}", part)
+
+
+def signals_wait(match: Match, doing: str) -> bool:
+    """Tell whether signals wait while a match does something: not where it calls code of a user, or may compile."""
+    return doing in match._turn.sure
+
+
+def calls_python(match: Match) -> bool:
+    """Tell whether a match calls a team, an observation, a reward or a scene in Python."""
+    settings = match.settings
+    own = not isinstance(settings.observe, str) or bool(settings.rewards.extra) or is_own(settings.scene)
+    return own or not all(squad.compiled for squad in match.squads)

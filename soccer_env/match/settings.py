@@ -1,0 +1,200 @@
+"""The settings of a match, checked: every name resolved, every number in range."""
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, is_dataclass, replace
+from math import ceil, inf, isfinite
+from typing import TYPE_CHECKING, Any, get_args
+
+import numpy as np
+
+from soccer_env.actions import ActionKind
+from soccer_env.guards.checking import one_of, refuse, whole_number
+from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.leagues.league import League
+from soccer_env.leagues.rules import Rules, rule_set
+from soccer_env.match.arguments import FREE, MatchSettings, Senses, part_of
+from soccer_env.observations.own import Sides, check_observe
+from soccer_env.rewards import Rewards, find_rewards
+from soccer_env.scenes import SUCCESS, Scene, find_scene
+from soccer_env.types import MAX_TEAM
+
+SENSES = get_args(Senses)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Settings(MatchSettings):
+    """What a Match follows from, beside its seeds and actions: its settings, every name resolved."""
+
+    if TYPE_CHECKING:  # what they are once they are found
+        league: League
+        home: int
+        away: int
+        max_players: int  # room for players a side in `state()`
+        senses: tuple[str, str]  # of home, of away
+        actions: ActionKind
+        scene: Scene
+        rewards: Rewards
+    padded: bool  # True: both teams have max_players rows, those too many inactive
+
+    @property
+    def rows(self) -> tuple[int, int]:
+        """Return how many rows the robots of home and of away take."""
+        return (self.max_players, self.max_players) if self.padded else (self.home, self.away)
+
+    @property
+    def agents(self) -> list[str]:
+        """Return the names of the robots, a row each, home first."""
+        return [f"{side}_{i}" for side, size in zip(("home", "away"), self.rows, strict=True) for i in range(size)]
+
+    @property
+    def observes(self) -> tuple[Any, Any]:
+        """Return what home and away observe."""
+        found = self.observe
+        return (found.home, found.away) if isinstance(found, Sides) else (found, found)
+
+    @property
+    def half_length(self) -> float:
+        """Return the length of a half [s]; inf where no clock ends the episode."""
+        if self.minutes is not None:
+            return 30.0 * self.minutes
+        return 60.0 * self.league.rules.half_minutes if self.episode == "match" else inf
+
+    @property
+    def limit(self) -> int:
+        """Return the control steps after which an episode is truncated."""
+        return np.iinfo(np.int64).max if self.max_cycles is None else self.max_cycles * self.action_repeat
+
+    @property
+    def episode_limit(self) -> int | None:
+        """Return the steps (of `action_repeat` control steps) that an episode lasts at most; None: it has no end."""
+        rate = self.league.control_rate
+        limits = [float(self.limit)] if self.max_cycles is not None else []
+        if self.episode == "drill":
+            limits.append(ceil(self.scene.time_limit * rate) if isfinite(self.scene.time_limit) else inf)
+        if isfinite(self.half_length) and not self.league.rules.shoot_out:
+            limits.append(2.0 * ceil(self.half_length * rate))
+        least = min(limits, default=inf)
+        return ceil(least / self.action_repeat) if isfinite(least) else None
+
+    def constants(self) -> np.ndarray:
+        """Return the (1,) record of numbers for compiled code."""
+        record = constants_of(self.league)
+        record["placement_by_driving"] = self.placement == "drive"
+        record["end_at_goal"] = self.episode == "goal"
+        if self.episode == "drill" and isinstance(self.scene.success, str):  # a function is asked in `user_code`
+            record["drill"], record["drill_time"] = SUCCESS[self.scene.success], self.scene.time_limit
+        return record
+
+    def describe(self) -> dict[str, Any]:
+        """Return the settings as plain values, for reports and files."""
+        return {item.name: plain(getattr(self, item.name)) for item in fields(self) if not item.metadata.get("part")}
+
+    def fingerprint(self) -> str:
+        """Return a hash of everything that a match's future depends on."""
+        relevant = {name: value for name, value in self.describe().items() if name not in FREE} | {"limit": self.limit}
+        return hashlib.sha256(json.dumps(relevant, sort_keys=True).encode()).hexdigest()[:16]
+
+
+def plain(value: Any) -> Any:
+    """Return a value as something that JSON can hold."""
+    if is_dataclass(value) and not isinstance(value, type):
+        return {name: plain(part) for name, part in vars(value).items()}
+    if isinstance(value, Mapping):
+        return {str(name): plain(part) for name, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(part) for part in value]
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value if not (isinstance(value, float) and not isfinite(value)) else str(value)
+    return f"{getattr(value, '__module__', '')}.{getattr(value, '__qualname__', type(value).__qualname__)}"
+
+
+def check_senses(senses: Any) -> tuple[str, str]:
+    """Return how the beliefs of home and of away are filled; in a mapping by team, what is left out is "sensors"."""
+    if isinstance(senses, Mapping):
+        if not set(senses) <= {"home", "away"}:
+            raise ValueError(f"senses by team must have the keys home and away, got {sorted(map(str, senses))}")
+        both = (senses.get("home", "sensors"), senses.get("away", "sensors"))
+    elif isinstance(senses, tuple) and len(senses) == 2:
+        both = senses
+    else:
+        both = (senses, senses)
+    return one_of("senses", both[0], SENSES), one_of("senses", both[1], SENSES)
+
+
+def check_options(name: str, value: Any, base: Any) -> Any:
+    """Return sensor or memory settings: the league's own, changed by a mapping of names, or an object of that kind."""
+    if value is None:
+        return base
+    if isinstance(value, Mapping):
+        changed: Any = base.changed(value)
+        return changed
+    if isinstance(value, type(base)):
+        return value
+    refuse(name, f"a mapping of names to values or a {type(base).__name__}", value)
+
+
+def with_sensors(league: League, sensors: Any, memory: Any) -> League:
+    """Return the league with the sensors and the memory asked for."""
+    if sensors is None and memory is None:
+        return league
+    return replace(
+        league,
+        sensors=check_options("sensors", sensors, league.sensors),
+        memory=check_options("memory", memory, league.memory),
+    )
+
+
+def find_rules(league: League, rules: Any, scene: Scene, episode: str) -> League:
+    """Return the league with the rule set asked for; nothing asked: that of the drill, or the league's own."""
+    if isinstance(rules, Rules):
+        return replace(league, rules=rules)
+    if rules is None:
+        rules = scene.rules if episode == "drill" else "league"
+    return replace(league, rules=rule_set(league.rules, rules)) if rules != "league" else league
+
+
+def check_keeper(keeper: Any, home: int, away: int) -> int:
+    """Return the goalkeeper's number; a team of one has none, every other team must have that number."""
+    sizes = [size for size in (home, away) if size >= 2]
+    return whole_number("keeper", keeper, 0, min(sizes, default=MAX_TEAM) - 1)
+
+
+def make_settings(asked: MatchSettings) -> Settings:
+    """Return the settings with every name resolved; ValueError names the setting, the value and what is allowed."""
+    scene = find_scene(asked.scene)
+    league = find_rules(find_league(asked.league), asked.rules, scene, asked.episode)
+    league = with_sensors(league, asked.sensors, asked.memory)
+    home = league.team_size if asked.home is None else asked.home
+    away = league.team_size if asked.away is None else asked.away
+    largest = max(home, away)
+    most = largest if asked.max_players is None else asked.max_players
+    found: dict[str, Any] = {
+        "league": league,
+        "home": home,
+        "away": away,
+        "max_players": whole_number("max_players", most, largest, MAX_TEAM),
+        "padded": asked.max_players is not None,
+        "observe": check_observe(asked.observe),
+        "senses": check_senses(asked.senses),
+        "actions": asked.actions if isinstance(asked.actions, ActionKind) else ActionKind(asked.actions),
+        "scene": scene,
+        "rewards": find_rewards(asked.rewards),
+        "keeper": check_keeper(asked.keeper, home, away),
+    }
+    scene.check(league, home, away)
+    check_drill(asked, scene)
+    return Settings(**{**part_of(asked, MatchSettings), **found})
+
+
+def check_drill(asked: MatchSettings, scene: Scene) -> None:
+    """Raise ValueError for a drill that cannot be judged, or that has two limits of time."""
+    if asked.episode == "drill" and scene.success == "none":
+        raise ValueError(f"episode 'drill' needs a scene with a success test, and {scene.name!r} has none")
+    if asked.episode == "drill" and asked.minutes is not None:
+        raise ValueError(f"minutes must be None in a drill, whose scene has its own time limit, got {asked.minutes!r}")
+
+
+__all__ = ["SENSES", "Settings", "make_settings"]

@@ -1,0 +1,239 @@
+"""Who plays which robot of a match: learners from outside, or teams inside."""
+
+import dataclasses
+import hashlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip
+from soccer_env.leagues.league import League
+from soccer_env.match.settings import Settings
+from soccer_env.observations import names_of
+from soccer_env.teams import CompiledTeam, Lineup, ObservingTeam, Team, TeamRandom, View, called, make_team
+from soccer_env.teams.function_teams import FunctionTeam
+from soccer_env.types import AWAY, COMMAND, HOME
+
+LONG = 4096  # characters of a team's settings in a save; longer ones are hashed
+WriteObservations = Callable[[np.ndarray, str, np.ndarray, int, int], None]  # into (M, R, n), of what, rows, slice
+NEEDED_SENSES = {"truth": "ideal", "percepts": "sensors"}  # by what a team observes
+
+
+class TeamArrays(NamedTuple):
+    """The arrays of whole matches that compiled teams read, and the commands that they write."""
+
+    beliefs: np.ndarray  # (M, R) BELIEF
+    tracks: np.ndarray  # (M, R, slots) TRACK
+    noise: np.ndarray  # (M, R, streams) the robots' own noise
+    commands: np.ndarray  # (M, R) COMMAND
+    constants: np.ndarray  # (1,) CONSTANTS
+
+
+@dataclass
+class Squad:
+    """A team and the robots of one side that it plays, with its memory (M, P)."""
+
+    team: Team
+    players: np.ndarray  # (P,) rows
+    memory: np.ndarray
+    observations: np.ndarray  # (M, R, n) of a team that decides from them, else (M, R, 0)
+    name: str  # what a lineup calls it, else what results do, see `teams.registry.called`
+    lineup: Lineup | None = None  # that it is a part of
+    place: int = 0  # in the lineup
+    plays: np.ndarray | None = None  # (M,) of a team of a lineup: in which matches it plays now
+    _runs: dict[tuple[int, int], tuple[bytes, list[tuple[int, int]]]] = dataclasses.field(default_factory=dict)
+
+    def describe(self) -> list[Any]:
+        """Return who plays which robots: what a save has to agree with."""
+        settings = getattr(self.team, "settings", None)
+        given = settings.tobytes().hex() if isinstance(settings, np.ndarray) else ""
+        if len(given) > LONG:
+            given = hashlib.sha256(given.encode()).hexdigest()
+        return [self.name, given, self.players.tolist()]
+
+    @property
+    def compiled(self) -> bool:
+        """Tell whether the team runs without Python."""
+        return isinstance(self.team, CompiledTeam)
+
+    @property
+    def reads_beliefs(self) -> bool:
+        """Tell whether its kernel reads beliefs: others are blind, or decide from observations."""
+        team = self.team
+        return isinstance(team, CompiledTeam) and not (team.blind or isinstance(team, ObservingTeam))
+
+    def runs(self, first: int, last: int) -> list[tuple[int, int]]:
+        """Return the slices of a slice of matches in which the team plays."""
+        if self.plays is None:
+            return [(first, last)]
+        plays = self.plays[first:last].tobytes()
+        if self._runs.get((first, last), (b"",))[0] != plays:  # who plays changes when an episode begins
+            steps = np.flatnonzero(np.diff(self.plays[first:last], prepend=False, append=False)) + first
+            self._runs[first, last] = plays, list(zip(steps[::2].tolist(), steps[1::2].tolist(), strict=True))
+        return self._runs[first, last][1]
+
+
+def assign(agents: list[str], home: int, opponents: Any, teammates: Any, controllers: Any) -> dict[str, Any]:
+    """Return agent id -> team for the agents that a team plays; team-mates leave home's last robot that plays.
+
+    `controllers` maps agent ids, or "home" and "away", to teams.
+    """
+    who: dict[str, Any] = {}
+    sides = {side: [agent for agent in agents if agent.startswith(side)] for side in ("home", "away")}
+    if opponents is not None:
+        who.update(dict.fromkeys(sides["away"], opponents))
+    if teammates is not None:
+        learner = sides["home"][home - 1]
+        who.update({agent: teammates for agent in sides["home"] if agent != learner})
+    if controllers is not None and not isinstance(controllers, Mapping):
+        raise ValueError(f"controllers must map agents or sides to teams, got {controllers!r}")
+    for name, team in sorted((controllers or {}).items(), key=lambda item: item[0] not in sides):
+        for agent in sides.get(name, [name]):
+            if agent not in agents:
+                raise ValueError(f"unknown agent {agent!r} in controllers; known: {', '.join(agents)}, home, away")
+            who[agent] = team
+    return {agent: team for agent, team in who.items() if team is not None}
+
+
+def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matches: int) -> list[Squad]:
+    """Return the squads: one for each distinct team on each side, or one for each team of a lineup."""
+    squads: list[Squad] = []
+    made: dict[tuple[str, Any], list[int]] = {}
+    for row, agent in enumerate(agents):
+        if agent in who:
+            team = who[agent]
+            key = (agent.split("_")[0], team if isinstance(team, str) else id(team))
+            made.setdefault(key, []).append(row)
+    for rows in made.values():
+        given, players = who[agents[rows[0]]], np.array(rows, np.int64)
+        if not isinstance(given, Lineup):
+            squads.append(make_squad(make_team(given), players, settings, matches, len(agents)))
+            squads[-1].name = called(given, squads[-1].team)
+            continue
+        for place, team in enumerate(given.teams):
+            squad = make_squad(team, players, settings, matches, len(agents))
+            squad.name = given.names[place]
+            squad.lineup = given
+            squad.place = place
+            squad.plays = np.zeros(matches, bool)
+            squads.append(squad)
+    return squads
+
+
+def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int, robots: int) -> Squad:
+    """Return a team on its rows (P,); ValueError if it does not play the league, or cannot play with these senses."""
+    check = getattr(team, "check_league", None)
+    if check is not None:
+        check(settings.league)
+    observed = 0
+    if isinstance(team, (ObservingTeam, FunctionTeam)):
+        senses = settings.senses[int(players[0] >= settings.rows[0])]
+        needed = NEEDED_SENSES.get(team.observe, senses) if isinstance(team.observe, str) else senses
+        if senses != needed:
+            raise ValueError(
+                f"team {team.name!r} observes {team.observe}: it needs senses={needed!r}, got {senses!r} "
+                f"(a command takes --senses {needed}; a policy trained with observe='belief' plays by either)"
+            )
+        observed = len(names_of(settings.league, team.observe))
+    memory = np.zeros((matches, len(players)), check_memory(team))
+    return Squad(team, players, memory, np.zeros((matches, robots, observed), np.float32), team.name)
+
+
+def choose_teams(squads: list[Squad], home: int, m: int, seed: int, episode: int) -> None:
+    """Let the teams that lineups choose play the coming episode of match m; home's are the first `home` rows."""
+    for squad in squads:
+        if squad.lineup is not None and squad.plays is not None:
+            side = AWAY if squad.players[0] >= home else HOME
+            squad.plays[m] = squad.lineup.choose(seed, episode, side) == squad.place
+
+
+def check_memory(team: Team) -> np.dtype:
+    """Return the dtype of a team's memory; ValueError if a match cannot save it."""
+    try:
+        dtype = np.dtype(team.memory_dtype)
+    except TypeError as error:
+        raise ValueError(f"memory_dtype of team {team.name!r} is no dtype: {team.memory_dtype!r}") from error
+    if dtype.hasobject or (dtype.itemsize == 0 and dtype.names != ()):
+        raise ValueError(f"memory_dtype of team {team.name!r} must hold plain numbers, got {dtype}")
+    return dtype
+
+
+@compiled
+def clip_commands(commands, players, first, last):
+    """Clip the commands of some robots into [-1, 1]; return the first (m, r) that is not finite, or (-1, -1)."""
+    for m in range(first, last):
+        for r in players:
+            command = commands[m, r]
+            total = command.forward + command.left + command.turn + command.kick
+            total += command.head + command.pan + command.tilt
+            if total - total != 0.0:
+                return m, r
+            command.forward, command.left = clip(command.forward, -1.0, 1.0), clip(command.left, -1.0, 1.0)
+            command.turn, command.kick = clip(command.turn, -1.0, 1.0), clip(command.kick, -1.0, 1.0)
+            command.head, command.pan = clip(command.head, -1.0, 1.0), clip(command.pan, -1.0, 1.0)
+            command.tilt = clip(command.tilt, -1.0, 1.0)
+    return -1, -1
+
+
+def run_compiled(squad: Squad, arrays: TeamArrays, write: WriteObservations, first: int, last: int) -> None:
+    """Let a compiled team decide in a slice of matches; ValueError if a command is not finite."""
+    team: Any = squad.team
+    runs = squad.runs(first, last)
+    if not runs:
+        return
+    beliefs, tracks, noise, commands, k = arrays
+    rows = squad.players
+    for run in runs:
+        if not isinstance(team, ObservingTeam):
+            team.kernel(beliefs, tracks, squad.memory, noise, commands, rows, k, team.settings, *run)
+            continue
+        if not squad.memory["wait"][slice(*run)].all():
+            write(squad.observations, team.observe, rows, *run)
+        team.kernel(squad.observations, squad.memory, commands, rows, k, team.settings, *run)
+    m, r = clip_commands(commands, rows, first, last)
+    if m >= 0:
+        command = commands[m, r].item()
+        for name in COMMAND.names or ():
+            commands[name][m, r] = 0.0
+        raise ValueError(f"team {team.name!r} gave robot {r} of match {m} a command that is not finite: {command}")
+
+
+def run_python(squad: Squad, league: League, beliefs: np.ndarray, tracks: np.ndarray, robots: np.ndarray) -> None:
+    """Let a Python team decide where it plays; ValueError, and nothing changed, if it returns nonsense."""
+    matches = np.arange(len(robots)) if squad.plays is None else np.flatnonzero(squad.plays)
+    if not len(matches):
+        return
+    at, players = np.ix_(matches, squad.players), squad.players
+    view = View(league, beliefs[at], tracks[at])
+    memory, states = squad.memory[matches], robots["noise"][matches]
+    commands = checked_commands(
+        squad.team.name, squad.team.act(view, memory, TeamRandom(states, players)), view.beliefs.shape
+    )
+    if memory.shape != squad.memory[matches].shape:
+        raise ValueError(f"team {squad.team.name!r} gave its memory the shape {memory.shape}, not {view.beliefs.shape}")
+    squad.memory[matches], robots["noise"][matches] = memory, states
+    for index, name in enumerate(COMMAND.names or ()):
+        column = commands[..., index] if index < commands.shape[-1] else (-1.0 if name == "head" else 0.0)
+        robots["command"][name][at] = column
+
+
+def checked_commands(name: str, returned: Any, shape: tuple[int, ...]) -> np.ndarray:
+    """Return what a Python team commands (M, P, 4 or 7), clipped; ValueError for nonsense."""
+    commands = np.asarray(returned, np.float64)
+    if commands.shape not in ((*shape, 4), (*shape, 7)):
+        raise ValueError(f"team {name!r} returned commands of shape {commands.shape}, not {shape} x 4 or 7")
+    if not np.isfinite(commands).all():
+        raise ValueError(f"team {name!r} returned a command that is not finite")
+    return np.clip(commands, -1.0, 1.0)
+
+
+def who_plays(squads: list[Squad], row: int, matches: int) -> np.ndarray:
+    """Return what the team is called that plays a robot (row) now, (M,) objects; "" for a learner."""
+    names = np.full(matches, "", object)
+    for squad in squads:
+        if row in squad.players:
+            names[slice(None) if squad.plays is None else squad.plays] = squad.name
+    return names

@@ -1,0 +1,138 @@
+"""Stage running matches for experiments: put robots and ball somewhere, and reach what the parts of a match keep.
+
+    put(match, 0, x=0.0, y=0.0); put_ball(match, 0.5, 0.0)      records are set directly
+    begin(match)                                                bodies and senses then follow from them
+
+Claims (`train/papers/staging.py`) and tests (`tests/scenes/staging.py`) build on it. Whoever stages a match reaches
+inside it through this file alone: what robots, players and sensors keep may move.
+"""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from soccer_env.leagues import find_league
+from soccer_env.leagues.league import League
+from soccer_env.leagues.rules import rule_set
+from soccer_env.match import Match
+from soccer_env.match.squads import Squad
+from soccer_env.physics.parking import parking_place
+from soccer_env.scenes.drills_legged import PATIENT as PATIENT
+from soccer_env.types import NO_TEAM
+
+
+def patient(league: str | League) -> League:
+    """Return the league with a referee who never calls a stuck ball, whistles for nothing and pulls nobody apart."""
+    found = find_league(league)
+    return replace(found, rules=rule_set(found.rules, PATIENT))
+
+
+def set_phase(match: Match, phase: int) -> None:
+    """Set the phase of play, nobody to take a restart."""
+    match.matches["phase"], match.matches["restart_team"] = phase, NO_TEAM
+    match.matches["phase_clock"] = 0.0
+
+
+def send_off(match: Match, rows: Iterable[int]) -> None:
+    """Park robots off the field."""
+    for r in rows:
+        match.robots["active"][:, r] = 0
+        match.robots["x"][:, r], match.robots["y"][:, r], match.robots["heading"][:, r] = parking_place(r)
+
+
+def put(match: Match, r: Any, x: Any, y: Any, heading: Any = 0.0, forward: Any = 0.0, left: Any = 0.0) -> None:
+    """Put robot r (or several) of every match on the field [m, rad, field frame], walking [m/s, robot frame]."""
+    robots = match.robots
+    robots["active"][:, r] = 1
+    robots["x"][:, r], robots["y"][:, r], robots["heading"][:, r] = x, y, heading
+    cosine, sine = np.cos(heading), np.sin(heading)
+    robots["vx"][:, r], robots["vy"][:, r] = cosine * forward - sine * left, sine * forward + cosine * left
+    robots["omega"][:, r] = 0.0
+    for name, speed in (("forward", forward), ("left", left), ("turn", 0.0)):
+        robots["walk"][name][:, r] = robots["target"][name][:, r] = speed
+        robots["delayed"][name][:, r] = np.asarray(speed)[..., None]
+
+
+def put_ball(match: Match, x: Any, y: Any, vx: Any = 0.0, vy: Any = 0.0, rolls: bool = True) -> None:
+    """Put the ball of every match somewhere [m, field frame], rolling [m/s], or sliding as after a kick."""
+    ball = match.balls
+    ball["x"], ball["y"], ball["vx"], ball["vy"] = x, y, vx, vy
+    ball["roll_x"], ball["roll_y"] = (vx, vy) if rolls else (0.0, 0.0)
+    ball["spin"] = 0.0
+    match.matches["still_x"], match.matches["still_y"] = x, y
+    match.matches["still_clock"] = 0.0
+
+
+def begin(match: Match, placed: bool = False) -> None:
+    """Let a staged scene begin: bodies where the records say, and robots that have seen nothing yet.
+
+    `placed`: robots know where they were put, as after a restart, and take their first look.
+    """
+    match.rebuild()
+    if match.batch.senses is not None:
+        for m in range(match.count):
+            match.batch.senses.start(m)
+    if placed:
+        match.robots["placed"] = match.robots["active"]
+        for m in range(match.count):
+            match.batch.look_first(m)
+
+
+# What the parts of a match keep: views, to be read and changed
+
+
+def squad_of(match: Match, r: int) -> Squad:
+    """Return the squad that plays robot r; ValueError for a robot that is played from outside."""
+    for squad in match.squads:
+        if r in squad.players:
+            return squad
+    raise ValueError(f"robot {r} is played from outside: no team of the match remembers anything for it")
+
+
+def memory_of(match: Match, r: int = 0) -> np.ndarray:
+    """Return what the player of robot r remembers (M,), its team's own record."""
+    squad = squad_of(match, r)
+    memory: np.ndarray = squad.memory[:, int(np.flatnonzero(squad.players == r)[0])]
+    return memory
+
+
+def team_settings_of(match: Match, r: int = 0) -> np.ndarray:
+    """Return the records (rows,) of settings that the compiled team of robot r reads."""
+    settings: np.ndarray = squad_of(match, r).team.settings  # type: ignore[attr-defined]  # of compiled teams alone
+    return settings
+
+
+def sensors_of(match: Match) -> np.ndarray:
+    """Return the record (1,) of the sensor settings that the running match reads."""
+    settings: np.ndarray = _senses_of(match).sensors
+    return settings
+
+
+def memory_settings_of(match: Match) -> np.ndarray:
+    """Return the record (1,) of the memory settings, of sensors and beliefs, that the running match reads."""
+    settings: np.ndarray = _senses_of(match).memory_settings
+    return settings
+
+
+def constants_of(match: Match) -> np.ndarray:
+    """Return the record (1,) of the league's constants that the running match reads."""
+    return match.batch.constants
+
+
+def set_mass(match: Match, rows: Iterable[int], mass: float, moment: float) -> None:
+    """Give robots another mass [kg] and moment of inertia [kg m2], until their Space is rebuilt."""
+    match.batch.physics.forget()
+    for space in match.batch.physics.spaces:
+        bodies = [] if space is None else list(space.bodies)
+        for r in rows:
+            body = bodies[1 + r]  # the ball comes first
+            body.mass, body.moment = mass, moment
+
+
+def _senses_of(match: Match) -> Any:
+    """Return the senses of a match; ValueError if nobody uses its sensors."""
+    if match.batch.senses is None:
+        raise ValueError("nobody in this match uses its sensors")
+    return match.batch.senses

@@ -1,0 +1,294 @@
+"""One control step of a slice of matches, from commands to observations, in compiled code.
+
+    commands -> drive -> physics -> referee -> restart -> statistics -> rewards -> observe
+                begin_match         finish_match
+
+Between the two `physics.engine.chipmunk` moves the Spaces on, in the same compiled loop, or Python does it for a whole
+slice. Rewards come after the restart: goals are read from the events, and shaping looks at the state that the next
+observation shows.
+
+`k`: the league's constants.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from soccer_env.compiled import compiled, inlined
+from soccer_env.compiling.borrowing import borrowed, keep
+from soccer_env.observations.truth import observe_truth
+from soccer_env.physics.ball import hold, limit_speed, slow_down
+from soccer_env.physics.contacts import find_collisions, find_touches
+from soccer_env.physics.drive import drive, move_head
+from soccer_env.physics.engine.chipmunk import fetch, step_match, write_bodies
+from soccer_env.physics.engine.prefetch import fetch_row
+from soccer_env.physics.exchange import count_substeps, is_finite, read_records, weigh_ball, write_rows, write_twists
+from soccer_env.physics.kicker import holds_ball, kicked_by, work_kicker
+from soccer_env.physics.solver.contacts import stance_of
+from soccer_env.physics.solver.interlock import catch_legs
+from soccer_env.records.world import World
+from soccer_env.referee.calls import judge
+from soccer_env.referee.formation import looks_on
+from soccer_env.referee.fouls.judging import judge_fouls
+from soccer_env.referee.fouls.penalties import pardon, serve_penalties
+from soccer_env.referee.restarts import carry_out_restart, end_placing
+from soccer_env.referee.separation import pull_apart, watch_contacts
+from soccer_env.referee.steering import steer_to_place
+from soccer_env.rewards import POTENTIALS, measure_potentials, reward_robots
+from soccer_env.scenes import judge_drill
+from soccer_env.statistics.counting import count_calls, count_step, is_notable
+from soccer_env.statistics.players import count_player
+from soccer_env.statistics.records import OFTEN
+from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
+
+PLAY = int(Phase.PLAY)
+GOES_ON, PUT_ELSEWHERE, BROKEN = 0, -1, -2  # how a match stands after a step; above 0: substeps that it waits for
+
+
+class Physics(NamedTuple):
+    """Rows of numbers that the physics gives back and is given, see `physics.engine.chipmunk`; of M matches."""
+
+    bodies: np.ndarray  # (M, rows, 6)
+    velocities: np.ndarray  # (M, rows, 3)
+    solvers: np.ndarray  # (M,) SOLVER
+
+
+class Outcome(NamedTuple):
+    """What a step means to those who learn from it, for M matches of R robots."""
+
+    rewards: np.ndarray  # (M, R)
+    terms: np.ndarray  # (M, R, terms)
+    observations: np.ndarray  # (M, R, n) of the truth; n is 0 if somebody else writes them
+    terminated: np.ndarray  # (M,)
+    truncated: np.ndarray  # (M,)
+    statistics: np.ndarray  # (M,) STATISTICS
+
+
+class Numbers(NamedTuple):
+    """What the settings say to a step."""
+
+    constants: np.ndarray  # (1,) CONSTANTS
+    weights: np.ndarray  # (1,) WEIGHTS
+    limit: int  # control steps after which an episode is truncated
+
+
+@compiled
+def step_slice(links, world, physics, outcome, numbers, first, last):
+    """Step the matches first, ..., last - 1; return the first whose physics broke down, or -1.
+
+    The whole step of a match runs before the next match begins, so that its records stay in the cache.
+    """
+    world, physics, outcome, numbers = named(world, physics, outcome, numbers)
+    k, weights = numbers.constants[0], numbers.weights[0]
+    owned = make_scratch(world.robots.shape[1])
+    before, scratch = borrowed(owned)
+    broken = -1
+    for m in range(first, last):
+        match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
+        events, robot_events = world.events[m], world.robot_events[m]
+        velocities, solver = physics.velocities[m], physics.solvers[m]
+        terms, rewards = outcome.terms[m], outcome.rewards[m]
+        fetch_match(links, world.robots, outcome.statistics, m + 1)
+        substeps = begin_match(
+            match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards
+        )
+        if substeps == 0:
+            continue
+        step_match(links, m, substeps, k.dt)
+        result = finish_match(
+            match, ball, robots, events, robot_events, physics.bodies[m], velocities, solver, k, weights,
+            before, scratch, terms, rewards, outcome.observations[m], outcome.statistics[m],
+        )  # fmt: skip
+        if result == PUT_ELSEWHERE:
+            write_bodies(links, m)
+        elif result == BROKEN:
+            broken = m if broken < 0 else broken
+            continue
+        note_end(match, outcome, m, k, numbers.limit)
+    keep(owned)
+    return broken
+
+
+@compiled
+def begin_slice(world, physics, outcome, numbers, before, substeps, first, last):
+    """Do the part of a step before the physics, for physics that Python steps: `before` (M, *POTENTIALS)."""
+    world, physics, outcome, numbers = named(world, physics, outcome, numbers)
+    before = borrowed(before)
+    for m in range(first, last):
+        substeps[m] = begin_match(
+            world.matches[m], world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
+            physics.velocities[m], physics.solvers[m], numbers.constants[0], numbers.weights[0],
+            before[m], outcome.terms[m], outcome.rewards[m],
+        )  # fmt: skip
+
+
+@compiled
+def finish_slice(world, physics, outcome, numbers, before, results, first, last):
+    """Do the part after the physics; `results` (M,) are substeps before and what `finish_match` says afterwards."""
+    world, physics, outcome, numbers = named(world, physics, outcome, numbers)
+    k, before = numbers.constants[0], borrowed(before)
+    owned = make_scratch(world.robots.shape[1])
+    _, scratch = borrowed(owned)
+    for m in range(first, last):
+        if results[m] == 0:
+            continue
+        match = world.matches[m]
+        results[m] = finish_match(
+            match, world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
+            physics.bodies[m], physics.velocities[m], physics.solvers[m], k, numbers.weights[0],
+            before[m], scratch, outcome.terms[m], outcome.rewards[m], outcome.observations[m], outcome.statistics[m],
+        )  # fmt: skip
+        if results[m] != BROKEN:
+            note_end(match, outcome, m, k, numbers.limit)
+    keep(owned)
+
+
+@compiled
+def named(world, physics, outcome, numbers):
+    """Return the bundles with names, borrowed, given as plain tuples."""
+    world, physics, outcome, numbers = borrowed(world), borrowed(physics), borrowed(outcome), borrowed(numbers)
+    return World(*world), Physics(*physics), Outcome(*outcome), Numbers(*numbers)
+
+
+# Below this line a match is its own records and rows.
+
+
+@compiled
+def begin_match(
+    match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards
+):  # fmt: skip
+    """Do what comes before the physics; return the number of substeps, 0 if the match is over and stands still."""
+    clear_events(events, robot_events)
+    terms[:] = 0.0
+    if match.over == 1:
+        rewards[:] = 0.0
+        return 0
+    measure_potentials(match, ball, robots, k, weights, before)
+    return begin_step(match, ball, robots, robot_events, velocities, solver, k)
+
+
+@compiled
+def finish_match(
+    match, ball, robots, events, robot_events, bodies, velocities, solver, k, weights,
+    before, scratch, terms, rewards, observations, tally,
+):  # fmt: skip
+    """Do what comes after the physics; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
+    if not is_finite(bodies, robots.shape[0] + 1):
+        return BROKEN
+    after, axes, rows, squares, touching = scratch
+    moved = finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, touching, tally)
+    measure_potentials(match, ball, robots, k, weights, after)
+    reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards)
+    if observations.shape[1] > 0:
+        observe_truth(match, ball, robots, observations, k, axes, rows, squares)
+    return PUT_ELSEWHERE if moved else GOES_ON
+
+
+@compiled
+def begin_step(match, ball, robots, robot_events, velocities, solver, k):
+    """Let robots drive, kick and turn their heads, and the ball roll; return the number of substeps."""
+    for r in range(robots.shape[0]):
+        robot = robots[r]
+        if match.placing == 1 or (match.shoot_out > 0 and looks_on(match, robots, r)):
+            steer_to_place(match, robot, k)
+        if k.legs == 1 and robot.gait_phase % k.gait_steps == 0:
+            catch_legs(robots, r, k, match.handedness)
+        drive(robot, k, match.step, match.handedness, stance_of(solver, r))
+        work_kicker(robots, r, robot_events[r], k, ball, match.handedness)
+        move_head(robot, k, ball)
+        robot.placed = 0
+        robot.fallen = max(robot.fallen - k.dt, 0.0)
+    limit_speed(ball, k)
+    if match.placing == 1:
+        hold(ball)
+    slow_down(ball, k, 0.5 * k.dt)
+    write_twists(ball, robots, velocities, solver, match.handedness)
+    weigh_ball(solver, match.placing)
+    return count_substeps(ball, robots, k)
+
+
+@compiled
+def finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, touching, tally):
+    """Read back what the physics did, and let the referee judge it; return whether bodies were put elsewhere."""
+    read_records(ball, robots, bodies, solver)
+    knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
+    slow_down(ball, k, 0.5 * k.dt)
+    limit_speed(ball, k)
+    dead = match.placing == 1  # a ball that is held cannot be touched
+    toucher = -1 if dead else find_touches(ball, robots, robot_events, k, knock_x, knock_y, match.handedness)
+    find_collisions(robots, robot_events, touching, k)
+    watch_contacts(robots, robot_events, touching, k)
+    match.step += 1
+    if dead:
+        end_placing(match, ball, robots, k)
+    moved = serve_penalties(match, ball, robots, robot_events, k) or dead
+    if not dead and match.over == 0:
+        moved = judge_fouls(match, ball, robots, events, robot_events, touching, k) or moved
+    judge(match, ball, robots, events, k, toucher if toucher >= 0 else kicked_by(ball, robots, robot_events))
+    if match.phase == PLAY and match.over == 0 and pull_apart(ball, robots, match, k):
+        events.separated = 1
+        moved = True
+    judge_drill(match, ball, robots, robot_events, events, k)
+    if events.restart != 0 and match.over == 0:
+        pardon(match, ball, robots, events, robot_events, k)
+        carry_out_restart(match, ball, robots, k, k.placement_by_driving)
+        moved = True
+    for r in range(robots.shape[0]):
+        note_possession(ball, robots[r], robot_events[r], k)
+        count_player(match, ball, robots, robot_events[r], r, k, tally)
+    count_step(match, ball, robots, events, k, tally)
+    if is_notable(events):
+        count_calls(match, robots, events, robot_events, bodies, tally)
+    if moved:
+        write_rows(ball, robots, bodies)
+    return moved
+
+
+@compiled
+def note_possession(ball, robot, events, k):
+    """Note whether a robot has the ball."""
+    robot.has_ball = 1 if robot.active == 1 and holds_ball(robot, k, ball.x, ball.y) else 0
+    events.possession = robot.has_ball
+
+
+@compiled
+def make_scratch(robots):
+    """Return arrays to work in: potentials before a step, and what `finish_match` needs.
+
+    That is potentials, axes of the robots (R, 2), rows and squared distances of players, and who touches whom (R,).
+    """
+    rows, squares, touching = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM), np.empty(robots, np.int64)
+    return np.empty(POTENTIALS), (np.empty(POTENTIALS), np.empty((robots, 2)), rows, squares, touching)
+
+
+@inlined
+def fetch_match(links, robots, statistics, m):
+    """Fetch what the step of match m touches into the cache, if there is such a match."""
+    if fetch(links, m):
+        fetch_row(robots, m, robots.strides[0])
+        fetch_row(statistics, m, OFTEN)
+
+
+@inlined
+def note_end(match, outcome, m, k, limit):
+    """Note of match m whether its episode has ended, or stops all the same.
+
+    It stops after `limit` control steps or a drill's time.
+    """
+    out_of_time = k.drill != 0 and match.step * k.dt >= k.drill_time - 0.5 * k.dt
+    outcome.terminated[m] = match.over == 1
+    outcome.truncated[m] = match.over == 0 and (match.step >= limit or out_of_time)
+
+
+@compiled
+def clear_events(events, robot_events):
+    """Forget the events of the last step."""
+    events.goal = events.restart_team = events.touch_team = events.foul_team = NO_TEAM
+    events.scorer = -1
+    events.out = events.restart = events.in_play = events.stuck = events.separated = 0
+    events.half_time = events.final_whistle = events.drill = events.foul = events.annulled = 0
+    events.penalty = 0
+    for r in range(robot_events.shape[0]):
+        event = robot_events[r]
+        event.touch = event.kick = event.possession = event.collision = 0
+        event.pushes = event.pushed = event.foul = event.card = event.returned = 0

@@ -1,0 +1,271 @@
+"""`state()`: the whole truth of a match as one vector, for centralised critics; every entry is named.
+
+    side="field"          home's numbers first, in the frame of the field: at half-time all places change their signs
+    side="home", "away"   that team's numbers first, turned so that it always plays towards +x
+
+`WholeTruth` tells the same to each robot, as an observation.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+from typing import Any, get_args
+
+import numpy as np
+
+from soccer_env.guards.checking import one_of, refuse, whole_number
+from soccer_env.leagues.league import League
+from soccer_env.match.arguments import StateSide
+from soccer_env.match.settings import Settings
+from soccer_env.observations.entry import FIELD, NONE, ROBOT, TEAM, TURN, Entry, X, Y, of_group
+from soccer_env.types import AWAY, HOME, MAX_TEAM, Phase
+
+Match = Any  # soccer_env.match.match.Match, which stands above this file
+Records = Mapping[str, np.ndarray]  # of n matches: matches (n,), balls (n,), robots (n, R)
+SIDES = get_args(StateSide)
+
+GAME = of_group(
+    "game",
+    Entry("clock", "play in this half", "the half; without an end soft: t / (t + 60 s)", NONE),
+    Entry("half", "0 first half, 1 second half", "1", NONE),
+    Entry("phase", "number of the phase of play, see `types.Phase`", "the last phase", NONE),
+    Entry("placing", "1 while robots are driven to their places", "1", NONE),
+    Entry("restart_home", "1 home's restart, -1 away's, 0 neither", "1", NONE),
+    Entry("home_direction", "1: home attacks +x, -1: home attacks -x", "1", FIELD, X),
+    Entry("goals_home", "goals of home", "soft: g / (g + 2)", NONE),
+    Entry("goals_away", "goals of away", "soft: g / (g + 2)", NONE),
+)
+BALL = of_group(
+    "ball",
+    Entry("ball_x", "place along the field", "half length plus goal depth", FIELD, X),
+    Entry("ball_y", "place across the field", "half width plus band", FIELD, Y),
+    Entry("ball_vx", "speed along the field", "its top speed", FIELD, X),
+    Entry("ball_vy", "speed across the field", "its top speed", FIELD, Y),
+    Entry("ball_roll_x", "speed of rolling without sliding, along the field", "its top speed", FIELD, X),
+    Entry("ball_roll_y", "speed of rolling without sliding, across the field", "its top speed", FIELD, Y),
+)
+PLAYER = (
+    Entry("present", "1: there is such a player on the field; else all its entries are 0", "1", NONE, present=True),
+    Entry("keeper", "1 goalkeeper, 0 field player", "1", NONE),
+    Entry("x", "place along the field", "half length plus goal depth", FIELD, X),
+    Entry("y", "place across the field", "half width plus band", FIELD, Y),
+    Entry("cos", "cosine of its heading", "1", FIELD, X),
+    Entry("sin", "sine of its heading", "1", FIELD, Y),
+    Entry("vx", "speed along the field", "top speed ahead", FIELD, X),
+    Entry("vy", "speed across the field", "top speed ahead", FIELD, Y),
+    Entry("omega", "turn rate", "top turn rate", FIELD, TURN),
+    Entry("walk_forward", "walk of legs or wheels, ahead", "top speed ahead", ROBOT, X),
+    Entry("walk_left", "walk of legs or wheels, to the left", "top speed ahead", ROBOT, Y),
+    Entry("walk_turn", "walk of legs or wheels, turn rate", "top turn rate", ROBOT, TURN),
+    Entry("gait_phase", "control steps since the gait step began", "those of a gait step", NONE),
+    Entry("pan", "head pan", "pi", ROBOT, TURN),
+    Entry("tilt", "head tilt", "pi", ROBOT),
+    Entry("kick", "0 ready, 1 winding up, -1 recharging", "1", NONE),
+    Entry("has_ball", "1: the ball lies in the pocket or at the kicker", "1", NONE),
+    Entry("fallen", "1 fallen, 0 upright", "1", NONE),
+)
+SECONDS = 60.0  # [s] half-way point of the soft scale for clocks without an end, assumed
+
+
+OWN_NAMES = {  # of the game, from a team's side
+    "restart_home": ("restart_own", "1: restart of the own team, -1: of the other, 0: neither"),
+    "home_direction": ("own_direction", "always 1: the own team attacks +x"),
+    "goals_home": ("goals_own", "goals of the own team"),
+    "goals_away": ("goals_other", "goals of the other team"),
+}
+TURNED_FOR_AWAY = ("restart_home", "home_direction")  # what changes its sign where away is the own team
+
+
+@cache
+def entries(players: int, side: str = "field") -> list[Entry]:
+    """Return the entries of the state vector with room for `players` a side, in order."""
+    teams = ("home", "away") if side == "field" else ("own", "other")
+    robots = [
+        replace(entry, name=f"{team}_{number}_{entry.name}", group=team, slot=number)
+        for team in teams
+        for number in range(players)
+        for entry in PLAYER
+    ]
+    if side == "field":
+        return [*GAME, *BALL, *robots]
+    game = [_renamed(entry) for entry in GAME]
+    return [replace(entry, frame=TEAM if entry.frame == FIELD else entry.frame) for entry in (*game, *BALL, *robots)]
+
+
+def _renamed(entry: Entry) -> Entry:
+    """Return an entry of the game as a team's side calls it."""
+    name, meaning = OWN_NAMES.get(entry.name, (entry.name, entry.meaning))
+    return replace(entry, name=name, meaning=meaning)
+
+
+def check_side(side: Any) -> str:
+    """Return whose side a state is told from; ValueError names those that there are."""
+    found: str = one_of("side", side, SIDES)
+    return found
+
+
+def states(settings: Settings, records: Records, side: str = "field", players: int | None = None) -> np.ndarray:
+    """Return the states (n, entries) of n records of matches, float32 in [-1, 1], absent players being zeros.
+
+    players: room a side, None: the settings' own.
+    """
+    players = settings.max_players if players is None else players
+    state = field_states(settings, records, players)
+    if side == "field":
+        return state
+    team = HOME if side == "home" else AWAY
+    columns, swapped, turned = orders(players, team)
+    direction = records["matches"]["home_direction"] * (1.0 if team == HOME else -1.0)
+    signs = np.where(direction[:, None] < 0.0, turned, np.float32(1.0)) * swapped
+    turned_state: np.ndarray = (signs * state)[:, columns]
+    return turned_state
+
+
+@cache
+def orders(players: int, team: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return how a team's side follows from the field's: columns, signs of the swap, signs of a half-turn."""
+    told = entries(players)
+    names = [entry.name for entry in told]
+    columns, swapped = np.arange(len(told)), np.ones(len(told), np.float32)
+    if team == AWAY:
+        goals, first, size = names.index("goals_home"), len(GAME) + len(BALL), players * len(PLAYER)
+        columns[[goals, goals + 1]] = goals + 1, goals
+        columns[first:] = np.roll(columns[first:], size)
+        swapped[[names.index(name) for name in TURNED_FOR_AWAY]] = -1.0
+    return columns, swapped, np.array([entry.half_turn for entry in told], np.float32)
+
+
+def field_states(settings: Settings, records: Records, players: int) -> np.ndarray:
+    """Return states in the frame of the field: match, ball, then `players` rows for home and for away."""
+    league, home_rows, count = settings.league, settings.rows[HOME], len(records["matches"])
+    players_of_both = np.zeros((count, 2, players, len(PLAYER)))
+    numbers = in_order(PLAYER, robot_numbers(league, records["robots"]))
+    players_of_both[:, 0, :home_rows] = numbers[:, :home_rows]
+    players_of_both[:, 1, : numbers.shape[1] - home_rows] = numbers[:, home_rows:]
+    game, ball = (
+        in_order(GAME, game_numbers(records["matches"])),
+        in_order(BALL, ball_numbers(league, records["balls"])),
+    )
+    parts = [game, ball, players_of_both.reshape(count, -1)]
+    state: np.ndarray = np.clip(np.concatenate(parts, axis=1), -1.0, 1.0).astype(np.float32)
+    return state
+
+
+class Final(dict[str, np.ndarray]):
+    """The last records of the episodes that have just ended, by name; their states are made when asked for."""
+
+    def __init__(self, settings: Settings, records: Records | None = None) -> None:
+        super().__init__(records or {})
+        self._settings = settings
+
+    def __missing__(self, name: str) -> np.ndarray:
+        if name != "state" or "matches" not in self:
+            raise KeyError(name)
+        self["state"] = self.state()
+        return self["state"]
+
+    def state(self, side: str | None = None) -> np.ndarray:
+        """Return the states (n, entries) in which they ended, from a side or that of the settings."""
+        return states(self._settings, self, self._settings.state_side if side is None else check_side(side))
+
+
+def in_order(entries: Sequence[Entry], numbers: Mapping[str, Any]) -> np.ndarray:
+    """Return numbers (...) by name as one array (..., n) in the order of the entries."""
+    return np.stack([np.asarray(numbers[entry.name], float) for entry in entries], axis=-1)
+
+
+def game_numbers(game: np.ndarray) -> dict[str, Any]:
+    """Return the numbers (n,) of the game."""
+    half = game["half_length"]
+    score = game["score"] / (game["score"] + 2.0)
+    return {
+        "clock": np.where(np.isfinite(half), game["clock"] / half, game["clock"] / (game["clock"] + SECONDS)),
+        "half": game["half"],
+        "phase": game["phase"] / max(Phase),
+        "placing": game["placing"],
+        "restart_home": np.select([game["restart_team"] == 0, game["restart_team"] == 1], [1.0, -1.0], 0.0),
+        "home_direction": game["home_direction"],
+        "goals_home": score[:, 0],
+        "goals_away": score[:, 1],
+    }
+
+
+def ball_numbers(league: League, ball: np.ndarray) -> dict[str, Any]:
+    """Return the numbers (n,) of the ball."""
+    pitch, top = league.pitch, league.ball.top_speed
+    return {
+        "ball_x": ball["x"] / (pitch.length / 2 + pitch.goal_depth),
+        "ball_y": ball["y"] / (pitch.width / 2 + pitch.band_side),
+        "ball_vx": ball["vx"] / top,
+        "ball_vy": ball["vy"] / top,
+        "ball_roll_x": ball["roll_x"] / top,
+        "ball_roll_y": ball["roll_y"] / top,
+    }
+
+
+def robot_numbers(league: League, robots: np.ndarray) -> dict[str, Any]:
+    """Return the numbers (n, R) of the robots; zeros for inactive ones."""
+    pitch, drive = league.pitch, league.drive
+    walk = robots["walk"]
+    heading = robots["heading"]
+    active = robots["active"].astype(float)
+    numbers = {
+        "present": active,
+        "keeper": robots["keeper"],
+        "x": robots["x"] / (pitch.length / 2 + pitch.goal_depth),
+        "y": robots["y"] / (pitch.width / 2 + pitch.band_side),
+        "cos": np.cos(heading),
+        "sin": np.sin(heading),
+        "vx": robots["vx"] / drive.forward,
+        "vy": robots["vy"] / drive.forward,
+        "omega": robots["omega"] / drive.turn,
+        "walk_forward": walk["forward"] / drive.forward,
+        "walk_left": walk["left"] / drive.forward,
+        "walk_turn": walk["turn"] / drive.turn,
+        "gait_phase": robots["gait_phase"] / max(drive.gait_steps, 1),
+        "pan": robots["pan"] / np.pi,
+        "tilt": robots["tilt"] / np.pi,
+        "kick": np.where(robots["kick_clock"] > 0.0, 1.0, np.where(robots["kick_clock"] < 0.0, -1.0, 0.0)),
+        "has_ball": robots["has_ball"],
+        "fallen": robots["fallen"] > 0.0,
+    }
+    return {name: np.asarray(column, float) * active for name, column in numbers.items()}
+
+
+class WholeTruth:
+    """An observation of everything, `observe=WholeTruth(players)`: what `state` tells, from each robot's side.
+
+    The robot itself comes first, then its team-mates and its opponents by their numbers, with room for `players` a
+    side; numbers of players are the same at every team size up to that. ValueError for a match of larger teams.
+    """
+
+    needs_beliefs = False  # of the robots that observe it: nobody has to sense for them
+
+    def __init__(self, players: int) -> None:
+        self.players = whole_number("players", players, 1, MAX_TEAM)
+        self.entries = [self._told(entry) for entry in entries(self.players, "home")]
+
+    def _told(self, entry: Entry) -> Entry:
+        """Return an entry of the state as each robot calls it."""
+        if entry.slot is None:
+            return entry
+        group, slot = ("opponent", entry.slot) if entry.group == "other" else ("teammate", entry.slot - 1)
+        name = entry.name.split("_", 2)[2]
+        if slot < 0:
+            return replace(entry, name=f"self_{name}", group="self", slot=None)
+        return replace(entry, name=f"{group}_{slot}_{name}", group=group, slot=slot)
+
+    def __call__(self, match: Match) -> np.ndarray:
+        """Return (M, R, numbers) in [-1, 1]."""
+        settings = match.settings
+        if settings.max_players > self.players:
+            refuse("players of WholeTruth", f"at least the match's {settings.max_players} a side", self.players)
+        records = {"matches": match.matches, "balls": match.balls, "robots": match.robots}
+        told = [states(settings, records, side, self.players) for side in ("home", "away")]
+        first, size, home = len(GAME) + len(BALL), len(PLAYER), settings.rows[HOME]
+        seen = np.stack([told[int(r >= home)] for r in range(sum(settings.rows))], axis=1)
+        for r in range(sum(settings.rows)):
+            number = r if r < home else r - home
+            own = slice(first, first + size * (number + 1))
+            seen[:, r, own] = np.roll(seen[:, r, own], size, axis=-1)
+        return seen

@@ -1,0 +1,173 @@
+"""Ask a user's own code in a control step, and check what it returns, where it enters.
+
+Functions that play are asked before anybody moves; scenes then say which matches ended, and reward terms what is paid.
+"""
+
+from typing import Any, NamedTuple, cast
+
+import numpy as np
+
+from soccer_env.match.settings import Settings
+from soccer_env.observations import layout
+from soccer_env.observations.own import Form, Part, Sides, as_numbers, check_within, fill, form_of, pick, zeros
+from soccer_env.rewards import COUNT, POTENTIALS, TERMS, OwnTerm, Rewards, measure_potentials
+from soccer_env.scenes import Scene
+from soccer_env.teams.function_teams import FunctionTeam, ask_functions
+from soccer_env.types import HOME, Phase
+
+Match = Any  # soccer_env.match.match.Match, which stands above this file
+
+
+ANY = Part((), np.asarray(-np.inf), np.asarray(np.inf), np.dtype(float))  # a finite number
+
+
+class Group(NamedTuple):
+    """Robots that observe the same."""
+
+    side: str  # "" where both teams do
+    observe: Any
+    rows: slice
+    form: Form
+
+
+class Seen:
+    """What learners observe where no kernel writes it: by a user's own object, or something else for each team.
+
+    `arrays` is (M, R, ...), or a dict of such; of layouts by team {"home": (M, H, ...), "away": (M, A, ...)}.
+    """
+
+    def __init__(self, settings: Settings, matches: int) -> None:
+        home, self._agents = settings.rows[HOME], settings.agents
+        self.by_side = isinstance(settings.observe, Sides)
+        self.own = not isinstance(settings.observe, str)
+        who = {"home": slice(0, home), "away": slice(home, None)} if self.by_side else {"": slice(0, None)}
+        observes = settings.observes if self.by_side else (settings.observe,)
+        self.groups = [
+            Group(side, observe, rows, form_of(observe, len(layout(settings.league, observe))))
+            for (side, rows), observe in zip(who.items(), observes, strict=True)
+        ]
+        self._all = [zeros(group.form, matches if self.own else 0, len(self._agents)) for group in self.groups]
+        views = [pick(seen, (slice(None), group.rows)) for group, seen in zip(self.groups, self._all, strict=True)]
+        self.arrays = dict(zip(who, views, strict=True)) if self.by_side else views[0]
+
+    def fill(self, match: Match) -> None:
+        """Ask for all observations anew; ValueError for what a user's object must not return."""
+        for group, seen in zip(self.groups, self._all, strict=True):
+            if isinstance(group.observe, str):
+                rows = np.arange(len(self._agents))[group.rows]
+                match.batch.write_observations(seen, group.observe, rows, 0, match.count)
+            else:
+                what = f"observe of {group.side}" if group.side else "observe"
+                fill(group.form, seen, group.observe(match), what, self._agents, group.rows)
+
+    def group_of(self, row: int) -> Group:
+        """Return whom a robot observes alike with."""
+        return next(group for group in self.groups if row in range(len(self._agents))[group.rows])
+
+    def of_robot(self, observations: Any, row: int) -> Any:
+        """Return what one robot observes (M, ...) out of all observations, or out of those of some matches."""
+        group = self.group_of(row)
+        seen = observations[group.side] if self.by_side else observations
+        return pick(seen, (slice(None), row - (group.rows.start or 0)))
+
+
+class OwnTerms:
+    """The reward terms of a user's own, in the columns behind those of every match."""
+
+    def __init__(self, rewards: Rewards) -> None:
+        self._terms = cast("dict[str, OwnTerm]", rewards.extra)  # Rewards has made terms of plain functions
+        self._waiting: np.ndarray = np.zeros(0, bool)  # (M,) matches that were over before the control step
+        self._before: dict[str, np.ndarray] = {}  # potentials (M, R) before it, by name
+        self._asks: bool | None = None  # whether functions play; None: not yet looked at
+        self._judges = False  # whether a scene's own function ends matches
+
+    def begin(self, match: Match) -> None:
+        """Ask what a user's code says before a control step: functions that play, and potentials.
+
+        Of the records as they are now, whoever wrote them.
+        """
+        if self._asks is None:  # once: a list of the squads at each step would cost a match alone 0.4 us
+            self._asks = any(isinstance(squad.team, FunctionTeam) for squad in match.squads)
+            self._judges = callable(match.settings.scene.success) and match.settings.episode == "drill"
+        if self._asks:
+            ask_functions(match)
+        if self._terms:
+            self._waiting = match.matches["over"] == 1
+            shaping = {name: term for name, term in self._terms.items() if term.kind == "potential"}
+            self._before = {
+                name: ask(match, name, term).copy() for name, term in shaping.items()
+            }  # it may show a record
+
+    def pay(self, match: Match) -> None:
+        """Let a scene of one's own end matches, and add what a control step pays to `terms` and `rewards`.
+
+        A match that was over gets nothing.
+        """
+        if self._judges:
+            judge(match, match.settings.scene)
+        if not self._terms:  # the usual case: the lines below would cost a match alone 1 us of the 15 us of a step
+            return
+        over, gamma = match.matches["over"] == 1, float(match.batch.weights["gamma"][0])
+        for column, (name, term) in enumerate(self._terms.items(), start=COUNT):
+            value = ask(match, name, term)
+            if term.kind == "potential":
+                value = gamma * np.where(over[:, None], 0.0, value) - self._before[name]
+            value = -term.weight * value if term.kind == "cost" else term.weight * value
+            match.terms[..., column] = np.where(self._waiting[:, None], 0.0, value)
+            match.rewards += match.terms[..., column]
+
+
+def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.inf) -> np.ndarray:
+    """Return what user code returned as numbers of a shape; ValueError says which code returned what instead."""
+    try:
+        numbers = np.broadcast_to(np.asarray(values, np.float64), shape)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{what} must return numbers of shape {shape}, got shape {np.shape(values)}") from error
+    with np.errstate(invalid="ignore"):
+        wrong = ~(np.abs(numbers) <= limit) | ~np.isfinite(numbers)
+    if wrong.any():
+        at = tuple(int(i) for i in np.argwhere(wrong)[0])
+        allowed = "finite numbers" if limit == np.inf else f"numbers in [{-limit:g}, {limit:g}]"
+        raise ValueError(f"{what} must return {allowed}, got {numbers[at]} at {at}")
+    return numbers
+
+
+def judge(match: Match, scene: Scene) -> None:
+    """End the matches that a scene's own function decides: 1 success, -1 failure, 0 goes on; others by its time limit.
+
+    What ends here has potential 0, as what the referee ends.
+    """
+    said = checked(scene.success(match), (match.count,), f"success of scene {scene.name!r}", limit=1.0)  # type: ignore[operator]
+    if (said != np.rint(said)).any():
+        m = int(np.argmax(said != np.rint(said)))
+        raise ValueError(
+            f"success of scene {scene.name!r} must return 1, -1 or 0 for each match, got {said[m]} for {m}"
+        )
+    goes_on = match.matches["over"] == 0
+    for m in np.flatnonzero(goes_on & (said != 0)).tolist():
+        take_back_shaping(match, m)
+        match.matches["over"][m], match.matches["phase"][m] = 1, Phase.OVER
+        match.events["drill"][m] = int(said[m])
+        match.terminated[m], match.truncated[m] = True, False
+    played = match.matches["step"] * match.league.dt
+    match.truncated |= goes_on & (said == 0) & (played >= scene.time_limit - 0.5 * match.league.dt)
+
+
+def take_back_shaping(match: Match, m: int) -> None:
+    """Take what shaping paid for the potential at the end of match m out of its terms and rewards."""
+    potentials, weights = np.zeros(POTENTIALS), match.batch.weights
+    records = match.matches[m], match.balls[m], match.robots[m]
+    measure_potentials(*records, match.batch.constants[0], weights[0], potentials)
+    columns = [column for column, term in enumerate(TERMS) if term.kind == "potential"]
+    for index, column in enumerate(columns):
+        share = weights["gamma"][0] * weights["term"][0, column] * potentials[match.robots["team"][m], index]
+        match.terms[m, :, column] -= share
+        match.rewards[m] -= share
+
+
+def ask(match: Match, name: str, term: OwnTerm) -> np.ndarray:
+    """Return the numbers (M, R) of a term; ValueError names the term, the robot, and what it returned instead."""
+    what = f"reward term {name!r}"
+    numbers = as_numbers(term.function(match), match.rewards.shape, what, match.agents)
+    check_within(ANY, numbers, what, match.agents)
+    return numbers.astype(float)

@@ -1,0 +1,64 @@
+"""The page: markup, style, scripts and data in one file that asks nothing of any network."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+from collections.abc import Callable
+from importlib.resources import files
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from soccer_env.guards.whole_files import write_whole
+from soccer_env.render.overlays.flags import OverlayFlags
+from soccer_env.shows.browser.collect import collect
+from soccer_env.shows.film import check_new
+
+if TYPE_CHECKING:
+    from soccer_env.replay.replay_file import Replay
+
+SCRIPTS = ("unpack.js", "forces.js", "moment.js", "pitch.js", "overlays.js", "charts.js", "panel.js", "main.js")
+ESCAPED = {ord(letter): f"\\u{ord(letter):04x}" for letter in "<>&\u2028\u2029"}
+
+
+def write_page(
+    replay: Replay,
+    path: str | os.PathLike[str],
+    anew: bool = False,
+    note: Callable[[int], None] | None = None,
+    flags: OverlayFlags | None = None,
+) -> Path:
+    """Write the first match of a replay as a page; `note` is told of each control step. See `Replay.html`."""
+    target = Path(path)
+    if target.suffix.lower() != ".html":
+        raise ValueError(f"the path of a page must end with .html, got {str(path)!r}")
+    check_new(target, anew)
+    write_whole(target, page_of(collect(replay, note, flags)))
+    return target
+
+
+def page_of(found: dict[str, Any]) -> str:
+    """Return the page that shows what `collect` found."""
+    home, away = found["teams"]
+    scripts = "\n".join(part(name) for name in SCRIPTS)
+    filled = {
+        "TITLE": html.escape(f"{home} - {away}"),
+        "STYLE": part("look.css"),
+        "DATA": as_script(found),
+        "SCRIPT": f'"use strict";\n(() => {{\n{scripts}\n}})();',
+    }
+    page = part("page.html")
+    pieces = page.split("%%")  # text, name, text, name, ..., text: what is filled in is not looked at again
+    return "".join(filled[piece] if at % 2 else piece for at, piece in enumerate(pieces))
+
+
+def as_script(value: Any) -> str:
+    """Return a value as JSON that nothing can end a script element with."""
+    text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return text.translate(ESCAPED)
+
+
+def part(name: str) -> str:
+    """Return the text of a file of this folder."""
+    return files(__package__).joinpath(name).read_text(encoding="utf-8")

@@ -1,0 +1,111 @@
+"""A replay as a film: which control steps are drawn, and when they are shown."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from soccer_env.guards.checking import ABOVE_ZERO, FROM_ZERO, Range
+from soccer_env.render.frame import LEAST_WIDTH, MOST_WIDTH, Picture
+from soccer_env.render.overlays.flags import OverlayFlags, part_of_flags
+from soccer_env.render.overlays.layers import overlays_of
+from soccer_env.render.overlays.onlooker import Reel, past_of
+from soccer_env.render.video import gif_rate, video_kind, write_video
+
+if TYPE_CHECKING:
+    from soccer_env.replay.replay_file import Replay
+
+SMOOTH = {".mp4": 25.0, ".gif": 12.5, ".png": 25.0}  # [1/s] frames, unless there are fewer control steps
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilmSettings(OverlayFlags):
+    """How a film shows a replay, and what lies over it."""
+
+    BOUNDS = {
+        "fps": Range(0.0, 100.0, above=True),
+        "speed": Range(0.0, 100.0, above=True),
+        "width": (LEAST_WIDTH, MOST_WIDTH),
+        "start": FROM_ZERO,
+        "seconds": ABOVE_ZERO,
+    }
+
+    fps: float | None = None
+    """Frames a second; None for 25 in an MP4 and 12.5 in a GIF, or each control step if there are fewer."""
+    speed: float = 1.0
+    """How many times as fast as real time."""
+    width: int = 640
+    """Width of the picture [pixels]."""
+    start: float = 0.0
+    """Where the film begins [s since the recording began]."""
+    seconds: float | None = None
+    """How much of the match it shows [s]; None for all that follows."""
+
+
+def drawn_steps(settings: FilmSettings, kind: str, rate: int, steps: int) -> tuple[np.ndarray, float]:
+    """Return the control step (N,) that each frame shows, never falling, and the frames a second [1/s]."""
+    fps = min(SMOOTH[kind], rate * settings.speed) if settings.fps is None else settings.fps
+    fps = gif_rate(fps) if kind == ".gif" else fps
+    length = steps / rate
+    if settings.start > length:
+        raise ValueError(f"start must be at most {length:g}, the length of the replay in seconds, got {settings.start}")
+    last = length if settings.seconds is None else min(length, settings.start + settings.seconds)
+    count = int((last - settings.start) * fps / settings.speed + 1e-6) + 1
+    times = settings.start + np.arange(count) * settings.speed / fps
+    return np.minimum(np.rint(times * rate).astype(np.int64), steps), fps
+
+
+def make_film(
+    replay: Replay,
+    path: str | os.PathLike[str],
+    settings: FilmSettings,
+    anew: bool = False,
+    note: Callable[[int], None] | None = None,
+) -> Path:
+    """Write the first match of a replay as a film; `note` is told of each frame. See `Replay.video`."""
+    kind = video_kind(path)
+    check_new(path, anew)
+    count, frames, fps = film_frames(replay, settings, kind, note)
+    return write_video(path, frames, fps, count)
+
+
+def film_frames(
+    replay: Replay, settings: FilmSettings, kind: str, note: Callable[[int], None] | None = None
+) -> tuple[int, Iterator[np.ndarray], float]:
+    """Return how many frames (H, W, 3) uint8 a film has, the frames, and how many a second it shows [1/s]."""
+    flags = part_of_flags(settings)
+    reel = Reel(replay, flags.any)
+    league = reel.cast.league
+    steps, fps = drawn_steps(settings, kind, league.control_rate, len(replay))
+    picture = Picture(league, settings.width)
+    reel.cast.picked(flags, reel.first)
+
+    def frames() -> Iterator[np.ndarray]:
+        shots, past, at = reel.shots(), past_of(reel.cast), -1
+        frame = np.zeros(0)
+        for step in steps.tolist():
+            if step > at:
+                for shot in islice(shots, step - at):
+                    past.append(shot)
+                at = step
+                overlays = overlays_of(flags, reel.cast, past[-1], list(past)[:-1], settings.width)
+                frame = picture.draw(*past[-1][:3], title=replay.teams, overlays=overlays)
+            yield frame
+            if note is not None:
+                note(1)
+
+    return len(steps), frames(), fps
+
+
+def check_new(path: str | os.PathLike[str], anew: bool) -> None:
+    """Raise ValueError if a file is there that is not to be written over."""
+    if Path(path).is_dir():
+        raise ValueError(f"{os.fspath(path)} is a folder, not the file to write")
+    if Path(path).exists() and not anew:
+        raise ValueError(f"{os.fspath(path)} exists already; give another path or anew=True")

@@ -1,0 +1,46 @@
+"""What shows a replay: one picture, a film, a page for the browser."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from soccer_env.guards.checking import check_names
+from soccer_env.render.overlays.flags import OverlayFlags
+from soccer_env.replay import Replay
+from soccer_env.shows.browser import write_page
+from soccer_env.shows.film import FilmSettings, film_frames, make_film
+
+
+def video(replay: Replay, path: str | Path, *, anew: bool = False, **settings: Any) -> Path:
+    """Write the first match of a replay as a film, MP4 or GIF by the path's ending; return the path.
+
+    settings: fps, speed, width, start, seconds and overlays, as in `film.FilmSettings`. ValueError for a wrong one, for
+    a file that exists (unless `anew`), and where the play differs; ImportError if the extra `video` is missing. No
+    display is needed.
+    """
+    check_names("setting", settings, [item.name for item in fields(FilmSettings)], TypeError)
+    return make_film(replay, path, FilmSettings(**settings), anew)
+
+
+def frame(replay: Replay, seconds: float = 0.0, *, width: int = 960, **overlays: Any) -> np.ndarray:
+    """Return the first match of a replay at a time since the recording began as a picture, (H, W, 3) uint8.
+
+    overlays: as in `render.overlays.flags.OverlayFlags`: belief=True, robot="home_1" and so on. ValueError for a
+    wrong one, for a time that is not in the replay, and where the play differs.
+    """
+    check_names("overlay", overlays, [item.name for item in fields(OverlayFlags)], TypeError)
+    return next(film_frames(replay, FilmSettings(start=seconds, width=width, **overlays), ".png")[1])
+
+
+def html(replay: Replay, path: str | Path, *, anew: bool = False, **overlays: Any) -> Path:
+    """Write the first match of a replay as one page for any browser, no network needed; return the path.
+
+    overlays: what the page shows at first, as in `frame`. ValueError for a wrong one, for a file that exists
+    (unless `anew`), and where the play differs.
+    """
+    check_names("overlay", overlays, [item.name for item in fields(OverlayFlags)], TypeError)
+    return write_page(replay, path, anew, flags=OverlayFlags(**overlays) if overlays else None)

@@ -1,0 +1,81 @@
+"""How the chaser turns with the ball and pushes it: as fast as paws or wheels can keep it, and as opponents allow.
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from math import atan2, sqrt
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length, toward, wrap
+from soccer_env.skills.moves import free_way, goal_room
+
+PRESSED = 0.6  # [m] from the ball of an opponent that is at it too, assumed
+AGAINST = 0.5  # cosine of the angle off the ball's way within which an opponent stands against it, 60 degrees, assumed
+SLOW = 0.4  # [m/s] at which the ball is pushed at least, also towards a line, assumed
+
+
+@compiled
+def turn_to_goal(command, sight, memory, k, play, ux, uy):
+    """Turn with the ball in front, walking on so that it stays there; a base that steps aside turns about the ball."""
+    error = wrap(atan2(uy, ux) - sight.heading)
+    if play.circle_share > 0.0:
+        turn_about_ball(command, sight, memory, k, play, error)
+    else:
+        command.turn = clip(error / (play.settle * k.drive_turn), -play.turn_share, play.turn_share) * sight.pace
+    command.forward = (play.push_share if abs(error) < play.aligned else play.carry_share) * sight.pace
+    if k.walled == 0:
+        most = pushing_speed(sight, k, sight.now_cosine, sight.now_sine)
+        command.forward = min(command.forward, most / k.drive_forward)
+
+
+@compiled
+def turn_about_ball(command, sight, memory, k, play, error):
+    """Turn by `error` [rad] on a circle about the ball, only as fast as the motors can follow it.
+
+    A circle of radius r takes w^2 r across, and a change of the turn r dw/dt along it: each gets the same share of what
+    the wheels give. Who turns faster, or turns before its wheels have brought it aside, sheds the ball.
+    """
+    rate = sqrt(play.circle_share * k.drive_acceleration / sight.touch) * sight.pace
+    last = clip(memory.turn * k.drive_turn, -rate, rate)
+    wanted = clip(error / play.settle * sight.pace, -rate, rate)
+    turn = toward(last, wanted, rate * rate * sight.elapsed)
+    command.turn = turn / k.drive_turn
+    command.left = -turn * sight.touch / k.drive_sideways
+
+
+@compiled
+def is_pressed(sight):
+    """Tell whether an opponent is at the ball too."""
+    for i in range(sight.others):
+        away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
+        if sight.mate[i] == 0 and away < PRESSED:
+            return True
+    return False
+
+
+@compiled
+def is_opposed(sight, ux, uy):
+    """Tell whether an opponent is at the ball from the side to which it is pushed, along the unit vector (ux, uy).
+
+    What two press between them at speed shoots out aside. Who is beside the ball or behind it presses nothing.
+    """
+    for i in range(sight.others):
+        x, y = sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y
+        away = length(x, y)
+        if sight.mate[i] == 0 and away < PRESSED and x * ux + y * uy > AGAINST * away:
+            return True
+    return False
+
+
+@compiled
+def pushing_speed(sight, k, ux, uy):
+    """Return how fast a ball at the feet may be pushed along (ux, uy) [m/s]: at the goal as fast as one likes."""
+    if is_opposed(sight, ux, uy):
+        return SLOW
+    return line_speed(sight, k, ux, uy) if goal_room(sight, k, ux, uy) < 0.0 else k.drive_forward
+
+
+@compiled
+def line_speed(sight, k, ux, uy):
+    """Return how fast to push the ball along (ux, uy) [m/s]: half as fast as it may roll and stay on the pitch."""
+    return max(0.5 * sqrt(2.0 * k.ball_rolling * free_way(sight, k, ux, uy)), SLOW)

@@ -1,0 +1,57 @@
+"""When a scripted player decides, how well by its strength, and how far it keeps off the opponents' restart.
+
+A team's memory has `wait` and `aim_error`, and `forward`, `aside`, `turn` and `kick` for the command that is repeated.
+
+`k`: the league's constants.
+"""
+
+from soccer_env.compiled import compiled
+from soccer_env.random_numbers import normal
+from soccer_env.skills.moves import stand
+from soccer_env.types import Phase, RobotStream
+
+PLAY, KICK_OFF = int(Phase.PLAY), int(Phase.KICK_OFF)
+TEAM = int(RobotStream.TEAM)
+MARGIN = 0.05  # [m] beyond the rules' distance at the opponents' restart, assumed
+
+
+@compiled
+def must_decide(belief, memory, command, k):
+    """Tell whether the player has to decide now; until then it repeats its last decision, or stands if sent off."""
+    stand(command)
+    memory.wait -= k.dt
+    if belief.situation.active == 0:
+        return False
+    if memory.wait > 0.0:
+        command.forward, command.left, command.turn = memory.forward, memory.aside, memory.turn
+        command.kick = memory.kick
+        return False
+    return True
+
+
+@compiled
+def apply_strength(sight, memory, noise, k, weakness, wait, aim, pace):
+    """Set how long this decision lasts, how far the aim is off and how fast the player may be.
+
+    `weakness` is 0 to 1; at 1 it waits `wait` [s], aims off by `aim` [rad] in deviation, and has `pace` [1].
+    """
+    memory.wait = weakness * wait
+    memory.aim_error = weakness * aim * normal(noise, TEAM)
+    sight.elapsed = max(k.dt, memory.wait)
+    sight.pace = 1.0 - weakness * (1.0 - pace)
+
+
+@compiled
+def keep_decision(memory, command):
+    """Remember the command, to be repeated."""
+    memory.forward, memory.aside, memory.turn = command.forward, command.left, command.turn
+    memory.kick = command.kick
+
+
+@compiled
+def free_ring(situation, k):
+    """Return how far from the ball the rules ask a player to stay now [m]; 0 in play and at the own restart."""
+    if situation.phase == PLAY or situation.ours >= 0.0:
+        return 0.0
+    far = k.rules_kick_off_distance if situation.phase == KICK_OFF else k.rules_restart_distance
+    return far + k.body_reach + MARGIN

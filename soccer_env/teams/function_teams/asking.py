@@ -1,0 +1,96 @@
+"""Ask the functions that play in a match for their decisions, before anybody moves.
+
+All of them are asked before the first answer is kept: if one raises, or returns what is not allowed, nothing has
+changed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from threading import get_ident
+from typing import Any
+
+import numpy as np
+
+from soccer_env.teams.function_teams.answers import HEAD, as_array
+from soccer_env.teams.function_teams.team import FunctionTeam
+
+Match = Any  # soccer_env.match.match.Match, which stands above this file
+Squad = Any  # soccer_env.match.squads.Squad, which stands above this file
+MOVES = ("step", "reset", "load")  # methods of a match that go to another state of it
+
+
+def ask_functions(match: Match) -> None:
+    """Let the functions of M matches decide where a decision is due; ValueError, and nothing changed, for nonsense."""
+    asked = [squad for squad in match.squads if isinstance(squad.team, FunctionTeam)]
+    answers = [decided(match, squad) for squad in asked]
+    for squad, memory in zip(asked, answers, strict=True):
+        squad.memory[...] = memory
+
+
+def decided(match: Match, squad: Squad) -> np.ndarray:
+    """Return the memory (M, P) of a squad after its function's decisions."""
+    team: FunctionTeam = squad.team
+    memory: np.ndarray = squad.memory.copy()
+    plays = np.ones(match.count, bool) if squad.plays is None else squad.plays
+    begin(memory, plays & (memory["begun"][:, 0] == 0), 0 if team.at_once else match.league.delay_steps, team)
+    due = np.flatnonzero(plays & (memory["wait"][:, 0] == 0) & (match.matches["over"] == 0))
+    if len(due):
+        rows, kept = squad.players, memory[due]
+
+        def who(d: int, p: int) -> str:
+            return f"{match.agents[rows[p]]} in match {due[d]}"
+
+        with standing(match, team.name):
+            kept["action"] = team.decide(observed(match, squad, due), kept, who)
+        kept["wait"] = team.action_repeat
+        memory[due] = kept
+    return memory
+
+
+@contextmanager
+def standing(match: Match, team: str) -> Iterator[None]:
+    """Let a match be looked at, copied and branched, but not moved, while a team's own Python is asked."""
+    asks = get_ident()
+
+    def refuse(name: str, *args: Any, **kwargs: Any) -> Any:
+        if get_ident() != asks:  # it is refused as in any other step
+            return getattr(type(match), name)(match, *args, **kwargs)
+        moves = f"{', '.join(MOVES[:-1])} or {MOVES[-1]}"
+        raise RuntimeError(f"team {team!r} must not call {moves} of the match that asks it; a branch of it may move")
+
+    for name in MOVES:
+        match.__dict__[name] = partial(refuse, name)
+    try:
+        yield
+    finally:
+        for name in MOVES:
+            del match.__dict__[name]
+
+
+def begin(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: FunctionTeam) -> None:
+    """Begin an episode in the memory (M, P) of some matches (M,): robots stand until the first decision."""
+    if fresh.any():
+        first = memory[fresh]
+        first["begun"] = 1
+        first["wait"] = -delay_steps % team.action_repeat
+        first["action"][..., HEAD] = -1.0
+        memory[fresh] = first
+
+
+def observed(match: Match, squad: Squad, due: np.ndarray) -> np.ndarray:
+    """Return what a squad's players observe (D, P, n) float32, in an array of the function's own."""
+    team, seen = squad.team, squad.observations
+    if isinstance(team.observe, str):
+        match.batch.write_observations(seen, team.observe, squad.players, 0, match.count)
+    else:
+        own = as_array(team.observe(match))
+        if own.dtype.kind not in "fiub" or own.shape != seen.shape or not np.isfinite(own).all():
+            got = "others" if own.shape == seen.shape else f"shape {own.shape}"
+            what = f"observe of team {team.name!r}"
+            raise ValueError(f"{what} must return finite numbers of shape {seen.shape}, got {got}")
+        seen[...] = own
+    found: np.ndarray = seen[np.ix_(due, squad.players)]
+    return found

@@ -1,0 +1,164 @@
+"""A function of observations as a team.
+
+    function(observations)             (D, P, n) float32 -> actions
+    function(observations, memory)     memory (D, P) or (D, P, ...), to be changed in place
+
+D are the matches in which a decision is due, P the players of the team. Actions are (D, P, 4) numbers, (D, P, 7) with
+the head, or (D, P) whole numbers, each one of the discrete actions. With `flat` the function knows neither matches nor
+players: it gets (D P, n) and (D P, ...), and returns a row of actions for each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from soccer_env.actions import FULL
+from soccer_env.guards.checking import one_of, refuse, whole_number
+from soccer_env.guards.ranges import ANY, COUNT, FLAG, NUMBER, record
+from soccer_env.observations import OBSERVE, Observation
+from soccer_env.teams import TeamRandom, View
+from soccer_env.teams.function_teams.answers import Who, as_actions, check_remembered
+
+MOST = 1000  # [control steps] that a decision is kept
+PLACES: list[Any] = [
+    ("begun", "i8", FLAG),  # 1 once the episode has begun
+    ("wait", "i8", COUNT),  # [control steps] until the next decision
+    ("action", "f8", NUMBER, (len(FULL),)),
+]
+OWN = "own"  # the field of the memory that is the function's
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class FunctionTeam:
+    """A function of observations as a team; `team_of_function` makes one and explains the fields.
+
+    A match asks the function before anybody moves (`asking.py`); then the team does what its memory says.
+    """
+
+    name: str
+    function: Callable[..., Any]
+    observe: str | Observation
+    action_repeat: int
+    memory: np.dtype[Any] | None
+    flat: bool
+    at_once: bool
+    fingerprint: str
+
+    def __repr__(self) -> str:
+        """Return its name, what it observes, and what was asked of it otherwise than by default."""
+        asked: dict[str, Any] = {"observe": self.observe if isinstance(self.observe, str) else kind_of(self.observe)}
+        asked |= {"action_repeat": self.action_repeat} if self.action_repeat != 1 else {}
+        asked |= {"memory": str(self.memory)} if self.memory is not None else {}
+        asked |= {"flat": True} if self.flat else {}
+        asked |= {"at_once": False} if not self.at_once else {}
+        return f"FunctionTeam({', '.join([repr(self.name), *(f'{name}={value!r}' for name, value in asked.items())])})"
+
+    @property
+    def memory_dtype(self) -> np.dtype[Any]:
+        """Return the record of a player: its decision, how long that is kept, and what the function remembers."""
+        return record(PLACES if self.memory is None else [*PLACES, (OWN, self.memory, ANY)])
+
+    @property
+    def settings(self) -> np.ndarray:
+        """Return what a save has to agree with, as bytes."""
+        seen = self.observe if isinstance(self.observe, str) else kind_of(self.observe)
+        text = f"{seen} {self.action_repeat} {self.at_once} {self.flat} {self.fingerprint}"
+        return np.frombuffer(text.encode(), np.uint8)
+
+    def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
+        """Return the commands (M, P, 7) that were decided; ValueError outside a match, where nobody has asked."""
+        if not memory["begun"].all():
+            raise ValueError(
+                f"team {self.name!r} plays inside a match only: give it as controllers, opponents or teammates"
+            )
+        memory["wait"] = np.maximum(memory["wait"] - 1, 0)
+        commands: np.ndarray = memory["action"].copy()
+        return commands
+
+    def decide(self, observations: np.ndarray, memory: np.ndarray, who: Who) -> np.ndarray:
+        """Return the actions (D, P, 7) for observations (D, P, n); memory (D, P) is changed.
+
+        ValueError names the robot (`who` of a match and a player), what the function returned, and what is allowed.
+        """
+        matches, players = observations.shape[:2]
+        axes = (matches * players,) if self.flat else (matches, players)
+        given = [observations.reshape(*axes, observations.shape[2])]
+        if self.memory is not None:
+            own = memory[OWN]
+            given.append(np.ascontiguousarray(own).reshape(*axes, *own.shape[2:]))
+        expected = [(array.shape, array.dtype) for array in given]
+        actions = as_actions(self.function(*given), self.name, axes, players, who)
+        if self.memory is not None:
+            check_remembered(given[1].reshape(own.shape), (own.shape, expected[1][1]), self.name, who)
+            memory[OWN] = given[1].reshape(own.shape)
+        return actions
+
+
+def team_of_function(
+    function: Callable[..., Any],
+    *,
+    observe: str | Observation = "belief",
+    action_repeat: int = 1,
+    memory: Any = None,
+    flat: bool = False,
+    at_once: bool = True,
+    name: str | None = None,
+    fingerprint: str = "",
+) -> FunctionTeam:
+    """Return a function of observations as a team that plays wherever a team is asked for.
+
+    observe: what the observations are built from, as in `Match`: "truth" (with ideal senses), "percepts" (with
+    sensors), "belief", or an object of your own. action_repeat: control steps for which a decision is kept. memory:
+    the dtype of what a player remembers, such as ("f4", (64,)); zeros when an episode begins, saved and hashed with
+    the match. flat: the function takes and returns one row for each player of each match. at_once: it decides in the
+    first step of an episode, as the APIs do it; False: as `SoccerVecEnv` does it. name: what the team calls itself.
+    fingerprint: a text that changes with how it plays, for evaluations that go on where they stopped. ValueError names
+    what is wrong.
+    """
+    if not callable(function):
+        refuse("function", "a function of observations", function)
+    check_observe(observe)
+    called = getattr(function, "__name__", type(function).__name__) if name is None else name
+    return FunctionTeam(
+        check_text("name", called, 1),
+        function,
+        observe,
+        whole_number("action_repeat", action_repeat, 1, MOST),
+        None if memory is None else checked_memory(memory),
+        one_of("flat", flat, (True, False)),
+        one_of("at_once", at_once, (True, False)),
+        check_text("fingerprint", fingerprint, 0),
+    )
+
+
+def kind_of(observe: Observation) -> str:
+    """Return what an object of observations is called: its class."""
+    return type(observe).__qualname__
+
+
+def check_observe(observe: Any) -> None:
+    """Raise ValueError unless something is a name of observations, or an object with names to call with a match."""
+    if not (callable(observe) and (hasattr(observe, "names") or hasattr(observe, "entries"))):
+        one_of("observe", observe, OBSERVE)
+
+
+def check_text(what: str, text: Any, least: int) -> str:
+    """Return a text of so many characters or more that can be printed on one line; ValueError for anything else."""
+    if not (isinstance(text, str) and text.isprintable() and len(text) >= least):
+        refuse(what, "a plain text", text)
+    return text
+
+
+def checked_memory(memory: Any) -> np.dtype[Any]:
+    """Return a dtype of plain numbers; ValueError for anything else."""
+    try:
+        dtype: np.dtype[Any] = np.dtype(memory)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"memory must be a dtype of plain numbers, got {memory!r}: {error}") from error
+    if dtype.hasobject or dtype.itemsize == 0:
+        refuse("memory", "a dtype of plain numbers", memory)
+    return dtype

@@ -1,0 +1,60 @@
+"""Kernels of compiled teams, made from what one player does: the loop over matches and players stands here alone.
+
+    @compiled
+    def act(belief, tracks, memory, noise, command, k, settings, scratch):
+        command.forward = settings.strength
+
+    team = CompiledTeam("runner", per_player(act), NO_MEMORY, np.array([(1.0,)], STRENGTH))
+
+Make a kernel once, where the module is read: another call makes another kernel, which is compiled anew.
+
+`k`: the league's constants.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from soccer_env.compiled import compiled, records
+from soccer_env.guards.ranges import ANY, record
+
+NO_MEMORY = record([("unused", "i8", ANY)])  # of players that remember nothing
+NO_SCRATCH = NO_MEMORY
+STRENGTH = np.dtype([("strength", "f8")])  # the settings of a team that has no others
+
+
+def per_player(act: Callable[..., None], scratch: np.dtype = NO_SCRATCH) -> Callable[..., None]:
+    """Return the kernel of a team whose players each run `act`, which is compiled.
+
+    act(belief, tracks, memory, noise, command, k, settings, scratch): one player's belief, (slots,) tracks, memory and
+    random streams, the command to fill in, the league's constants, the team's settings (its only record, or that of the
+    league's kind of base if there is one for each, in the order of `DRIVE_KINDS`), and a record of dtype `scratch` to
+    work in, which holds whatever the player before left there.
+    """
+
+    @compiled
+    def kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
+        work, k = records(1, scratch), constants[0]
+        own = settings[k.drive_kind if len(settings) > 1 else 0]
+        for m in range(first, last):
+            for p in range(len(players)):
+                r = players[p]
+                act(beliefs[m, r], tracks[m, r], memory[m, p], noise[m, r], commands[m, r], k, own, work[0])
+
+    return kernel
+
+
+def per_blind_player(act: Callable[..., None]) -> Callable[..., None]:
+    """Return the kernel of a team with `blind=True`, for whose players nothing is sensed: no belief reaches them.
+
+    act(memory, noise, command, k, settings) is as in `per_player`.
+    """
+
+    @compiled
+    def kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
+        k, own = constants[0], settings[0]
+        for m in range(first, last):
+            for p in range(len(players)):
+                act(memory[m, p], noise[m, players[p]], commands[m, players[p]], k, own)
+
+    return kernel
