@@ -9,7 +9,7 @@ entry: `KINDS["beacon"] = "my_robots:BEACON"`.
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,6 +19,38 @@ KINDS = {
     "legged": "soccer_env.robot_kinds.legged:LEGGED",
     "omni": "soccer_env.robot_kinds.omni:OMNI",
 }
+
+CENTI = 100.0  # [1] steps of a note in a metre or radian
+LINE_STEPS = 10.0  # [1/m] of the distance of a line
+POLAR = [
+    "bearing",
+    "distance",
+]  # parts of a thing that is drawn as a ray; a team-mate's distance is above 0, others' below
+Group = list[Any]  # [name, how many, names of the parts of each]
+
+
+class Seen(NamedTuple):
+    """What percepts (R,) show."""
+
+    ball: np.ndarray  # (R,) bool
+    own_goal: np.ndarray  # (R,) bool
+    opponent_goal: np.ndarray  # (R,) bool
+    players: np.ndarray  # (R,) how many others
+    marks: np.ndarray  # (R,) how many landmarks or lines
+    range: np.ndarray  # (R,) [m] that a ranger reads, 0: none
+
+
+@dataclass(frozen=True)
+class Noted:
+    """What a replay keeps of a robot's sensors, and so what pictures show of them.
+
+    A group named `ball`, `own_goal`, `opponent_goal` or `players` has its colour, each other one is white. Groups with
+    the parts POLAR are drawn as rays. How groups of blobs and lines look: `render/overlays/sight.py`.
+    """
+
+    groups: tuple[Group, ...]
+    columns: Callable[[np.ndarray, np.ndarray], dict[str, np.ndarray]]  # of percepts (R,), beliefs (R,): (R, n, parts)
+    seen: Callable[[np.ndarray], Seen]  # of percepts (R,)
 
 
 @dataclass(frozen=True)
@@ -38,6 +70,7 @@ class RobotKind:
     entries: Callable[[Any], list[Any]]  # of observe="percepts" in a league
     observe: Callable[..., None]  # the kernel that writes them
     tables: Callable[[Any], np.ndarray]  # (1,) record of what is calibrated before a match in a league
+    noted: Noted | None = None  # None: a replay keeps nothing of the sensors, only what the robot believes
     late: Callable[[Any], int] = lambda sensors: 0  # frames by which its camera delivers late, of its sensors' settings
 
 

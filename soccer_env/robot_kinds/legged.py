@@ -1,13 +1,43 @@
 """The kind of robot that plays the legged league."""
 
+import numpy as np
+
 from soccer_env.belief.legged.believe import LEGGED_MEMORY, believe_slice
 from soccer_env.belief.legged.talk import SOUND_MESSAGE
 from soccer_env.belief.particles import PARTICLE
-from soccer_env.leagues.robot_kind import RobotKind
+from soccer_env.leagues.robot_kind import CENTI, POLAR, Group, Noted, RobotKind, Seen
 from soccer_env.observations.legged import entries, observe_slice
 from soccer_env.perception.legged.calibration import calibrate
 from soccer_env.perception.legged.sense import LEGGED_SENSOR_STATE, sense_slice
 from soccer_env.records.percepts import LEGGED_PERCEPT
+
+BOX = ["left", "right", "high", "low"]  # [px] as `records/percepts.py` has them
+GROUPS: tuple[Group, ...] = (  # percepts of a camera on a head; those of several blobs are the largest
+    ["head", 1, ["pan", "tilt"]],
+    *([name, 1, BOX] for name in ("ball", "own_goal", "opponent_goal")),
+    *([name, count, BOX] for name, count in (("teammates", 2), ("opponents", 3), ("landmarks", 6))),
+    ["obstacle", 1, POLAR],  # that the ranger meets
+)
+
+
+def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
+    """Return head, blobs and obstacle of robots (R,), each (R, n, parts)."""
+    obstacle = beliefs["obstacle"]
+    found = {"head": np.stack([CENTI * percepts["pan"], CENTI * percepts["tilt"]], axis=-1)[:, None]}
+    found["obstacle"] = np.stack([CENTI * obstacle["bearing"], CENTI * obstacle["distance"]], axis=-1)[:, None]
+    for name, _, _ in GROUPS[1:-1]:
+        blobs = percepts[name]
+        there = (blobs["area"] > 0)[..., None]
+        found[name] = np.where(there, np.stack([blobs[part] for part in BOX], axis=-1), 0)
+    return found
+
+
+def seen(percepts: np.ndarray) -> Seen:
+    """Return what percepts (R,) show."""
+    ball, own_goal, opponent_goal = (percepts[name]["area"][:, 0] > 0 for name in ("ball", "own_goal", "opponent_goal"))
+    mates, opponents, marks = ((percepts[n]["area"] > 0).sum(axis=1) for n in ("teammates", "opponents", "landmarks"))
+    return Seen(ball, own_goal, opponent_goal, mates + opponents, marks, percepts["infrared"])
+
 
 LEGGED = RobotKind(
     percept=LEGGED_PERCEPT,
@@ -20,4 +50,5 @@ LEGGED = RobotKind(
     entries=entries,
     observe=observe_slice,
     tables=calibrate,
+    noted=Noted(GROUPS, columns, seen),
 )

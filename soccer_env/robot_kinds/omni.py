@@ -1,12 +1,40 @@
 """The kind of robot that plays the middle-size league."""
 
+import numpy as np
+
 from soccer_env.belief.omni.believe import OMNI_MEMORY, believe_slice
 from soccer_env.belief.omni.radio import RADIO_MESSAGE
 from soccer_env.belief.particles import PARTICLE
-from soccer_env.leagues.robot_kind import RobotKind
+from soccer_env.leagues.robot_kind import CENTI, LINE_STEPS, POLAR, Group, Noted, RobotKind, Seen
 from soccer_env.observations.omni import entries, observe_slice
 from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
 from soccer_env.records.percepts import OMNI_PERCEPT
+
+MOST_PLAYERS = 9  # that a note keeps, nearest first
+GROUPS: tuple[Group, ...] = (
+    *([name, 1, POLAR] for name in ("ball", "own_goal", "opponent_goal")),
+    ["players", MOST_PLAYERS, POLAR],
+    ["lines", 32, ["distance"]],
+)
+
+
+def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
+    """Return sightings and lines of robots (R,), each (R, n, parts)."""
+    found = {}
+    for name, count, _ in GROUPS[:-1]:
+        things = percepts[name].reshape(len(percepts), -1)[:, :count]
+        side = np.where(things["teammate"] == 1, 1.0, -1.0) if name == "players" else 1.0
+        polar = np.stack([CENTI * things["bearing"], CENTI * side * things["distance"]], axis=-1)
+        found[name] = np.where((things["seen"] > 0)[..., None], polar, 0.0)
+    return found | {"lines": LINE_STEPS * percepts["lines"][..., None]}
+
+
+def seen(percepts: np.ndarray) -> Seen:
+    """Return what percepts (R,) show; these robots have no ranger."""
+    ball, own_goal, opponent_goal = (percepts[name]["seen"] > 0 for name in ("ball", "own_goal", "opponent_goal"))
+    players, lines = percepts["players"]["seen"].sum(axis=1), (percepts["lines"] > 0.0).sum(axis=1)
+    return Seen(ball, own_goal, opponent_goal, players, lines, np.zeros(len(percepts)))
+
 
 OMNI = RobotKind(
     percept=OMNI_PERCEPT,
@@ -19,5 +47,6 @@ OMNI = RobotKind(
     entries=entries,
     observe=observe_slice,
     tables=line_tables,
+    noted=Noted(GROUPS, columns, seen),
     late=lambda sensors: sensors.camera_delay,
 )

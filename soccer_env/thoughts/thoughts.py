@@ -13,7 +13,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.match.squads import Squad
 from soccer_env.teams import explanation_of
-from soccer_env.thoughts.groups import Group, checked_groups, group_columns, groups_of, width_of
+from soccer_env.thoughts.groups import Group, checked_groups, group_columns, groups_of, noted_of, width_of
 from soccer_env.types import HOME
 
 PER_SECOND = 5  # [1/s] notes, at least
@@ -195,24 +195,13 @@ def seen(match: Match) -> list[np.ndarray]:
     """Return bits of SEES, how many players and landmarks (or lines) are seen, and the infrared range, each (R,)."""
     robots = match.robots[0]
     bits = np.where(match.batch.believing, SEES["thinks"], 0) | np.where(robots["has_ball"] == 1, SEES["held"], 0)
-    none = np.zeros(len(robots))
-    if match.batch.senses is None:
+    none, noted = np.zeros(len(robots)), noted_of(match)
+    if match.batch.senses is None or noted is None:
         return [bits, none, none, none]
-    percepts = match.batch.senses.percepts[0]
-    if "infrared" in (percepts.dtype.names or ()):
-        ball, goals = percepts["ball"]["area"][:, 0] > 0, [percepts[n]["area"][:, 0] > 0 for n in SEEN_GOALS]
-        others = (percepts["teammates"]["area"] > 0).sum(axis=1) + (percepts["opponents"]["area"] > 0).sum(axis=1)
-        marks, infrared = (percepts["landmarks"]["area"] > 0).sum(axis=1), MILLI * percepts["infrared"]
-    else:
-        ball, goals = percepts["ball"]["seen"] > 0, [percepts[name]["seen"] > 0 for name in SEEN_GOALS]
-        others, marks = percepts["players"]["seen"].sum(axis=1), (percepts["lines"] > 0.0).sum(axis=1)
-        infrared = none
-    for name, present in zip(("ball", *SEEN_GOALS), (ball, *goals), strict=True):
-        bits = bits | np.where(present, SEES[name], 0)
-    return [bits, others, marks, infrared]
-
-
-SEEN_GOALS = ("own_goal", "opponent_goal")
+    saw = noted.seen(match.batch.senses.percepts[0])
+    for name in ("ball", "own_goal", "opponent_goal"):
+        bits = bits | np.where(getattr(saw, name), SEES[name], 0)
+    return [bits, saw.players, saw.marks, MILLI * saw.range]
 
 
 def cloud(match: Match, sign: np.ndarray) -> list[np.ndarray]:

@@ -6,9 +6,12 @@ from typing import Any
 import numpy as np
 
 from soccer_env.leagues import find_league
+from soccer_env.leagues.robot_kind import Group
 from soccer_env.render.overlays.scene import Camera, Cast, Part
+from soccer_env.robot_kinds.legged import GROUPS as LEGGED
+from soccer_env.robot_kinds.omni import GROUPS as OMNI
 from soccer_env.teams import Explanation, Mind
-from soccer_env.thoughts.groups import LEGGED, OBSTACLE, OMNI, PLAN, Group, width_of
+from soccer_env.thoughts.groups import PLAN, width_of
 from soccer_env.thoughts.thought import Reader
 from soccer_env.thoughts.thoughts import SEES, TABLE, TRACK
 from tests.scenes.staging import LEGGED as LEGGED_LEAGUE
@@ -53,7 +56,7 @@ def cast_for(league: str, home: int, away: int, parts: Mapping[int, Part], **cha
     """Return who plays, with a reader of all groups of the league."""
     legged = league == LEGGED_LEAGUE
     agents = [f"home_{n}" for n in range(home)] + [f"away_{n}" for n in range(away)]
-    groups = [*(LEGGED + OBSTACLE if legged else OMNI), *PLAN]
+    groups = [*(LEGGED if legged else OMNI), *PLAN]
     reader = Reader(SLOTS, [MEMORY for _ in agents], groups)
     given = {"camera": CAMERA if legged else None, "ranger": legged, "line_directions": 24, "reader": reader}
     return Cast(find_league(league), agents, parts=parts, why_no_notes="nothing was noted", **{**given, **changes})

@@ -4,25 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from soccer_env import Match
+from soccer_env import Match, shows
 from soccer_env.belief.believing import believe_kernel
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.compiled import compiled
+from soccer_env.data_out.collect import collect
+from soccer_env.data_out.table_files import write_tables
+from soccer_env.data_out.tables import tables_of
 from soccer_env.guards.ranges import Range, record
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.options import Options
-from soccer_env.leagues.robot_kind import KINDS, RobotKind, kind_of
+from soccer_env.leagues.robot_kind import CENTI, KINDS, POLAR, Noted, RobotKind, Seen, kind_of
 from soccer_env.observations import names_of
 from soccer_env.observations.entry import Entry
 from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.perception.sensing import sense_kernel
 from soccer_env.random_numbers import normal
 from soccer_env.records.percepts import BODY_PERCEPT
+from soccer_env.replay import Recorder, Replay, Thoughts
+from soccer_env.thoughts.thought import Reader
 from soccer_env.types import HOME, RobotStream
 
 CAMERA = int(RobotStream.CAMERA)
@@ -169,3 +175,37 @@ def test_every_known_kind_is_where_it_is_said_to_be(name: str) -> None:
     kind = kind_of(kinds[name])
     assert isinstance(kind, RobotKind)
     assert "body" in (kind.percept.names or ()) and "pose_error" in (kind.sensor_state.names or ())
+
+
+def hear(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
+    bearing, distance = np.arctan2(percepts["left"], percepts["ahead"]), np.hypot(percepts["left"], percepts["ahead"])
+    return {"beacon": CENTI * np.stack([bearing, distance], axis=-1)[:, None]}
+
+
+def heard(percepts: np.ndarray) -> Seen:
+    yes, none = np.ones(len(percepts), bool), np.zeros(len(percepts))
+    return Seen(yes, ~yes, ~yes, none, none, none)
+
+
+@pytest.mark.parametrize("noted", [None, Noted((["beacon", 1, POLAR],), hear, heard)])
+def test_it_is_recorded_replayed_exported_and_drawn(
+    league: League, noted: Noted | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(globals(), "BEACON", replace(BEACON, noted=noted))
+    match = Match(league, home=2, away=1, seed=1, controllers={"home": "chaser", "away": "still"})
+    recorder = Recorder(match, Thoughts(match))
+    for _ in range(100):
+        match.step()
+    x, y = match.balls["x"][0] - match.robots["x"][0], match.balls["y"][0] - match.robots["y"][0]
+    replay = Replay.read(recorder.stop().write(tmp_path / "a.replay"))
+    assert replay.check() == 100
+    notes = replay.notes()
+    thought = Reader.of(notes).thought(notes.numbers[-1], 1)  # type: ignore[arg-type, union-attr]
+    plain, drawn = (shows.frame(replay, 2.0, robot="home_1", sight=sight) for sight in (False, True))
+    if noted is None:
+        assert thought.groups == {}
+    else:
+        assert thought.groups["beacon"][0, 1] / CENTI == pytest.approx(np.hypot(x, y)[1], abs=0.15)
+        assert (plain != drawn).any(axis=2).sum() > 100  # the ray to the ball
+    assert shows.html(replay, tmp_path / "a.html", sight=True, robot="home_1").stat().st_size > 50_000
+    assert all(path.stat().st_size for path in write_tables([tables_of(collect(replay))], tmp_path / "a.csv").values())

@@ -83,7 +83,7 @@ def show_sight(look: Look) -> Drawn:
     """Draw what its camera delivered."""
     groups = {} if look.thought is None else look.thought.groups
     by_head = "head" in groups and look.cast.camera is not None
-    if not (by_head or "players" in groups):
+    if not (by_head or (groups and look.cast.rays)):
         known = look.cast.reader is not None and look.shot.note is not None
         return [], [f"sight: {'no camera was played or noted' if known else look.cast.why_no_notes}"]
     return in_sight(look.cast, look.shot, look.row, groups, look.unit), []

@@ -12,6 +12,7 @@ import numpy as np
 
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
+from soccer_env.leagues.robot_kind import POLAR
 from soccer_env.match import Match
 from soccer_env.match.settings import plain
 from soccer_env.records.percepts import LINES
@@ -86,6 +87,12 @@ class Cast:
     constants: np.ndarray = field(default_factory=lambda: np.zeros(0))
     why_no_notes: str = ""
     line_directions: int = LINES  # in which an omnidirectional camera looks for white lines
+
+    @property
+    def rays(self) -> list[str]:
+        """Return the groups of notes that are drawn as rays: what is sighted, not what a ranger meets."""
+        groups = [] if self.reader is None else self.reader.groups
+        return [name for name, _, parts in groups if parts == POLAR and name != "obstacle"]
 
     def thought(self, shot: Shot, r: int) -> Thought | None:
         """Return what robot r thinks, None where nobody noted it."""

@@ -8,10 +8,10 @@ from math import atan, cos, pi, sin
 import numpy as np
 
 from soccer_env.leagues.league import League
+from soccer_env.leagues.robot_kind import CENTI, LINE_STEPS
 from soccer_env.render.colours import BALL, GOALS, KEEPER, TEAMS_LIGHT, WHITE, Colour
 from soccer_env.render.overlays.scene import Camera, Cast, Shot
 from soccer_env.render.overlays.shapes import Area, Overlay, Points, Polyline
-from soccer_env.thoughts.groups import CENTI, LINE_STEPS
 
 SIGHT: Colour = (255, 246, 190)
 RAYS = 41  # of the fan that the field of view is drawn as
@@ -102,11 +102,9 @@ def all_round(cast: Cast, pose: Pose, groups: Groups, tints: Mapping[str, Colour
         there = ranges > 0.0
         dots = np.column_stack([x + ranges * np.cos(angles), y + ranges * np.sin(angles)])[there]
         found.append(Points(dots, KEEPER, 2.6 * unit))
-    for bearing, distance in groups["players"].tolist():
-        if distance != 0:
-            ray(bearing / CENTI, abs(distance) / CENTI, tints["teammates" if distance > 0 else "opponents"])
-    for name in ("own_goal", "opponent_goal", "ball"):
-        for bearing, distance in groups[name].tolist() if name in groups else ():
+    for name in reversed(cast.rays):
+        for bearing, distance in groups[name].tolist():
+            mate = "teammates" if distance > 0 else "opponents"
             if distance != 0:
-                ray(bearing / CENTI, distance / CENTI, tints[name])
+                ray(bearing / CENTI, abs(distance) / CENTI, tints.get(mate if name == "players" else name, WHITE))
     return found

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from math import cos, sin
 from typing import TYPE_CHECKING
 
+from soccer_env.leagues.robot_kind import CENTI
 from soccer_env.render.canvas import Canvas
 from soccer_env.render.colours import AMBER, TEAMS_LIGHT, WHITE, Colour
 from soccer_env.render.overlays.belief import letters
 from soccer_env.render.overlays.scene import Cast, Shot
 from soccer_env.render.overlays.shapes import Label, Overlay, Points, Polyline
 from soccer_env.render.view import View
-from soccer_env.thoughts.groups import CENTI
 
 if TYPE_CHECKING:
     from soccer_env.render.overlays.layers import Look

@@ -7,10 +7,10 @@ from math import hypot
 
 import numpy as np
 
+from soccer_env.leagues.robot_kind import CENTI
 from soccer_env.render.colours import BALL_SHINE, CARPET, INK, TEAMS_LIGHT, WHITE, Colour
 from soccer_env.render.overlays.scene import Shot
 from soccer_env.render.overlays.shapes import Overlay, Points, Polyline
-from soccer_env.thoughts.groups import CENTI
 from soccer_env.thoughts.thought import Thought
 
 TRAVELLED = 6.0  # [s] of a robot's way that are shown
