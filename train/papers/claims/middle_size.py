@@ -114,8 +114,7 @@ def light_figures(samples: Samples) -> Sequence[Figure]:
 H26 = Claim(
     id="H26",
     section="abstract, 1",
-    statement="A static colour table relies on nearly constant light; the one that adapts online lets robots play at "
-    "changing illumination.",
+    statement="A static colour table needs nearly constant light; the adapting one copes with changes.",
     method=f"{MATCHES} robots a batch look at a ball and a player {NEAR:g} to {FAR:g} m away and at both goals for "
     f"{SECONDS:g} s, while the light swings between dark and glaring (amplitude 1, period 120 s); share of these four "
     "that a picture shows and range error of the ball in bins of the light's change, against the same frames under "

@@ -104,7 +104,7 @@ def fewer_jumps(samples: Samples, name: str) -> float:
 S10 = Claim(
     id="S10",
     section="3.1.1",
-    statement="While robots track the ball it is often at the image's centre, where the infrared sensor measures.",
+    statement="While robots track the ball it is often at the image's centre, where infrared measures.",
     method=f"{MATCHES} matches a batch of 3 v 3, chasers on their sensors, {SECONDS:g} s each: frames in which a robot "
     "sees the ball and the camera's axis meets it.",
     criteria=(
@@ -125,8 +125,7 @@ S10 = Claim(
 S11 = Claim(
     id="S11",
     section="3.1.1",
-    statement="Sudden jumps to much larger distances come from small orange patches seen when the ball is lost; a test "
-    "of height and a larger area threshold after near sightings fix them.",
+    statement="Range jumps come from orange patches seen when the ball is lost; two rules fix them.",
     method=f"{WATCHED} matches a batch of {TIME:g} s in which a robot follows at 50 cm a ball that three opponents "
     "have, with orange patches round the field and on red stickers; jumps: over 50 cm farther in a frame, to a place "
     "more than 50 cm wrong; the same play with the two rules and without.",
@@ -146,7 +145,6 @@ S11 = Claim(
     ),
     rules=STAGED,
     measure=false_balls,
-    changed="Before: a robot that ran into the ball, its head on the believed place (78.4 % fewer jumps: undecided).",
     ingredients=("sensors.patches, patch_low, red_as_orange", "memory.horizon_angle, area_small, area_large"),
     seconds=4.0,
     batches=24,

@@ -50,8 +50,7 @@ def error_ratio(samples: Samples, frames: str = "") -> float:
 S09 = Claim(
     id="S09",
     section="3.1.1",
-    statement="Taking the infrared reading where it is less than 2/3 of the range by size repairs obstruction in both "
-    "dimensions.",
+    statement="Infrared, where below 2/3 of the range by size, repairs obstruction in both dimensions.",
     method=f"{SCENES}, robots tracking what they see; balls of which less than 2/3 is left in both dimensions (of "
     "others the size says less than 3/2 of the range, and the rule has no business), up to 60 cm away, in frames "
     "in which the camera's axis meets the ball; and the same balls unobstructed, at the centre, for false triggers.",
@@ -76,7 +75,6 @@ S09 = Claim(
     ),
     rules=STAGED,
     measure=with_and_without_infrared,
-    changed="Before: heads that looked at the believed place, and balls cut below 90 % counted as hidden in both.",
     least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),
 )

@@ -119,7 +119,6 @@ S31 = Claim(
     measure=both_strategies,
     figures=goal_figure,
     ingredients=("the drill's places", "kicks of 0.8 to 1.5 m/s with a spread of 10 degrees"),
-    changed="Before: blockers who only stood, and a team that shot by rules of ours (0.521 %: undecided).",
     note="Against players who only stand a blind shot that hits somebody is fetched and tried again, for nobody takes "
     "the ball away.",
     seconds=4.2,

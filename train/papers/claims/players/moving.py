@@ -134,7 +134,7 @@ def moved_figure(samples: Samples) -> Sequence[Figure]:
 S70 = Claim(
     id="S70",
     section="4.3.1",
-    statement="The position of a distant obstacle may be very different when the dribbler gets close to it.",
+    statement="A distant obstacle may be elsewhere when the dribbler gets close to it.",
     method=f"{SCENES} scenes a batch at {len(SPEEDS)} speeds: a robot sees another player {100 * NEAREST:.0f} to "
     f"{100 * FARTHEST:.0f} cm away, who walks on, turning at random; error of the place that it believes against the "
     f"player's true place when a dribbler at {100 * DRIBBLE:.0f} cm/s has come within {100 * THERE:.0f} cm of it.",
@@ -184,7 +184,6 @@ S70 = Claim(
     seconds=6.0,
     batches=10,
     figures=moved_figure,
-    changed="Before: one k2 with the cut-off and without (-42.2 pp: not); a bound of -10 after a look was taken back.",
     ingredients=("the movers' way: constant speed, turns that change every 3 s, boards",),
     note="The cut-off is judged by the team without shots that dribbles past the mover of a drill, who walks in at "
     "6 cm/s from beyond it; without the cut-off k2 is such that a force is 1 at 444 mm as well, but "

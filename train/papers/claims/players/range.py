@@ -128,7 +128,7 @@ def ranger_figure(samples: Samples) -> Sequence[Figure]:
 S40 = Claim(
     id="S40",
     section="4.1.2",
-    statement="It is often more difficult to obtain an accurate distance estimate for a player than for the ball.",
+    statement="A player's distance is often harder to estimate accurately than the ball's.",
     method=f"{MATCHES} robots a batch stare at a standing player, seen from any side, and then at a ball in the same "
     f"place, {100 * NEAR:.0f} to {100 * FAR:.0f} cm away; error of the latest range over the true one, frames that "
     "show it; all rules of both systems on.",
@@ -148,7 +148,7 @@ S40 = Claim(
 S41 = Claim(
     id="S41",
     section="4.1.2",
-    statement="For a player in the middle of the picture, infrared readings under 40 cm give the better distance.",
+    statement="For a player in the picture's middle infrared under 40 cm gives the better distance.",
     method=f"{MATCHES} robots a batch stare at a player {100 * RANGER_NEAR:.0f} to {100 * RANGER_FAR:.0f} cm away, "
     "seen from any side; frames in which the rule takes the reading, being under 40 cm while the player's largest blob "
     "is in the middle, whatever the beam met; range error with the rule and without, same seeds.",

@@ -67,8 +67,7 @@ def steals(batch: Batch) -> Samples:
 S30 = Claim(
     id="S30",
     section="4",
-    statement="When a player is going after the ball a collision can be helpful, running into an opponent that has it: "
-    "others are avoided only in possession of the ball.",
+    statement="While chasing the ball a collision can help: avoid others only in possession.",
     method=f"{STEALS} scenes a batch: an opponent (sacks-2001) has the ball between its paws, a robot 50 to 80 cm "
     f"before it goes for it, walking round others or not; who has the ball alone within {STEAL_TIME:g} s, and who "
     "because the opponent lost it in contact with the robot. A whistle against one of them, a dropped ball and "
@@ -84,7 +83,6 @@ S30 = Claim(
     rules=PLAYED,
     measure=steals,
     ingredients=("how the team walks round others: baselines/skills.py",),
-    changed="Before: at least as many balls won as by who avoids (2.8 points fewer), without a referee.",
     seconds=3.0,
     batches=16,
 )
