@@ -90,13 +90,13 @@ S05 = Claim(
     "the camera, along the ground, for 1 s; raw estimate against truth, frames that show it.",
     criteria=(
         measured(
-            "median range error <= 10 % of the distance",
+            "median range error over the distance",
             lambda samples: 100 * median(np.abs(samples["distance"]) / samples["range"]),
             unit="%",
             at_most=10.0,
         ),
         measured(
-            "median bearing error <= 2 deg",
+            "median bearing error",
             lambda samples: np.degrees(median(np.abs(samples["bearing"]))),
             unit="deg",
             at_most=2.0,
@@ -185,15 +185,13 @@ S06 = Claim(
     "(by size in frames without a valid reading on the ball), all frames that show the ball, bins of 5 cm.",
     criteria=(
         measured(
-            "infrared becomes the worse one at 35 to 45 cm",
+            "range from which infrared is the worse one",
             crossing,
             unit="cm",
             at_least=100 * CROSSING[0],
             at_most=100 * CROSSING[1],
         ),
-        measured(
-            "rms error of infrared over that of size above 1 in each bin from 45 to 80 cm", least_ratio, above=1.0
-        ),
+        measured("rms error of infrared over that of size, least in 45 to 80 cm", least_ratio, above=1.0),
     ),
     rules=STAGED,
     measure=size_and_infrared,
@@ -217,7 +215,7 @@ S15 = Claim(
     method="The calibration table for the ball's width: range at which neighbouring sizes are 5 and 10 cm apart.",
     criteria=tuple(
         exact(
-            f"a pixel is worth {100 * step:.0f} cm at {100 * low:.0f} to {100 * high:.0f} cm",
+            f"range at which a pixel is worth {100 * step:.0f} cm",
             partial(range_of_step, step=step),
             unit="cm",
             at_least=100 * low,

@@ -161,7 +161,7 @@ S18 = Claim(
     f"between readings ({', '.join(f'{interval:g}' for interval in INTERVALS)} s), same seeds.",
     criteria=(
         measured(
-            "walking: the rms error falls from each interval to the next longer one (least fall above 0)",
+            "walking: least fall of the rms error from interval to interval",
             lambda samples: least_fall(samples, "walking"),
             unit="cm/s",
             above=0.0,
@@ -202,7 +202,7 @@ S20 = Claim(
     "if it lies on the wrong side of half the top speed.",
     criteria=(
         exact("5 cm in 1/3 s over the top speed", lambda samples: PIXEL_JUMP / READING / TOP_SPEED, above=1.0),
-        counted("single readings at 60 cm that misjudge: at least 10 %", "wrong", "judged", at_least=10.0),
+        counted("single readings at 60 cm that misjudge", "wrong", "judged", at_least=10.0),
     ),
     rules=STAGED,
     measure=readings_at_60,
@@ -221,7 +221,7 @@ S21 = Claim(
     method=f"{MATCHES} robots a batch walk in from {100 * PLACE:.0f} cm, as many are stuck {100 * NEAREST:.0f} to "
     f"{100 * PLACE:.0f} cm from the ball, counted from the camera; the mean of the first 1 to {READINGS} readings "
     "against half the top speed.",
-    criteria=(counted(f"wrong after {READINGS} readings: at most 5 %", "wrong at last", "judged", at_most=5.0),),
+    criteria=(counted(f"wrong after {READINGS} readings", "wrong at last", "judged", at_most=5.0),),
     rules=STAGED,
     measure=series_of_readings,
     figures=readings_figure,

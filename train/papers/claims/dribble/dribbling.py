@@ -98,7 +98,7 @@ S51 = Claim(
     "is lost. Beside it the same with the body of one piece.",
     criteria=(
         counted(f"kept over {COUNTED:g} m at 3.5 cm", "kept at 3.5", "tried at 3.5", at_least=80.0),
-        measured("losses per metre at 4 cm less twice those at 3.5 cm, above 0", rise, above=0.0),
+        measured("losses per metre at 4 cm less twice those at 3.5 cm", rise, above=0.0),
         reported("losses per metre at 3.5 cm", lambda s: per_metre(s)[STEPS.index(PAPER_STEP)]),
         reported("losses per metre at 4 cm", lambda s: per_metre(s)[STEPS.index(0.040)]),
         reported("body of one piece: kept over 1 m at 3.5 cm",

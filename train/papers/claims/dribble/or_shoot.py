@@ -102,7 +102,7 @@ S31 = Claim(
     "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody "
     "there.",
     criteria=(
-        measured("runs with a goal, dribbling less orbit and shoot, blockers that go for the ball",
+        measured("goals, dribbling less orbit and shoot, blockers after the ball",
                  lambda s: more(s, "goals"), unit="%", above=0.0),
         *(reported(f"goals, {name}", partial(share_of, name=name), unit="%") for name in (*STRATEGIES, *MORE)),
         *(reported(f"goals against, {name}", partial(share_of, name=name, what="against"), unit="%")

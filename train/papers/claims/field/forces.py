@@ -90,7 +90,7 @@ S44 = Claim(
     "off the goal, and greatest turn from one step to the next.",
     criteria=(
         measured(
-            "distance of the first reaction falls with the exponent (least fall of the median)",
+            "least fall of the first reaction's distance with the exponent",
             lambda samples: -float(np.diff(of_exponents(samples, "onset", 100.0)).max()),
             unit="cm",
             above=0.0,

@@ -114,7 +114,7 @@ S34 = Claim(
     "after it, for each ghost and for each miss.",
     criteria=(
         measured(
-            "added error for a ghost less that for a miss > 0",
+            "added error for a ghost less that for a miss",
             lambda samples: 100 * (mean(samples["ghost"]) - mean(samples["miss"])),
             unit="cm",
             above=0.0,

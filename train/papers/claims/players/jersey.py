@@ -155,12 +155,12 @@ S37 = Claim(
     "heights of the largest sticker; the worst jersey counts.",
     criteria=(
         measured(
-            "player: width varies at least 3 times as much as height",
+            "player: variation of the width over the height's",
             lambda samples: width_over_height(samples, "all "),
             at_least=3.0,
         ),
         measured(
-            "largest sticker: height head-on over that from the side < 1",
+            "largest sticker: height head-on over that from the side",
             lambda samples: float(front_over_side(samples).max()),
             below=1.0,
         ),
@@ -186,13 +186,13 @@ S38 = Claim(
     "ranger; all sectors but the head-on one; the worst jersey counts.",
     criteria=(
         measured(
-            "head-on table: mean error in the other views <= 0",
+            "head-on table: mean error in the other views",
             lambda samples: float(bias(samples, "front", ASIDE).max()),
             unit="%",
             at_most=0.0,
         ),
         measured(
-            "head-on table less side table, mean error in all views < 0",
+            "head-on table less side table, mean error in all views",
             lambda samples: float((bias(samples, "front", ALL) - bias(samples, "side", ALL)).max()),
             unit="%",
             below=0.0,

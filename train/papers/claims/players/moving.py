@@ -140,13 +140,13 @@ S70 = Claim(
     f"player's true place when a dribbler at {100 * DRIBBLE:.0f} cm/s has come within {100 * THERE:.0f} cm of it.",
     criteria=(
         measured(
-            "median error of movers seen from beyond 1 m less that from within, at each speed > 0 (the least)",
+            "median error of movers seen from beyond 1 m less that from within, least of the speeds",
             lambda samples: min(beyond_less_within(samples, speed) for speed in SPEEDS[1:]),
             unit="cm",
             above=0.0,
         ),
         measured(
-            "the median error rises with the speed (least rise above 0)",
+            "least rise of the median error with the speed",
             lambda samples: least_rise(by_speed(samples)),
             unit="cm",
             above=0.0,

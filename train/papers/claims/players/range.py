@@ -133,7 +133,7 @@ S40 = Claim(
     f"place, {100 * NEAR:.0f} to {100 * FAR:.0f} cm away; error of the latest range over the true one, frames that "
     "show it; all rules of both systems on.",
     criteria=(
-        measured("relative error of the player's range over that of the ball's > 1", over_ball, above=1.0),
+        measured("relative range error of players over the ball's", over_ball, above=1.0),
         reported("relative error, player (root mean square)", lambda samples: 100 * rms(samples["player"]), unit="%"),
         reported("relative error, ball", lambda samples: 100 * rms(samples["ball"]), unit="%"),
     ),
@@ -153,7 +153,7 @@ S41 = Claim(
     "seen from any side; frames in which the rule takes the reading, being under 40 cm while the player's largest blob "
     "is in the middle, whatever the beam met; range error with the rule and without, same seeds.",
     criteria=(
-        measured("error without the rule less that with it > 0", gain, unit="cm", above=0.0),
+        measured("error without the rule less that with it", gain, unit="cm", above=0.0),
         reported("error with the rule (root mean square)", lambda samples: 100 * rms(samples["with"]), unit="cm"),
         reported("error without the rule", lambda samples: 100 * rms(samples["without"]), unit="cm"),
         reported("frames with a reading under 40 cm", lambda samples: 100 * float(np.mean(samples["near"])), unit="%"),

@@ -92,7 +92,7 @@ S69 = Claim(
     "is seen, in thirds of the circle: head-on (60 degrees to both sides), from the side, from behind.",
     criteria=(
         measured(
-            "share of head-on views less that of the next third > 0",
+            "share of head-on views less the next third's",
             lambda samples: lead_of_front(samples["sensors"]),
             unit="%",
             above=0.0,

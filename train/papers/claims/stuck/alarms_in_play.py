@@ -121,7 +121,7 @@ S24 = Claim(
     f"{BEFORE:g} s of free approaches without an alarm. Beside it {TRIES} staged approaches a batch to a still ball 40 "
     "to 90 cm away in any direction, nothing in the way.",
     criteria=(
-        counted("approaches in play that end in a false alarm (infrequently)", "alarms", "approaches", at_most=5.0),
+        counted("approaches in play that end in a false alarm", "alarms", "approaches", at_most=5.0),
         measured("receding or turning: before false alarms less in free approaches", more_usual, unit="pp", above=0.0),
         *(
             reported(f"false alarms in play: {name}", partial(share_of, cause=i), unit="%")

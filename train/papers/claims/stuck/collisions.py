@@ -67,7 +67,7 @@ S01 = Claim(
             unit="%",
             at_least=10.0,
         ),
-        counted("approaches in which the robot touches another (common)", "met", "approaches", at_least=20.0),
+        counted("approaches in which the robot touches another", "met", "approaches", at_least=20.0),
         reported("time with some robots in contact", lambda s: 100.0 * mean(s["touching"]) / SECONDS, unit="%"),
     ),
     rules=PLAYED,

@@ -73,7 +73,7 @@ S23 = Claim(
     method=f"{TRIES} approaches a batch to a still ball 40 to 90 cm away in any direction, nothing in the way, with "
     "one counter and with two: a recovery that begins is a false alarm.",
     criteria=(
-        counted("one counter: approaches with a false alarm (often)", "counters 1", "approaches", at_least=5.0),
+        counted("one counter: approaches with a false alarm", "counters 1", "approaches", at_least=5.0),
         measured("alarms with one counter over those with two", lambda s: fewer(s, "counters"), at_least=5.0),
         reported("two counters: alarms in 100 approaches", lambda s: 100 * mean(s["counters 2"])),
         *(

@@ -73,7 +73,7 @@ S30 = Claim(
     "because the opponent lost it in contact with the robot. A whistle against one of them, a dropped ball and "
     "being pulled apart end a scene that nobody has won.",
     criteria=(
-        counted("not avoiding: balls won by contact (can sometimes be helpful)", "contact", "one", at_least=1.0),
+        counted("not avoiding: balls won by contact", "contact", "one", at_least=1.0),
         reported("avoiding: balls won by contact", lambda s: 100.0 * mean(s["on contact"]), unit="%"),
         reported("balls won without avoidance", lambda s: 100.0 * mean(s["off"]), unit="%"),
         reported("balls won with avoidance", lambda s: 100.0 * mean(s["on"]), unit="%"),
