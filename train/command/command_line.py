@@ -217,14 +217,19 @@ def run_reproduce(words: list[str]) -> int:
     from soccer_env.train.papers.settings import ReproduceSettings
 
     settings = read_settings(ReproduceSettings, words, "reproduce")
-    from soccer_env.train.papers.report import screen_table
-    from soccer_env.train.papers.reproduction import reproduce
+    from rich.markdown import Markdown
 
-    results = reproduce(settings)
+    from soccer_env.train.papers.report import screen_table, words_of
+    from soccer_env.train.papers.reproduction import reproduce
+    from soccer_env.train.papers.stored import stored_results
+
+    results = stored_results(settings.claims) if settings.stored else reproduce(settings)
     if settings.json:
         print_json([result.as_dict() for result in results])
         return 0
     console().print(screen_table(results))
+    for result in results if settings.claims else ():
+        console().print(Markdown(words_of(result)))
     say_written(settings.out, "report.md", "report.html", "results.json")
     return 0
 
