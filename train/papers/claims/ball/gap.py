@@ -160,7 +160,7 @@ def gap_figure(samples: Samples) -> Sequence[Figure]:
 S19 = Claim(
     id="S19",
     section="3.2",
-    statement="A velocity over more than 1.5 s without sight is likely to be wrong.",
+    statement="A velocity over 1.5 s without sight is likely to be wrong.",
     method=f"{MATCHES} robots a batch look for {SECONDS:g} s at a ball that is kicked about in a circle of "
     f"{100 * ROOM:.0f} cm while they walk to it and back, {100 * NEAREST:.0f} to {100 * FARTHEST:.0f} cm from it; now "
     f"and then they see nothing for up to {LONGEST:g} s. Error of each radial velocity that is read, by the gap in "

@@ -104,7 +104,7 @@ def fewer_jumps(samples: Samples, name: str) -> float:
 S10 = Claim(
     id="S10",
     section="3.1.1",
-    statement="While robots track the ball it is often at the image's centre, where infrared measures.",
+    statement="While robots track the ball it is often at the image's centre.",
     method=f"{MATCHES} matches a batch of 3 v 3, chasers on their sensors, {SECONDS:g} s each: frames in which a robot "
     "sees the ball and the camera's axis meets it.",
     criteria=(

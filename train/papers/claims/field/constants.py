@@ -104,7 +104,7 @@ def line_figures(samples: Samples) -> Sequence[Figure]:
 S53 = Claim(
     id="S53",
     section="4.3.2",
-    statement="For stationary obstacles smaller constants suffice; moving ones need x0 = 1 m and k2 = 800.",
+    statement="Smaller constants suffice for stationary obstacles; moving ones need x0 = 1 m, k2 = 800.",
     method=f"{SCENES} points a batch (facing the goal, range error {100 * NOISE:.0f} %) past a player that stands up "
     f"to 25 cm beside their way, or comes straight for them at {100 * SPEEDS[0]:.0f} to {100 * SPEEDS[1]:.0f} cm/s, "
     f"{len(GAINS)} values of k2 and {len(RANGES)} of x0, the other one the paper's; {FEW} robots a batch with four "

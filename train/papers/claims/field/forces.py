@@ -141,7 +141,7 @@ def difference(samples: Samples, kind: str) -> np.ndarray:
 S46 = Claim(
     id="S46",
     section="4.3.1",
-    statement="With a constant goal force reactions do not depend on how far the goal is.",
+    statement="With a constant goal force reactions do not depend on the goal's distance.",
     method=f"{SCENES} points a batch, {NEAR_GOAL:g} m and {FAR_GOAL:g} m from the goal, have a player at the same "
     "place relative to themselves, 25 to 70 cm away; difference of the directions off the goal that they take.",
     criteria=(

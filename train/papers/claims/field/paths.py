@@ -98,7 +98,7 @@ def steps_away(batch: Batch, **play: Any) -> Samples:
 S55 = Claim(
     id="S55",
     section="4.3.3",
-    statement="Never going more than 70 degrees off the goal's direction, the robot never retreats from it.",
+    statement="Within 70 degrees of the goal's direction the robot never goes away from it.",
     method=f"{SCENES} points a batch past one to three standing players anywhere on their way, ranges with an error of "
     f"{100 * NOISE:.0f} %; steps after which the goal is farther away.",
     criteria=(
@@ -219,7 +219,7 @@ S56 = Claim(
 S57 = Claim(
     id="S57",
     section="4.3.3",
-    statement="Keeping one's side when pushed back beyond 135 degrees mostly cures the indecision, not always.",
+    statement="Keeping one's side when pushed back beyond 135 degrees mostly cures the indecision.",
     method=f"The runs of S56 with ranges that have an error of {100 * NOISE:.0f} %, with the rule and without; and a "
     f"harder set: gaps of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near them. "
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of both.",

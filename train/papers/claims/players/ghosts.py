@@ -107,7 +107,7 @@ def ghost_figure(samples: Samples) -> Sequence[Figure]:
 S34 = Claim(
     id="S34",
     section="4.1.1",
-    statement="A ghost, which may push a real player out of the memory, is worse than a miss.",
+    statement="A ghost, which may displace a real player, is worse than a miss.",
     method=f"{MATCHES} robots a batch have looked at three standing opponents, two of which are in view; for one frame "
     "every blob counts as a player (ghosts), or all blobs as one (a miss); mean distance of the opponents from the "
     f"slots that stand for them (at most {100 * KNOWN:.0f} cm), less that without the event, over the {AFTER:g} s "

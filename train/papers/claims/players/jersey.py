@@ -150,7 +150,7 @@ HOW = (
 S37 = Claim(
     id="S37",
     section="4.1.2",
-    statement="A player's width varies with the view; its jersey's height hardly does, slightly smaller head-on.",
+    statement="A player's width varies with the view, its height hardly: slightly smaller head-on.",
     method=f"{HOW}; coefficient of variation of width and height of the box round all stickers over the sectors, and "
     "heights of the largest sticker; the worst jersey counts.",
     criteria=(

@@ -69,7 +69,7 @@ def rate(name: str, samples: Samples) -> float:
 S23 = Claim(
     id="S23",
     section="3.3",
-    statement="One counter often raises false alarms near the ball; the second, within 35 cm, remedies this.",
+    statement="One counter often raises false alarms near the ball; the second remedies this.",
     method=f"{TRIES} approaches a batch to a still ball 40 to 90 cm away in any direction, nothing in the way, with "
     "one counter and with two: a recovery that begins is a false alarm.",
     criteria=(
