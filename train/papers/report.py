@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from soccer_env.staging import PATIENT
@@ -14,6 +14,7 @@ from soccer_env.train.results_folder import ResultsFolder
 from soccer_env.train.written_settings import POSES
 
 if TYPE_CHECKING:
+    from rich.markdown import Markdown
     from rich.table import Table
 
 COLUMNS = ("id", "claim", "rules", "verdict", "seeds", "estimate (95 % interval)", "n")
@@ -156,6 +157,14 @@ def with_interval(found: dict[str, Any]) -> str:
 def number(value: float | None) -> str:
     """Return a number in a few digits; an open side of an interval as a question mark."""
     return "?" if value is None else plain(value, DIGITS)
+
+
+def screen_parts(results: Sequence[ClaimResult], in_full: bool) -> Iterator[Table | Markdown]:
+    """Yield what the terminal shows: the table of verdicts and, if `in_full`, all that was found of each claim."""
+    from rich.markdown import Markdown
+
+    yield screen_table(results)
+    yield from (Markdown(words_of(result)) for result in results if in_full)
 
 
 def screen_table(results: Sequence[ClaimResult]) -> Table:

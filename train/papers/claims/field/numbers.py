@@ -84,7 +84,7 @@ def unit_distance(batch: Batch, **play: Any) -> Samples:
 S49 = Claim(
     id="S49",
     section="4.3.2",
-    statement="With k2 = 800 and x0 = 1000 mm a player's force at 45 cm equals the goal's.",
+    statement="With k2 = 800, x0 = 1 m a player's force at 45 cm equals the goal's.",
     method="The distance from camera to surface at which the force of a player straight ahead is 1, by bisection.",
     criteria=(
         exact("distance", lambda s: 1000 * float(s["distance"][0]), unit="mm", at_least=440.0, at_most=460.0),
