@@ -120,7 +120,7 @@ S39 = Claim(
             at_most=2.5,
         ),
         measured(
-            "largest blob: the same, most of the jerseys",
+            "largest blob: the same, in the worst jersey",
             lambda samples: float(jumps(samples, "largest").max()),
             at_most=1.2,
         ),

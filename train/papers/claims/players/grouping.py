@@ -146,13 +146,13 @@ S33 = Claim(
     "missed one shows a blob and fills no slot; same seeds for each factor; the worst jersey counts.",
     criteria=(
         measured(
-            "ghosts at a factor of 3, most of the jerseys",
+            "ghosts at a factor of 3, in the worst jersey",
             lambda samples: float(share(samples, "ghosts", CHOSEN, "filled").max()),
             unit="%",
             at_most=FEW,
         ),
         measured(
-            "missed less ghosts at a factor of 3, least of the jerseys",
+            "missed less ghosts at a factor of 3, in the worst jersey",
             lambda samples: float((share(samples, "missed", CHOSEN) - share(samples, "ghosts", CHOSEN)).min()),
             unit="%",
             above=0.0,

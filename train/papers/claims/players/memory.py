@@ -143,13 +143,13 @@ S35 = Claim(
     "players; the worst of them counts.",
     criteria=(
         measured(
-            "U/d: two slots or more, least",
+            "U/d: two slots or more, at the least",
             lambda samples: min(by_misses(samples, FIRST)),
             unit="%",
             at_least=80.0,
         ),
         measured(
-            "U/(d^3 angle): two slots or more, most",
+            "U/(d^3 angle): two slots or more, at the most",
             lambda samples: max(by_misses(samples, FINAL)),
             unit="%",
             at_most=10.0,
