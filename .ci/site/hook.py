@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
-from pages import catalogue, commands, examples, reference
+from pages import catalogue, claims, commands, examples, reference
 
 ROOT = reference.ROOT
 PAGES = ("*.md", "soccer_env/**/*.md", "baselines/**/*.md", "agents/**/*.md", "train/**/*.md")
@@ -19,7 +19,7 @@ def on_config(config: MkDocsConfig) -> MkDocsConfig:
     """Add the pages that are made to the navigation."""
     home, guide, *teams, project = config.nav or []
     guide["Guide"] += [{"Command line": "commands.md"}, *examples.navigation()]
-    config.nav = [home, guide, *teams, *catalogue.navigation(), *reference.navigation(), project]
+    config.nav = [home, guide, *teams, *claims.navigation(), *catalogue.navigation(), *reference.navigation(), project]
     return config
 
 
@@ -30,7 +30,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
             if path.is_file():
                 uri = path.relative_to(ROOT).as_posix()
                 files.append(File.generated(config, uri, abs_src_path=str(path)))
-    made = {"commands.md": commands.page()} | catalogue.pages() | examples.pages() | reference.pages()
-    for uri, content in made.items():
+    made = catalogue.pages() | claims.pages() | examples.pages() | reference.pages()
+    for uri, content in {"commands.md": commands.page(), **made}.items():
         files.append(File.generated(config, uri, content=content))
     return files

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from soccer_env.thoughts.groups import Group, width_of
+from soccer_env.leagues.robot_kind import Group
+from soccer_env.thoughts.groups import width_of
 from soccer_env.thoughts.thoughts import CENTI, MILLI, SEES, TABLE, TRACK, Notes, Thoughts
 
 NEVER = 300.0  # [s] a ball that was not seen for longer is not believed to be anywhere

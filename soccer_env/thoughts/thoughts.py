@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.leagues.robot_kind import Group
 from soccer_env.match import Match
 from soccer_env.match.squads import Squad
 from soccer_env.teams import explanation_of
-from soccer_env.thoughts.groups import Group, checked_groups, group_columns, groups_of, noted_of, width_of
+from soccer_env.thoughts.groups import checked_groups, group_columns, groups_of, noted_of, width_of
 from soccer_env.types import HOME
 
 PER_SECOND = 5  # [1/s] notes, at least

@@ -28,6 +28,7 @@ from soccer_env.statistics.figures import FIGURES
 from soccer_env.teams import NAMES as TEAMS
 from soccer_env.train.command.command_line import COMMANDS, kinds_of_settings
 from soccer_env.train.command.parsing import flags_of
+from soccer_env.train.papers.stored import FOLDERS, read_stored
 
 pytest.importorskip("mkdocs")
 pytest.importorskip("material")
@@ -135,6 +136,15 @@ def test_the_catalogue_names_what_there_is_to_choose_from(site: Site) -> None:
         assert [name for name in names if f"`{name}`" not in found[f"catalogue/{page}.md"]] == [], page
     figures = [x.name for x in FIGURES]
     assert [name for name in figures if f"`{name}" not in found["catalogue/statistics.md"]] == []
+
+
+def test_everything_that_was_measured_of_a_claim_stands_on_its_papers_page(site: Site) -> None:
+    found = site("pages.claims").pages()
+    for folder in FOLDERS.values():
+        page = found[f"claims/{folder.name}.md"]
+        for name, row in read_stored(folder).items():
+            assert f"\n## {name}: {row['verdict']}\n" in page
+            assert [one for one in row["findings"] if f"| {one['shown']} |" not in page] == [], name
 
 
 def test_every_option_of_every_command_stands_on_the_page_of_commands(site: Site) -> None:

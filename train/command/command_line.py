@@ -217,14 +217,14 @@ def run_reproduce(words: list[str]) -> int:
     from soccer_env.train.papers.settings import ReproduceSettings
 
     settings = read_settings(ReproduceSettings, words, "reproduce")
-    from soccer_env.train.papers.report import screen_table
+    from soccer_env.train.papers.report import screen_parts
     from soccer_env.train.papers.reproduction import reproduce
 
     results = reproduce(settings)
     if settings.json:
         print_json([result.as_dict() for result in results])
         return 0
-    console().print(screen_table(results))
+    console().print(*screen_parts(results, in_full=not settings.all), sep="\n")
     say_written(settings.out, "report.md", "report.html", "results.json")
     return 0
 

@@ -7,6 +7,7 @@ workers.py        processes that measure claims
 claim.py          what a claim is, and what its measurement hands over
 verdicts.py       what a criterion asks for, and what an interval says about it
 results.py        what was found of a claim, and what a run leaves in its folder
+stored.py         what was measured last, as the pages of the teams show it
 page.py           as a page for the browser
 report.py         that in Markdown and on the screen
 staging.py        stage many matches at once, robots and ball put somewhere

@@ -117,7 +117,6 @@ class Claim:
     least: int = 1  # batches of a seed before the first verdict, where few of a batch's units count
     quick: int = 1
     seconds: float = 3.0  # [s] of one batch on one core, compiled: from this --minutes finds the number of batches
-    changed: str = ""  # what a criterion or scene was before it changed after a first look, in one line
     ingredients: tuple[str, ...] = ()  # settings and models that the result rests on
     without: Without | None = None  # by construction
     figures: Callable[[Samples], Sequence[Figure]] = no_figures

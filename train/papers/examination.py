@@ -117,7 +117,7 @@ def result_of(
     units = len(next(iter(samples.values()))) if samples else 0
     note = claim.note if isinstance(claim.note, str) else claim.note(samples)
     return ClaimResult(
-        **{name: getattr(claim, name) for name in ("id", "paper", "section", "statement", "method", "changed")},
+        **{name: getattr(claim, name) for name in ("id", "paper", "section", "statement", "method")},
         verdict=verdict,
         quick=settings.quick,
         pose=claim.pose or settings.pose,

@@ -99,7 +99,6 @@ def add_claim(page: ReportPage, result: ClaimResult) -> None:
     if result.without:
         page.say(f"With the ingredient off ({result.without}):")
         page.table(FINDINGS, finding_rows(result.without_findings, result.n))
-    page.say(f"Changed after a first look. {result.changed}" if result.changed else "")
     page.say(result.note)
     for figure in result.figures if can_draw() else ():
         page.figure(draw_curves(figure, form="svg"), figure["title"])

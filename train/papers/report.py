@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from soccer_env.match.staging import PATIENT
@@ -14,6 +14,7 @@ from soccer_env.train.results_folder import ResultsFolder
 from soccer_env.train.written_settings import POSES
 
 if TYPE_CHECKING:
+    from rich.markdown import Markdown
     from rich.table import Table
 
 COLUMNS = ("id", "claim", "rules", "verdict", "seeds", "estimate (95 % interval)", "n")
@@ -26,7 +27,6 @@ never counted as reproduced. `context`: nothing to decide.
 * A claim with several criteria needs all of them. Looks at growing samples share the 5 % of an interval. n counts \
 independent units (runs, matches) of all seeds together; "40 of 96": so many of them have a \
 value in the criterion that decides.
-* [changed]: a criterion or scene was changed after a first look; below stands in a line what it was before.
 * Rules: the set under which whole matches were played; staged scenes are under `{PATIENT}`, where nobody is \
 whistled, pulled apart or given a dropped ball, whatever `--rules` asks for.
 * Seeds: what the samples of each seed say alone, r reproduced, n not, u undecided, c context."""
@@ -77,21 +77,28 @@ def rules_of(result: ClaimResult) -> str:
 
 def row(result: ClaimResult) -> tuple[str, ...]:
     """Return a claim as a row of the table at the head."""
-    unit = next((found["unit"] for found in result.findings if found["criterion"] == result.criterion), "")
-    found = {"estimate": result.estimate, "low": result.low, "high": result.high, "unit": unit}
-    shown = with_interval(found) if result.criterion else ""
-    marked = f"{result.marked} [changed]" if result.changed else result.marked
+    shown = next((with_interval(found) for found in result.findings if found["criterion"] == result.criterion), "")
     rules, n = rules_in_words(result.rules), units_of(result.n_used, result.n)
-    return result.id, result.statement, rules, marked, result.alone, shown, n
+    return result.id, result.statement, rules, result.marked, result.alone, shown, n
 
 
-def units_of(used: int, units: int) -> str:
-    """Return how many units have a value, of how many."""
-    return f"{used}" if used == units else f"{used} of {units}"
+def units_of(used: int | None, units: int) -> str:
+    """Return how many units have a value, of how many; "" where that is not known."""
+    return "" if used is None else f"{used}" if used == units else f"{used} of {units}"
 
 
 def section(result: ClaimResult, plots: Sequence[str]) -> str:
-    """Return what the report says about one claim."""
+    """Return what the report says about one claim, with its figures."""
+    figures = (
+        [f"![{figure['title']}]({file})" for figure, file in zip(result.figures, plots, strict=False)]
+        if plots
+        else [figure_table(figure) for figure in result.figures]
+    )
+    return "\n\n".join([words_of(result), *figures, f"`{result.command}`"])
+
+
+def words_of(result: ClaimResult) -> str:
+    """Return what was found about one claim: every criterion, what it rests on, the note."""
     n = f"n = {result.n}" + (f" (cap {result.cap})" if result.verdict == UNDECIDED else "")
     seeds = ", ".join(f"{seed}: {verdict}" for seed, verdict in zip(result.seeds, result.by_seed, strict=True))
     source = f"{result.paper}, {result.section}" if result.section else result.paper
@@ -104,11 +111,7 @@ def section(result: ClaimResult, plots: Sequence[str]) -> str:
         f"Rests on: {'; '.join(result.ingredients)}." if result.ingredients else "",
         f"With the ingredient off ({result.without}):" if result.without else "",
         findings_table(result.without_findings, result.n),
-        f"Changed after a first look. {result.changed}" if result.changed else "",
         result.note,
-        *(f"![{figure['title']}]({file})" for figure, file in zip(result.figures, plots, strict=False)),
-        *(figure_table(figure) for figure in ([] if plots else result.figures)),
-        f"`{result.command}`",
     ]
     return "\n\n".join(part for part in parts if part)
 
@@ -140,7 +143,9 @@ def figure_table(figure: dict[str, Any]) -> str:
 
 
 def with_interval(found: dict[str, Any]) -> str:
-    """Return an estimate with its interval and unit; an exact one without an interval."""
+    """Return an estimate with its interval and unit; an exact one without an interval, a stored one as it is."""
+    if "shown" in found:
+        return str(found["shown"])
     unit = f" {found['unit']}" if found["unit"] else ""
     if found["estimate"] is None:
         return "no value"
@@ -152,6 +157,14 @@ def with_interval(found: dict[str, Any]) -> str:
 def number(value: float | None) -> str:
     """Return a number in a few digits; an open side of an interval as a question mark."""
     return "?" if value is None else plain(value, DIGITS)
+
+
+def screen_parts(results: Sequence[ClaimResult], in_full: bool) -> Iterator[Table | Markdown]:
+    """Yield what the terminal shows: the table of verdicts and, if `in_full`, all that was found of each claim."""
+    from rich.markdown import Markdown
+
+    yield screen_table(results)
+    yield from (Markdown(words_of(result)) for result in results if in_full)
 
 
 def screen_table(results: Sequence[ClaimResult]) -> Table:

@@ -16,6 +16,7 @@ from soccer_env.train.papers.page import page_of
 from soccer_env.train.papers.report import markdown
 from soccer_env.train.papers.results import CLAIMS, REPRODUCTION, ClaimResult, plot_name
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
+from soccer_env.train.papers.stored import stored_results
 from soccer_env.train.papers.workers import examine_in_processes
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import LIBRARIES, digest, made_now, module_hash, version_of
@@ -26,9 +27,11 @@ from soccer_env.train.results_folder import ResultsFolder
 def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None = None) -> list[ClaimResult]:
     """Measure the claims that settings.out does not hold yet and return the results of all.
 
-    `known` are a user's own claims instead of ours. Raises ValueError for an unknown id and for a folder
-    that holds another run.
+    With settings.stored, measure nothing and return the stored results. `known` are a user's own claims instead of
+    ours. Raises ValueError for an unknown id and for a folder that holds another run.
     """
+    if settings.stored:
+        return stored_results(settings.claims)
     ours = known is None
     known = all_claims() if known is None else known
     asked = settings.claims or [claim.id for claim in known.values() if not claim.study]

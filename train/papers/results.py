@@ -36,7 +36,6 @@ class ClaimResult:
     command: str
     ingredients: list[str]
     note: str
-    changed: str  # what a criterion or scene was before it changed after a first look
     findings: list[dict[str, Any]]  # of every criterion
     without: str  # the ingredient that a by-construction claim rests on
     without_findings: list[dict[str, Any]]  # the same criteria with it off

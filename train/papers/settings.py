@@ -54,6 +54,8 @@ class ReproduceSettings(CommandSettings):
     """Folder for claims.jsonl, results.json, report.md and plots; without it nothing is written."""
     anew: bool = False
     """Remove the files that an earlier run left in --out, instead of going on with it or refusing."""
+    stored: bool = False
+    """Print what was measured last, as the pages of the teams have it, and measure nothing."""
     json: bool = False
     """Print what results.json holds, as JSON, instead of tables."""
 
@@ -69,6 +71,8 @@ class ReproduceSettings(CommandSettings):
             raise ValueError("give the ids of claims, or --all; `soccer list claims` names them")
         if self.quick and self.minutes is not None:
             raise ValueError("give quick or minutes, not both")
+        if self.stored and (self.quick or self.minutes is not None or self.out is not None):
+            raise ValueError("stored measures nothing: give it without quick, minutes and out")
 
     @property
     def budget(self) -> str:

@@ -1,4 +1,4 @@
-"""The README of the teams of 2006: what the paper says beside what was measured, and every setting with its source.
+"""The README of the teams of 2006: what the paper says beside what was measured.
 
 `python -m soccer_env.train.pages.tables.heinemann [run FOLDER ... | write]`: see `paper_page.py`.
 
@@ -6,19 +6,15 @@ The paper's figure, planned and travelled paths of both planners, is drawn anew 
 """
 
 import sys
-from functools import partial
 from pathlib import Path
 from typing import Any
 
-from soccer_env.baselines.heinemann_2006 import settings as heinemann_settings
-from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings
-from soccer_env.baselines.weigel_2001.planner import PlannerSettings
 from soccer_env.guards.whole_files import write_whole
 from soccer_env.train.pages.tables.paper_page import SHOWN, PaperPage
-from soccer_env.train.pages.tables.sacks_settings import settings_table
 from soccer_env.train.papers.claim import HEINEMANN
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
+from soccer_env.train.papers.stored import FOLDERS
 from soccer_env.train.report.style import canvas, plot
 
 RUN = Path("runs/claims-heinemann")  # where all claims are measured, so that it can be stopped
@@ -32,14 +28,11 @@ def measure() -> Path:
 
 
 PAGE = PaperPage(
-    folder=Path(heinemann_settings.__file__).resolve().parent,
+    folder=FOLDERS[HEINEMANN],
     paper=HEINEMANN,
     pictures={"H10": 1, "H20": 1},
     measure=measure,
-    tables={
-        "settings": partial(settings_table, HeinemannSettings()),
-        "planner": partial(settings_table, PlannerSettings()),
-    },
+    tables={},
 )
 
 

@@ -23,7 +23,7 @@ from typing import Any
 from soccer_env.guards.whole_files import write_whole
 from soccer_env.train.bench.benchmark import run as run_bench
 from soccer_env.train.bench.settings import BenchSettings
-from soccer_env.train.pages.tables.claims import claims_table, measure_claims, measure_sensors, sensors_table
+from soccer_env.train.pages.tables.claims import measure_sensors, sensors_table
 from soccer_env.train.pages.tables.drills import drills_table, measure_drills
 from soccer_env.train.pages.tables.headlines import headlines_table
 from soccer_env.train.pages.tables.learned import (
@@ -58,7 +58,6 @@ PAGES = {  # the page that shows a table, seen from the checkout's root
     "heinemann": "baselines/README.md",
     "drills": "baselines/README.md",
     "learned": "agents/policies/README.md",
-    "claims": "train/MEASURED.md",
     "training": "train/MEASURED.md",
     "speed": "train/MEASURED.md",
     "plausibility": "train/MEASURED.md",
@@ -77,7 +76,6 @@ def measure_speed(quick: bool = False) -> dict[str, Any]:
 
 MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
     "sensors": lambda: {"about": about(), **measure_sensors()},
-    "claims": lambda: {"about": about(), **measure_claims()},
     "scripted": lambda: {"about": about(), "rows": measure_rows(scripted_rows())},
     "sacks": lambda: {"about": about(), "rows": measure_rows(sacks_rows())},
     "heinemann": lambda: {"about": about(), "rows": measure_rows(heinemann_rows())},
@@ -89,7 +87,6 @@ MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
 }
 SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a measured table in Markdown
     "sensors": lambda table: with_footer(sensors_table(table), table),
-    "claims": lambda table: with_footer(claims_table(table), table),
     "scripted": lambda table: with_footer(scripted_table(table), table),
     "sacks": lambda table: with_footer(sacks_table(table), table),
     "heinemann": lambda table: with_footer(heinemann_table(table), table),

@@ -11,6 +11,7 @@ from typing import Any
 
 from soccer_env.statistics import figures
 from soccer_env.train.evaluate.evaluation import evaluate
+from soccer_env.train.evaluate.report import table
 from soccer_env.train.evaluate.results import EvaluationResult
 from soccer_env.train.evaluate.settings import EvaluateSettings
 from soccer_env.train.evaluate.statistics import Total, finite, in_pairs, told
@@ -52,10 +53,9 @@ PUBLISHED = {  # by league and statistic
         0.0, 11 / 30, "at most 0.37 (11-1 in 30 min)", "Osnabrück's press note of Bremen 2006",
     ),
 }  # fmt: skip
-SCUFFLES = 'UNSW\'s diary: scuffles in the corner "occurred so often" (1999)'
-REMARKS = {  # what is said without a figure
-    ("legged-2001", "in_corner"): SCUFFLES,
-    ("legged-2001", "goals_pushed_in"): "UNSW's diary: the champions of 2000 ran the ball in",
+REMARKS = {  # what UNSW's diary says without a figure
+    ("legged-2001", "in_corner"): 'scuffles in the corner "occurred so often" (1999)',
+    ("legged-2001", "goals_pushed_in"): "the champions of 2000 ran the ball in",
 }
 RESTARTS = tuple(f"restarts_{phase.name.lower()}" for phase in figures.RESTARTS)
 FOULS = tuple(figure.name for figure in figures.FIGURES if figure.name.startswith("fouls_"))
@@ -133,23 +133,20 @@ def verdict(league: str, name: str, low: float | None, high: float | None) -> st
     return "inside" if (low if low is not None else -inf) <= known.high and (high or 0.0) >= known.low else "outside"
 
 
-def plausibility_table(table: dict[str, Any]) -> str:
-    """Return the table in Markdown, pairing by pairing."""
-    parts = []
-    for row in table["rows"]:
-        lines = [
-            f"{row['home']} against {row['away']}, {row['league']}, {row['players']} a side, by sensors:", "",
-            "| | measured | published | source | verdict |", "|---|---|---|---|---|",
-        ]  # fmt: skip
-        lines += [line_of(row, name, words) for name, (words, _) in SHOWN.items()]
-        parts.append("\n".join([*lines, "", f"Command: `{row['command']}`"]))
-    return "\n\n".join(parts) + "\n"
+def plausibility_table(found: dict[str, Any]) -> str:
+    """Return the table in Markdown: a column for each pairing, then what is published, then the commands."""
+    rows = found["rows"]
+    head = ("", *(f"{row['home']} against {row['away']}, {row['league']}, {row['players']} a side" for row in rows))
+    lines = [(words, *(cell_of(row, name) for row in rows)) for name, (words, _) in SHOWN.items()]
+    known = [(*where, known.text, known.source) for where, known in PUBLISHED.items()]
+    remarks = [(*where, text, "UNSW's diary") for where, text in REMARKS.items()]
+    published = [(league, SHOWN[name][0], *said) for league, name, *said in known + remarks]
+    commands = "\n".join(row["command"] for row in rows)
+    tables = (table(head, lines), table(("league", "statistic", "published, a minute", "source"), published))
+    return "\n\n".join((*tables, f"```bash\n{commands}\n```", ""))
 
 
-def line_of(row: dict[str, Any], name: str, words: str) -> str:
-    """Return the line of one statistic."""
+def cell_of(row: dict[str, Any], name: str) -> str:
+    """Return one statistic of a pairing, and whether it lies inside the published range."""
     value, low, high, unit = row["play"][name]
-    known = PUBLISHED.get((row["league"], name))
-    text, source = (known.text, known.source) if known else ("-", REMARKS.get((row["league"], name), "none found"))
-    measured = told(Total(0.0, value, low, high, unit))
-    return f"| {words} | {measured} | {text} | {source} | {verdict(row['league'], name, low, high)} |"
+    return f"{told(Total(0.0, value, low, high, unit))} {verdict(row['league'], name, low, high)}".rstrip()

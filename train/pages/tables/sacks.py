@@ -1,4 +1,4 @@
-"""The README of the team sacks-2001: what the paper says beside what was measured, and every setting with its source.
+"""The README of the team sacks-2001: what the paper says beside what was measured, and which numbers are the paper's.
 
 `python -m soccer_env.train.pages.tables.sacks [run FOLDER ... | write]`: see `paper_page.py`.
 """
@@ -6,11 +6,11 @@
 import sys
 from pathlib import Path
 
-from soccer_env.baselines.sacks_2001 import settings as sacks_settings
 from soccer_env.train.pages.tables.claims import RUN, measure_all
 from soccer_env.train.pages.tables.paper_page import PaperPage
-from soccer_env.train.pages.tables.sacks_settings import constants_text, settings_table, variants_table
+from soccer_env.train.pages.tables.sacks_settings import constants_text
 from soccer_env.train.papers.claim import SACKS
+from soccer_env.train.papers.stored import FOLDERS
 
 
 def measure() -> Path:
@@ -20,11 +20,11 @@ def measure() -> Path:
 
 
 PAGE = PaperPage(
-    folder=Path(sacks_settings.__file__).resolve().parent,
+    folder=FOLDERS[SACKS],
     paper=SACKS,
     pictures={"S06": 1, "S29": 1, "S35": 1, "S47": 1, "S63": 1},
     measure=measure,
-    tables={"constants": constants_text, "settings": settings_table, "variants": variants_table},
+    tables={"constants": constants_text},
 )
 
 

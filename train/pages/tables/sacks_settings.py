@@ -1,13 +1,10 @@
-"""What the page of sacks-2001 says of its settings: the paper's own numbers, all of them, and the variants."""
+"""What the page of sacks-2001 says of its settings: which are the paper's own numbers, and how many are assumed."""
 
-from dataclasses import asdict
 from math import pi
 from textwrap import wrap
 from typing import Any
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.baselines.sacks_2001.team import FUTURE, TUNED
-from soccer_env.leagues.options import GREATEST, Options
 from soccer_env.train.evaluate.report import plain
 
 WIDTH = 118  # of a line of text
@@ -38,16 +35,6 @@ def unit_of(note: str) -> str:
     return note.partition("] ")[0] if note.startswith("[") else ""
 
 
-def settings_table(settings: Options | None = None) -> str:
-    """Return every setting of a team in Markdown, with what may stand in it and where its value comes from."""
-    lines = ["| setting | value | allowed | what it is, source |", "|---|---|---|---|"]
-    for name, value, allowed, note in (settings or SacksSettings()).rows():
-        unit, _, text = note.partition("] ") if note.startswith("[") else ("", "", note)
-        room = allowed.replace(f" to {GREATEST:.0f}", " or more")
-        lines.append(f"| `{name}` | {shown(value, unit)} | {room} | {text} |")
-    return "\n".join(lines)
-
-
 def shown(value: Any, unit: str) -> str:
     """Return a setting's value with its unit; an angle in degrees too."""
     if isinstance(value, bool) or not isinstance(value, (int, float)):
@@ -56,12 +43,3 @@ def shown(value: Any, unit: str) -> str:
     if unit == "[rad":
         return f"{number} rad ({value * 180.0 / pi:.0f} degrees)"
     return f"{number} {unit[1:]}" if unit not in ("", "[1") else number
-
-
-def variants_table() -> str:
-    """Return in Markdown what the variants of the team change."""
-    plain_team = asdict(SacksSettings())
-    lines = ["| team | setting | sacks-2001 | here |", "|---|---|---|---|"]
-    for name, changes in (("sacks-2001-tuned", TUNED), ("sacks-2001-future", FUTURE)):
-        lines += [f"| `{name}` | `{key}` | {plain_team[key]} | {value} |" for key, value in changes.items()]
-    return "\n".join(lines)

@@ -3,14 +3,15 @@
 To add a claim:
 
 1. Write a module in the folder of its theme (or extend one) with `CLAIMS = (Claim(...), ...)`; a module without CLAIMS
-   serves the others of its folder.
+   serves the others of its folder. `statement` is one sentence of at most 17 words: it is a row of the team's page.
 2. `rules` states under which rules its matches are made: PLAYED (`kick_off`), STAGED (`stage`, `drill`), both, or
    NO_MATCH; a match under others is refused. What reads robots skips those that are sent off (`active`).
 3. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin, play), plays them, and
    returns arrays whose first axis are independent units (normally the matches); NaN stands for "no value". All
    randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
 4. Criteria (`../verdicts.py`): `measured` (any quantity of the samples, bootstrap over units), `counted` (share of hits
-   among trials in each unit), `exact` (arithmetic), `reported` (a number that decides nothing). All must hold.
+   among trials in each unit), `exact` (arithmetic), `reported` (a number that decides nothing). All must hold. The text
+   says in a few words what the number is, the bound what is asked of it.
 5. `without=Without(ingredient, measure)` makes it by construction: the same criteria with the ingredient off.
 6. One batch should take 2 to 3 s compiled on one core; write what it takes into `seconds`, the cap into `batches`
    (default run: at most about 2 minutes a claim). `figures(samples)` returns plain data; the report draws it.

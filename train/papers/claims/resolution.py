@@ -82,8 +82,7 @@ def layer_figures(samples: Samples) -> Sequence[Figure]:
 S66 = Claim(
     id="S66",
     section="5",
-    statement="The high resolution camera would give a more accurate distance of the ball, and so a more stable "
-    "reading of its velocity.",
+    statement="The high resolution camera would steady the ball's distance, and so its velocity.",
     method=f"{MATCHES} robots a batch stare at a still ball {100 * NEAR:.0f} to {100 * FAR:.0f} cm away for "
     f"{SECONDS:g} s with each layer of the camera; deviation of the latest range from each run's mean, and of the "
     "radial velocity from zero, frames that show the ball, same seeds; ranges by size, the ranger's rule off, because "

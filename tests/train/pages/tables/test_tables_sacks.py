@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.train.pages.tables.paper_page import claims_table, with_notes
+from soccer_env.train.pages.tables import heinemann
+from soccer_env.train.pages.tables.paper_page import PaperPage, claims_table, in_signs
 from soccer_env.train.pages.tables.sacks import PAGE
-from soccer_env.train.pages.tables.sacks_settings import settings_table
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
@@ -31,16 +31,25 @@ def test_the_readme_of_the_team_shows_what_was_measured() -> None:
 def test_every_claim_of_the_paper_has_a_row_and_what_was_not_measured_says_so() -> None:
     rows = rows_of(claims_table({}, PAGE.claims))
     assert [name for name in rows if name in PAGE.claims] == list(PAGE.claims)
-    assert all(rows[name][4] == "not measured" for name in PAGE.claims)
+    assert all(rows[name][3] == "not measured" for name in PAGE.claims)
     assert set(PAGE.claims) <= set(all_claims())
-    assert all(all_claims()[name].statement in rows[name][1] for name in PAGE.claims)
+    assert all(all_claims()[name].statement == rows[name][1] for name in PAGE.claims)
 
 
-def test_every_setting_of_the_team_stands_in_its_table() -> None:
-    rows = rows_of(settings_table())
-    assert {f"`{field.name}`" for field in fields(SacksSettings)} <= set(rows)
-    assert rows["`player_range`"][1] == "1 m" and rows["`goal_limit`"][1] == "1.22 rad (70 degrees)"
-    assert "4.3.2" in rows["`player_gain`"][3]
+def test_a_row_shows_the_number_that_decides_with_what_it_is_and_its_bound() -> None:
+    rows = rows_of(claims_table(PAGE.stored(), PAGE.claims))
+    assert rows["S63"][2:] == ["73.8 % (70.3 to 77.7)", "**not**", "clean, at 3 and 6 cm/s [≥80]"]
+    assert in_signs("at least 35 and at most 45") == " [≥35 ≤45]" and in_signs("below 0.25") == " [<0.25]"
+    assert in_signs("") == ""
+
+
+def test_a_claim_is_one_short_sentence() -> None:
+    assert [name for name, claim in all_claims().items() if len(claim.statement.split()) > 17] == []
+
+
+@pytest.mark.parametrize(("page", "words"), [(PAGE, 3500), (heinemann.PAGE, 2000)])
+def test_a_page_of_claims_is_short_enough_to_be_read(page: PaperPage, words: int) -> None:
+    assert len((page.folder / "README.md").read_text(encoding="utf-8").split()) <= words
 
 
 def test_the_page_names_the_constants_of_the_paper_and_counts_the_assumed_ones() -> None:
@@ -52,12 +61,6 @@ def test_the_page_names_the_constants_of_the_paper_and_counts_the_assumed_ones()
     assert settings == len(fields(SacksSettings)) == numbers + rules + 1 + assumed
 
 
-def test_a_note_that_was_written_anew_replaces_the_one_of_the_run() -> None:
-    stored = PAGE.stored()
-    (name, row), *_ = ((name, row) for name, row in stored.items() if row["note"])
-    assert with_notes({name: {**row, "note": "old"}})[name] == row
-
-
 def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path) -> None:
     (result,) = reproduce(ReproduceSettings(claims=("S15",), quick=True, out=tmp_path / "run"))
     markers = (f"<!-- table: {name} -->\n<!-- end of table: {name} -->" for name in ("claims", *PAGE.tables))
@@ -66,7 +69,7 @@ def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path) -> None
     assert page.main(["run", str(tmp_path / "run")]) == 0
     written = (tmp_path / "README.md").read_text()
     row = rows_of(written)["S15"]
-    assert row[4] == f"{result.verdict} (quick)" and "**" in row[2]
+    assert row[3] == f"{result.verdict} (quick)" and row[2].startswith(f"{result.estimate:.1f}")
     assert (
         "72 claims: 1 " in (tmp_path / "README.md").read_text()
         and "71 not measured" in (tmp_path / "README.md").read_text()

@@ -191,7 +191,6 @@ def hidden_figure(samples: Samples) -> Sequence[Figure]:
 
 
 SCENES = f"{MATCHES} scenes a batch with one or two robots at random before a ball 30 to 60 cm from the camera"
-SCENE_CHANGED = "Before: the others stood anywhere about, mostly not before the ball."
 
 S07 = Claim(
     id="S07",
@@ -201,12 +200,12 @@ S07 = Claim(
     f"({', '.join(f'{100 * edge:.0f}' for edge in HIDDEN)} % and more).",
     criteria=(
         measured(
-            "the median error rises from bin to bin (least rise above 0)",
+            "least rise of the median error from bin to bin",
             lambda samples: least_rise(bias_by_share(samples)),
             unit="%",
             above=0.0,
         ),
-        measured("it is above 0 once 5 % are hidden", lambda samples: bias_by_share(samples)[1], unit="%", above=0.0),
+        measured("median error once 5 % are hidden", lambda samples: bias_by_share(samples)[1], unit="%", above=0.0),
     ),
     rules=STAGED,
     measure=by_dimension,
@@ -214,7 +213,6 @@ S07 = Claim(
         "ranges read from the blob's size, and a smaller blob reads farther: with the ranger's reading instead",
         lambda batch: by_dimension(batch, ball_range="infrared"),
     ),
-    changed=SCENE_CHANGED,
     figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )
@@ -222,18 +220,17 @@ S07 = Claim(
 S08 = Claim(
     id="S08",
     section="3.1.1",
-    statement="The closer of the estimates by height and by width guards well against obstruction, unless the ball is "
-    "obstructed in both dimensions.",
+    statement="The closer of height and width estimates guards against obstruction, unless in both dimensions.",
     method=f"{SCENES}; a dimension counts as cut if less than {100 * CUT:.0f} % of it is left.",
     criteria=(
         measured(
-            "cut in one dimension: median error within 10 %",
+            "cut in one dimension: median error",
             lambda samples: abs(bias_of_cut(samples, 1)),
             unit="%",
             at_most=10.0,
         ),
         measured(
-            "cut in both: median error at least 30 % too long",
+            "cut in both: median error",
             lambda samples: bias_of_cut(samples, 2),
             unit="%",
             at_least=30.0,
@@ -247,7 +244,6 @@ S08 = Claim(
     ),
     rules=STAGED,
     measure=by_dimension,
-    changed=SCENE_CHANGED,
     figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )

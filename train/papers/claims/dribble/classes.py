@@ -67,7 +67,7 @@ def others_less_opposite(samples: Samples, name: str = "clean") -> float:
 S64 = Claim(
     id="S64",
     section="4.3.4",
-    statement="With stationary players besides a mover it does well much of the time, but not with one on each side.",
+    statement="A mover and stationary players are mostly avoided well, but not one on each side.",
     method=f"{MATCHES} runs a batch in each drill of four classes: {', '.join(name for name, _ in CLASSES)}; movers at "
     f"6 cm/s. {RULES}",
     criteria=(
@@ -90,7 +90,6 @@ S64 = Claim(
     rules=STAGED,
     measure=pass_classes,
     ingredients=("the walker goes straight on and never gives way", "the drills' places, STILL_BEHIND here"),
-    changed="Before: distances from middle to middle (undecided); at first a still player who stood in the way (not).",
     note=BODIES,
     seconds=8.0,
     batches=6,

@@ -102,7 +102,7 @@ S31 = Claim(
     "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody "
     "there.",
     criteria=(
-        measured("runs with a goal, dribbling less orbit and shoot, blockers that go for the ball",
+        measured("goals, dribbling less orbit and shoot, blockers after the ball",
                  lambda s: more(s, "goals"), unit="%", above=0.0),
         *(reported(f"goals, {name}", partial(share_of, name=name), unit="%") for name in (*STRATEGIES, *MORE)),
         *(reported(f"goals against, {name}", partial(share_of, name=name, what="against"), unit="%")
@@ -119,7 +119,6 @@ S31 = Claim(
     measure=both_strategies,
     figures=goal_figure,
     ingredients=("the drill's places", "kicks of 0.8 to 1.5 m/s with a spread of 10 degrees"),
-    changed="Before: blockers who only stood, and a team that shot by rules of ours (0.521 %: undecided).",
     note="Against players who only stand a blind shot that hits somebody is fetched and tried again, for nobody takes "
     "the ball away.",
     seconds=4.2,

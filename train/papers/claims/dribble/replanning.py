@@ -74,7 +74,6 @@ S52 = Claim(
     measure=pass_by_replan,
     figures=replan_figure,
     ingredients=("gait steps of half a second: a decision takes effect when one begins",),
-    changed="Before: shares at the single times instead of a curve, distances from middle to middle (undecided).",
     note="A decision takes effect when the next gait step begins: deciding more often brings a fresher picture. "
     "A second is only two steps, 7 cm.",
     seconds=8.0,

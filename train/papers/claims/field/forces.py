@@ -84,14 +84,13 @@ def exponent_figures(samples: Samples) -> Sequence[Figure]:
 S44 = Claim(
     id="S44",
     section="4.3.1",
-    statement="The cube of the distance makes forces too small from afar or too large nearby; inversely proportional "
-    "to the distance itself the robot reacts earlier and goes a smoother way.",
+    statement="With forces by 1/d instead of 1/d^3 the robot reacts earlier and goes more smoothly.",
     method=f"{SCENES} points a batch pass a player that stands up to 25 cm beside their way, exponents 1, 2 and 3 with "
     "the gain for which the force is 1 at 444 mm, all else as in the team; distance from which the way is 5 degrees "
     "off the goal, and greatest turn from one step to the next.",
     criteria=(
         measured(
-            "distance of the first reaction falls with the exponent (least fall of the median)",
+            "least fall of the first reaction's distance with the exponent",
             lambda samples: -float(np.diff(of_exponents(samples, "onset", 100.0)).max()),
             unit="cm",
             above=0.0,
@@ -142,8 +141,7 @@ def difference(samples: Samples, kind: str) -> np.ndarray:
 S46 = Claim(
     id="S46",
     section="4.3.1",
-    statement="With a goal force of constant size the reaction to obstacles does not depend on how far the goal is; "
-    "proportional to the distance it does.",
+    statement="With a constant goal force reactions do not depend on the goal's distance.",
     method=f"{SCENES} points a batch, {NEAR_GOAL:g} m and {FAR_GOAL:g} m from the goal, have a player at the same "
     "place relative to themselves, 25 to 70 cm away; difference of the directions off the goal that they take.",
     criteria=(
@@ -200,8 +198,7 @@ def saved(samples: Samples, name: str) -> float:
 S47 = Claim(
     id="S47",
     section="4.3.1",
-    statement="Without the cosine factor robots steer farther aside than necessary, for players beside and behind them "
-    "repel them as well.",
+    statement="Without the cosine factor players beside and behind push robots farther aside than necessary.",
     method=f"{SCENES} points a batch pass a player that stands up to 40 cm beside their way, with the factor and "
     f"without; greatest deviation from the straight way; a collision is a distance below {100 * TOUCH:.0f} cm. "
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of robots.",
@@ -231,7 +228,6 @@ S47 = Claim(
             unit="cm",
         ),
     ),
-    changed="Before: points alone decided (38.7 %), and no more collisions with the factor, of which there were none.",
     rules=STAGED,
     measure=with_and_without_cosine,
     seconds=4.0,

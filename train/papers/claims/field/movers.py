@@ -94,7 +94,7 @@ def stubborn_figures(samples: Samples) -> Sequence[Figure]:
 S58 = Claim(
     id="S58",
     section="4.3.3",
-    statement="Continuing in the same direction more often made the reaction to moving obstacles too slow.",
+    statement="Keeping the direction more often made the reaction to moving obstacles too slow.",
     method=f"{SCENES} points a batch and class of scenes, facing the goal, meet a player at {100 * SPEEDS[0]:.0f} to "
     f"{100 * SPEEDS[1]:.0f} cm/s: one that comes straight for them, or one that comes from one side while another "
     f"stands on the other (the classes of 4.3.4). Ranges have an error of {100 * NOISE:.0f} %. A change of side has to "
@@ -118,7 +118,6 @@ S58 = Claim(
             unit="pp",
         ),
     ),
-    changed="Before: a single player who crosses; collisions did not rise (0 pp, which stands beside it).",
     rules=NO_MATCH,
     measure=met,
     seconds=1.5,

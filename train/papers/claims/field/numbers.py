@@ -84,7 +84,7 @@ def unit_distance(batch: Batch, **play: Any) -> Samples:
 S49 = Claim(
     id="S49",
     section="4.3.2",
-    statement="With k2 = 800 and x0 = 1000 mm a player about 45 cm away repels as strongly as the goal pulls.",
+    statement="With k2 = 800, x0 = 1 m a player's force at 45 cm equals the goal's.",
     method="The distance from camera to surface at which the force of a player straight ahead is 1, by bisection.",
     criteria=(
         exact("distance", lambda s: 1000 * float(s["distance"][0]), unit="mm", at_least=440.0, at_most=460.0),
@@ -154,7 +154,7 @@ def wall_figure(samples: Samples) -> Sequence[Figure]:
 S50 = Claim(
     id="S50",
     section="4.3, 4.3.2",
-    statement="Walls exert significantly less force than players; whether their force is needed is unclear.",
+    statement="Walls exert significantly less force than players; whether it is needed is unclear.",
     method=f"Greatest ratio of a wall's force to that of a player at the same distance; and {SCENES} points a batch "
     "that start 15 to 50 cm from a wall and pass a player that stands up to 25 cm farther inside, with the walls' "
     f"force and without: who comes through and keeps {50 * TOUCH:.0f} cm from the wall; the same with {ROBOTS} robots.",

@@ -57,8 +57,7 @@ def less_jitter(samples: Samples, seen: str, other: str = "without") -> float:
 S45 = Claim(
     id="S45",
     section="4.3.1",
-    statement="A greatest distance of the forces keeps false blobs and distant players from moving the robot about: a "
-    "more stable path.",
+    statement="A greatest distance keeps false blobs and distant players from disturbing the path.",
     method=f"{SCENES} points a batch among three players that stand 30 to 90 cm beside the way, ranges with an error "
     f"of {100 * NOISE:.0f} %, a false blob in {100 * BLOBS:.0f} % of the decisions; rms change of direction from step "
     "to step with the cut-off at 1 m and without, k2 then such that a force is 1 at the same distance as with it.",
@@ -74,7 +73,6 @@ S45 = Claim(
             unit="%",
         ),
     ),
-    changed="Before: one k2 with the cut-off and without, which changes strength and reach at once (69.6 %).",
     rules=NO_MATCH,
     measure=far_players,
     seconds=0.8,
@@ -100,7 +98,7 @@ def steps_away(batch: Batch, **play: Any) -> Samples:
 S55 = Claim(
     id="S55",
     section="4.3.3",
-    statement="Never going more than 70 degrees off the goal's direction, the robot never goes away from the goal.",
+    statement="Within 70 degrees of the goal's direction the robot never goes away from it.",
     method=f"{SCENES} points a batch past one to three standing players anywhere on their way, ranges with an error of "
     f"{100 * NOISE:.0f} %; steps after which the goal is farther away.",
     criteria=(
@@ -197,7 +195,7 @@ def gap_figures(samples: Samples) -> Sequence[Figure]:
 S56 = Claim(
     id="S56",
     section="4.3.3",
-    statement="With the limit of 70 degrees alone the robot sometimes bounces between left and right.",
+    statement="With the limit of 70 degrees alone the robot sometimes bounces left and right.",
     method=f"{SCENES} points a batch before two players with a gap of {100 * GAP[0]:.0f} to {100 * GAP[1]:.0f} cm "
     "between their middles, square to their way and within 5 cm of it, nothing but the 70 degrees limit; changes "
     "between more than 20 degrees left of the goal and as much right of it.",
@@ -209,7 +207,6 @@ S56 = Claim(
         reported("gap up to 20 degrees askew: in a run (mean)", lambda s: mean(s["limit askew"])),
         reported("gap askew: runs with 10 or more", lambda s: 100 * mean(s["limit askew"] >= 10), unit="%"),
     ),
-    changed="Before: gaps up to 20 degrees askew and the median, which read 0 (not); their mean stands beside it.",
     rules=NO_MATCH,
     measure=through_gaps,
     seconds=0.8,
@@ -222,8 +219,7 @@ S56 = Claim(
 S57 = Claim(
     id="S57",
     section="4.3.3",
-    statement="Staying on one's side when pushed back by more than 135 degrees cures the indecision in most cases, but "
-    "not all the time.",
+    statement="Keeping one's side when pushed back beyond 135 degrees mostly cures the indecision.",
     method=f"The runs of S56 with ranges that have an error of {100 * NOISE:.0f} %, with the rule and without; and a "
     f"harder set: gaps of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near them. "
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of both.",
@@ -252,7 +248,6 @@ S57 = Claim(
             "robots, distances from the middle: clean with it", lambda s: 100 * mean(s["middle clean rule"]), unit="%"
         ),
     ),
-    changed="Before: points alone (24.3 times fewer), and more than no change of side, which nothing could miss.",
     rules=STAGED,
     measure=gaps_with_robots,
     seconds=6.0,

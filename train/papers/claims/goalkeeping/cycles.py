@@ -40,7 +40,7 @@ def cycle_figure(samples: Samples) -> Sequence[Figure]:
 H28 = Claim(
     id="H28",
     section="2",
-    statement="A global cycle of 20 ms enables the robot to be extremely reactive.",
+    statement="A cycle of 20 ms makes the robot extremely reactive.",
     method=f"{SHOTS} {SHOT_TEXT}; {BALL_TEXT}. Decisions every 20, 40 and 100 ms, the camera and the delay "
     "as they are.",
     criteria=(

@@ -108,7 +108,7 @@ def by_speed(samples: Samples) -> Sequence[Figure]:
 H24 = Claim(
     id="H24",
     section="1",
-    statement="Robot control incorporates the velocity of the ball for its interception as a pass receiver.",
+    statement="A pass receiver uses the ball's velocity to intercept it.",
     method=f"{BALL_TEXT}; with the ball's velocity, and going to where the ball is.",
     criteria=(
         measured("more balls are had, of 100", lambda s: got(s, "with") - got(s, "without"), above=5.0),
@@ -137,8 +137,7 @@ def by_base(batch: Batch) -> Samples:
 H01 = Claim(
     id="H01",
     section="1, 2",
-    statement="Custom-built omnidirectional robots of 2.6 m/s replaced the Pioneers of 1.6 m/s, in order to stay "
-    "competitive.",
+    statement="Omnidirectional robots of 2.6 m/s replaced Pioneers of 1.6 m/s to stay competitive.",
     method=f"{BALL_TEXT}; and {SHOTS} {SHOT_TEXT}. The same team on both bases.",
     criteria=(
         measured("more balls are had, of 100", lambda s: got(s, "fast") - got(s, "old"), above=5.0),
@@ -190,8 +189,7 @@ def by_kick(batch: Batch) -> Samples:
 H03 = Claim(
     id="H03",
     section="2",
-    statement="The kicker accelerates the ball to up to 10 m/s, and its strength can be controlled in order to pass "
-    "the ball to a team-mate instead of kicking it at full strength.",
+    statement="The kicker reaches 10 m/s, and its strength can be controlled for passes.",
     method=f"{BALLS} passes a batch over {FAR[0]:g} to {FAR[1]:g} m to a mate that faces the kicker, with the strength "
     f"after which the ball arrives at {HeinemannSettings().pass_arrival:g} m/s, and with all of it; had as in H24.",
     criteria=(

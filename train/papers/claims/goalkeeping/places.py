@@ -80,8 +80,7 @@ def gains(samples: Samples) -> np.ndarray:
 H17 = Claim(
     id="H17",
     section="4",
-    statement="A goalkeeper minimises the angles under which the ball can be shot into the goal by a place on the "
-    "line d through the ball and the middle of the goal.",
+    statement="On the line d through the ball and the goal's middle a goalkeeper minimises the open angles.",
     method=f"{SCENES} still balls a batch, {BALLS[0]:g} to {BALLS[1]:g} m from the goal and up to {ANGLES[1]:g} rad "
     "off its middle: the angle beside the passive keeper, and beside one 10 to 50 cm off along its half circle.",
     criteria=(
@@ -129,7 +128,7 @@ def ways(batch: Batch, waits: bool = False) -> Samples:
 H21 = Claim(
     id="H21",
     section="4",
-    statement="Moving perpendicular into the predicted trajectory results in a very short distance.",
+    statement="Moving perpendicular into the predicted trajectory is a very short way.",
     method=f"{SCENES} shots a batch from 3 to 5 m at passive keepers: way to the foot of the perpendicular, and to "
     "where the trajectory crosses the keeper's line.",
     criteria=(

@@ -79,8 +79,7 @@ def goals_by_speed(samples: Samples) -> Sequence[Figure]:
 H18 = Claim(
     id="H18",
     section="4",
-    statement="With its delay from perception to reaction and its greatest acceleration, a goalkeeper on the line d "
-    "gets a goal in most of the cases from shots at the farther post.",
+    statement="On the line d, with its delay, a goalkeeper concedes most shots at the farther post.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, passive keeper on its half circle.",
     criteria=(
         measured("shots that go in", partial(conceded, name="passive"), unit="%", at_least=50.0),
@@ -100,8 +99,7 @@ H18 = Claim(
 H19 = Claim(
     id="H19",
     section="4",
-    statement="Even considering its reaction time and greatest acceleration, there is a high chance that the active "
-    "goalkeeper intercepts the ball.",
+    statement="Even with its delay the active goalkeeper has a high chance to intercept the ball.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, active keeper.",
     criteria=(
         measured(
@@ -124,8 +122,7 @@ H19 = Claim(
 H20 = Claim(
     id="H20",
     section="4",
-    statement="Moving into the predicted trajectory drastically reduces the number of goals by shots to the farther "
-    "post.",
+    statement="Moving into the predicted trajectory drastically reduces goals by shots at the farther post.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, the same shots at both keepers.",
     criteria=(
         measured("active keeper's goals over the passive one's", partial(ratio, share=conceded), at_most=0.5),
@@ -149,7 +146,7 @@ H20 = Claim(
 H23 = Claim(
     id="H23",
     section="4",
-    statement="The passive goalkeeper is too static until the ball is directly passing it.",
+    statement="The passive goalkeeper is too static until the ball is passing it.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post; how far the keeper has moved when the ball is past it, saved "
     "or in.",
     criteria=(
@@ -205,7 +202,7 @@ def benefit_figure(samples: Samples) -> Sequence[Figure]:
 H22 = Claim(
     id="H22",
     section="4",
-    statement="The active keeper needs the ball's velocity through a good object tracking.",
+    statement="The active goalkeeper needs the ball's velocity from good tracking.",
     method=f"{FEWER} {SHOT_TEXT}: the farther post, both keepers on the goal line, blobs displaced by a noise of "
     "0.7 px (the sensor's own) to 21 px, velocities by the Kalman filter and by a fit over five frames.",
     criteria=(
@@ -220,7 +217,6 @@ H22 = Claim(
         reported("error of the ball at 10 times", lambda s: 100 * mean(s["fit tenfold error"]), unit="cm"),
         reported("error of the ball at 30 times", lambda s: 100 * mean(s["fit thirtyfold error"]), unit="cm"),
     ),
-    changed="Before: on the half circle, where the active keeper spared no goals at the sensor's own noise either.",
     rules=STAGED,
     measure=by_noise,
     seconds=10.5,

@@ -155,11 +155,9 @@ def gap_figure(samples: Samples) -> Sequence[Figure]:
 H07 = Claim(
     id="H07",
     section="3",
-    statement="Planned anew all the time, the conventional planner's paths are very efficient and smooth for slow "
-    "obstacles.",
+    statement="Planned anew constantly, the conventional planner's paths are efficient and smooth for slow obstacles.",
     method=f"{SCENES} points a batch drive {WAY:g} m past four obstacles at up to {SLOW:g} m/s that leave the target "
     "free, by either planner.",
-    changed="Before: obstacles that came to stand on the target (6 collisions of 300, 2 to 11: not; 4 of them there).",
     criteria=(
         measured("the conventional planner's way is longer by", partial(longer, name="length"), unit="%", at_most=5.0),
         measured("collisions of the conventional planner", lambda s: float(s["old hit"].sum()), at_most=0.0),
@@ -178,8 +176,7 @@ H07 = Claim(
 H08 = Claim(
     id="H08",
     section="3, figure 1",
-    statement="With an obstacle that crosses the way, the conventional planner nearly collides with it and has to "
-    "drive away from the target.",
+    statement="Before a crossing obstacle the conventional planner nearly collides, then drives away from the target.",
     method=f"Two canonical crossings, a and b, and beside them {SCENE_TEXT}.",
     criteria=(
         exact("canonical: greater of both smallest gaps", partial(worst, name="old gap"), unit="m", below=NEAR),
@@ -204,8 +201,7 @@ H08 = Claim(
 H09 = Claim(
     id="H09",
     section="3",
-    statement="Planning in the time-variant field avoids paths that interfere with the obstacles' "
-    "predicted trajectories.",
+    statement="Time-variant planning avoids the obstacles' predicted trajectories.",
     method=f"Both canonical crossings, and {SCENE_TEXT}; smallest gap between surfaces.",
     criteria=(
         exact("canonical: smaller of both gaps", partial(worst, name="new gap", take=min), unit="m", at_least=CLEAR),
@@ -228,7 +224,7 @@ H09 = Claim(
 H10 = Claim(
     id="H10",
     section="3",
-    statement="Taking the obstacles' movement into account gives smoother paths and less collisions.",
+    statement="Taking the obstacles' movement into account gives smoother paths and fewer collisions.",
     method=f"{SCENE_TEXT}; both planners in the same scenes.",
     criteria=(
         measured("fewer collisions in 100 crossings", lambda s: 100 * less(s, "hit"), at_least=0.0),
@@ -245,7 +241,6 @@ H10 = Claim(
         reported("turn of the conventional planner", lambda s: mean(s["old turn"]), unit="deg"),
         reported("turn of the time-variant one", lambda s: mean(s["new turn"]), unit="deg"),
     ),
-    changed="Before: strictly fewer collisions, of which the conventional planner had none (-0.667 in 100: not).",
     rules=NO_MATCH,
     measure=with_exact,
     seconds=3.0,

@@ -43,7 +43,7 @@ def of_field(samples: Samples, name: str) -> float:
 H04 = Claim(
     id="H04",
     section="3",
-    statement="Evaluating the potential only locally, at adjacent cells, spares the evaluation of the whole field.",
+    statement="Evaluating the potential at adjacent cells alone spares the whole field.",
     method=f"{TEXT}; evaluations of the potential in a whole plan, all its passes and searches together, over the "
     f"{CELLS} cells of the field.",
     criteria=(
@@ -71,8 +71,7 @@ def with_and_without_search(batch: Batch) -> Samples:
 H05 = Claim(
     id="H05",
     section="3",
-    statement="A local search along the grid, when the path enters a cell twice, overcomes the problem of "
-    "local minima.",
+    statement="A local grid search, when the path enters a cell twice, overcomes local minima.",
     method=f"{SCENES} scenes a batch: rows of two or three robots that touch square to the way, cups of nine about the "
     "target; which plans join robot and target, with the search and without it.",
     criteria=(
@@ -127,8 +126,7 @@ def more(samples: Samples, name: str) -> float:
 H06 = Claim(
     id="H06",
     section="3",
-    statement="Planned backwards from the target, the robot directly enters a trajectory that leads around the "
-    "obstacle, instead of heading into it and then following a curve around it.",
+    statement="Backward planning leads around an obstacle at once, instead of heading into it first.",
     method=f"{SCENES} ways a batch of {WAY:g} m with one obstacle that stands on them, planned in both directions; "
     f"first heading over {HEADING:g} m, length, sharpest turn within {HEADING:g} m.",
     criteria=(
@@ -171,7 +169,7 @@ def load(batch: Batch) -> Samples:
 H02 = Claim(
     id="H02",
     section="2, 3",
-    statement="The planner computes paths in real time, 50 times a second: the software fits a cycle of 20 ms.",
+    statement="The planner runs 50 times a second: the software fits a cycle of 20 ms.",
     method=f"Time of {SCENES} plans a batch over 5 m past nine moving obstacles, on one core; a tenth of the cycle, "
     "as a machine 20 years younger than the paper's can hardly miss the whole.",
     criteria=(
@@ -191,7 +189,7 @@ H02 = Claim(
 H15 = Claim(
     id="H15",
     section="3",
-    statement="The path planning approach is very fast, comparable to the standard potential field path planners.",
+    statement="The planner is very fast, comparable to standard potential field planners.",
     method=f"{TEXT}, by both planners; the least of five times each, on one core, with what Python adds to both.",
     criteria=(
         measured("time over the conventional planner's (median)", lambda s: median(s["new"] / s["old"]), at_most=3.0),
@@ -218,7 +216,7 @@ def same_paths(batch: Batch, still: bool = True) -> Samples:
 H16 = Claim(
     id="H16",
     section="3",
-    statement="Conventional planners are unaware of the speed of the other robots.",
+    statement="Conventional planners are unaware of the other robots' speed.",
     method=f"{TEXT} by both planners, all velocities taken away: which paths are the same to the last bit.",
     criteria=(exact("paths that are the same", lambda s: 100 * mean(s["same"]), unit="%", at_least=100.0),),
     rules=NO_MATCH,

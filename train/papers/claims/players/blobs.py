@@ -107,26 +107,25 @@ def blob_figures(samples: Samples) -> Sequence[Figure]:
 S39 = Claim(
     id="S39",
     section="4.1.2",
-    statement="When a player moves far enough away that its head stickers become too small to detect, its height by "
-    "all blobs drops in half; the largest blob alone gives the steadier position.",
+    statement="Where head stickers vanish the height of all blobs halves; the largest blob is steadier.",
     method=f"{RUNS} robots a batch and jersey (stickers of {', '.join(f'{j:g}' for j in JERSEYS)} times their size) "
     f"stare at a player {100 * NEAR:.0f} to {100 * FAR:.0f} cm away, seen from any side; share of frames without a "
     "head sticker; scatter of the believed over the true range in each run; that ratio in frames with a trunk alone "
     "over frames with trunk and head (for these 30 % of the stickers are missed, so that there are enough).",
     criteria=(
         measured(
-            "combined: without the head 1.5 to 2.5 times as far, in each jersey",
+            "combined: range without the head over that with it",
             lambda samples: worst_jump(samples, "combined"),
             at_least=1.5,
             at_most=2.5,
         ),
         measured(
-            "largest blob: at most 1.2 times, in each jersey",
+            "largest blob: the same, in the worst jersey",
             lambda samples: float(jumps(samples, "largest").max()),
             at_most=1.2,
         ),
         measured(
-            "scatter of the largest blob's range over that of the combined < 1",
+            "scatter of the largest blob's range over that of the combined",
             lambda samples: scatter(samples, "largest") / max(scatter(samples, "combined"), 1e-9),
             below=1.0,
         ),
@@ -144,7 +143,6 @@ S39 = Claim(
     rules=STAGED,
     measure=compare_blobs,
     seconds=2.0,
-    changed="Before: blobs of half a pixel, one sticker a side, half of the frames without the head (not).",
     figures=blob_figures,
     ingredients=("sensors.sticker_*, all assumed", "sensors.sticker_miss", "sensors.least_area, two pixels"),
     note="A head's sticker fills two pixels, the least that the vision delivers, 2.4 m from the camera if it is seen "

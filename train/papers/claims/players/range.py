@@ -128,12 +128,12 @@ def ranger_figure(samples: Samples) -> Sequence[Figure]:
 S40 = Claim(
     id="S40",
     section="4.1.2",
-    statement="It is often more difficult to obtain an accurate distance estimate for a player than for the ball.",
+    statement="A player's distance is often harder to estimate accurately than the ball's.",
     method=f"{MATCHES} robots a batch stare at a standing player, seen from any side, and then at a ball in the same "
     f"place, {100 * NEAR:.0f} to {100 * FAR:.0f} cm away; error of the latest range over the true one, frames that "
     "show it; all rules of both systems on.",
     criteria=(
-        measured("relative error of the player's range over that of the ball's > 1", over_ball, above=1.0),
+        measured("relative range error of players over the ball's", over_ball, above=1.0),
         reported("relative error, player (root mean square)", lambda samples: 100 * rms(samples["player"]), unit="%"),
         reported("relative error, ball", lambda samples: 100 * rms(samples["ball"]), unit="%"),
     ),
@@ -148,12 +148,12 @@ S40 = Claim(
 S41 = Claim(
     id="S41",
     section="4.1.2",
-    statement="For a player in the middle of the picture, infrared readings under 40 cm give the better distance.",
+    statement="For a player in the picture's middle infrared under 40 cm gives the better distance.",
     method=f"{MATCHES} robots a batch stare at a player {100 * RANGER_NEAR:.0f} to {100 * RANGER_FAR:.0f} cm away, "
     "seen from any side; frames in which the rule takes the reading, being under 40 cm while the player's largest blob "
     "is in the middle, whatever the beam met; range error with the rule and without, same seeds.",
     criteria=(
-        measured("error without the rule less that with it > 0", gain, unit="cm", above=0.0),
+        measured("error without the rule less that with it", gain, unit="cm", above=0.0),
         reported("error with the rule (root mean square)", lambda samples: 100 * rms(samples["with"]), unit="cm"),
         reported("error without the rule", lambda samples: 100 * rms(samples["without"]), unit="cm"),
         reported("frames with a reading under 40 cm", lambda samples: 100 * float(np.mean(samples["near"])), unit="%"),

@@ -86,13 +86,13 @@ def view_figure(samples: Samples) -> Sequence[Figure]:
 S69 = Claim(
     id="S69",
     section="4.1.2",
-    statement="A robot's most common view of another player is a head-on view.",
+    statement="A robot's most common view of another player is head-on.",
     method=f"{MATCHES} games of 3 v 3 a batch, chaser against chaser by their own sensors, {SECONDS:g} s each, every "
     f"half second: the angle under which each other player within {FAR:g} m and within the width of the camera's view "
     "is seen, in thirds of the circle: head-on (60 degrees to both sides), from the side, from behind.",
     criteria=(
         measured(
-            "share of head-on views less that of the next third > 0",
+            "share of head-on views less the next third's",
             lambda samples: lead_of_front(samples["sensors"]),
             unit="%",
             above=0.0,

@@ -82,7 +82,7 @@ def latency_figure(samples: Samples) -> Sequence[Figure]:
 S22 = Claim(
     id="S22",
     section="3.3",
-    statement="Robots almost always determine that they are stuck within a few seconds of running into an obstacle.",
+    statement="Robots almost always notice within a few seconds that they are stuck.",
     method=f"{HELD} robots a batch walk to a still ball for {WALK:g} s and are then held, their legs slip; time until "
     f"the team begins its recovery, the ball {100 * NEAREST:.0f} to {100 * FARTHEST:.0f} cm from the camera. Beside "
     "them robots that others hold in 3 v 3 play (contact, a quarter of the way that their legs walk for 1.5 s).",
@@ -111,7 +111,6 @@ S22 = Claim(
     "8 s: there nobody notices within 5 s, and everybody within 10 s. Of robots that others hold in play a third "
     "notice in 20 s: most stand within 35 cm, often before an opponent that has the ball, and the ball moves or they "
     "come free before both counters have tripped.",
-    changed="Before: balls at 35 to 60 and 35 to 80 cm alone, from the middle of the body (98.1 % and 100 %).",
     seconds=3.0,
     batches=12,
     least=4,
@@ -165,7 +164,7 @@ def velocity_figure(samples: Samples) -> Sequence[Figure]:
 S04 = Claim(
     id="S04",
     section="3",
-    statement="If a robot is trying to move toward the ball, but the ball is not getting closer, it is probably stuck.",
+    statement="A robot that makes for the ball but comes no nearer is probably stuck.",
     method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, in which nobody recovers; windows of {WINDOW:g} s "
     f"of robots that go for a ball nearer than {100 * FARTHEST:.0f} cm: mean of the filtered radial velocity of those "
     "that others hold (contact, a quarter of the way that their legs walk or less) and of those that touch nobody.",
@@ -178,7 +177,6 @@ S04 = Claim(
     measure=windows,
     figures=velocity_figure,
     ingredients=("sensors.dither", "memory.filter_length"),
-    changed="Before: a still ball, and held robots whose legs slipped on the spot, which settled it (area 1).",
     seconds=2.0,
     batches=12,
     least=4,

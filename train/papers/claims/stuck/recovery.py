@@ -73,8 +73,7 @@ def again_figure(samples: Samples) -> Sequence[Figure]:
 S26 = Claim(
     id="S26",
     section="3.4",
-    statement="Ten steps back are more than is usually necessary, but help ensure that the robot will not immediately "
-    "get stuck again.",
+    statement="Ten steps back exceed the need, but prevent getting stuck again at once.",
     method=SCENE + f"with {', '.join(map(str, BACK_STEPS))} steps back: who is held again within {AGAIN:g} s after the "
     "recovery.",
     criteria=(
@@ -89,7 +88,6 @@ S26 = Claim(
     without=Without("the way back counted in the five seconds, as here it is not", partial(stuck_again, way_back=True)),
     figures=again_figure,
     ingredients=(HELD, "side_steps 5: assumed"),
-    changed="Before: a ball past a robot that nobody could push aside; none of 64 held again after ten steps.",
     seconds=4.0,
     batches=12,
     least=4,
@@ -128,8 +126,7 @@ def change(samples: Samples, name: str = "", until: str = "at ball") -> float:
 S27 = Claim(
     id="S27",
     section="3.4",
-    statement="The sidestep that keeps the ball between robot and goal does not always get it around the obstacle, but "
-    "works well enough, and positions it to shoot.",
+    statement="The sidestep does not always clear the obstacle, but positions the robot to shoot.",
     method=SCENE
     + f"those that step aside: who is not held again within {CLEAR:g} s after the recovery has cleared the "
     "way. Angle between the ways from robot to ball and from ball to goal, before and when the robot has the ball; "
@@ -159,7 +156,6 @@ S27 = Claim(
     ingredients=(HELD, "side_steps 5: assumed"),
     note="The paper speaks of the moment at which the robot reaches the ball. Right after the recovery a robot is "
     "placed worse than before: while it retreats the others take the ball elsewhere.",
-    changed="Before: a ball past a robot that nobody could push aside, cleared by having the ball (49.5 %).",
     seconds=3.0,
     batches=12,
     least=4,
@@ -220,7 +216,7 @@ def several(samples: Samples) -> float:
 S29 = Claim(
     id="S29",
     section="3.4",
-    statement="It sometimes takes a few tries to get around an obstacle, but the recovery seems relatively effective.",
+    statement="The recovery seems relatively effective, though it sometimes takes a few tries.",
     method=SCENE
     + "or push on: free is who walks as asked for 1 s, not recovering and in contact with nobody, or has the "
     f"ball alone. Beside it the same when they notice by themselves, and the ball got within {FUTURE:g} s.",
@@ -261,7 +257,6 @@ S29 = Claim(
     "but gets the ball less often: others are there first while it is away. When it has to notice by itself nothing is "
     "gained in 10 s, for a quarter only notices within 5 s; with thresholds of 5 readings and 1 s most do, and it "
     "comes free more often too.",
-    changed="Before: a ball past a robot that nobody could push aside, the ball within three tries (79.7 %).",
     seconds=3.0,
     batches=12,
     least=4,

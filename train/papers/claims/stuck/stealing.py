@@ -67,14 +67,13 @@ def steals(batch: Batch) -> Samples:
 S30 = Claim(
     id="S30",
     section="4",
-    statement="When a player is going after the ball a collision can be helpful, running into an opponent that has it: "
-    "others are avoided only in possession of the ball.",
+    statement="While chasing the ball a collision can help: avoid others only in possession.",
     method=f"{STEALS} scenes a batch: an opponent (sacks-2001) has the ball between its paws, a robot 50 to 80 cm "
     f"before it goes for it, walking round others or not; who has the ball alone within {STEAL_TIME:g} s, and who "
     "because the opponent lost it in contact with the robot. A whistle against one of them, a dropped ball and "
     "being pulled apart end a scene that nobody has won.",
     criteria=(
-        counted("not avoiding: balls won by contact (can sometimes be helpful)", "contact", "one", at_least=1.0),
+        counted("not avoiding: balls won by contact", "contact", "one", at_least=1.0),
         reported("avoiding: balls won by contact", lambda s: 100.0 * mean(s["on contact"]), unit="%"),
         reported("balls won without avoidance", lambda s: 100.0 * mean(s["off"]), unit="%"),
         reported("balls won with avoidance", lambda s: 100.0 * mean(s["on"]), unit="%"),
@@ -84,7 +83,6 @@ S30 = Claim(
     rules=PLAYED,
     measure=steals,
     ingredients=("how the team walks round others: soccer_env/skills/moves.py",),
-    changed="Before: at least as many balls won as by who avoids (2.8 points fewer), without a referee.",
     seconds=3.0,
     batches=16,
 )

@@ -55,8 +55,7 @@ def walls(batch: Batch) -> Samples:
 S28 = Claim(
     id="S28",
     section="3.4",
-    statement="If the ball is more than 30 degrees aside the robot rotates instead: often it faces out at the field's "
-    "edge and the wall prevents it from rotating; it need only back away and face the ball.",
+    statement="With the ball over 30 degrees aside, as at a wall, backing away and rotating suffices.",
     method=f"{RUNS} runs a batch: a robot faces out, a paw at the board's foot (drill facing-wall), the ball "
     f"{ASIDE[0]:g} to {ASIDE[1]:g} degrees aside, where its head sees it; of those that come to recover, got "
     f"within {LONGEST:g} s, with the rule and with sidesteps always. Beside it all of them, also without any recovery, "
@@ -82,7 +81,6 @@ S28 = Claim(
     note="At the board a turn is blocked, and who recovers gets away. Whether it then turns or steps aside matters "
     "little, for it turns to the ball on its way to it. Where the ball lies behind, a robot that has not seen it "
     "searches for it and turns against the board; no counter runs in a search, and recovery never begins.",
-    changed="Before: paws 5 to 7 cm off the board, the ball behind, and all counted, of whom a third recovered.",
     seconds=4.0,
     batches=10,
 )

@@ -1,0 +1,20 @@
+"""The pages of claims: all that was measured of each paper, as `soccer reproduce ID --stored` prints it."""
+
+from __future__ import annotations
+
+from soccer_env.train.papers.report import EXPLANATION, words_of
+from soccer_env.train.papers.stored import FOLDERS, read_stored, stored_results
+
+
+def pages() -> dict[str, str]:
+    """Return the page of each paper by its path."""
+    found = {}
+    for paper, folder in FOLDERS.items():
+        told = [words_of(result) for result in stored_results(read_stored(folder))]
+        found[f"claims/{folder.name}.md"] = "\n\n".join([f"# Claims of {paper}, measured", EXPLANATION, *told]) + "\n"
+    return found
+
+
+def navigation() -> list[object]:
+    """Return the section of the claims."""
+    return [{"Claims": [{paper: f"claims/{folder.name}.md"} for paper, folder in FOLDERS.items()]}]

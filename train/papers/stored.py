@@ -1,0 +1,70 @@
+"""What was measured last of the papers' claims: claims.json in the folder of each paper's team.
+
+The teams' pages, the site and `soccer reproduce ID --stored` show it. What the claim itself says (statement, method,
+bounds, note) is not stored: it stands in the claim.
+"""
+
+import json
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from soccer_env import baselines
+from soccer_env.train.papers.claim import HEINEMANN, SACKS, Claim
+from soccer_env.train.papers.claims import all_claims, find_claims
+from soccer_env.train.papers.results import ClaimResult
+
+FILE = "claims.json"
+FOLDERS = {
+    paper: Path(baselines.__path__[0]) / team for paper, team in ((SACKS, "sacks_2001"), (HEINEMANN, "heinemann_2006"))
+}
+KEPT = ("verdict", "by_seed", "quick", "n", "n_used", "command", "pose", "rules", "criterion", "seeds")  # of a result
+
+Measured = Mapping[str, Mapping[str, Any]]  # claim: what is stored of it
+
+
+def read_stored(folder: Path) -> dict[str, dict[str, Any]]:
+    """Return what the claims.json of a folder holds; nothing without one."""
+    path = folder / FILE
+    found: dict[str, dict[str, Any]] = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    return found
+
+
+def stored_results(names: Iterable[str]) -> list[ClaimResult]:
+    """Return the stored results of claims, of all without a name; ValueError for one that is not stored."""
+    known = all_claims()
+    rows = {name: row for folder in FOLDERS.values() for name, row in read_stored(folder).items()}
+    claims = find_claims([*names] or rows, known)
+    for claim in claims:
+        if claim.id not in rows:
+            raise ValueError(f"no result of {claim.id} is stored; measure it without --stored")
+    return [as_result(claim, rows[claim.id]) for claim in claims]
+
+
+def as_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
+    """Return a stored result as a run would have it, without figures and with numbers as texts."""
+    about = row["about"]
+    measured = f"Measured {about['date']}, commit {about['commit'] or 'none'}."
+    note = claim.note if isinstance(claim.note, str) else ""
+    return ClaimResult(
+        **{name: getattr(claim, name) for name in ("id", "paper", "section", "statement", "method")},
+        **{name: row[name] for name in KEPT},
+        estimate=None,
+        low=None,
+        high=None,
+        cap=row["n"],
+        ingredients=list(claim.ingredients),
+        note=f"{note}\n\n{measured}".strip(),
+        findings=[with_bounds(claim, row, found) for found in row["findings"]],
+        without=claim.without.ingredient if claim.without else "",
+        without_findings=[with_bounds(claim, row, found) for found in row["without_findings"]],
+        figures=[],
+        settings="",
+    )
+
+
+def with_bounds(claim: Claim, row: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a stored finding with what its criterion asks for, and its units where they are known."""
+    asked = next((one.asked for one in claim.criteria if one.text == found["criterion"]), "")
+    units = row["n_used"] if found["criterion"] == row["criterion"] else None
+    return {"n": units, **found, "asked": asked}
