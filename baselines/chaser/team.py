@@ -28,6 +28,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
 from soccer_env.guards.checking import check_names, number
 from soccer_env.guards.ranges import NUMBER, UNIT, record
+from soccer_env.leagues.league import League
 from soccer_env.random_numbers import uniform
 from soccer_env.skills.deciding import PLAY, TEAM, apply_strength, free_ring, keep_decision, must_decide
 from soccer_env.skills.keeping_rules import is_in_own_area, leave_area, may_not_enter, mind_pushing, wait_at_area
@@ -40,6 +41,9 @@ from soccer_env.skills.set_pieces import (
     take_restart,
     wait_for_pass,
 )
+from soccer_env.skills.settings import FOLLOWS as SKILLS_FOLLOW
+from soccer_env.skills.settings import NUMBERS as SKILL_NUMBERS
+from soccer_env.skills.settings import fitted, rows_of
 from soccer_env.skills.sight import SIGHT, look, side_of
 from soccer_env.teams import CompiledTeam
 from soccer_env.teams.kernels import per_player
@@ -79,9 +83,7 @@ MEMORY = record(
 )
 
 NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential base
-    "settle": (0.7, 0.25, 0.3),  # [s] in which a turn or a step is to be done
-    "arrived": (0.03, 0.05, 0.08),  # [m] near enough
-    "walk_ahead": (0.25, 0.0, 0.0),  # [m] a walk this long is done facing ahead
+    **SKILL_NUMBERS,
     "run_in_cosine": (0.3, 0.94, 0.9),  # cosine of the angle off the line behind the ball for a run straight in
     "square_up": (0.0, 0.1, 0.0),  # [m] into the ball that a base which steps aside aims; 0: it faces the ball instead
     "near": (1.6, 1.8, 1.3),  # [touch distances] within which `near_cosine` counts instead
@@ -92,18 +94,11 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "bump": (0.12, 0.5, 0.5),  # [m/s] at which the ball is met
     "delay": (0.1, 0.12, 0.12),  # [s] least time by which the ball is led
     "lead": (3.0, 1.5, 2.0),  # [s] greatest time by which the ball is led
-    "turn_share": (1.0, 0.0, 0.5),  # [1] of the top turn rate with the ball, where it is not gone round
-    "carry_share": (1.0, 0.15, 0.2),  # [1] of the top speed while turning with the ball
-    "circle_share": (0.0, 0.3, 0.0),  # [1] of the acceleration that turning about the ball takes; 0: about itself
-    "push_share": (1.0, 0.6, 0.9),  # [1] of the top speed while pushing it straight
-    "aligned": (0.15, 0.3, 0.2),  # [rad] off the aim within which the ball counts as straight ahead
     "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front
     "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
     "room": (0.03, 0.05, 0.03),  # [rad] beside a shot
     "shot_range": (1.3, 5.5, 5.5),  # [m] of a shot at the goal
     "arrival": (0.0, 5.0, 5.0),  # [m/s] of a shot at the goal; 0: with all strength
-    "way_on": (0.7, 2.5, 2.5),  # [m] that a way for the ball is looked at
-    "wing_cost": (0.2, 0.0, 0.0),  # [rad] room that a way may lose for ending in the middle, not at a touchline
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out
     "wriggle_time": (3.0, 0.6, 0.8),  # [s]
     "patience": (3.0, 1.2, 1.5),  # [s]
@@ -115,7 +110,6 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "back": (0.6, 2.0, 2.0),  # [m] between the next pairs of supporters
     "aside": (0.5, 1.5, 1.5),  # [m] of a pair beside the ball
     "change_side": (0.2, 0.6, 0.6),  # [m] from the middle before a supporter changes sides
-    "keeper_line": (1.35, 1.2, 1.2),  # [body reaches] from the goal line
     "keeper_out": (1.8, 1.8, 2.0),  # [body reaches] from the middle of the goal
     "keeper_zone": (0.4, 2.0, 2.0),  # [m] round the middle of the goal from which balls are cleared
     "shot_speed": (0.15, 0.5, 0.5),  # [m/s] a ball this fast towards the goal is a shot
@@ -133,7 +127,11 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "crookedest": (0.3, 0.1, 0.1),  # [rad] deviation of the aim at strength 0
     "softest": (0.7, 0.7, 0.7),  # [1] strength of a kick at strength 0
 }
-SETTINGS = np.dtype([("strength", "f8"), *((name, "f8") for name in NUMBERS)])
+FOLLOWS = SKILLS_FOLLOW | {  # what a number grows with in leagues of other families: 0 pitch, 1 robot, 2 its top speed
+    **dict.fromkeys(("shot_range", "cover", "back", "aside", "change_side", "keeper_zone"), 0),
+    **dict.fromkeys(("clearance", "wrong_side", "kick_gap", "kick_aside", "square_up"), 1),
+    **dict.fromkeys(("orbit_speed", "bump", "shot_speed", "arrival", "still"), 2),
+}
 
 
 def team(strength: float = 1.0, **changes: float) -> CompiledTeam:
@@ -143,9 +141,13 @@ def team(strength: float = 1.0, **changes: float) -> CompiledTeam:
     """
     check_names("setting of chaser", changes, NUMBERS)
     given = {name: 3 * (number(f"{name} of chaser", value),) for name, value in changes.items()}
-    numbers = {**NUMBERS, **given}
-    rows = [(strength, *(values[kind] for values in numbers.values())) for kind in range(3)]
-    return CompiledTeam("chaser", CHASER, MEMORY, np.array(rows, SETTINGS))
+    settings = rows_of({"strength": 3 * (strength,), **NUMBERS, **given})
+    return CompiledTeam("chaser", CHASER, MEMORY, settings, fit=fit)
+
+
+def fit(settings: np.ndarray, league: League) -> np.ndarray:
+    """Return the team's settings for a league."""
+    return fitted(settings, league, FOLLOWS)
 
 
 @compiled

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
+from numba.core.errors import NumbaError
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
@@ -41,6 +42,7 @@ class Squad:
     memory: np.ndarray
     observations: np.ndarray  # (M, R, n) of a team that decides from them, else (M, R, 0)
     name: str  # what a lineup calls it, else what results do, see `teams.registry.called`
+    settings: np.ndarray | None = None  # of a compiled team, in this league
     lineup: Lineup | None = None  # that it is a part of
     place: int = 0  # in the lineup
     plays: np.ndarray | None = None  # (M,) of a team of a lineup: in which matches it plays now
@@ -139,7 +141,8 @@ def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int,
             )
         observed = len(names_of(settings.league, team.observe))
     memory = np.zeros((matches, len(players)), check_memory(team))
-    return Squad(team, players, memory, np.zeros((matches, robots, observed), np.float32), team.name)
+    numbers = team.settings_in(settings.league) if isinstance(team, CompiledTeam) else None
+    return Squad(team, players, memory, np.zeros((matches, robots, observed), np.float32), team.name, numbers)
 
 
 def choose_teams(squads: list[Squad], home: int, m: int, seed: int, episode: int) -> None:
@@ -178,6 +181,16 @@ def clip_commands(commands, players, first, last):
     return -1, -1
 
 
+def uncompiled(team: CompiledTeam, error: Exception) -> str:
+    """Return in one line why a team's kernel cannot be compiled, with the field that a record lacks."""
+    if isinstance(error, KeyError):
+        why = f"it reads {error} of a record that has no such field; skills read the numbers of skills.skill_settings()"
+    else:
+        lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+        why = next((line for line in lines if not line.startswith("Failed in")), "numba does not say why")
+    return f"team {team.name!r} cannot be compiled: {why}"
+
+
 def run_compiled(squad: Squad, arrays: TeamArrays, write: WriteObservations, first: int, last: int) -> None:
     """Let a compiled team decide in a slice of matches; ValueError if a command is not finite."""
     team: Any = squad.team
@@ -188,11 +201,15 @@ def run_compiled(squad: Squad, arrays: TeamArrays, write: WriteObservations, fir
     rows = squad.players
     for run in runs:
         if not isinstance(team, ObservingTeam):
-            team.kernel(beliefs, tracks, squad.memory, noise, commands, rows, k, team.settings, *run)
-            continue
-        if not squad.memory["wait"][slice(*run)].all():
-            write(squad.observations, team.observe, rows, *run)
-        team.kernel(squad.observations, squad.memory, commands, rows, k, team.settings, *run)
+            seen: tuple[np.ndarray, ...] = (beliefs, tracks, squad.memory, noise)
+        else:
+            if not squad.memory["wait"][slice(*run)].all():
+                write(squad.observations, team.observe, rows, *run)
+            seen = (squad.observations, squad.memory)
+        try:
+            team.kernel(*seen, commands, rows, k, squad.settings, *run)
+        except (KeyError, NumbaError) as error:
+            raise ValueError(uncompiled(team, error)) from error
     m, r = clip_commands(commands, rows, first, last)
     if m >= 0:
         command = commands[m, r].item()

@@ -100,7 +100,7 @@ def memory_of(match: Match, r: int = 0) -> np.ndarray:
 
 def team_settings_of(match: Match, r: int = 0) -> np.ndarray:
     """Return the records (rows,) of settings that the compiled team of robot r reads."""
-    settings: np.ndarray = squad_of(match, r).team.settings  # type: ignore[attr-defined]  # of compiled teams alone
+    settings: np.ndarray = squad_of(match, r).settings  # type: ignore[assignment]  # of compiled teams alone
     return settings
 
 

@@ -5,10 +5,13 @@ moves.py          ways to move, to aim and to play the ball
 carrying.py       the ball carried between the paws or the arms of the guide
 deciding.py       when a player decides, and how well by its strength
 searching.py      a player without a ball
-set_pieces.py     restarts: pass, and leave the ball to others
+settings.py       the numbers that skills read
+    set_pieces.py     restarts: pass, and leave the ball to others
 keeping_rules.py  where a player may not go, and how it does not push
 """
 
 from soccer_env.skills.moves import go, push, stand, turn_by
+from soccer_env.skills.settings import fitted, skill_settings
+from soccer_env.skills.sight import SIGHT, look
 
-__all__ = ["go", "push", "stand", "turn_by"]
+__all__ = ["SIGHT", "fitted", "go", "look", "push", "skill_settings", "stand", "turn_by"]

@@ -107,6 +107,7 @@ class CompiledTeam:
     families: tuple[str, ...] = ()  # of leagues that it plays (`League.family`); empty: all
     options: Options | None = None  # the team's settings by name, for lists
     blind: bool = False  # True: it reads no belief, so that nothing has to be sensed for it
+    fit: Callable[[np.ndarray, League], np.ndarray] | None = None  # the settings for a league; None: the same in all
     explains: str = ""  # "MODULE:NAME" of what it tells people who watch, see explaining.py
 
     def __repr__(self) -> str:
@@ -129,6 +130,10 @@ class CompiledTeam:
         """Raise ValueError if the team does not play this league."""
         league.must_be_of(self.families, f"team {self.name!r}")
 
+    def settings_in(self, league: League) -> np.ndarray:
+        """Return the settings that the kernel reads in a league."""
+        return self.settings if self.fit is None else self.fit(self.settings, league)
+
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
         """Return the commands (M, P, 7) of all players, as the match would have the kernel make them."""
         from soccer_env.types import COMMAND
@@ -144,7 +149,7 @@ class CompiledTeam:
             commands,
             players,
             constants_of(view.league),
-            self.settings,
+            self.settings_in(view.league),
             0,
             len(commands),
         )

@@ -1,13 +1,17 @@
 """A kernel made from what one player does reaches every player of its slice, with that player's own things."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
 from soccer_env import Match
+from soccer_env.baselines.chaser.team import NUMBERS
 from soccer_env.compiled import compiled
-from soccer_env.teams import CompiledTeam
+from soccer_env.leagues import find_league
+from soccer_env.skills import SIGHT, fitted, go, look, skill_settings
+from soccer_env.teams import CompiledTeam, make_team
 from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_blind_player, per_player
 
 COUNT = np.dtype([("decisions", "i8")])
@@ -30,6 +34,21 @@ def walk(memory, noise, command, k, settings):  # type: ignore[no-untyped-def]
     command.forward = settings.strength
 
 
+@compiled
+def go_to_middle(belief, tracks, memory, noise, command, k, settings, scratch):  # type: ignore[no-untyped-def]
+    """Go to the centre spot by a skill."""
+    scratch.pace, scratch.elapsed = settings.hurry, k.dt
+    look(scratch, belief, tracks, k)
+    go(command, scratch, k, settings, 0.0, 0.0, 0.0, 0.0)
+
+
+@compiled
+def add_words(belief, tracks, memory, noise, command, k, settings, scratch):  # type: ignore[no-untyped-def]
+    """Say what no compiler takes."""
+    command.forward = belief + "a word"
+
+
+GOER, WORDS = per_player(go_to_middle, SIGHT), per_player(add_words)
 COUNTER, WALKER = per_player(count, SUM), per_blind_player(walk)
 
 
@@ -62,3 +81,46 @@ def test_a_blind_player_plays_without_beliefs() -> None:
     match = Match(home=2, away=2, matches=3, seed=1, controllers={"home": team, "away": team})
     match.step()
     assert (match.robots["command"]["forward"] == 0.25).all()
+
+
+def test_a_players_own_kernel_uses_skills_by_their_numbers() -> None:
+    teams: dict[str, Any] = {"home": CompiledTeam("goer", GOER, NO_MEMORY, skill_settings(hurry=1.0), fit=fitted)}
+    match = Match(home=1, away=1, seed=1, controllers=teams | {"away": "still"}, senses="ideal", rules="none")
+    before = np.hypot(match.robots["x"], match.robots["y"])[0, 0]
+    for _ in range(48):
+        match.step()
+    assert np.hypot(match.robots["x"], match.robots["y"])[0, 0] < before - 0.1
+
+
+@pytest.mark.parametrize(
+    ("kernel", "message"),
+    [
+        (GOER, "team 'goer' cannot be compiled: it reads 'hurry' of a record"),
+        (WORDS, "team 'goer' cannot be compiled: "),
+    ],
+)
+def test_a_kernel_that_cannot_be_compiled_says_why_in_one_line(kernel: Any, message: str) -> None:
+    team = CompiledTeam("goer", kernel, NO_MEMORY, np.array([(1.0,)], STRENGTH))
+    match = Match(home=1, away=1, seed=1, controllers={"home": team, "away": "still"}, senses="ideal")
+    before = match.state_hash()
+    with pytest.raises(ValueError, match=message) as caught:
+        match.step()
+    assert "\n" not in str(caught.value) and match.state_hash() == before
+
+
+def test_numbers_follow_pitch_and_robot_in_a_league_of_another_family() -> None:
+    known = find_league("middle-size-2006")
+    pitch = replace(known.pitch, length=6.0, width=4.0, goal_width=1.0, penalty_depth=0.75, penalty_width=2.5)
+    small = replace(known, name="small", family="small", pitch=pitch)
+    chaser = make_team("chaser")
+    kept, scaled = chaser.settings_in(known)[1], chaser.settings_in(small)[1]
+    for name, (_, value, _) in NUMBERS.items():
+        assert kept[name] == value
+        halved = name in ("shot_range", "cover", "back", "aside", "change_side", "keeper_zone")
+        assert scaled[name] == pytest.approx(value / 2.0 if halved else value)
+    match = Match(
+        small, home=2, away=2, matches=4, seed=1, controllers={"home": "chaser", "away": "still"}, senses="ideal"
+    )
+    for _ in range(1500):
+        match.step()
+    assert match.matches["score"][:, 0].sum() >= 2
