@@ -6,6 +6,8 @@ middle_size_2006.py   the middle-size league of 2006
 omni_sensors.py       the sensors of middle-size robots, and their memory
 league.py             what a league is, and a map of the pitch
 rules.py              which rules are called, their numbers, and sets of them
+legged_rules.py       fouls of the legged league
+middle_size_rules.py  fouls of the middle size
 materials.py          what bounces and rubs how much: elasticity and friction of each pair that meets
 robot.py              what its robots are: body, drive, kicker, block, head
 robot_kind.py         what a kind of robot is, and where each is declared

@@ -3,7 +3,7 @@
 import inspect
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import fields, replace
+from dataclasses import fields, is_dataclass, replace
 from typing import Any, ClassVar, TypeVar
 
 import numpy as np
@@ -70,11 +70,11 @@ def kinds_of(kind: type[Options]) -> tuple[type[Options], ...]:
     return kind.__mro__[: kind.__mro__.index(Options)]
 
 
-def notes_of(kind: type[Options]) -> dict[str, str]:
+def notes_of(kind: type) -> dict[str, str]:
     """Return the comment beside each field of a settings class, or else beside the field that it inherits."""
     notes: dict[str, str] = {}
-    for parent in reversed(kinds_of(kind)):
-        notes |= own_notes(parent)
+    for parent in reversed(kind.__mro__):
+        notes |= own_notes(parent) if is_dataclass(parent) else {}
     return notes
 
 

@@ -10,21 +10,22 @@ A set is changed by name: "league:pushing=False,holding_time=5".
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
-from soccer_env.guards.checking import ABOVE_ZERO, SHARE, Range, check_names, type_of
+from soccer_env.guards.checking import ABOVE_ZERO, Range, check_names, type_of
 from soccer_env.leagues.checks import PYTHON_ONLY, Part
+from soccer_env.leagues.legged_rules import LeggedFouls
+from soccer_env.leagues.middle_size_rules import MiddleSizeFouls
 
 NEVER = 1e9  # [s]
 MINUTES = Range(0.0, 1e12, above=True)  # [min] of a half, and of the match that `minutes` asks for
 
 
 @dataclass(frozen=True)
-class Rules(Part):
-    """The rules of a league: what is called, and the numbers of it. A switch that is off costs nothing."""
+class CommonRules(Part):
+    """What all leagues call: goals, restarts and what keeps play going."""
 
     BOUNDS = {
         "half_minutes": MINUTES,
         **dict.fromkeys(("stuck_radius", "restart_time", "stuck_time", "contact_time"), ABOVE_ZERO),
-        "handling_share": SHARE,
     }
 
     half_minutes: float = field(metadata=PYTHON_ONLY)  # [min] length of a half
@@ -53,67 +54,10 @@ class Rules(Part):
     direct_corner_kick: bool = True  # the same of a corner kick
     direct_free_kick: bool = True  # the same of a free kick
 
-    # Fouls of the legged league: the robot is taken out and comes back at the halfway line
-    removal_time: float = 30.0  # [s] that a robot is out
-    pardon: bool = False  # a kick-off ends all penalties that run
-    pushing: bool = False  # a robot walks into an opponent off the ball for `pushing_time`
-    pushing_time: float = 3.0  # [s] in contact
-    pushing_exempt: float = 0.5  # [m] the robot nearest to the ball may push for it within this distance
-    keeper_pushing: bool = False  # the same into the goalkeeper in its own penalty area, even for the ball
-    keeper_pushing_time: float = 1.0  # [s] in contact
-    annulled_push: float = 0.5  # [s] of a push or hold that is not yet a foul, after which a goal by it does not count
-    annulled_time: float = 3.0  # [s] after the whistle for which the attack cannot score
-    holding: bool = False  # a robot keeps the ball from all others for `holding_time`
-    holding_time: float = 3.0  # [s]
-    keeper_holding_time: float = 5.0  # [s] in its own area
-    carrying: bool = False  # a robot carries the ball for `carrying_distance`
-    carrying_distance: float = 0.5  # [m] that a ball may be carried
-    illegal_defender: bool = False  # a field player stays in its own penalty area for `illegal_defender_time`
-    illegal_defender_time: float = 1.0  # [s] in its own penalty area
-    illegal_attacker: bool = False  # a robot stays in the opponents' penalty area for `illegal_attacker_time`
-    illegal_attacker_time: float = 10.0  # [s] in the opponents' penalty area while the ball is elsewhere
-    leaving_field: bool = False  # a robot stands in a goal for `leaving_time`, but for a goalkeeper in its own
-    leaving_time: float = 5.0  # [s] in a goal
-    falling: bool = False  # a robot lies for `fallen_time`
-    fallen_time: float = 5.0  # [s] on the ground
-    kick_off_shot: bool = False  # a kick-off scores once its team touches it again, out of the centre circle
-    local_stuck: bool = False  # play stays in one place for `local_stuck_time`
-    local_stuck_time: float = 30.0  # [s]
-    local_stuck_radius: float = 0.5  # [m] within which play does not move on
-    global_stuck: bool = False  # nobody touches the ball for `global_stuck_time`
-    global_stuck_time: float = 30.0  # [s] that nobody touches the ball
 
-    # Fouls of the middle size: a free kick for the opponents
-    second_touch: bool = False  # who took a restart touches the ball again before anybody else
-    touch_break: float = 0.2  # [s] without contact after which the taker of a restart has left the ball
-    taking_distance: float = 0.5  # [m] that the taker may push the ball from its spot in one touch
-    distances: bool = False  # opponents keep off a restart until the ball is in play
-    distance_time: float = 1.0  # [s] that an opponent may be too near
-    distance_slack: float = 0.2  # [m] that an opponent may be too near for good
-    charging: bool = False  # a robot drives into an opponent off the ball
-    charging_time: float = 2.0  # [s] of driving into an opponent
-    charging_speed: float = 0.3  # [m/s] at which a robot drives into another
-    charging_hard: float = 2.0  # [m/s] at which a blow is a foul by itself
-    charging_exempt: float = 0.6  # [m] the robot of a team nearest to the ball may fight for it within this distance
-    keeper_charge: bool = False  # a robot drives into the goalkeeper in its goal area
-    handling: bool = False  # a robot encloses the ball, or goes back with it
-    handling_share: float = 1.0 / 3.0  # [1] of the ball's diameter that may lie within the hull of a robot
-    handling_time: float = 0.5  # [s] for which more may, to stop it
-    handling_back: float = 0.5  # [m] that a robot may go back with the ball
-    dribble_limit: bool = False  # a robot dribbles for `dribble_distance`
-    dribble_distance: float = 3.0  # [m]
-    goal_area: bool = False  # a field player in its own goal area, an attacker in the opponents'
-    penalty_area: bool = False  # a second field player in its own penalty area
-    area_time: float = 10.0  # [s] that robots may be where they may not stay
-    cards: bool = False  # fouls are counted for yellow and red cards
-    card_fouls: float = 3.0  # [1] fouls for a yellow card
-    timed_cards: bool = False  # two yellow cards: out for `card_time`, not for good
-    card_time: float = 90.0  # [s]
-    shoot_out: bool = False  # penalty kicks after a draw
-    shoot_out_kicks: float = 5.0  # [1] of each team, before single pairs decide
-    shoot_out_most: float = 10.0  # [1] of each team, after which it is a draw
-    shoot_out_time: float = 10.0  # [s] until a kick is taken, and again until it is over
-    penalty_mark: float = 2.0  # [m] from the goal line
+@dataclass(frozen=True)
+class Rules(MiddleSizeFouls, LeggedFouls, CommonRules):  # a dataclass takes the fields of its last base first
+    """The rules of a league: what is called, and the numbers of it. A switch that is off costs nothing."""
 
     name: str = field(default="league", metadata=PYTHON_ONLY)  # what reports call this set
 

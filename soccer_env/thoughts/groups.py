@@ -84,7 +84,7 @@ def mind_of(match: Match, squad: Squad, place: int) -> Mind:
         squad.memory[:1, place].copy(),
         match.robots["noise"][:1, r].copy(),
         match.batch.constants,
-        squad.settings,
+        squad.settings,  # type: ignore[arg-type]  # teams that explain themselves are compiled
     )
 
 

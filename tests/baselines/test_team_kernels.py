@@ -119,8 +119,8 @@ def test_numbers_follow_pitch_and_robot_in_a_league_of_another_family() -> None:
         halved = name in ("shot_range", "cover", "back", "aside", "change_side", "keeper_zone")
         assert scaled[name] == pytest.approx(value / 2.0 if halved else value)
     match = Match(
-        small, home=2, away=2, matches=4, seed=1, controllers={"home": "chaser", "away": "still"}, senses="ideal"
+        small, home=2, away=2, matches=8, seed=1, controllers={"home": "chaser", "away": "still"}, senses="ideal"
     )
-    for _ in range(1500):
+    for _ in range(2000):
         match.step()
     assert match.matches["score"][:, 0].sum() >= 2

@@ -208,11 +208,11 @@ def sensors(league: str) -> Iterator[Table]:
 def rules(league: str) -> Iterator[Table]:
     """Yield the rules of a league: which are called in each set, and their numbers."""
     from soccer_env.leagues import find_league
-    from soccer_env.leagues.options import own_notes
+    from soccer_env.leagues.options import notes_of
     from soccer_env.leagues.rules import SETS, Rules, rule_set
 
     sets = [rule_set(find_league(league).rules, name) for name in SETS]
-    notes = own_notes(Rules)
+    notes = notes_of(Rules)
     rows = [
         (item.name, *(in_set(getattr(found, item.name)) for found in sets), notes.get(item.name, ""))
         for item in fields(Rules)

@@ -1,0 +1,42 @@
+"""Fouls of the legged league, each whistled by a module of referee/fouls/legged/.
+
+The robot is taken out and comes back at the halfway line.
+"""
+
+from dataclasses import dataclass
+
+from soccer_env.leagues.checks import Part
+
+
+@dataclass(frozen=True)
+class LeggedFouls(Part):
+    """What is whistled in the legged league, and the numbers of it."""
+
+    removal_time: float = 30.0  # [s] that a robot is out
+    pardon: bool = False  # a kick-off ends all penalties that run
+    pushing: bool = False  # a robot walks into an opponent off the ball for `pushing_time`
+    pushing_time: float = 3.0  # [s] in contact
+    pushing_exempt: float = 0.5  # [m] the robot nearest to the ball may push for it within this distance
+    keeper_pushing: bool = False  # the same into the goalkeeper in its own penalty area, even for the ball
+    keeper_pushing_time: float = 1.0  # [s] in contact
+    annulled_push: float = 0.5  # [s] of a push or hold that is not yet a foul, after which a goal by it does not count
+    annulled_time: float = 3.0  # [s] after the whistle for which the attack cannot score
+    holding: bool = False  # a robot keeps the ball from all others for `holding_time`
+    holding_time: float = 3.0  # [s]
+    keeper_holding_time: float = 5.0  # [s] in its own area
+    carrying: bool = False  # a robot carries the ball for `carrying_distance`
+    carrying_distance: float = 0.5  # [m] that a ball may be carried
+    illegal_defender: bool = False  # a field player stays in its own penalty area for `illegal_defender_time`
+    illegal_defender_time: float = 1.0  # [s] in its own penalty area
+    illegal_attacker: bool = False  # a robot stays in the opponents' penalty area for `illegal_attacker_time`
+    illegal_attacker_time: float = 10.0  # [s] in the opponents' penalty area while the ball is elsewhere
+    leaving_field: bool = False  # a robot stands in a goal for `leaving_time`, but for a goalkeeper in its own
+    leaving_time: float = 5.0  # [s] in a goal
+    falling: bool = False  # a robot lies for `fallen_time`
+    fallen_time: float = 5.0  # [s] on the ground
+    kick_off_shot: bool = False  # a kick-off scores once its team touches it again, out of the centre circle
+    local_stuck: bool = False  # play stays in one place for `local_stuck_time`
+    local_stuck_time: float = 30.0  # [s]
+    local_stuck_radius: float = 0.5  # [m] within which play does not move on
+    global_stuck: bool = False  # nobody touches the ball for `global_stuck_time`
+    global_stuck_time: float = 30.0  # [s] that nobody touches the ball
