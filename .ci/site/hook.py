@@ -12,14 +12,21 @@ from pages import catalogue, claims, commands, examples, reference
 
 ROOT = reference.ROOT
 PAGES = ("*.md", "soccer_env/**/*.md", "baselines/**/*.md", "agents/**/*.md", "train/**/*.md")
+MADE = {
+    "How-to": examples.navigation,
+    "Reference": lambda: [{"Command line": "commands.md"}, *catalogue.navigation(), *reference.navigation()],
+    "Explanation": claims.navigation,
+}
 PICTURES = ("soccer_env/pictures/*", "agents/policies/*.png")
 
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
     """Add the pages that are made to the navigation."""
-    home, guide, *teams, project = config.nav or []
-    guide["Guide"] += [{"Command line": "commands.md"}, *examples.navigation()]
-    config.nav = [home, guide, *teams, *claims.navigation(), *catalogue.navigation(), *reference.navigation(), project]
+    home, *topics = config.nav or []
+    for topic in topics:
+        (name,) = topic
+        topic[name] += MADE.get(name, list)()
+    config.nav = [home, *topics]
     return config
 
 

@@ -8,10 +8,13 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
+import gymnasium
 import pytest
 
+from soccer_env import Match, soccer_v0
 from soccer_env.leagues import LEAGUES
 from soccer_env.match.arguments import MatchSettings
+from soccer_env.scenes import SCENES
 from soccer_env.teams import NAMES
 from soccer_env.train.command.command_line import COMMANDS
 
@@ -43,6 +46,17 @@ OTHERS = (
 TEXTS = {page: (ROOT / page).read_text(encoding="utf-8") for page in (*PAGES, *OTHERS)}
 EXECUTABLES = {"make", "soccer", "pip", "python", "pytest", "git", "ruff", "mypy"}
 README_LINES = 160
+WORDS = {  # of each heading of the README
+    "# soccer_env": 125,
+    "Install": 80,
+    "Play": 70,
+    "Gallery": 210,
+    "Measured": 305,
+    "How it compares": 120,
+    "Where to look": 55,
+    "Cite": 35,
+}
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 LISTS = {"soccer_env/README.md": sorted(LEAGUES), "baselines/README.md": sorted(NAMES)}  # what ships
 LINE = 160  # characters of a line that no command and no table needs
 SLOW = ("TrainSettings(", "stable_baselines3")  # examples that take more than five seconds
@@ -130,13 +144,56 @@ def test_the_readme_is_short_and_its_lines_too() -> None:
             assert [line for line in shown.splitlines() if len(line) > LINE and "](" not in line] == [], page
 
 
-def test_the_readme_says_what_every_extra_is_for() -> None:
-    extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
-    _, _, section = TEXTS["README.md"].partition("\n## Install\n")
-    named = set(re.findall(r"`([\w]+)`", section.partition("\n## ")[0].partition("Extras: ")[2]))
-    assert sorted(set(extras) - named) == []
+def test_the_page_of_the_environment_says_what_every_extra_is_for() -> None:
+    extras = PROJECT["optional-dependencies"]
+    _, _, section = TEXTS["soccer_env/README.md"].partition("\n## Extras and environment variables\n")
+    named = set(re.findall(r"`([\w]+)`", section.partition("| variable |")[0]))
+    assert sorted(set(extras) ^ named) == []
     inside = re.findall(r"\w+", extras["all"][0].partition("[")[2])
-    assert len(inside) == 7, "the README counts what `all` has"
+    assert len(inside) == 7, "the page counts what `all` has"
+
+
+def test_each_heading_of_the_readme_keeps_to_its_words() -> None:
+    parts = re.split(r"^## ", TEXTS["README.md"], flags=re.MULTILINE)
+    words = {part.split("\n")[0]: len(part.split()) for part in parts}
+    assert sum(WORDS.values()) <= 1000
+    assert list(words) == list(WORDS)
+    assert {name: count for name, count in words.items() if count > WORDS[name]} == {}
+
+
+def gallery() -> dict[str, str]:
+    """Return the line of code of each picture in the gallery of the README."""
+    return dict(re.findall(r"!\[[^]]+\]\(soccer_env/pictures/([\w.-]+)\)<br>[^`]+`([^`]+)`", TEXTS["README.md"]))
+
+
+@pytest.mark.parametrize("picture", gallery())
+def test_the_code_below_each_picture_of_the_gallery_runs(picture: str) -> None:
+    code = gallery()[picture]
+    if code.startswith("soccer "):
+        assert code.split()[1] in COMMANDS
+    else:
+        found = eval(code, {"Match": Match, "soccer_v0": soccer_v0, "gymnasium": gymnasium})
+        if "episode" in code:  # a drill: the picture bears its name
+            assert found.settings.scene.name == picture.removesuffix(".png")
+
+
+def test_the_gallery_shows_both_leagues_two_pictures_a_row_and_the_table_counts_the_drills() -> None:
+    rows = re.findall(r"^\| !.*$", TEXTS["README.md"], re.MULTILINE)
+    assert len(gallery()) == 2 * len(rows) == TEXTS["README.md"].count("<br>")
+    assert {'Match("legged-2001")', 'Match("middle-size-2006")'} <= set(gallery().values())
+    drills = [scene for scene in SCENES.values() if scene.success != "none"]
+    assert f"| drills | {len(drills)} |" in TEXTS["README.md"]
+
+
+def test_badges_and_citation_say_what_the_package_says() -> None:
+    versions = [x.rpartition(" ")[2] for x in PROJECT["classifiers"] if re.search(r":: 3\.\d+$", x)]
+    python, licence = (ROOT / f"soccer_env/pictures/{name}.svg" for name in ("python", "licence"))
+    assert f">{versions[0]} to {versions[-1]}<" in python.read_text(encoding="utf-8")
+    assert f">{PROJECT['license']}<" in licence.read_text(encoding="utf-8")
+    citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    for field in ("title", "version"):
+        told = re.findall(rf'^{field}: "?([^"\n]+)', citation, re.MULTILINE)
+        assert told and re.findall(f"{field} = {{([^}}]+)}}", TEXTS["README.md"])[:1] == told[:1]
 
 
 def test_the_page_of_the_environment_names_every_setting_of_a_match() -> None:

@@ -1,16 +1,12 @@
-"""The reference: first what a user calls, in the order of what is done with it, then every package with its modules."""
+"""The reference: the names that a user calls, in the order of what is done with them."""
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[3]
-PACKAGES = {"soccer_env": "soccer_env"} | {f"soccer_env.{name}": name for name in ("baselines", "agents", "train")}
-INSIDE = "    options:\n      skip_local_inventory: true\n"  # links by name lead to the public pages
-HEAD_ONLY = f"{INSIDE}      show_root_heading: false\n      members: false\n"
 PUBLIC_OPTIONS = "    options:\n      inherited_members: true\n      show_root_full_path: false\n"
 
 
@@ -114,14 +110,6 @@ PUBLIC = (
 )
 
 
-def packages() -> Iterator[tuple[str, Path]]:
-    """Yield the import name and the folder of every package, in order."""
-    for name, folder in PACKAGES.items():
-        for file in sorted((ROOT / folder).rglob("__init__.py")):
-            inner = file.parent.relative_to(ROOT / folder).parts
-            yield ".".join([name, *inner]), file.parent
-
-
 def first_line(file: Path) -> str:
     """Return the first line of a module's docstring."""
     text = ast.get_docstring(ast.parse(file.read_text(encoding="utf-8"))) or ""
@@ -135,7 +123,6 @@ def index_page() -> str:
     for page in PUBLIC:
         names = ", ".join(f"`{thing.rpartition('.')[2]}`" for thing in page.things)
         lines.append(f"| [{page.title}]({page.name}.md) | {page.about} | {names} |")
-    lines += ["", "How the package is built inside: [every package with its modules](packages.md)."]
     return "\n".join(lines) + "\n"
 
 
@@ -146,38 +133,11 @@ def public_page(page: Page) -> str:
     return "\n".join(parts)
 
 
-def packages_page() -> str:
-    """Return the page that names every package and says what it is for."""
-    lines = [
-        "# Every package",
-        "",
-        "For those who read or change the code. What users call: [reference](index.md).",
-        "",
-    ]
-    lines += ["| package | what it is |", "|---|---|"]
-    for name, folder in packages():
-        lines.append(f"| [`{name}`]({name}.md) | {first_line(folder / '__init__.py')} |")
-    return "\n".join(lines) + "\n"
-
-
-def package_page(name: str, folder: Path) -> str:
-    """Return the page of a package: its docstring, then each of its modules."""
-    parts = [f"# `{name}`\n", f"::: {name}\n{HEAD_ONLY}"]
-    for file in sorted(folder.glob("*.py")):
-        if not file.stem.startswith("__"):
-            parts.append(f"::: {name}.{file.stem}\n{INSIDE}")
-    return "\n".join(parts)
-
-
 def pages() -> dict[str, str]:
     """Return every page of the reference by its path."""
-    found = {"reference/index.md": index_page(), "reference/packages.md": packages_page()}
-    found |= {f"reference/{page.name}.md": public_page(page) for page in PUBLIC}
-    return found | {f"reference/{name}.md": package_page(name, folder) for name, folder in packages()}
+    return {"reference/index.md": index_page()} | {f"reference/{page.name}.md": public_page(page) for page in PUBLIC}
 
 
 def navigation() -> list[object]:
-    """Return the section of the reference, public names first."""
-    public: list[object] = ["reference/index.md", *({page.title: f"reference/{page.name}.md"} for page in PUBLIC)]
-    inside: list[object] = ["reference/packages.md", *({name: f"reference/{name}.md"} for name, _ in packages())]
-    return [{"Reference": [*public, {"Internals": inside}]}]
+    """Return the pages of the reference in order."""
+    return [{"Public names": "reference/index.md"}, *({page.title: f"reference/{page.name}.md"} for page in PUBLIC)]

@@ -7,5 +7,5 @@ staged_rules.py  how such a situation is set up
 rules_legged.py  the situations of the legged league
 rules_middle_size.py  those of the middle size
 legend.py     the strip of words under a picture
-settings.py   what they show, by default what the pages show
+settings.py   what the pictures show, and the table of the moments in the gallery
 """

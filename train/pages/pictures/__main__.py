@@ -2,19 +2,21 @@
 
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any, NamedTuple
 
+import numpy as np
 import tyro
 
-from soccer_env.render import save_png
+from soccer_env import Match
+from soccer_env.render import Picture, contact_sheet, save_png
+from soccer_env.render.frame import LEAST_WIDTH
 from soccer_env.train.evaluate.exporting import export
 from soccer_env.train.evaluate.play_settings import ExportSettings, RecordSettings
 from soccer_env.train.evaluate.recording import record
 from soccer_env.train.pages.pictures import rules_legged, rules_middle_size
 from soccer_env.train.pages.pictures.belief import belief_picture
 from soccer_env.train.pages.pictures.frames import frames_picture
-from soccer_env.train.pages.pictures.rules import rules_sheet
-from soccer_env.train.pages.pictures.settings import PictureSettings
+from soccer_env.train.pages.pictures.rules import rules_sheet, ruling_frame
+from soccer_env.train.pages.pictures.settings import MOMENTS, WIDTH, PictureSettings
 
 
 def make_pictures(settings: PictureSettings) -> None:
@@ -24,34 +26,19 @@ def make_pictures(settings: PictureSettings) -> None:
     save_png(frames_picture(settings), settings.out / "frames.png")
     save_png(rules_sheet(rules_legged.RULINGS, settings.ruling_width), settings.out / "rules-legged.png")
     save_png(rules_sheet(rules_middle_size.RULINGS, settings.ruling_width), settings.out / "rules-middle-size.png")
+    save_png(ruling_frame(rules_legged.RULINGS[0], WIDTH), settings.out / "ruling.png")
+    save_png(many_matches(), settings.out / "many.png")
     write_moments(settings.out)
 
 
-class Moment(NamedTuple):
-    """A picture or film: its file, what is recorded, and what is shown of it."""
-
-    name: str
-    recorded: dict[str, Any]
-    shown: dict[str, Any]
-
-
-MOMENTS = (
-    Moment(
-        "match.gif",
-        {"home": "chaser", "away": "sacks-2001", "seed": 78, "minutes": 20.0, "episode": "goal"},
-        {"width": 720, "speed": 4.0},
-    ),
-    Moment(
-        "field.png",
-        {"league": "legged-2001", "home": "sacks-2001", "away": "chaser", "minutes": 0.5, "seed": 3},
-        {"start": 12.0, "width": 960, "robot": "home_1", "belief": True, "field": True, "path": True, "roles": True},
-    ),
-    Moment(
-        "middle-size.gif",
-        {"league": "middle-size-2006", "home": "heinemann-2006", "away": "weigel-2001", "minutes": 1.0, "seed": 3},
-        {"start": 14.0, "seconds": 12.0, "speed": 2.0, "width": 480, "path": True, "trail": True},
-    ),
-)
+def many_matches() -> np.ndarray:
+    """Return twelve matches that are stepped at once, (H, W, 3) uint8."""
+    match = Match(matches=12, seed=1, controllers={"home": "chaser", "away": "chaser"}, home=1, away=1)
+    for _ in range(160):
+        match.step()
+    picture = Picture(match.league, LEAST_WIDTH)
+    frames = [picture.draw(*each)[picture.header_height :] for each in zip(match.matches, match.balls, match.robots)]
+    return contact_sheet(frames, 4)
 
 
 def write_moments(out: Path) -> None:

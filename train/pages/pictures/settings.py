@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, NamedTuple
 
 FOLDER = Path(__file__).resolve().parents[3] / "soccer_env" / "pictures"
 
@@ -18,13 +19,67 @@ class PictureSettings:
     """Team that plays home where a robot's belief is drawn."""
     away: str = "sacks-2001"
     """Team that plays away there."""
-    belief_seed: int = 6
+    belief_seed: int = 4
     """Seed of the match in which a robot's belief is drawn."""
-    belief_time: float = 20.0
+    belief_time: float = 28.0
     """[s] of play after which it is drawn."""
-    belief_robot: int = 1
+    belief_robot: int = 2
     """Row of the robot whose belief is drawn."""
     ruling_width: int = 360
     """[px] width of a frame in the sheets of rules."""
     still_width: int = 1280
     """[px] width of the pictures that do not move."""
+
+
+class Moment(NamedTuple):
+    """A picture or film: its file, what is recorded, and what is shown of it."""
+
+    name: str
+    recorded: dict[str, Any]
+    shown: dict[str, Any]
+
+
+def drill(scene: str, home: str, seed: int, start: float, league: str = "legged-2001", **shown: Any) -> Moment:
+    """Return the picture of a drill at a time [s], with the way of the ball in the seconds before."""
+    recorded = {"league": league, "scene": scene, "home": home, "seed": seed}
+    return Moment(f"{scene}.png", recorded, {"start": start, "width": WIDTH, "trail": True, "robot": "home_0", **shown})
+
+
+WIDTH = 640  # [px] of the pictures in the gallery of the README, which shows two of them beside each other
+MIDDLE_SIZE = "middle-size-2006"
+HEINEMANN = {"league": MIDDLE_SIZE, "path": True}
+MOMENTS = (
+    Moment(
+        "match.gif",
+        {"home": "learned", "away": "chaser", "seed": 0, "minutes": 4.0},
+        {"start": 120.0, "seconds": 29.0, "width": 600, "speed": 4.0, "fps": 10.0},
+    ),
+    Moment(
+        "middle-size.gif",
+        {"league": MIDDLE_SIZE, "home": "heinemann-2006", "away": "weigel-2001", "minutes": 1.0, "seed": 3},
+        {"start": 14.0, "seconds": 12.0, "speed": 2.0, "width": 480, "path": True, "trail": True},
+    ),
+    Moment(
+        "legged.png",
+        {"home": "sacks-2001", "away": "learned", "minutes": 4.0, "seed": 5},
+        {"start": 56.0, "width": WIDTH, "sight": True, "robot": "home_1"},
+    ),
+    Moment(
+        "unequal.png",
+        {"league": MIDDLE_SIZE, "home": "heinemann-2006", "away": "chaser", "players": "5v2", "minutes": 0.5},
+        {"start": 6.0, "width": WIDTH, "trail": True},
+    ),
+    Moment(
+        "field.png",
+        {"scene": "dribble-past-two", "home": "sacks-2001", "seed": 1},
+        {"start": 6.0, "width": WIDTH, "robot": "home_0", "field": True, "path": True},
+    ),
+    drill("empty-goal", "chaser", 1, 5.0),
+    drill("shot-at-keeper", "chaser", 1, 0.6),
+    drill("dribble-past-three", "sacks-2001", 3, 13.5, path=True),
+    drill("head-on-push", "sacks-2001", 4, 2.0),
+    drill("ball-in-corner", "sacks-2001", 1, 8.0),
+    drill("receive-pass", "heinemann-2006", 1, 0.8, **HEINEMANN),
+    drill("three-v-one", "heinemann-2006", 1, 0.6, **HEINEMANN),
+    drill("challenge-2003", "heinemann-2006", 1, 4.0, **HEINEMANN),
+)

@@ -14,9 +14,10 @@ from soccer_env.records.beliefs import TRACK
 from soccer_env.render import Area, Label, Points, Polyline
 from soccer_env.render.colours import BALL_SHINE, TEAMS_LIGHT
 from soccer_env.render.overlays.sight import to_board
+from soccer_env.train.pages.pictures.__main__ import many_matches
 from soccer_env.train.pages.pictures.belief import belief_overlays, belief_picture, believed_player, field_of_view
 from soccer_env.train.pages.pictures.frames import frames_picture
-from soccer_env.train.pages.pictures.settings import FOLDER, PictureSettings
+from soccer_env.train.pages.pictures.settings import FOLDER, MOMENTS, PictureSettings
 
 TINY = PictureSettings(home="chaser", away="still", still_width=240, belief_time=0.5)
 
@@ -78,10 +79,32 @@ def test_still_pictures_have_the_width_asked_for_and_a_legend() -> None:
     assert not np.array_equal(wide, belief_picture(TINY))
 
 
-def test_the_pictures_of_the_pages_are_there_and_the_animation_is_small() -> None:
+def test_the_pictures_of_the_pages_are_there_and_small() -> None:
     if not FOLDER.exists():
         pytest.skip("installed without the pictures")
+    sizes = {file.name: file.stat().st_size for file in FOLDER.iterdir()}
+    gallery = {moment.name for moment in MOMENTS} | {"many.png", "ruling.png"}
     sheets = {f"rules-{name}.png" for name in ("legged", "middle-size")}
-    assert {"match.gif", "belief.png", "frames.png"} | sheets <= {file.name for file in FOLDER.iterdir()}
-    assert (FOLDER / "match.gif").stat().st_size < 3_000_000
-    assert all((FOLDER / name).stat().st_size < 250_000 for name in sheets)
+    assert gallery | sheets | {"belief.png", "frames.png"} <= set(sizes)
+    assert {name for name in gallery if sizes[name] > (1_000_000 if name.endswith(".gif") else 60_000)} == set()
+    assert all(sizes[name] < 250_000 for name in sheets)
+
+
+def test_nobody_is_sent_off_in_the_opening_film() -> None:
+    (film,) = (moment for moment in MOMENTS if moment.name == "match.gif")
+    start, seconds = film.shown["start"], film.shown["seconds"]
+    teams = {"home": film.recorded["home"], "away": film.recorded["away"]}
+    match = Match(controllers=teams, seed=film.recorded["seed"], minutes=film.recorded["minutes"], pose="particles")
+    goals = []
+    for step in range(round((start + seconds) * match.league.control_rate)):
+        match.step()
+        if step > start * match.league.control_rate:
+            assert match.robots["active"].all()
+            goals.append(int(match.events["goal"][0]))
+    assert goals.count(0) == 1 and goals.count(1) == 0  # one goal, of home
+
+
+def test_many_matches_are_a_sheet_of_pitches_that_differ() -> None:
+    sheet = many_matches()
+    rows, columns = sheet.shape[0] // 3, sheet.shape[1] // 4
+    assert not np.array_equal(sheet[:rows, :columns], sheet[:rows, columns : 2 * columns])
