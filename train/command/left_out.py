@@ -20,7 +20,8 @@ def without_none(info: PrimitiveTypeInfo) -> PrimitiveConstructorSpec[Any] | Non
     kinds = tuple(kind for kind in get_args(info.type) if kind is not type(None))
     if len(kinds) == len(get_args(info.type)):
         return None
-    inner = ConstructorRegistry.get_primitive_spec(PrimitiveTypeInfo.make(Union[kinds], info.markers))  # noqa: UP007
+    other: Any = Union[kinds]  # noqa: UP007  # made of a tuple
+    inner = ConstructorRegistry.get_primitive_spec(PrimitiveTypeInfo.make(other, info.markers))
     if isinstance(inner, UnsupportedTypeAnnotationError):
         return None
     return replace(
