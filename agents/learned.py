@@ -73,17 +73,18 @@ def from_zip(
     at_once: bool = True,
     pose: str | None = None,
     senses: str | None = None,
+    rules: str | None = None,
 ) -> LearnedTeam:
     """Return the team of a zip that stable-baselines3 saved after training through one of our APIs with these settings.
 
-    at_once: episodes began with a decision, as the APIs do it; False for `train.vec_env.SoccerVecEnv`. pose, senses:
-    of the training; None: not known, and evaluations ask for neither.
+    at_once: episodes began with a decision, as the APIs do it; False for `train.vec_env.SoccerVecEnv`. pose, senses,
+    rules: of the training; None: not known, and evaluations ask for neither pose nor senses.
     """
     from soccer_env.agents.sb3_zip import load_sb3
 
     policy = load_sb3(
         path, league=league, observe=observe, action_repeat=action_repeat, activation=activation, pose=pose,
-        senses=senses,
+        senses=senses, rules=rules,
     )  # fmt: skip
     return team_of(policy, at_once)
 

@@ -6,18 +6,26 @@ held here. Who lets it play is told so once, by a warning of the logger `soccer_
 
 import logging
 from collections.abc import Mapping
-from dataclasses import fields
+from dataclasses import fields, replace
 from functools import cache
 from math import isfinite
 from typing import Any
 
 from soccer_env.guards.checking import brief, refuse
-from soccer_env.leagues.rules import SWITCHES, Rules
+from soccer_env.leagues import find_league
+from soccer_env.leagues.league import League
+from soccer_env.leagues.rules import SWITCHES, Rules, rule_set
 
 MAX_RULES = 200  # entries of a policy file
 MAX_NAME = 500  # characters of the name of a rule set
 NOT_RULES = ("name", "half_minutes")  # how long a match lasts is a setting of its own
 LOG = logging.getLogger("soccer_env.agents")
+
+
+def league_under(league: str | League, rules: str) -> League:
+    """Return a league with the rules asked for."""
+    preset = find_league(league)
+    return replace(preset, rules=rule_set(preset.rules, rules))
 
 
 def recorded(rules: Rules) -> dict[str, Any]:
@@ -62,8 +70,8 @@ def tell_of_rules(name: str, known: Mapping[str, Any], rules: Rules) -> None:
     """Warn, once in a process, if the policy of a name does not know the rules under which it is to play."""
     if not known:
         warn_once(
-            f"policy {name!r} was made before rules were recorded, or elsewhere: "
-            f"nothing says whether it knows the rules {rules.name!r} under which it plays"
+            f"policy {name!r} does not say under which rules it was trained, and now plays under {rules.name!r}; to "
+            "record them, write the file with save_policy or convert_sb3 and rules=..., or give FILE.zip:rules=league"
         )
         return
     differing = differences(known, rules)

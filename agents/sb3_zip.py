@@ -24,8 +24,9 @@ import numpy as np
 
 from soccer_env.actions import DISCRETE
 from soccer_env.agents.normalising import table_of
-from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, Policy, league_of
+from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, Policy, league_of, trained_in
 from soccer_env.agents.policy_file import dump, file_name, one_line, read_plain, strict_json
+from soccer_env.agents.rules_known import league_under
 from soccer_env.agents.sb3_actor import algorithm_of, is_discrete, layers_of
 from soccer_env.agents.trained_with import known_senses, tell_of_truth
 from soccer_env.guards.checking import brief, one_of
@@ -73,15 +74,16 @@ def load_sb3(
     normalise: Any = None,
     pose: str | None = None,
     senses: str | None = None,
+    rules: str | None = None,
 ) -> Policy:
     """Return the policy of a stable-baselines3 zip trained in a league on `observe`.
 
     `name` is the file's own unless given. `activation` is for zips of a user's own policy classes that do not name
-    theirs; None: what the zip says, else the algorithm's. `at_once` says how its episodes began, see `Policy`,
-    `normalise` what VecNormalize made of the observations, see `normalising.table_of`, `pose` and `senses` with which
-    it was trained, see `Policy`. ValueError names the file and the reason; without torch it is an ImportError.
+    theirs; None: what the zip says, else the algorithm's. `normalise`: what VecNormalize made of the observations, see
+    `normalising.table_of`. `at_once`, `pose`, `senses`, `rules`: how it was trained, see `Policy`; rules None: not
+    known. ValueError names the file and the reason; without torch it is an ImportError.
     """
-    preset = find_league(league)
+    preset = find_league(league) if rules is None else league_under(league, rules)
     one_of("observe", observe, OBSERVE)
     if activation is not None:
         one_of("activation", activation, ACTIVATIONS)
@@ -97,7 +99,7 @@ def load_sb3(
             )
             raise ValueError(f"takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}{hint}")
         return Policy(
-            **{**read, **league_of(preset), "name": _stem(path) if name is None else name},
+            **read, **(league_of if rules is None else trained_in)(preset), name=_stem(path) if name is None else name,
             observe=observe, inputs=tuple(inputs), action_repeat=action_repeat, kind="slots", mirror=False,
             at_once=at_once, normalise=table_of(normalise), **known_senses(senses, pose),
         )  # fmt: skip

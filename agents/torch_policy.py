@@ -6,7 +6,6 @@ observations, and no file is written unless they agree.
 
 import os
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +16,12 @@ from soccer_env.agents.normalising import table_of
 from soccer_env.agents.perceptron import act, given, pack, widest
 from soccer_env.agents.policy import ACTIONS, Policy, trained_in
 from soccer_env.agents.policy_file import dump
+from soccer_env.agents.rules_known import league_under
 from soccer_env.agents.torch_layers import Network, applied, network_of
 from soccer_env.agents.trained_with import known_senses, tell_of_truth
 from soccer_env.guards.checking import one_of
 from soccer_env.guards.whole_files import write_whole
-from soccer_env.leagues import League, find_league
-from soccer_env.leagues.rules import rule_set
+from soccer_env.leagues import League
 from soccer_env.match.arguments import version
 from soccer_env.observations import OBSERVE, names_of
 
@@ -67,12 +66,6 @@ def save_policy(
     write_whole(Path(path), dump(policy))
     tell_of_truth(policy)
     return policy
-
-
-def league_under(league: str | League, rules: str) -> League:
-    """Return a league with the rules asked for."""
-    preset = find_league(league)
-    return replace(preset, rules=rule_set(preset.rules, rules))
 
 
 def kind_of(network: Network) -> str:

@@ -2,6 +2,7 @@
 
 inner.py      functions that only compiled ones call become machine code inside those alone
 stops.py      where a signal may end compiling
+numba_parts.py  what we use of numba without its promise
 cache.py      machine code on disk
 sources.py    which source files that code depends on
 callback.py   functions of ours that C calls

@@ -10,10 +10,10 @@ keeps its arguments, and `keep` holds on to an array that the kernel itself has 
 from typing import Any
 
 from numba import types
-from numba.core import cgutils
 from numba.extending import intrinsic, overload
 
 from soccer_env.compiled import compiled
+from soccer_env.compiling.numba_parts import cgutils
 
 
 def borrowed(given):

@@ -27,10 +27,11 @@ from typing import Any
 import llvmlite
 import numba
 import numpy as np
-from numba.core import caching, serialize
-from numba.core.dispatcher import Dispatcher
 
 from soccer_env.compiling.inner import INNER, InnerTarget, for_another, is_inner
+from soccer_env.compiling.numba_parts import Cache as Base
+from soccer_env.compiling.numba_parts import CachedResult as BaseResult
+from soccer_env.compiling.numba_parts import Dispatcher, dumps
 from soccer_env.compiling.sources import PACKAGE, source_stamp
 from soccer_env.compiling.stops import stop_here
 
@@ -41,9 +42,6 @@ VERSIONS = (numba.__version__, llvmlite.__version__, np.__version__, sys.impleme
 SETTINGS = ("OPT", "BOUNDSCHECK", "DEBUGINFO_DEFAULT")  # of numba.config, those that change the code
 
 config: Any = numba.config
-dumps: Any = serialize.dumps
-Base: Any = caching._Cache
-BaseResult: Any = caching.CompileResultCacheImpl
 
 
 def is_kept(function: Any) -> bool:

@@ -13,10 +13,10 @@ from collections.abc import Callable
 from typing import Any
 
 from numba import types
-from numba.core.ccallback import CFunc
 
 from soccer_env.compiled import compiled, config
 from soccer_env.compiling.cache import SourceCache
+from soccer_env.compiling.numba_parts import Callback as CFunc
 from soccer_env.compiling.stops import stoppable
 from soccer_env.guards.turns import held
 

@@ -14,20 +14,14 @@ from collections.abc import Iterator
 from typing import Any
 
 from llvmlite import binding
-from numba.core import compiler, sigutils
-from numba.core.codegen import JITCodeLibrary
-from numba.core.registry import CPUDispatcher
 
+from soccer_env.compiling.numba_parts import Kernel as Dispatcher
+from soccer_env.compiling.numba_parts import Library, Pipeline, normalized
 from soccer_env.compiling.stops import beside, compiling, stop_here, stoppable
 from soccer_env.guards.turns import held
 
 INNER = "inner"  # kind of a library in the cache
 OBJECTS = 50_000  # that are made while compiling between two looks for garbage
-
-Library: Any = JITCodeLibrary
-Dispatcher: Any = CPUDispatcher
-Pipeline: Any = compiler.Compiler
-normalized: Any = sigutils.normalize_signature
 
 
 def for_another() -> bool:

@@ -16,17 +16,11 @@ import traceback
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from numba.core import event
-from numba.core.compiler_lock import global_compiler_lock
-
+from soccer_env.compiling.numba_parts import Listener, numba_lock, register
 from soccer_env.guards.interrupts import is_held, let_come
 
 LOOK = 0.02  # [s] between two looks whether a signal has come, while another thread works
 PASS = "numba:run_pass"  # numba's event before and after each pass
-
-Listener: Any = event.Listener
-register: Any = event.register
-numba_lock: Any = global_compiler_lock
 
 
 class Compiling(threading.local):

@@ -72,7 +72,9 @@ def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", wh
     'unknown scene 7; known: 10, 11, 12, 13, 14, 15, 16, 17 and 32 more; `soccer list scenes` names all 40'
     """
     names = list(known)
-    near = get_close_matches(name, names, n=3 if len(names) > MOST_NAMED else 1) if isinstance(name, str) else []
+    bare = {one.lstrip("-"): one for one in names}  # the dashes of options say nothing about likeness
+    likest = 3 if len(names) > MOST_NAMED else 1
+    near = [bare[one] for one in get_close_matches(name.lstrip("-"), bare, likest)] if isinstance(name, str) else []
     question = f", did you mean {' or '.join(map(repr, near))}? " if near else "; "
     place = f" in {where}" if where else ""
     shown = ", ".join(names)

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba.core.errors import NumbaError
 
 from soccer_env.compiled import compiled
+from soccer_env.compiling.numba_parts import NumbaError
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
 from soccer_env.match.settings import Settings

@@ -135,5 +135,9 @@ def find_rewards(rewards: str | Rewards) -> Rewards:
     rewards = of_module("rewards", rewards, Rewards) or rewards
     if isinstance(rewards, Rewards):
         return rewards
+    if callable(rewards):
+        name = getattr(rewards, "__name__", "mine")
+        term = "mine" if name in (*NAMES, "<lambda>") else name
+        raise ValueError(f"a function is one term of the rewards: give Rewards(extra={{{term!r}: {name}}})")
     check_names("rewards", [rewards], PRESETS, more="MODULE:NAME, or a Rewards object")
     return PRESETS[rewards]

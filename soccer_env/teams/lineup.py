@@ -34,7 +34,7 @@ class Lineup:
         self.names = names_of(teams, self.teams) if names is None else tuple(names)
         self.weights = np.ones(len(teams)) if weights is None else np.array(weights)
         if len(set(self.names)) != len(teams) or len(self.names) != len(teams):
-            raise ValueError(f"names of a Lineup must be {len(teams)} different ones, got {self.names}")
+            raise ValueError(f"the {len(teams)} teams of a Lineup must have different names, got {self.names}")
         check_weights(self.weights, len(teams))
         self.weights = self.weights.astype(np.float64)
 

@@ -22,6 +22,7 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.guards.checking import brief
 from soccer_env.guards.names import MODULE_PATH, of_module, unknown
 from soccer_env.teams.team import Team
 
@@ -96,7 +97,7 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
         if isinstance(team, type):
             raise ValueError(f"a team is an object: give {team.__name__}(), not the class")
         if not (callable(getattr(team, "act", None)) and hasattr(team, "memory_dtype") and hasattr(team, "name")):
-            raise ValueError(f"a team needs name, memory_dtype and act, got {team!r}")
+            raise ValueError(f"a team needs name, memory_dtype and act, got {brief(team)}{remedy(team)}")
         return team
     if in_module(team):
         return team_in_module(team, strength, settings)
@@ -117,6 +118,16 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
     check_accepted(name, factory, changes)
     made: Team = factory(strength=from_name, **changes)
     return make_team(made)
+
+
+def remedy(given: object) -> str:
+    """Return how a function or a torch module becomes a team, "" for any other object."""
+    if callable(getattr(given, "state_dict", None)):
+        file = "mine.safetensors"
+        return f": write save_policy(module, {file!r}, league=..., observe=...), then give {file!r} as the team"
+    if callable(given):
+        return f": write team_of_function({getattr(given, '__name__', 'function')}), which takes observations"
+    return ""
 
 
 def no_team(name: str, known: dict[str, str]) -> str:

@@ -68,7 +68,8 @@ def test_rules_that_came_later_or_went_are_named() -> None:
 def test_a_file_without_rules_is_said_to_be_older_than_they_are(caplog: pytest.LogCaptureFixture) -> None:
     team_of(replace(lively(), rules={})).check_league(under("simple"))
     (record,) = caplog.records
-    assert "was made before rules were recorded" in record.message and "'simple'" in record.message
+    assert "does not say under which rules it was trained, and now plays under 'simple'" in record.message
+    assert "save_policy or convert_sb3 and rules=..., or give FILE.zip:rules=league" in record.message
 
 
 def test_a_file_keeps_every_switch_and_number(tmp_path: Path) -> None:

@@ -268,3 +268,8 @@ def test_what_no_file_can_hold_is_refused_and_nothing_written(case: str, tmp_pat
         save_policy(module, tmp_path / settings.pop("path", "a.safetensors"), **settings)
     assert message in str(error.value)
     assert not list(tmp_path.iterdir())
+
+
+def test_a_module_that_is_given_as_a_team_is_told_how_to_become_one() -> None:
+    with pytest.raises(ValueError, match=r"write save_policy\(module, 'mine.safetensors', league=..., observe=...\), "):
+        Match(opponents=mlp(4))

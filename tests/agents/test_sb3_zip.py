@@ -10,6 +10,7 @@ import gymnasium
 import numpy as np
 import pytest
 
+from soccer_env import make_team
 from soccer_env.actions import DISCRETE_TABLE
 from soccer_env.agents import convert_sb3
 from soccer_env.agents.policy import Policy
@@ -189,6 +190,15 @@ def test_a_name_is_made_from_the_file(plain: Path, tmp_path: Path) -> None:
     path.parent.mkdir()
     assert read(remade(plain, path)).name == "best-"
     assert read(plain, name="mine").name == "mine"
+
+
+def test_the_rules_of_the_training_are_kept_where_they_are_said(plain: Path, tmp_path: Path) -> None:
+    assert read(plain).rules == {}
+    asked = {"league": "legged-2001", "observe": "truth", "rules": "simple:pushing=True"}
+    kept = convert_sb3(plain, tmp_path / "a.safetensors", **asked).rules
+    assert kept["name"] == "simple:pushing=True" and kept["pushing"] is True
+    team: Any = make_team(f"{plain}:rules=simple")
+    assert team.policy.rules["name"] == "simple"
 
 
 def wrong_states(state: dict[str, Any]) -> dict[str, tuple[Any, str]]:

@@ -55,7 +55,11 @@ BAD_SETTINGS = [
     ({"opponents": "brazil"}, "unknown team 'brazil'; known: "),
     ({"opponents": "mine.pt"}, "save_policy(module, 'mine.safetensors', league=..., observe=...)"),
     ({"opponents": "random@2"}, "strength of team 'random@2' must be a number from 0 to 1"),
-    ({"opponents": 7}, "a team needs name, memory_dtype and act"),
+    ({"opponents": 7}, "a team needs name, memory_dtype and act, got 7"),
+    ({"opponents": abs}, "a team needs name, memory_dtype and act, got <built-in function abs>: "),
+    ({"opponents": abs}, "write team_of_function(abs)"),
+    ({"rewards": abs}, "a function is one term of the rewards: give Rewards(extra={'abs': abs})"),
+    ({"rewards": lambda view: 0.0}, "give Rewards(extra={'mine': <lambda>})"),
     ({"controllers": {"home_9": "still"}}, "unknown agent 'home_9' in controllers; known: home_0"),
     ({"controllers": "still"}, "controllers must map agents or sides to teams"),
 ]

@@ -108,6 +108,19 @@ def test_a_gif_has_every_colour_of_the_pictures(tmp_path: Path) -> None:
         assert np.abs(np.asarray(film.convert("RGB"))[32, 32].astype(int) - (255, 190, 40)).max() <= 8
 
 
+def test_without_out_the_page_is_named_after_the_replay(
+    replay: Replay, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "deep").mkdir()
+    replay.write(Path("deep/first.replay"))
+    assert main(["export", "deep/first.replay"]) == 0
+    assert "written: first.html, " in capsys.readouterr().out
+    assert Path("first.html").read_bytes().startswith(b"<!doctype html>")
+    assert main(["export", "deep/first.replay"]) == 2
+    assert "first.html exists already" in capsys.readouterr().err
+
+
 def test_a_replay_is_exported_by_the_command(
     replay: Replay, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -1,6 +1,7 @@
 """What we use of other packages without their promise: their versions are bounded above, and it is still there."""
 
 import re
+import subprocess
 import sys
 from importlib.metadata import version
 from pathlib import Path
@@ -13,11 +14,13 @@ else:
     import tomli as tomllib
 
 ROOT = Path(__file__).parents[2]
-PRIVATE = {  # what would be missed, and where
-    "numba": "numba.core.caching._Cache and numba.core.codegen.JITCodeLibrary, in soccer_env/compiling/",
-    "pymunk": "pymunk._chipmunk, in soccer_env/physics/",
-    "tyro": "the boxes that errors are printed in, in train/command/command_line.py",
+PRIVATE = {  # the one file that may name what a package does not promise, and how that looks in an import
+    "numba": ("soccer_env/compiling/numba_parts.py", r"numba\.(core|np)\b"),
+    "pymunk": ("soccer_env/physics/engine/pymunk_parts.py", r"pymunk\._"),
+    "tyro": ("train/command/parsing.py", r"tyro(\._|$)"),
+    "stable-baselines3": ("train/ppo/learner.py", r"stable_baselines3\..*\._"),
 }
+OF_A_MODEL = re.compile(r"\bmodel\._[a-z]")  # attributes of a stable-baselines3 model that it does not promise
 
 
 def numbers(text: str) -> tuple[int, ...]:
@@ -26,10 +29,11 @@ def numbers(text: str) -> tuple[int, ...]:
 
 @pytest.mark.parametrize("package", PRIVATE)
 def test_the_version_is_bounded_above(package: str) -> None:
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    (asked,) = (line for line in settings["project"]["dependencies"] if re.match(rf"{package}\b", line))
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    lists = settings["dependencies"], settings["optional-dependencies"]["train"]
+    (asked,) = (line for lines in lists for line in lines if re.match(rf"{package}\b", line))
     bounds = re.fullmatch(rf"{package}>=([\d.]+),<([\d.]+)", asked)
-    assert bounds, f"{asked!r} must have an upper bound, for the sake of {PRIVATE[package]}"
+    assert bounds, f"{asked!r} must have an upper bound, for the sake of {PRIVATE[package][0]}"
     assert numbers(bounds[1]) <= numbers(version(package)) < numbers(bounds[2])
 
 
@@ -48,3 +52,26 @@ def test_numba_still_has_the_class_that_our_cache_is_made_of() -> None:
     assert asked_for <= {"cache_path", "load_overload", "save_overload", "enable", "disable", "flush"}, (
         f"numba {version('numba')} asks more of a cache than ours has: {sorted(asked_for)}"
     )
+
+
+def test_one_file_of_each_names_what_is_private() -> None:
+    for file in (file for top in ("soccer_env", "baselines", "agents", "train") for file in (ROOT / top).rglob("*.py")):
+        text, name = file.read_text(encoding="utf-8"), file.relative_to(ROOT).as_posix()
+        for where, pattern in PRIVATE.values():
+            found = [line for line in text.splitlines() if re.match(rf"\s*(from|import) {pattern}", line)]
+            assert not found or name == where, f"{name}: {found}"
+        assert not OF_A_MODEL.search(text) or name == PRIVATE["stable-baselines3"][0], name
+
+
+@pytest.mark.parametrize(
+    ("gone", "module", "package"),
+    [
+        ("numba.core.ccallback", "soccer_env.compiling.numba_parts", "numba"),
+        ("pymunk._chipmunk_cffi", "soccer_env.physics.engine.pymunk_parts", "pymunk"),
+    ],
+)
+def test_a_version_that_lacks_a_part_is_named(gone: str, module: str, package: str) -> None:
+    code = f"import sys, importlib, {package}; sys.modules[{gone!r}] = None; importlib.import_module({module!r})"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    last = ran.stderr.strip().splitlines()[-1]
+    assert last.startswith(f"ImportError: {package} {version(package)} is not a version that soccer_env knows"), last

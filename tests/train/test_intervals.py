@@ -1,6 +1,5 @@
 """Every interval that the package reports is the one that scipy finds: its level, both its tails, its units."""
 
-import re
 from collections.abc import Callable
 from typing import Any
 
@@ -13,7 +12,7 @@ from soccer_env.statistics.records import BINS
 from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
 from soccer_env.train.evaluate.statistics import named, totals
-from soccer_env.train.pages.tables.drills import share_of
+from soccer_env.train.pages.tables.drills import half_width
 from soccer_env.train.papers.verdicts import counted, find, measured
 
 stats = pytest.importorskip("scipy.stats")
@@ -139,7 +138,7 @@ def test_an_interval_over_pairs_is_scipys_in_both_tails(name: str) -> None:
 
 
 @pytest.mark.parametrize(("wins", "runs"), [(0, 20), (3, 20), (71, 100)])
-def test_the_share_of_a_drill_has_wilsons_interval(wins: int, runs: int) -> None:
-    told = [int(number) for number in re.findall(r"\d+", share_of({"successes": wins, "runs": runs}))]
+def test_the_interval_of_a_drill_is_wilsons(wins: int, runs: int) -> None:
     expected = stats.binomtest(wins, runs).proportion_ci(LEVEL, method="wilson")
-    assert told == [round(100.0 * share) for share in (wins / runs, expected.low, expected.high)]
+    longer = max(wins / runs - expected.low, expected.high - wins / runs)
+    assert half_width({"successes": wins, "runs": runs}) == pytest.approx(100.0 * longer)

@@ -10,24 +10,24 @@ from soccer_env.train.written_settings import CommandSettings
 
 @dataclass(frozen=True)
 class BenchSettings(CommandSettings):
-    """Measure the speed of both leagues against the bare physics; ratios are from one run, medians of repetitions."""
+    """Measure the speed of both leagues against the bare physics; figures are medians of repetitions in one run."""
 
     quick: bool = False
-    """Take a minute and trust the numbers less: fewer matches, steps and repetitions, no cold start."""
+    """Finish in a minute, less exactly: fewer matches, steps and repetitions, no cold start."""
     out: Path | None = None
-    """File for the numbers (JSON)."""
+    """JSON file to write the figures to."""
     json: bool = False
-    """Print the same JSON on the screen instead of tables."""
+    """Print the same JSON instead of tables."""
     seed: int = 0
-    """Seed of the play that is timed."""
+    """Seed of the timed matches."""
     against: Path | None = None
-    """Folder of another checkout of this repository, as `git worktree add` makes one: instead of all this, the rows of
-    both are timed in turn, and each row's ratio is printed with its 95 % interval: above 1 is slower here. What is
-    timed is processor time of one thread. The other checkout may be older than this option."""
+    """Compare with another checkout of this repository in this folder, such as one made by `git worktree add`: time
+    each row in both checkouts by turns and print the ratio with its 95 % interval; above 1 means slower here. Times are
+    processor times of one thread."""
     python: Path | None = None
-    """Interpreter for the other checkout, if that has no .venv of its own."""
+    """Python interpreter for the other checkout; leave out for the one in its .venv."""
     rows: str = ""
-    """Words: of two checkouts, only rows whose names contain all of them are timed; all take most of an hour."""
+    """With --against: time only rows whose names contain all these words; all rows take most of an hour."""
 
     def __post_init__(self) -> None:
         super().__post_init__()

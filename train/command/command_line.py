@@ -29,16 +29,16 @@ if TYPE_CHECKING:
 WIDTH = 120  # columns of a table that does not go to a terminal
 
 SUMMARIES = {
-    "evaluate": "play one team against another and say how sure the result is",
+    "evaluate": "play one team against another, with intervals and a verdict",
     "list": "print the leagues, teams, settings, scenes, observations, sensors, rules, actions, rewards, statistics or "
     "claims",
     "bench": "measure the speed against the bare physics",
-    "export": "make a film or a page for the browser of a replay file",
+    "export": "make a film, a browser page, pictures or tables from a replay file",
     "record": "play a match or a drill into a replay file",
     "replay": "play a replay file again and check every step",
     "train": "train a policy",
-    "reproduce": "measure what the two papers claim and say whether it holds",
-    "warm-up": "compile everything ahead of time, for images and clusters",
+    "reproduce": "measure the claims of the two papers",
+    "warm-up": "compile everything ahead of time",
     "watch": "show a match or a replay file in a window",
 }
 
@@ -71,7 +71,7 @@ def help_text() -> str:
             *(f"  {name:12}{text}" for name, text in SUMMARIES.items()),
             "",
             "`soccer COMMAND --help` explains the options of one; `soccer --version` prints the version.",
-            "`soccer --print-completion bash` (or zsh, fish) prints what completes commands and options by Tab.",
+            "`soccer --print-completion bash` (or zsh, fish) prints a completion script for the shell.",
         ]
     )
 
@@ -81,7 +81,7 @@ def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
     try:
         return command(words)
     except KeyboardInterrupt:
-        print("stopped; what was finished is kept where --out was given", file=sys.stderr)
+        print("stopped; finished matches are kept in --out, if it was given", file=sys.stderr)
         return STOPPED
     except BrokenPipeError:  # `soccer list teams | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -251,7 +251,7 @@ def run_train(words: list[str]) -> int:
     except OSError as error:
         if not (settings.out / "latest.json").exists():
             raise
-        ends = f"the same command goes on with the run in {settings.out} once that is mended"
+        ends = f"the same command goes on with the run in {settings.out} once this is fixed"
         raise ValueError(f"{error}; {ends}") from error
     console().print(reports.screen_table(result))
     print(reports.best_line(result))

@@ -23,16 +23,16 @@ What = Literal[
 
 @dataclass(frozen=True)
 class ListSettings:
-    """Print what can be chosen."""
+    """Print the available names with a short description of each."""
 
     what: tyro.conf.Positional[What]
-    """Of which kind."""
+    """What to list."""
     league: str = "legged-2001"
     """League whose observations, sensors or rules are listed."""
     observe: Literal["truth", "percepts", "belief"] = "truth"
-    """What the listed observations are built from."""
+    """Source of the listed observations."""
     json: bool = False
-    """Print JSON: a list of tables, each with its title and its rows by the names of the columns."""
+    """Print JSON: a list of tables, each with a title and rows keyed by column."""
 
 
 @dataclass(frozen=True)

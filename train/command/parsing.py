@@ -34,13 +34,16 @@ def read_settings(kind: type[T], words: list[str], name: str, default: T | None 
     import tyro
     from tyro import _errors
 
+    from soccer_env.train.command.left_out import REGISTRY
+
     def refuse(event: Any) -> None:
         raise ValueError(f"{in_words(event, kind, words, default is not None)} (see soccer {name} --help)")
 
     with _errors.on_parse_error(refuse):
         if default is None:
-            return tyro.cli(kind, args=words, prog=f"soccer {name}", config=(tyro.conf.FlagCreatePairsOff,))
-        return tyro.cli(kind, args=words, prog=f"soccer {name}", default=default)
+            return tyro.cli(kind, args=words, prog=f"soccer {name}", config=(tyro.conf.FlagCreatePairsOff,),
+                            registry=REGISTRY)  # fmt: skip
+        return tyro.cli(kind, args=words, prog=f"soccer {name}", default=default, registry=REGISTRY)
 
 
 def in_words(event: Any, kind: type, words: list[str], pairs: bool) -> str:
@@ -74,7 +77,7 @@ def unknown_word(word: str, kind: type, pairs: bool) -> str:
     flags = flags_of(kind, pairs)
     if word.startswith("-"):
         return unknown("option", word.partition("=")[0], flags)
-    return f"{word!r} belongs to no option; options: {', '.join(flags)}"
+    return f"unexpected argument {word!r}; options: {', '.join(flags)}"
 
 
 def flags_of(kind: Any, pairs: bool) -> list[str]:
@@ -121,6 +124,8 @@ def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, st
     """Return the completion script of a shell, for all commands with their settings; ValueError for another shell."""
     import tyro
 
+    from soccer_env.train.command.left_out import REGISTRY
+
     if shell not in SHELLS:
         raise ValueError(f"{COMPLETION[0]}: {unknown('shell', shell, SHELLS)}")
     commands = [
@@ -130,7 +135,7 @@ def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, st
     config = (tyro.conf.FlagCreatePairsOff, tyro.conf.OmitSubcommandPrefixes)
     script = io.StringIO()
     with contextlib.suppress(SystemExit), contextlib.redirect_stdout(script):
-        tyro.cli(every, args=[COMPLETION[1], shell], prog="soccer", config=config)
+        tyro.cli(every, args=[COMPLETION[1], shell], prog="soccer", config=config, registry=REGISTRY)
     text = on_one_line(script.getvalue())
     return ready_to_source(text) if shell == "zsh" else text
 

@@ -34,17 +34,17 @@ WAYS: tuple[dict[str, Any], ...] = (  # to sense, to observe and to act, between
 
 @dataclass(frozen=True)
 class WarmUpSettings(CommandSettings):
-    """Compile everything ahead of time and keep it in the cache; what is there already takes a second.
+    """Compile everything ahead of time and keep it in the cache.
 
-    Without flags: both leagues, with every shipped team. It takes some minutes on one core.
+    By default: both leagues with every shipped team, some minutes on one core; a second if all is compiled already.
     """
 
     NAMES = {"league": ("all", *LEAGUES)}
 
     league: str = "all"
-    """A league that will be played, or "all"."""
+    """League to compile for, or "all"."""
     team: str = "all"
-    """A team that will play, besides learners and the chaser; or "all" that are shipped."""
+    """Team to compile beside learners and the chaser, or "all" shipped teams."""
 
     def __post_init__(self) -> None:
         super().__post_init__()

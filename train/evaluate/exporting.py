@@ -28,34 +28,34 @@ KINDS = (".html", ".mp4", ".gif", ".png", *DATA)
 
 
 def export(settings: ExportSettings) -> str:
-    """Write what `out` asks for by its ending; return its name and size in words. See `Replay.video` for errors."""
-    kind = settings.out.suffix.lower()
+    """Write what the file's ending asks for; return its name and size in words. See `Replay.video` for errors."""
+    kind = settings.target.suffix.lower()
     if kind not in (MAPS if settings.maps else KINDS):
         with_maps = f"--out with --maps must end with {', '.join(MAPS)}"
         must = with_maps if settings.maps else f"--out must end with {', '.join(KINDS)}"
         asked = f"; {kind} needs --maps: heat maps, pass networks, shot maps" if kind in MAPS else ""
-        raise ValueError(f"{must}, got {str(settings.out)!r}{asked}")
+        raise ValueError(f"{must}, got {str(settings.target)!r}{asked}")
     if kind in DATA:
-        check_target(settings.out.with_suffix(".tmp"))  # its folder: NAME.cdf is one itself, see `check_free`
+        check_target(settings.target.with_suffix(".tmp"))  # its folder: NAME.cdf is one itself, see `check_free`
         targets = export_data(settings)
         total = sum(size_of(path) for path in targets)
         return f"{', '.join(str(path) for path in targets)}, {total / 1e6:.2f} MB"
     if settings.file.is_dir():
         return export_each(settings)
-    check_target(settings.out)
-    if settings.out.exists() and not settings.anew:
-        raise ValueError(f"{settings.out} exists already; give another --out, or --anew to write over it")
+    check_target(settings.target)
+    if settings.target.exists() and not settings.anew:
+        raise ValueError(f"{settings.target} exists already; give another --out, or --anew to write over it")
     return export_one(settings, kind)
 
 
 def export_each(settings: ExportSettings) -> str:
     """Write a film, page or picture of every replay below a folder; return how many there are, in words."""
     sources = replays_of(settings.file)
-    targets = targets_of(settings.out, sources)
+    targets = targets_of(settings.target, sources)
     check_target(targets[0])
     check_free(targets, settings.anew)
     for source, target in zip(sources.values(), targets, strict=True):
-        export_one(replace(settings, file=source, out=target), settings.out.suffix.lower())
+        export_one(replace(settings, file=source, out=target), settings.target.suffix.lower())
     total = sum(target.stat().st_size for target in targets)
     return f"{', '.join(str(path) for path in targets)}, {total / 1e6:.2f} MB"
 
@@ -63,35 +63,35 @@ def export_each(settings: ExportSettings) -> str:
 def export_one(settings: ExportSettings, kind: str) -> str:
     """Write a film, page or picture of one replay; return its name and size in words."""
     if settings.maps:
-        return str(export_maps(settings.file, settings.out))
+        return str(export_maps(settings.file, settings.target))
     replay = Replay.read(settings.file)
     rate = replay.make_match().league.control_rate  # its settings are sound, too
     if kind == ".html":
-        with Progress(settings.out.name, len(replay)) as bar:
-            write_page(replay, settings.out, settings.anew, bar.advance, part_of_flags(settings))
+        with Progress(settings.target.name, len(replay)) as bar:
+            write_page(replay, settings.target, settings.anew, bar.advance, part_of_flags(settings))
     elif kind == ".png":
         return write_picture(replay, settings)
     else:
         write_film(replay, settings, rate)
     shown = len(replay) / rate - (settings.start if kind != ".html" else 0.0)
     minutes = (shown if kind == ".html" or settings.seconds is None else min(shown, settings.seconds)) / 60.0
-    size = settings.out.stat().st_size
-    return f"{settings.out}, {size / 1e6:.2f} MB, {size / 1e3 / max(minutes, 1e-9):.0f} kB a minute of play"
+    size = settings.target.stat().st_size
+    return f"{settings.target}, {size / 1e6:.2f} MB, {size / 1e3 / max(minutes, 1e-9):.0f} kB a minute of play"
 
 
 def write_picture(replay: Replay, settings: ExportSettings) -> str:
     """Write one frame; return its name and size in words."""
     overlays = {item.name: getattr(settings, item.name) for item in fields(OverlayFlags)}
-    save_png(frame(replay, settings.start, width=settings.width, **overlays), settings.out)
-    return f"{settings.out}, {settings.out.stat().st_size / 1e3:.0f} kB"
+    save_png(frame(replay, settings.start, width=settings.width, **overlays), settings.target)
+    return f"{settings.target}, {settings.target.stat().st_size / 1e3:.0f} kB"
 
 
 def write_film(replay: Replay, settings: ExportSettings, rate: int) -> None:
     """Write a film, with a bar that says how far it is."""
     film = FilmSettings(**{item.name: getattr(settings, item.name) for item in fields(FilmSettings)})
-    count = len(drawn_steps(film, settings.out.suffix.lower(), rate, len(replay))[0])
-    with Progress(settings.out.name, count) as bar:
-        make_film(replay, settings.out, film, settings.anew, bar.advance)
+    count = len(drawn_steps(film, settings.target.suffix.lower(), rate, len(replay))[0])
+    with Progress(settings.target.name, count) as bar:
+        make_film(replay, settings.target, film, settings.anew, bar.advance)
 
 
 def export_data(settings: ExportSettings) -> list[Path]:
@@ -99,20 +99,20 @@ def export_data(settings: ExportSettings) -> list[Path]:
 
     ValueError for what exists already (unless `anew`), for a folder without replays and for the first that is none.
     """
-    kind = settings.out.suffix.lower()
+    kind = settings.target.suffix.lower()
     require(kind)
     sources = replays_of(settings.file)
     if kind in TABLES:
-        targets = list(paths_of(settings.out).values())
+        targets = list(paths_of(settings.target).values())
     elif settings.file.is_dir():
-        targets = targets_of(settings.out, sources)
+        targets = targets_of(settings.target, sources)
     else:
-        targets = [settings.out]
+        targets = [settings.target]
     check_free(targets, settings.anew)
-    with Progress(settings.out.name, len(sources)) as bar:
+    with Progress(settings.target.name, len(sources)) as bar:
         matches = collected(sources, bar)
         if kind in TABLES:
-            write_tables((tables_of(match) for match in matches), settings.out)
+            write_tables((tables_of(match) for match in matches), settings.target)
         else:
             for match, target in zip(matches, targets, strict=True):
                 (write_sportec if kind == ".xml" else write_standard)(match, target)

@@ -21,30 +21,30 @@ class PlaySettings(CommandSettings):
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
     scene: str = "kick-off"
-    """How it begins; `soccer list scenes` names them. A drill ends as it is decided, or when its time is up."""
+    """How the match begins; `soccer list scenes` names all scenes. A drill ends by its own test or time limit."""
     episode: Literal["match", "goal", "drill"] | None = None
-    """What ends it: the clock of a match, its first goal, or the test of a drill; None for that of the
-    scene, if it is a drill."""
+    """When the match ends: by the clock, at the first goal, or by the test of a drill; leave out for the scene's
+    default."""
     home: str | None = None
-    """The team that plays at home: a name of `soccer list teams`, or NAME@STRENGTH; None for chaser, or
-    the one that the scene is meant for."""
+    """Home team: a name of `soccer list teams`, NAME@STRENGTH or a policy file; leave out for chaser, or the team that
+    the scene is meant for."""
     away: str | None = None
-    """The team that plays away, in the same way."""
+    """Away team, written like --home."""
     minutes: float | None = None
-    """Minutes of play, both halves together; None for 1. A drill has a limit of its own."""
+    """Minutes of play, both halves together; leave out for 1. A drill has its own time limit."""
     players: int | str | None = None
-    """Players a side, 1 to 11; 3v5 gives home 3 and away 5; None for the league's own number, or the drill's."""
+    """Players a side, 1 to 11; 3v5 gives home 3 and away 5; leave out for the league's own number, or the drill's."""
     seed: int = 0
     """Seed of the match, 0 or more."""
     rules: str | None = None
-    """Which rules are called: league, simple or none; league:pushing=False,holding_time=5 changes one by name. None for
-    the league's, or those of the drill."""
+    """Rule set: league, simple or none; league:pushing=False,holding_time=5 changes single rules. Leave out for the
+    league's rules, or the drill's."""
     placement: Literal["instant", "drive"] = "instant"
     """How robots reach their places at a restart."""
     senses: Literal["sensors", "ideal"] = "sensors"
     """What fills the teams' beliefs: their sensors, or the truth."""
     pose: Literal["particles", "percept"] = "particles"
-    """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given."""
+    """How robots with sensors know where they are: by a particle filter, or by a given noisy pose (percept)."""
 
     def __post_init__(self) -> None:
         split_players(self.players, 1)
@@ -56,7 +56,7 @@ class RecordSettings(PlaySettings):
     """Play a match or a drill and write it to a replay file."""
 
     out: Path = Path("match.replay")
-    """The file to write."""
+    """Replay file to write."""
 
 
 @dataclass(frozen=True)
@@ -64,23 +64,23 @@ class ReplaySettings(CommandSettings):
     """Play a replay file again and check every step."""
 
     file: tyro.conf.Positional[Path]
-    """The file; nothing in it is executed."""
+    """Replay file; it holds no code."""
     verify: bool = False
-    """Prove the hash of every step: what this command does anyway."""
+    """Check the hash of every step; the command always does this."""
 
 
 @dataclass(frozen=True)
 class ExportSettings(OverlayFlags, CommandSettings):
-    """Make a film, a page for the browser, data or pictures of a replay.
+    """Make a film, a browser page, data or pictures from a replay.
 
     .mp4, .gif   a film
-    .html        a page for the browser
+    .html        a page for the browser (the default, named after the replay)
     .csv, .parquet   tidy tables: a row for each frame and object, and NAME_events with a row for each event
     .cdf         the Common Data Format: a folder of JSON and JSON lines
     .xml         tracking data of the German league (DFL, Sportec), which kloppy reads
     .png         one picture of the match
 
-    With --maps, .png, .svg and .pdf show heat maps, pass networks and shot maps, also of a result.json.
+    With --maps, .png, .svg and .pdf show heat maps, pass networks and shot maps, also from a result.json.
     """
 
     BOUNDS = {
@@ -92,20 +92,27 @@ class ExportSettings(OverlayFlags, CommandSettings):
     }
 
     file: tyro.conf.Positional[Path]
-    """The replay file, nothing in it is executed, or a folder of them; for maps also a result.json."""
-    out: Path = Path("match.html")
-    """The file to write; its ending says what it is. Of a folder all but tables are one file a match, NAME_MATCH."""
+    """Replay file, or a folder of replays; with --maps also a result.json. A replay holds no code."""
+    out: Path | None = None
+    """File to write; its ending chooses the format. Leave out for a page named after the replay. A folder of replays
+    gives one file a match, NAME_MATCH, but a single table."""
     maps: bool = False
-    """Draw heat maps, pass networks and shot maps, into .png, .svg or .pdf."""
+    """Draw heat maps, pass networks and shot maps: .png, .svg or .pdf."""
     anew: bool = False
-    """Write over a file that exists."""
+    """Overwrite an existing file."""
     fps: float | None = None
-    """Frames a second of a film; None for 25 in an MP4 and 12.5 in a GIF, or each control step if there are fewer."""
+    """Frames a second of a film; leave out for 25 in an MP4 and 12.5 in a GIF, or each control step if there are
+    fewer."""
     speed: float = 1.0
-    """How many times as fast as real time a film is."""
+    """Speed of a film, as a multiple of real time."""
     width: int = 640
-    """Width of a film or a picture [pixels]."""
+    """Width of a film or picture [pixels]."""
     start: float = 0.0
-    """Where a film begins, or what a picture shows [s since the recording began]."""
+    """Time at which a film begins, or that a picture shows [s from the start of the recording]."""
     seconds: float | None = None
-    """How much of the match a film shows [s]; None for all that follows."""
+    """Length of play that a film shows [s]; leave out for the rest of the match."""
+
+    @property
+    def target(self) -> Path:
+        """Return the file to write: that of `out`, or a page (of maps a picture) named after the replay."""
+        return self.out or Path(self.file.resolve().stem + (".png" if self.maps else ".html"))

@@ -31,13 +31,13 @@ RECHECKED = ("recheck", "pairs", "seed", "threads", "home", "away", "league", "s
 class EvaluateSettings(CommandSettings):
     """Play one team against another and say how sure the result is.
 
-    Half as many seeds as matches are drawn; each is played twice, the teams changing sides. Results are from the side
-    of --home; intervals (95 %) are bootstraps over the pairs. The same settings give the same result, match by match,
-    whatever --threads is. A run that was stopped goes on where it was when the same command is given again.
+    Each of --matches/2 seeds is played twice, with sides swapped. Results are for --home; 95 % intervals are bootstraps
+    over the pairs of matches. The same settings give the same result for any --threads. To resume a run that was
+    stopped, give the same command again.
 
-    --recheck FOLDER plays a random sample of what a folder holds again instead, compares every line bit for bit, and
-    ends with exit code 1 if one differs. No file is changed, and no code that the folder names is run: --home, --away,
-    --league and --scene name what is MODULE:NAME once more, or say where a policy file lies now.
+    --recheck FOLDER plays a random sample of the matches in a folder again, compares every line bit for bit, and exits
+    with code 1 if one differs. It changes no file and runs no code that the folder names: if a team, league or scene is
+    MODULE:NAME, or a policy file has moved, name it again by --home, --away, --league or --scene.
     """
 
     BOUNDS = {
@@ -51,50 +51,50 @@ class EvaluateSettings(CommandSettings):
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
     home: str = "chaser"
-    """The team whose result this is: a name of `soccer list teams`, one such as chaser@0.5, or a policy file."""
+    """Team whose result is reported: a name of `soccer list teams`, NAME@STRENGTH as chaser@0.5, or a policy file."""
     away: str = "random"
-    """The team it plays against, written like --home."""
+    """Opponent, written like --home."""
     matches: int = 20
-    """Number of matches, even: one pair for each seed. With a larger number than an evaluation in --out had, what it
-    lacks is played."""
+    """Number of matches, even: two for each seed. Raise --matches to add matches to a finished evaluation."""
     minutes: float | Literal["full"] | None = None
-    """Minutes of play in a match, both halves together; `full` for the league's own, None for 10 (legged) or 4."""
+    """Minutes of play in a match, both halves together; `full` for a whole match of the league; leave out for 10 in the
+    legged league, 4 in the middle size."""
     players: int | str | None = None
-    """Players a side, 1 to 11; 3v5 gives --home 3 and --away 5; None for the league's own number."""
+    """Players a side, 1 to 11; 3v5 gives --home 3 and --away 5; leave out for the league's own number."""
     seed: int = 0
-    """Seed from which the seeds of all matches follow, 0 or more."""
+    """Seed of the evaluation, 0 or more; the seeds of all matches follow from it."""
     threads: int = 1
-    """Threads that share the matches; the result does not depend on them."""
+    """Number of threads; the result does not depend on it."""
     senses: str | None = None
-    """What fills the teams' beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each. None for
+    """What fills the teams' beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each. Leave out for
     sensors; a policy that was trained with other senses is then refused."""
     pose: Literal["particles", "percept"] | None = None
-    """How robots that use their sensors know where they are: a particle filter, or a noisy pose that is given. None
-    for particles; a policy that was trained with the other pose is then refused."""
+    """How robots with sensors know where they are: by a particle filter, or by a given noisy pose (percept). Leave out
+    for particles; a policy that was trained with percept is then refused."""
     scene: str = "kick-off"
-    """Start of each match: kick-off, scattered, or both with shares (kick-off:0.6,scattered:0.4); no drill."""
+    """How each match starts: kick-off, scattered, or both with shares (kick-off:0.6,scattered:0.4); no drills."""
     rules: str = "league"
-    """Which rules are called: league, simple or none; league:pushing=False,holding_time=5 changes one by name."""
+    """Rule set: league, simple or none; league:pushing=False,holding_time=5 changes single rules."""
     placement: Literal["instant", "drive"] | None = None
-    """How robots reach their places at a restart; None for the league's choice in evaluations."""
+    """How robots reach their places at a restart; leave out for the league's default: drive in the middle size."""
     out: Path | None = None
-    """Folder for matches.jsonl, result.json, report.md and report.html; without it nothing is written."""
+    """Folder for matches.jsonl, result.json, report.md and report.html; leave out to write no files."""
     anew: bool = False
-    """Remove the files that an earlier evaluation left in --out, instead of going on with it or refusing."""
+    """Start afresh: remove the files of an earlier evaluation from --out."""
     keep: str = ""
-    """Replays to keep in --out, with commas between them: best, worst (for --home), goals (a clip of every goal)."""
+    """Replays to keep in --out, separated by commas: best, worst (for --home), goals (a clip of every goal)."""
     keep_pages: bool = False
-    """Make of every replay that is kept a page for the browser as well."""
+    """Also write every kept replay as a page for the browser."""
     picture: bool = False
-    """Draw the first match as a sheet of pictures, match.png in --out (needs pygame-ce)."""
+    """Draw the first match as a sheet of pictures: match.png in --out (needs pygame-ce)."""
     json: bool = False
-    """Print what result.json holds, as JSON, instead of tables."""
+    """Print the contents of result.json instead of tables."""
     at_least: float | None = None
-    """End with exit code 1 if --home's points (draws count half) are below this share of the matches, 0 to 1."""
+    """Exit with code 1 if --home wins a smaller share of the points than this, 0 to 1; a draw counts half."""
     recheck: Path | None = None
-    """Folder of an evaluation, finished or not, of which a sample is played again and compared; nothing is written."""
+    """Folder of an evaluation, finished or not, to check by playing a sample of its matches again."""
     pairs: int | Literal["all"] = PAIRS
-    """Pairs that --recheck plays, drawn at random (or by --seed) from those that are finished; `all` for every one."""
+    """How many finished pairs --recheck plays again, drawn at random (or by --seed); `all` for every pair."""
 
     def __post_init__(self) -> None:
         for side in ("home", "away"):

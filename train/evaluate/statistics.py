@@ -111,8 +111,8 @@ def finite(number: float) -> float | None:
 TELLING = (  # name, in words: a short table
     ("in_play", "ball in play"),
     ("possession", "ball at this team alone"),
-    ("spell_median", "one robot's spell with the ball, median"),
-    ("longest_spell", "the longest"),
+    ("spell_median", "median time of one robot on the ball"),
+    ("longest_spell", "longest time of one robot on the ball"),
     ("touches", "touches"),
     ("kicks", "kicks"),
     ("shots", "shots"),

@@ -26,5 +26,5 @@ def main(steps: int = 250_000, seed: int = 1, out: Path = Path("runs/ppo_sb3.zip
     )  # fmt: skip
     model.learn(steps)
     out.parent.mkdir(parents=True, exist_ok=True)
-    model.save(out)  # a team, as runs/ppo_sb3.zip:league=middle-size-2006,action_repeat=5
+    model.save(out)  # a team: runs/ppo_sb3.zip:league=middle-size-2006,action_repeat=5,at_once=False
     return share_scored(lambda seen: np.asarray(model.predict(seen, deterministic=True)[0]))

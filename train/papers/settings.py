@@ -19,45 +19,44 @@ from soccer_env.train.written_settings import CommandSettings
 
 @dataclass(frozen=True)
 class ReproduceSettings(CommandSettings):
-    """Measure what the papers claim, and say of each claim whether it holds here.
+    """Measure the claims of the papers and report whether each holds here.
 
-    Samples are taken in batches, the same number from every seed, until the 95 % interval of all of them together
-    decides a claim or its cap is reached; what each seed says by itself stands beside it. The same claims, seeds and
-    budget give the same results whatever --threads is. A run that was stopped goes on with the claims that are
-    missing when the same command is given again.
+    Each claim is sampled in batches, the same number for every seed, until the pooled 95 % interval decides it or its
+    cap is reached; the report also shows each seed alone. The same claims, seeds and budget give the same results for
+    any --threads. To resume a run that was stopped, give the same command again.
     """
 
     BOUNDS = {"minutes": Range(0.0, 100_000.0, above=True, below=True)}
 
     claims: tyro.conf.Positional[tuple[str, ...]] = ()
-    """Ids such as S05 or H10, as `soccer list claims` names them; `sensors` draws all sensor errors over the range."""
+    """Ids of claims, such as S05 or H10 (`soccer list claims`); `sensors` plots all sensor errors over distance."""
     all: bool = False
-    """Measure every claim that is built."""
+    """Measure every claim."""
     quick: bool = False
-    """Take few samples: a first look, all claims within five minutes after compiling. Verdicts are marked "(quick)"
-    wherever they are shown."""
+    """Take few samples, for a first look: all claims take five minutes after compiling. Verdicts are marked
+    "(quick)"."""
     minutes: float | None = None
-    """Take as many samples as fit in so many minutes, shared evenly over the claims, by the cost of a sample that
-    each claim states for one core; not by the clock."""
+    """Budget in minutes of one core, shared evenly among the claims, by the stated cost of a sample of each claim, not
+    by the clock."""
     pose: Literal["particles", "percept"] = "particles"
-    """How robots know where they are: a particle filter, or a noisy pose that is given. The report and results.json
-    name it for every claim; a claim about the particles (H27) is measured with them."""
+    """How robots know where they are: by a particle filter, or by a given noisy pose (percept). A claim about the
+    particle filter (H27) always uses it."""
     rules: Literal["league", "simple"] = "league"
-    """Rules of the claims that are judged from play: the league's whole rule book, or goals, restarts and dropped balls
-    alone. Staged scenes, where nobody is whistled, and claims without matches do not depend on it and say so."""
+    """Rule set for claims that are measured in matches: the league's whole rule book, or only goals, restarts and
+    dropped balls. Other claims do not depend on it."""
     seeds: Annotated[tuple[int, ...], tyro.conf.arg(aliases=("--seed",))] = (1, 2, 3)
-    """Seeds from which all samples follow, each 0 or more; their samples are put together."""
+    """Seeds, each 0 or more; their samples are pooled."""
     threads: int = 1
-    """Cores that share the work: several claims are measured in processes of their own, the matches of a single one
-    are shared by threads. No result depends on them."""
+    """Number of cores: several claims run in parallel processes, a single claim in threads. The results do not depend
+    on it."""
     out: Path | None = None
-    """Folder for claims.jsonl, results.json, report.md and plots; without it nothing is written."""
+    """Folder for claims.jsonl, results.json, report.md and plots; leave out to write no files."""
     anew: bool = False
-    """Remove the files that an earlier run left in --out, instead of going on with it or refusing."""
+    """Start afresh: remove the files of an earlier run from --out."""
     stored: bool = False
-    """Print what was measured last, as the pages of the teams have it, and measure nothing."""
+    """Print the stored results of the last measurement, and measure nothing."""
     json: bool = False
-    """Print what results.json holds, as JSON, instead of tables."""
+    """Print the contents of results.json instead of tables."""
 
     def __post_init__(self) -> None:
         super().__post_init__()

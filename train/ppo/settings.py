@@ -36,61 +36,71 @@ FREE = (  # may differ when a run goes on
 
 @dataclass(frozen=True)
 class PlainSettings:
-    """The settings of a training run but for the weights of its rewards."""
+    """The settings of a training run but for the weights of its rewards; the basic ones come first."""
 
     league: str = "legged-2001"
-    """League to play in: a name of `soccer list leagues`, or MODULE:NAME of your own."""
-    rules: str = "league"
-    """Rules to play by: league, simple, none, or a set changed by name: league:pushing=False."""
-    name: str = "policy"
-    """What the policy calls itself."""
+    """League: a name of `soccer list leagues`, or MODULE:NAME of your own."""
+    players: str = "3v3"
+    """Players a side, 3 or 1v3; several team sizes, trained together, are separated by commas: 1v1,2v2,3v3."""
+    opponents: str = "still,chaser@0.5,chaser"
+    """Away teams, separated by commas: names of `soccer list teams`, policy files, or MODULE:NAME. Evenly matched
+    opponents are drawn more often."""
+    steps: int = 2_000_000
+    """Training length in decisions of learning robots. Raise it to train a finished run further; 0 only imitates the
+    teacher."""
+    teacher: str = "chaser"
+    """Team that the actor imitates before PPO begins; "" for none."""
+    action_repeat: int = 8
+    """Control steps for which a decision is kept; 8 are one gait step of the legged league."""
     out: Path = Path("runs/train")
     """Folder of the run: checkpoints, best.safetensors, last.safetensors, logs, learning curve."""
-    steps: int = 2_000_000
-    """Decisions of learning robots to train for; a finished run goes on if this is raised; 0: by its teacher alone."""
+    seed: int = 0
+    """Seed of the run; the same settings and seed give the same weights, with one torch thread."""
+    threads: int = 1
+    """Number of threads that play matches; the result does not depend on it."""
+    anew: bool = False
+    """Start afresh: remove an earlier run from --out."""
+    rules: str = "league"
+    """Rule set: league, simple or none; league:pushing=False changes single rules."""
+    name: str = "policy"
+    """Name of the policy."""
     rewards: str = ""
-    """MODULE:NAME of `Rewards` of your own instead of the weights below; "" for those."""
-    players: str = "3v3"
-    """Players a side; several, mixed in one run, with commas between them: 1v1,2v2,3v3."""
+    """Rewards of your own, as MODULE:NAME, in place of the weights below; "" for those weights."""
     matches: int = 128
-    """Matches side by side, shared among the team sizes."""
+    """Matches played side by side, shared among the team sizes."""
     minutes: float = 2.0
     """Minutes of play in a training episode, both halves together."""
     scenes: str = "kick-off"
-    """How episodes begin; several with shares: kick-off:0.6,my_module:SCENE:0.4. Play goes on from a drill's start."""
-    opponents: str = "still,chaser@0.5,chaser"
-    """Teams that play away, with commas between them: names of `soccer list teams`, policy files, or MODULE:NAME. The
-    more evenly one is matched, the more often it is met."""
+    """How episodes begin; several scenes take shares: kick-off:0.6,my_module:SCENE:0.4. Play goes on after a drill's
+    start."""
     past: int = 0
-    """How many past selves are among the opponents, the oldest giving way to the newest."""
+    """Number of past selves among the opponents; the newest replaces the oldest."""
     past_every: int = 40
     """Rollouts between two past selves."""
     observe: Literal["belief", "percepts", "truth"] = "belief"
-    """What observations are built from; the truth is for policies that play with ideal senses."""
+    """Source of the observations; truth is for policies that play with ideal senses."""
     senses: str = "sensors"
     """What fills beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each."""
     ideal_share: float = 0.0
-    """Share of the matches, of every team size, in which all robots have ideal senses instead; it needs belief."""
+    """Share of the matches of each team size in which all robots have ideal senses; needs --observe belief."""
     pose: Literal["particles", "percept"] = "percept"
-    """How robots that use their sensors know where they are: a particle filter, or a noisy pose, which is faster."""
-    action_repeat: int = 8
-    """Control steps that a decision is kept; 8 is a gait step of the legged league."""
+    """How robots with sensors know where they are: by a particle filter, or by a given noisy pose (percept), which is
+    faster."""
     start: str = ""
-    """A policy file of the same shape that the actor begins with, instead of its teacher's lessons; "" for none."""
-    teacher: str = "chaser"
-    """A team whose decisions the actor is fitted to before PPO begins; "" for none."""
+    """Policy file of the same shape to start from instead of imitating the teacher; "" for none."""
     teacher_steps: int = 300_000
     """Decisions of the teacher to record, over all team sizes and opponents."""
     teacher_epochs: int = 12
-    """Times that the recorded decisions are gone through."""
+    """Passes over the recorded decisions."""
     rounds: int = 0
-    """Rounds in which the actor plays, after one of its teacher, and a teacher that knows the truth says what to do."""
+    """Rounds in which the actor plays and a teacher that knows the truth labels each decision, after a first round that
+    the teacher plays."""
     teacher_until: float = 0.0
-    """Share of the steps in which the actor is still held to what was recorded, ever less; 0: not at all."""
+    """Share of the steps over which an imitation loss fades out; 0 for no such loss."""
     critic_first: int = 3
-    """Rollouts in which the critic alone learns, so that it does not mislead what the teacher taught."""
+    """First rollouts, in which only the critic learns, so that an untrained critic does not spoil the imitation."""
     kind: Literal["slots", "attention"] = "slots"
-    """How the actor takes in other players: a slot of inputs for each, or attention over them, in whatever order."""
+    """Network for other players: one slot of inputs each, or attention, which ignores their order."""
     hidden: str = "64,64"
     """Sizes of the actor's hidden layers."""
     critic: str = "64,64"
@@ -98,53 +108,48 @@ class PlainSettings:
     activation: Literal["tanh", "relu"] = "tanh"
     """Activation of hidden layers."""
     mirror: bool = True
-    """Make the actor the mean of a network and its left-right mirror image (observations of truth or belief)."""
+    """Average the actor with its left-right mirror image (observations of truth or belief)."""
     central_critic: bool = True
-    """Let the critic see the whole truth of the match (`state()`) as well; the actor never does."""
+    """Give the critic the whole truth of the match (`state()`) too; the actor never sees it."""
     learning_rate: float = 3e-4
-    """Learning rate of Adam at the start."""
+    """Initial learning rate of Adam."""
     decay: bool = True
-    """Let the learning rate fall linearly to a twentieth at `steps`."""
+    """Decay the learning rate linearly to a twentieth at --steps."""
     gamma: float = 0.99
-    """Discount for one decision, of the shaping too."""
+    """Discount factor for one decision, also of the shaping."""
     gae_lambda: float = 0.95
     """Lambda of the generalised advantage estimate."""
     clip: float = 0.2
-    """How far the ratio of new to old probability may go from 1."""
+    """Clip range of PPO: how far the probability ratio may move from 1."""
     rollout: int = 64
     """Decisions of each robot between two updates."""
     batch: int = 4096
-    """Decisions in a gradient step, about: a rollout is cut into equal parts, one at least."""
+    """Approximate number of decisions in a gradient step; a rollout is cut into equal parts."""
     epochs: int = 4
-    """Times that a rollout is gone through."""
+    """Passes over a rollout."""
     entropy: float = 0.0
     """Weight of the entropy bonus."""
     noise: float = 0.4
-    """Standard deviation of the actions at the start."""
+    """Initial standard deviation of the actions."""
     evaluate_every: int = 500_000
-    """Steps between two evaluations of the policy, without noise; the best one is kept as best.safetensors."""
+    """Steps between two evaluations of the policy without noise; the best policy is kept as best.safetensors."""
     evaluate_matches: int = 40
-    """Matches of an evaluation against each of its opponents, even."""
+    """Matches against each opponent of an evaluation, even."""
     evaluate_minutes: float = 4.0
-    """Minutes of play in them."""
+    """Minutes of play in a match of an evaluation."""
     evaluate_against: str = "chaser@0.5,chaser"
-    """Opponents of the evaluations, at the largest team size, as `soccer evaluate` plays: own poses by particles."""
-    seed: int = 0
-    """Seed of everything; the same settings and seed with one torch thread give the same weights."""
-    threads: int = 1
-    """Threads that share the matches; the result does not depend on them."""
+    """Opponents of the evaluations, separated by commas, played at the largest team size with own poses by
+    particles."""
     torch_threads: int = 1
-    """Threads of torch; more than one helps only where cores are idle."""
+    """Threads of torch; more than one helps only on idle cores."""
     device: Literal["auto", "cpu", "cuda"] = "auto"
-    """Where the networks are trained: auto takes a GPU if there is one."""
+    """Device that trains the networks; auto uses a GPU if there is one."""
     log: str = ""
-    """Further logs, with commas between them: csv, tensorboard, wandb, as stable-baselines3 writes them."""
+    """Further logs, separated by commas: csv, tensorboard, wandb, as stable-baselines3 writes them."""
     keep: str = ""
-    """Replays to keep of best.safetensors in its evaluation: best, worst, goals (clips), with commas between them."""
+    """Replays of best.safetensors to keep, separated by commas: best, worst, goals (clips)."""
     keep_pages: bool = False
-    """Make of every replay that is kept a page for the browser as well."""
-    anew: bool = False
-    """Remove what an earlier run left in --out instead of going on with it."""
+    """Also write every kept replay as a page for the browser."""
 
 
 Weights: Any = make_dataclass(
@@ -163,11 +168,11 @@ Weights: Any = make_dataclass(
 
 @dataclass(frozen=True)
 class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[misc]  # its weights follow from the table of rewards
-    """Train a policy by PPO; all robots of the home team share it, the away team is played by opponents.
+    """Train a policy by PPO: all robots of the home team share it, other teams play away.
 
-    A run that was stopped, even by kill -9, goes on where its last rollout began when the same command is given again.
-    --config FILE reads settings from a TOML file, or from a bundled one by its name (legged-2001); flags overrule it.
-    One step is one decision of one robot.
+    To resume a run that was stopped, even by kill -9, give the same command again. --config FILE reads settings from a
+    TOML file, or from a bundled one by its name (legged-2001); flags override it. One step is one decision of one
+    robot. The basic options come first, up to --anew.
     """
 
     BOUNDS = BOUNDS

@@ -33,7 +33,7 @@ from soccer_env.guards.workers import Workers
 from soccer_env.match import Match
 from soccer_env.match.saving import by_save, calls_python, signals_wait
 from soccer_env.random_numbers import seeds_for
-from soccer_env.rewards import Rewards
+from soccer_env.rewards import Rewards, find_rewards
 from soccer_env.train.ppo.critic_state import records_of, with_state
 from soccer_env.train.ppo.match_blocks import Result, begin, check_request, playing, shares, taken, undone
 
@@ -74,7 +74,7 @@ class SoccerVecEnv(VecEnv):
         opponents: Any = "chaser",
         action_repeat: int = 1,
         gamma: float = 0.99,
-        rewards: Rewards | None = None,
+        rewards: Rewards | str = "default",
         state: bool = False,
         stagger: bool = False,
         seed: int = 0,
@@ -92,7 +92,7 @@ class SoccerVecEnv(VecEnv):
         self.matches = [
             Match(
                 league, home=home, away=away, matches=count, opponents=opponents, threads=inner, seed=seed,
-                autoreset="same_step", rewards=replace(rewards or Rewards(), gamma=gamma), **{**settings, **senses},
+                autoreset="same_step", rewards=replace(find_rewards(rewards), gamma=gamma), **{**settings, **senses},
             )
             for (home, away), count, senses in blocks
         ]  # fmt: skip

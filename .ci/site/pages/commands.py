@@ -12,7 +12,7 @@ from typing import Annotated, Any, get_args, get_origin
 from pages.markdown import code, table
 from soccer_env.train.command.command_line import kinds_of_settings
 
-CONFIG = "TOML file with settings, or the name of a bundled one as legged-2001; options beside it count more."
+CONFIG = "TOML file with settings, or the name of a bundled one, such as legged-2001; other options override it."
 MORE = {"train": [("`--config FILE`", "", "", CONFIG)]}  # what is read before the settings are
 
 
@@ -51,7 +51,7 @@ def options(name: str, kind: Any) -> Iterator[tuple[str, str, str, str]]:
 
 def takes(kind: Any) -> str:
     """Return what an option takes, "" for a switch."""
-    kind = get_args(kind)[0].__name__ if get_origin(kind) is Annotated else str(kind)
+    kind = get_args(kind)[0].__name__ if get_origin(kind) is Annotated else str(kind).replace(" | None", "")
     return (
         "" if kind == "bool" else kind.removeprefix("tyro.conf.Positional[").removesuffix("]" * ("Positional" in kind))
     )

@@ -24,7 +24,6 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic
 from numpy.typing import NDArray
-from pymunk._chipmunk_cffi import ffi, lib
 
 from soccer_env.compiled import compiled, config
 from soccer_env.physics.engine.memory import (
@@ -38,6 +37,7 @@ from soccer_env.physics.engine.memory import (
     store,
 )
 from soccer_env.physics.engine.prefetch import fetch_spans, note_step, spans_at
+from soccer_env.physics.engine.pymunk_parts import ffi, lib
 from soccer_env.physics.solver.records import MOST_ROBOTS
 from soccer_env.physics.solver.rounds import lead_off, solver_at
 

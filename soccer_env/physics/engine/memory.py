@@ -15,10 +15,10 @@ import numpy as np
 import pymunk
 from numba import types
 from numba.extending import intrinsic
-from numba.np.numpy_support import from_dtype
-from pymunk._chipmunk_cffi import ffi
 
 from soccer_env.compiled import config
+from soccer_env.compiling.numba_parts import from_dtype
+from soccer_env.physics.engine.pymunk_parts import ffi
 
 # struct cpBody
 BODY_MASS_INVERSE = 24  # [1/kg]

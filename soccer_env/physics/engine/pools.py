@@ -13,9 +13,9 @@ from __future__ import annotations
 import functools
 
 import pymunk
-from pymunk._chipmunk_cffi import ffi
 
 from soccer_env.physics.engine.memory import BODY_ARBITERS, address_of
+from soccer_env.physics.engine.pymunk_parts import ffi
 
 # Sizes in bytes, and places in a struct
 SPACE_SIZE = 608  # struct cpSpace, with its static body

@@ -16,10 +16,10 @@ from typing import Any
 import numpy as np
 from llvmlite import ir
 from numba import types
-from numba.core import cgutils
 from numba.extending import intrinsic
 
 from soccer_env.compiled import compiled, config
+from soccer_env.compiling.numba_parts import cgutils
 from soccer_env.physics.engine.memory import MOTOR_RATE, address_at, count_at, record_reader
 from soccer_env.physics.engine.pools import (
     ARBITER_SIZE,

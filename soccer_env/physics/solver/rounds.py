@@ -22,7 +22,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pymunk
-from pymunk._chipmunk_cffi import ffi, lib
 
 from soccer_env.compiled import compiled
 from soccer_env.compiling.callback import callback
@@ -49,6 +48,7 @@ from soccer_env.physics.engine.memory import (
     store,
     store_count,
 )
+from soccer_env.physics.engine.pymunk_parts import ffi, lib
 from soccer_env.physics.engine.space import loose_posts
 from soccer_env.physics.solver.ball import look_at_ball, take_roll, touches_of_ball
 from soccer_env.physics.solver.contacts import stance_of

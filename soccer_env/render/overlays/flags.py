@@ -1,4 +1,4 @@
-"""What is to be drawn over a picture, and of which robot."""
+"""The overlays of a picture, and the robot that they are about."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ class OverlayFlags(Checked):
     TITLED = False
 
     belief: bool = False
-    """What one robot believes: itself, ball and players, with confidence, age and possible poses, against the truth."""
+    """Beliefs of one robot beside the truth: its pose and particles, the ball, players, with confidence and age."""
     sight: bool = False
-    """What its camera sees: the field of view, and the blobs or sightings in it."""
+    """Field of view of the robot, with the blobs or sightings in it."""
     field: bool = False
-    """The potential field that its team computes from what it believes, as arrows. Pages keep it once a second
-    of all robots, and for 36 kB a minute more five times a second of the one that is named."""
+    """Potential field that the robot computes from its beliefs, as arrows. Browser pages hold the field of every robot
+    once a second, and that of --robot five times a second for another 36 kB a minute."""
     path: bool = False
-    """The path that it plans, and the one that it has travelled."""
+    """Planned and travelled path of the robot."""
     roles: bool = False
     """Role, behaviour and recovery state of every robot."""
     infrared: bool = False
-    """The beam and the reading of every robot's infrared ranger."""
+    """Beam and reading of every robot's infrared ranger."""
     trail: bool = False
-    """The ball's way of the last seconds."""
+    """Trail of the ball over the last seconds."""
     robot: str = AT_BALL
-    """Whose belief, sight, field and path: an agent as home_1 or blue 2, or ball: whoever is nearest to it."""
+    """Robot whose belief, sight, field and path are shown: home_1 or blue 2, or ball for the robot nearest to it."""
 
     def __post_init__(self) -> None:
         super().__post_init__()

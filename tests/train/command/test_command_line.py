@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -48,20 +49,36 @@ def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.Capt
     assert main([]) == 2
 
 
+@pytest.mark.parametrize("name", command_line.SUMMARIES)
+def test_help_says_what_leaving_an_option_out_does(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main([name, "--help"])
+    assert "None" not in capsys.readouterr().out
+
+
+def test_the_basic_options_of_a_training_come_first(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["train", "--help"])
+    flags = re.findall(r"^\W (--[a-z][a-z-]+)", capsys.readouterr().out, re.MULTILINE)
+    basic = ["--league", "--players", "--opponents", "--steps", "--teacher", "--action-repeat", "--out", "--seed"]
+    assert flags[: len(basic)] == basic
+
+
 @pytest.mark.parametrize(
     ("words", "complaint"),
     [
         (["football"], "unknown command 'football'; known: evaluate"),
         (["evaluate", "--goals", "3"], "unknown option '--goals'"),
         (["evaluate", "--matchez", "4"], "unknown option '--matchez', did you mean '--matches'? known: --league"),
-        (["evaluate", "4"], "'4' belongs to no option; options: --league"),
+        (["evaluate", "4"], "unexpected argument '4'; options: --league"),
         (
             ["evaluate", "--pose", "percpt"],
             "unknown --pose 'percpt', did you mean 'percept'? known: ",
         ),
         (["evaluate", "--minutes", "none"], "--minutes must be a number above 0 and below 10000 or full, got 'none'"),
         (["evaluate", "--matches="], "--matches must be a whole number of at least 2, got ''"),
-        (["evaluate", "--anew=yes"], "'yes' belongs to no option"),
+        (["evaluate", "--anew=yes"], "unexpected argument 'yes'"),
+        (["bench", "--foo"], "unknown option '--foo'; known: --quick"),
         (["replay"], "FILE must be given (see soccer replay --help)"),
         (["evaluate", "--recheck", "x", "--matches", "40"], "matches does not go with recheck"),
         (["evaluate", "--pairs", "9"], "pairs goes with recheck"),

@@ -64,7 +64,7 @@ def test_the_lock_ends_with_the_process(tmp_path: Path) -> None:
 
 def test_other_settings_are_refused_and_all_are_named(tmp_path: Path) -> None:
     opened(tiny(tmp_path))
-    with pytest.raises(ValueError, match="gamma 0.99 there, 0.9 now; .*seed 3 there, 4 now"):
+    with pytest.raises(ValueError, match="seed 3 there, 4 now; .*gamma 0.99 there, 0.9 now"):
         RunFolder(tiny(tmp_path, seed=4, gamma=0.9))
     opened(tiny(tmp_path))
 

@@ -1,5 +1,6 @@
 """The VecEnv: what stable-baselines3 may count on, and that its rows are the matches that lie under it."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from soccer_env import Match, Rewards
 from soccer_env.agents.learned import first_decision
 from soccer_env.random_numbers import seeds_for
+from soccer_env.rewards import PRESETS
 from soccer_env.teams import Lineup, make_team
 from tests.train.evaluate.staged_rows import MIXED, draw, play, rows, same
 
@@ -276,3 +278,10 @@ def test_results_name_the_opponent_that_played() -> None:
         play(env, 10)
         assert [result.opponent for result in env.results] == expected
         env.results.clear()
+
+
+def test_rewards_are_those_of_their_name_with_the_gamma_of_the_environment() -> None:
+    env = rows(rewards="sparse", gamma=0.9)
+    assert all(match.settings.rewards == replace(PRESETS["sparse"], gamma=0.9) for match in env.matches)
+    with pytest.raises(ValueError, match="unknown rewards 'spars', did you mean 'sparse'"):
+        rows(rewards="spars")

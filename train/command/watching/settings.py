@@ -14,17 +14,17 @@ from soccer_env.train.evaluate.play_settings import PlaySettings
 
 @dataclass(frozen=True)
 class WatchSettings(OverlayFlags, PlaySettings):
-    """Show a match in a window (needs pygame-ce): a replay FILE, or one that is played now as the options say.
+    """Show a match in a window (needs pygame-ce): a replay FILE, or a new match with the given options.
 
-    Space pauses, comma and full stop step, left and right go 5 s, up and down change the speed, Home goes to the
-    start, H shows all keys (overlays have one each), Escape ends.
+    Space pauses, comma and full stop step, left and right jump 5 s, up and down change the speed, Home returns to the
+    start, H shows all keys (each overlay has one), Escape quits.
     """
 
     file: tyro.conf.Positional[Path | None] = None
-    """A replay file to show; None: a match is played."""
+    """Replay file to show; leave out to play a new match."""
     width: int = 960
     """Width of the picture [pixels]."""
     speed: float = 1.0
-    """How many times as fast as real time, above 0."""
+    """Speed as a multiple of real time, above 0."""
     follow: Literal["", "robot", "ball"] = ""
-    """Whom the picture goes near to and follows: the robot that is looked into, or the ball."""
+    """Zoom in on the robot of --robot, or on the ball, and follow it; "" shows the whole pitch."""

@@ -10,6 +10,7 @@ pages.py     which tables there are, and their way into the pages
 markers.py   where in a page a table stands
 drills.py    teams at drills
 teams.py     teams against teams      learned.py   the learned team, and how long its training takes
+crosstable.py     a row for each setting, a column for each opponent
 headlines.py the few figures of the main README, picked out of the others
 plausibility.py   how teams play beside what is published of real matches
 claims.py    what `soccer reproduce` measures

@@ -6,6 +6,7 @@ from typing import Any
 from soccer_env.leagues import find_league
 from soccer_env.scenes import SCENES, Scene
 from soccer_env.train.evaluate.drills import SEED, run_drill
+from soccer_env.train.pages.tables.crosstable import crosstable
 from soccer_env.train.statistics import wilson_interval
 
 RUNS = 400  # 400 runs of a share of a half: +-5 %
@@ -37,22 +38,26 @@ def measure_drills() -> dict[str, Any]:
 
 
 def drills_table(table: dict[str, Any]) -> str:
-    """Return the shares of success in Markdown: a row a drill, a column a team."""
-    teams = list(dict.fromkeys(row["team"] for row in table["rows"]))
-    found = {(row["league"], row["drill"], row["team"]): row for row in table["rows"]}
-    rules = {(row["league"], row["drill"]): row["rules"] for row in table["rows"]}
-    head = ["league", "drill", "rules", *(f"`{team}`" for team in teams)]
-    lines = [f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
-    for (league, drill), name in rules.items():
-        shares = [share_of(found.get((league, drill, team))) for team in teams]
-        lines.append(f"| {' | '.join([league, f'`{drill}`', f'`{name}`', *shares])} |")
-    runs = table["rows"][0]["runs"]
-    return "\n".join([*lines, "", f"{runs} runs each by sensors, seed {table['seed']}, 95 % intervals by Wilson."])
+    """Return the shares of success [%] in Markdown: a table a league, a row a drill, a column a team."""
+    rows = table["rows"]
+    parts = [
+        crosstable(
+            f"{league} [%]",
+            {(f"`{row['drill']}`", f"`{row['team']}`"): share_of(row) for row in rows if row["league"] == league},
+        )
+        for league in dict.fromkeys(row["league"] for row in rows)
+    ]
+    widest = max(half_width(row) for row in rows)
+    runs = f"{rows[0]['runs']} runs each by sensors, seed {table['seed']}"
+    return "\n\n".join([*parts, f"{runs}; 95 % intervals (Wilson) are at most {widest:.0f} points to either side."])
 
 
-def share_of(row: dict[str, Any] | None) -> str:
-    """Return how often a team succeeds, in percent, with the interval."""
-    if row is None:
-        return "-"
+def share_of(row: dict[str, Any]) -> str:
+    """Return how often a team succeeds [%]."""
+    return f"{100 * row['successes'] / row['runs']:.0f}"
+
+
+def half_width(row: dict[str, Any]) -> float:
+    """Return how far the interval of a share reaches to its longer side [%]."""
     share, low, high = wilson_interval(row["successes"], row["runs"])
-    return f"{100 * share:.0f} % ({100 * low:.0f} to {100 * high:.0f})"
+    return 100 * max(share - low, high - share)

@@ -11,7 +11,8 @@ import numpy as np
 from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.settings import EvaluateSettings
 from soccer_env.train.files import read_lines
-from soccer_env.train.pages.tables.teams import MEASURED, measured, row_of, row_settings
+from soccer_env.train.pages.tables.crosstable import crosstable, goals_of
+from soccer_env.train.pages.tables.teams import row_of, row_settings
 
 TEAM = "learned"
 MATCHES = 200
@@ -23,6 +24,7 @@ TEAMS = ("chaser", "sacks-2001", "sacks-2001-tuned")
 LADDER = ("sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75")
 CLEAN = ("goals_clean_kick_for", "goals_clean_dribble_for")
 WHISTLES = "fouls_"
+WHISTLED = "whistles a match in the matches against `chaser`, it : them"
 
 
 def learned_rows() -> Iterator[EvaluateSettings]:
@@ -66,25 +68,30 @@ def play_of(statistics: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def learned_table(table: dict[str, Any]) -> str:
-    """Return the table of the learned team in Markdown."""
-    head = ["players", "senses", "rules", "against", "minutes", *MEASURED, "whistles a match, against it : them",
-            "goals by clean kick or dribble"]  # fmt: skip
-    lines = [f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
-    for row in table["rows"]:
-        rules = row["rules"] if row["league"] == LEAGUE else f"{row['rules']}, `{row['league']}`"
-        who = [sizes_of(row["players"]), row["senses"], rules, row["away"], f"{row['minutes']:g}"]
-        whistles = " : ".join(f"{number / row['matches']:.2f}" for number in row["whistles"])
-        clean, goals = row["clean_goals"]
-        share = f"{100 * clean / goals:.0f} % of {goals:.0f}" if goals else "-"
-        lines.append(f"| {' | '.join(who)} | {measured(row)} | {whistles} | {share} |")
-    command = f"Command of a row: `{table['rows'][0]['command']}`"
-    return "\n".join([*lines, "", f"{MATCHES} matches a row. {command}"])
+    """Return the table of the learned team in Markdown: a row for each kind of match, a column for each opponent."""
+    rows = [row for row in table["rows"] if row["away"] not in LADDER]
+    cells = {(kind_of(row), f"`{row['away']}`"): goals_of(row) for row in rows}
+    cells |= {(kind_of(row), WHISTLED): whistles_of(row) for row in rows if row["away"] == "chaser"}
+    ladder = [f"`{row['away']}` {goals_of(row)}" for row in table["rows"] if row["away"] in LADDER]
+    weaker = [f"Against weaker teams at 3v3: {', '.join(ladder)}."] if ladder else []
+    shown = f"Goal difference a match in {MATCHES} matches a cell, of {MINUTES:g} minutes unless a row says otherwise."
+    command = f"Command of a cell: `{table['rows'][0]['command']}`"
+    return "\n".join([crosstable("players", cells), "", shown, *weaker, command])
 
 
-def sizes_of(players: int | str) -> str:
-    """Return team sizes as "3 v 3"."""
-    first, second = players.split("v") if isinstance(players, str) else (players, players)
-    return f"{first} v {second}"
+def kind_of(row: dict[str, Any]) -> str:
+    """Return how a match differs from others: the team sizes, and whatever is not as usual."""
+    sizes = row["players"] if isinstance(row["players"], str) else f"{row['players']}v{row['players']}"
+    unusual = [f"{row['minutes']:g} minutes"] * (row["minutes"] != MINUTES)
+    unusual += ["ideal senses"] * (row["senses"] == "ideal")
+    unusual += [f"rules {row['rules']}"] * (row["rules"] != "league")
+    unusual += [f"`{row['league']}`"] * (row["league"] != LEAGUE)
+    return ", ".join([sizes, *unusual])
+
+
+def whistles_of(row: dict[str, Any]) -> str:
+    """Return the whistles a match against the learned team and against its opponent."""
+    return " : ".join(f"{number / row['matches']:.2f}" for number in row["whistles"])
 
 
 # The reference run: how fast training is, and where its time goes

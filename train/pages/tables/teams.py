@@ -11,6 +11,7 @@ from soccer_env.train.evaluate.contest import contest_of, play
 from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.results import EvaluationResult
 from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
+from soccer_env.train.pages.tables.crosstable import crosstable, goals_of
 
 SEED, PLAYERS = 1, 3
 MATCHES = {"ideal": 200, "sensors": 100}
@@ -34,7 +35,7 @@ HEINEMANN = (  # players a side, home, away, matches; what the team is without a
 )  # fmt: skip
 
 PASSES = "passes a minute"  # completed, of both teams: a column of the middle size
-MEASURED = ("points", "goal difference a match", "goals a minute", "settings")  # columns of `measured`
+MEASURED = ("points", "goal difference a match")  # columns of `measured`
 
 
 def scripted_rows() -> Iterator[EvaluateSettings]:
@@ -132,9 +133,18 @@ def first_pair(row: dict[str, Any]) -> list[list[Any]]:
 
 
 def scripted_table(table: dict[str, Any]) -> str:
-    """Return the table of the scripted teams in Markdown."""
-    names = {"league": "league", "senses": "senses", "chaser against": "away", "matches": "matches"}
-    return with_command(names, table["rows"])
+    """Return the table of the chaser in Markdown: a row for each opponent, a column for each league and its senses."""
+    rows = table["rows"]
+    cells = {(f"`{row['away']}`", f"{row['league']}, {row['senses']}"): result_of(row) for row in rows}
+    lengths = dict.fromkeys((row["league"], row["senses"], row["matches"], row["minutes"]) for row in rows)
+    matches = ", ".join(f"{count} matches of {minutes:g} minutes" for _, _, count, minutes in lengths)
+    shown = f"Goal difference a match, its interval, share of points.\nColumns: {matches}."
+    return "\n\n".join([crosstable("against", cells), f"{shown}\nCommand of a cell: `{rows[0]['command']}`"])
+
+
+def result_of(row: dict[str, Any]) -> str:
+    """Return the goal difference with its interval and the share of points of a row."""
+    return f"{goals_of(row)}, {100 * row['points']['mean']:.0f} %"
 
 
 def sacks_table(table: dict[str, Any]) -> str:
@@ -152,7 +162,7 @@ def heinemann_table(table: dict[str, Any]) -> str:
 def heinemann_words(row: dict[str, Any]) -> dict[str, str]:
     """Return what a row of the teams of 2006 shows of its own: the team, the sizes, and completed passes a minute."""
     passed = " : ".join(f"{passes:.2f}" for passes in row["passes"]) if "passes" in row else "-"
-    return {"team": f"`{row['home']}`", "sizes": f"{row['players']} v {row['players']}", "passed": passed}
+    return {"team": f"`{row['home']}`", "sizes": f"{row['players']}v{row['players']}", "passed": passed}
 
 
 def with_command(names: dict[str, str], rows: list[dict[str, Any]]) -> str:
@@ -164,11 +174,6 @@ def with_command(names: dict[str, str], rows: list[dict[str, Any]]) -> str:
 
 
 def measured(row: dict[str, Any]) -> str:
-    """Return points, goal difference, goals a minute and the settings' hash of a row."""
-    minutes = row["matches"] * row["minutes"]
-    points, difference = row["points"], row["goal_difference"]
-    return (
-        f"{100 * points['mean']:.1f} % ({100 * points['low']:.1f} to {100 * points['high']:.1f}) "
-        f"| {difference['mean']:+.2f} ({difference['low']:+.2f} to {difference['high']:+.2f}) "
-        f"| {row['goals'][0] / minutes:.2f} : {row['goals'][1] / minutes:.2f} | `{row['settings_hash']}`"
-    )
+    """Return points and goal difference of a row."""
+    points = row["points"]
+    return f"{100 * points['mean']:.1f} % ({100 * points['low']:.1f} to {100 * points['high']:.1f}) | {goals_of(row)}"

@@ -47,7 +47,7 @@ def test_another_result_changes_its_page_and_the_headlines() -> None:
 
 def test_the_check_names_a_page_that_shows_something_else(monkeypatch: pytest.MonkeyPatch) -> None:
     changed = copy.deepcopy(DATA)
-    changed["scripted"]["rows"][0]["points"]["mean"] = 0.123
+    changed["scripted"]["rows"][0]["points"]["mean"] = 0.123  # shown as 12 %
     monkeypatch.setattr(tables, "replay_row", lambda row: [])
     (problem,) = tables.check(changed, quick=True)
     assert problem.startswith("baselines/README.md does not show")

@@ -37,5 +37,14 @@ def test_a_table_has_a_row_a_drill_and_a_column_a_team() -> None:
     rows = [row | {"team": "still", "successes": 0}, row | {"team": "chaser", "successes": 97}]
     other = rows[1] | {"league": "middle-size-2006", "drill": "empty-goal"}
     text = drills_table({"seed": 1, "rows": [*rows, other]})
-    assert "| legged-2001 | `facing-wall` | `simple` | 0 % (0 to 4) | 97 % (92 to 99) |" in text
-    assert "| middle-size-2006 | `empty-goal` | `simple` | - | 97 % (92 to 99) |" in text
+    assert "| legged-2001 [%] | `still` | `chaser` |\n|---|---|---|\n| `facing-wall` | 0 | 97 |\n\n" in text
+    assert "| middle-size-2006 [%] | `chaser` |\n|---|---|\n| `empty-goal` | 97 |\n\n" in text
+    assert text.endswith(
+        "100 runs each by sensors, seed 1; 95 % intervals (Wilson) are at most 5 points to either side."
+    )
+
+
+def test_a_drill_that_a_team_did_not_play_is_a_dash() -> None:
+    row = {"league": "legged-2001", "rules": "simple", "runs": 100, "successes": 97}
+    rows = [row | {"drill": "a", "team": "x"}, row | {"drill": "b", "team": "y"}]
+    assert "| `a` | 97 | - |\n| `b` | - | 97 |" in drills_table({"seed": 1, "rows": rows})

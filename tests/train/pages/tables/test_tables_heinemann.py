@@ -36,4 +36,4 @@ def test_the_teams_of_2006_play_each_other_the_chaser_and_themselves_without_a_p
     spread = {"mean": 0.5, "low": 0.4, "high": 0.6}
     row = {"home": "a", "away": "b", "players": 5, "matches": 2, "minutes": 4.0, "points": spread, "goals": [1, 0],
            "goal_difference": spread, "settings_hash": "f", "command": "play", "passes": [1.25, 1.0]}  # fmt: skip
-    assert "| `a` | b | 5 v 5 | 2 | 1.25 : 1.00 | 50.0 % (40.0 to 60.0) |" in heinemann_table({"rows": [row]})
+    assert "| `a` | b | 5v5 | 2 | 1.25 : 1.00 | 50.0 % (40.0 to 60.0) |" in heinemann_table({"rows": [row]})

@@ -1,0 +1,31 @@
+"""How the help of a command shows an option that may be left out, whose field is None: as one without None."""
+
+from dataclasses import replace
+from typing import Any, Union, get_args
+
+from tyro.constructors import (
+    ConstructorRegistry,
+    PrimitiveConstructorSpec,
+    PrimitiveTypeInfo,
+    UnsupportedTypeAnnotationError,
+)
+
+REGISTRY = ConstructorRegistry()
+LEFT_OUT = "unset"  # what the help gives as the default
+
+
+@REGISTRY.primitive_rule
+def without_none(info: PrimitiveTypeInfo) -> PrimitiveConstructorSpec[Any] | None:
+    """Return how to read a type such as `float | None`: as a float, where None is shown as unset; None for others."""
+    kinds = tuple(kind for kind in get_args(info.type) if kind is not type(None))
+    if len(kinds) == len(get_args(info.type)):
+        return None
+    other: Any = Union[kinds]  # noqa: UP007  # made of a tuple
+    inner = ConstructorRegistry.get_primitive_spec(PrimitiveTypeInfo.make(other, info.markers))
+    if isinstance(inner, UnsupportedTypeAnnotationError):
+        return None
+    return replace(
+        inner,
+        is_instance=lambda value: value is None or inner.is_instance(value),
+        str_from_instance=lambda value: [LEFT_OUT] if value is None else inner.str_from_instance(value),
+    )
