@@ -17,7 +17,7 @@ ROOT = Path(__file__).parents[2]
 PRIVATE = {  # the one file that may name what a package does not promise, and how that looks in an import
     "numba": ("soccer_env/compiling/numba_parts.py", r"numba\.(core|np)\b"),
     "pymunk": ("soccer_env/physics/engine/pymunk_parts.py", r"pymunk\._"),
-    "tyro": ("train/command/parsing.py", r"tyro(\._|$)"),
+    "tyro": ("train/command/parsing.py", r"tyro(\._| import _)"),
     "stable-baselines3": ("train/ppo/learner.py", r"stable_baselines3\..*\._"),
 }
 OF_A_MODEL = re.compile(r"\bmodel\._[a-z]")  # attributes of a stable-baselines3 model that it does not promise

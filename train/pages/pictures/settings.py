@@ -47,7 +47,7 @@ def drill(scene: str, home: str, seed: int, start: float, league: str = "legged-
 
 WIDTH = 640  # [px] of the pictures in the gallery of the README, which shows two of them beside each other
 MIDDLE_SIZE = "middle-size-2006"
-HEINEMANN = {"league": MIDDLE_SIZE, "path": True}
+HEINEMANN: dict[str, Any] = {"league": MIDDLE_SIZE, "path": True}
 MOMENTS = (
     Moment(
         "match.gif",
