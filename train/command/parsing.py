@@ -8,8 +8,10 @@ import contextlib
 import io
 import os
 import re
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, fields
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, TypeVar, Union
 
@@ -23,6 +25,7 @@ AUTOLOADED_OR_SOURCED = r"""if [[ $zsh_eval_context[-1] == (loadautofunc|shfunc)
 else
   compdef \1 soccer
 fi"""
+ALL_OPTIONS = "--help-all"  # of a command that shows its basic options first
 COMPLETION = ("--print-completion", "--tyro-print-completion")  # flags of `soccer` itself; the second is tyro's own
 
 
@@ -39,11 +42,34 @@ def read_settings(kind: type[T], words: list[str], name: str, default: T | None 
     def refuse(event: Any) -> None:
         raise ValueError(f"{in_words(event, kind, words, default is not None)} (see soccer {name} --help)")
 
+    more: dict[str, Any] = {"config": (tyro.conf.FlagCreatePairsOff,)} if default is None else {"default": default}
+    help_of = partial(tyro.cli, kind, args=["--help"], prog=f"soccer {name}", registry=REGISTRY, **more)
+    if {"-h", "--help"} & {*words}:
+        print(first_options(printed(help_of), getattr(kind, "BASIC", ""), name))
+        raise SystemExit(0)
     with _errors.on_parse_error(refuse):
-        if default is None:
-            return tyro.cli(kind, args=words, prog=f"soccer {name}", config=(tyro.conf.FlagCreatePairsOff,),
-                            registry=REGISTRY)  # fmt: skip
-        return tyro.cli(kind, args=words, prog=f"soccer {name}", default=default, registry=REGISTRY)
+        return help_of(args=["--help"] if ALL_OPTIONS in words else words)
+
+
+def printed(show: Callable[[], Any]) -> str:
+    """Return what a function prints before it ends the program."""
+    content = io.BytesIO()
+    text = io.TextIOWrapper(content, encoding=getattr(sys.stdout, "encoding", None) or "utf-8")  # decides on boxes
+    with contextlib.suppress(SystemExit), contextlib.redirect_stdout(text):
+        show()
+    text.flush()
+    return content.getvalue().decode(text.encoding).rstrip("\n")
+
+
+def first_options(text: str, last: str, name: str) -> str:
+    """Return the help of a command up to the option `last`, and how many more there are; "": the whole help."""
+    lines = text.splitlines()
+    options = [at for at, line in enumerate(lines) if re.match("[│ ] -", line)]
+    at = next((at for at, row in enumerate(options) if re.match(rf". --{last}\b", lines[row])), len(options)) + 1
+    if not last or at >= len(options):
+        return text
+    more = f"`soccer {name} {ALL_OPTIONS}` explains {len(options) - at} more options."
+    return "\n".join([*lines[: options[at]], lines[-1], more])
 
 
 def in_words(event: Any, kind: type, words: list[str], pairs: bool) -> str:

@@ -40,6 +40,7 @@ class EvaluateSettings(CommandSettings):
     MODULE:NAME, or a policy file has moved, name it again by --home, --away, --league or --scene.
     """
 
+    BASIC = "anew"  # the last option that --help shows
     BOUNDS = {
         "matches": Range(2),
         "pairs": Range(1),

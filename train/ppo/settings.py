@@ -172,9 +172,10 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
     To resume a run that was stopped, even by kill -9, give the same command again. --config FILE reads settings from a
     TOML file, or from a bundled one by its name (legged-2001); flags override it. One step is one decision of one
-    robot. The basic options come first, up to --anew.
+    robot.
     """
 
+    BASIC = "anew"  # the last option that --help shows
     BOUNDS = BOUNDS
     EVEN = {"evaluate_matches": "for each seed is played twice, sides swapped"}
 

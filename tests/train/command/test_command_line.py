@@ -52,7 +52,7 @@ def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.Capt
 @pytest.mark.parametrize("name", command_line.SUMMARIES)
 def test_help_says_what_leaving_an_option_out_does(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
-        main([name, "--help"])
+        main([name, "--help-all"])
     assert "None" not in capsys.readouterr().out
 
 
@@ -61,7 +61,22 @@ def test_the_basic_options_of_a_training_come_first(capsys: pytest.CaptureFixtur
         main(["train", "--help"])
     flags = re.findall(r"^\W (--[a-z][a-z-]+)", capsys.readouterr().out, re.MULTILINE)
     basic = ["--league", "--players", "--opponents", "--steps", "--teacher", "--action-repeat", "--out", "--seed"]
-    assert flags[: len(basic)] == basic
+    assert flags == [*basic, "--threads", "--anew"]
+
+
+@pytest.mark.parametrize("name", command_line.SUMMARIES)
+def test_the_help_of_a_command_fits_a_screen_and_says_how_many_options_it_leaves_out(
+    name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shown = []
+    for flag in ("--help", "--help-all"):
+        with pytest.raises(SystemExit):
+            main([name, flag])
+        shown.append(capsys.readouterr().out)
+    flags = [len(re.findall(r"^\W --[a-z]", text, re.MULTILINE)) for text in shown]
+    assert len(shown[0].splitlines()) <= 60
+    left_out = re.findall(rf"`soccer {name} --help-all` explains (\d+) more options", shown[0])
+    assert left_out == ([str(flags[1] - flags[0])] if flags[1] > flags[0] else [])
 
 
 @pytest.mark.parametrize(

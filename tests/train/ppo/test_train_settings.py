@@ -213,7 +213,7 @@ def test_a_flag_may_say_what_is_the_default_anyhow() -> None:
 
 def test_every_setting_is_explained(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
-        main(["train", "--help"])
+        main(["train", "--help-all"])
     text = " ".join(capsys.readouterr().out.replace("│", " ").split())
     source = Path(sys.modules[TrainSettings.__module__].__file__ or "").read_text()
     for field in fields(TrainSettings):

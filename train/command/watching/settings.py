@@ -20,6 +20,8 @@ class WatchSettings(OverlayFlags, PlaySettings):
     start, H shows all keys (each overlay has one), Escape quits.
     """
 
+    BASIC = "infrared"  # the last option that --help shows
+
     file: tyro.conf.Positional[Path | None] = None
     """Replay file to show; leave out to play a new match."""
     width: int = 960
