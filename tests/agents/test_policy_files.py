@@ -161,10 +161,7 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
         ({"weights": (), "biases": ()}, "1 to 8 layers, got 0"),
         ({"weights": (ones(4, 2),) * 9, "biases": (ones(4),) * 9}, "1 to 8 layers, got 9"),
         ({"weights": (ones(4, 2),)}, "must be tuples of the same length"),
-        (
-            {"weights": (ones(4, 2).astype(float),), "biases": (ones(4),)},
-            "layer0.weight must .* got float64",
-        ),
+        ({"weights": (ones(4, 2).astype(float),), "biases": (ones(4),)}, "layer0.weight must .* got float64"),
         ({"weights": (ones(4, 2),), "biases": ([1.0] * 4,)}, "layer0.bias must be an array of float32, got list"),
         ({"weights": (ones(4, 3),), "biases": (ones(4),)}, r"layer0 must have a weight \(4, 2\)"),
         ({"weights": (ones(5, 2),), "biases": (ones(5),)}, r"layer0 must have a weight \(4, 2\)"),

@@ -42,10 +42,7 @@ WRONG: dict[str, tuple[Any, str]] = {
     "switches": (np.zeros((2, 3), bool), RANGE + "bool of shape (2, 3)"),
     "lists of different lengths": ([[1.0], [1.0, 2.0]], RANGE + "[[1.0], [1.0, 2.0]]"),
     "fractions for discrete ones": (np.zeros((2, 3)), RANGE + "float64 of shape (2, 3)"),
-    "NaN": (
-        with_one(np.nan),
-        "action of away_2 in match 1 by team 'mine' must be finite, got [0.0, nan, 0.0, 0.0]",
-    ),
+    "NaN": (with_one(np.nan), "action of away_2 in match 1 by team 'mine' must be finite, got [0.0, nan, 0.0, 0.0]"),
     "infinity": (with_one(-np.inf, 7), "action of away_2 in match 1 by team 'mine' must be finite, got [0.0, -inf,"),
     "an unknown discrete action": (
         np.array([[0, 1, 2], [3, 12, 4]]),

@@ -138,10 +138,7 @@ def test_what_cannot_be_branched_is_said_and_changes_nothing(given: dict[str, An
     [
         ({"minutes": 3.0}, "minutes 3.0 there, None here$"),
         ({"senses": "ideal", "max_cycles": 9}, "senses ideal there, sensors here; max_cycles 9 there, None here$"),
-        (
-            {"controllers": {"away": "chaser"}},
-            r"teams differ: chaser \(away_0, away_1\) there, sacks-2001 \(",
-        ),
+        ({"controllers": {"away": "chaser"}}, r"teams differ: chaser \(away_0, away_1\) there, sacks-2001 \("),
         ({"home": 3}, "home 3 there, 2 here$"),
         ({"observe": "belief"}, "observe 'belief' there, 'truth' here$"),
     ],

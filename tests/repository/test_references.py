@@ -202,22 +202,13 @@ def test_a_named_mechanism_without_a_row_is_found(tmp_path: Path) -> None:
         ("| MS11 | soccer_env.belief.Ball.closer | tests/belief/test_ball.py::test_nothing |", "no function"),
         ("| MS11 | os.path.join | tests/belief/test_ball.py::test_the_smaller_range_is_taken |", "no function"),
         ("| MS11 | | tests/belief/test_ball.py::test_the_smaller_range_is_taken |", "no function"),
-        (
-            "| MS11 | soccer_env.belief.ball.other | tests/belief/test_ball.py::test_nothing |",
-            "does not name it",
-        ),
+        ("| MS11 | soccer_env.belief.ball.other | tests/belief/test_ball.py::test_nothing |", "does not name it"),
         ("| MS11 | soccer_env.belief.ball.closer | tests/belief/test_ball.py::test_absent |", "no test"),
         ("| MS11 | soccer_env.belief.ball.closer | tests/belief/test_absent.py::test_nothing |", "no test"),
         ("| MS11 | soccer_env.belief.ball.closer | tests/belief/test_ball.py |", "no test"),
         ("| MS11 | soccer_env.belief.ball.closer | tests/belief/test_ball.py::helper |", "no test"),
-        (
-            "| MS11 | soccer_env.belief.ball.closer | tests/belief/test_ball.py::test_nothing |",
-            "does not name it",
-        ),
-        (
-            "| MS57 | soccer_env.belief.ball.closer | tests/belief/test_ball.py::test_nothing |",
-            "is no mechanism",
-        ),
+        ("| MS11 | soccer_env.belief.ball.closer | tests/belief/test_ball.py::test_nothing |", "does not name it"),
+        ("| MS57 | soccer_env.belief.ball.closer | tests/belief/test_ball.py::test_nothing |", "is no mechanism"),
         ("| MS11 | soccer_env.belief.ball.closer |", "not a row"),
     ],
 )

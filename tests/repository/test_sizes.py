@@ -12,10 +12,7 @@ FILES = 16  # of a folder, beside its __init__.py
 GROUND_FLOOR = 32  # files of soccer_env/ itself
 
 # Functions that are longer, each with the lines that it may have. This list may only shrink.
-LONGER = {
-    "agents/sb3_zip.py load_sb3": 43,
-    "train/ppo/vec_env.py __init__": 51,
-}
+LONGER = {"agents/sb3_zip.py load_sb3": 43, "train/ppo/vec_env.py __init__": 51}
 
 
 def files() -> list[Path]:

@@ -55,10 +55,7 @@ def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.Capt
         (["evaluate", "--goals", "3"], "unknown option '--goals'"),
         (["evaluate", "--matchez", "4"], "unknown option '--matchez', did you mean '--matches'? known: --league"),
         (["evaluate", "4"], "'4' belongs to no option; options: --league"),
-        (
-            ["evaluate", "--pose", "percpt"],
-            "unknown --pose 'percpt', did you mean 'percept'? known: ",
-        ),
+        (["evaluate", "--pose", "percpt"], "unknown --pose 'percpt', did you mean 'percept'? known: "),
         (["evaluate", "--minutes", "none"], "--minutes must be a number above 0 and below 10000 or full, got 'none'"),
         (["evaluate", "--matches="], "--matches must be a whole number of at least 2, got ''"),
         (["evaluate", "--anew=yes"], "'yes' belongs to no option"),

@@ -6,9 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from soccer_env.train.papers.claim import (
-    Batch,
-)
+from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.examination import looks_at
 from soccer_env.train.papers.report import row, section
 from soccer_env.train.papers.reproduction import reproduce

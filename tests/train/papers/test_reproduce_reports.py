@@ -9,13 +9,7 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from soccer_env.train.papers.claim import (
-    NO_MATCH,
-    PLAYED,
-    PLAYED_AND_STAGED,
-    STAGED,
-    Batch,
-)
+from soccer_env.train.papers.claim import NO_MATCH, PLAYED, PLAYED_AND_STAGED, STAGED, Batch
 from soccer_env.train.papers.report import row, screen_table
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings

@@ -12,15 +12,7 @@ pytest.importorskip("stable_baselines3")
 
 import torch
 
-from soccer_env.train.ppo.teaching.advice import (
-    BEND,
-    KICK_WEIGHT,
-    KNOWN,
-    WALK_WEIGHT,
-    Adviser,
-    advice_error,
-    advised,
-)
+from soccer_env.train.ppo.teaching.advice import BEND, KICK_WEIGHT, KNOWN, WALK_WEIGHT, Adviser, advice_error, advised
 from soccer_env.train.ppo.teaching.imitation import NO_KICK, record
 
 SETTINGS: dict[str, Any] = {"matches": 3, "seed": 2, "minutes": 0.2}

@@ -45,11 +45,7 @@ def test_it_is_judged_after_every_round_and_the_rounds_are_gone_at_the_end(tmp_p
 @pytest.mark.parametrize("where", ["playing", "fitting", "judging", "keeping"])
 @pytest.mark.parametrize("count", [1, 2])
 def test_a_run_that_is_cut_among_its_rounds_goes_on_as_if_it_had_not_been(
-    tmp_path: Path,
-    tmp_path_factory: pytest.TempPathFactory,
-    monkeypatch: pytest.MonkeyPatch,
-    where: str,
-    count: int,
+    tmp_path: Path, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch, where: str, count: int
 ) -> None:
     owner, name = {
         "playing": (lessons.Lessons, "_round"), "fitting": (lessons.Lessons, "_fit_advice"),

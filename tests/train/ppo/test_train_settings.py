@@ -115,10 +115,7 @@ def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], messa
         ({"opponents": "still,winners"}, "opponents: unknown team 'winners'"),
         ({"opponents": "chaser@2"}, "opponents: strength of team 'chaser@2' must be a number from 0 to 1"),
         ({"opponents": "none.safetensors"}, "opponents: policy file 'none.safetensors'"),
-        (
-            {"opponents": "sacks-2001", "league": "middle-size-2006"},
-            "is for legged leagues, 'middle-size-2006' is",
-        ),
+        ({"opponents": "sacks-2001", "league": "middle-size-2006"}, "is for legged leagues, 'middle-size-2006' is"),
         ({"rules": "leage"}, "unknown rules 'leage', did you mean 'league'"),
         ({"rules": "league:pushed=True"}, "unknown rule 'pushed'"),
         ({"scenes": "kick-off,dribble-past-three"}, "away must be 3 to 3 in scene 'dribble-past-three'"),
