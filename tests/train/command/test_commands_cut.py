@@ -50,14 +50,9 @@ CODES = {"SIGINT": ("130", "0"), "SIGTERM": ("-15", "0"), "SIGKILL": ("-9", "0")
 def cut(name: str, folder: Path, cuts: int, seed: int) -> list[list[str]]:
     """Carry out a command whole, cut, and twice at once; return how its processes ended."""
     asked = [
-        sys.executable,
-        "-m",
-        "tests.train.command.cutting",
-        str(folder),
-        str(cuts),
-        str(seed),
+        sys.executable, "-m", "tests.train.command.cutting", str(folder), str(cuts), str(seed),
         *COMMANDS[name].split(),
-    ]
+    ]  # fmt: skip
     done = subprocess.run(asked, cwd=ROOT, capture_output=True, text=True, timeout=3600, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert "Traceback" not in done.stderr, done.stderr

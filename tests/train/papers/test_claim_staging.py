@@ -108,6 +108,12 @@ def test_stuck_robots_walk_on_the_spot() -> None:
     assert free["rate"].mean() == pytest.approx(-0.12, rel=0.15)
 
 
+def test_teams_play_from_the_kick_off() -> None:
+    match = kick_off(BATCH, matches=2)
+    assert len(list(watch(match, 1.0, settle=1.0))) == 16
+    assert (match.matches["step"] == 32).all() and match.robots.shape == (2, 6)
+
+
 def test_the_true_rate_of_the_distance_is_its_difference() -> None:
     match = stage(BATCH, matches=3)
     put(match, 0, 0.0, 0.0, 0.0, 0.1)
@@ -142,14 +148,6 @@ def test_hidden_balls_have_room_and_somebody_before_them() -> None:
     assert np.isfinite(gap[:, 0]).mean() > 0.9
     assert stands_before(np.array([0.6, 0.0]), np.array([0.35, 0.1]), 0.0)
     assert not stands_before(np.array([0.6, 0.0]), np.array([0.35, 0.2]), 0.0)
-
-
-def test_teams_play_from_the_kick_off() -> None:
-    match = kick_off(BATCH, matches=2)
-    for _ in watch(match, 1.0, settle=1.0):
-        pass
-    assert (match.matches["step"] == 32).all()
-    assert match.robots.shape == (2, 6)
 
 
 DEAR = {  # 5 s of a core and more

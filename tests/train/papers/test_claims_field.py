@@ -3,18 +3,16 @@
 import numpy as np
 import pytest
 
-from soccer_env.baselines.sacks_2001.forces import repulsion
+from soccer_env.baselines.sacks_2001.forces import goal_force, player_force, repulsion, wall_force
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.baselines.sacks_2001.steering import limited
 from soccer_env.train.papers.claim import Batch, as_plain
-from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.claims.field import constants as field_constants
 from soccer_env.train.papers.claims.field import cost as field_cost
 from soccer_env.train.papers.claims.field import forces as field_forces
 from soccer_env.train.papers.claims.field import minima as field_minima
 from soccer_env.train.papers.claims.field import movers as field_movers
-from soccer_env.train.papers.claims.field import numbers
-from soccer_env.train.papers.claims.field import paths as field_paths
-from soccer_env.train.papers.claims.field.point_world import players
+from soccer_env.train.papers.claims.field.point_world import PointWorld, players
 from soccer_env.train.papers.claims.field.points import (
     NO_CUT_OFF,
     SCENES,
@@ -36,19 +34,16 @@ BATCH = Batch("test", 0, 0)
 
 
 def test_a_gap_is_as_wide_as_asked_and_square_if_asked() -> None:
-    gap = gap_ahead(np.random.default_rng(0), 0.45, 0.55, askew=0.0)
-    assert (gap["x"][:, 0] == gap["x"][:, 1]).all()
+    gap, askew = (gap_ahead(np.random.default_rng(0), 0.45, 0.55, **how) for how in ({"askew": 0.0}, {}))
+    assert (gap["x"][:, 0] == gap["x"][:, 1]).all() and np.ptp(askew["x"], axis=1).max() > 0.1
     wide = np.hypot(gap["x"][:, 0] - gap["x"][:, 1], gap["y"][:, 0] - gap["y"][:, 1])
     assert wide.min() >= 0.45 and wide.max() <= 0.55
-    askew = gap_ahead(np.random.default_rng(0), 0.45, 0.55)
-    assert np.ptp(askew["x"], axis=1).max() > 0.1
 
 
 def test_movers_come_for_the_dribbler_or_cross_its_way() -> None:
     rng = np.random.default_rng(1)
-    comes, both, crosses = (
-        make(rng) for make in (field_movers.one_comes, field_movers.one_on_each_side, field_movers.one_crosses)
-    )
+    makers = (field_movers.one_comes, field_movers.one_on_each_side, field_movers.one_crosses)
+    comes, both, crosses = (make(rng) for make in makers)
     speed = np.hypot(comes["vx"], comes["vy"])
     assert speed.min() >= field_movers.SPEEDS[0] and speed.max() <= field_movers.SPEEDS[1]
     assert (comes["vx"] < 0.0).all()
@@ -134,33 +129,59 @@ def test_the_least_value_that_suffices_is_near_the_best() -> None:
 
 
 def test_trouble_is_a_stall_or_a_retreat() -> None:
-    samples = {
-        f"points gap, limit off: {what}": np.array(v)
-        for what, v in (("stalls", [0, 1, 0.0]), ("retreats", [0, 0, 1.0]))
-    }
+    found = {"stalls": [0, 1, 0.0], "retreats": [0, 0, 1.0]}
+    samples = {f"points gap, limit off: {what}": np.array(values) for what, values in found.items()}
     assert field_minima.trouble(samples, "points", "gap", "off").tolist() == [0.0, 1.0, 1.0]
     assert field_minima.share(samples, "points", "off", ("gap",)) == pytest.approx(200.0 / 3.0)
 
 
-def test_the_claims_are_built() -> None:
-    modules = (field_cost, field_forces, numbers, field_paths, field_movers, field_minima, field_constants)
-    built = {claim.id for module in modules for claim in module.CLAIMS}
-    asked = {
-        "S42",
-        "S44",
-        "S45",
-        "S46",
-        "S47",
-        "S48",
-        "S49",
-        "S50",
-        "S53",
-        "S54",
-        "S55",
-        "S56",
-        "S57",
-        "S58",
-        "S65",
-        "S68",
-    }
-    assert built == asked <= set(all_claims())
+def test_ms54_points_go_as_the_teams_own_forces_say() -> None:
+    """Straight on where nobody is; past somebody each step is that of forces and limit, and it keeps clear of him."""
+    alone = PointWorld().run([[-1.0, 0.5]], players([[0.0, -0.9]]))
+    assert alone.arrived[0] and alone.deviation[0] < 1e-9
+    runs = PointWorld().run([[-1.0, 0.0]], players([[0.0, 0.05]]))
+    assert runs.arrived[0] and 0.3 < runs.clearance[0] < 0.6 and runs.deviation[0] > 0.3
+    play = SacksSettings().record()[0]
+    for t in range(runs.steps[0]):
+        x, y = runs.path[t, 0]
+        pull = goal_force(1.6 - x, -y, play)
+        push = player_force(0.0 - x, 0.05 - y, 1.6 - x, -y, play)
+        off = limited(*pull, push[0], push[1] + wall_force(y, 1.0, play), 0.0, play)
+        assert runs.off[t, 0] == pytest.approx(off, abs=1e-9)
+
+
+def test_ms54_players_move_straight_on_or_come_for_the_dribbler() -> None:
+    crowd = players([[0.5, 0.3], [0.8, 0.0]], [[0.0, -0.1], [0.0, 0.0]], [0.0, 0.06])
+    runs = PointWorld().run([[-1.0, 0.0]], crowd, seconds=4.0)
+    assert runs.others[8, 0, 0] == pytest.approx([0.5, -0.1])
+    gap = np.linalg.norm(runs.others[:, 0, 1] - runs.path[:, 0], axis=-1)
+    assert np.diff(gap).max() < -0.05
+    met = PointWorld().run([[0.0, 0.0]], players([[0.1, 0.0]], [[-0.8, 0.0]]), seconds=0.5)
+    assert met.clearance[0] < 0.05  # passed between two decisions
+
+
+def test_ms54_noise_and_false_blobs_are_what_the_robot_sees_not_what_is_there() -> None:
+    start, crowd = np.tile([-1.0, 0.0], (200, 1)), players(np.tile([[0.0, 0.2]], (200, 1, 1)))
+    clean = PointWorld().run(start, crowd)
+    noisy = PointWorld(range_noise=0.1).run(start, crowd, rng=np.random.default_rng(1))
+    blobs = PointWorld(false_blobs=0.3).run(start, crowd, rng=np.random.default_rng(1))
+    assert np.ptp(clean.clearance) == 0.0
+    for runs in (noisy, blobs):
+        assert np.ptp(runs.clearance) > 0.01
+        assert np.nanstd(runs.turns) > 1.5 * np.nanstd(clean.turns)
+        assert (runs.others[0] == clean.others[0]).all()
+
+
+def test_ms54_a_body_that_faces_the_goal_keeps_its_steps_within_the_bodys_limit() -> None:
+    crowd = players([[0.0, 0.25], [0.0, -0.25]])
+    point, body = (PointWorld(body=body).run([[-1.0, 0.01]], crowd) for body in (False, True))
+    assert np.degrees(np.nanmax(np.abs(point.off))) == pytest.approx(70.0)
+    assert np.degrees(np.nanmax(np.abs(body.off))) == pytest.approx(55.0)
+
+
+def test_changes_of_side_are_counted_and_small_ones_are_not() -> None:
+    crowd = players([[0.0, 0.25], [0.0, -0.25]])
+    worlds = (PointWorld(SacksSettings(keep_side=keep)) for keep in (True, False))
+    with_rule, without = (world.run([[-1.2, 0.01]], crowd) for world in worlds)
+    assert with_rule.flips[0] == 0 and without.flips[0] >= 10
+    assert with_rule.retreats[0] == without.retreats[0] == 0

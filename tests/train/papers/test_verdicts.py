@@ -28,28 +28,27 @@ def finding(verdict: str) -> Finding:
     return Finding(verdict, "", 0.0, 0.0, 0.0, verdict, 1)
 
 
-@pytest.mark.parametrize(
-    ("bounds", "low", "high", "verdict"),
-    [
-        ({"at_most": 10.0}, 3.0, 9.0, REPRODUCED),
-        ({"at_most": 10.0}, 3.0, 10.0, REPRODUCED),
-        ({"at_most": 10.0}, 3.0, 10.1, UNDECIDED),
-        ({"at_most": 10.0}, 10.0, 12.0, UNDECIDED),
-        ({"at_most": 10.0}, 10.1, 12.0, NOT),
-        ({"at_least": 3.0}, 3.0, 5.0, REPRODUCED),
-        ({"at_least": 3.0}, 2.0, 2.9, NOT),
-        ({"at_least": 0.45, "at_most": 0.6}, 0.5, 0.59, REPRODUCED),
-        ({"at_least": 0.45, "at_most": 0.6}, 0.61, 0.7, NOT),
-        ({"at_least": 0.45, "at_most": 0.6}, 0.4, 0.7, UNDECIDED),
-        ({"above": 0.0}, 0.1, 0.2, REPRODUCED),
-        ({"above": 0.0}, 0.0, 0.0, NOT),
-        ({"above": 0.0}, 0.0, 0.2, UNDECIDED),
-        ({"below": 0.0}, -2.0, -1.0, REPRODUCED),
-        ({"at_most": 10.0}, -np.inf, np.inf, UNDECIDED),
-    ],
-)
+UNDER_TEN, BETWEEN = {"at_most": 10.0}, {"at_least": 0.45, "at_most": 0.6}
+CASES = [
+    (UNDER_TEN, 3.0, 9.0, REPRODUCED), (UNDER_TEN, 3.0, 10.0, REPRODUCED), (UNDER_TEN, 3.0, 10.1, UNDECIDED),
+    (UNDER_TEN, 10.0, 12.0, UNDECIDED), (UNDER_TEN, 10.1, 12.0, NOT), (UNDER_TEN, -np.inf, np.inf, UNDECIDED),
+    ({"at_least": 3.0}, 3.0, 5.0, REPRODUCED), ({"at_least": 3.0}, 2.0, 2.9, NOT),
+    (BETWEEN, 0.5, 0.59, REPRODUCED), (BETWEEN, 0.61, 0.7, NOT), (BETWEEN, 0.4, 0.7, UNDECIDED),
+    ({"above": 0.0}, 0.1, 0.2, REPRODUCED), ({"above": 0.0}, 0.0, 0.0, NOT), ({"above": 0.0}, 0.0, 0.2, UNDECIDED),
+    ({"below": 0.0}, -2.0, -1.0, REPRODUCED),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("bounds", "low", "high", "verdict"), CASES)
 def test_the_whole_interval_decides(bounds: dict[str, float], low: float, high: float, verdict: str) -> None:
     assert judge(exact("", lambda samples: 0.0, **bounds), low, high) == verdict
+
+
+def test_a_reported_number_decides_nothing_and_an_exact_one_has_no_width() -> None:
+    found = find(reported("median", lambda samples: float(np.median(samples["x"]))), {"x": DRAWS})
+    assert found.verdict == CONTEXT and found.low < found.estimate < found.high
+    found = find(exact("", lambda samples: 3.0, unit="cm", at_most=3.0), {})
+    assert (found.low, found.high, found.verdict) == (3.0, 3.0, REPRODUCED)
 
 
 def test_a_claim_needs_all_of_its_criteria_and_one_violation_is_enough() -> None:
@@ -67,12 +66,6 @@ def test_a_claim_needs_all_of_its_criteria_and_one_violation_is_enough() -> None
 def test_bounds_that_say_nothing_are_refused(bounds: dict[str, float]) -> None:
     with pytest.raises(ValueError, match="bounds are at_least"):
         measured("", lambda samples: 0.0, **bounds)
-
-
-def test_a_reported_number_decides_nothing() -> None:
-    found = find(reported("median", lambda samples: float(np.median(samples["x"]))), {"x": DRAWS})
-    assert found.verdict == CONTEXT
-    assert found.low < found.estimate < found.high
 
 
 def test_units_with_many_frames_are_drawn_whole() -> None:
@@ -138,8 +131,3 @@ def test_a_criterion_says_in_words_where_it_has_to_lie() -> None:
     assert counted("", "hits", "trials", at_most=5.0).asked == "at most 5"
     assert reported("", value).asked == ""
     assert find(exact("", value, at_least=35.0, at_most=55.0), {}).asked == "at least 35 and at most 55"
-
-
-def test_exact_numbers_have_no_width() -> None:
-    found = find(exact("", lambda samples: 3.0, unit="cm", at_most=3.0), {})
-    assert (found.low, found.high, found.verdict) == (3.0, 3.0, REPRODUCED)

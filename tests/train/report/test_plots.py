@@ -74,13 +74,11 @@ def test_a_part_of_a_page_is_whole_takes_its_colours_and_leaves_names_as_they_ar
         assert "<script" not in part
 
 
-def test_quantities_stand_at_the_axes() -> None:
+def test_quantities_stand_at_the_axes_curves_differ_without_colour_and_long_names_are_cut() -> None:
     words = "".join(ElementTree.fromstring(draw_curves(curves(("a",)), form="svg")).itertext())
     assert "range [cm]" in words and "error [cm]" in words and "in the criteria: 1" in words
-
-
-def test_curves_differ_without_colour() -> None:
     assert len(COLOURS) == len(set(COLOURS)) == len(set(MARKERS)) == len(set(map(str, LINES)))
+    assert cut("chaser") == "chaser" and len(cut("x" * 80)) == LONGEST
 
 
 def test_no_matplotlib_no_picture_but_a_word() -> None:
@@ -101,10 +99,6 @@ def test_discs_in_one_place_are_moved_apart_and_others_left() -> None:
     apart = np.hypot(*(moved[:, None] - moved).transpose(2, 0, 1)) + np.eye(11)
     assert apart.min() > 0.19 and (moved[0] == places[0]).all() and np.abs(moved - places).max() < 0.8
     assert (spread(places, 0.2) == moved).all()
-
-
-def test_a_name_is_cut_to_what_fits_over_a_pitch() -> None:
-    assert cut("chaser") == "chaser" and len(cut("x" * 80)) == LONGEST
 
 
 def test_lines_of_a_path_lose_letters_and_digits_and_curves_keep_theirs() -> None:
