@@ -156,11 +156,11 @@ def test_a_save_of_one_match_goes_into_many_rows_of_another(league: str) -> None
     match, planner = played(league), played(league, 17, matches=6)
     saved, kept = match.save(1), planner.state_hash(0)
     planner.load(saved, [1, 3, 5])
-    assert {planner.state_hash(m) for m in (1, 3, 5)} == {match.state_hash(1)}
     assert planner.state_hash(0) == kept
-    go(match, 30, 2)
-    go(planner, 30, 2)
-    assert {planner.state_hash(m) for m in (1, 3, 5)} == {match.state_hash(1)}
+    for _ in range(2):
+        assert {planner.state_hash(m) for m in (1, 3, 5)} == {match.state_hash(1)}
+        go(match, 30, 2)
+        go(planner, 30, 2)
 
 
 def test_a_save_of_some_rows_goes_into_as_many() -> None:

@@ -35,16 +35,12 @@ def test_a_players_memory_is_its_teams_record_of_that_robot() -> None:
     assert team_settings_of(match, 1) is match.squads[0].team.settings  # type: ignore[attr-defined]
 
 
-def test_a_robot_that_is_played_from_outside_has_no_memory() -> None:
-    match = Match("legged-2001", home=1, away=1, opponents="still")
+def test_a_match_without_sensors_has_no_settings_of_them_nor_a_robot_from_outside_a_memory() -> None:
+    for settings_of in (sensors_of, memory_settings_of):
+        with pytest.raises(ValueError, match="nobody in this match uses its sensors"):
+            settings_of(sacks(senses="ideal"))
     with pytest.raises(ValueError, match="robot 0 is played from outside"):
-        memory_of(match, 0)
-
-
-@pytest.mark.parametrize("of", [sensors_of, memory_settings_of])
-def test_a_match_without_sensors_has_no_settings_of_them(of: object) -> None:
-    with pytest.raises(ValueError, match="nobody in this match uses its sensors"):
-        of(sacks(senses="ideal"))  # type: ignore[operator]
+        memory_of(Match("legged-2001", home=1, away=1, opponents="still"), 0)
 
 
 @pytest.mark.parametrize("missed", [0.0, 1.0])

@@ -85,9 +85,6 @@ def in_both_worlds(match, stage, events=False):
     return records
 
 
-# Stages
-
-
 @compiled
 def drive_all(matches, balls, robots, constants, stances, bodies):
     for m in range(len(matches)):
