@@ -30,34 +30,18 @@ from tests.agents.staged_zips import plain_zip, read
 
 SEED, LIMIT, MEMORY = 31, 20, 6 * 2**30  # LIMIT [s] for one file, MEMORY [bytes]
 PIECES = (
-    b"\0" * 8,
-    b"\xff" * 8,
-    b"\x80",
-    b"\x7f\xff\xff\xff",
-    b"[" * 3000,
-    b"1e999",
-    b"9" * 5000,
-    b"NaN",
-    b'"',
-    b"\n",
-    b"{",
-)
+    b"\0" * 8, b"\xff" * 8, b"\x80", b"\x7f\xff\xff\xff", b"[" * 3000, b"1e999", b"9" * 5000, b"NaN", b'"', b"\n", b"{",
+)  # fmt: skip
 ROWS = np.linspace(-1.0, 1.0, 12, dtype=np.float32).reshape(3, 4)
 
 
 def sources(folder: Path) -> dict[str, tuple[bytes, Callable[[Path], Any]]]:
     """Return a good file of each kind by its ending, and what reads it; zips only where torch is installed."""
     nodes = [node("Shape", "x", "s"), node("Reshape", "x s", "r"), node("Gather", "r i", "g", axis=1)]
-    nodes += [
-        node("Concat", "g x", "c", axis=1),
-        node("Slice", "c a b", "d"),
-        node("Softmax", "d", "e"),
-        node("Tile", "e t", "y"),
-    ]
+    nodes += [node("Concat", "g x", "c", axis=1), node("Slice", "c a b", "d")]
+    nodes += [node("Softmax", "d", "e"), node("Tile", "e t", "y")]
     constants = [array("i", 0, 1), array("a", 0, 0), array("b", 3, 4), array("t", 1, 1)]
-    maps = (
-        b'{"home": "a", "away": "b", "maps": {"heat_for": [[1, 2]], "heat_against": 3, "players_for": {}, "pitch": {}}}'
-    )
+    maps = b'{"home": "a", "away": "b", "maps": {"heat_for": [[1, 2]], "heat_against": 3, "players_for": {}}}'
     found: dict[str, tuple[bytes, Callable[[Path], Any]]] = {
         "safetensors": (GOOD, load),
         "onnx": (small(*nodes, constants=constants).SerializeToString(), lambda path: plays(path.read_bytes())),

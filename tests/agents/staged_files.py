@@ -11,22 +11,14 @@ from soccer_env.agents.policy import Policy, trained_in
 from soccer_env.agents.policy_file import KEY, dump, parse
 from soccer_env.leagues import find_league
 
-GOOD = dump(
-    Policy(
-        name="tiny",
-        **trained_in(find_league("legged-2001")),
-        observe="truth",
-        inputs=("ball_x", "ball_y"),
-        actions="box",
-        action_repeat=1,
-        kind="slots",
-        activation="tanh",
-        mirror=False,
-        weights=(np.ones((3, 2), np.float32), np.ones((4, 3), np.float32)),
-        biases=(np.ones(3, np.float32), np.ones(4, np.float32)),
-        made={"seed": "1"},
-    )
-)
+ONES = {"weights": (np.ones((3, 2), np.float32), np.ones((4, 3), np.float32))}
+ONES["biases"] = (np.ones(3, np.float32), np.ones(4, np.float32))
+FIELDS: dict[str, Any] = {
+    "name": "tiny", **trained_in(find_league("legged-2001")), "observe": "truth", "inputs": ("ball_x", "ball_y"),
+    "actions": "box", "action_repeat": 1, "kind": "slots", "activation": "tanh", "mirror": False, **ONES,
+    "made": {"seed": "1"},
+}  # fmt: skip
+GOOD = dump(Policy(**FIELDS))
 LENGTH = int.from_bytes(GOOD[:8], "little")
 HEADER: dict[str, Any] = json.loads(GOOD[8 : 8 + LENGTH])
 TABLE: dict[str, Any] = json.loads(HEADER["__metadata__"][KEY])
