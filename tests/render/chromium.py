@@ -9,7 +9,6 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
@@ -37,19 +36,10 @@ class Chromium:
     def __init__(self, program: str, profile: Path, width: int = 1280, height: int = 800, phone: bool = False) -> None:
         theirs, self._out = os.pipe()
         self._in, answers = os.pipe()
-        command = [
-            sys.executable,
-            "-c",
-            START,
-            str(theirs),
-            str(answers),
-            program,
-            *FLAGS,
-            f"--user-data-dir={profile}",
-        ]
-        self._process = subprocess.Popen(
-            [*command, "about:blank"], pass_fds=(theirs, answers), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-        )
+        command = [sys.executable, "-c", START, str(theirs), str(answers), program, *FLAGS]
+        command += [f"--user-data-dir={profile}", "about:blank"]
+        silent = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        self._process = subprocess.Popen(command, pass_fds=(theirs, answers), **silent)
         os.close(theirs)
         os.close(answers)
         self._heard, self._count, self._session = b"", 0, ""
@@ -136,9 +126,7 @@ class Chromium:
     def __enter__(self) -> "Chromium":
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         os.close(self._out)
         self._process.terminate()
         try:
