@@ -100,7 +100,6 @@ def run(root, code, **variables):
 
 
 def report(root):
-    """Return the results of value, other and chase, and how often each was compiled."""
     numbers = [float(word) for word in run(root, REPORT.format(root=str(root)))[0]]
     return numbers[:3], numbers[3:]
 

@@ -141,7 +141,6 @@ def fuzz(count: int, seed: int = SEED, keep: Path | None = None) -> int:
 
 
 def main(count: int) -> int:
-    """Fuzz, keep what was found in the current folder, and return the exit code."""
     found = fuzz(count, keep=Path())
     print(f"{count} faulty files of policies and settings: {found} findings")
     return int(found > 0)

@@ -38,14 +38,12 @@ def exported(policy: Policy, path: Path, batch: Any = "B", double: bool = False,
 
 
 def node(kind: str, inputs: str, outputs: str, **attributes: Any) -> Any:
-    """Return an operator; names are separated by spaces."""
     import onnx
 
     return onnx.helper.make_node(kind, inputs.split(), outputs.split(), **attributes)
 
 
 def array(name: str, *numbers: Any, kind: Any = np.int64) -> Any:
-    """Return a constant (n,)."""
     import onnx
 
     return onnx.numpy_helper.from_array(np.array(numbers, kind), name)

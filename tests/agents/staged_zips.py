@@ -46,7 +46,6 @@ class Noise(gymnasium.Env):
 
 
 def saved(folder: Path, env: gymnasium.Env, algorithm: Any = None, policy: str = "MlpPolicy", **settings: Any) -> Any:
-    """Return a model of one rollout, saved as model.zip."""
     import stable_baselines3 as sb3
 
     kind = algorithm or sb3.PPO
@@ -58,7 +57,6 @@ def saved(folder: Path, env: gymnasium.Env, algorithm: Any = None, policy: str =
 
 
 def plain_zip(folder: Path) -> Path:
-    """Return a small real zip."""
     saved(folder, Noise(), policy_kwargs={"net_arch": [4]})
     return folder / "model.zip"
 
@@ -93,7 +91,6 @@ def data_of(source: Path, **changes: Any) -> bytes:
 
 
 def pth_of(table: Any) -> bytes:
-    """Return what torch.save writes."""
     import torch
 
     stream = io.BytesIO()
@@ -102,7 +99,6 @@ def pth_of(table: Any) -> bytes:
 
 
 def state_of(source: Path) -> dict[str, Any]:
-    """Return the parameters of a zip."""
     import torch
 
     with zipfile.ZipFile(source) as archive:

@@ -21,7 +21,6 @@ pytest.importorskip("stable_baselines3")
 
 @pytest.fixture(scope="module")
 def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a real zip; tests do not change it."""
     return plain_zip(tmp_path_factory.mktemp("real"))
 
 

@@ -27,7 +27,6 @@ NAMES = ("forward", "left", "turn", "kick")
 
 
 def commanded(match: Match) -> np.ndarray:
-    """Return the commands (M, R, 7) of the last step."""
     command = match.robots["command"]
     return np.stack([command[name] for name in COMMAND.names or ()], axis=-1)
 

@@ -19,7 +19,6 @@ SIZES = [(8,), (64, 64), (33, 7, 12)]
 
 
 def observations(policy: Policy, count: int = 64) -> np.ndarray:
-    """Return observations (count, inputs) float32 in [-1, 1]."""
     return np.random.default_rng(3).uniform(-1.0, 1.0, (count, len(policy.inputs))).astype(np.float32)
 
 

@@ -20,7 +20,6 @@ MADE = {"command": "soccer train --seed 1", "note": 'two\nlines, "quoted", ß'}
 
 
 def policy(*widths: int, inputs: tuple[str, ...] = ("ball_x", "ball_y"), **changes: Any) -> Policy:
-    """Return a small policy whose hidden layers have these widths."""
     outputs = 7 if changes.get("actions") == "full" else 4
     sizes = [len(inputs), *(widths or (3,)), outputs]
     rng = np.random.default_rng(1)

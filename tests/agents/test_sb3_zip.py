@@ -24,7 +24,6 @@ sb3 = pytest.importorskip("stable_baselines3")
 
 
 def actions_of(policy: Policy, observations: np.ndarray) -> np.ndarray:
-    """Return the mean actions of a policy, in plain numpy."""
     values = observations
     squeeze = {"tanh": np.tanh, "relu": lambda x: np.maximum(x, 0.0)}[policy.activation]
     for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases)):
@@ -114,7 +113,6 @@ def test_what_vec_normalize_did_is_done_again(tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a real zip; tests do not change it."""
     return plain_zip(tmp_path_factory.mktemp("real"))
 
 

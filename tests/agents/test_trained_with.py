@@ -85,7 +85,6 @@ def _nothing_told_yet() -> None:
 
 
 def under(rules: str) -> League:
-    """Return the legged league with a rule set."""
     return replace(LEAGUE, rules=rule_set(LEAGUE.rules, rules))
 
 

@@ -14,7 +14,6 @@ SHORT: dict[str, Any] = {"home": 1, "away": 1, "max_cycles": 3, **NESTED}
 
 
 def rested(observations: np.ndarray) -> np.ndarray:
-    """Stand."""
     return np.zeros((*observations.shape[:2], 4))
 
 

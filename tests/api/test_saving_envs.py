@@ -25,7 +25,6 @@ def equal(one: Any, other: Any) -> bool:
 
 
 def drawn(env: Any, count: int) -> list[Any]:
-    """Return random actions of all agents, or of one env."""
     rng = np.random.default_rng(3)
     agents = getattr(env, "possible_agents", None)
     if agents is None:
@@ -34,7 +33,6 @@ def drawn(env: Any, count: int) -> list[Any]:
 
 
 def made(kind: str, **settings: Any) -> Any:
-    """Return an env of one kind."""
     if kind == "parallel":
         return soccer_v0.parallel_env(home=2, away=1, controllers={"away": "chaser"}, **settings)
     if kind == "solo":

@@ -24,11 +24,8 @@ def test_the_validator_of_the_common_data_format_accepts_every_line(found: Colle
     folder = write_standard(found, tmp_path / "x.cdf")
     assert sorted(path.name for path in folder.iterdir()) == sorted(FILES)
     validators = (
-        cdf.MetaSchemaValidator,
-        cdf.MatchSchemaValidator,
-        cdf.TrackingSchemaValidator,
-        cdf.EventSchemaValidator,
-    )
+        cdf.MetaSchemaValidator, cdf.MatchSchemaValidator, cdf.TrackingSchemaValidator, cdf.EventSchemaValidator,
+    )  # fmt: skip
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for name, validator in zip(FILES, validators, strict=True):

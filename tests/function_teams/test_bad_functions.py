@@ -10,7 +10,6 @@ from soccer_env import Match, team_of_function
 
 
 def nothing(observations: np.ndarray) -> np.ndarray:
-    """Stand."""
     return np.zeros((*observations.shape[:-1], 4))
 
 

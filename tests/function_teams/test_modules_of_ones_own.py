@@ -63,7 +63,6 @@ def mine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 
 def forward(**who: Any) -> list[float]:
-    """Return what two robots were told to walk in the first step."""
     match = Match(home=1, away=1, controllers=who, seed=1)
     match.step()
     found: list[float] = match.robots["command"]["forward"][0].tolist()

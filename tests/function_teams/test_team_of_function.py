@@ -28,7 +28,6 @@ def by_numbers(policy: Any) -> Any:
 
 
 def ahead(observations: np.ndarray) -> np.ndarray:
-    """Go straight on."""
     actions = np.zeros((*observations.shape[:-1], 4), np.float32)
     actions[..., 0] = 1.0
     return actions
@@ -135,9 +134,6 @@ def test_tensors_of_torch_are_taken_off_their_graph() -> None:
     match = Match(home=1, away=1, controllers={"home": team, "away": team}, seed=1)
     match.step()
     assert match.robots["command"]["turn"].all()
-
-
-# Memory, saves and copies
 
 
 def test_memory_is_saved_hashed_and_empty_when_an_episode_begins() -> None:

@@ -119,7 +119,6 @@ def played(settings: dict[str, Any], cache: str, seed: int, most: int) -> tuple[
 
 
 def main() -> None:
-    """Interrupt processes until there were so many interrupts."""
     wanted, seed = int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 1
     took: list[float] = []
     expected = None

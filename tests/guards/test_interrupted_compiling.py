@@ -26,8 +26,6 @@ class StopError(Exception):
 
 @pytest.fixture
 def stop() -> Iterator[None]:
-    """Let SIGINT raise."""
-
     def raised(number: int, frame: FrameType | None) -> None:
         raise StopError
 

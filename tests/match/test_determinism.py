@@ -34,7 +34,6 @@ def run(*arguments: str, **environment: str) -> str:
 
 
 def play(match: Match, steps: int, seed: int = 5) -> list[str]:
-    """Play random actions that do not depend on the number of matches; return a hash per step of match 0."""
     rng = np.random.default_rng(seed)
     hashes = []
     for _ in range(steps):

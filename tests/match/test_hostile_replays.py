@@ -36,7 +36,6 @@ def parts_of(content: bytes) -> dict[str, Any]:
 
 
 def packed(parts: dict[str, Any], header: Any = None) -> bytes:
-    """Return the bytes of a replay of some parts, in which another header may stand."""
     told = {} if header is None else {"header": np.frombuffer(json.dumps(header).encode(), np.uint8)}
     file = io.BytesIO()
     np.savez_compressed(file, **parts | told)
@@ -137,7 +136,6 @@ DTYPES = ["u1", "i1", "i8", "f4", "f8", "c16", "S3", "U2", "M8[s]", "?", [("a", 
 
 @pytest.fixture(scope="module")
 def sound(tmp_path_factory: pytest.TempPathFactory) -> bytes:
-    """Return the bytes of a replay of a few steps."""
     match = Match(home=1, away=1, seed=1)
     recorder = Recorder(match)
     for _ in range(2):

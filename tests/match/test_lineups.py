@@ -29,7 +29,6 @@ class Slow:
 
 
 def lineup(*weights: float, names: tuple[str, ...] = NAMES) -> Lineup:
-    """Return a lineup of scripted teams."""
     teams: Any = tuple(make_team(name) for name in names)
     return Lineup(teams, np.array(weights or (1.0,) * len(names)), names)
 
@@ -41,7 +40,6 @@ def pitch(away: Any, home: Any = "chaser", **settings: Any) -> Match:
 
 
 def who_plays(match: Match, side: int = AWAY) -> list[str]:
-    """Return the name of the one team that plays for a side, of each match."""
     squads = [squad for squad in match.squads if (squad.players[0] >= match.settings.rows[0]) == side]
     playing = np.array([squad.plays for squad in squads if squad.plays is not None])
     assert (playing.sum(axis=0) == 1).all()
@@ -49,7 +47,6 @@ def who_plays(match: Match, side: int = AWAY) -> list[str]:
 
 
 def episodes(match: Match, count: int = 4) -> list[list[str]]:
-    """Return who plays in the coming episodes."""
     found = []
     for _ in range(count):
         found.append(who_plays(match))

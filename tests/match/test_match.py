@@ -14,7 +14,6 @@ from tests.scenes.staging import LEAGUES
 
 
 def draw(match: Match, rng: np.random.Generator) -> np.ndarray:
-    """Return random actions for every robot."""
     return rng.uniform(-1.0, 1.0, (match.count, len(match.agents), match.settings.actions.size))
 
 

@@ -39,7 +39,6 @@ class Picture:
 
 
 def stand(match: Match) -> np.ndarray:
-    """Return actions that do nothing."""
     return np.zeros((match.count, len(match.agents), 4))
 
 

@@ -14,7 +14,6 @@ LEAGUES = ("legged-2001", "middle-size-2006")
 
 
 def go(match: Match, steps: int, seed: int) -> str:
-    """Play random actions; return the hash at the end."""
     rng = np.random.default_rng(seed)
     for _ in range(steps):
         match.step(rng.uniform(-1.0, 1.0, (match.count, len(match.agents), match.settings.actions.size)))

@@ -21,7 +21,6 @@ from soccer_env.staging import (
 
 
 def sacks(**settings: object) -> Match:
-    """Return two matches of sacks-2001 (home, 2 robots) against robots that stand (2)."""
     sides = {"home": "sacks-2001", "away": "still"}
     return Match("legged-2001", home=2, away=2, matches=2, seed=4, controllers=sides, pose="percept", **settings)
 

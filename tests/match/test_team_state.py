@@ -59,7 +59,6 @@ def test_a_teams_side_names_its_own_players_first(league: str) -> None:
 
 
 def names(match: Match, side: str) -> list[str]:
-    """Return the names of a state's entries."""
     return [entry.name for entry in match.state_entries(side)]
 
 

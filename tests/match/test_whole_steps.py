@@ -12,7 +12,6 @@ from soccer_env.replay import Recorder
 
 
 def in_a_thread(do: Callable[[], object]) -> list[BaseException]:
-    """Run something in another thread; return what it raised."""
     raised: list[BaseException] = []
 
     def run() -> None:

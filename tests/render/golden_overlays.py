@@ -37,7 +37,6 @@ def past_of(shot: Shot, rate: int, seconds: float) -> list[Shot]:
 
 
 def drawn(cast: Cast, shot: Shot, flags: OverlayFlags, width: int, past: Sequence[Shot] = ()) -> np.ndarray:
-    """Return a frame with its overlays."""
     overlays = overlays_of(flags, cast, shot, [*past], width)
     return Picture(cast.league, width).draw(shot.match, shot.ball, shot.robots, overlays=overlays)
 

@@ -50,7 +50,6 @@ class Told(Scene):
         return goal[:5], goal[5]
 
     def named(self, row: int) -> str:
-        """Return what a player is called."""
         robot = self.match.robots[0, row]
         return f"{COLOURS[int(robot['team'])]} {int(robot['number'])}{' (keeper)' if robot['keeper'] else ''}"
 
@@ -228,7 +227,6 @@ def test_a_page_without_thoughts_says_so_of_the_scorer(tmp_path: Path) -> None:
 
 
 def number(pattern: str, words: str) -> float:
-    """Return the number that a pattern finds."""
     found = re.search(pattern, words)
     assert found is not None, (pattern, words)
     return float(found[1])

@@ -1,4 +1,4 @@
-"""The pages: every Python example runs, every command can be typed, every link leads somewhere."""
+"""The pages: every Python example and the tutorial run, every command can be typed, every link leads somewhere."""
 
 import re
 import sys
@@ -13,7 +13,7 @@ import pytest
 from soccer_env.leagues import LEAGUES
 from soccer_env.match_settings import MatchSettings
 from soccer_env.teams import NAMES
-from soccer_env.train.command.command_line import COMMANDS
+from soccer_env.train.command.command_line import COMMANDS, main
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -22,30 +22,20 @@ else:
 
 ROOT = Path(__file__).parents[2]
 PAGES = (
-    "README.md",
-    "CONTRIBUTING.md",
-    "SECURITY.md",
-    "soccer_env/README.md",
-    "soccer_env/perception/README.md",
-    "baselines/README.md",
-    "baselines/heinemann_2006/README.md",
-    "baselines/sacks_2001/README.md",
-    "baselines/weigel_2001/README.md",
-    "agents/policies/README.md",
-    "train/README.md",
-    "train/MEASURED.md",
-)
-OTHERS = (
-    "CHANGELOG.md",
-    "soccer_env/REFERENCES.md",
-    "train/FROM_ZERO.md",
-)  # linked; tests/repository/test_from_zero.py
+    "README.md", "CONTRIBUTING.md", "SECURITY.md", "soccer_env/README.md", "soccer_env/perception/README.md",
+    "baselines/README.md", "baselines/heinemann_2006/README.md", "baselines/sacks_2001/README.md",
+    "baselines/weigel_2001/README.md", "agents/policies/README.md", "train/README.md", "train/MEASURED.md",
+)  # fmt: skip
+TUTORIAL = "train/FROM_ZERO.md"
+OTHERS = ("CHANGELOG.md", "soccer_env/REFERENCES.md", TUTORIAL)  # linked
 TEXTS = {page: (ROOT / page).read_text(encoding="utf-8") for page in (*PAGES, *OTHERS)}
 EXECUTABLES = {"make", "soccer", "pip", "python", "pytest", "git", "ruff", "mypy"}
 README_LINES = 160
 LISTS = {"soccer_env/README.md": sorted(LEAGUES), "baselines/README.md": sorted(NAMES)}  # what ships
 LINE = 160  # characters of a line that no command and no table needs
 SLOW = ("TrainSettings(", "stable_baselines3")  # examples that take more than five seconds
+SHORTER = {"range(600)": "range(6)", "range(3000)": "range(20)", "matches=20": "matches=2", "range(500)": "range(50)"}
+SHORTER_COMMANDS = {"--matches": "2", "--minutes": "0.1", "--start": "0.5"}
 
 
 class Block(NamedTuple):
@@ -105,6 +95,34 @@ def test_python_example_runs(page: str, block: Block, tmp_path: Path, monkeypatc
     if "import torch" in block.text:
         pytest.importorskip("torch")
     run_block(block, f"{name}_line_{block.line}", tmp_path, monkeypatch)
+
+
+@pytest.mark.slow
+def test_the_tutorial_runs_from_its_first_block_to_its_last(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("torch")
+    pytest.importorskip("pygame")
+    monkeypatch.chdir(tmp_path)
+    session = ModuleType("from_zero")
+    monkeypatch.setitem(sys.modules, "from_zero", session)
+    text = TEXTS[TUTORIAL]
+    parts = [(one.line, language, one.text) for language in ("python", "bash") for one in blocks(text, language)]
+    for line, language, text in sorted(parts):
+        if language == "python":
+            for long, short in SHORTER.items():
+                text = text.replace(long, short)
+            text = text.replace("minutes=1,", "minutes=0.1,")
+            exec(compile("\n" * (line - 1) + text, TUTORIAL, "exec"), session.__dict__)
+        for words in commands(text) if language == "bash" else ():
+            if words[0] == "soccer" and words[1] != "warm-up":
+                shortened = [SHORTER_COMMANDS.get(before, word) for before, word in zip(words, words[1:])]
+                assert main(shortened) == 0, f"{TUTORIAL} line {line}"
+    assert {file.name for file in tmp_path.glob("*.*")} >= {"first.html", "mine.safetensors", "mine.html", "mine.png"}
+    assert (tmp_path / "runs/mine/report.html").is_file()
+
+
+def test_what_the_tutorial_is_shortened_by_stands_in_it() -> None:
+    assert [long for long in SHORTER if long not in TEXTS[TUTORIAL]] == []
+    assert re.search(r"^## 1\. Install", TEXTS[TUTORIAL], re.MULTILINE)
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -209,10 +227,8 @@ not python
 def test_blocks_and_commands_are_found() -> None:
     (shell,) = blocks(EXAMPLE, "bash")
     assert commands(shell.text) == [
-        ["make", "match"],
-        ["soccer", "evaluate", "--out", "runs/x"],
-        ["rm", "-rf", "runs/x"],
-    ]
+        ["make", "match"], ["soccer", "evaluate", "--out", "runs/x"], ["rm", "-rf", "runs/x"],
+    ]  # fmt: skip
     (example,) = blocks(EXAMPLE, "python")
     assert example.line == 12
     assert example.text.startswith("from dataclasses")

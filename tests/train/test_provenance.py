@@ -28,7 +28,6 @@ class Own:
 
 @compiled
 def walk(memory, noise, command, k, settings):  # type: ignore[no-untyped-def]
-    """Walk on."""
     command.forward = settings.strength
 
 

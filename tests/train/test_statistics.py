@@ -121,7 +121,6 @@ def drawn() -> Samples:
 
 
 def lines_of(found: Samples) -> list[dict[str, Any]]:
-    """Return the statistics of matches, as an evaluation has them."""
     empty = dict.fromkeys([name for name, _ in named()], 0) | {"spell_lengths_against": [0] * BINS}
     return [
         {
@@ -133,8 +132,6 @@ def lines_of(found: Samples) -> list[dict[str, Any]]:
 
 
 def evaluated(name: str) -> Callable[[Samples], Reported]:
-    """Return an estimate of the result of an evaluation."""
-
     def report(found: Samples) -> Reported:
         lines = [
             MatchLine(2 * p + i, p, 0, "", max(goals, 0), max(-goals, 0), 0, "", "")
@@ -149,8 +146,6 @@ def evaluated(name: str) -> Callable[[Samples], Reported]:
 
 
 def of_play(name: str) -> Callable[[Samples], Reported]:
-    """Return a statistic of play of an evaluation."""
-
     def report(found: Samples) -> Reported:
         total = totals(lines_of(found))[name]
         assert total.value is not None and total.low is not None and total.high is not None

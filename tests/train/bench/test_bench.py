@@ -161,7 +161,6 @@ def script(tmp_path: Path) -> Path:
 
 
 def checkout(folder: Path, *files: str) -> Path:
-    """Make what looks like a checkout."""
     for name in ("soccer_env/__init__.py", *files):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text("WHERE = __file__\n", encoding="utf-8")

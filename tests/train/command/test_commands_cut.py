@@ -59,16 +59,12 @@ def cut(name: str, folder: Path, cuts: int, seed: int) -> list[list[str]]:
     return [line.split() for line in done.stdout.splitlines()]
 
 
-# What a run leaves
-
-
 def contents(folder: Path) -> dict[str, Any]:
     """Return what a run has left, by the names of its files: text and bytes without dates, lines in order."""
     return {str(path): content(folder / path, folder, data) for path, data in visible(folder).items()}
 
 
 def content(path: Path, folder: Path, data: bytes) -> Any:
-    """Return what a file holds, from its bytes."""
     if path.suffix == ".pt":
         return checkpoint(path)
     if path.name == "latest.json":
@@ -84,14 +80,12 @@ def content(path: Path, folder: Path, data: bytes) -> Any:
 
 
 def columns(table: str) -> list[list[str]]:
-    """Return the rows of a table without its columns of seconds."""
     rows = [line.split(",") for line in table.splitlines()]
     kept = [index for index, name in enumerate(rows[0]) if not name.startswith("seconds")]
     return [[row[index] for index in kept] for row in rows]
 
 
 def checkpoint(path: Path) -> Any:
-    """Return all values of a checkpoint, whose bytes also tell which of them were one object."""
     import torch
 
     def plain(value: Any) -> Any:
@@ -105,7 +99,6 @@ def checkpoint(path: Path) -> Any:
 
 
 def differences(one: dict[str, Any], other: dict[str, Any]) -> list[str]:
-    """Return the names of the files that differ."""
     return [name for name in sorted({*one, *other}) if one.get(name) != other.get(name)]
 
 

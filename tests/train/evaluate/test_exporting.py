@@ -90,7 +90,6 @@ def result(**maps: Any) -> dict[str, Any]:
 
 
 def export(folder: Path, record: Any, name: str = "x.png") -> int:
-    """Return the exit code of drawing a record."""
     (folder / "result.json").write_text(json.dumps(record))
     return main(["export", str(folder / "result.json"), "--maps", "--out", str(folder / name)])
 

@@ -33,7 +33,6 @@ def folder(finished: Path, tmp_path: Path) -> Path:
 
 
 def changed(folder: Path, match: int, change: Callable[[dict[str, Any]], None]) -> None:
-    """Change the line of a match."""
     lines = [json.loads(line) for line in (folder / "matches.jsonl").read_text().splitlines()]
     for line in lines:
         if line["match"] == match:

@@ -77,7 +77,6 @@ def test_a_field_is_drawn_with_its_arrows() -> None:
 
 
 def runs_of(x: list[float], off: list[float], touches: list[int], goal: list[int] | None = None) -> RobotRuns:
-    """Return one run of a robot on the middle line."""
     column = np.array(x)[:, None]
     none, flags = np.zeros_like(column), np.array(touches, bool)[:, None]
     scored = np.zeros_like(flags) if goal is None else np.array(goal, bool)[:, None]

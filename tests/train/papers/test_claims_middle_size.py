@@ -90,9 +90,6 @@ def test_the_ball_and_player_of_the_scene_stay_on_the_field() -> None:
     assert seen["light"].max() == 0.0
 
 
-# Scenes
-
-
 def test_a_crossing_meets_the_straight_way_when_the_robot_would_be_there_or_nearly() -> None:
     for scene in runs.scenes_of(BATCH, runs.CROSSING, 50):
         (x, y, vx, vy), robot = scene.obstacles[0], np.array(scene.robot)
@@ -122,9 +119,6 @@ def test_a_wall_stands_across_the_way() -> None:
         straight = np.linspace(scene.robot, scene.target, 200)
         gaps = [np.hypot(*(straight - one[:2]).T).min() for one in scene.obstacles]
         assert min(gaps) < 0.3
-
-
-# What is measured of plans and travels
 
 
 def test_the_side_on_which_an_obstacle_is_passed() -> None:
@@ -157,9 +151,6 @@ def test_t_is_never_below_that_of_the_straight_line_and_without_velocities_paths
     assert plans.same_paths(BATCH)["same"].all() and not plans.same_paths(BATCH, still=False)["same"].all()
 
 
-# Places of the goalkeeper
-
-
 def test_the_open_angle_in_closed_form() -> None:
     goal, half = -6.0, 1.0 - 0.11
     ball, far = np.array([[goal + 4.0, 0.0]]), np.array([[5.0, 3.0]])
@@ -174,9 +165,6 @@ def test_the_perpendicular_is_no_longer_than_the_way_to_the_crossing() -> None:
     found = places.ways(BATCH)
     assert (found["perpendicular"] <= found["crossing"] + 1e-9).all()
     assert (places.ways(BATCH, waits=True)["perpendicular"] >= found["perpendicular"] - 1e-9).all()
-
-
-# Shares
 
 
 def test_goals_and_benefits_are_counted() -> None:

@@ -27,7 +27,6 @@ def curriculum(past: int = 0, names: tuple[str, ...] = NAMES) -> Curriculum:
 
 
 def results(opponent: str, points: list[float]) -> list[Result]:
-    """Return episodes with that outcome: 1 won, 0.5 drawn, 0 lost."""
     return [Result((1, 1), opponent, int(share == 1.0), int(share == 0.0)) for share in points]
 
 

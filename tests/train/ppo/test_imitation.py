@@ -29,7 +29,6 @@ NAMES = [entry.name for entry in ENTRIES]
 
 @pytest.fixture(scope="module")
 def recorded() -> Rows:
-    """Return 40 decisions of 2 chasers in 4 matches."""
     return record("chaser", "still", (2, 1), 40, 8, **SETTINGS)
 
 
@@ -47,7 +46,6 @@ def commands(repeat: int, decisions: int) -> np.ndarray:
 
 
 def network(mirror: bool = False, seed: int = 1) -> SoccerPolicy:
-    """Return an actor of 16 units for what was recorded."""
     torch.manual_seed(seed)
     seen, done = spaces.Box(-1.0, 1.0, (len(NAMES),), np.float32), spaces.Box(-1.0, 1.0, (4,), np.float32)
     return SoccerPolicy(seen, done, lambda _: 1e-3, entries=ENTRIES, hidden=(16,), critic=(16,), mirror=mirror)

@@ -22,7 +22,6 @@ ROOT = Path(__file__).parents[3]
 
 
 def opened(settings: TrainSettings) -> RunFolder:
-    """Return the folder of a run, unlocked again."""
     folder = RunFolder(settings)
     folder.close()
     return folder

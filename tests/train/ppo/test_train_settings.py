@@ -163,7 +163,6 @@ def test_no_part_of_a_rollout_is_a_scrap(decisions: int, batch: int) -> None:
 
 
 def from_words(command: str) -> TrainSettings:
-    """Return the settings that the command line makes of a command."""
     words = shlex.split(command)
     assert words[:2] == ["soccer", "train"]
     return read_settings(TrainSettings, words[2:], "train", TrainSettings())

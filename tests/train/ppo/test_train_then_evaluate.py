@@ -21,7 +21,6 @@ AGAINST = ["--away", "still", "--players", "1", "--matches", "2", "--minutes", "
 
 
 def saved(folder: Path, **settings: Any) -> str:
-    """Return the path of a zip that PPO saved after a moment in a SoccerVecEnv."""
     rows = SoccerVecEnv(players=[(1, 1)], matches=2, opponents="still", minutes=0.1, **settings)
     model = sb3.PPO("MlpPolicy", rows, n_steps=8, batch_size=8, n_epochs=1, seed=1, device="cpu").learn(16)
     model.save(folder / "mine.zip")
@@ -29,7 +28,6 @@ def saved(folder: Path, **settings: Any) -> str:
 
 
 def evaluated(home: str, *words: str) -> int:
-    """Return the exit code of `soccer evaluate`."""
     return main(["evaluate", "--home", home, *AGAINST, *words])
 
 

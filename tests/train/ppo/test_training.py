@@ -254,7 +254,6 @@ def started(words: list[str], out: Path, rollouts: int) -> Iterator[subprocess.P
 
 
 def rollouts_of(out: Path) -> int:
-    """Return how many rollouts a run has logged."""
     return (out / "log.jsonl").read_bytes().count(b"\n") if (out / "log.jsonl").exists() else 0
 
 

@@ -226,7 +226,6 @@ def test_a_goal_that_ends_the_episode_is_no_time_limit_and_ends_its_match_alone(
 
 
 def shoot(match: Match, m: int) -> None:
-    """Let the ball of match m roll into the goal that home attacks."""
     half = match.league.pitch.length / 2.0
     match.balls["x"][m], match.balls["y"][m], match.balls["vx"][m] = half - 0.2, 0.0, 2.0
     for r in range(len(match.agents)):

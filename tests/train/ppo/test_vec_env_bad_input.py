@@ -26,7 +26,6 @@ def hashes(env: Any) -> list[str]:
 
 
 def with_one(value: float, row: int = 0) -> np.ndarray:
-    """Return actions of which one number is something else."""
     actions = np.zeros((COUNT, 4))
     actions[row, 2] = value
     return actions
@@ -92,12 +91,10 @@ def test_an_error_in_code_of_a_user_moves_no_block() -> None:
 
 
 def pickled(one: Any) -> Any:
-    """Return what pickle makes of something."""
     return pickle.loads(pickle.dumps(one))
 
 
 def clouded(one: Any) -> Any:
-    """Return what cloudpickle makes of something."""
     return pickle.loads(pytest.importorskip("cloudpickle").dumps(one))
 
 

@@ -23,7 +23,6 @@ from soccer_env.train.papers.settings import ReproduceSettings
 
 
 def rows_of(text: str) -> dict[str, list[str]]:
-    """Return the cells of each row of a table by the first."""
     lines = [line.strip("|").split(" | ") for line in text.splitlines() if line.startswith("|")]
     return {cells[0].strip(): [cell.strip() for cell in cells] for cells in lines}
 
