@@ -8,27 +8,18 @@ import gymnasium
 import numpy as np
 import pytest
 
-from soccer_env import Match, soccer_v0
+from soccer_env import Match, match_settings, soccer_v0
 from soccer_env.api.gymnasium_vector import SoccerVectorEnv
 from soccer_env.gymnasium_envs import SoloSoccer
-from soccer_env.match_settings import (
-    FREE,
-    REPLAYED,
-    EnvArguments,
-    MatchArguments,
-    MatchSettings,
-    SoloArguments,
-    VectorArguments,
-)
 from soccer_env.settings import make_settings
 
 APIS = [
-    (Match, Match.__init__, MatchArguments),
-    (soccer_v0.parallel_env, soccer_v0.parallel_env, EnvArguments),
-    (soccer_v0.env, soccer_v0.env, EnvArguments),
-    (soccer_v0.raw_env, soccer_v0.raw_env, EnvArguments),
-    (SoloSoccer, SoloSoccer.__init__, SoloArguments),
-    (SoccerVectorEnv, SoccerVectorEnv.__init__, VectorArguments),
+    (Match, Match.__init__, match_settings.MatchArguments),
+    (soccer_v0.parallel_env, soccer_v0.parallel_env, match_settings.EnvArguments),
+    (soccer_v0.env, soccer_v0.env, match_settings.EnvArguments),
+    (soccer_v0.raw_env, soccer_v0.raw_env, match_settings.EnvArguments),
+    (SoloSoccer, SoloSoccer.__init__, match_settings.SoloArguments),
+    (SoccerVectorEnv, SoccerVectorEnv.__init__, match_settings.VectorArguments),
 ]
 
 
@@ -36,7 +27,7 @@ APIS = [
 def test_signature_and_help_show_every_setting_with_its_default(api: Any, explained: Any, kind: Any) -> None:
     shown = inspect.signature(api).parameters
     assert {name: parameter.default for name, parameter in shown.items()} == {x.name: x.default for x in fields(kind)}
-    assert {x.name for x in fields(MatchSettings)} <= set(shown)
+    assert {x.name for x in fields(match_settings.MatchSettings)} <= set(shown)
     text = " ".join(explained.__doc__.split())
     for item in fields(kind):
         assert f"{item.name} = {item.default!r}: {item.metadata['text']}." in text
@@ -63,12 +54,12 @@ def test_what_is_free_changes_no_fingerprint_and_the_rest_does() -> None:
         "episode": "goal", "rewards": "sparse", "placement": "drive", "keeper": 1,
         "minutes": 3.0, "action_repeat": 2, "max_cycles": 9, "state_side": "away",
     }  # fmt: skip
-    usual = make_settings(MatchSettings()).fingerprint()
-    for name in {item.name for item in fields(MatchSettings)} - {"rules", "scene"}:
-        changed = make_settings(MatchSettings(**{name: other[name]})).fingerprint()
-        free = name in FREE and name != "max_cycles"  # the limit in control steps counts
+    usual = make_settings(match_settings.MatchSettings()).fingerprint()
+    for name in {item.name for item in fields(match_settings.MatchSettings)} - {"rules", "scene"}:
+        changed = make_settings(match_settings.MatchSettings(**{name: other[name]})).fingerprint()
+        free = name in match_settings.FREE and name != "max_cycles"  # the limit in control steps counts
         assert (changed == usual) == free, name
-    assert {"home", "away", "keeper", "minutes"} <= set(REPLAYED)
+    assert {"home", "away", "keeper", "minutes"} <= set(match_settings.REPLAYED)
 
 
 BAD_SETTINGS = [

@@ -12,19 +12,8 @@ from soccer_env.train.papers.claims.field import cost as field_cost
 from soccer_env.train.papers.claims.field import forces as field_forces
 from soccer_env.train.papers.claims.field import minima as field_minima
 from soccer_env.train.papers.claims.field import movers as field_movers
+from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import PointWorld, players
-from soccer_env.train.papers.claims.field.points import (
-    NO_CUT_OFF,
-    SCENES,
-    START,
-    TOUCH,
-    UNIT,
-    WALL_UNIT,
-    force_arrows,
-    gap_ahead,
-    one_ahead,
-    starts,
-)
 from soccer_env.train.papers.claims.field.robots import RobotRuns, filled, run_robots
 from soccer_env.train.papers.dribble_runs import Way
 from soccer_env.train.papers.report import figure_table
@@ -34,7 +23,7 @@ BATCH = Batch("test", 0, 0)
 
 
 def test_a_gap_is_as_wide_as_asked_and_square_if_asked() -> None:
-    gap, askew = (gap_ahead(np.random.default_rng(0), 0.45, 0.55, **how) for how in ({"askew": 0.0}, {}))
+    gap, askew = (points.gap_ahead(np.random.default_rng(0), 0.45, 0.55, **how) for how in ({"askew": 0.0}, {}))
     assert (gap["x"][:, 0] == gap["x"][:, 1]).all() and np.ptp(askew["x"], axis=1).max() > 0.1
     wide = np.hypot(gap["x"][:, 0] - gap["x"][:, 1], gap["y"][:, 0] - gap["y"][:, 1])
     assert wide.min() >= 0.45 and wide.max() <= 0.55
@@ -49,20 +38,22 @@ def test_movers_come_for_the_dribbler_or_cross_its_way() -> None:
     assert (comes["vx"] < 0.0).all()
     assert (both["vx"][:, 0] == 0.0).all() and (both["y"][:, 0] * both["y"][:, 1] < 0.0).all()
     when = -crosses["y"] / crosses["vy"]
-    straight_on = (crosses["x"] + when * crosses["vx"] - START) / 0.07
+    straight_on = (crosses["x"] + when * crosses["vx"] - points.START) / 0.07
     assert np.abs(when - straight_on).max() <= 3.0 + 1e-9
 
 
 def test_exponents_are_matched_where_the_papers_force_is_one() -> None:
-    assert pytest.approx(0.444, abs=1e-3) == UNIT
+    assert pytest.approx(0.444, abs=1e-3) == points.UNIT
     for exponent in field_forces.EXPONENTS:
-        assert field_forces.matched_gain(exponent) * (1.0 / UNIT - 1.0) / UNIT ** (exponent - 1) == pytest.approx(1.0)
+        assert field_forces.matched_gain(exponent) * (1.0 / points.UNIT - 1.0) / points.UNIT ** (
+            exponent - 1
+        ) == pytest.approx(1.0)
     samples = field_forces.matched_exponents(BATCH)
-    assert np.nanmin(samples["onset"]) > TOUCH and np.nanmax(samples["onset"]) < 1.0
+    assert np.nanmin(samples["onset"]) > points.TOUCH and np.nanmax(samples["onset"]) < 1.0
 
 
 def test_arrows_point_to_the_goal_where_nobody_is() -> None:
-    arrows = force_arrows(players([[0.0, 0.0]]), SacksSettings())
+    arrows = points.force_arrows(players([[0.0, 0.0]]), SacksSettings())
     far = [i for i, (x, y) in enumerate(zip(arrows.x, arrows.y, strict=True)) if np.hypot(x, y) > 1.0 and abs(y) < 0.6]
     for i in far:
         angle = np.arctan2(-arrows.y[i], 1.6 - arrows.x[i])
@@ -100,20 +91,20 @@ def test_planning_is_weighed_by_one_decision_in_eight_frames() -> None:
 
 
 def test_a_force_without_cut_off_is_matched_where_the_papers_is_one() -> None:
-    for changes in ({}, NO_CUT_OFF):
+    for changes in ({}, points.NO_CUT_OFF):
         play = SacksSettings(**changes).record()[0]
-        assert repulsion(UNIT, play["player_gain"], play["player_range"], play) == pytest.approx(1.0)
-        assert repulsion(WALL_UNIT, play["wall_gain"], play["wall_range"], play) == pytest.approx(1.0)
+        assert repulsion(points.UNIT, play["player_gain"], play["player_range"], play) == pytest.approx(1.0)
+        assert repulsion(points.WALL_UNIT, play["wall_gain"], play["wall_range"], play) == pytest.approx(1.0)
 
 
 def test_robots_play_the_scenes_that_points_play() -> None:
     rng = BATCH.rng()
-    start, crowd = starts(rng)[:4], one_ahead(rng, 0.0, 0.25)[:4]
+    start, crowd = points.starts(rng)[:4], points.one_ahead(rng, 0.0, 0.25)[:4]
     runs = run_robots(BATCH, start, crowd)
     assert runs.way.x[0] == pytest.approx(start[:, 0], abs=0.02)
     assert np.isfinite(runs.off).mean() > 0.7 and runs.arrived.any()
     values = filled(runs.is_clean)
-    assert len(values) == SCENES and np.isfinite(values).sum() == 4
+    assert len(values) == points.SCENES and np.isfinite(values).sum() == 4
 
 
 def test_the_least_value_that_suffices_is_near_the_best() -> None:
