@@ -116,14 +116,11 @@ def test_nothing_is_written_over(folder: Path, tmp_path: Path, name: str, capsys
     assert main(["export", source, "--out", str(out), "--anew"]) == 0
 
 
-def test_a_folder_of_other_things_is_not_written_into(folder: Path, tmp_path: Path, capsys: Any) -> None:
+def test_folders_of_other_things_and_without_replays_are_refused(folder: Path, tmp_path: Path, capsys: Any) -> None:
     (tmp_path / "x.cdf").mkdir()
     (tmp_path / "x.cdf" / "mine").touch()
     assert main(["export", str(folder / "one.replay"), "--out", str(tmp_path / "x.cdf"), "--anew"]) == 2
     assert "other files" in capsys.readouterr().err
-
-
-def test_a_folder_without_replays_is_refused(tmp_path: Path, capsys: Any) -> None:
     assert main(["export", str(tmp_path), "--out", str(tmp_path / "x.csv")]) == 2
     assert "there are no replays" in capsys.readouterr().err
 
