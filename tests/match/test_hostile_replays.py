@@ -263,7 +263,7 @@ class Trap:
 def test_a_page_escapes_names_that_came_from_a_file(recorded: Path, tmp_path: Path) -> None:
     hostile = '</script><script>alert("&")</script><b onclick=x>'
     named = forged(recorded, setting(teams={"home_0": hostile, "away_0": "\u2028" + hostile}))
-    page, plain = (Replay.read(path).html(tmp_path / "x.html").read_text() for path in (named, recorded))
+    page, plain = (Replay.read(path).html(path.with_suffix(".html")).read_text() for path in (named, recorded))
     assert hostile not in page and "<b onclick" not in page and "alert(" in page
     assert page.count("<script") == plain.count("<script")
 

@@ -46,13 +46,10 @@ def test_play_is_live_and_spread_over_time() -> None:
     assert np.abs(load.match.robots["vx"]).mean() > 0.1
 
 
-def test_the_reference_scene_is_the_one_of_the_issue() -> None:
+def test_the_reference_scene_is_the_one_of_the_issue_and_nothing_leaves_it() -> None:
     space = reference.reference_space(np.random.default_rng(0))
     assert len(space.bodies) == len(space.static_body.shapes) == 7
     assert (space.iterations, reference.REFERENCE_SUBSTEPS) == (10, 8)
-
-
-def test_nothing_leaves_the_reference_scene() -> None:
     load = bench_loads.ReferenceFloor(4, 0)
     assert load.sample(1000) > 0.0
     reference.read_slice(load.batch.links, 0, 4)
@@ -195,13 +192,10 @@ def test_a_slower_checkout_is_found_out_and_missing_rows_are_named(script: Path,
     assert table.row_count == 2 and "new: only here" in str(table.caption)
 
 
-def test_the_interval_of_equal_rows_holds_1_as_often_as_it_says() -> None:
+def test_slower_and_faster_are_said_only_where_the_interval_says_so_which_holds_1_for_equal_rows() -> None:
     rng = np.random.default_rng(3)
     ratios = [against.ratio_of("x", list(zip(*rng.lognormal(0.0, 0.1, (2, 22)).tolist()))) for _ in range(40)]
     assert np.mean([ratio.verdict == "" for ratio in ratios]) >= 0.85, "95 % in the long run"
-
-
-def test_slower_and_faster_are_said_only_where_the_interval_says_so() -> None:
     sure = [(1.2 + 0.01 * n, 1.0 + 0.01 * n) for n in range(9)]
     assert against.ratio_of("x", sure).verdict == "slower"
     assert against.ratio_of("x", [(b, a) for a, b in sure]).verdict == "faster"

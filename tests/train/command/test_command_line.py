@@ -35,12 +35,11 @@ def test_what_needs_nothing_imports_nothing(words: list[str], tmp_path: Path) ->
     assert heavy_after(words, tmp_path)[1] == "[]"
 
 
-def test_help_of_a_command_compiles_nothing(tmp_path: Path) -> None:
+def test_help_names_every_command_that_is_built_and_compiles_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     printed, heavy = heavy_after(["evaluate", "--help"], tmp_path)
     assert "--matches" in printed and "numba" not in heavy and "torch" not in heavy
-
-
-def test_help_names_every_command_and_none_that_is_not_built(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--help"]) == 0
     text = capsys.readouterr().out
     assert set(command_line.SUMMARIES) == set(command_line.COMMANDS)

@@ -91,14 +91,11 @@ def test_a_swapped_evaluation_is_the_negative() -> None:
     assert there.goal_difference.low == pytest.approx(-back.goal_difference.high, abs=0.1)
 
 
-def test_order_of_the_lines_is_of_no_account() -> None:
+def test_order_of_the_lines_is_of_no_account_but_missing_matches_are_refused() -> None:
     ordered = lines([(3, 0), (1, 1), (0, 2), (2, 1)])
     one, other = (summarise(conditions(4), MADE, chosen) for chosen in (ordered, ordered[::-1]))
     assert one == other
     assert markdown(one, ABOUT) == markdown(other, ABOUT)
-
-
-def test_missing_and_extra_matches_are_refused() -> None:
     with pytest.raises(ValueError, match="expected matches 0 to 3, got 2 lines"):
         summarise(conditions(4), MADE, lines([(1, 0), (1, 0)]))
 

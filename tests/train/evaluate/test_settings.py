@@ -19,13 +19,10 @@ from tests.agents.staged_policies import lively
 LEGGED, MIDDLE = find_league("legged-2001"), find_league("middle-size-2006")
 
 
-def test_what_is_left_open_comes_from_the_league() -> None:
+def test_what_is_left_open_comes_from_the_league_full_is_both_halves_and_team_sizes_may_differ() -> None:
     legged, middle = conditions_of(EvaluateSettings(), LEGGED), conditions_of(EvaluateSettings(), MIDDLE)
     assert (legged.minutes, legged.players, legged.placement) == (10.0, (3, 3), "instant")
     assert (middle.minutes, middle.players, middle.placement) == (4.0, (5, 5), "drive")
-
-
-def test_full_is_both_halves_and_team_sizes_may_differ() -> None:
     assert conditions_of(EvaluateSettings(minutes="full"), LEGGED).minutes == 2 * LEGGED.rules.half_minutes
     assert conditions_of(EvaluateSettings(players="3v5"), LEGGED).players == (3, 5)
     assert conditions_of(EvaluateSettings(players=4), LEGGED).players == (4, 4)
