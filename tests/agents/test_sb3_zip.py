@@ -157,12 +157,9 @@ def test_other_policies_are_refused(tmp_path: Path) -> None:
     refuses(tmp_path / "cnn.zip", f"'.*features_extractor.* {supported}")
 
 
-def test_other_widths_are_refused(plain: Path, tmp_path: Path) -> None:
+def test_other_widths_and_wrong_arguments_are_refused(plain: Path, tmp_path: Path) -> None:
     refuses(plain, f"takes {INPUTS} inputs, 'belief' of 'legged-2001' has 93", observe="belief")
     refuses(plain, f"takes {INPUTS} inputs, 'truth' of 'middle-size-2006' has 101", league="middle-size-2006")
-
-
-def test_wrong_arguments_are_refused(plain: Path) -> None:
     for changes in ({"league": "none"}, {"observe": "all"}, {"activation": "gelu"}, {"action_repeat": 0}, {"name": ""}):
         with pytest.raises(ValueError, match=f"{next(iter(changes))}"):
             read(plain, **changes)

@@ -109,11 +109,8 @@ def test_other_rules_are_told_once_with_both_names_and_each_rule_that_differs(ca
     assert told == "pushing (on, off), illegal_defender (off, on), holding_time (5, 3)"
 
 
-def test_how_long_a_match_lasts_is_no_rule() -> None:
+def test_rules_that_came_later_or_went_are_named_and_how_long_a_match_lasts_is_none() -> None:
     assert rules_known.differences(recorded(LEAGUE.rules), replace(LEAGUE.rules, half_minutes=1.0)) == []
-
-
-def test_rules_that_came_later_or_went_are_named() -> None:
     known = {**recorded(LEAGUE.rules), "offside": True}
     del known["pushing"]
     found = rules_known.differences(known, rule_set(LEAGUE.rules, "league:pushing=True"))

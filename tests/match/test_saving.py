@@ -173,7 +173,7 @@ def test_a_forged_save_is_refused(records: str, field: str, value: float) -> Non
     match, forged = Match(home=1, away=1, seed=1), Match(home=1, away=1, seed=1)
     getattr(forged, records)[field] = value
     before = match.state_hash()
-    with pytest.raises(ValueError, match=f"{field} of {records} is out of range"):
+    with pytest.raises(ValueError, match=f"{field} of {records} is (out of range|not that of the match)"):
         match.load(saving.dump(forged))
     assert match.state_hash() == before
 

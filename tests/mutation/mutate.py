@@ -6,9 +6,8 @@
     python tests/mutation/mutate.py --mechanisms MS12 MH06          switch those of the papers off instead; or all
 
 A mutant takes one to two minutes of a core, one that lives about five. Each gets a line in FILE, as JSON. Tests about
-the file are asked first, then the quick ones (related.py). What does not import or compile says nothing: another is
-drawn. Libraries that mutate (mutmut, cosmic-ray, mutatest) do not serve: the first calls each variant through a
-trampoline, which numba cannot compile, and the others neither keep compiled code between mutants nor know these slips.
+the file are asked first, then the quick ones (related.py). What does not import or compile says nothing. mutmut's
+variants cannot be compiled by numba; cosmic-ray and mutatest keep no compiled code, nor do they know these slips.
 """
 
 from __future__ import annotations
@@ -57,7 +56,7 @@ def drawn(asked: argparse.Namespace) -> Iterator[tuple[Row, str]]:
     """Yield the mutants of a draw, each as a row and the text of its file; those that change nothing are left out."""
     for site in sites.draw(ROOT, asked.seed, asked.only):
         other = site.replacement(asked.seed)
-        row = {"id": site.rank(asked.seed)[:16], "seed": asked.seed, "file": site.file, "line": site.place.first_line}
+        row = {"id": site.rank(asked.seed)[:16], "seed": asked.seed, "file": site.file, "line": site.node.lineno}
         row |= {"function": site.function, "kind": site.kind, "original": site.original, "replacement": other}
         with contextlib.suppress(ValueError, SyntaxError):
             yield row, sites.changed((ROOT / site.file).read_text(encoding="utf-8"), site, other)

@@ -15,9 +15,9 @@ import subprocess
 import sys
 import threading
 import time
+from collections import namedtuple
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
 
 from soccer_env.compiling.cache import folders
 from soccer_env.compiling.sources import source_stamp
@@ -33,15 +33,7 @@ NONE_CHOSEN = 5  # pytest's exit code when there is no test to run
 HOW = {-signal.SIGXCPU: "killed (time)", -signal.SIGKILL: "killed (time)"}
 QUIET = ("-q", "-x", "-p", "no:cacheprovider", "-p", "tests.mutation.limits", "--tb=short")
 Stage = tuple[list[str], tuple[str, ...]]  # files of tests, and options of pytest
-
-
-class Ran(NamedTuple):
-    """What became of a run of tests."""
-
-    code: int  # the exit code, negative for a signal
-    output: str
-    seconds: float  # of processor time, its own and that of its ended children
-    last: str  # the test that ran last
+Ran = namedtuple("Ran", "code output seconds last")  # negative for a signal; seconds of processor time; the last test
 
 
 class StoppedError(Exception):
@@ -62,15 +54,17 @@ class Ground:
         stamps = (source_stamp(module_of(file.relative_to(ROOT).as_posix()), file) for file in files)
         self.stamps = {str(stamp)[:16] for stamp in stamps}  # names of what unchanged sources compile to begin so
         self.clean = Copy(self, "clean")
+        self.clean.cache = self.shared
         self.failing: set[str] = set()  # tests that fail without any mutant
         self.passing = {""}
+        self.lock = threading.Lock()
 
     def passes(self, test: str) -> bool:
         """Tell whether a test passes without a mutant; it is run once."""
-        if test not in self.failing | self.passing:
-            ran = self.clean.run_tests([test], cache=self.shared, name=f"t{abs(hash(test))}")
-            (self.failing if ran.code else self.passing).add(test)
-        return test in self.passing
+        with self.lock:
+            if test not in self.failing | self.passing:
+                (self.failing if self.clean.run_tests([test]).code else self.passing).add(test)
+            return test in self.passing
 
 
 class Copy:
@@ -106,25 +100,20 @@ class Copy:
                     os.replace(code, self.ground.shared / code.name)
             shutil.rmtree(self.cache, ignore_errors=True)
 
-    def run_tests(self, tests: list[str], *options: str, cache: Path | None = None, name: str = "") -> Ran:
+    def run_tests(self, tests: list[str], *options: str) -> Ran:
         """Run tests, up to the first that fails."""
-        base = self.ground.folder / "tmp" / f"base-{self.where.name}{name}"
-        words = ("-m", "pytest", *QUIET, f"--basetemp={base}", *options, *tests)
-        try:
-            return self.run_python(*words, cache=cache or self.cache, name=name)
-        finally:
-            shutil.rmtree(base, ignore_errors=True)
+        base = self.ground.folder / "tmp" / f"base-{self.where.name}"
+        return self.run_python("-m", "pytest", *QUIET, f"--basetemp={base}", *options, *tests)
 
-    def run_python(self, *words: str, cache: Path, name: str = "") -> Ran:
+    def run_python(self, *words: str) -> Ran:
         """Run Python in the copy, for a while at most; StoppedError when the time for all is over."""
-        log = self.ground.folder / "tmp" / f"{self.where.name}{name}.log"
+        log = self.ground.folder / "tmp" / f"{self.where.name}.log"
         told = log.with_suffix(".test")
         told.write_text("", encoding="utf-8")
         paths = os.pathsep.join([str(self.where), *filter(None, [os.environ.get("PYTHONPATH")])])
-        ours = {"PYTHONPATH": paths, "SOCCER_ENV_CACHE": str(cache), "TMPDIR": str(self.ground.shared.parent)}
+        ours = {"PYTHONPATH": paths, "SOCCER_ENV_CACHE": str(self.cache), "TMPDIR": str(self.ground.shared.parent),
+                "PYTHONDONTWRITEBYTECODE": "1"}  # fmt: skip
         ours |= {"SOCCER_ENV_QUIET": "1", "SOCCER_MUTANT_TEST": str(told), "OMP_NUM_THREADS": "1", "COLUMNS": "200"}
-        if self.where.name != "clean":
-            ours["PYTHONDONTWRITEBYTECODE"] = "1"
         with log.open("wb") as out:
             process = subprocess.Popen(
                 [sys.executable, *words], cwd=self.where, env={**os.environ, **ours}, stdin=subprocess.DEVNULL,
@@ -146,7 +135,7 @@ class Copy:
     def verdict(self, file: str, text: str, asked: list[Stage]) -> tuple[str, str, float]:
         """Return what tests say to a file with another text: a word, by which test, after how much processor time."""
         with self.changed(file, text):
-            ran = self.run_python("-c", f"import {module_of(file)}", cache=self.cache)
+            ran = self.run_python("-c", f"import {module_of(file)}")
             seconds = ran.seconds
             if ran.code:
                 return "invalid", "import", seconds

@@ -127,12 +127,9 @@ def test_the_phase_is_spelled_out(values, words):
     assert phase_words(make_match(**values), RULES) == words
 
 
-def test_the_clock_counts_minutes_and_seconds():
+def test_the_clock_counts_minutes_and_seconds_and_the_half_is_named():
     words = [clock_words(make_match(clock=seconds)) for seconds in (0.0, 59.99, 207.3, 6000.0, -1.0)]
     assert words == ["00:00", "00:59", "03:27", "100:00", "00:00"]
-
-
-def test_the_half_is_named():
     assert half_words(make_match(half_length=600.0)) == "1st half, 10 min"
     assert half_words(make_match(half_length=450.0, half=1)) == "2nd half, 7.5 min"
     assert half_words(make_match(half_length=np.inf)) == "no halves"

@@ -121,14 +121,11 @@ def test_without_pygame_the_error_says_what_to_install(monkeypatch, use):
 pytest.importorskip("pygame")
 
 
-def test_a_png_holds_the_frame(tmp_path):
+def test_a_png_holds_the_frame_and_its_path_ends_so(tmp_path):
     frame = np.random.default_rng(1).integers(0, 256, (30, 41, 3), dtype=np.uint8)
     save_png(frame[:, ::-1], tmp_path / "frame.png")
     read = pygame.surfarray.array3d(pygame.image.load(tmp_path / "frame.png")).swapaxes(0, 1)
     assert np.array_equal(read, frame[:, ::-1])
-
-
-def test_a_picture_s_path_ends_with_png(tmp_path):
     with pytest.raises(ValueError, match=r"must end with \.png, got '.*frame\.jpg'"):
         save_png(np.zeros((2, 2, 3), np.uint8), tmp_path / "frame.jpg")
     with pytest.raises(ValueError, match="a frame must be uint8"):
