@@ -9,12 +9,12 @@ from typing import Any
 
 import gymnasium
 import numpy as np
-import pytest
 
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.sb3_zip import load_sb3
 from soccer_env.leagues import find_league
 from soccer_env.observations import names_of
+from tests.agents.staged_files import refused_by
 
 INPUTS = len(names_of(find_league("legged-2001"), "truth"))
 
@@ -77,11 +77,7 @@ def remade(source: Path, target: Path, pack: int = zipfile.ZIP_STORED, **members
 
 
 def refuses(path: Path, reason: str, **changes: Any) -> None:
-    """Check that a zip is refused in one plain line that names it."""
-    with pytest.raises(ValueError, match=reason) as refusal:
-        read(path, **changes)
-    line = str(refusal.value)
-    assert line.startswith(f"policy file {str(path)!r}: ") and line.isprintable() and len(line) < 700
+    refused_by(lambda: read(path, **changes), reason, f"policy file {str(path)!r}: ")
 
 
 def data_of(source: Path, **changes: Any) -> bytes:

@@ -6,7 +6,7 @@ import os
 import random
 import resource
 import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,6 +19,7 @@ from soccer_env.leagues import find_league
 from soccer_env.replay import Recorder, Replay
 from soccer_env.replay.checks import MOST_ROBOTS
 from soccer_env.train.command.command_line import main
+from tests.fuzz.replays import oddly
 
 
 @pytest.fixture
@@ -127,10 +128,6 @@ def test_a_ball_that_would_pass_through_the_boards_is_refused() -> None:
 
 
 FILES = 240  # damaged, a third of them in each way
-ODD = [
-    None, True, -1, 0, 1, 2**31, 2**63, 2**70, -(2**63), 1e308, float("inf"), float("nan"), "", "x", "../../x", [], {},
-    [[]], [1] * 40, {"a": 1}, "\x00", "<script>", "9" * 400,
-]  # fmt: skip
 DTYPES = ["u1", "i1", "i8", "f4", "f8", "c16", "S3", "U2", "M8[s]", "?", [("a", "f8"), ("b", "i4")]]
 
 
@@ -154,20 +151,10 @@ def damaged_bytes(content: bytes, draw: random.Random) -> bytes:
 
 
 def damaged_header(content: bytes, draw: random.Random) -> bytes:
-    """Put something odd in place of a value of the header, anywhere in it."""
     parts = parts_of(content)
     header = json.loads(parts["header"].tobytes())
-    inside, key = draw.choice([*places_in(header)])
-    inside[key] = draw.choice(ODD)
+    oddly(header, draw)
     return packed(parts, header)
-
-
-def places_in(value: Any) -> Iterator[tuple[Any, Any]]:
-    """Yield every place of a value in a tree of dicts and lists."""
-    for key in list(value) if isinstance(value, dict) else range(len(value)):
-        yield value, key
-        if isinstance(value[key], (dict, list)):
-            yield from places_in(value[key])
 
 
 def damaged_part(content: bytes, draw: random.Random) -> bytes:
