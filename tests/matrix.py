@@ -30,7 +30,6 @@ def interpreter(version: str) -> str | None:
 
 
 def install(folder: Path, base: str, resolution: str) -> str:
-    """Install the package and what its tests need into an environment; return its interpreter."""
     python = str(folder / "bin/python")
     locked = str(folder / "requirements.txt")
     if not Path(python).exists():
@@ -45,7 +44,6 @@ def install(folder: Path, base: str, resolution: str) -> str:
 
 
 def versions(folder: Path) -> str:
-    """Return the versions that decide most, as one line."""
     lines = (folder / "requirements.txt").read_text(encoding="utf-8").splitlines()
     locked = dict(line.split("==") for line in lines if "==" in line and not line.startswith(" "))
     return ", ".join(f"{name} {locked[name]}" for name in SHOWN)
@@ -69,7 +67,6 @@ def outcomes(tests: list[str]) -> Iterator[tuple[str, bool]]:
 
 
 def main(tests: list[str]) -> int:
-    """Play the matrix; return 1 if anything failed."""
     played = list(outcomes(tests or ["-n", "auto", "--dist", "worksteal", "@tests/quick.txt"]))
     print("\n".join(line for line, _ in played))
     return 0 if all(passed for _, passed in played) else 1

@@ -65,8 +65,6 @@ def test_what_a_kernel_makes_and_borrows_is_freed_once():
 
 @intrinsic
 def has_owner(typing_context, array):
-    """Tell whether references to an array are counted."""
-
     def build(context, builder, signature, arguments):
         return cgutils.is_not_null(builder, context.make_array(array)(context, builder, arguments[0]).meminfo)
 

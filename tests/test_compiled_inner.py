@@ -40,7 +40,6 @@ def beside(x):
 
 @pytest.fixture(autouse=True)
 def afresh(monkeypatch, tmp_path):
-    """Compile everything anew, into an empty cache."""
     monkeypatch.setattr("soccer_env.compiling.cache.folders", lambda: (tmp_path / "cache",))
     for function in (least, half, middle, outer, beside):
         function._make_finalizer()()

@@ -28,12 +28,10 @@ SOLO = "soccer_env/Legged2001-2v2-v0"
 
 
 def pickled(one: Any) -> Any:
-    """Return what pickle makes of something."""
     return pickle.loads(pickle.dumps(one))
 
 
 def clouded(one: Any) -> Any:
-    """Return what cloudpickle makes of something."""
     return pickle.loads(pytest.importorskip("cloudpickle").dumps(one))
 
 
@@ -149,7 +147,6 @@ class Slow:
     memory_dtype: np.dtype = field(default_factory=lambda: np.dtype([("steps", "i8")]))
 
     def act(self, view: View, memory: np.ndarray, rng: Any) -> np.ndarray:
-        """Walk ahead, slowly."""
         memory["steps"] += 1
         commands = view.stand()
         commands[..., 0] = 0.2

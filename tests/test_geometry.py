@@ -9,21 +9,12 @@ from soccer_env.geometry import into_frame, out_of_frame, point_of_frame, toward
 QUARTER = cos(pi / 2), sin(pi / 2)  # a frame whose heading is a quarter turn to the left
 
 
-def test_a_vector_along_x_lies_to_the_right_of_who_faces_along_y() -> None:
+def test_for_who_faces_along_y_x_lies_to_the_right_and_what_is_ahead_along_y() -> None:
     assert into_frame(1.0, 0.0, *QUARTER) == pytest.approx((0.0, -1.0), abs=1e-15)
-
-
-def test_what_is_ahead_of_who_faces_along_y_lies_along_y() -> None:
     assert out_of_frame(1.0, 0.0, *QUARTER) == pytest.approx((0.0, 1.0), abs=1e-15)
     assert out_of_frame(0.0, 1.0, *QUARTER) == pytest.approx((-1.0, 0.0), abs=1e-15)
-
-
-def test_out_of_a_frame_undoes_into_it() -> None:
     frame = cos(0.7), sin(0.7)
     assert out_of_frame(*into_frame(0.3, -0.8, *frame), *frame) == pytest.approx((0.3, -0.8), abs=1e-15)
-
-
-def test_a_point_two_metres_ahead_of_a_robot_that_faces_along_y() -> None:
     assert point_of_frame(1.0, 0.5, 2.0, 0.25, *QUARTER) == pytest.approx((0.75, 2.5), abs=1e-15)
 
 

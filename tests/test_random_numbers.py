@@ -54,12 +54,10 @@ def test_streams_do_not_shift_each_other() -> None:
 
 def test_all_streams_of_all_owners_differ() -> None:
     states = set()
-    for seed in range(4):
-        for episode in range(4):
-            for owner in range(23):
-                noise = np.zeros(NOISE_STREAMS, np.uint64)
-                start_streams(noise, np.uint64(seed), episode, owner)
-                states |= {int(state) for state in noise}
+    for seed, episode, owner in np.ndindex(4, 4, 23):
+        noise = np.zeros(NOISE_STREAMS, np.uint64)
+        start_streams(noise, np.uint64(seed), episode, owner)
+        states |= {int(state) for state in noise}
     assert len(states) == 4 * 4 * 23 * NOISE_STREAMS
 
 
@@ -86,13 +84,6 @@ def test_streams_of_two_robots_are_unrelated(one: tuple[int, int], other: tuple[
     assert abs(np.corrcoef(first, second)[0, 1]) < 4.0 / np.sqrt(4000)
 
 
-def test_robots_of_one_number_slip_each_in_its_own_way() -> None:
-    match = Match(home=3, away=3, seed=1)
-    match.step(np.ones((1, 6, 4)))
-    slip = match.robots["slip"]["forward"][0]
-    assert len(set(slip.tolist())) == 6
-
-
 def test_a_robot_draws_the_same_in_teams_of_any_size() -> None:
     small, large = Match(home=1, away=1, seed=9), Match(home=1, away=11, seed=9)
     np.testing.assert_array_equal(small.robots["noise"][0, 1], large.robots["noise"][0, 1])
@@ -109,9 +100,10 @@ def test_a_seed_that_is_none_is_refused(seed: object) -> None:
         seeds_for(seed, 2)  # type: ignore[arg-type]
 
 
-def test_slip_is_drawn_from_its_own_stream() -> None:
-    match = Match(seed=1)
+def test_each_robot_draws_its_slip_from_a_stream_of_its_own() -> None:
+    match = Match(home=3, away=3, seed=1)
     before = match.robots["noise"].copy()
-    match.step(np.zeros((1, 6, 4)))
+    match.step(np.ones((1, 6, 4)))
+    assert len(set(match.robots["slip"]["forward"][0].tolist())) == 6
     changed = np.flatnonzero((match.robots["noise"] != before).any(axis=(0, 1)))
     assert changed.tolist() == [int(RobotStream.SLIP)]

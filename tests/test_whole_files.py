@@ -9,17 +9,13 @@ import pytest
 from soccer_env.guards.whole_files import folder_aside, write_whole, written_aside
 
 
-def test_a_file_is_replaced_whole(tmp_path: Path) -> None:
+def test_a_file_is_replaced_whole_and_a_failed_write_leaves_the_old_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     path = tmp_path / "result.json"
-    write_whole(path, "old")
-    write_whole(path, b"new")
-    assert path.read_text() == "new"
-    assert os.listdir(tmp_path) == ["result.json"]
-
-
-def test_a_failed_write_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = tmp_path / "result.json"
-    write_whole(path, "old")
+    write_whole(path, "older")
+    write_whole(path, b"old")
+    assert path.read_text() == "old"
 
     def full(_: int) -> None:
         raise OSError(28, "No space left on device")
@@ -31,19 +27,14 @@ def test_a_failed_write_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.
     assert os.listdir(tmp_path) == ["result.json"]
 
 
-def test_a_folder_is_replaced_whole(tmp_path: Path) -> None:
+def test_a_folder_is_replaced_whole_and_one_that_fails_leaves_the_old_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     path = tmp_path / "match.cdf"
-    for content in ("old", "new"):
+    for content in ("older", "old"):
         with folder_aside(path) as aside:
             (aside / content).write_text(content)
-    assert os.listdir(path) == ["new"]
-    assert os.listdir(tmp_path) == ["match.cdf"]
-
-
-def test_a_folder_that_fails_leaves_the_old_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = tmp_path / "match.cdf"
-    with folder_aside(path) as aside:
-        (aside / "old").write_text("old")
+    assert os.listdir(path) == ["old"]
     with pytest.raises(KeyError), folder_aside(path) as aside:
         (aside / "new").write_text("new")
         raise KeyError

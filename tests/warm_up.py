@@ -13,7 +13,6 @@ from soccer_env import Match
 
 
 def play(league: str, team: str, **settings: Any) -> None:
-    """Play one step of a team against itself."""
     Match(league, home=1, away=1, seed=0, controllers={"home": team, "away": team}, **settings).step()
 
 

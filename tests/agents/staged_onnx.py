@@ -38,14 +38,12 @@ def exported(policy: Policy, path: Path, batch: Any = "B", double: bool = False,
 
 
 def node(kind: str, inputs: str, outputs: str, **attributes: Any) -> Any:
-    """Return an operator; names are separated by spaces."""
     import onnx
 
     return onnx.helper.make_node(kind, inputs.split(), outputs.split(), **attributes)
 
 
 def array(name: str, *numbers: Any, kind: Any = np.int64) -> Any:
-    """Return a constant (n,)."""
     import onnx
 
     return onnx.numpy_helper.from_array(np.array(numbers, kind), name)
@@ -55,10 +53,8 @@ def small(*nodes: Any, constants: Any = (), inputs: dict[str, Any] | None = None
     """Return a model from x (B, 4) to y."""
     import onnx
 
-    given = [
-        onnx.helper.make_tensor_value_info(name, onnx.TensorProto.FLOAT, axes)
-        for name, axes in (inputs or {"x": ["B", WIDE]}).items()
-    ]
-    out = [onnx.helper.make_tensor_value_info("y", onnx.TensorProto.FLOAT, ["rows", "columns"])]
+    told, kind = onnx.helper.make_tensor_value_info, onnx.TensorProto.FLOAT
+    given = [told(name, kind, axes) for name, axes in (inputs or {"x": ["B", WIDE]}).items()]
+    out = [told("y", kind, ["rows", "columns"])]
     graph = onnx.helper.make_graph(nodes, "g", given, out, constants)
     return onnx.helper.make_model(graph, opset_imports=[onnx.helper.make_opsetid("", 17)], ir_version=9, **more)

@@ -34,11 +34,12 @@ def attentive(*hidden: int, width: int = 8, observe: str = "belief", seed: int =
     """Return the like with attention of some width over the other players."""
     plain = lively(*hidden, observe=observe, seed=seed, **changes)
     layout, rng = layout_of(plain.entries), np.random.default_rng(seed)
-    attention = tuple(
-        rng.normal(0.0, 2.0 / shape[-1] ** 0.5, shape).astype(np.float32) for shape in layout.shapes(width)
-    )
-    shape = (len(plain.biases[0]), layout.features(width))
-    first = rng.normal(0.0, 3.0 / shape[1] ** 0.5, shape).astype(np.float32)
+
+    def drawn(scale: float, shape: tuple[int, ...]) -> np.ndarray:
+        return rng.normal(0.0, scale / shape[-1] ** 0.5, shape).astype(np.float32)
+
+    attention = tuple(drawn(2.0, shape) for shape in layout.shapes(width))
+    first = drawn(3.0, (len(plain.biases[0]), layout.features(width)))
     return replace(plain, kind="attention", attention=attention, weights=(first, *plain.weights[1:]))
 
 

@@ -9,12 +9,12 @@ from typing import Any
 
 import gymnasium
 import numpy as np
-import pytest
 
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.sb3_zip import load_sb3
 from soccer_env.leagues import find_league
 from soccer_env.observations import names_of
+from tests.agents.staged_files import refused_by
 
 INPUTS = len(names_of(find_league("legged-2001"), "truth"))
 
@@ -46,7 +46,6 @@ class Noise(gymnasium.Env):
 
 
 def saved(folder: Path, env: gymnasium.Env, algorithm: Any = None, policy: str = "MlpPolicy", **settings: Any) -> Any:
-    """Return a model of one rollout, saved as model.zip."""
     import stable_baselines3 as sb3
 
     kind = algorithm or sb3.PPO
@@ -58,7 +57,6 @@ def saved(folder: Path, env: gymnasium.Env, algorithm: Any = None, policy: str =
 
 
 def plain_zip(folder: Path) -> Path:
-    """Return a small real zip."""
     saved(folder, Noise(), policy_kwargs={"net_arch": [4]})
     return folder / "model.zip"
 
@@ -79,11 +77,7 @@ def remade(source: Path, target: Path, pack: int = zipfile.ZIP_STORED, **members
 
 
 def refuses(path: Path, reason: str, **changes: Any) -> None:
-    """Check that a zip is refused in one plain line that names it."""
-    with pytest.raises(ValueError, match=reason) as refusal:
-        read(path, **changes)
-    line = str(refusal.value)
-    assert line.startswith(f"policy file {str(path)!r}: ") and line.isprintable() and len(line) < 700
+    refused_by(lambda: read(path, **changes), reason, f"policy file {str(path)!r}: ")
 
 
 def data_of(source: Path, **changes: Any) -> bytes:
@@ -93,7 +87,6 @@ def data_of(source: Path, **changes: Any) -> bytes:
 
 
 def pth_of(table: Any) -> bytes:
-    """Return what torch.save writes."""
     import torch
 
     stream = io.BytesIO()
@@ -102,7 +95,6 @@ def pth_of(table: Any) -> bytes:
 
 
 def state_of(source: Path) -> dict[str, Any]:
-    """Return the parameters of a zip."""
     import torch
 
     with zipfile.ZipFile(source) as archive:

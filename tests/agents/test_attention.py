@@ -15,9 +15,8 @@ from soccer_env.observations import layout as entries_of
 from tests.agents.staged_policies import attentive, decide, lively
 
 FIXED, KINDS = ("ball_x", "ball_y"), ("teammate", "opponent")
-SLOTS = tuple(f"teammate_{slot}_{part}" for slot in (0, 1) for part in ("present", "x")) + tuple(
-    f"opponent_{slot}_{part}" for slot in (0, 1, 2) for part in ("present", "x", "y")
-)
+SLOTS = tuple(f"teammate_{slot}_{part}" for slot in (0, 1) for part in ("present", "x"))
+SLOTS += tuple(f"opponent_{slot}_{part}" for slot in (0, 1, 2) for part in ("present", "x", "y"))
 
 
 def observations(policy: Policy, count: int = 64, present: float | None = 0.5) -> np.ndarray:
@@ -51,9 +50,6 @@ def by_hand(policy: Policy, row: np.ndarray) -> np.ndarray:
         y = weight @ y + bias
         y = bend(y) if number < len(policy.weights) - 1 else y
     return y.clip(-1.0, 1.0)
-
-
-# What it computes
 
 
 @pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
@@ -145,9 +141,6 @@ def test_torch_learns_from_observations_in_which_nobody_is_seen() -> None:
     assert all(torch.isfinite(part.grad).all() for part in layer.parameters())
 
 
-# What it takes
-
-
 @pytest.mark.parametrize("league", LEAGUES)
 @pytest.mark.parametrize("observe", ["truth", "belief"])
 def test_every_league_has_its_slots_behind_the_rest(league: str, observe: str) -> None:
@@ -158,32 +151,28 @@ def test_every_league_has_its_slots_behind_the_rest(league: str, observe: str) -
     assert layout.fixed + sum(a * b for a, b in zip(layout.slots, layout.entries)) == len(names)
 
 
-def test_slots_of_both_kinds_may_differ() -> None:
+def test_slots_of_both_kinds_may_differ_and_the_width_goes_with_the_first_hidden_layer() -> None:
     assert layout_of(entries_named("truth", FIXED + SLOTS)) == Layout(2, (2, 3), (2, 3))
     assert Layout(2, (2, 3), (2, 3)).shapes(8) == ((8, 2), (8,), (8, 2), (8, 3), (8,), (8, 2))
     assert Layout(2, (2, 3), (2, 3)).features(8) == 18
+    assert [width_beside(sizes) for sizes in ((64, 64), (128,), (4, 400))] == [16, 32, 8]
+
+
+MATES, OPPONENTS = SLOTS[:4], SLOTS[4:]
+SECOND_MATE_FIRST = MATES[2:] + MATES[:2]
 
 
 @pytest.mark.parametrize(
     "names",
     [
-        FIXED,
-        SLOTS,
-        SLOTS + FIXED,
-        FIXED + SLOTS[:4],
-        FIXED + SLOTS[4:],
-        FIXED + SLOTS[4:] + SLOTS[:4],
-        FIXED + SLOTS[2:4] + SLOTS[:2] + SLOTS[4:],
-        FIXED + SLOTS[:-1],
-        FIXED + SLOTS[:2] + SLOTS[3:],
-        FIXED + SLOTS[1:],
-        FIXED + SLOTS + ("opponent_3_present",),
-        FIXED + tuple(name.replace("_1_", "_2_") for name in SLOTS),
+        FIXED, SLOTS, SLOTS + FIXED, FIXED + MATES, FIXED + OPPONENTS, FIXED + OPPONENTS + MATES,
+        FIXED + SECOND_MATE_FIRST + OPPONENTS, FIXED + SLOTS[:-1], FIXED + SLOTS[:2] + SLOTS[3:], FIXED + SLOTS[1:],
+        FIXED + SLOTS + ("opponent_3_present",), FIXED + tuple(name.replace("_1_", "_2_") for name in SLOTS),
         FIXED + tuple(name.replace("_0_", "_00_") for name in SLOTS),
         FIXED + tuple(name.replace("present", "seen") for name in SLOTS),
         tuple(names_of(find_league("legged-2001"), "percepts")),
     ],
-)
+)  # fmt: skip
 def test_other_layouts_are_refused(names: tuple[str, ...]) -> None:
     with pytest.raises(ValueError, match="needs inputs that end in slots for other players"):
         layout_of(entries_named("truth", names))
@@ -200,20 +189,12 @@ def test_a_hostile_layout_is_refused_at_once() -> None:
 def test_an_observation_of_ones_own_has_slots_by_its_entries_whatever_their_names() -> None:
     here, far = Entry("here", present=True), Entry("how_far")
     own = [Entry("a"), Entry("b")]
-    own += [
-        replace(part, name=f"{part.name}{i}", group=kind, slot=i)
-        for kind in KINDS
-        for i in (0, 1)
-        for part in (here, far)
-    ]
+    slots = [(kind, i, part) for kind in KINDS for i in (0, 1) for part in (here, far)]
+    own += [replace(part, name=f"{part.name}{i}", group=kind, slot=i) for kind, i, part in slots]
     assert layout_of(own) == Layout(2, (2, 2), (2, 2))
     for wrong in (own[::-1], [replace(entry, present=False) for entry in own], [Entry(entry.name) for entry in own]):
         with pytest.raises(ValueError, match="each beginning with its `present` entry"):
             layout_of(wrong)
-
-
-def test_the_width_goes_with_the_first_hidden_layer() -> None:
-    assert [width_beside(sizes) for sizes in ((64, 64), (128,), (4, 400))] == [16, 32, 8]
 
 
 def ones(*shape: int) -> np.ndarray:
@@ -259,9 +240,6 @@ def test_the_first_layer_takes_what_is_pooled_in() -> None:
     with pytest.raises(ValueError, match="layer0 must stay below"):
         replace(large, weights=(ones(16, 12) * np.float32(1e25), ones(4, 16)))
     replace(large, activation="tanh", weights=(ones(16, 12) * np.float32(1e25), ones(4, 16)))
-
-
-def test_arrays_are_copied_and_cannot_be_written_to() -> None:
     with pytest.raises(ValueError, match="read-only"):
         WHOLE.attention[0][0, 0] = 2.0
 

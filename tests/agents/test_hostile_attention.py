@@ -1,6 +1,8 @@
-"""Files of policies with attention: real ones go through unchanged, wrong and hostile ones are refused in one line."""
+"""Files of policies with attention, paths to no file, and files full of faults: read, or refused in one line."""
 
 import json
+import os
+import socket
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +11,7 @@ import pytest
 
 from soccer_env.agents.attention import TENSORS
 from soccer_env.agents.policy_file import KEY, dump, load, parse
-from tests.agents.staged_files import WHERE, packed, refused, without
+from tests.agents.staged_files import WHERE, packed, refused, refused_by, without
 from tests.agents.staged_policies import attentive, lively
 
 INPUTS = ("ball_x", "teammate_0_present", "teammate_0_x", "opponent_0_present", "opponent_0_x")
@@ -49,29 +51,10 @@ def test_a_file_gives_back_the_policy(tmp_path: Path, activation: str) -> None:
 
 
 def test_its_tensors_have_names_and_the_version_is_that_of_all() -> None:
-    assert HEADER.keys() - {"__metadata__"} == {f"layer{n}.{part}" for n in (0, 1) for part in ("weight", "bias")} | {
-        *TENSORS
-    }
+    layers = {f"layer{n}.{part}" for n in (0, 1) for part in ("weight", "bias")}
+    assert HEADER.keys() - {"__metadata__"} == layers | {*TENSORS}
     assert TABLE["kind"] == "attention" and TABLE["version"] == 3
     assert dump(parse(with_fields(), WHERE)) == GOOD
-
-
-def test_a_file_that_is_cut_off_anywhere_is_refused() -> None:
-    for length in range(len(GOOD)):
-        refused(GOOD[:length])
-
-
-def test_a_flipped_bit_is_refused_or_harmless() -> None:
-    for place in range(len(GOOD)):
-        for bit in (0, 3, 7):
-            content = bytearray(GOOD)
-            content[place] ^= 1 << bit
-            try:
-                found = parse(bytes(content), WHERE)
-            except ValueError as refusal:
-                assert str(refusal).startswith(f"policy file {WHERE!r}: ") and str(refusal).isprintable()
-            else:
-                assert all(np.isfinite(array).all() for array in found.attention)
 
 
 @pytest.mark.parametrize("name", TENSORS)
@@ -101,20 +84,11 @@ def test_what_belongs_to_one_kind_is_refused_in_the_other() -> None:
     refused(packed(only, BODY), "not fully covered|1 to 8 layers, got 0|Error")
 
 
-@pytest.mark.parametrize(
-    "inputs",
-    [
-        INPUTS[1:],
-        INPUTS[::-1],
-        ("ball_x", "a", "b", "c", "d"),
-        (*INPUTS[:3], "opponent_0_seen", "opponent_0_x"),
-        ("ball_x", *INPUTS[3:], *INPUTS[1:3]),
-        (*INPUTS[:3], "opponent_1_present", "opponent_1_x"),
-        (*INPUTS[:3], "opponent_0_present", "opponent_9999_x"),
-    ],
-)
-def test_inputs_that_do_not_end_in_slots_are_refused(inputs: tuple[str, ...]) -> None:
-    refused(with_fields(inputs=list(inputs)), "needs inputs that end in slots")
+def test_inputs_that_do_not_end_in_slots_are_refused() -> None:
+    others = [("seen", 0, 0), ("present", 1, 1), ("present", 0, 9999)]
+    wrong = [INPUTS[1:], INPUTS[::-1], ("ball_x", "a", "b", "c", "d"), ("ball_x", *INPUTS[3:], *INPUTS[1:3])]
+    for inputs in (*wrong, *((*INPUTS[:3], f"opponent_{n}_{word}", f"opponent_{m}_x") for word, n, m in others)):
+        refused(with_fields(inputs=list(inputs)), "needs inputs that end in slots")
 
 
 def test_sizes_that_do_not_agree_are_refused() -> None:
@@ -126,10 +100,46 @@ def test_sizes_that_do_not_agree_are_refused() -> None:
     refused(with_tensor(QUERY, data_offsets=HEADER["teammate.query"]["data_offsets"]), "Error|offset")
 
 
-def test_a_policy_of_another_league_is_refused_there_although_its_weights_would_fit() -> None:
-    from soccer_env.leagues import find_league
+def refuses(path: Any, reason: str) -> None:
+    refused_by(lambda: load(path), reason, "policy file ")
 
-    policy = attentive(8)
-    policy.check_plays(find_league("legged-2001"))
-    with pytest.raises(ValueError, match="was trained in 'legged-2001'"):
-        policy.check_plays(find_league("middle-size-2006"))
+
+def test_what_is_no_file_is_refused(tmp_path: Path) -> None:
+    refuses(tmp_path, "is a folder")
+    refuses(tmp_path / "none", "No such file")
+    refuses("a\0b", "null")
+    refuses("a\n" * 5000, "name too long")
+    refuses(0, "not int")  # no reading from standard input
+    refuses(None, "not NoneType")
+    (tmp_path / "empty").touch()
+    refuses(tmp_path / "empty", "0 bytes")
+    (tmp_path / "good").write_bytes(GOOD)
+    load(str(tmp_path / "good"))
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links, pipes and devices of Unix")
+def test_links_pipes_and_devices_do_not_hang(tmp_path: Path) -> None:
+    (tmp_path / "a").symlink_to("b")
+    (tmp_path / "b").symlink_to("a")
+    refuses(tmp_path / "a", "symbolic links")
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "link").symlink_to("pipe")
+    with socket.socket(socket.AF_UNIX) as server:
+        server.bind(os.path.relpath(tmp_path / "socket"))
+    for strange in (tmp_path / "pipe", tmp_path / "link", tmp_path / "socket", "/dev/zero"):
+        refuses(strange, "is not a regular file")
+
+
+def test_a_sparse_giant_is_not_read(tmp_path: Path) -> None:
+    with (tmp_path / "giant").open("wb") as file:
+        file.truncate(2**40)
+    refuses(tmp_path / "giant", "has 1099511627776 bytes, more than the limit")
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="children of Unix")
+def test_faulty_files_are_refused_in_one_line_and_end_no_process() -> None:
+    pytest.importorskip("onnx")
+    pytest.importorskip("onnxruntime")
+    from tests.agents.fuzzed_files import fuzz
+
+    assert fuzz(500) == 0

@@ -28,6 +28,7 @@ from tests.agents.staged_files import (
     with_tensor,
     without,
 )
+from tests.agents.staged_policies import attentive
 from tests.agents.staged_zips import Canary
 
 
@@ -42,24 +43,31 @@ def test_the_corpus_starts_from_a_good_file() -> None:
     assert dump(parse(with_table(TABLE), WHERE)) == GOOD
 
 
-def test_a_file_that_is_cut_off_anywhere_is_refused() -> None:
-    for length in range(len(GOOD)):
-        refused(GOOD[:length])
-    refused(GOOD + b"\0", "not fully covered")
-    refused(GOOD + GOOD)
+SLOTTED = ("ball_x", "teammate_0_present", "teammate_0_x", "opponent_0_present", "opponent_0_x")
+ATTENTIVE = dump(attentive(3, width=2, inputs=SLOTTED, weights=(np.ones((3, 5), "f4"), np.ones((4, 3), "f4"))))
+both_kinds = pytest.mark.parametrize("good", [GOOD, ATTENTIVE], ids=["slots", "attention"])
 
 
-def test_a_flipped_bit_is_refused_or_harmless() -> None:
-    for place in range(len(GOOD)):
+@both_kinds
+def test_a_file_that_is_cut_off_anywhere_is_refused(good: bytes) -> None:
+    for length in range(len(good)):
+        refused(good[:length])
+    refused(good + b"\0", "not fully covered")
+    refused(good + good)
+
+
+@both_kinds
+def test_a_flipped_bit_is_refused_or_harmless(good: bytes) -> None:
+    for place in range(len(good)):
         for bit in (0, 3, 7):
-            content = bytearray(GOOD)
+            content = bytearray(good)
             content[place] ^= 1 << bit
             try:
                 found = parse(bytes(content), WHERE)
             except ValueError as refusal:
                 assert str(refusal).startswith(f"policy file {WHERE!r}: ") and str(refusal).isprintable()
             else:  # another word of free text, or another weight
-                assert all(np.isfinite(array).all() for array in found.weights + found.biases)
+                assert all(np.isfinite(array).all() for array in found.weights + found.biases + found.attention)
 
 
 @settings(max_examples=100)
@@ -127,13 +135,10 @@ CORPUS = {
     "infinite number": (with_table(json.dumps(TABLE).replace('"action_repeat": 1', '"action_repeat": 1e999')), "inf"),
     "huge number": (with_table(json.dumps(TABLE).replace("false", "9" * 100_000, 1)), "number of 100000 digits"),
     "huge size": (packed(json.dumps(HEADER).replace("[3, 2]", f"[{'9' * 5000}]").encode()), "5000 digits"),
-    "other version": (
-        with_fields(version=6),
-        r"is of format version 6; this soccer_env \(0\.1\.0\) reads versions 1 to 5",
-    ),
+    "other version": (with_fields(version=6), r"is of format version 6; this soccer_env \(0\.1\.0\) reads versions 1 "),
     "a later maker": (
-        with_fields(version=6, made={"soccer_env": "9.1\n[red]"}),
-        r"is of format version 6, made by soccer_env 9\.1 \[red\]; this soccer_env \(0\.1\.0\) reads versions 1 to 5",
+        with_fields(version=6, made={"soccer_env": "9\n[red]"}),
+        r"6, made by soccer_env 9 \[red\]; this",
     ),
     "version in words": (with_fields(version="1"), "is of format version '1'"),
     "version is true": (with_fields(version=True), "is of format version True"),
@@ -202,12 +207,8 @@ def test_a_pickle_with_another_name_is_not_run(tmp_path: Path) -> None:
     for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
         content = pickle.dumps(Canary(tmp_path / "canary"), protocol)
         path = tmp_path / f"{protocol}.safetensors"
-        for disguise in (
-            content,
-            packed(content),
-            packed(HEADER, content + BODY),
-            with_table(content.decode("latin-1")),
-        ):
+        inside = (packed(content), packed(HEADER, content + BODY), with_table(content.decode("latin-1")))
+        for disguise in (content, *inside):
             path.write_bytes(disguise)
             with pytest.raises(ValueError, match=str(path)):
                 load(path)
@@ -216,24 +217,26 @@ def test_a_pickle_with_another_name_is_not_run(tmp_path: Path) -> None:
     assert (tmp_path / "canary").exists()
 
 
+SURVIVING = """
+import resource, sys
+from pathlib import Path
+from soccer_env.agents.policy_file import load
+resource.setrlimit(resource.RLIMIT_AS, (2**32, 2**32))
+refused = 0
+for path in Path(sys.argv[1]).glob('*.safetensors'):
+    try:
+        load(path)
+    except ValueError:
+        refused += 1
+print(refused)
+"""
+
+
 @pytest.mark.skipif(os.name != "posix", reason="limits of Unix")
 def test_the_process_survives_the_corpus(tmp_path: Path) -> None:
     for number, (content, _) in enumerate(CORPUS.values()):
         (tmp_path / f"{number}.safetensors").write_bytes(content)
-    program = (
-        "import resource, sys\n"
-        "from pathlib import Path\n"
-        "from soccer_env.agents.policy_file import load\n"
-        "resource.setrlimit(resource.RLIMIT_AS, (2**32, 2**32))\n"
-        "refused = 0\n"
-        "for path in Path(sys.argv[1]).glob('*.safetensors'):\n"
-        "    try:\n"
-        "        load(path)\n"
-        "    except ValueError:\n"
-        "        refused += 1\n"
-        "print(refused)"
-    )
-    command = [sys.executable, "-O", "-c", program, str(tmp_path)]
+    command = [sys.executable, "-O", "-c", SURVIVING, str(tmp_path)]
     run = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
     assert run.returncode == 0, run.stderr
     assert run.stdout.strip() == str(len(CORPUS))

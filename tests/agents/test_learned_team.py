@@ -20,36 +20,26 @@ from tests.scenes.symmetry import Records, mirrored
 
 # What is observed, by which senses, with which settings.
 SEEN: list[tuple[str, str, dict[str, Any]]] = [
-    ("truth", "ideal", {}),
-    ("belief", "ideal", {}),
-    ("belief", "sensors", {}),
-    ("belief", "sensors", {"pose": "particles"}),
-    ("percepts", "sensors", {}),
-]
+    ("truth", "ideal", {}), ("belief", "ideal", {}), ("belief", "sensors", {}),
+    ("belief", "sensors", {"pose": "particles"}), ("percepts", "sensors", {}),
+]  # fmt: skip
 NAMES = ("forward", "left", "turn", "kick")
 
 
 def commanded(match: Match) -> np.ndarray:
-    """Return the commands (M, R, 7) of the last step."""
     command = match.robots["command"]
     return np.stack([command[name] for name in COMMAND.names or ()], axis=-1)
 
 
 def same_play(one: Match, other: Match) -> bool:
     """Tell whether the records of two matches are the same bit for bit."""
-    return all(
-        getattr(one, name).tobytes() == getattr(other, name).tobytes() for name in ("matches", "balls", "robots")
-    )
-
-
-# What it observes
+    names = ("matches", "balls", "robots")
+    return all(getattr(one, name).tobytes() == getattr(other, name).tobytes() for name in names)
 
 
 @pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
 @pytest.mark.parametrize(("observe", "senses", "settings"), SEEN)
-def test_it_observes_bit_for_bit_what_a_learner_in_its_place_does(
-    observe: str, senses: str, settings: dict[str, Any], league: str
-) -> None:
+def test_it_observes_bit_for_bit_what_a_learner_there_does(observe: str, senses: str, settings: Any, league: str):
     settings = {"home": 2, "away": 2, "matches": 2, "senses": senses, "seed": 4, **settings}
     team = team_of(lively(observe=observe, league=league))
     inside = Match(league, controllers={"home": team, "away": "chaser"}, **settings)
@@ -76,26 +66,20 @@ def test_with_a_policy_at_home_and_one_away_each_observes_from_its_own_side() ->
     assert seen["own_x"] < 0.0, "the own half is at -x"
 
 
-# What it does
-
-
 def test_robots_stand_until_the_first_decision_and_keep_each_for_the_repeat() -> None:
     match = Match(home=2, away=1, controllers={"home": team_of(lively(action_repeat=8)), "away": "still"}, seed=1)
     asked = []
     for _ in range(30):
         match.step()
         asked.append(commanded(match)[0, :2])
+    asked_for = [(0, 8), (2, 8), (2, 1), (2, 4), (9, 8)]
+    assert [first_decision(*one) for one in asked_for] == [0, 6, 0, 2, 7], "a delay before a repeat ends"
     first = first_decision(match.league.delay_steps, 8)
     assert first == 6, "the walk is latched every 8 control steps and a command needs 2 to arrive"
     assert not np.any(asked[:first] - np.array([0, 0, 0, 0, -1, 0, 0])), "the head tracks the ball by itself"
     for step in range(first, 30):
         changed = bool((asked[step][:, :4] != asked[step - 1][:, :4]).any())
         assert changed == ((step - first) % 8 == 0)
-
-
-@pytest.mark.parametrize(("delay", "repeat", "steps"), [(0, 8, 0), (2, 8, 6), (2, 1, 0), (2, 4, 2), (9, 8, 7)])
-def test_the_first_decision_comes_a_delay_before_a_repeat_ends(delay: int, repeat: int, steps: int) -> None:
-    assert first_decision(delay, repeat) == steps
 
 
 @pytest.mark.parametrize("make", [lively, attentive])
@@ -166,15 +150,6 @@ def test_a_save_between_two_decisions_has_one_future(tmp_path: Path) -> None:
         assert match.state_hash() == other.state_hash()
 
 
-def test_a_save_does_not_fit_another_policy() -> None:
-    one, other = (Match(home=1, away=1, opponents=team_of(lively(16, seed=seed)), seed=1) for seed in (1, 2))
-    with pytest.raises(ValueError, match="teams differ"):
-        other.load(one.save())
-
-
-# What it was trained to do
-
-
 @pytest.mark.parametrize("actions", ["box", "full"])
 @pytest.mark.parametrize("repeat", [1, 4, 8])
 @pytest.mark.parametrize(("observe", "senses", "settings"), SEEN)
@@ -187,9 +162,8 @@ def test_it_plays_exactly_as_a_learner_that_was_asked_in_training(
     settings = {"matches": 2, "senses": senses, "seed": 4, "minutes": 0.05, **settings}
     policy = lively(16, observe=observe, action_repeat=repeat, actions=actions)
     learner = SoccerVecEnv(players=((2, 2),), action_repeat=repeat, actions=actions, observe=observe, **settings)
-    player = Match(
-        home=2, away=2, controllers={"home": team_of(policy), "away": "chaser"}, autoreset="same_step", **settings
-    )
+    sides = {"home": team_of(policy), "away": "chaser"}
+    player = Match(home=2, away=2, controllers=sides, autoreset="same_step", **settings)
     seen = learner.reset()
     for _ in range(first_decision(player.league.delay_steps, repeat)):
         player.step()
@@ -219,20 +193,16 @@ for make, activation in ((lively, "tanh"), (lively, "relu"), (attentive, "tanh")
     printed = []
     for disabled in ("0", "1"):
         environment = {**os.environ, "NUMBA_DISABLE_JIT": disabled, "PYTHONPATH": str(Path(__file__).parents[2])}
-        run = subprocess.run(
-            [sys.executable, "-c", program], capture_output=True, text=True, env=environment, check=True
-        )
+        command = [sys.executable, "-c", program]
+        run = subprocess.run(command, capture_output=True, text=True, env=environment, check=True)
         printed.append(run.stdout.split())
     assert printed[0] == printed[1] and len(set(printed[0])) == 4
 
 
-# Permutation and mirror
-
-
 def test_which_of_two_team_mates_stands_where_changes_no_action() -> None:
     """Slots go by distance; with ideal senses, for the numbers of the others are in no observation."""
-    match = Match(home=3, away=2, controllers={"home": team_of(lively(32)), "away": "still"}, seed=2, senses="ideal")
-    swapped = Match(home=3, away=2, controllers={"home": team_of(lively(32)), "away": "still"}, seed=2, senses="ideal")
+    sides = {"home": team_of(lively(32)), "away": "still"}
+    match, swapped = (Match(home=3, away=2, controllers=sides, seed=2, senses="ideal") for _ in range(2))
     for _ in range(30):
         match.step()
     records = Records.of(match)
@@ -264,9 +234,6 @@ def test_a_mirror_policy_plays_a_mirrored_scene_mirrored(observe: str) -> None:
     assert np.abs(commanded(one)[..., 1:3]).max() > 0.02
 
 
-# What it refuses
-
-
 @pytest.mark.parametrize(
     ("observe", "needed", "got"), [("truth", "ideal", "sensors"), ("percepts", "sensors", "ideal")]
 )
@@ -279,14 +246,14 @@ def test_senses_that_cannot_give_what_it_observes_are_refused(observe: str, need
     Match(home=1, away=1, opponents=team, senses={"away": needed, "home": got}, seed=1)
 
 
-def test_another_league_is_refused() -> None:
-    with pytest.raises(ValueError, match="policy 'lively' was trained in .* family legged, 'middle-size-2006' is of"):
-        Match("middle-size-2006", opponents=team_of(lively()), seed=1)
-
-
-def test_a_body_is_needed_to_act() -> None:
+def test_a_body_and_its_league_are_needed_to_act_and_saves_are_of_one_policy() -> None:
     match, team = Match(home=1, away=1, seed=1, senses="ideal"), team_of(lively())
     view = View(match.league, match.beliefs, match.tracks)
     memory, rng = np.zeros((1, 2), team.memory_dtype), TeamRandom(match.robots["noise"].copy(), np.arange(2))
     with pytest.raises(ValueError, match="team 'lively' plays inside a match only: give it as controllers, opponents"):
         team.act(view, memory, rng)
+    with pytest.raises(ValueError, match="policy 'lively' was trained in .* family legged, 'middle-size-2006' is of"):
+        Match("middle-size-2006", opponents=team, seed=1)
+    one, other = (Match(home=1, away=1, opponents=team_of(lively(16, seed=seed)), seed=1) for seed in (1, 2))
+    with pytest.raises(ValueError, match="teams differ"):
+        other.load(one.save())

@@ -14,30 +14,20 @@ from soccer_env.agents.policy import Policy, trained_in
 from soccer_env.agents.policy_file import LACKS, MAX_FILE, MAX_HEADER, dump, load, parse
 from soccer_env.leagues import LEAGUES, Slots, find_league
 from soccer_env.observations import names_of
-from tests.agents.staged_files import TABLE, WHERE, refused, with_fields, with_table, without
+from tests.agents.staged_files import FIELDS, TABLE, WHERE, refused, with_fields, with_table, without
 
 MADE = {"command": "soccer train --seed 1", "note": 'two\nlines, "quoted", ß'}
 
 
 def policy(*widths: int, inputs: tuple[str, ...] = ("ball_x", "ball_y"), **changes: Any) -> Policy:
-    """Return a small policy whose hidden layers have these widths."""
     outputs = 7 if changes.get("actions") == "full" else 4
     sizes = [len(inputs), *(widths or (3,)), outputs]
     rng = np.random.default_rng(1)
     fields = {
-        "name": "tiny",
-        **trained_in(find_league("legged-2001")),
-        "observe": "truth",
-        "inputs": inputs,
-        "actions": "box",
-        "action_repeat": 2,
-        "kind": "slots",
-        "activation": "tanh",
-        "mirror": False,
+        **FIELDS, "inputs": inputs, "action_repeat": 2, "made": MADE,
         "weights": tuple(rng.normal(size=(b, a)).astype(np.float32) for a, b in zip(sizes, sizes[1:])),
         "biases": tuple(rng.normal(size=b).astype(np.float32) for b in sizes[1:]),
-        "made": MADE,
-    }
+    }  # fmt: skip
     return Policy(**{**fields, **changes})
 
 
@@ -49,21 +39,8 @@ def test_a_file_gives_back_the_policy(tmp_path: Path) -> None:
     whole = policy(5, 3, actions="full", mirror=True)
     (tmp_path / "a.safetensors").write_bytes(dump(whole))
     read = load(tmp_path / "a.safetensors")
-    for field in (
-        "name",
-        "league",
-        "family",
-        "control_rate",
-        "observe",
-        "inputs",
-        "actions",
-        "action_repeat",
-        "kind",
-        "activation",
-        "mirror",
-    ):
+    for field in FIELDS.keys() - {"weights", "biases"}:
         assert getattr(read, field) == getattr(whole, field)
-    assert read.made == MADE
     for own, other in zip(whole.weights + whole.biases, read.weights + read.biases):
         assert own.tobytes() == other.tobytes() and own.shape == other.shape
 
@@ -71,9 +48,7 @@ def test_a_file_gives_back_the_policy(tmp_path: Path) -> None:
 @settings(max_examples=40)
 @given(
     widths=st.lists(st.integers(1, 9), max_size=7),
-    made=st.dictionaries(
-        st.from_regex(limits.NAME, fullmatch=True), st.text(st.characters(categories=["L", "P", "S"]))
-    ),
+    made=st.dictionaries(st.from_regex(limits.NAME, fullmatch=True), st.text(st.characters(categories="LPS"))),
     repeat=st.integers(1, 1000),
     mirror=st.booleans(),
 )
@@ -117,10 +92,7 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
 @pytest.mark.parametrize(
     ("changes", "reason"),
     [
-        ({"name": ""}, "name must be 1 to 64 characters"),
-        ({"name": "a|b"}, "name must be 1 to 64 characters"),
-        ({"name": "two\nlines"}, "name must be 1 to 64 characters"),
-        ({"name": "x" * 65}, "name must be 1 to 64 characters"),
+        *(({"name": name}, "name must be 1 to 64 characters") for name in ("", "a|b", "two\nlines", "x" * 65)),
         ({"name": 3}, "name must be 1 to 64 characters .* got 3"),
         ({"league": ""}, "league must be"),
         ({"family": "Middle size"}, "family must be 1 to 64 lower-case letters, digits and -, got 'Middle size'"),
@@ -139,10 +111,7 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
         ({"attention": None}, "attention of kind 'slots' must be a tuple without arrays, got NoneType"),
         ({"activation": "gelu"}, "activation must be one of tanh, relu"),
         ({"mirror": 1}, "mirror must be True or False, got 1"),
-        ({"action_repeat": 0}, "action_repeat must be 1 to 1000, got 0"),
-        ({"action_repeat": 1001}, "action_repeat must be 1 to 1000, got 1001"),
-        ({"action_repeat": True}, "action_repeat must be 1 to 1000, got True"),
-        ({"action_repeat": 2.0}, "action_repeat must be 1 to 1000, got 2.0"),
+        *(({"action_repeat": bad}, f"action_repeat must be 1 to 1000, got {bad}") for bad in (0, 1001, True, 2.0)),
         ({"inputs": ["ball_x", "ball_y"]}, "inputs must be a tuple"),
         ({"inputs": ()}, "inputs must be a tuple of 1 to 4096 names, got 0"),
         ({"inputs": tuple(f"i{n}" for n in range(4097))}, "1 to 4096 names, got 4097"),
@@ -161,20 +130,14 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
         ({"weights": (), "biases": ()}, "1 to 8 layers, got 0"),
         ({"weights": (ones(4, 2),) * 9, "biases": (ones(4),) * 9}, "1 to 8 layers, got 9"),
         ({"weights": (ones(4, 2),)}, "must be tuples of the same length"),
-        (
-            {"weights": (ones(4, 2).astype(float),), "biases": (ones(4),)},
-            "layer0.weight must .* got float64",
-        ),
+        ({"weights": (ones(4, 2).astype(float),), "biases": (ones(4),)}, "layer0.weight must .* got float64"),
         ({"weights": (ones(4, 2),), "biases": ([1.0] * 4,)}, "layer0.bias must be an array of float32, got list"),
         ({"weights": (ones(4, 3),), "biases": (ones(4),)}, r"layer0 must have a weight \(4, 2\)"),
         ({"weights": (ones(5, 2),), "biases": (ones(5),)}, r"layer0 must have a weight \(4, 2\)"),
         ({"weights": (ones(8),), "biases": (ones(4),)}, r"layer0 must have a weight \(4, 2\)"),
         ({"weights": (ones(3, 2), ones(4, 3)), "biases": (ones(1, 3), ones(4))}, "layer0.bias must have the shape"),
         ({"weights": (ones(0, 2), ones(4, 0)), "biases": (ones(0), ones(4))}, "layer0.bias must have the shape"),
-        (
-            {"weights": (ones(1025, 2), ones(4, 1025)), "biases": (ones(1025), ones(4))},
-            "layer0.bias must have the shape",
-        ),
+        ({"weights": (ones(1025, 2), ones(4, 1025)), "biases": (ones(1025), ones(4))}, "layer0.bias must have the "),
         ({"weights": (ones(4, 2) * np.nan,), "biases": (ones(4),)}, "layer0 must be finite"),
         ({"weights": (ones(4, 2),), "biases": (ones(4) * -np.inf,)}, "layer0 must be finite"),
         ({"weights": (ones(4, 2) * 3e37,), "biases": (ones(4),)}, "layer0 must stay below 1e[+]37"),
@@ -187,12 +150,9 @@ def test_what_does_not_agree_is_refused(changes: dict[str, Any], reason: str) ->
     assert len(str(refusal.value)) < 300 and str(refusal.value).isprintable()
 
 
-def test_too_many_weights_are_refused() -> None:
+def test_too_many_weights_are_refused_and_tanh_bounds_what_follows_it() -> None:
     with pytest.raises(ValueError, match="at most 3900000 weights and biases"):
         policy(*(1000,) * 6)
-
-
-def test_tanh_bounds_what_follows_it() -> None:
     replace(policy(), weights=(ones(3, 2) * 1e20, ones(4, 3) * 1e20))
 
 
@@ -204,11 +164,10 @@ def test_a_policy_plays_its_league_and_its_variants(league: str, observe: str) -
     for name, preset in LEAGUES.items():
         if preset.family == own.family:
             trained.check_plays(preset)
-        else:
-            with pytest.raises(
-                ValueError, match=f"trained in '{league}' of family {own.family}, '{name}' is of family"
-            ):
-                trained.check_plays(preset)
+            continue
+        said = f"trained in '{league}' of family {own.family}, '{name}' is of family"
+        with pytest.raises(ValueError, match=said):
+            trained.check_plays(preset)
 
 
 def test_a_league_is_known_by_what_it_is_and_not_by_its_name() -> None:
@@ -224,7 +183,7 @@ def test_a_league_is_known_by_what_it_is_and_not_by_its_name() -> None:
         trained.check_plays(replace(league, family="cats"))
 
 
-def test_a_file_of_version_1_takes_family_and_rate_from_our_league_of_that_name() -> None:
+def test_a_file_of_version_1_takes_family_and_rate_from_our_league_and_one_of_2_has_no_rules() -> None:
     first = {key: value for key, value in TABLE.items() if key not in LACKS[1]} | {"version": 1}
     read = parse(with_table(first), WHERE)
     assert (read.league, read.family, read.control_rate, read.rules) == ("legged-2001", "legged", 16, {})
@@ -233,9 +192,6 @@ def test_a_file_of_version_1_takes_family_and_rate_from_our_league_of_that_name(
     refused(with_fields(version=1), "unknown key 'family' for version 1")
     for league in ("icy", ["legged-2001"], None):
         refused(with_table({**first, "league": league}), "is of version 1, which says nothing of leagues of one's own")
-
-
-def test_a_file_of_version_2_says_nothing_of_rules() -> None:
     assert parse(with_table({**without(TABLE, "rules"), "version": 2}), WHERE).rules == {}
     refused(with_fields(version=2), "unknown key 'rules' for version 2")
 

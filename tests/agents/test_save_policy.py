@@ -87,26 +87,17 @@ def head(outputs: np.ndarray, kind: str) -> np.ndarray:
 
 
 SAC = CleanSac()
+OF_SAC = {"activation": "relu", "squash": True, "outputs": SAC}
 CASES: dict[str, tuple[Any, dict[str, Any], Any, str]] = {
     "CleanRL's PPO": (CleanAgent().actor_mean, {}, None, "clipped"),
-    "CleanRL's SAC": (
-        [SAC.fc1, SAC.fc2, SAC.fc_mean],
-        {"activation": "relu", "squash": True, "outputs": SAC},
-        lambda x: SAC(x)[0],
-        "squashed",
-    ),
+    "CleanRL's SAC": ([SAC.fc1, SAC.fc2, SAC.fc_mean], OF_SAC, lambda x: SAC(x)[0], "squashed"),
     "stable-baselines3's TD3": (nn.Sequential(mlp(9, 4, activation=nn.ReLU), nn.Tanh()), {}, None, "clipped"),
     "a DQN": (mlp(11, 7, 12, activation=nn.ReLU), {}, None, "discrete"),
     "RLlib: encoder and head": ([nn.Sequential(mlp(9, 8), nn.Tanh()), nn.Linear(8, 8)], {}, None, "clipped"),
     "TorchRL: mean and deviation": (TorchRl(), {}, lambda x: TorchRl.forward(TORCHRL, x).mean, "clipped"),
     "the head as well": (mlp(8, 7), {}, None, "clipped"),
     "one layer without a bias": (nn.Linear(INPUTS, 4, bias=False), {}, None, "clipped"),
-    "dropout in training": (
-        nn.Sequential(nn.Linear(INPUTS, 8), nn.Dropout(0.5), nn.Tanh(), nn.Linear(8, 4)),
-        {},
-        None,
-        "clipped",
-    ),
+    "dropout in training": (nn.Sequential(*mlp(8, 4)[:1], nn.Dropout(0.5), *mlp(8, 4)[1:]), {}, None, "clipped"),
     "double precision": (mlp(8, 4).double(), {}, None, "clipped"),
     "normalised": (mlp(12, 4), {"normalise": Scale(clip_obs=10.0)}, None, "clipped"),
     "normalised without a limit": (mlp(12, 12), {"normalise": Scale()}, None, "discrete"),
@@ -179,9 +170,6 @@ def test_training_mode_and_random_numbers_are_left_alone(tmp_path: Path) -> None
     assert torch.equal(before, torch.get_rng_state())
 
 
-# What is refused
-
-
 class Skip(nn.Module):  # type: ignore[misc]
     """Layers with a connection past them."""
 
@@ -212,25 +200,19 @@ class Split(nn.Module):  # type: ignore[misc]
         return {"action": self.inner(x)}
 
 
+SHORT = {"mean": [0.0], "deviation": [1.0], "limit": 5.0}
+FLAT = {"mean": [0.0] * INPUTS, "deviation": [0.0] * INPUTS}
 REFUSED: dict[str, tuple[Any, dict[str, Any], str]] = {
     "no module": (3, {}, "module must be a torch module, or several in a list, got int"),
     "nothing": ([], {}, "the module must begin with a Linear layer, got nothing"),
     "a recurrent one": (nn.GRU(INPUTS, 4), {}, "a policy file holds Linear layers with Tanh or ReLU between, no GRU"),
     "another activation": (mlp(8, 4, activation=nn.SiLU), {}, "Tanh or ReLU between, no SiLU; team_of_function lets"),
     "a norm": (nn.Sequential(nn.Linear(INPUTS, 4), nn.LayerNorm(4)), {}, "Tanh or ReLU between, no LayerNorm"),
-    "two activations": (
-        nn.Sequential(mlp(8, 8), nn.ReLU(), nn.Linear(8, 4)),
-        {},
-        "one activation, Tanh or ReLU, between its Linear layers and at most a Tanh behind the last, got Linear, Tanh",
-    ),
+    "two activations": (nn.Sequential(mlp(8, 8), nn.ReLU(), nn.Linear(8, 4)), {}, "one activation, Tanh or ReLU, betw"),
     "a ReLU at the end": (nn.Sequential(mlp(8, 4), nn.ReLU()), {}, "at most a Tanh behind the last, got Linear, Tanh"),
     "no activation": ([nn.Linear(INPUTS, 8), nn.Linear(8, 4)], {}, "give activation= if `forward` applies it"),
     "activations in forward": (CleanSac(), {}, "give activation= if `forward` applies it"),
-    "more than its layers": (
-        CleanSac(),
-        {"activation": "relu"},
-        "layer3 must have a weight (4, 4) and a bias (4,), got",
-    ),
+    "more than its layers": (CleanSac(), {"activation": "relu"}, "layer3 must have a weight (4, 4) and a bias (4,), "),
     "a connection past layers": (Skip(), {}, "the module computes something else than its layers in their order"),
     "scaled actions": (Scaled(*mlp(8, 4)), {}, "the module computes something else than its layers in their order"),
     "a dict": (Split(), {}, "the module must give a tensor of outputs, got dict: give outputs="),
@@ -243,15 +225,11 @@ REFUSED: dict[str, tuple[Any, dict[str, Any], str]] = {
     "an unknown activation": (mlp(4), {"activation": "gelu"}, "activation must be one of tanh, relu, got 'gelu'"),
     "too long a repeat": (mlp(4), {"action_repeat": 0}, "action_repeat must be 1 to 1000, got 0"),
     "no normaliser": (mlp(4), {"normalise": 3}, "normalise must be a table of mean, deviation, limit, or have obs_rms"),
-    "another size": (
-        mlp(4),
-        {"normalise": {"mean": [0.0], "deviation": [1.0], "limit": 5.0}},
-        f"normalise['mean'] must have {INPUTS} numbers, got [0.0]",
-    ),
+    "another size": (mlp(4), {"normalise": SHORT}, f"normalise['mean'] must have {INPUTS} numbers, got [0.0]"),
     "no deviation": (
         mlp(4),
-        {"normalise": {"mean": [0.0] * INPUTS, "deviation": [0.0] * INPUTS}},
-        "normalise['deviation'] must hold numbers from 1e-12 to 1e+30, got 0.0",
+        {"normalise": FLAT},
+        "normalise['deviation'] must hold numbers from 1e-12 to 1e+30, got 0",
     ),
     "squashed discrete ones": (mlp(12), {"squash": True}, "mirror and squash must be False where actions are discrete"),
 }

@@ -1,4 +1,4 @@
-"""A policy knows the senses it was trained with: in its file, in what its run left, and where it meets others."""
+"""A policy knows the senses and rules it was trained with, and says where it meets others; the bundled one as well."""
 
 import json
 from dataclasses import replace
@@ -6,13 +6,21 @@ from pathlib import Path
 
 import pytest
 
+from soccer_env import Match
+from soccer_env.agents import rules_known
 from soccer_env.agents.learned import BUNDLED, team_of
 from soccer_env.agents.policy_file import dump, load, parse
-from soccer_env.agents.rules_known import LOG, warn_once
+from soccer_env.agents.rules_known import LOG, recorded, warn_once
 from soccer_env.agents.trained_with import differences, senses_of_run, tell_of_truth, trained_with
+from soccer_env.leagues import find_league
+from soccer_env.leagues.league import League
+from soccer_env.leagues.rules import SWITCHES, rule_set
+from soccer_env.observations import names_of
 from soccer_env.teams import Lineup, make_team
+from soccer_env.train.evaluate import EvaluateSettings, evaluate
+from soccer_env.train.ppo.toml_file import settings_of
 from tests.agents.staged_files import TABLE, refused, with_fields
-from tests.agents.staged_policies import lively
+from tests.agents.staged_policies import from_disk, lively
 
 UNKNOWN = {"senses": "", "pose": ""}
 
@@ -39,10 +47,7 @@ def test_what_a_run_left_says_it_for_files_that_are_older() -> None:
     assert trained_with(lively(made={"settings": settings})) == {"senses": "sensors", "pose": "percept"}
     for nonsense in ("", "[" * 100_000, "[]", '{"pose": 7, "senses": ["x"]}', '{"ideal_share": "much"}'):
         assert trained_with(lively(made={"settings": nonsense[:2000]})) == UNKNOWN
-
-
-def test_who_is_told_the_truth_needs_no_pose() -> None:
-    assert senses_of_run({"senses": "ideal", "pose": "percept"}) == {"senses": "ideal", "pose": ""}
+    assert senses_of_run({"senses": "ideal", "pose": "percept"}) == {"senses": "ideal", "pose": ""}, "it needs no pose"
     assert senses_of_run({"senses": "sensors", "ideal_share": 1.0, "pose": "percept"})["senses"] == "ideal"
 
 
@@ -67,10 +72,107 @@ def test_a_policy_that_observes_the_truth_is_said_to_need_ideal_senses(caplog: p
     (record,) = caplog.records
     assert record.name == LOG.name and "'knows' observes the truth" in record.message
     assert "--senses ideal" in record.message
+    shown = "observe='belief', actions='box': slots of 93 inputs, layers of 32, 4"
+    assert repr(lively(32)) == f"Policy('lively', 'legged-2001', {shown})"
 
 
-def test_a_policy_is_shown_by_what_it_is(tmp_path: Path) -> None:
-    shown = repr(lively(32))
-    assert shown == (
-        "Policy('lively', 'legged-2001', observe='belief', actions='box': slots of 93 inputs, layers of 32, 4)"
-    )
+LEAGUE = find_league("legged-2001")
+
+
+@pytest.fixture(autouse=True)
+def _nothing_told_yet() -> None:
+    warn_once.cache_clear()
+
+
+def under(rules: str) -> League:
+    return replace(LEAGUE, rules=rule_set(LEAGUE.rules, rules))
+
+
+def warnings_of(caplog: pytest.LogCaptureFixture, policy_rules: str, rules: str) -> list[str]:
+    """Return what is said where a policy trained under some rules plays two matches under others."""
+    team = team_of(replace(lively(), rules=recorded(under(policy_rules).rules)))
+    for _ in range(2):
+        Match(home=1, away=1, seed=1, rules=rules, controllers={"home": team, "away": "still"})
+    return [record.message for record in caplog.records if record.name == LOG.name]
+
+
+def test_under_its_own_rules_nothing_is_said(caplog: pytest.LogCaptureFixture) -> None:
+    assert warnings_of(caplog, "league", "league") == []
+    assert warnings_of(caplog, "league:pushing=True", "league:pushing=True,holding_time=3") == [], "another name"
+
+
+def test_other_rules_are_told_once_with_both_names_and_each_rule_that_differs(caplog: pytest.LogCaptureFixture) -> None:
+    theirs = "simple:pushing=True,holding_time=5"
+    (text,) = warnings_of(caplog, theirs, "simple:illegal_defender=True")
+    assert "'lively'" in text and f"rules {theirs!r}" in text and "under 'simple:illegal_defender=True'" in text
+    told = text.split(": ")[-1]
+    assert told == "pushing (on, off), illegal_defender (off, on), holding_time (5, 3)"
+
+
+def test_rules_that_came_later_or_went_are_named_and_how_long_a_match_lasts_is_none() -> None:
+    assert rules_known.differences(recorded(LEAGUE.rules), replace(LEAGUE.rules, half_minutes=1.0)) == []
+    known = {**recorded(LEAGUE.rules), "offside": True}
+    del known["pushing"]
+    found = rules_known.differences(known, rule_set(LEAGUE.rules, "league:pushing=True"))
+    assert found == ["pushing (not there, on)", "offside (on, not there)"]
+
+
+def test_a_file_without_rules_is_said_to_be_older_than_they_are(caplog: pytest.LogCaptureFixture) -> None:
+    team_of(replace(lively(), rules={})).check_league(under("simple"))
+    (record,) = caplog.records
+    assert "does not say under which rules it was trained, and now plays under 'simple'" in record.message
+    assert "save_policy or convert_sb3 and rules=..., or give FILE.zip:rules=league" in record.message
+
+
+def test_a_file_keeps_every_switch_and_number(tmp_path: Path) -> None:
+    policy = replace(lively(), rules=recorded(under("simple:pushing=True,pushing_time=4.5").rules))
+    read = parse(dump(policy), "file")
+    assert read.rules == policy.rules == from_disk(policy, tmp_path).policy.rules
+    assert read.rules["name"] == "simple:pushing=True,pushing_time=4.5" and read.rules["pushing_time"] == 4.5
+    assert set(SWITCHES) <= set(read.rules) and rules_known.differences(read.rules, under("simple").rules)
+
+
+LEAST_STEPS = 0.99  # [1] of the steps asked for: a run ends with whole rollouts
+
+
+def test_the_policy_is_small_and_plays_by_beliefs() -> None:
+    policy = load(BUNDLED)
+    assert BUNDLED.stat().st_size < 1_000_000
+    assert (policy.name, policy.league, policy.observe) == ("learned", "legged-2001", "belief")
+    assert list(policy.inputs) == names_of(find_league("legged-2001"), "belief")
+    assert make_team("learned").name == "learned"
+
+
+ALWAYS = {  # settings that there were then; every run has them so now
+    "gradient_limit": 0.5, "value_weight": 0.5, "target_kl": 0.0, "hold_keeper": 0.0, "teacher_commands": False,
+    "curriculum": True, "normalise_rewards": False,
+}  # fmt: skip
+
+
+def test_it_was_trained_by_the_settings_beside_it() -> None:
+    policy, settings = load(BUNDLED), settings_of(BUNDLED.with_suffix(".toml"))
+    recorded = json.loads(policy.made["settings"])  # those there were when it was trained
+    now = {name: getattr(settings, name, ALWAYS.get(name)) for name in recorded}
+    assert recorded == now | {"start": Path(settings.start).name}
+    assert policy.made["seed"] == str(settings.seed)
+    assert LEAST_STEPS * settings.steps <= int(policy.made["step"]) <= settings.steps + 100_000
+    assert (policy.action_repeat, policy.mirror) == (settings.action_repeat, settings.mirror)
+    assert tuple(len(bias) for bias in policy.biases[:-1]) == settings.hidden_sizes
+    evaluations = BUNDLED.with_name("legged-2001.evaluations.jsonl").read_text(encoding="utf-8").splitlines()
+    assert [json.loads(line)["step"] for line in evaluations][-1] == int(policy.made["step"])
+
+
+def test_it_beats_the_papers_team() -> None:
+    result = evaluate(EvaluateSettings(home="learned", away="sacks-2001", matches=24, minutes=2.0, players=3, seed=11))
+    assert result.goal_difference.mean > 0.0
+    assert result.points.mean > 0.5
+
+
+def test_a_bundled_setting_is_found_by_its_name_anywhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for name in ("legged-2001", "legged-2001.toml"):
+        assert settings_of(Path(name)) == settings_of(BUNDLED.with_suffix(".toml"))
+    Path("legged-2001").write_text("steps = 5000\n", encoding="utf-8")  # a file of one's own comes first
+    assert settings_of(Path("legged-2001")).steps == 5000
+    with pytest.raises(ValueError, match=r"nobody\.toml cannot be read"):
+        settings_of(Path("nobody.toml"))

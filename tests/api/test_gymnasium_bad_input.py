@@ -9,47 +9,32 @@ NAN = float("nan")
 GOOD = np.zeros((4, 4), np.float32)
 
 
-# Settings
+BOTH = (make, make_many)
+BAD_SETTINGS = [
+    (BOTH, {"agent": "home_2"}, "unknown agent 'home_2', did you mean .*known: home_0, home_1, away_0, away_1"),
+    (BOTH, {"agent": 1}, "agent must be a text, got 1"),
+    (BOTH, {"opponents": None}, "home_1 is the one learner.*away_0"),
+    (BOTH, {"teammates": None}, "home_1 is the one learner.*home_0"),
+    (BOTH, {"controllers": {"home_1": "still"}}, "controllers must map .* other than home_1"),
+    (BOTH, {"controllers": "still"}, "controllers must map"),
+    (BOTH, {"controllers": {"home_5": "still"}}, "unknown agent 'home_5' in controllers"),
+    (BOTH, {"opponents": "giants"}, "unknown team 'giants'"),
+    (BOTH, {"league": "football"}, "unknown league 'football'"),
+    (BOTH, {"home": 12}, "home must be 1 to 11, got 12"),
+    (BOTH, {"render_mode": "ascii"}, "render_mode must be one of rgb_array"),
+    ((make_many,), {"num_envs": 0}, "num_envs must be 1 to "),
+    ((make_many,), {"num_envs": 2.5}, "num_envs must be a whole number, 1 to .*2.5"),
+    ((make_many,), {"threads": 0}, "threads must be 1 to 256, got 0"),
+    ((make_many,), {"autoreset_mode": "Disabled"}, "autoreset_mode must be one of NextStep, SameStep, got 'Disabled'"),
+    ((make_many,), {"render_mode": "human"}, "render_mode must be one of rgb_array, got 'human'"),
+]
 
 
-@pytest.mark.parametrize("maker", [make, make_many])
-@pytest.mark.parametrize(
-    ("settings", "complaint"),
-    [
-        ({"agent": "home_2"}, "unknown agent 'home_2', did you mean .*known: home_0, home_1, away_0, away_1"),
-        ({"agent": 1}, "agent must be a text, got 1"),
-        ({"opponents": None}, "home_1 is the one learner.*away_0"),
-        ({"teammates": None}, "home_1 is the one learner.*home_0"),
-        ({"controllers": {"home_1": "still"}}, "controllers must map .* other than home_1"),
-        ({"controllers": "still"}, "controllers must map"),
-        ({"controllers": {"home_5": "still"}}, "unknown agent 'home_5' in controllers"),
-        ({"opponents": "giants"}, "unknown team 'giants'"),
-        ({"league": "football"}, "unknown league 'football'"),
-        ({"home": 12}, "home must be 1 to 11, got 12"),
-        ({"render_mode": "ascii"}, "render_mode must be one of rgb_array"),
-    ],
-)
-def test_bad_settings_are_refused(maker, settings, complaint):
-    with pytest.raises(ValueError, match=complaint):
-        maker(**settings)
-
-
-@pytest.mark.parametrize(
-    ("settings", "complaint"),
-    [
-        ({"num_envs": 0}, "num_envs must be 1 to "),
-        ({"num_envs": 2.5}, "num_envs must be a whole number, 1 to .*2.5"),
-        ({"threads": 0}, "threads must be 1 to 256, got 0"),
-        ({"autoreset_mode": "Disabled"}, "autoreset_mode must be one of NextStep, SameStep, got 'Disabled'"),
-        ({"render_mode": "human"}, "render_mode must be one of rgb_array, got 'human'"),
-    ],
-)
-def test_bad_settings_of_the_vector_env_are_refused(settings, complaint):
-    with pytest.raises(ValueError, match=complaint):
-        make_many(**settings)
-
-
-# Actions
+@pytest.mark.parametrize(("makers", "settings", "complaint"), BAD_SETTINGS)
+def test_bad_settings_are_refused(makers, settings, complaint):
+    for maker in makers:
+        with pytest.raises(ValueError, match=complaint):
+            maker(**settings)
 
 
 @pytest.mark.parametrize(
@@ -76,45 +61,31 @@ def test_bad_actions_are_refused_and_change_nothing(action, complaint):
 
 @pytest.mark.parametrize("mode", MODES)
 @pytest.mark.parametrize(
-    ("actions", "complaint"),
+    ("kind", "actions", "complaint"),
     [
-        (np.where(np.arange(16).reshape(4, 4) == 9, np.inf, GOOD), "home_1 in match 2.*inf"),
-        (GOOD[:3], r"home_1 must be numbers of shape \(4, 4\), got float32 of shape \(3, 4\)"),
-        (GOOD[0], r"shape \(4, 4\), got float32 of shape \(4,\)"),
-        (GOOD.astype(complex), "got complex"),
-        (GOOD.astype(bool), "got bool"),
-        (GOOD.astype(str), "got <U"),
-        ([[0.0], [1.0, 2.0]], "must be numbers of shape"),
-        (None, "got object"),
-        ({"home_1": GOOD}, "got object"),
+        ("box", np.where(np.arange(16).reshape(4, 4) == 9, np.inf, GOOD), "home_1 in match 2.*inf"),
+        ("box", GOOD[:3], r"home_1 must be numbers of shape \(4, 4\), got float32 of shape \(3, 4\)"),
+        ("box", GOOD[0], r"shape \(4, 4\), got float32 of shape \(4,\)"),
+        ("box", GOOD.astype(complex), "got complex"),
+        ("box", GOOD.astype(bool), "got bool"),
+        ("box", GOOD.astype(str), "got <U"),
+        ("box", [[0.0], [1.0, 2.0]], "must be numbers of shape"),
+        ("box", None, "got object"),
+        ("box", {"home_1": GOOD}, "got object"),
+        ("discrete", [0, 12, 0, 0], "home_1 in match 1 must be 0 to 11, got 12"),
+        ("discrete", [0.0, 1.0, 2.0, 3.0], "integers of shape"),
     ],
 )
-def test_bad_actions_of_the_vector_env_are_refused_and_change_nothing(mode, actions, complaint):
-    envs, witness = make_many(autoreset_mode=mode), make_many(autoreset_mode=mode)
+def test_bad_actions_of_the_vector_env_are_refused_and_change_nothing(mode, kind, actions, complaint):
+    envs, witness = (make_many(autoreset_mode=mode, actions=kind) for _ in range(2))
+    good = GOOD if kind == "box" else [0, 11, 3, 4]
     envs.reset(seed=1), witness.reset(seed=1)
-    envs.step(GOOD), witness.step(GOOD)
+    envs.step(good), witness.step(good)
     before = envs.match.state_hash()
     with pytest.raises(ValueError, match=complaint):
         envs.step(actions)
     assert envs.match.state_hash() == before
-    assert np.array_equal(envs.step(GOOD)[0], witness.step(GOOD)[0])
-
-
-@pytest.mark.parametrize(
-    ("actions", "complaint"),
-    [([0, 12, 0, 0], "home_1 in match 1 must be 0 to 11, got 12"), ([0.0, 1.0, 2.0, 3.0], "integers of shape")],
-)
-def test_bad_discrete_actions_of_the_vector_env_are_refused(actions, complaint):
-    envs = make_many(actions="discrete")
-    envs.reset(seed=1)
-    before = envs.match.state_hash()
-    with pytest.raises(ValueError, match=complaint):
-        envs.step(actions)
-    assert envs.match.state_hash() == before
-    envs.step([0, 11, 3, 4])
-
-
-# Resets, and calls in the wrong order
+    assert np.array_equal(envs.step(good)[0], witness.step(good)[0])
 
 
 @pytest.mark.parametrize(

@@ -1,17 +1,20 @@
-"""The single-agent Gymnasium API: its contract, and that it is the parallel env seen by one agent."""
+"""The single-agent Gymnasium API: its contract, its ids, and that it is the parallel env seen by one agent."""
+
+import subprocess
+import sys
 
 import gymnasium
 import numpy as np
 import pettingzoo
 import pytest
 from gymnasium.utils.env_checker import check_env, data_equivalence
+from gymnasium.wrappers import RecordEpisodeStatistics, TimeAwareObservation
 
 from soccer_env import soccer_v0
-from soccer_env.api.ids import register
+from soccer_env.api import ids
+from soccer_env.api.ids import STEPS, register
 from tests.scenes.staged_envs import GAMES, TEAMS, make
 from tests.scenes.staging import LEAGUES
-
-# The contract
 
 
 @pytest.mark.parametrize(("league", "home", "away"), GAMES)
@@ -30,9 +33,9 @@ def test_stable_baselines_accepts_it(league, home, away, actions):
 
 
 def test_every_id_can_be_made():
-    ids = [name for name in gymnasium.registry if name.startswith("soccer_env/")]
-    assert "soccer_env/Legged2001-1v1-v0" in ids and "soccer_env/MiddleSize2006-6v6-v0" in ids and len(ids) == 24
-    for name in ids:
+    known = [name for name in gymnasium.registry if name.startswith("soccer_env/")]
+    assert "soccer_env/Legged2001-1v1-v0" in known and "soccer_env/MiddleSize2006-6v6-v0" in known and len(known) == 24
+    for name in known:
         env = gymnasium.make(name, **TEAMS)
         settings = env.unwrapped.match.settings
         league = {"legged-2001": "Legged2001", "middle-size-2006": "MiddleSize2006"}[settings.league.name]
@@ -40,13 +43,6 @@ def test_every_id_can_be_made():
         assert name == f"soccer_env/{league}-{word}{settings.home}v{settings.away}-v0"
         assert env.unwrapped.agent == f"home_{settings.home - 1}"
     register()  # again, and nobody is warned
-
-
-@pytest.mark.skipif(not hasattr(pettingzoo, "make"), reason="this PettingZoo has no registry")
-def test_pettingzoo_knows_it_by_name():
-    parallel = pettingzoo.make("parallel", "soccer_env/soccer-v0", home=1, away=2)
-    assert parallel.possible_agents == ["home_0", "away_0", "away_1"]
-    assert pettingzoo.make("aec", "soccer_env/soccer-v0", max_cycles=3).unwrapped.match.settings.max_cycles == 3
 
 
 def test_the_default_opponent_is_a_team_of_the_league():
@@ -57,9 +53,6 @@ def test_the_default_opponent_is_a_team_of_the_league():
         for _ in range(20):
             env.step(env.action_space.sample())
         assert [squad.team.name for squad in env.unwrapped.match.squads] == ["chaser", "chaser"]
-
-
-# Agreement
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -84,9 +77,6 @@ def test_the_single_env_is_the_parallel_env_of_its_agent(league, agent):
     assert parallel.agents == []
 
 
-# Who plays
-
-
 def test_the_learner_and_the_teams_can_be_chosen():
     assert make(home=3, away=3).agent == "home_2"
     assert make(home=1, away=1, max_players=3).agent == "home_0"  # not a robot of the padding
@@ -94,9 +84,6 @@ def test_the_learner_and_the_teams_can_be_chosen():
     names = {name: squad.team.name for squad in env.match.squads for name in np.array(env.match.agents)[squad.players]}
     assert names == {"home_0": "random", "home_1": "random", "away_0": "still", "away_2": "random"}
     assert make(home=1, away=1, teammates=None).agent == "home_0"
-
-
-# Training libraries
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -110,3 +97,66 @@ def test_one_policy_fits_every_team_size(league):
         model.learn(8)
         action, _ = model.predict(env.reset(seed=0)[0])
         assert action.shape == (4,)
+
+
+@pytest.mark.parametrize("name", ids.LEAGUES)
+def test_episodes_of_an_id_end_while_a_learner_still_watches(name):
+    env = RecordEpisodeStatistics(gymnasium.make(f"soccer_env/{name}-1v1-v0", opponents="still"))
+    env.reset(seed=1)
+    for step in range(1, STEPS + 1):
+        *_, terminated, truncated, info = env.step(np.zeros(4, np.float32))
+        assert (terminated, truncated) == (False, step == STEPS)
+    assert info["episode"]["l"] == STEPS
+
+
+def test_the_length_can_be_changed_and_match_ids_have_none():
+    def steps_of(name, **settings):
+        return gymnasium.make(f"soccer_env/{name}", **TEAMS, **settings).unwrapped.match.settings.max_cycles
+
+    assert steps_of("Legged2001-2v2-v0", max_cycles=7) == 7
+    assert steps_of("Legged2001-2v2-v0", max_cycles=None) is None
+    assert steps_of("Legged2001-Match-2v2-v0") is steps_of("MiddleSize2006-Match-6v6-v0") is None
+
+
+def test_gymnasiums_own_word_for_the_length_is_understood():
+    single = gymnasium.make("soccer_env/Legged2001-1v1-v0", max_episode_steps=3, **TEAMS)
+    many = gymnasium.make_vec("soccer_env/Legged2001-1v1-v0", num_envs=2, max_episode_steps=3, **TEAMS)
+    single.reset(seed=1), many.reset(seed=1)
+    for step in (1, 2, 3):
+        one = single.step(single.action_space.sample())
+        two = many.step(many.action_space.sample())
+        assert one[3] == two[3].all() == two[3].any() == (step == 3)
+    with pytest.raises(ValueError, match="max_episode_steps must be .*got 0"):
+        gymnasium.make_vec("soccer_env/Legged2001-1v1-v0", num_envs=2, max_episode_steps=0, **TEAMS)
+
+
+def test_wrappers_that_want_to_know_the_length_do():
+    env = gymnasium.make("soccer_env/Legged2001-1v1-v0", **TEAMS)
+    assert env.spec.max_episode_steps == STEPS and TimeAwareObservation(env).max_timesteps == STEPS
+    again = gymnasium.make(env.spec)
+    assert again.spec.max_episode_steps == STEPS == again.unwrapped.match.settings.max_cycles
+    assert gymnasium.make("soccer_env/Legged2001-Match-1v1-v0", **TEAMS).spec.max_episode_steps is None
+
+
+@pytest.mark.skipif(not hasattr(pettingzoo, "make"), reason="this PettingZoo has no registry")
+def test_pettingzoo_knows_it_by_name_with_the_same_lengths():
+    for kind in ("parallel", "aec"):
+        envs = [pettingzoo.make(kind, f"soccer_env/soccer-{word}v0") for word in ("", "Match-")]
+        assert [env.unwrapped.match.settings.max_cycles for env in envs] == [STEPS, None]
+    assert pettingzoo.make("parallel", "soccer_env/soccer-v0", home=1, away=1).possible_agents == ["home_0", "away_0"]
+    assert pettingzoo.make("aec", "soccer_env/soccer-v0", max_cycles=3).unwrapped.match.settings.max_cycles == 3
+
+
+def test_a_process_that_has_imported_nothing_finds_an_id_by_its_module():
+    words = "import gymnasium; print(gymnasium.make('soccer_env:soccer_env/Legged2001-1v1-v0').unwrapped.agent)"
+    done = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=False)
+    assert done.stdout.strip() == "home_0", done.stderr
+
+
+@pytest.mark.slow
+def test_a_learner_of_stable_baselines_logs_returns():
+    sb3 = pytest.importorskip("stable_baselines3")
+    env = gymnasium.make("soccer_env/Legged2001-1v1-v0")
+    model = sb3.PPO("MlpPolicy", env, n_steps=STEPS + 24, batch_size=512, n_epochs=1, device="cpu")
+    model.learn(STEPS + 24)
+    assert len(model.ep_info_buffer) == 1 and model.ep_info_buffer[0]["l"] == STEPS

@@ -1,4 +1,4 @@
-"""Flat infos: numbers under keys that never change, which agree with the records; and what else can be asked for."""
+"""Infos: flat ones are numbers under keys that never change, which agree with the records; who plays; statistics."""
 
 import pickle
 
@@ -7,6 +7,7 @@ import pytest
 from gymnasium.utils.env_checker import data_equivalence
 
 from soccer_env import Rewards, soccer_v0
+from soccer_env.api.gymnasium_vector import SoccerVectorEnv
 from soccer_env.api.infos import EVENT_NAMES, OWN_NAMES
 from soccer_env.api.report import PHASES
 from soccer_env.statistics.figures import flat
@@ -92,7 +93,49 @@ def test_true_and_false_are_flat_and_none_and_a_wrong_kind_is_refused(maker):
         maker(home=1, away=1, infos=None)
 
 
-def test_the_other_kinds_are_copied_too():
+CYCLES = 12
+
+
+@each_league
+def test_the_last_infos_of_an_episode_hold_its_statistics(name):
+    env = soccer_v0.parallel_env(league=name, home=1, away=1, senses="ideal", max_cycles=CYCLES, infos="nested")
+    for episode in range(2):
+        env.reset(seed=3 if episode == 0 else None)
+        for cycle in range(1, CYCLES + 1):
+            *_, infos = env.step({agent: np.array([1.0, 0.0, 0.0, 0.0]) for agent in env.agents})
+            assert all(("statistics" in info) == (cycle == CYCLES) for info in infos.values())
+        home, away = infos["home_0"]["statistics"], infos["away_0"]["statistics"]
+        assert home["played"] == pytest.approx(CYCLES * env.match.league.dt)
+        assert all(isinstance(value, (int, float)) for value in home.values())
+        assert home == flat(env.match.statistics[0], HOME)
+        assert away == flat(env.match.statistics[0], AWAY)
+
+
+def test_infos_that_are_left_out_are_empty_and_each_kind_is_copied() -> None:
+    env = soccer_v0.parallel_env(home=1, away=1, max_cycles=2, infos=False)
+    found = [env.reset(seed=3)[1], *(infos for _, (*_, infos) in play(env, 2))]
+    assert found == [{"home_0": {}, "away_0": {}}] * 3
     for kind in ("flat", "full", "nested", "none"):
-        env = soccer_v0.parallel_env(home=1, away=1, infos=kind)
-        assert pickle.loads(pickle.dumps(env)).info_kind == kind
+        assert pickle.loads(pickle.dumps(soccer_v0.parallel_env(home=1, away=1, infos=kind))).info_kind == kind
+
+
+@pytest.mark.parametrize("agent", ["home_0", "away_0"])
+def test_the_vector_env_gives_them_of_the_matches_that_ended(agent):
+    given = {
+        "home": 1, "away": 1, "senses": "ideal", "teammates": None, "agent": agent, "max_cycles": CYCLES,
+        "infos": "nested",
+    }  # fmt: skip
+    opponents = {"opponents": "chaser"} if agent == "home_0" else {"opponents": None, "controllers": {"home": "chaser"}}
+    for mode in ("NextStep", "SameStep"):
+        env = SoccerVectorEnv(2, autoreset_mode=mode, **given, **opponents)
+        env.reset(seed=1)
+        for cycle in range(1, CYCLES + 1):
+            *_, infos = env.step(np.zeros((2, 4)))
+            assert "statistics" not in infos or cycle == CYCLES
+        last = infos["statistics"] if mode == "NextStep" else infos["final_info"]["statistics"]
+        record = env.match.statistics if mode == "NextStep" else env.match.final["statistics"]
+        assert last["played"] == pytest.approx(CYCLES * env.match.league.dt)
+        side = HOME if agent == "home_0" else AWAY
+        assert last["possession_for"] == pytest.approx(record["possession"][:, side])
+        assert last["_played"].all()
+        env.close()

@@ -1,17 +1,19 @@
-"""What consoles and notebooks show of matches, teams, leagues and rows: short words, and a picture or nothing."""
+"""What consoles and notebooks show of matches, teams, leagues, rows and envs: short words, and a picture or nothing."""
 
 import sys
 from dataclasses import replace
 from typing import Any
 
+import gymnasium
 import numpy as np
 import pytest
 
-from soccer_env import Match, make_team, team_of_function
+from soccer_env import Match, make_team, soccer_v0, team_of_function
 from soccer_env.api.report import Screen
 from soccer_env.leagues import find_league
 from soccer_env.replay import Recorder
 from soccer_env.scenes import SCENES, Scene, mixture
+from tests.scenes.staged_envs import make, make_many
 
 
 def test_a_notebook_shows_a_match_as_it_stands() -> None:
@@ -33,17 +35,11 @@ def test_what_cannot_be_drawn_is_shown_in_words(monkeypatch: pytest.MonkeyPatch,
     assert match._repr_png_() is None
 
 
-@pytest.mark.parametrize(
-    ("team", "shown"),
-    [
-        ("chaser", "CompiledTeam('chaser')"),
-        ("chaser@0.5", "CompiledTeam('chaser', strength=0.5)"),
-        ("heinemann-2006:passes=False", "CompiledTeam('heinemann-2006', passes=False)"),
-        ("learned", "LearnedTeam('learned', observe='belief')"),
-    ],
-)
-def test_a_team_is_shown_by_what_was_asked_of_it(team: str, shown: str) -> None:
-    assert repr(make_team(team)) == shown
+def test_a_team_is_shown_by_what_was_asked_of_it() -> None:
+    assert repr(make_team("chaser")) == "CompiledTeam('chaser')"
+    assert repr(make_team("chaser@0.5")) == "CompiledTeam('chaser', strength=0.5)"
+    assert repr(make_team("heinemann-2006:passes=False")) == "CompiledTeam('heinemann-2006', passes=False)"
+    assert repr(make_team("learned")) == "LearnedTeam('learned', observe='belief')"
 
 
 def test_a_team_of_a_function_shows_what_was_asked_of_it() -> None:
@@ -58,26 +54,20 @@ def test_a_team_of_a_function_shows_what_was_asked_of_it() -> None:
     assert repr(asked) == f"FunctionTeam('mine', {words})"
 
 
-@pytest.mark.parametrize(
-    ("scene", "shown"),
-    [
-        (SCENES["kick-off"], "<Scene kick-off: a match from the kick-off on>"),
-        (SCENES["empty-goal"], "<Scene empty-goal: home scores, 60 s>"),
-        (mixture("kick-off:0.5,empty-goal:0.5"), "<Mixture kick-off:0.5,empty-goal:0.5: one of several scenes>"),
-        (Scene("own", "mine", success=np.zeros_like), "<Scene own: zeros_like>"),
-    ],
-)
-def test_a_scene_is_shown_by_what_it_asks_for(scene: Scene, shown: str) -> None:
-    assert repr(scene) == shown
+def test_a_scene_is_shown_by_what_it_asks_for() -> None:
+    assert repr(SCENES["kick-off"]) == "<Scene kick-off: a match from the kick-off on>"
+    assert repr(SCENES["empty-goal"]) == "<Scene empty-goal: home scores, 60 s>"
+    mixed = "kick-off:0.5,empty-goal:0.5"
+    assert repr(mixture(mixed)) == f"<Mixture {mixed}: one of several scenes>"
+    assert repr(Scene("own", "mine", success=np.zeros_like)) == "<Scene own: zeros_like>"
 
 
 def test_a_replay_is_shown_by_who_played_and_how_long() -> None:
     match = Match(home=1, away=1, seed=1, controllers={"home": "chaser", "away": "still"})
     recorder = Recorder(match)
     match.step()
-    assert repr(recorder).startswith("<Recorder of <Match legged-2001: ") and repr(recorder).endswith(
-        ": 1 control steps>"
-    )
+    assert repr(recorder).startswith("<Recorder of <Match legged-2001: ")
+    assert repr(recorder).endswith(": 1 control steps>")
     assert repr(recorder.stop()) == "<Replay of chaser against still: 1 control steps>"
 
 
@@ -94,8 +84,26 @@ def test_rows_are_shown_by_the_call_that_makes_them() -> None:
     from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
     env = SoccerVecEnv(players=[(2, 1)], matches=3, opponents="still")
-    words = (
-        "<SoccerVecEnv of 6 robots in 3 matches: league='legged-2001', players=[(2, 1)], matches=3, opponents='still'>"
-    )
-    assert repr(env) == words
+    given = "league='legged-2001', players=[(2, 1)], matches=3, opponents='still'"
+    assert repr(env) == f"<SoccerVecEnv of 6 robots in 3 matches: {given}>"
     assert env._repr_png_() == env.matches[0]._repr_png_()
+
+
+def test_an_env_is_written_as_the_call_that_makes_it():
+    env = soccer_v0.parallel_env(home=1, away=2, opponents="chaser", max_cycles=20)
+    written = "ParallelSoccer(league='legged-2001', home=1, away=2, max_cycles=20, opponents='chaser')"
+    assert repr(env) == written and str(env) == "soccer_v0"
+    assert repr(soccer_v0.raw_env(home=1, away=1)) == "TurnSoccer(league='legged-2001', home=1, away=1)"
+    solo = gymnasium.make("soccer_env/Legged2001-1v1-v0").unwrapped
+    assert repr(solo) == "SoloSoccer(league='legged-2001', home=1, away=1, max_cycles=1000)"
+    assert repr(make_many(3)).startswith("SoccerVectorEnv(league='legged-2001', home=2, away=2, opponents='random'")
+
+
+@pytest.mark.parametrize("maker", [soccer_v0.parallel_env, soccer_v0.raw_env, make, make_many])
+def test_a_notebook_shows_a_picture_and_without_pygame_the_text(maker, monkeypatch: pytest.MonkeyPatch):
+    pytest.importorskip("pygame")
+    env = maker(home=1, away=1)
+    env.reset(seed=1)
+    assert env._repr_png_().startswith(b"\x89PNG\r\n")
+    monkeypatch.setitem(sys.modules, "pygame", None)
+    assert env._repr_png_() is None

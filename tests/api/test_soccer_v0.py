@@ -12,8 +12,6 @@ from soccer_env.types import Phase
 from tests.scenes.staged_envs import play
 from tests.scenes.staging import LEAGUES
 
-# What an env is
-
 
 def test_it_says_what_it_is():
     env = soccer_v0.parallel_env(league="middle-size-2006", home=2, away=3)
@@ -65,25 +63,17 @@ def test_agents_are_the_robots_that_no_team_plays(teams, agents):
         assert (env.unwrapped.match.robots["command"] != before).any()
 
 
-def test_team_mates_leave_the_last_robot_that_plays_to_the_learner():
-    env = soccer_v0.parallel_env(home=2, away=1, max_players=3, teammates="still", opponents="still")
-    assert env.possible_agents == ["home_1"]
-    assert env.reset(seed=0)[1]["home_1"]["active"]
-
-
-def test_padding_robots_are_inactive_agents_off_the_field():
+def test_padding_robots_are_inactive_agents_off_the_field_and_no_learners_beside_team_mates():
     env = soccer_v0.parallel_env(home=1, away=2, max_players=3)
     _, infos = env.reset(seed=0)
     assert [agent for agent in env.agents if infos[agent]["active"]] == ["home_0", "away_0", "away_1"]
     assert len(env.agents) == 6
-    small = soccer_v0.parallel_env(home=1, away=2)
-    assert env.state_space.shape[0] > small.state_space.shape[0]
+    assert env.state_space.shape[0] > soccer_v0.parallel_env(home=1, away=2).state_space.shape[0]
     for _, (observations, *_, infos) in play(env, 5):
         assert not infos["home_2"]["active"]
         assert env.observation_space("home_2").contains(observations["home_2"])
-
-
-# What step returns
+    env = soccer_v0.parallel_env(home=2, away=1, max_players=3, teammates="still", opponents="still")
+    assert env.possible_agents == ["home_1"] and env.reset(seed=0)[1]["home_1"]["active"]
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -95,9 +85,8 @@ def test_observations_and_state_stay_in_their_spaces_through_a_whole_match(leagu
     while env.agents:
         assert all(env.observation_space(agent).contains(array) for agent, array in observations.items())
         assert env.state_space.contains(env.state())
-        observations, _, terminated, truncated, infos = env.step(
-            {agent: env.action_space(agent).sample() for agent in env.agents}
-        )
+        actions = {agent: env.action_space(agent).sample() for agent in env.agents}
+        observations, _, terminated, truncated, infos = env.step(actions)
         seen.update(name for name in ("event_half_time", "event_final_whistle") if infos["home_0"][name])
     assert seen == {"event_half_time", "event_final_whistle"}
     assert all(terminated.values()) and not any(truncated.values())

@@ -16,7 +16,6 @@ STAGED: dict[str, dict[str, Any]] = {  # goals in both halves; both teams keep t
 
 
 def record(name: str, **given: Any) -> Replay:
-    """Return a recording of the chaser and a random team, two a side."""
     match = Match(name, home=2, away=2, senses="ideal", **given)
     recorder = Recorder(match)
     while not match.terminated.all():

@@ -51,17 +51,14 @@ def from_parquet(_: Replay, found: Collected, folder: Path) -> Told:
 def of_table(rows: list[dict[str, Any]], robots: int, number: Any) -> Told:
     """Return a tracking table, frame by frame: the ball and then the robots."""
     shape = (-1, robots + 1)
-    numbers = {
-        name: np.array([number(row[name]) for row in rows]).reshape(shape)
-        for name in ("frame", "time", "period", "clock", "home_direction", "x", "y", "vx", "vy", "heading")
-    }
-    flags = {
-        name: np.array([row[name] in (True, "true") for row in rows]).reshape(shape)
-        for name in ("in_play", "has_ball", "on_pitch")
-    }
+    of_frames = ("frame", "time", "period", "clock", "home_direction")
+    names = (*of_frames, "x", "y", "vx", "vy", "heading")
+    numbers = {name: np.array([number(row[name]) for row in rows]).reshape(shape) for name in names}
+    names = ("in_play", "has_ball", "on_pitch")
+    flags = {name: np.array([row[name] in (True, "true") for row in rows]).reshape(shape) for name in names}
     place, velocity = (np.stack([numbers[x], numbers[y]], axis=-1) for x, y in (("x", "y"), ("vx", "vy")))
     return {
-        **{name: numbers[name][:, 0] for name in ("frame", "time", "period", "clock", "home_direction")},
+        **{name: numbers[name][:, 0] for name in of_frames},
         "in_play": flags["in_play"][:, 0], "has_ball": flags["has_ball"][:, 1:], "on_pitch": flags["on_pitch"][:, 1:],
         "ball": place[:, 0], "every_robot": place[:, 1:], "headings": numbers["heading"][:, 1:],
         "ball_velocity": velocity[:, 0], "velocities": velocity[:, 1:],
@@ -160,7 +157,5 @@ def from_page(replay: Replay, found: Collected, _: Path) -> Told:
     return {name: numbers[shown] for name, numbers in told.items()}
 
 
-READERS = {
-    "csv": from_csv, "parquet": from_parquet, "cdf": from_standard, "xml": from_sportec, "kloppy": from_kloppy,
-    "page": from_page,
-}  # fmt: skip
+READERS = {"csv": from_csv, "parquet": from_parquet, "cdf": from_standard, "xml": from_sportec}
+READERS |= {"kloppy": from_kloppy, "page": from_page}

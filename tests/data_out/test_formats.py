@@ -1,6 +1,8 @@
-"""What others read of our files: the validator of the Common Data Format, kloppy's loader, kloppy's datasets."""
+"""What others read of our files: the validator of the Common Data Format, kloppy's loader and datasets, mplsoccer."""
 
 import json
+import re
+import sys
 import warnings
 from dataclasses import replace
 from datetime import datetime
@@ -16,7 +18,9 @@ from soccer_env.data_out.collect import SIDES, Collected
 from soccer_env.data_out.sportec import RATE, write_sportec
 from soccer_env.data_out.standard import FILES, write_standard
 from soccer_env.replay import Replay
+from soccer_env.train.evaluate import EvaluateSettings, evaluate
 
+PAGE = Path(__file__).parents[2] / "soccer_env/data_out/README.md"
 HOSTILE = '</PutDataRequest><script>alert("&")</script>'
 
 
@@ -24,24 +28,18 @@ def test_the_validator_of_the_common_data_format_accepts_every_line(found: Colle
     cdf = pytest.importorskip("cdf")
     folder = write_standard(found, tmp_path / "x.cdf")
     assert sorted(path.name for path in folder.iterdir()) == sorted(FILES)
-    validators = (
-        cdf.MetaSchemaValidator,
-        cdf.MatchSchemaValidator,
-        cdf.TrackingSchemaValidator,
-        cdf.EventSchemaValidator,
-    )
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        for name, validator in zip(FILES, validators, strict=True):
-            validator().validate_schema(sample=folder / name, mode="extreme", limit=None)
+        for name, kind in zip(FILES, ("Meta", "Match", "Tracking", "Event"), strict=True):
+            validator = getattr(cdf, f"{kind}SchemaValidator")()
+            validator.validate_schema(sample=folder / name, mode="extreme", limit=None)
 
 
 def test_the_common_data_format_tells_each_goal_once(found: Collected, tmp_path: Path) -> None:
     folder = write_standard(found, tmp_path / "x.cdf")
     events = [json.loads(line)["event"] for line in (folder / "event.jsonl").read_text().splitlines()]
-    told = [
-        event for event in events if event["type"] == "shot" and event["outcome_type"] in ("successful", "own_goal")
-    ]
+    shots = [event for event in events if event["type"] == "shot"]
+    told = [shot for shot in shots if shot["outcome_type"] in ("successful", "own_goal")]
     sheet = json.loads((folder / "match.json").read_text())
     assert len(told) == len(sheet["events"]["goals"]) == found.score[-1].sum() > 0
     assert sheet["match"]["result"]["final"]["home"] == found.score[-1, 0]
@@ -118,6 +116,18 @@ def test_kloppys_events_tell_goals_passes_and_shots(replay: Replay, found: Colle
 
 
 def test_without_kloppy_it_says_what_to_install(replay: Replay, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(__import__("sys").modules, "kloppy", None)
+    monkeypatch.setitem(sys.modules, "kloppy", None)
     with pytest.raises(ImportError, match=r'pip install "soccer_env\[data\]"'):
         kloppy_tracking(replay)
+
+
+@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
+def test_the_example_draws_the_maps_of_a_result(league: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("mplsoccer")
+    result = evaluate(EvaluateSettings(league=league, home="chaser", away="still", matches=2, minutes=0.2, players=2))
+    (tmp_path / "result.json").write_text(json.dumps(result.as_dict()), encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "agg")
+    (example,) = re.findall(r"^```python\n(.*?)^```", PAGE.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    exec(compile(example, str(PAGE), "exec"), {"__name__": "example"})
+    assert (tmp_path / "maps.png").read_bytes().startswith(b"\x89PNG")

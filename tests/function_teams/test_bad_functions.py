@@ -10,7 +10,6 @@ from soccer_env import Match, team_of_function
 
 
 def nothing(observations: np.ndarray) -> np.ndarray:
-    """Stand."""
     return np.zeros((*observations.shape[:-1], 4))
 
 
@@ -31,6 +30,7 @@ def with_one(value: Any, size: int = 4) -> np.ndarray:
 
 
 MUST = "team 'mine' must return actions of shape (2, 3, 4) or (2, 3, 7), or discrete ones of shape (2, 3), for "
+IN_MATCH = "in match 1 by team 'mine' must be"
 RANGE = MUST + "away_0 in match 0 to away_2 in match 1, got "
 WRONG: dict[str, tuple[Any, str]] = {
     "another number of players": (np.zeros((2, 2, 4)), RANGE + "float64 of shape (2, 2, 4)"),
@@ -42,19 +42,10 @@ WRONG: dict[str, tuple[Any, str]] = {
     "switches": (np.zeros((2, 3), bool), RANGE + "bool of shape (2, 3)"),
     "lists of different lengths": ([[1.0], [1.0, 2.0]], RANGE + "[[1.0], [1.0, 2.0]]"),
     "fractions for discrete ones": (np.zeros((2, 3)), RANGE + "float64 of shape (2, 3)"),
-    "NaN": (
-        with_one(np.nan),
-        "action of away_2 in match 1 by team 'mine' must be finite, got [0.0, nan, 0.0, 0.0]",
-    ),
-    "infinity": (with_one(-np.inf, 7), "action of away_2 in match 1 by team 'mine' must be finite, got [0.0, -inf,"),
-    "an unknown discrete action": (
-        np.array([[0, 1, 2], [3, 12, 4]]),
-        "action of away_1 in match 1 by team 'mine' must be 0 to 11, got 12",
-    ),
-    "below all discrete actions": (
-        np.array([[0, 1, 2], [3, 11, -1]]),
-        "action of away_2 in match 1 by team 'mine' must be 0 to 11, got -1",
-    ),
+    "NaN": (with_one(np.nan), f"action of away_2 {IN_MATCH} finite, got [0.0, nan, 0.0, 0.0]"),
+    "infinity": (with_one(-np.inf, 7), f"action of away_2 {IN_MATCH} finite, got [0.0, -inf,"),
+    "an unknown discrete action": ([[0, 1, 2], [3, 12, 4]], f"action of away_1 {IN_MATCH} 0 to 11, got 12"),
+    "below all discrete actions": ([[0, 1, 2], [3, 11, -1]], f"action of away_2 {IN_MATCH} 0 to 11, got -1"),
 }
 
 
@@ -70,7 +61,7 @@ def test_what_it_returns_wrongly_is_named_and_nothing_changes(case: str) -> None
     assert match.state_hash() == before
 
 
-def test_a_flat_function_is_told_of_rows() -> None:
+def test_a_flat_function_is_told_of_rows_and_one_robot_alone_is_named_once() -> None:
     match = Match(home=3, away=1, matches=2, teammates=team_of_function(returns(np.zeros((3, 4))), flat=True), seed=1)
     with pytest.raises(ValueError) as error:
         match.step(np.zeros((2, 4, 4)))
@@ -78,9 +69,6 @@ def test_a_flat_function_is_told_of_rows() -> None:
         "team 'mine' must return actions of shape (4, 4) or (4, 7), or discrete ones of shape (4,), "
         "for home_0 in match 0 to home_1 in match 1, got float64 of shape (3, 4)"
     )
-
-
-def test_one_robot_alone_is_named_once() -> None:
     match = Match(home=1, away=1, opponents=team_of_function(returns(np.zeros((1, 1, 5)))), seed=1)
     with pytest.raises(ValueError, match=r"of shape \(1, 1\), for away_0 in match 0, got float64"):
         match.step(np.zeros((1, 2, 4)))

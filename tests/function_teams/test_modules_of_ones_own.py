@@ -63,7 +63,6 @@ def mine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 
 def forward(**who: Any) -> list[float]:
-    """Return what two robots were told to walk in the first step."""
     match = Match(home=1, away=1, controllers=who, seed=1)
     match.step()
     found: list[float] = match.robots["command"]["forward"][0].tolist()
@@ -85,38 +84,31 @@ def test_leagues_rewards_and_scenes_of_a_module_are_found() -> None:
 
 @pytest.mark.usefixtures("mine")
 @pytest.mark.parametrize(
-    ("name", "message"),
+    ("setting", "name", "message"),
     [
-        ("my_own:teem", "unknown team 'teem' in module 'my_own', did you mean 'team'?"),
-        ("my_oun:team", "team: module 'my_oun' cannot be imported: No module named 'my_oun'"),
-        ("my_own:number", "team 'my_own:number' must be a team, or a function that takes strength=, got 3"),
-        ("my_own:ahead", "team 'my_own:ahead' must be a team, or a function that takes strength=, got <function ahead"),
-        ("my_own:Slow", "a team is an object: give Slow(), not the class"),
-        ("my_own:team@0.5", "team 'my_own:team' is no function: it takes neither strength nor settings"),
-        ("my_own:factory@2", "must be a number from 0 to 1, got '2'"),
-        ("os:abort", "team must stand in a module of your own, 'os' is one of Python's"),
+        ("team", "teem", "unknown team 'teem' in module 'my_own', did you mean 'team'?"),
+        ("team", "number", "team 'my_own:number' must be a team, or a function that takes strength=, got 3"),
+        ("team", "ahead", "'my_own:ahead' must be a team, or a function that takes strength=, got <function ahead"),
+        ("team", "Slow", "a team is an object: give Slow(), not the class"),
+        ("team", "team@0.5", "team 'my_own:team' is no function: it takes neither strength nor settings"),
+        ("team", "factory@2", "must be a number from 0 to 1, got '2'"),
+        ("league", "ICI", "unknown league 'ICI' in module 'my_own', did you mean 'ICY'?"),
+        ("league", "PAID", "league 'my_own:PAID' must be a League, got Rewards("),
+        ("rewards", "ICY", "rewards 'my_own:ICY' must be a Rewards, got <League icy"),
+        ("scene", "number", "scene 'my_own:number' must be a Scene, got 3"),
     ],
 )
-def test_what_a_module_does_not_hold_is_named(name: str, message: str) -> None:
+def test_what_a_module_does_not_hold_is_named(setting: str, name: str, message: str) -> None:
     with pytest.raises(ValueError) as error:
-        make_team(name)
+        make_team(f"my_own:{name}") if setting == "team" else Match(**{setting: f"my_own:{name}"})
     assert message in str(error.value)
 
 
-@pytest.mark.usefixtures("mine")
-@pytest.mark.parametrize(
-    ("setting", "message"),
-    [
-        ({"league": "my_own:ICI"}, "unknown league 'ICI' in module 'my_own', did you mean 'ICY'?"),
-        ({"league": "my_own:PAID"}, "league 'my_own:PAID' must be a League, got Rewards("),
-        ({"rewards": "my_own:ICY"}, "rewards 'my_own:ICY' must be a Rewards, got <League icy"),
-        ({"scene": "my_own:number"}, "scene 'my_own:number' must be a Scene, got 3"),
-    ],
-)
-def test_another_kind_of_thing_is_named(setting: dict[str, Any], message: str) -> None:
-    with pytest.raises(ValueError) as error:
-        Match(**setting)
-    assert message in str(error.value)
+def test_a_module_that_is_missing_or_pythons_own_is_named() -> None:
+    with pytest.raises(ValueError, match="team: module 'my_oun' cannot be imported: No module named 'my_oun'"):
+        make_team("my_oun:team")
+    with pytest.raises(ValueError, match="team must stand in a module of your own, 'os' is one of Python's"):
+        make_team("os:abort")
 
 
 EVALUATE = ["evaluate", "--away", "still", "--matches", "2", "--minutes", "0.1", "--players", "1", "--league"]

@@ -28,7 +28,6 @@ def by_numbers(policy: Any) -> Any:
 
 
 def ahead(observations: np.ndarray) -> np.ndarray:
-    """Go straight on."""
     actions = np.zeros((*observations.shape[:-1], 4), np.float32)
     actions[..., 0] = 1.0
     return actions
@@ -49,13 +48,10 @@ COUNTS = {"memory": ("f4", (1,)), "name": "counting"}
 @pytest.mark.parametrize(
     ("league", "observe", "senses"),
     [
-        ("legged-2001", "belief", "sensors"),
-        ("legged-2001", "percepts", "sensors"),
-        ("legged-2001", "truth", "ideal"),
-        ("middle-size-2006", "belief", "ideal"),
-        ("middle-size-2006", "percepts", "sensors"),
+        ("legged-2001", "belief", "sensors"), ("legged-2001", "percepts", "sensors"), ("legged-2001", "truth", "ideal"),
+        ("middle-size-2006", "belief", "ideal"), ("middle-size-2006", "percepts", "sensors"),
     ],
-)
+)  # fmt: skip
 def test_it_plays_what_the_same_policy_plays_from_a_file(league: str, observe: str, senses: str, side: str) -> None:
     policy = lively(8, league=league, observe=observe, action_repeat=4, mirror=False)
     other = "away" if side == "home" else "home"
@@ -137,9 +133,6 @@ def test_tensors_of_torch_are_taken_off_their_graph() -> None:
     assert match.robots["command"]["turn"].all()
 
 
-# Memory, saves and copies
-
-
 def test_memory_is_saved_hashed_and_empty_when_an_episode_begins() -> None:
     team = team_of_function(counting, **COUNTS)
     match = Match(home=1, away=1, matches=2, controllers={"home": team, "away": "chaser"}, seed=1)
@@ -152,10 +145,8 @@ def test_memory_is_saved_hashed_and_empty_when_an_episode_begins() -> None:
     assert [(match.step(), match.state_hash())[1] for _ in range(5)] == future
     match.reset()
     assert not match.squads[0].memory["own"].any()
-    other = Match(
-        home=1, away=1, matches=2, seed=1,
-        controllers={"home": team_of_function(counting, action_repeat=2, **COUNTS), "away": "chaser"},
-    )  # fmt: skip
+    rarer = team_of_function(counting, action_repeat=2, **COUNTS)
+    other = Match(home=1, away=1, matches=2, seed=1, controllers={"home": rarer, "away": "chaser"})
     with pytest.raises(ValueError, match="teams differ: of other settings"):
         other.load(saved)
 

@@ -36,7 +36,6 @@ def outcomes(tasks: Iterable[tuple[Any, Task]], group: int = 1) -> Iterator[tupl
 
 
 def groups(tasks: Iterable[tuple[Any, Task]], size: int) -> Iterator[list[tuple[Any, Task]]]:
-    """Yield tasks in groups."""
     several = iter(tasks)
     while some := list(islice(several, size)):
         yield some
@@ -51,7 +50,6 @@ class Child(NamedTuple):
 
 
 def begin(tasks: list[tuple[Any, Task]]) -> Child:
-    """Start a child."""
     ours, theirs = os.pipe()
     number = os.fork()
     if number == 0:
@@ -81,7 +79,6 @@ def done(task: Task) -> str:
 
 
 def finished(child: Child) -> Iterator[tuple[Any, str]]:
-    """Wait for a child; yield how its tasks ended."""
     with os.fdopen(child.tells) as told:
         said = [json.loads(line) for line in told if line.endswith("\n")]
     status = os.waitpid(child.number, 0)[1]

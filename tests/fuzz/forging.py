@@ -85,14 +85,12 @@ def changed(saved: bytes, parts: list[Part], robots: int, draw: random.Random) -
 
 
 def put(content: bytearray, at: int, kind: np.dtype, value: Any) -> None:
-    """Write a number into a save."""
     with np.errstate(all="ignore"):
         raw = np.array(value, "u1" if kind.kind == "b" else kind).tobytes()
     content[at : at + len(raw)] = raw
 
 
 def sealed(body: bytes) -> bytes:
-    """Return a save with the hash of its content."""
     return body + hashlib.sha256(body).digest()
 
 

@@ -71,7 +71,6 @@ def found_by(forger: Forger, numbers: list[int], watch: bool = False) -> tuple[C
 
 
 def main() -> int:
-    """Run the command; return its exit code."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--files", type=int, default=20_000)
     parser.add_argument("--seed", type=int, default=1)

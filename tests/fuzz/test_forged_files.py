@@ -83,14 +83,8 @@ def test_the_watch_sees_how_children_end() -> None:
         return str(len(bytearray(8 << 30)))
 
     tasks = {
-        "": lambda: "",
-        "refuse": refuse,
-        "err": err,
-        "die": die,
-        "hang": hang,
-        "say": lambda: "NaN",
-        "swell": swell,
-    }
+        "": lambda: "", "refuse": refuse, "err": err, "die": die, "hang": hang, "say": lambda: "NaN", "swell": swell,
+    }  # fmt: skip
     found = dict(outcomes(tasks.items()))
     assert [found[name] for name in ("", "refuse", "die", "hang", "say")] == [
         "played", "refused", "died by SIGSEGV", "hung", "NaN",

@@ -25,9 +25,6 @@ class Case(NamedTuple):
     does: list[Do]
 
 
-# What is there to be seen
-
-
 def seen(value: Any) -> Any:
     """Return anything that a match or an env shows, as plain values that can be compared."""
     if isinstance(value, np.ndarray):
@@ -69,11 +66,7 @@ def look(case: Case) -> str:
     return hashlib.sha256(repr(shown).encode()).hexdigest()
 
 
-# Cases
-
-
 def of_one(match: Match, *does: Do) -> Case:
-    """Return a case of one Match."""
     return Case(match, lambda: [match], list(does))
 
 
@@ -89,8 +82,6 @@ def acted(match: Match) -> Do:
 
 
 def stepped(league: str = "legged-2001", **settings: Any) -> Callable[[], Case]:
-    """Return what makes a case of steps of a Match."""
-
     def make() -> Case:
         match = Match(league, **{"home": 1, "away": 1, "seed": 1, "senses": "ideal", **settings})
         return of_one(match, acted(match))
@@ -109,14 +100,12 @@ def reset(league: str, **settings: Any) -> Callable[[], Case]:
 
 
 def recorded() -> Case:
-    """Return a case of steps and resets that are written down."""
     match = Match("legged-2001", home=1, away=1, seed=1, senses="ideal")
     Recorder(match)
     return of_one(match, *[acted(match)] * 3, lambda n: match.reset(), lambda n: match.save())
 
 
 def saved() -> Case:
-    """Return a case of saves, loads, branches and rebuilds of several matches."""
     match = Match("legged-2001", home=1, away=1, matches=3, seed=1, senses="ideal")
     bits = match.save()
     step = acted(match)
@@ -127,7 +116,6 @@ def saved() -> Case:
 
 
 def branched() -> Case:
-    """Return a case of branches into another Match."""
     match, other = (Match("legged-2001", home=1, away=1, matches=2, seed=s, senses="ideal") for s in (1, 2))
     does = [acted(match), acted(other), lambda n: match.branch([n % 2], other) and None]
     return Case(match, lambda: [match, other], does)
@@ -139,7 +127,6 @@ def paid(match: Match) -> np.ndarray:
 
 
 def parallel(n_agents: int = 2) -> Case:
-    """Return a case of the parallel env, whose episodes are short."""
     env = soccer_v0.parallel_env(home=1, away=1, senses="ideal", max_cycles=4)
     env.reset(seed=1)
 
@@ -153,7 +140,6 @@ def parallel(n_agents: int = 2) -> Case:
 
 
 def in_turns() -> Case:
-    """Return a case of the env of turns (AEC)."""
     env = soccer_v0.raw_env(home=1, away=1, senses="ideal", max_cycles=4)
     env.reset(seed=1)
 
@@ -167,7 +153,6 @@ def in_turns() -> Case:
 
 
 def alone() -> Case:
-    """Return a case of the Gymnasium env."""
     env = SoloSoccer(home=1, away=1, senses="ideal", opponents="chaser", max_cycles=4)
     env.reset(seed=1)
 
@@ -178,8 +163,6 @@ def alone() -> Case:
 
 
 def vector(mode: str) -> Callable[[], Case]:
-    """Return what makes a case of the Gymnasium vector env."""
-
     def make() -> Case:
         env = SoccerVectorEnv(
             num_envs=3, home=1, away=1, senses="ideal", opponents="chaser", max_cycles=4, autoreset_mode=mode
@@ -191,7 +174,6 @@ def vector(mode: str) -> Callable[[], Case]:
 
 
 def trained() -> Case:
-    """Return a case of the VecEnv for stable-baselines3."""
     from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
     env = SoccerVecEnv(players=[(1, 1)], matches=4, senses="ideal", action_repeat=3, max_cycles=4, threads=2)

@@ -26,7 +26,6 @@ class StopError(Exception):
 
 
 def stop(number: int, frame: FrameType | None) -> None:
-    """Raise, as Ctrl-C does."""
     raise StopError
 
 
@@ -123,7 +122,6 @@ def calls_back(case: Case) -> bool:
 
 
 def by_timers(name: str, trials: int, seed: int) -> Counter[str]:
-    """Interrupt a case by timers."""
     return interrupted(CASES[name], at_a_time(np.random.default_rng(seed), [2e-4]), trials, lambda: False)
 
 

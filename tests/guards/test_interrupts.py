@@ -33,14 +33,6 @@ def handlers(monkeypatch: pytest.MonkeyPatch) -> object:
         signal.signal(number, handler)
 
 
-def test_a_signal_waits_for_the_end() -> None:
-    done = []
-    with pytest.raises(StopError), HeldBack():
-        signal.raise_signal(signal.SIGINT)
-        done.append("the rest")
-    assert done == ["the rest"]
-
-
 def test_a_signal_waits_for_the_end_of_the_outermost() -> None:
     done = []
     with pytest.raises(StopError), HeldBack():
@@ -126,14 +118,16 @@ def test_a_space_that_somebody_keeps_lives_on() -> None:
     assert len(space.bodies) == 3
 
 
-SIGNALS = """
-    import signal, numpy as np
+BEGIN = """
+    import gc, signal, sys, numpy as np
     from soccer_env import Match
     match = Match("legged-2001", home=1, away=1, seed=1)
     renew = match.batch.physics.forget  # a known Space would be put back in place of making another
     def stop(*_):
         raise KeyboardInterrupt
     signal.signal(signal.SIGALRM, stop)
+"""
+SIGNALS = """
     match.reset(seed=0)  # compiled code is loaded
     for n in range(300):
         try:
@@ -147,17 +141,10 @@ SIGNALS = """
         assert np.isfinite(match.robots["x"]).all()
 """
 LINES = """
-    import gc, signal, sys, numpy as np
     import pymunk.body, pymunk.constraints, pymunk.shapes, pymunk.space
-    from soccer_env import Match
     from soccer_env.match import batch as match_batch
     from soccer_env.physics.engine import dropping, space, space_batch
     from soccer_env.physics.solver import rounds
-    match = Match("legged-2001", home=1, away=1, seed=1)
-    renew = match.batch.physics.forget  # a known Space would be put back in place of making another
-    def stop(*_):
-        raise KeyboardInterrupt
-    signal.signal(signal.SIGALRM, stop)
     modules = match_batch, dropping, space, space_batch, rounds, *(vars(pymunk)[name] for name in
         ("body", "constraints", "shapes", "space"))
     files, lines = {one.__file__ for one in modules}, set()
@@ -198,5 +185,5 @@ ATTACKS = {
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="timers are Unix's")
 @pytest.mark.parametrize("attack", ATTACKS.values(), ids=ATTACKS.keys())
 def test_an_interrupted_reset_never_ends_the_process(attack: str) -> None:
-    done = subprocess.run([sys.executable, "-c", textwrap.dedent(attack)], capture_output=True, text=True)
+    done = subprocess.run([sys.executable, "-c", textwrap.dedent(BEGIN + attack)], capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, "")

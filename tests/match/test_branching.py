@@ -138,10 +138,7 @@ def test_what_cannot_be_branched_is_said_and_changes_nothing(given: dict[str, An
     [
         ({"minutes": 3.0}, "minutes 3.0 there, None here$"),
         ({"senses": "ideal", "max_cycles": 9}, "senses ideal there, sensors here; max_cycles 9 there, None here$"),
-        (
-            {"controllers": {"away": "chaser"}},
-            r"teams differ: chaser \(away_0, away_1\) there, sacks-2001 \(",
-        ),
+        ({"controllers": {"away": "chaser"}}, r"teams differ: chaser \(away_0, away_1\) there, sacks-2001 \("),
         ({"home": 3}, "home 3 there, 2 here$"),
         ({"observe": "belief"}, "observe 'belief' there, 'truth' here$"),
     ],
@@ -159,11 +156,11 @@ def test_a_save_of_one_match_goes_into_many_rows_of_another(league: str) -> None
     match, planner = played(league), played(league, 17, matches=6)
     saved, kept = match.save(1), planner.state_hash(0)
     planner.load(saved, [1, 3, 5])
-    assert {planner.state_hash(m) for m in (1, 3, 5)} == {match.state_hash(1)}
     assert planner.state_hash(0) == kept
-    go(match, 30, 2)
-    go(planner, 30, 2)
-    assert {planner.state_hash(m) for m in (1, 3, 5)} == {match.state_hash(1)}
+    for _ in range(2):
+        assert {planner.state_hash(m) for m in (1, 3, 5)} == {match.state_hash(1)}
+        go(match, 30, 2)
+        go(planner, 30, 2)
 
 
 def test_a_save_of_some_rows_goes_into_as_many() -> None:

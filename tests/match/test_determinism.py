@@ -34,7 +34,6 @@ def run(*arguments: str, **environment: str) -> str:
 
 
 def play(match: Match, steps: int, seed: int = 5) -> list[str]:
-    """Play random actions that do not depend on the number of matches; return a hash per step of match 0."""
     rng = np.random.default_rng(seed)
     hashes = []
     for _ in range(steps):
@@ -85,8 +84,8 @@ def test_threads_do_not_matter(league: str, team: str) -> None:
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_both_ways_of_driving_chipmunk_agree(league: str) -> None:
-    c = Match(league, home=3, away=3, matches=2, seed=3, backend="c", placement="drive")
-    batch = Match(league, home=3, away=3, matches=2, seed=3, backend="batch", placement="drive")
+    settings = {"home": 3, "away": 3, "matches": 2, "seed": 3, "placement": "drive"}
+    c, batch = (Match(league, backend=backend, **settings) for backend in ("c", "batch"))
     assert play(c, 400) == play(batch, 400)
     assert c.observations.tobytes() == batch.observations.tobytes()
     assert c.rewards.tobytes() == batch.rewards.tobytes()
@@ -110,10 +109,7 @@ def test_seeds_matter_and_episodes_go_on() -> None:
     again = Match(seed=1)
     again.reset()
     assert again.state_hash() == first.state_hash()
-
-
-def test_a_match_without_a_seed_is_drawn_anew() -> None:
-    assert Match().state_hash() != Match().state_hash()
+    assert Match().state_hash() != Match().state_hash(), "without a seed a match is drawn anew"
 
 
 def test_the_global_generator_is_neither_read_nor_changed() -> None:

@@ -35,16 +35,9 @@ def play(league: str, who: str) -> str:
     team = {"actions": None, "teams": "random", "senses": "chaser"}[who]
     teams = None if team is None else {"home": team, "away": team}
     match = Match(
-        league,
-        home=3,
-        away=2,
-        matches=3,
-        seed=2001,
-        placement="drive",
-        controllers=teams,
-        minutes=0.3,
+        league, home=3, away=2, matches=3, seed=2001, placement="drive", controllers=teams, minutes=0.3,
         pose="particles",
-    )
+    )  # fmt: skip
     rng = np.random.default_rng(2006)
     for _ in range(600):
         match.step(None if teams else rng.uniform(-1.0, 1.0, (3, 5, 4)))

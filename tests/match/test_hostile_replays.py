@@ -1,8 +1,11 @@
-"""A stranger's replay takes no more memory and time than a match of its size, and is refused in a line."""
+"""A stranger's replay, or one damaged at random, plays as a match of its size would, or is refused in a line."""
 
+import io
 import json
 import os
+import random
 import resource
+import zipfile
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -11,10 +14,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import Match
+from soccer_env import Match, shows
 from soccer_env.leagues import find_league
 from soccer_env.replay import Recorder, Replay
 from soccer_env.replay.checks import MOST_ROBOTS
+from soccer_env.train.command.command_line import main
+from tests.fuzz.replays import oddly
 
 
 @pytest.fixture
@@ -26,16 +31,25 @@ def recorded(tmp_path: Path) -> Path:
     return recorder.stop().write(tmp_path / "a.replay")
 
 
+def parts_of(content: bytes) -> dict[str, Any]:
+    with np.load(io.BytesIO(content)) as file:
+        return {name: file[name] for name in file.files}
+
+
+def packed(parts: dict[str, Any], header: Any = None) -> bytes:
+    told = {} if header is None else {"header": np.frombuffer(json.dumps(header).encode(), np.uint8)}
+    file = io.BytesIO()
+    np.savez_compressed(file, **parts | told)
+    return file.getvalue()
+
+
 def forged(path: Path, change: Callable[[dict[str, Any]], None], **arrays: np.ndarray) -> Path:
     """Return a sound file whose header says something else."""
-    with np.load(path) as file:
-        parts = {name: file[name] for name in file.files}
+    parts = parts_of(path.read_bytes())
     header = json.loads(parts["header"].tobytes())
     change(header)
-    parts |= {"header": np.frombuffer(json.dumps(header).encode(), np.uint8), **arrays}
     other = path.with_name("forged.replay")
-    with other.open("wb") as out:
-        np.savez_compressed(out, **parts)
+    other.write_bytes(packed(parts | arrays, header))
     return other
 
 
@@ -63,9 +77,7 @@ def substeps(**values: Any) -> Callable[[dict[str, Any]], None]:
         (substeps(most=1000, jam_iterations=1000), "most times jam_iterations must be at most 100000, got 1000000"),
     ],
 )
-def test_a_replay_that_asks_for_more_than_it_holds_is_refused(
-    recorded: Path, change: Callable[[dict[str, Any]], None], complaint: str
-) -> None:
+def test_a_replay_that_asks_for_more_than_it_holds_is_refused(recorded: Path, change: Any, complaint: str) -> None:
     replay = Replay.read(forged(recorded, change))
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     with pytest.raises(ValueError, match=complaint):
@@ -110,7 +122,142 @@ def test_nobody_records_what_nobody_could_read() -> None:
 def test_a_ball_that_would_pass_through_the_boards_is_refused() -> None:
     legged = find_league("legged-2001")
     replace(legged, ball=replace(legged.ball, top_speed=48.0))
-    with pytest.raises(
-        ValueError, match=r"BallModel.top_speed must be at most 48 with 12 substeps in 1/16 s, got 1000"
-    ):
+    said = r"BallModel.top_speed must be at most 48 with 12 substeps in 1/16 s, got 1000"
+    with pytest.raises(ValueError, match=said):
         replace(legged, ball=replace(legged.ball, top_speed=1000.0))
+
+
+FILES = 240  # damaged, a third of them in each way
+DTYPES = ["u1", "i1", "i8", "f4", "f8", "c16", "S3", "U2", "M8[s]", "?", [("a", "f8"), ("b", "i4")]]
+
+
+@pytest.fixture(scope="module")
+def sound(tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    match = Match(home=1, away=1, seed=1)
+    recorder = Recorder(match)
+    for _ in range(2):
+        match.step(np.zeros((1, 2, 4)))
+    return recorder.stop().write(tmp_path_factory.mktemp("sound") / "a.replay").read_bytes()
+
+
+def damaged_bytes(content: bytes, draw: random.Random) -> bytes:
+    """Cut the file short, or change some of its bytes."""
+    if draw.random() < 0.3:
+        return content[: draw.randrange(len(content))]
+    found = bytearray(content)
+    for _ in range(draw.choice([1, 1, 4, 30])):
+        found[draw.randrange(len(found))] = draw.randrange(256)
+    return bytes(found)
+
+
+def damaged_header(content: bytes, draw: random.Random) -> bytes:
+    parts = parts_of(content)
+    header = json.loads(parts["header"].tobytes())
+    oddly(header, draw)
+    return packed(parts, header)
+
+
+def damaged_part(content: bytes, draw: random.Random) -> bytes:
+    """Give a part another type, another shape or odd numbers, or leave it out."""
+    parts = parts_of(content)
+    name = draw.choice([*parts])
+    part, how = parts[name], draw.randrange(6)
+    if how == 0:
+        del parts[name]
+    elif how == 1:
+        parts[name] = np.zeros(part.shape, draw.choice(DTYPES))
+    elif how == 2:
+        parts[name] = part[..., :-1] if part.ndim else part
+    elif how == 3:
+        parts[name] = np.concatenate([part, part]) if part.ndim else part
+    else:
+        changed = part.copy().reshape(-1)
+        raw = changed.view(np.uint8)
+        for _ in range(draw.choice([1, 8])):
+            raw[draw.randrange(len(raw))] = draw.randrange(256)
+        parts[name] = changed.reshape(part.shape)
+    return packed(parts)
+
+
+@pytest.mark.parametrize("damage", [damaged_bytes, damaged_header, damaged_part])
+def test_a_damaged_replay_plays_or_is_refused_in_a_line(damage: Any, sound: bytes, tmp_path: Path, capsys: Any) -> None:
+    draw, refused = random.Random(19), 0
+    file, out = tmp_path / "a.replay", tmp_path / "out.csv"
+    for number in range(FILES // 3):
+        file.write_bytes(damage(sound, draw))
+        out.unlink(missing_ok=True)
+        code = main(["export", str(file), "--out", str(out), "--anew"])
+        assert code in (0, 2), number
+        said = capsys.readouterr().err.strip().splitlines()
+        refused += code == 2
+        if code == 2:
+            assert len(said) == 1 and said[0].startswith("soccer: "), (number, said)
+            assert not out.exists(), number
+    assert refused > FILES // 12
+
+
+@pytest.mark.parametrize("name", ["out.csv", "out.xml", "out.html", "out.png"])
+def test_what_is_there_outlives_a_replay_that_cannot_be_read(sound: bytes, tmp_path: Path, name: str) -> None:
+    file, out = tmp_path / "a.replay", tmp_path / name
+    file.write_bytes(sound[:-40])
+    out.write_text("mine")
+    assert main(["export", str(file), "--out", str(out), "--anew"]) == 2
+    assert out.read_text() == "mine"
+
+
+def test_an_archive_that_unpacks_to_gigabytes_is_refused_unread(sound: bytes, tmp_path: Path) -> None:
+    """A megabyte of zeros is a kilobyte in it."""
+    path = tmp_path / "bomb.replay"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file, file.open("header.npy", "w") as part:
+        for _ in range(600):
+            part.write(bytes(1 << 20))
+    assert path.stat().st_size < 1 << 20
+    with pytest.raises(ValueError, match="it would unpack to 629145600 bytes"):
+        Replay.read(path)
+
+
+def test_an_array_that_says_it_is_huge_is_refused(sound: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "a.replay"
+    with zipfile.ZipFile(path, "w") as file:
+        for name, part in parts_of(sound).items():
+            head, shape = io.BytesIO(), (1 << 44,) if name == "commands" else part.shape
+            told = {"descr": np.lib.format.dtype_to_descr(part.dtype), "fortran_order": False, "shape": shape}
+            np.lib.format.write_array_header_1_0(head, told)
+            file.writestr(f"{name}.npy", head.getvalue() + part.tobytes())
+    with pytest.raises(ValueError, match="is not a replay that can be read"):
+        Replay.read(path)
+
+
+def test_a_pickle_in_it_is_never_opened_and_files_cut_short_are_refused(sound: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "a.replay"
+    with_trap = packed({**parts_of(sound), "commands": np.array([Trap()], object)})
+    for content in (with_trap, b"", sound[:10], sound[:2000]):
+        path.write_bytes(content)
+        with pytest.raises(ValueError, match="is not a replay that can be read"):
+            Replay.read(path)
+    assert not Trap.opened
+
+
+class Trap:
+    """A thing that tells when it is taken out of a pickle."""
+
+    opened = False
+
+    def __reduce__(self) -> Any:
+        return setattr, (Trap, "opened", True)
+
+
+def test_a_page_escapes_names_that_came_from_a_file(recorded: Path, tmp_path: Path) -> None:
+    hostile = '</script><script>alert("&")</script><b onclick=x>'
+    named = forged(recorded, setting(teams={"home_0": hostile, "away_0": "\u2028" + hostile}))
+    page, plain = (shows.html(Replay.read(path), path.with_suffix(".html")).read_text() for path in (named, recorded))
+    assert hostile not in page and "<b onclick" not in page and "alert(" in page
+    assert page.count("<script") == plain.count("<script")
+
+
+def test_a_replay_is_shown_in_one_plain_line_whoever_named_its_teams() -> None:
+    teams = {"home_0": "\x1b[2J\x1b[31mred\nline", "away_0": "x" * 1000}
+    replay = Replay({"teams": teams}, b"", np.zeros(0), np.zeros(0), [], [])
+    shown = repr(replay)
+    assert shown.isprintable() and len(shown) < 250
+    assert shown.startswith(r"<Replay of \x1b[2J\x1b[31mred\nline against xxx")

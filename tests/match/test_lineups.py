@@ -29,7 +29,6 @@ class Slow:
 
 
 def lineup(*weights: float, names: tuple[str, ...] = NAMES) -> Lineup:
-    """Return a lineup of scripted teams."""
     teams: Any = tuple(make_team(name) for name in names)
     return Lineup(teams, np.array(weights or (1.0,) * len(names)), names)
 
@@ -41,7 +40,6 @@ def pitch(away: Any, home: Any = "chaser", **settings: Any) -> Match:
 
 
 def who_plays(match: Match, side: int = AWAY) -> list[str]:
-    """Return the name of the one team that plays for a side, of each match."""
     squads = [squad for squad in match.squads if (squad.players[0] >= match.settings.rows[0]) == side]
     playing = np.array([squad.plays for squad in squads if squad.plays is not None])
     assert (playing.sum(axis=0) == 1).all()
@@ -49,16 +47,12 @@ def who_plays(match: Match, side: int = AWAY) -> list[str]:
 
 
 def episodes(match: Match, count: int = 4) -> list[list[str]]:
-    """Return who plays in the coming episodes."""
     found = []
     for _ in range(count):
         found.append(who_plays(match))
         for _ in range(8):
             match.step()
     return found
-
-
-# Who plays
 
 
 def test_who_plays_follows_from_seed_and_episode_alone() -> None:
@@ -120,33 +114,11 @@ def test_a_team_may_be_in_the_lineups_of_both_sides() -> None:
     assert who_plays(match, AWAY) == ["cs"[away.choose(seed, 0, AWAY)] for seed in seeds]
 
 
-# How they play
-
-
 def learned_too() -> Lineup:
     """Return a lineup of a scripted team and of two policies that decide at different times."""
     policies = [team_of(lively(8, action_repeat=repeat, seed=repeat)) for repeat in (1, 4)]
     chaser: Any = make_team("chaser")
     return Lineup((chaser, *policies), np.ones(3), ("chaser", "quick", "slow"))
-
-
-@pytest.mark.parametrize("senses", ["ideal", "sensors"])
-def test_a_match_of_a_lineup_is_bit_for_bit_that_of_the_team_that_plays(senses: str) -> None:
-    chooser = learned_too()
-    match = pitch(chooser, matches=12, senses=senses, max_cycles=60)
-    playing = who_plays(match)
-    assert set(playing) == {"chaser", "quick", "slow"}
-    alone = {
-        name: pitch(team, matches=12, senses=senses, max_cycles=60)
-        for name, team in zip(chooser.names, chooser.teams, strict=True)
-    }
-    for _ in range(59):
-        match.step()
-        for other in alone.values():
-            other.step()
-    for m, name in enumerate(playing):
-        for records in ("matches", "balls", "robots"):
-            assert getattr(match, records)[m].tobytes() == getattr(alone[name], records)[m].tobytes()
 
 
 def test_nothing_is_observed_for_a_policy_that_does_not_play() -> None:
@@ -194,26 +166,27 @@ def test_names_and_objects_are_teams_with_even_weights() -> None:
 
 
 @pytest.mark.parametrize("senses", ["ideal", "sensors"])
-def test_teams_in_python_and_functions_play_their_matches_alone(senses: str) -> None:
+def test_a_match_of_a_lineup_is_bit_for_bit_that_of_the_team_that_plays(senses: str) -> None:
+    """Of teams with kernels, in Python and of functions, and of policies that decide at different times."""
     seen: list[int] = []
 
-    def lively(observations: np.ndarray, memory: np.ndarray) -> np.ndarray:
+    def counted(observations: np.ndarray, memory: np.ndarray) -> np.ndarray:
         seen.append(len(observations))
         memory += 1.0
         return np.tanh(observations[..., :4] + 0.1 * memory)
 
     members: dict[str, Any] = {
-        "chaser": make_team("chaser"), "slow": Slow(),
-        "lively": team_of_function(lively, action_repeat=3, memory=("f4", (1,))),
+        **dict(zip(learned_too().names, learned_too().teams, strict=True)), "in Python": Slow(),
+        "counted": team_of_function(counted, action_repeat=3, memory=("f4", (1,))),
     }  # fmt: skip
-    match = pitch(Lineup(list(members.values())), matches=12, senses=senses, max_cycles=60)
+    match = pitch(Lineup(tuple(members.values()), np.ones(5), tuple(members)), matches=20, senses=senses, max_cycles=60)
     playing = who_plays(match)
     assert set(playing) == set(members)
-    alone = {name: pitch(team, matches=12, senses=senses, max_cycles=60) for name, team in members.items()}
+    alone = {name: pitch(team, matches=20, senses=senses, max_cycles=60) for name, team in members.items()}
     for _ in range(59):
         seen.clear()
         match.step()
-        assert seen in ([], [playing.count("lively")])
+        assert seen in ([], [playing.count("counted")])
         for other in alone.values():
             other.step()
     for m, name in enumerate(playing):
@@ -232,18 +205,10 @@ def test_a_copy_of_a_match_with_a_lineup_goes_on_alike() -> None:
     assert other.state_hash() == match.state_hash()
 
 
-def test_weights_that_were_spoilt_are_named_when_the_next_episode_begins() -> None:
-    chooser = lineup()
-    match = pitch(chooser)
-    chooser.weights[:] = np.nan
-    with pytest.raises(ValueError, match="weights of a Lineup must be 3 numbers from 0, not all 0, got"):
-        match.reset()
-
-
-# What is refused
-
-
 CHASER: Any = make_team("chaser")
+
+
+WEIGHTS = "weights of a Lineup must be 2 numbers from 0, not all 0"
 BAD: list[tuple[tuple[Any, ...], str]] = [
     (((), np.ones(0), ()), "a Lineup needs a list of one team at least, got ()"),
     (("chaser",), "a Lineup needs a list of one team at least, got 'chaser'"),
@@ -251,15 +216,11 @@ BAD: list[tuple[tuple[Any, ...], str]] = [
     ((["chaser", "chaser"],), "the 2 teams of a Lineup must have different names, got ('chaser', 'chaser')"),
     (([lineup()],), "a Lineup is made of teams, not of lineups"),
     (([3],), "a team needs name, memory_dtype and act, got 3"),
-    (((CHASER, CHASER), np.ones(2), ("a", "a")), "the 2 teams of a Lineup must have different names, got ('a', 'a')"),
-    (((CHASER, CHASER), np.ones(2), ("a",)), "the 2 teams of a Lineup must have different names, got ('a',)"),
-    (((CHASER, CHASER), np.ones(3), ("a", "b")), "weights of a Lineup must be 2 numbers from 0, not all 0"),
-    (((CHASER, CHASER), np.zeros(2), ("a", "b")), "weights of a Lineup must be 2 numbers from 0, not all 0"),
-    (((CHASER, CHASER), np.array([1.0, -0.1]), ("a", "b")), "weights of a Lineup must be 2 numbers from 0, not all 0"),
-    (((CHASER, CHASER), np.array([1.0, np.nan]), ("a", "b")), "weights of a Lineup must be 2 numbers from 0"),
-    (((CHASER, CHASER), np.array([1.0, np.inf]), ("a", "b")), "weights of a Lineup must be 2 numbers from 0"),
-    (((CHASER, CHASER), np.array(["1", "2"]), ("a", "b")), "weights of a Lineup must be 2 numbers from 0"),
-]
+    (((CHASER, CHASER), np.ones(2), ("a", "a")), "names of a Lineup must be 2 different ones, got ('a', 'a')"),
+    (((CHASER, CHASER), np.ones(2), ("a",)), "names of a Lineup must be 2 different ones, got ('a',)"),
+    *((((CHASER, CHASER), np.array(bad), ("a", "b")), WEIGHTS)
+      for bad in ([1.0] * 3, [0.0, 0.0], [1.0, -0.1], [1.0, np.nan], [1.0, np.inf], ["1", "2"])),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(("given", "message"), BAD, ids=range(len(BAD)))
@@ -269,7 +230,12 @@ def test_what_is_no_lineup_is_refused(given: tuple[Any, ...], message: str) -> N
     assert message in str(error.value)
 
 
-def test_a_team_of_the_lineup_that_cannot_play_is_named() -> None:
+def test_a_team_that_cannot_play_and_weights_that_were_spoilt_are_named() -> None:
     truth = Lineup((CHASER, team_of(lively(observe="truth"))), np.ones(2), ("chaser", "t"))
     with pytest.raises(ValueError, match="team 'lively' observes truth: it needs senses='ideal', got 'sensors'"):
         pitch(truth)
+    chooser = lineup()
+    match = pitch(chooser)
+    chooser.weights[:] = np.nan
+    with pytest.raises(ValueError, match="weights of a Lineup must be 3 numbers from 0, not all 0, got"):
+        match.reset()

@@ -1,7 +1,9 @@
-"""Match: team sizes and padding, how episodes start and end, what a step pays, state and memory."""
+"""Match: its attributes, team sizes and padding, how episodes start and end, what a step pays, state and memory."""
 
 import gc
+import re
 import tracemalloc
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,7 +14,6 @@ from tests.scenes.staging import LEAGUES
 
 
 def draw(match: Match, rng: np.random.Generator) -> np.ndarray:
-    """Return random actions for every robot."""
     return rng.uniform(-1.0, 1.0, (match.count, len(match.agents), match.settings.actions.size))
 
 
@@ -25,12 +26,11 @@ def test_any_team_sizes_play(league: str, home: int, away: int) -> None:
         observations, rewards, _, _ = match.step(draw(match, rng))
     assert observations.shape == (1, home + away, len(match.observation_names))
     assert rewards.shape == (1, home + away)
-    assert match.agents[0] == "home_0" and match.agents[-1] == f"away_{away - 1}"
+    assert match.agents[0] == "home_0" and match.agents[-1] == f"away_{away - 1}" and MAX_TEAM == 11
 
 
 def test_number_0_keeps_goal_when_a_team_has_two() -> None:
-    match = Match(home=2, away=1, seed=1)
-    assert match.robots["keeper"].tolist() == [[1, 0, 0]]
+    assert Match(home=2, away=1, seed=1).robots["keeper"].tolist() == [[1, 0, 0]]
     assert Match(home=3, away=3, keeper=2, seed=1).robots["keeper"].tolist() == [[0, 0, 1, 0, 0, 1]]
 
 
@@ -57,8 +57,7 @@ def test_matches_end_by_the_clock_and_start_again_as_told(mode: str) -> None:
         assert not truncated.any()
         if terminated.any():
             ends.append(step)
-    seconds = 96  # control steps of 0.1 minutes
-    expected = {"off": list(range(seconds, 201)), "next_step": [96, 193], "same_step": [96, 192]}
+    expected = {"off": list(range(96, 201)), "next_step": [96, 193], "same_step": [96, 192]}  # 96 take 0.1 minutes
     assert ends == expected[mode]
 
 
@@ -151,10 +150,6 @@ def test_memory_stays_flat_over_thousands_of_resets() -> None:
     assert grown < 200_000  # [bytes]
 
 
-def test_a_league_has_room_for_eleven() -> None:
-    assert MAX_TEAM == 11
-
-
 def test_a_ball_that_is_held_is_not_touched_and_steering_costs_nothing() -> None:
     match = Match("middle-size-2006", home=2, away=2, seed=1, placement="drive", minutes=1, rewards=Rewards(effort=1.0),
                   controllers={"home": "chaser", "away": "chaser"})  # fmt: skip
@@ -166,3 +161,53 @@ def test_a_ball_that_is_held_is_not_touched_and_steering_costs_nothing() -> None
             assert not match.robot_events["touch"].any() or match.events["restart"][0]
             assert not match.terms[..., 3].any()
     assert placed > 0
+
+
+SHAPES = {"M": 3, "R": 4, "(M,)": (3,), "(M, R)": (3, 4), "(R,)": (4,)}
+
+
+@pytest.fixture(scope="module")
+def match() -> Match:
+    made = Match(home=2, away=2, matches=3, seed=1, autoreset="same_step", max_cycles=2, observe="belief")
+    for _ in range(2):
+        made.step(np.zeros((3, 4, 4)))
+    return made
+
+
+def told() -> dict[str, str]:
+    """Return the attributes in the table of the docstring with the shape of each."""
+    rows = re.findall(r"^ *\| (`.*?`) \| (.*?) ?\| ", Match.__doc__ or "", re.MULTILINE)
+    found: dict[str, str] = {}
+    for names, shapes in rows:
+        found |= dict(zip(re.findall(r"`(\w+)`", names), re.split(r"(?<=\)), ", shapes), strict=False))
+    return found
+
+
+def test_every_attribute_in_the_table_is_there_in_its_shape(match: Match) -> None:
+    found: dict[str, Any] = {name: getattr(match, name) for name in told()}
+    assert {"final", "ended", "learns", "statistics", "observations", "settings"} <= set(found)
+    wrong = [x for x, shape in told().items() if shape in SHAPES and np.shape(found[x]) != SHAPES[shape]]
+    assert wrong == []
+    assert match.observations.shape == (3, 4, len(match.observation_names))
+    assert match.terms.shape == (3, 4, len(match.term_names))
+    assert len(match.agents) == 4 and match.settings.rewards.gamma == 0.99
+
+
+def test_final_has_a_row_for_each_match_that_began_anew(match: Match) -> None:
+    assert match.ended.tolist() == [0, 1, 2]
+    assert match.final["observations"].shape == (3, 4, len(match.observation_names))
+    assert len(match.final["state"]) == 3
+
+
+def test_a_run_that_saves_is_a_run_of_its_own_and_one_that_saves_at_the_same_steps_the_same() -> None:
+    def played(saves_at: tuple[int, ...]) -> str:
+        match = Match(home=2, away=2, seed=4, controllers={"home": "chaser", "away": "chaser"})
+        for step in range(700):
+            match.step()
+            if step in saves_at:
+                match.save()
+        return match.state_hash(0)
+
+    once = played((300, 400, 500, 600))
+    assert once == played((300, 400, 500, 600))
+    assert once != played(())

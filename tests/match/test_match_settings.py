@@ -1,33 +1,26 @@
-"""A match setting is declared once: signatures, help, checks and errors of every API follow."""
+"""A match setting is declared once: signatures, checks and errors of every API follow; bad input changes nothing."""
 
 import inspect
 from dataclasses import fields
 from typing import Any
 
 import gymnasium
+import numpy as np
 import pytest
 
 from soccer_env import Match, soccer_v0
 from soccer_env.api.gymnasium_vector import SoccerVectorEnv
 from soccer_env.gymnasium_envs import SoloSoccer
-from soccer_env.match.arguments import (
-    FREE,
-    REPLAYED,
-    EnvArguments,
-    MatchArguments,
-    MatchSettings,
-    SoloArguments,
-    VectorArguments,
-)
+from soccer_env.match import arguments as match_settings
 from soccer_env.match.settings import make_settings
 
 APIS = [
-    (Match, Match.__init__, MatchArguments),
-    (soccer_v0.parallel_env, soccer_v0.parallel_env, EnvArguments),
-    (soccer_v0.env, soccer_v0.env, EnvArguments),
-    (soccer_v0.raw_env, soccer_v0.raw_env, EnvArguments),
-    (SoloSoccer, SoloSoccer.__init__, SoloArguments),
-    (SoccerVectorEnv, SoccerVectorEnv.__init__, VectorArguments),
+    (Match, Match.__init__, match_settings.MatchArguments),
+    (soccer_v0.parallel_env, soccer_v0.parallel_env, match_settings.EnvArguments),
+    (soccer_v0.env, soccer_v0.env, match_settings.EnvArguments),
+    (soccer_v0.raw_env, soccer_v0.raw_env, match_settings.EnvArguments),
+    (SoloSoccer, SoloSoccer.__init__, match_settings.SoloArguments),
+    (SoccerVectorEnv, SoccerVectorEnv.__init__, match_settings.VectorArguments),
 ]
 
 
@@ -35,7 +28,7 @@ APIS = [
 def test_signature_and_help_show_every_setting_with_its_default(api: Any, explained: Any, kind: Any) -> None:
     shown = inspect.signature(api).parameters
     assert {name: parameter.default for name, parameter in shown.items()} == {x.name: x.default for x in fields(kind)}
-    assert {x.name for x in fields(MatchSettings)} <= set(shown)
+    assert {x.name for x in fields(match_settings.MatchSettings)} <= set(shown)
     text = " ".join(explained.__doc__.split())
     for item in fields(kind):
         assert f"{item.name} = {item.default!r}: {item.metadata['text']}." in text
@@ -62,9 +55,133 @@ def test_what_is_free_changes_no_fingerprint_and_the_rest_does() -> None:
         "episode": "goal", "rewards": "sparse", "placement": "drive", "keeper": 1,
         "minutes": 3.0, "action_repeat": 2, "max_cycles": 9, "state_side": "away",
     }  # fmt: skip
-    usual = make_settings(MatchSettings()).fingerprint()
-    for name in {item.name for item in fields(MatchSettings)} - {"rules", "scene"}:
-        changed = make_settings(MatchSettings(**{name: other[name]})).fingerprint()
-        free = name in FREE and name != "max_cycles"  # the limit in control steps counts
+    usual = make_settings(match_settings.MatchSettings()).fingerprint()
+    for name in {item.name for item in fields(match_settings.MatchSettings)} - {"rules", "scene"}:
+        changed = make_settings(match_settings.MatchSettings(**{name: other[name]})).fingerprint()
+        free = name in match_settings.FREE and name != "max_cycles"  # the limit in control steps counts
         assert (changed == usual) == free, name
-    assert {"home", "away", "keeper", "minutes"} <= set(REPLAYED)
+    assert {"home", "away", "keeper", "minutes"} <= set(match_settings.REPLAYED)
+
+
+BAD_SETTINGS = [
+    ({"league": "small-size"}, "unknown league 'small-size'; known: legged-2001"),
+    ({"home": 0}, "home must be 1 to 11, got 0"),
+    ({"home": 14}, "home must be 1 to 11, got 14"),
+    ({"away": 2.5}, "away must be a whole number, 1 to 11, got 2.5"),
+    ({"home": True}, "home must be a whole number, 1 to 11, got True"),
+    ({"home": "3"}, "home must be a whole number, 1 to 11, got '3'"),
+    ({"max_players": 2}, "max_players must be 3 to 11, got 2"),
+    ({"matches": 0}, "matches must be 1"),
+    ({"threads": 0}, "threads must be 1"),
+    ({"observe": "smell"}, "observe must be one of truth, percepts, belief, an object with `names`"),
+    ({"senses": "eyes"}, "senses must be one of ideal, sensors, got 'eyes'"),
+    ({"senses": {"home": "eyes"}}, "senses must be one of ideal, sensors, got 'eyes'"),
+    ({"senses": 3}, "senses must be one of ideal, sensors, got 3"),
+    ({"pose": "compass"}, "pose must be one of percept, particles, got 'compass'"),
+    ({"sensors": {"radar": 1.0}}, "unknown name 'radar' in LeggedSensors; known: resolution, "),
+    ({"sensors": {"radar": 1.0}}, "; `soccer list sensors` names all "),
+    ({"sensors": {"resolution": "640x480"}}, "resolution must be one of 44x36, 88x72, 176x144, got '640x480'"),
+    ({"sensors": {"dither": -0.1}}, "LeggedSensors.dither must be 0 to 1000000, got -0.1"),
+    ({"sensors": {"dither": float("nan")}}, "LeggedSensors.dither must be 0 to 1000000, got nan"),
+    ({"sensors": {"dither": "much"}}, "LeggedSensors.dither must be 0 to 1000000, got 'much'"),
+    ({"sensors": 3}, "sensors must be a mapping of names to values or a LeggedSensors, got 3"),
+    ({"memory": {"grouping": -3.0}}, "LeggedMemory.grouping must be 0 to 1000000, got -3.0"),
+    ({"memory": {"horizon": 1}}, "LeggedMemory.horizon must be True or False, got 1"),
+    ({"memory": {"ball_size": "depth"}}, "ball_size must be one of closer, height, width, got 'depth'"),
+    ({"league": "middle-size-2006", "sensors": {"resolution": "88x72"}}, "unknown name 'resolution' in OmniSensors"),
+    ({"senses": {"left": "ideal"}}, "keys home and away"),
+    ({"actions": "torque"}, "actions must be one of box, full, discrete, got 'torque'"),
+    ({"scene": "nowhere"}, "unknown scene 'nowhere'; known: kick-off"),
+    ({"episode": "season"}, "episode must be one of match, goal, drill"),
+    ({"episode": "drill"}, "needs a scene with a success test"),
+    ({"rules": "no"}, "unknown rules 'no'"),
+    ({"rewards": "lots"}, "unknown rewards 'lots'; known: default, sparse"),
+    ({"placement": "fly"}, "placement must be one of instant, drive"),
+    ({"minutes": 0.0}, "minutes must be a number above 0 and at most 1e+12, got 0.0"),
+    ({"minutes": float("nan")}, "minutes must be a number above 0 and at most 1e+12, got nan"),
+    ({"action_repeat": 0}, "action_repeat must be 1 to 1000, got 0"),
+    ({"max_cycles": -1}, "max_cycles must be 1"),
+    ({"autoreset": "maybe"}, "autoreset must be one of next_step, same_step, off"),
+    ({"keeper": -1}, "keeper must be 0 to 2, got -1"),
+    ({"seed": -1}, "seed must be a whole number of 0 or more, got -1"),
+    ({"seeds": [1, 2]}, "seeds must be 1 whole numbers"),
+    ({"seed": 1, "seeds": [2]}, "give seed or seeds, not both"),
+    ({"memory": {"memory": True}}, "unknown name 'memory' in LeggedMemory"),
+    ({"opponents": "brazil"}, "unknown team 'brazil'; known: "),
+    ({"opponents": "mine.pt"}, "save_policy(module, 'mine.safetensors', league=..., observe=...)"),
+    ({"opponents": "random@2"}, "strength of team 'random@2' must be a number from 0 to 1"),
+    ({"opponents": 7}, "a team needs name, memory_dtype and act, got 7"),
+    ({"opponents": abs}, "a team needs name, memory_dtype and act, got <built-in function abs>: "),
+    ({"opponents": abs}, "write team_of_function(abs)"),
+    ({"rewards": abs}, "a function is one term of the rewards: give Rewards(extra={'abs': abs})"),
+    ({"rewards": lambda view: 0.0}, "give Rewards(extra={'mine': <lambda>})"),
+    ({"controllers": {"home_9": "still"}}, "unknown agent 'home_9' in controllers; known: home_0"),
+    ({"controllers": "still"}, "controllers must map agents or sides to teams"),
+]
+
+
+@pytest.mark.parametrize(("settings", "message"), BAD_SETTINGS, ids=[str(s) for s, _ in BAD_SETTINGS])
+def test_bad_settings_are_refused_with_what_is_allowed(settings: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError) as error:
+        Match(**settings)
+    assert message in str(error.value)
+
+
+BAD_ACTIONS = [
+    (None, "actions are missing for home_0"),
+    (np.zeros((1, 2, 3)), "must be numbers of shape (1, 2, 4)"),
+    (np.zeros((2, 4)), "must be numbers of shape (1, 2, 4)"),
+    (np.zeros((1, 2, 4), complex), "must be numbers"),
+    (np.zeros((1, 2, 4), bool), "must be numbers"),
+    (np.array([["a"] * 4] * 2)[None], "must be numbers"),
+    (np.where(np.arange(8).reshape(1, 2, 4) == 6, np.nan, 0.0), "action of away_0 in match 0 is not finite"),
+    (np.where(np.arange(8).reshape(1, 2, 4) == 1, -np.inf, 0.0), "action of home_0 in match 0 is not finite"),
+]
+
+
+@pytest.mark.parametrize(("actions", "message"), BAD_ACTIONS)
+def test_bad_actions_are_refused_and_change_nothing(actions: Any, message: str) -> None:
+    match = Match(home=1, away=1, seed=1)
+    match.step(np.ones((1, 2, 4)))
+    before = match.state_hash()
+    with pytest.raises(ValueError) as error:
+        match.step(actions)
+    assert message in str(error.value)
+    assert match.state_hash() == before
+
+
+@pytest.mark.parametrize(
+    ("actions", "message"),
+    [
+        ([[0, -1]], "action of away_0"), ([[0, 12]], "action of away_0"), ([[0.0, 1.5]], "must be one integer"),
+        (np.zeros((1, 2), object), r"actions must be integers of shape \(1, 2\), got object"),
+    ],
+)  # fmt: skip
+def test_bad_discrete_actions_name_the_agent_and_change_nothing(actions: Any, message: str) -> None:
+    match = Match(home=1, away=1, actions="discrete", seed=1)
+    before = match.state_hash()
+    with pytest.raises(ValueError, match=message):
+        match.step(np.array(actions))
+    assert match.state_hash() == before
+
+
+def test_finite_actions_outside_the_box_are_clipped() -> None:
+    wild, tame = Match(seed=1), Match(seed=1)
+    wild.step(np.full((1, 6, 4), 1e300))
+    tame.step(np.ones((1, 6, 4)))
+    assert wild.state_hash() == tame.state_hash()
+
+
+def test_rows_that_teams_play_may_hold_anything() -> None:
+    match = Match(home=1, away=1, opponents="random", seed=1)
+    actions = np.zeros((1, 2, 4))
+    actions[:, 1] = np.nan
+    match.step(actions)
+    assert np.isfinite(match.robots["x"]).all()
+
+
+def test_near_misses_of_settings_are_named_by_every_maker() -> None:
+    with pytest.raises(TypeError, match="unknown setting 'opponent', did you mean 'opponents'"):
+        soccer_v0.parallel_env(opponent="chaser")  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match="unknown setting 'autoreset', did you mean 'autoreset_mode'"):
+        gymnasium.make_vec("soccer_env/Legged2001-1v1-v0", num_envs=2, autoreset="same_step")

@@ -31,9 +31,8 @@ SIZE = 3  # robots a side
 def whole_steps(name, image, change_actions, tolerance, seed, **settings):
     """Play a match and its image until the first contact; return how many match steps were compared."""
     league = patient(name)
-    one, other = (
-        Match(league, home=SIZE, away=SIZE, matches=40, seed=seed, actions="full", **settings) for _ in range(2)
-    )
+    settings |= {"home": SIZE, "away": SIZE, "matches": 40, "seed": seed, "actions": "full"}
+    one, other = Match(league, **settings), Match(league, **settings)
     rng = np.random.default_rng(seed)
     set_phase(one, Phase.PLAY)
     scatter(one, rng, 0.8)
@@ -69,17 +68,16 @@ def near_boards(match):
 
 
 @pytest.mark.parametrize("placement", ["instant", "drive"])
+@pytest.mark.parametrize(
+    ("image", "change_actions", "tolerance", "seed"),
+    [(mirrored, mirrored_actions, MIRROR, 8), (turned, swapped_rows, HALF_TURN, 9)],
+    ids=["mirrored", "sides swapped"],
+)
 @each_league
-def test_a_mirrored_match_is_played_in_the_mirror_until_the_first_contact(name, placement):
-    compared = whole_steps(name, mirrored, mirrored_actions, MIRROR, seed=8, placement=placement)
-    assert compared > 1000
-
-
-@pytest.mark.parametrize("placement", ["instant", "drive"])
-@each_league
-def test_swapping_sides_gives_the_same_match_until_the_first_contact(name, placement):
-    compared = whole_steps(name, turned, swapped_rows, HALF_TURN, seed=9, placement=placement)
-    assert compared > 1000
+def test_an_image_of_a_match_is_played_as_its_image_until_the_first_contact(
+    name, image, change_actions, tolerance, seed, placement
+):
+    assert whole_steps(name, image, change_actions, tolerance, seed, placement=placement) > 1000
 
 
 @each_league

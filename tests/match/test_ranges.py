@@ -26,10 +26,6 @@ SETTINGS: list[dict[str, Any]] = [
 FREE = {"noise", "seed", "unused", "spare", "own"}  # fields in which all bits are allowed
 
 
-def test_every_shipped_team_is_looked_at() -> None:
-    assert {*LEGGED, *MIDDLE} == set(registry.NAMES)
-
-
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
 def test_every_field_that_a_save_holds_has_a_range(settings: dict[str, Any]) -> None:
     match = Match(**settings, seed=1)
@@ -53,11 +49,6 @@ def test_no_match_leaves_its_ranges(name: str) -> None:
             match.reset()
 
 
-def test_the_fields_of_a_replay_have_ranges() -> None:
-    for dtype in (COMMAND, GAZE):
-        assert all(place.range is not None for place in places(dtype))
-
-
 def test_a_field_without_a_range_cannot_be_declared() -> None:
     with pytest.raises(TypeError, match="field 'count' of a record has no range"):
         record([("place", "f8", NUMBER), ("count", "i8")])
@@ -65,10 +56,13 @@ def test_a_field_without_a_range_cannot_be_declared() -> None:
         record([("place", np.dtype([("x", "f8")]))])
 
 
-def test_equal_records_have_equal_ranges() -> None:
+def test_equal_records_have_equal_ranges_and_those_of_a_replay_have_some() -> None:
     record([("only_here", "i8", FLAG)])
     with pytest.raises(TypeError, match="another record has the same fields"):
         record([("only_here", "i8", NUMBER)])
+    assert all(place.range is not None for dtype in (COMMAND, GAZE) for place in places(dtype))
+    assert {*LEGGED, *MIDDLE} == set(registry.NAMES), "every shipped team is looked at"
+    assert [outside(np.array([0, flag], np.uint8).view(bool), 2) for flag in (1, 2)] == ["", "a flag"]
 
 
 INNER = record([("sign", "i2", SIGN), ("row", "i1", ROW_OR_NONE)])
@@ -92,11 +86,6 @@ def test_a_number_outside_its_range_is_named_wherever_it_stands(field: str, at: 
     numbers[(0, at) if at != () else 0] = value
     assert outside(records, robots=4) == field
     assert outside(records[0], robots=4) == ""
-
-
-def test_a_flag_that_is_neither_true_nor_false_is_refused() -> None:
-    assert outside(np.array([0, 1], np.uint8).view(bool), 2) == ""
-    assert outside(np.array([0, 2], np.uint8).view(bool), 2) == "a flag"
 
 
 class Odd:
@@ -133,7 +122,7 @@ def test_a_leg_that_nobody_can_hold_is_refused(field: str, value: int) -> None:
 
 @pytest.mark.parametrize("holder", [2, 3])
 def test_a_leg_is_held_by_another_robot_that_is_on_the_pitch(holder: int) -> None:
-    """Robot 1 is caught by itself, or by robot 2, which is out."""
+    """Robot 1 is caught by itself, or by robot 2, which is out; a robot on wheels is caught by nobody."""
     match, forged = Match(home=2, away=2, seed=1), Match(home=2, away=2, seed=1)
     forged.robots["active"][0, 2] = 0
     forged.robots["caught_by"][0, 1] = holder
@@ -141,9 +130,6 @@ def test_a_leg_is_held_by_another_robot_that_is_on_the_pitch(holder: int) -> Non
         match.load(saving.dump(forged))
     forged.robots["caught_by"][0, 1] = 1
     match.load(saving.dump(forged))
-
-
-def test_a_robot_on_wheels_is_caught_by_nobody() -> None:
     match, forged = (Match("middle-size-2006", home=1, away=1, seed=1) for _ in range(2))
     forged.robots["caught_by"][0, 0] = 2
     with pytest.raises(ValueError, match="caught_by"):

@@ -15,7 +15,6 @@ LEAGUES = ("legged-2001", "middle-size-2006")
 
 
 def go(match: Match, steps: int, seed: int) -> str:
-    """Play random actions; return the hash at the end."""
     rng = np.random.default_rng(seed)
     for _ in range(steps):
         match.step(rng.uniform(-1.0, 1.0, (match.count, len(match.agents), match.settings.actions.size)))
@@ -24,37 +23,25 @@ def go(match: Match, steps: int, seed: int) -> str:
 
 def lively(league: str, **settings: object) -> Match:
     """Return a match in which much happens."""
-    return Match(
-        league, home=3, away=3, matches=2, seed=5, controllers={"away": "chaser", "home_0": "random"}, **settings
-    )
+    teams = {"away": "chaser", "home_0": "random"}
+    return Match(league, home=3, away=3, matches=2, seed=5, controllers=teams, **settings)
 
 
 @pytest.mark.parametrize("league", LEAGUES)
-def test_a_save_has_one_future(league: str) -> None:
+def test_a_save_has_one_future_and_holds_the_memory_of_teams(league: str) -> None:
     match = lively(league)
     go(match, 300, 1)
-    saved = match.save()
-    future = go(match, 300, 2)
-    assert go_on_from(match, saved) == future
-    assert go_on_from(lively(league), saved) == future
+    saved, memory = match.save(), [squad.memory.tobytes() for squad in match.squads]
+    assert any(any(one) for one in memory)
+    future = go(match, 300, 2), memory
+    assert go_on_from(match, saved) == go_on_from(lively(league), saved) == future
 
 
-def go_on_from(match: Match, saved: bytes) -> str:
-    """Load a save and play the same actions."""
+def go_on_from(match: Match, saved: bytes) -> tuple[str, list[bytes]]:
+    """Load a save and play the same actions; return the hash at the end, and the memory of teams before."""
     match.load(saved)
-    return go(match, 300, 2)
-
-
-@pytest.mark.parametrize("league", LEAGUES)
-def test_team_memory_is_saved(league: str) -> None:
-    match = lively(league)
-    go(match, 100, 1)
-    saved, memory = match.save(), [squad.memory.copy() for squad in match.squads]
-    assert any(np.any(m.view(np.uint8)) for m in memory)
-    other = lively(league)
-    other.load(saved)
-    for squad, expected in zip(other.squads, memory, strict=True):
-        assert squad.memory.tobytes() == expected.tobytes()
+    memory = [squad.memory.tobytes() for squad in match.squads]
+    return go(match, 300, 2), memory
 
 
 def test_reading_hashing_and_rendering_never_rebuild() -> None:
@@ -153,26 +140,6 @@ def test_a_damaged_save_is_refused_and_changes_nothing(damage: bytes) -> None:
     assert match.state_hash() == before
 
 
-@pytest.mark.parametrize("size", [0, 10, 2000])
-def test_a_damaged_replay_is_refused(size: int, tmp_path: Path) -> None:
-    match = Match(home=1, away=1, seed=1)
-    recorder = Recorder(match)
-    go(match, 10, 1)
-    path = recorder.stop().write(tmp_path / "a.replay")
-    path.write_bytes(path.read_bytes()[:size])
-    with pytest.raises(ValueError, match="not a replay"):
-        Replay.read(path)
-
-
-def test_a_save_with_a_nan_is_refused() -> None:
-    match, broken = Match(home=1, away=1, seed=1), Match(home=1, away=1, seed=1)
-    broken.robots["omega"][0, 1] = np.nan
-    before = match.state_hash()
-    with pytest.raises(ValueError, match="omega of robots is out of range"):
-        match.load(saving.dump(broken))
-    assert match.state_hash() == before
-
-
 class Forgetful:
     """A team that remembers nothing."""
 
@@ -199,7 +166,7 @@ def test_a_team_without_memory_can_be_saved() -> None:
         ("robots", "team", 10**6), ("robots", "number", 7), ("robots", "x", np.inf), ("robots", "place_x", 1e300),
         ("matches", "phase", 99), ("matches", "clock", np.nan), ("matches", "last_touch_robot", 10**6),
         ("matches", "home_direction", 0.5), ("matches", "step", -1), ("balls", "angle", np.nan),
-        ("robots", "pan", 100.0), ("robots", "tilt", -100.0), ("matches", "clock", -1e6),
+        ("robots", "pan", 100.0), ("robots", "tilt", -100.0), ("matches", "clock", -1e6), ("robots", "omega", np.nan),
     ],
 )  # fmt: skip
 def test_a_forged_save_is_refused(records: str, field: str, value: float) -> None:
@@ -207,7 +174,7 @@ def test_a_forged_save_is_refused(records: str, field: str, value: float) -> Non
     match, forged = Match(home=1, away=1, seed=1), Match(home=1, away=1, seed=1)
     getattr(forged, records)[field] = value
     before = match.state_hash()
-    with pytest.raises(ValueError, match=field):
+    with pytest.raises(ValueError, match=f"{field} of {records} is (out of range|not that of the match)"):
         match.load(saving.dump(forged))
     assert match.state_hash() == before
 

@@ -6,54 +6,38 @@ import pytest
 from soccer_env import Match
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE, SHOOT
 from soccer_env.leagues import find_league
-from soccer_env.match.staging import (
-    begin,
-    constants_of,
-    memory_of,
-    memory_settings_of,
-    patient,
-    put,
-    put_ball,
-    sensors_of,
-    set_mass,
-    team_settings_of,
-)
+from soccer_env.match import staging
 
 
 def sacks(**settings: object) -> Match:
-    """Return two matches of sacks-2001 (home, 2 robots) against robots that stand (2)."""
     sides = {"home": "sacks-2001", "away": "still"}
     return Match("legged-2001", home=2, away=2, matches=2, seed=4, controllers=sides, pose="percept", **settings)
 
 
 def test_a_players_memory_is_its_teams_record_of_that_robot() -> None:
     match = sacks()
-    memory_of(match, 0)["behaviour"], memory_of(match, 1)["behaviour"] = DRIBBLE, [SHOOT, DRIBBLE]
+    staging.memory_of(match, 0)["behaviour"], staging.memory_of(match, 1)["behaviour"] = DRIBBLE, [SHOOT, DRIBBLE]
     assert match.squads[0].memory["behaviour"].tolist() == [[DRIBBLE, SHOOT], [DRIBBLE, DRIBBLE]]
-    memory_of(match, 3)["unused"] = 7
+    staging.memory_of(match, 3)["unused"] = 7
     assert match.squads[1].memory["unused"].tolist() == [[0, 7], [0, 7]]
-    assert team_settings_of(match, 1) is match.squads[0].team.settings  # type: ignore[attr-defined]
+    assert staging.team_settings_of(match, 1) is match.squads[0].team.settings  # type: ignore[attr-defined]
 
 
-def test_a_robot_that_is_played_from_outside_has_no_memory() -> None:
-    match = Match("legged-2001", home=1, away=1, opponents="still")
+def test_a_match_without_sensors_has_no_settings_of_them_nor_a_robot_from_outside_a_memory() -> None:
+    for settings_of in (staging.sensors_of, staging.memory_settings_of):
+        with pytest.raises(ValueError, match="nobody in this match uses its sensors"):
+            settings_of(sacks(senses="ideal"))
     with pytest.raises(ValueError, match="robot 0 is played from outside"):
-        memory_of(match, 0)
-
-
-@pytest.mark.parametrize("of", [sensors_of, memory_settings_of])
-def test_a_match_without_sensors_has_no_settings_of_them(of: object) -> None:
-    with pytest.raises(ValueError, match="nobody in this match uses its sensors"):
-        of(sacks(senses="ideal"))  # type: ignore[operator]
+        staging.memory_of(Match("legged-2001", home=1, away=1, opponents="still"), 0)
 
 
 @pytest.mark.parametrize("missed", [0.0, 1.0])
 def test_sensors_read_the_settings_that_are_changed(missed: float) -> None:
     match = Match("middle-size-2006", home=1, away=1, matches=2, seed=4, controllers={"home": "chaser"}, pose="percept")
-    put(match, 0, 0.0, 0.0)
-    put_ball(match, 1.5, 0.0)
-    begin(match)
-    sensors_of(match)["ball_miss"], sensors_of(match)["false_balls"] = missed, 0.0
+    staging.put(match, 0, 0.0, 0.0)
+    staging.put_ball(match, 1.5, 0.0)
+    staging.begin(match)
+    staging.sensors_of(match)["ball_miss"], staging.sensors_of(match)["false_balls"] = missed, 0.0
     for _ in range(50):
         match.step(np.zeros((2, 2, 4)))
     assert (match.beliefs["ball"]["confidence"][:, 0] > 0.0).all() == (missed == 0.0)
@@ -62,10 +46,10 @@ def test_sensors_read_the_settings_that_are_changed(missed: float) -> None:
 @pytest.mark.parametrize(("traction", "walks"), [(None, True), (1e-6, False)])
 def test_bodies_read_the_constants_that_are_changed(traction: float | None, walks: bool) -> None:
     match = Match("legged-2001", home=1, away=1, seed=4)
-    put(match, 0, 0.0, 0.0)
-    begin(match)
+    staging.put(match, 0, 0.0, 0.0)
+    staging.begin(match)
     if traction:
-        constants_of(match)["drive_traction"] = constants_of(match)["drive_thrust"] = traction
+        staging.constants_of(match)["drive_traction"] = staging.constants_of(match)["drive_thrust"] = traction
     for _ in range(32):
         match.step(np.array([[[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]]]))
     assert (abs(float(match.robots["x"][0, 0])) > 0.1) == walks
@@ -74,23 +58,23 @@ def test_bodies_read_the_constants_that_are_changed(traction: float | None, walk
 def test_a_scene_begins_with_robots_that_know_where_they_are_or_not() -> None:
     known, lost = sacks(), sacks()
     for match, placed in ((known, True), (lost, False)):
-        put(match, 0, 0.4, -0.3, 1.0)
-        begin(match, placed=placed)
+        staging.put(match, 0, 0.4, -0.3, 1.0)
+        staging.begin(match, placed=placed)
     assert np.hypot(known.beliefs["own"]["x"][:, 0] - 0.4, known.beliefs["own"]["y"][:, 0] + 0.3).max() < 0.3
     assert (lost.beliefs["ball"]["confidence"] == 0.0).all()
 
 
 def pushed_by(pushers: int, mass: float | None = None) -> float:
     """Return how far [m] a robot that stands is moved in four seconds by others that walk at it, one behind another."""
-    match = Match(patient("legged-2001"), home=pushers, away=1, seed=2)
+    match = Match(staging.patient("legged-2001"), home=pushers, away=1, seed=2)
     apart = 2.0 * (match.league.body.tip_x + match.league.body.tip_radius) + 0.002  # [m] between neighbours
     for r in range(pushers):
-        put(match, r, -apart * r, 0.0)
-    put(match, pushers, apart, 0.0, np.pi)
-    put_ball(match, 0.0, 0.8)
-    begin(match)
+        staging.put(match, r, -apart * r, 0.0)
+    staging.put(match, pushers, apart, 0.0, np.pi)
+    staging.put_ball(match, 0.0, 0.8)
+    staging.begin(match)
     if mass:
-        set_mass(match, (pushers,), mass, mass)
+        staging.set_mass(match, (pushers,), mass, mass)
     actions = np.zeros((1, pushers + 1, 4))
     actions[:, :pushers, 0] = 1.0
     for _ in range(64):

@@ -20,23 +20,8 @@ from soccer_env.referee.calls import judge
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.steering import steer_to_place
 from soccer_env.types import NO_TEAM, Phase
+from tests.scenes import symmetry
 from tests.scenes.staging import LEGGED, MIDDLE, each_league, put_ball, scatter, speed
-from tests.scenes.symmetry import (
-    HALF_TURN,
-    MIRROR,
-    Records,
-    assert_close,
-    assert_same,
-    assert_same_records,
-    mirrored,
-    mirrored_beliefs,
-    mirrored_events,
-    mirrored_observations,
-    mirrored_tracks,
-    swapped_rows,
-    turned,
-    turned_events,
-)
 
 SIZE = 3  # robots a side
 DIFFERENTIAL = "middle-size-2006-differential"
@@ -69,23 +54,20 @@ def mid_game(name, matches=60, seed=1, **settings) -> Match:
 
 def in_both_worlds(match, stage, events=False):
     """Run a stage on the records, on their mirror image and on their half-turn, and compare what comes out."""
-    records, constants = Records.of(match), match.settings.constants()
+    records, constants = symmetry.Records.of(match), match.settings.constants()
     happened = []
-    for image in (records, left_right := mirrored(records), half_turn := turned(records)):
+    for image in (records, left_right := symmetry.mirrored(records), half_turn := symmetry.turned(records)):
         happened.append((match.events.copy(), match.robot_events.copy()))
         stage(image, *happened[-1], constants)
-    assert_same_records(left_right, mirrored(records), MIRROR)
-    assert_same_records(half_turn, turned(records), HALF_TURN)
+    symmetry.assert_same_records(left_right, symmetry.mirrored(records), symmetry.MIRROR)
+    symmetry.assert_same_records(half_turn, symmetry.turned(records), symmetry.HALF_TURN)
     if events:
         (one, robots), (mirror, mirror_robots), (turn, turn_robots) = happened
-        assert_same(mirror, mirrored_events(one), MIRROR)
-        assert_same(turn, turned_events(one, 2 * SIZE), HALF_TURN)
-        assert_same(mirror_robots, robots, MIRROR)
-        assert_same(turn_robots, swapped_rows(robots), HALF_TURN)
+        symmetry.assert_same(mirror, symmetry.mirrored_events(one), symmetry.MIRROR)
+        symmetry.assert_same(turn, symmetry.turned_events(one, 2 * SIZE), symmetry.HALF_TURN)
+        symmetry.assert_same(mirror_robots, robots, symmetry.MIRROR)
+        symmetry.assert_same(turn_robots, symmetry.swapped_rows(robots), symmetry.HALF_TURN)
     return records
-
-
-# Stages
 
 
 @compiled
@@ -160,8 +142,8 @@ def test_driving_is_symmetric_over_many_gait_steps(name):
     after = in_both_worlds(before, stage)
     one, left_right, half_turn = posts
     for axis, sign in (("x", 1.0), ("y", -1.0), ("vx", 1.0), ("vy", -1.0)):
-        assert_close(left_right[axis], sign * one[axis], MIRROR, f"posts.{axis}")
-        assert_close(half_turn[axis], swapped_rows(one[axis]), HALF_TURN, f"posts.{axis}")
+        symmetry.assert_close(left_right[axis], sign * one[axis], symmetry.MIRROR, f"posts.{axis}")
+        symmetry.assert_close(half_turn[axis], symmetry.swapped_rows(one[axis]), symmetry.HALF_TURN, f"posts.{axis}")
     assert (abs(one["vx"]).max() > 0.1) == before.league.body.legs
     assert not np.array_equal(after.robots["slip"], before.robots["slip"])
     assert speed(after.robots).max() > 0.3 * before.league.drive.forward
@@ -232,29 +214,31 @@ def test_driving_to_places_is_symmetric_and_so_is_its_end(name):
 @each_league
 def test_ideal_beliefs_are_symmetric(name):
     match = mid_game(name, 100, seed=6)
-    constants, records = match.settings.constants(), Records.of(match)
+    constants, records = match.settings.constants(), symmetry.Records.of(match)
     everyone = np.arange(2 * SIZE)
     believed = []
-    for image in (records, mirrored(records), turned(records)):
+    for image in (records, symmetry.mirrored(records), symmetry.turned(records)):
         world = (image.matches, image.balls, image.robots, match.events, match.robot_events)
         beliefs, tracks = np.zeros_like(match.batch.beliefs), np.zeros_like(match.batch.tracks)
         believe_truth_slice(world, beliefs, tracks, constants, everyone, 0, 100)
         believed.append((beliefs, tracks))
     (beliefs, tracks), (mirror, mirror_tracks), (turn, turn_tracks) = believed
-    assert_same(mirror, mirrored_beliefs(beliefs), MIRROR)
-    assert_same(mirror_tracks, mirrored_tracks(tracks), MIRROR)
-    assert_same(turn, swapped_rows(beliefs), HALF_TURN)
-    assert_same(turn_tracks, swapped_rows(tracks), HALF_TURN)
+    symmetry.assert_same(mirror, symmetry.mirrored_beliefs(beliefs), symmetry.MIRROR)
+    symmetry.assert_same(mirror_tracks, symmetry.mirrored_tracks(tracks), symmetry.MIRROR)
+    symmetry.assert_same(turn, symmetry.swapped_rows(beliefs), symmetry.HALF_TURN)
+    symmetry.assert_same(turn_tracks, symmetry.swapped_rows(tracks), symmetry.HALF_TURN)
 
 
 @each_league
 def test_observations_are_symmetric(name):
     match = mid_game(name, 100, seed=7)
-    constants, records = match.settings.constants(), Records.of(match)
+    constants, records = match.settings.constants(), symmetry.Records.of(match)
     seen = []
-    for image in (records, mirrored(records), turned(records)):
+    for image in (records, symmetry.mirrored(records), symmetry.turned(records)):
         seen.append(np.zeros_like(match.observations))
         observe_slice(image.matches, image.balls, image.robots, seen[-1], constants, 0, 100)
     single = np.finfo(np.float32).eps  # the last bit of a float32
-    assert_close(seen[1], mirrored_observations(seen[0], match.observation_entries), MIRROR + single, "mirror")
-    assert_close(seen[2], swapped_rows(seen[0]), HALF_TURN + 2.0 * single, "half-turn")
+    symmetry.assert_close(
+        seen[1], symmetry.mirrored_observations(seen[0], match.observation_entries), symmetry.MIRROR + single, "mirror"
+    )
+    symmetry.assert_close(seen[2], symmetry.swapped_rows(seen[0]), symmetry.HALF_TURN + 2.0 * single, "half-turn")

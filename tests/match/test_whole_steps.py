@@ -10,11 +10,8 @@ import pytest
 from soccer_env import Match, Rewards, Scene
 from soccer_env.replay import Recorder
 
-# One thread at a time
-
 
 def in_a_thread(do: Callable[[], object]) -> list[BaseException]:
-    """Run something in another thread; return what it raised."""
     raised: list[BaseException] = []
 
     def run() -> None:
@@ -59,26 +56,23 @@ class Moves:
 @pytest.mark.parametrize("name", ["step", "reset", "save", "load", "rebuild", "decide"])
 def test_a_second_thread_is_refused_and_the_first_goes_on(name: str) -> None:
     team = Asked()
-    match, alone = (
-        Match(home=1, away=1, seed=1, controllers={"home": who, "away": "still"}) for who in (team, Asked())
-    )
+    sides = ({"home": who, "away": "still"} for who in (team, Asked()))
+    match, alone = (Match(home=1, away=1, seed=1, controllers=both) for both in sides)
     saved = match.save()
     arguments = (saved,) if name == "load" else ()
     team.do = lambda: getattr(match, name)(*arguments)
     match.step()
-    assert [f"{error}" for error in team.raised] == [
-        f"{name}: another thread is using this Match; give each thread one of its own"
-    ]
-    assert isinstance(team.raised[0], RuntimeError)
+    (error,) = team.raised
+    assert isinstance(error, RuntimeError)
+    assert str(error) == f"{name}: another thread is using this Match; give each thread one of its own"
     alone.step()
     assert match.state_hash() == alone.state_hash()
 
 
 @pytest.mark.parametrize("name", ["step", "reset", "load"])
 def test_a_team_that_moves_the_match_that_asks_it_is_told_so_and_nothing_changes(name: str) -> None:
-    match = Match(
-        home=1, away=1, seed=1, controllers={"home": Moves(lambda: getattr(match, name)(*given)), "away": "chaser"}
-    )
+    sides = {"home": Moves(lambda: getattr(match, name)(*given)), "away": "chaser"}
+    match = Match(home=1, away=1, seed=1, controllers=sides)
     given = (match.save(),) if name == "load" else ()
     before, seeds = match.state_hash(), match.seeds.tolist()
     with pytest.raises(RuntimeError, match="team 'moves' must not call step, reset or load of the match that asks it"):
@@ -89,13 +83,10 @@ def test_a_team_that_moves_the_match_that_asks_it_is_told_so_and_nothing_changes
 
 def test_a_team_may_look_ahead_in_a_branch_of_the_match_that_asks_it() -> None:
     ahead = []
-    match = Match(
-        home=1, away=1, seed=1,
-        controllers={"home": Moves(lambda: ahead.append(match.branch(0))), "away": "chaser"},
-    )  # fmt: skip
+    sides = {"home": Moves(lambda: ahead.append(match.branch(0))), "away": "chaser"}
+    match = Match(home=1, away=1, seed=1, controllers=sides)
     match.step()
-    assert ahead[0].matches["step"].tolist() == [0]
-    assert match.matches["step"].tolist() == [1]
+    assert (ahead[0].matches["step"][0], match.matches["step"][0]) == (0, 1)
 
 
 def test_two_threads_that_take_turns_share_a_match() -> None:
@@ -113,9 +104,6 @@ def test_code_of_a_user_may_save_in_a_step() -> None:
     rewards = Rewards.only(extra={"saves": lambda match: len(saves.append(match.save()) or saves)})
     Match(home=1, away=1, seed=1, rewards=rewards).step(np.zeros((1, 2, 4)))
     assert len(saves) == 1
-
-
-# Whole or not at all
 
 
 class OwnError(ArithmeticError):

@@ -1,10 +1,12 @@
-"""The mutants that switch off a mechanism of a paper, read from `mechanisms.toml`."""
+"""The mutants that are listed: mechanisms of papers, and slips that nobody can notice (`equivalents.toml`)."""
 
 from __future__ import annotations
 
+import functools
 import sys
+from collections.abc import Mapping
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from tests.mutation import syntax
 
@@ -12,6 +14,9 @@ if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
+
+FOLDER = Path(__file__).resolve().parent
+ROOT = FOLDER.parents[1]
 
 
 class Mechanism(NamedTuple):
@@ -30,6 +35,20 @@ class Mechanism(NamedTuple):
 
 
 def read() -> list[Mechanism]:
-    """Return all of them."""
-    text = Path(__file__).with_suffix(".toml").read_text(encoding="utf-8")
-    return [Mechanism(**row) for row in tomllib.loads(text)["mutant"]]
+    """Return all mechanisms."""
+    return [Mechanism(**row) for row in rows("mechanisms.toml")["mutant"]]
+
+
+@functools.cache
+def rows(name: str) -> dict[str, list[dict[str, str]]]:
+    """Return what a file of this folder says."""
+    return tomllib.loads((FOLDER / name).read_text(encoding="utf-8"))
+
+
+def reason(row: Mapping[str, Any]) -> str:
+    """Return why a mutant changes nothing that anybody could notice, or nothing."""
+    line = ["", *(ROOT / row["file"]).read_text(encoding="utf-8").splitlines()][row["line"]]
+    for one in rows("equivalents.toml")["equivalent"]:
+        if all(one[name] == row[name] for name in ("file", "original", "replacement")) and one["text"] in line:
+            return one["reason"]
+    return ""

@@ -8,31 +8,22 @@ where equality hardly happens, the comparison is turned round.
 from __future__ import annotations
 
 import ast
-import copy
 import hashlib
 import re
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from tests.mutation.syntax import Place, place_of, put
+from tests.mutation.syntax import put
 
 FOLDERS = ("soccer_env", "baselines", "agents", "train/evaluate")
-INNER = ("baselines", "agents", "train")  # may lie inside the package as soft links
+LINKS = ("soccer_env/baselines/", "soccer_env/agents/", "soccer_env/train/")  # soft links, where a checkout has them
 WORDING = ("print", "warn", "warning", "info", "debug", "one_line", "ValueError", "TypeError", "RuntimeError")
 ARITHMETIC = {"Add": "Sub", "Sub": "Add", "Mult": "Div", "Div": "Mult", "Mod": "Mult", "Pow": "Mult"}
 BOUNDARY = {"Lt": "LtE", "LtE": "Lt", "Gt": "GtE", "GtE": "Gt", "Eq": "NotEq", "NotEq": "Eq"}
-TURNED = {
-    "Lt": "Gt",
-    "LtE": "GtE",
-    "Gt": "Lt",
-    "GtE": "LtE",
-    "Is": "IsNot",
-    "IsNot": "Is",
-    "In": "NotIn",
-    "NotIn": "In",
-}
+TURNED = {"Lt": "Gt", "LtE": "GtE", "Gt": "Lt", "GtE": "LtE"}
+TURNED |= {"Is": "IsNot", "IsNot": "Is", "In": "NotIn", "NotIn": "In"}
 WORDS = ("sin cos", "sine cosine", "min max", "minimum maximum", "floor ceil", "HOME AWAY", "home away", "left right")
 WORDS += ("length width", "forward sideways", "first last", "before after", "LEFT RIGHT")
 PARTNERS = {word: other for pair in map(str.split, WORDS) for word, other in (pair, pair[::-1])}
@@ -50,7 +41,7 @@ class Site(NamedTuple):
     number: int  # how many equal ones stand before it in the file
     original: str
     options: tuple[str, ...]
-    place: Place
+    node: Any
 
     def rank(self, seed: int) -> str:
         """Return a random text for a seed; it stays the same when other places in the source change."""
@@ -66,18 +57,14 @@ def draw(root: Path, seed: int, only: str = "") -> Iterator[Site]:
     """Yield all sites of the checkout, each once, uniformly at random, those first that a seed draws first."""
     files = [file for folder in FOLDERS for file in sorted((root / folder).rglob("*.py"))]
     names = [file.relative_to(root).as_posix() for file in files]
-    wanted = [
-        name
-        for name in names
-        if name.startswith(only) and not name.startswith(tuple(f"soccer_env/{i}/" for i in INNER))
-    ]
+    wanted = [name for name in names if name.startswith(only) and not name.startswith(LINKS)]
     sites = [site for name in wanted for site in sites_of(name, (root / name).read_text(encoding="utf-8"))]
     yield from sorted(sites, key=lambda site: site.rank(seed))
 
 
 def changed(source: str, site: Site, replacement: str) -> str:
     """Return the source of a file with the slip in it; SyntaxError if there is none, ValueError if it is the same."""
-    text = put(source, site.place, replacement)
+    text = put(source, [site.node], replacement)
     if ast.dump(ast.parse(text)) == ast.dump(ast.parse(source)):
         raise ValueError("nothing changes")
     compile(text, site.file, "exec")
@@ -87,18 +74,17 @@ def changed(source: str, site: Site, replacement: str) -> str:
 def sites_of(file: str, source: str) -> Iterator[Site]:
     """Yield the sites of a file in the order of its text."""
     tree = ast.parse(source)
-    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} | {"min", "max"}
-    imports = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
-    names |= {alias.asname or alias.name for node in imports for alias in node.names}
+    names = {"min", "max", *(node.id for node in ast.walk(tree) if isinstance(node, ast.Name))}
+    imports = (node.names for node in ast.walk(tree) if isinstance(node, ast.ImportFrom))
+    names |= {alias.asname or alias.name for aliases in imports for alias in aliases}
     seen: Counter[tuple[str, str, str]] = Counter()
     for node, function in walk(tree, ""):
         for kind, options in slips(node, names):
             spot = node.test if kind == "condition" else node  # type: ignore[attr-defined]  # of If and IfExp
             original = ast.unparse(spot)
-            good = tuple(option for option in options if option != original)
-            if good:
-                key = function, kind, original
-                yield Site(file, function, kind, seen[key], original, good, place_of(spot, spot))
+            key = function, kind, original
+            if others := tuple(option for option in options if option != original):
+                yield Site(file, function, kind, seen[key], original, others, spot)
                 seen[key] += 1
 
 
@@ -146,79 +132,63 @@ def partner(name: str) -> str:
 
 def with_fields(node: ast.AST, **fields: object) -> str:
     """Return the text of a node with some of its fields changed."""
-    other = copy.copy(node)
-    for name, value in fields.items():
-        setattr(other, name, value)
-    return ast.unparse(other)
+    return ast.unparse(type(node)(**{**vars(node), **fields}))
 
 
 def slips(node: ast.AST, names: set[str]) -> Iterator[tuple[str, list[str]]]:
     """Yield each kind of slip that can be made in a node, with what could stand there."""
-    if isinstance(node, ast.BinOp | ast.AugAssign):
-        yield from arithmetic(node)
-    elif isinstance(node, ast.Compare):
-        yield "comparison", comparisons(node)
-    elif isinstance(node, ast.BoolOp):
-        less = [with_fields(node, values=node.values[:i] + node.values[i + 1 :]) for i in range(len(node.values))]
-        yield "logic", [with_fields(node, op=ast.Or() if isinstance(node.op, ast.And) else ast.And()), *less]
-    elif isinstance(node, ast.UnaryOp):
-        yield "sign" if isinstance(node.op, ast.USub) else "logic", [ast.unparse(node.operand)]
-    elif isinstance(node, ast.Constant):
-        yield "number", numbers(node.value)
-    elif isinstance(node, ast.Name | ast.Attribute):
-        yield from confused(node, names)
-    elif isinstance(node, ast.Call):
-        yield from calls(node, names)
-    elif isinstance(node, ast.Subscript):
-        if isinstance(node.slice, ast.Name) and len(node.slice.id) <= 2 and isinstance(node.ctx, ast.Load):
-            yield "off by one", [f"{ast.unparse(node.value)}[{node.slice.id} - 1]"]
-    elif isinstance(node, ast.stmt):
-        yield from statements(node)
-    if isinstance(node, ast.If | ast.IfExp):
-        yield "condition", ["True", "False", f"not ({ast.unparse(node.test)})"]
-
-
-def arithmetic(node: ast.BinOp | ast.AugAssign) -> Iterator[tuple[str, list[str]]]:
-    """Yield the other operation, unless texts are put together."""
-    parts = [node.left, node.right] if isinstance(node, ast.BinOp) else [node.target, node.value]
-    other = ARITHMETIC.get(type(node.op).__name__)
-    if other and not any(
-        isinstance(part, ast.JoinedStr) or isinstance(getattr(part, "value", 0), str) for part in parts
-    ):
-        yield "arithmetic", [with_fields(node, op=getattr(ast, other)())]
+    match node:
+        case ast.BinOp(left=one, right=other) | ast.AugAssign(target=one, value=other):
+            operation = ARITHMETIC.get(type(node.op).__name__)
+            if operation and not any(map(is_text, (one, other))):
+                yield "arithmetic", [with_fields(node, op=getattr(ast, operation)())]
+        case ast.Compare():
+            yield "comparison", comparisons(node)
+        case ast.BoolOp(op=operator, values=parts):
+            less = [with_fields(node, values=[*parts[:i], *parts[i + 1 :]]) for i in range(len(parts))]
+            yield "logic", [with_fields(node, op=ast.Or() if isinstance(operator, ast.And) else ast.And()), *less]
+        case ast.UnaryOp(op=operator, operand=inner):
+            yield "sign" if isinstance(operator, ast.USub) else "logic", [ast.unparse(inner)]
+        case ast.Constant(value=bool(value)):
+            yield "number", [str(not value)]
+        case ast.Constant(value=int(value)):
+            yield "number", [str(value + 1), str(value - 1)]
+        case ast.Constant(value=float(value)) if value:
+            yield "number", [repr(1.5 * value), repr(0.5 * value), "0.0"]
+        case ast.Name(id=name, ctx=ast.Load()) if partner(name) in names:
+            yield "side", [partner(name)]
+        case ast.Attribute(attr=name) if partner(name):
+            yield "side", [with_fields(node, attr=partner(name))]
+        case ast.Call():
+            yield from calls(node, names)
+        case ast.Subscript(value=whole, slice=ast.Name(id=name), ctx=ast.Load()) if len(name) <= 2:
+            yield "off by one", [f"{ast.unparse(whole)}[{name} - 1]"]
+        case ast.Assign(targets=[ast.Attribute() | ast.Subscript(), *_]) | ast.Expr(value=ast.Call()):
+            yield "lost statement", ["pass"]
+        case ast.Return(value=ast.Compare() | ast.BoolOp()):
+            yield "constant", ["return True", "return False"]
+        case ast.Return(value=ast.BinOp()):
+            yield "constant", ["return 0.0"]
+        case ast.If(test=test) | ast.IfExp(test=test):
+            yield "condition", ["True", "False", f"not ({ast.unparse(test)})"]
     if isinstance(node, ast.AugAssign):
         yield "lost statement", ["pass"]
+
+
+def is_text(node: ast.AST) -> bool:
+    """Tell whether a node is a text, or wraps one."""
+    return isinstance(node, ast.JoinedStr) or isinstance(getattr(node, "value", 0), str)
 
 
 def comparisons(node: ast.Compare) -> list[str]:
     """Return the comparison with another operator, for each of its operators."""
     text = ast.unparse(node)
     whole = not re.search(r"\d\.\d", text) and bool(re.search(r"\b\d|len\(|count|number|steps?\b|\b[mrijn]\b", text))
-    found = []
-    for i, operator in enumerate(node.ops):
-        name = type(operator).__name__
-        other = BOUNDARY.get(name) if whole or name not in TURNED else TURNED[name]
-        if other:
-            found.append(with_fields(node, ops=[*node.ops[:i], getattr(ast, other)(), *node.ops[i + 1 :]]))
-    return found
-
-
-def numbers(value: object) -> list[str]:
-    """Return other numbers: one more or less, half as much again, half, nothing."""
-    if isinstance(value, bool):
-        return [str(not value)]
-    if isinstance(value, int):
-        return [str(value + 1), str(value - 1)]
-    return [repr(1.5 * value), repr(0.5 * value), "0.0"] if isinstance(value, float) and value else []
-
-
-def confused(node: ast.Name | ast.Attribute, names: set[str]) -> Iterator[tuple[str, list[str]]]:
-    """Yield the name that is easily taken for this one."""
-    if isinstance(node, ast.Attribute):
-        if partner(node.attr):
-            yield "side", [with_fields(node, attr=partner(node.attr))]
-    elif isinstance(node.ctx, ast.Load) and partner(node.id) in names:
-        yield "side", [partner(node.id)]
+    others = [(BOUNDARY if whole else BOUNDARY | TURNED).get(type(operator).__name__) for operator in node.ops]
+    return [
+        with_fields(node, ops=[*node.ops[:i], getattr(ast, other)(), *node.ops[i + 1 :]])
+        for i, other in enumerate(others) if other
+    ]  # fmt: skip
 
 
 def calls(node: ast.Call, names: set[str]) -> Iterator[tuple[str, list[str]]]:
@@ -229,10 +199,8 @@ def calls(node: ast.Call, names: set[str]) -> Iterator[tuple[str, list[str]]]:
     if name in DRAWS:
         streams = sorted(word for word in names if word.isupper() and len(word) > 2 and word not in PARTNERS)
         used = [name_of(arg) for arg in given if name_of(arg).isupper()]
-        others = [
-            with_fields(node, args=[*given[:-1], ast.Name(word)]) for word in streams if used and word not in used
-        ]
-        yield "noise", ["0.0", *others[:2]]
+        others = [word for word in streams if used and word not in used][:2]
+        yield "noise", ["0.0", *(with_fields(node, args=[*given[:-1], ast.Name(word)]) for word in others)]
     if name == "range" and 1 <= len(given) <= 2:
         first, last = ("0", *map(ast.unparse, given)) if len(given) == 1 else map(ast.unparse, given)
         yield "off by one", [f"range({first} + 1, {last})", f"range({first}, {last} - 1)"]
@@ -254,14 +222,3 @@ def alike(one: ast.AST, other: ast.AST) -> bool:
     if isinstance(one, ast.Name):
         return partner(name_of(one)) == name_of(other) or len(name_of(one)) == len(name_of(other)) == 1
     return ast.dump(one.value) == ast.dump(other.value)  # type: ignore[attr-defined]
-
-
-def statements(node: ast.stmt) -> Iterator[tuple[str, list[str]]]:
-    """Yield a statement that is forgotten, a loop that never runs, a constant that is returned."""
-    kept = isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Attribute | ast.Subscript)
-    if kept or (isinstance(node, ast.Expr) and isinstance(node.value, ast.Call)):
-        yield "lost statement", ["pass"]
-    elif isinstance(node, ast.Return) and isinstance(node.value, ast.Compare | ast.BoolOp):
-        yield "constant", ["return True", "return False"]
-    elif isinstance(node, ast.Return) and isinstance(node.value, ast.BinOp):
-        yield "constant", ["return 0.0"]

@@ -5,17 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from textwrap import dedent, indent
-from typing import NamedTuple
-
-
-class Place(NamedTuple):
-    """Where a piece of source stands, in lines from 1 and bytes from 0, and whether it is an expression."""
-
-    first_line: int
-    first_byte: int
-    last_line: int
-    last_byte: int
-    is_expression: bool
+from typing import Any
 
 
 def replace(source: str, original: str, replacement: str, where: str = "") -> str:
@@ -24,77 +14,43 @@ def replace(source: str, original: str, replacement: str, where: str = "") -> st
     Both pieces are expressions, or both are statements; a keyword argument `name=value` counts as a statement. An
     empty replacement leaves nothing. `where` names the one function or class to look in.
     """
-    found = list(places(ast.parse(source), original, replacement, where))
+    nodes = [*ast.walk(ast.parse(source))]
+    named = [node for node in nodes if isinstance(node, ast.FunctionDef | ast.ClassDef) and node.name == where]
+    roots = named if where else nodes[:1]
+    found = [run for root in roots for piece in readings(original, replacement) for run in runs(root, piece)]
     if len(found) != 1:
         raise ValueError(f"{original!r} stands {len(found)} times in {where or 'the file'}")
     return put(source, found[0], replacement)
 
 
-def put(source: str, place: Place, replacement: str) -> str:
-    """Return the source of a file with something else at a place."""
+def put(source: str, run: list[Any], replacement: str) -> str:
+    """Return the source of a file with something else from the beginning of a run of nodes to its end."""
+    first, last = run[0], run[-1]
     lines = source.encode().splitlines(keepends=True)
-    head = b"".join(lines[: place.first_line - 1]) + lines[place.first_line - 1][: place.first_byte]
-    tail = lines[place.last_line - 1][place.last_byte :] + b"".join(lines[place.last_line :])
-    if place.is_expression:
-        new = f"({replacement.strip()})"
-    else:
-        new = indent(dedent(replacement).strip() or "pass", " " * place.first_byte).strip()
-    return (head + new.encode() + tail).decode()
+    head = b"".join(lines[: first.lineno - 1]) + lines[first.lineno - 1][: first.col_offset]
+    tail = lines[last.end_lineno - 1][last.end_col_offset :] + b"".join(lines[last.end_lineno :])
+    new = indent(dedent(replacement).strip() or "pass", " " * first.col_offset).strip()
+    return (head + (f"({new})" if isinstance(first, ast.expr) else new).encode() + tail).decode()
 
 
-def places(tree: ast.AST, original: str, replacement: str, where: str) -> Iterator[Place]:
-    """Yield where a piece of source stands in a tree, or in the functions and classes of one name."""
-    expressions = [expression_of(piece) for piece in (original, replacement)]
-    for root in roots(tree, where):
-        if None not in expressions:
-            yield from (place_of(node, node) for node in ast.walk(root) if same(node, expressions[0]))
-            continue
-        wanted = ast.parse(dedent(original)).body
-        for body in bodies(root):
-            for start in range(len(body) - len(wanted) + 1):
-                if all(map(same, body[start : start + len(wanted)], wanted)):
-                    yield place_of(body[start], body[start + len(wanted) - 1])
-        keyword = keyword_of(original)
-        yield from (place_of(node, node) for node in ast.walk(root) if same(node, keyword))
-
-
-def roots(tree: ast.AST, where: str) -> Iterator[ast.AST]:
-    """Yield what to look in: the whole tree, or the functions and classes of a name."""
-    if not where:
-        yield tree
-    for node in ast.walk(tree):
-        if isinstance(node, ast.FunctionDef | ast.ClassDef) and node.name == where:
-            yield node
-
-
-def bodies(tree: ast.AST) -> Iterator[list[ast.stmt]]:
-    """Yield every block of statements."""
-    for node in ast.walk(tree):
-        for _, value in ast.iter_fields(node):
-            if isinstance(value, list) and value and isinstance(value[0], ast.stmt):
-                yield value
-
-
-def expression_of(piece: str) -> ast.AST | None:
-    """Return the tree of an expression, or None if the piece is none."""
+def readings(original: str, replacement: str) -> Iterator[list[ast.AST]]:
+    """Yield what a piece of source can be: an expression, else statements or a keyword argument."""
     try:
-        return ast.parse(piece.strip(), mode="eval").body
+        yield [ast.parse(piece.strip(), mode="eval").body for piece in (original, replacement)][:1]
     except SyntaxError:
-        return None
+        statements = ast.parse(dedent(original)).body
+        yield [*statements]
+        match statements:
+            case [ast.Assign(targets=[ast.Name(id=name)], value=value)]:
+                yield [ast.keyword(name, value)]
 
 
-def keyword_of(piece: str) -> ast.AST | None:
-    """Return the tree of a keyword argument, or None if the piece is none."""
-    call = expression_of(f"call({piece.strip()})")
-    return call.keywords[0] if isinstance(call, ast.Call) and len(call.keywords) == 1 and not call.args else None
-
-
-def same(one: ast.AST, other: ast.AST | None) -> bool:
-    """Say whether two trees are the same, wherever they stand."""
-    return type(one) is type(other) and ast.dump(one) == ast.dump(other)
-
-
-def place_of(first: ast.AST, last: ast.AST) -> Place:
-    """Return the place from the beginning of one node to the end of another."""
-    begins = first.lineno, first.col_offset  # type: ignore[attr-defined]  # expressions, statements, keywords have them
-    return Place(*begins, last.end_lineno, last.end_col_offset, isinstance(first, ast.expr))  # type: ignore[attr-defined]
+def runs(root: ast.AST, piece: list[ast.AST]) -> Iterator[list[Any]]:
+    """Yield where a piece of source stands: a node, or statements of a block that follow each other."""
+    for node in ast.walk(root):
+        blocks = [block for _, block in ast.iter_fields(node) if isinstance(block, list)]
+        for block in [[node]] if len(piece) == 1 else blocks:
+            for start in range(len(block) - len(piece) + 1):
+                run = block[start : start + len(piece)]
+                if all(type(one) is type(other) and ast.dump(one) == ast.dump(other) for one, other in zip(run, piece)):
+                    yield run

@@ -9,7 +9,6 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
@@ -27,7 +26,6 @@ PATIENCE = 60.0  # [s] for an answer
 
 
 def find_chromium() -> str | None:
-    """Return the path of a Chromium, or None where there is none."""
     return next(filter(None, map(shutil.which, (os.environ.get("CHROMIUM", ""), *NAMES))), None)
 
 
@@ -37,19 +35,10 @@ class Chromium:
     def __init__(self, program: str, profile: Path, width: int = 1280, height: int = 800, phone: bool = False) -> None:
         theirs, self._out = os.pipe()
         self._in, answers = os.pipe()
-        command = [
-            sys.executable,
-            "-c",
-            START,
-            str(theirs),
-            str(answers),
-            program,
-            *FLAGS,
-            f"--user-data-dir={profile}",
-        ]
-        self._process = subprocess.Popen(
-            [*command, "about:blank"], pass_fds=(theirs, answers), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-        )
+        command = [sys.executable, "-c", START, str(theirs), str(answers), program, *FLAGS]
+        command += [f"--user-data-dir={profile}", "about:blank"]
+        silent = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        self._process = subprocess.Popen(command, pass_fds=(theirs, answers), **silent)
         os.close(theirs)
         os.close(answers)
         self._heard, self._count, self._session = b"", 0, ""
@@ -64,7 +53,6 @@ class Chromium:
             self.ask("Emulation.setTouchEmulationEnabled", enabled=True)
 
     def ask(self, method: str, **parameters: Any) -> dict[str, Any]:
-        """Carry out a command and return its result."""
         self._count += 1
         message = {"id": self._count, "method": method, "params": parameters}
         if self._session:
@@ -92,7 +80,6 @@ class Chromium:
         return dict(json.loads(message))
 
     def _note(self, message: dict[str, Any]) -> None:
-        """Gather errors of the console, and requests."""
         method, found = message.get("method"), message.get("params", {})
         if method == "Runtime.exceptionThrown":
             self.errors.append(json.dumps(found["exceptionDetails"])[:1000])
@@ -104,7 +91,6 @@ class Chromium:
             self.requests.append(found["request"]["url"])
 
     def open(self, path: Path) -> None:
-        """Open a file and wait until its page is ready."""
         self.ask("Page.navigate", url=path.resolve().as_uri())
         until = time.monotonic() + PATIENCE
         ready = "document.documentElement?.dataset.ready || document.getElementById('failed')?.textContent"
@@ -113,32 +99,26 @@ class Chromium:
             time.sleep(0.05)
 
     def run(self, expression: str) -> Any:
-        """Return the value of an expression of JavaScript."""
         answer = self.ask("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
         assert "exceptionDetails" not in answer, json.dumps(answer["exceptionDetails"])[:1000]
         return answer["result"].get("value")
 
     def press(self, key: str, code: int = 0, text: str = "") -> None:
-        """Press a key and let it go."""
         for kind in ("keyDown", "keyUp"):
             words = {"text": text} if text and kind == "keyDown" else {}
             self.ask("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code, **words)
 
     def click(self, x: float, y: float) -> None:
-        """Click at a place of the page [px]."""
         for kind in ("mousePressed", "mouseReleased"):
             self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)
 
     def picture(self, path: Path) -> None:
-        """Write what is seen as a PNG."""
         path.write_bytes(base64.b64decode(self.ask("Page.captureScreenshot", format="png")["data"]))
 
     def __enter__(self) -> "Chromium":
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         os.close(self._out)
         self._process.terminate()
         try:

@@ -20,12 +20,11 @@ from tests.render.staged_frames import make_records
 from tests.scenes.staging import LEGGED, MIDDLE, boarded
 
 PINK, MINT, SNOW = (250, 20, 220), (120, 255, 190), (250, 250, 250)
+Fields = dict[str, Any]
 Records = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
-def staged(
-    home: int, away: int, match: dict[str, Any], ball: dict[str, Any], robots: dict[int, dict[str, Any]]
-) -> Records:
+def staged(home: int, away: int, match: Fields, ball: Fields, robots: dict[int, Fields]) -> Records:
     """Return the records of `make_records` with other values in some fields; `walk` is ahead [m/s]."""
     found = make_records(home, away)
     for record, fields in ((found[0], match), (found[1], ball), *((found[2][row], robots[row]) for row in robots)):
@@ -40,60 +39,55 @@ def staged(
 
 def legged_play() -> np.ndarray:
     """Every state of a four-legged robot; a fast ball; somebody has it."""
-    records = staged(
-        4,
-        4,
-        {"clock": 83.4, "score": (2, 11), "last_touch_robot": 1, "last_touch_team": 0},
-        {"x": 0.137, "y": 0.221, "vx": -1.13, "vy": 0.62},
-        {
-            0: {"keeper": 1, "x": -1.357, "y": 0.083, "heading": 0.31, "pan": -1.1},
-            1: {"fallen": 1.3, "x": -0.613, "y": -0.412, "heading": 2.47},
-            2: {"kick_clock": 0.37, "x": -0.171, "y": 0.643, "heading": -0.77, "pan": 0.9},
-            3: {"kick_clock": -0.41, "x": 0.523, "y": -0.714, "heading": 1.03, "walk": 0.11, "gait_phase": 3},
-            4: {"keeper": 1, "fallen": 0.4, "x": 1.389, "y": -0.127, "heading": -2.9},
-            5: {"has_ball": 1, "x": 0.287, "y": 0.094, "heading": 2.51, "pan": 0.33},
-            6: {"kick_clock": -0.22, "x": 1.031, "y": 0.563, "heading": -1.9, "walk": -0.07, "gait_phase": 6},
-            7: {"x": 0.861, "y": -0.293, "heading": 3.01, "pan": 1.47},
-        },
-    )
+    match = {"clock": 83.4, "score": (2, 11), "last_touch_robot": 1, "last_touch_team": 0}
+    robots = {
+        0: {"keeper": 1, "x": -1.357, "y": 0.083, "heading": 0.31, "pan": -1.1},
+        1: {"fallen": 1.3, "x": -0.613, "y": -0.412, "heading": 2.47},
+        2: {"kick_clock": 0.37, "x": -0.171, "y": 0.643, "heading": -0.77, "pan": 0.9},
+        3: {"kick_clock": -0.41, "x": 0.523, "y": -0.714, "heading": 1.03, "walk": 0.11, "gait_phase": 3},
+        4: {"keeper": 1, "fallen": 0.4, "x": 1.389, "y": -0.127, "heading": -2.9},
+        5: {"has_ball": 1, "x": 0.287, "y": 0.094, "heading": 2.51, "pan": 0.33},
+        6: {"kick_clock": -0.22, "x": 1.031, "y": 0.563, "heading": -1.9, "walk": -0.07, "gait_phase": 6},
+        7: {"x": 0.861, "y": -0.293, "heading": 3.01, "pan": 1.47},
+    }
+    records = staged(4, 4, match, {"x": 0.137, "y": 0.221, "vx": -1.13, "vy": 0.62}, robots)
     return Picture(LEGGED).draw(*records, title=("Sacks 2001", "möwen"))
 
 
 def middle_play() -> np.ndarray:
     """Every state of a round robot, with both teams at the ball."""
-    records = staged(
-        4,
-        4,
-        {"clock": 601.0, "half": 1, "home_direction": -1.0, "half_length": 900.0, "score": (10, 3)},
-        {"x": 0.37, "y": 1.23, "vx": 3.7, "vy": -1.9},
-        {
-            0: {"keeper": 1, "x": 5.57, "y": 0.31, "heading": 2.9},
-            1: {"fallen": 2.2, "x": 1.93, "y": -2.41, "heading": 0.77},
-            2: {"has_ball": 1, "kick_clock": 0.1, "x": 0.63, "y": 1.37, "heading": -2.6},
-            3: {"kick_clock": -0.93, "x": -2.21, "y": 2.73, "heading": 1.41},
-            4: {"keeper": 1, "fallen": 7.6, "x": -5.43, "y": -0.47, "heading": 0.23},
-            5: {"has_ball": 1, "x": 0.07, "y": 1.11, "heading": 0.59},
-            6: {"kick_clock": -0.71, "x": -3.37, "y": -1.83, "heading": -0.39},
-            7: {"x": 6.37, "y": 4.71, "heading": -1.2},
-        },
-    )
+    match = {"clock": 601.0, "half": 1, "home_direction": -1.0, "half_length": 900.0, "score": (10, 3)}
+    robots = {
+        0: {"keeper": 1, "x": 5.57, "y": 0.31, "heading": 2.9},
+        1: {"fallen": 2.2, "x": 1.93, "y": -2.41, "heading": 0.77},
+        2: {"has_ball": 1, "kick_clock": 0.1, "x": 0.63, "y": 1.37, "heading": -2.6},
+        3: {"kick_clock": -0.93, "x": -2.21, "y": 2.73, "heading": 1.41},
+        4: {"keeper": 1, "fallen": 7.6, "x": -5.43, "y": -0.47, "heading": 0.23},
+        5: {"has_ball": 1, "x": 0.07, "y": 1.11, "heading": 0.59},
+        6: {"kick_clock": -0.71, "x": -3.37, "y": -1.83, "heading": -0.39},
+        7: {"x": 6.37, "y": 4.71, "heading": -1.2},
+    }
+    records = staged(4, 4, match, {"x": 0.37, "y": 1.23, "vx": 3.7, "vy": -1.9}, robots)
     return Picture(MIDDLE).draw(*records)
 
 
 def legged_small() -> np.ndarray:
     """The smallest picture: names without room, robots sent off by both teams, the kick-off after a goal."""
-    records = staged(
-        4,
-        3,
-        {"clock": 61.7, "phase": Phase.KICK_OFF, "restart_team": 0, "score": (0, 1), "phase_clock": 1.2, "placing": 1},
-        {"x": 0.013, "y": -0.021},
-        {
-            1: {"active": 0, "penalty": 12.3},
-            2: {"active": 0},
-            3: {"keeper": 1, "x": -1.31, "y": 0.111, "has_ball": 1},
-            6: {"active": 0, "penalty": 0.2},
-        },
-    )
+    match = {
+        "clock": 61.7,
+        "phase": Phase.KICK_OFF,
+        "restart_team": 0,
+        "score": (0, 1),
+        "phase_clock": 1.2,
+        "placing": 1,
+    }
+    robots = {
+        1: {"active": 0, "penalty": 12.3},
+        2: {"active": 0},
+        3: {"keeper": 1, "x": -1.31, "y": 0.111, "has_ball": 1},
+        6: {"active": 0, "penalty": 0.2},
+    }
+    records = staged(4, 3, match, {"x": 0.013, "y": -0.021}, robots)
     return Picture(LEGGED, 240).draw(*records, title=("a team whose name has no room at all, however small", "b\nc\0d"))
 
 
@@ -105,17 +99,11 @@ def middle_large() -> np.ndarray:
         (half_x + 3 * reach, 0.4), (-half_x - 3 * reach, 0.5), (0.7, half_y + 3 * reach), (0.8, -half_y - 3 * reach),
     ]  # fmt: skip
     robots = {row: {"x": x, "y": y} for row, (x, y) in enumerate(places)}
-    robots |= {
-        row: {"x": 0.41 * (row - 14) + 0.03, "y": 0.37 * (row - 13), "heading": 0.7 * row} for row in range(8, 22)
-    }
+    for row in range(8, 22):
+        robots[row] = {"x": 0.41 * (row - 14) + 0.03, "y": 0.37 * (row - 13), "heading": 0.7 * row}
     robots[9]["active"] = robots[21]["active"] = 0
-    records = staged(
-        11,
-        11,
-        {"phase": Phase.FREE_KICK, "restart_team": 1, "half_length": np.inf, "clock": 5999.0},
-        {"x": -1.03, "y": -2.11, "vx": 0.11, "vy": 0.09},
-        robots,
-    )
+    match = {"phase": Phase.FREE_KICK, "restart_team": 1, "half_length": np.inf, "clock": 5999.0}
+    records = staged(11, 11, match, {"x": -1.03, "y": -2.11, "vx": 0.11, "vy": 0.09}, robots)
     return Picture(MIDDLE, 1441).draw(*records, title=("", "x" * 60))
 
 
@@ -137,9 +125,10 @@ def pitches() -> np.ndarray:
     return stacked(frames)
 
 
-def stacked(frames: list[np.ndarray]) -> np.ndarray:
-    """Return frames of any heights and one width, one below the other."""
-    return np.concatenate(frames)
+def stacked(frames: list[np.ndarray], width: int | None = None) -> np.ndarray:
+    """Return frames one below the other, black beside those that are not as wide as the whole."""
+    wide = width or frames[0].shape[1]
+    return np.concatenate([np.pad(frame, ((0, 0), (0, wide - frame.shape[1]), (0, 0))) for frame in frames])
 
 
 def headers() -> np.ndarray:
@@ -176,10 +165,8 @@ def shapes() -> np.ndarray:
     middles = np.array([(-4.3, -3.1), (-3.4, -3.1), (-2.6, -3.2), (-1.7, -3.1)])
     arrows = [(0.7, 0.3), (0.0, -0.9), (0.09, 0.04), (0.01, 0.01)]
     fall = np.array([(0.61, 0.23), (-0.37, 0.51), (0.0, 0.0), (0.02, -0.07)])
-    boxes = [
-        [(x - 1.1, y - 0.6), (x + 1.2, y - 0.7), (x + 0.9, y + 0.8)]
-        for x, y in ((1.3, 2.2), (6.9, 1.1), (-6.8, 2.3), (-2.7, 5.3), (2.9, -5.4), (40.0, 0.0), (0.0, -40.0))
-    ]
+    corners = ((1.3, 2.2), (6.9, 1.1), (-6.8, 2.3), (-2.7, 5.3), (2.9, -5.4), (40.0, 0.0), (0.0, -40.0))
+    boxes = [[(x - 1.1, y - 0.6), (x + 1.2, y - 0.7), (x + 0.9, y + 0.8)] for x, y in corners]
     overlays = [
         Points([(2.03, 2.11), (-2.2, 2.3)], PINK, radius=5.3),
         Points([(0.63, 2.07)], MINT, radius=11.0, hollow=True),
@@ -217,11 +204,8 @@ def closeups() -> np.ndarray:
         robots = {0: {"keeper": 1, "has_ball": 1, "x": -0.17, "y": 0.13}, 1: {"active": 0}, 2: {"x": -1.1, "y": 0.73}}
         robots[3] = {"x": 5.71, "y": -3.3, "heading": 1.7}
         records = staged(2, 2, {"clock": 7.0}, {"x": 0.21, "y": 0.07, "vx": 0.9}, robots)
-        overlays = [
-            Points([(0.2, 0.1)], PINK, 7.0),
-            Label((5.1, -3.7), "near", SNOW),
-            Area([(0, 0), (-1, 0), (-1, 1)], MINT),
-        ]
+        triangle = Area([(0, 0), (-1, 0), (-1, 1)], MINT)
+        overlays = [Points([(0.2, 0.1)], PINK, 7.0), Label((5.1, -3.7), "near", SNOW), triangle]
         frames += [picture.draw_near(*records, place, title=("ones", "others"), overlays=overlays) for place in places]
     return stacked(frames)
 
@@ -232,32 +216,18 @@ def words() -> np.ndarray:
     for league, width in ((LEGGED, 480), (MIDDLE, 480), (MIDDLE, 960)):
         records = staged(2, 2, {}, {}, {1: {"active": 0, "penalty": 3.0}} if league == LEGGED else {})
         lines = ("a first line", "a second one, " + 9 * "longer than the picture is wide, ")
-        overlays = [
-            Words(lines, width / 960.0, above_bench=league == LEGGED),
-            Help(("H  help", "space  pause") + 14 * ("more",) * (width == 480)),
-        ]
+        helped = Help(("H  help", "space  pause") + 14 * ("more",) * (width == 480))
+        overlays = [Words(lines, width / 960.0, above_bench=league == LEGGED), helped]
         frames.append(Picture(league, width).draw(*records, overlays=overlays))
-    whole = np.zeros((sum(len(frame) for frame in frames), 960, 3), np.uint8)
-    row = 0
-    for frame in frames:
-        whole[row : row + len(frame), : frame.shape[1]] = frame
-        row += len(frame)
-    return whole
+    return stacked(frames, 960)
 
 
 def sheet() -> np.ndarray:
     """Frames in rows, and a patch of every colour."""
     picture = Picture(LEGGED, 240)
     frames = [picture.draw(*staged(1, 1, {"clock": 7.0 * turn}, {"x": 0.3 * turn}, {})) for turn in range(4)]
-    wide = contact_sheet(frames[:2], columns=5, gap=3)
     tall = contact_sheet(frames)
-    patches = swatches(333)
-    found = np.zeros((len(wide) + len(tall) + len(patches), tall.shape[1], 3), np.uint8)
-    row = 0
-    for part in (wide, tall, patches):
-        found[row : row + len(part), : part.shape[1]] = part
-        row += len(part)
-    return found
+    return stacked([contact_sheet(frames[:2], columns=5, gap=3), tall, swatches(333)], tall.shape[1])
 
 
 SCENES = (legged_play, middle_play, legged_small, middle_large, pitches, headers, shapes, closeups, words, sheet)

@@ -1,7 +1,7 @@
 """Staged scenes of what robots see, believe, plan and do: together they run every line of the overlays."""
 
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -36,28 +36,21 @@ def past_of(shot: Shot, rate: int, seconds: float) -> list[Shot]:
     return found
 
 
-def drawn(
-    cast: Cast, shot: Shot, flags: OverlayFlags, width: int, past: list[Shot] | None = None, near: Any = None
-) -> np.ndarray:
-    """Return a frame with its overlays."""
-    overlays = overlays_of(flags, cast, shot, past or [], width)
+def drawn(cast: Cast, shot: Shot, flags: OverlayFlags, width: int, past: Sequence[Shot] = ()) -> np.ndarray:
+    overlays = overlays_of(flags, cast, shot, [*past], width)
     return Picture(cast.league, width).draw(shot.match, shot.ball, shot.robots, overlays=overlays)
 
 
 def legged_mind() -> np.ndarray:
     """All that a robot with a camera on its head thinks, and where it and the ball came from."""
-    records = staged(
-        2,
-        2,
-        {"step": 200, "clock": 12.5},
-        {"x": 0.213, "y": -0.137, "vx": 0.31},
-        {
-            0: {"x": -1.27, "y": 0.07, "heading": 0.2, "keeper": 1},
-            1: {"x": -0.413, "y": 0.237, "heading": -0.31, "pan": -0.2},
-            2: {"x": 1.21, "y": -0.11, "heading": 3.0, "keeper": 1, "fallen": 1.2},
-            3: {"x": 0.33, "y": 0.47, "heading": -2.2},
-        },
-    )
+    match = {"step": 200, "clock": 12.5}
+    robots = {
+        0: {"x": -1.27, "y": 0.07, "heading": 0.2, "keeper": 1},
+        1: {"x": -0.413, "y": 0.237, "heading": -0.31, "pan": -0.2},
+        2: {"x": 1.21, "y": -0.11, "heading": 3.0, "keeper": 1, "fallen": 1.2},
+        3: {"x": 0.33, "y": 0.47, "heading": -2.2},
+    }
+    records = staged(2, 2, match, {"x": 0.213, "y": -0.137, "vx": 0.31}, robots)
     cast = cast_for(LEGGED_LEAGUE, 2, 2, {0: GOES, 1: GOES, 2: MUTE})
     thinks = {
         "x": -431, "y": 211, "heading": -287, "confidence": 6300, "ball_x": 257, "ball_y": -93, "ball_confidence": 8700,
@@ -80,19 +73,15 @@ def legged_mind() -> np.ndarray:
 
 def legged_other_way() -> np.ndarray:
     """The same of a robot of the other team in the second half; its ball was never seen, its way has no end yet."""
-    records = staged(
-        2,
-        3,
-        {"step": 31, "home_direction": -1.0, "half": 1},
-        {"x": -0.71, "y": 0.33},
-        {
-            0: {"active": 0, "penalty": 4.1},
-            1: {"x": 0.9, "y": 0.31, "heading": 2.8},
-            2: {"x": 0.11, "y": -0.33, "heading": 0.41},
-            3: {"x": -0.27, "y": 0.12, "heading": 0.9, "pan": 0.4},
-            4: {"active": 0},
-        },
-    )
+    match = {"step": 31, "home_direction": -1.0, "half": 1}
+    robots = {
+        0: {"active": 0, "penalty": 4.1},
+        1: {"x": 0.9, "y": 0.31, "heading": 2.8},
+        2: {"x": 0.11, "y": -0.33, "heading": 0.41},
+        3: {"x": -0.27, "y": 0.12, "heading": 0.9, "pan": 0.4},
+        4: {"active": 0},
+    }
+    records = staged(2, 3, match, {"x": -0.71, "y": 0.33}, robots)
     cast = cast_for(LEGGED_LEAGUE, 2, 3, {3: PULLS, 4: PULLS})
     thinks = {
         "x": -243, "y": 133, "heading": 871, "confidence": 4200, "ball_age": 32000, "head": [(40, 10)],
@@ -100,12 +89,9 @@ def legged_other_way() -> np.ndarray:
         "ball": [(-44, -44, -36, -36)], "opponents": [(3, -8, 11, -3)], "memory": (-1, 1, 0, 0, 9, 5, 0),
     }  # fmt: skip
     notes = [
-        {"infrared": 300},
-        {"sees": 0, "memory": (-1, -1, 0, 0, 0, 0, 8)},
-        {"memory": (0, 1, 0, 0, 0, 0, 0)},
-        thinks,
+        {"infrared": 300}, {"sees": 0, "memory": (-1, -1, 0, 0, 0, 0, 8)}, {"memory": (0, 1, 0, 0, 0, 0, 0)}, thinks,
         {},
-    ]
+    ]  # fmt: skip
     shot = Shot(*records, note_of(cast, notes))
     flags = replace(EVERYTHING, robot="blue 1")
     return drawn(cast, shot, flags, 480, past_of(shot, 16, 9.0)[-20:])
@@ -113,19 +99,15 @@ def legged_other_way() -> np.ndarray:
 
 def middle_mind() -> np.ndarray:
     """All that a robot with a mirror thinks: it is the one nearest to the ball of those that think."""
-    records = staged(
-        3,
-        2,
-        {"step": 900},
-        {"x": 1.13, "y": -0.87, "vx": -2.3},
-        {
-            0: {"x": 1.3, "y": -0.6, "heading": 0.2, "active": 0},
-            1: {"x": 0.47, "y": -1.31, "heading": 0.63, "has_ball": 1},
-            2: {"x": -4.61, "y": 0.23, "heading": 0.1, "keeper": 1},
-            3: {"x": 1.73, "y": -0.4, "heading": 2.9},
-            4: {"x": 3.91, "y": 1.37, "heading": -2.7},
-        },
-    )
+    match = {"step": 900}
+    robots = {
+        0: {"x": 1.3, "y": -0.6, "heading": 0.2, "active": 0},
+        1: {"x": 0.47, "y": -1.31, "heading": 0.63, "has_ball": 1},
+        2: {"x": -4.61, "y": 0.23, "heading": 0.1, "keeper": 1},
+        3: {"x": 1.73, "y": -0.4, "heading": 2.9},
+        4: {"x": 3.91, "y": 1.37, "heading": -2.7},
+    }
+    records = staged(3, 2, match, {"x": 1.13, "y": -0.87, "vx": -2.3}, robots)
     cast = cast_for(MIDDLE, 3, 2, {1: GOES, 2: PULLS})
     thinks = {
         "x": 513, "y": -1270, "heading": 700, "confidence": 9100, "ball_x": 1210, "ball_y": -790, "ball_age": 40,
@@ -140,13 +122,9 @@ def middle_mind() -> np.ndarray:
 
 def middle_other_way() -> np.ndarray:
     """The same of a robot of the other team, with a field towards no plan, and without a camera for lines."""
-    records = staged(
-        1,
-        1,
-        {"step": 9, "home_direction": -1.0},
-        {"x": -2.3, "y": 2.1},
-        {0: {"x": 2.2, "y": 0.7, "heading": -3.0}, 1: {"x": -1.7, "y": 1.1, "heading": 1.9}},
-    )
+    match = {"step": 9, "home_direction": -1.0}
+    robots = {0: {"x": 2.2, "y": 0.7, "heading": -3.0}, 1: {"x": -1.7, "y": 1.1, "heading": 1.9}}
+    records = staged(1, 1, match, {"x": -2.3, "y": 2.1}, robots)
     cast = cast_for(MIDDLE, 1, 1, {1: PULLS})
     reader = cast.reader
     assert reader is not None
@@ -163,15 +141,8 @@ def middle_other_way() -> np.ndarray:
 def crowd() -> np.ndarray:
     """Words under robots that stand too near to each other for them, and at both edges."""
     places = [
-        (0.0, 0.0),
-        (0.02, 0.01),
-        (0.04, -0.03),
-        (-0.03, 0.02),
-        (0.01, 0.04),
-        (1.43, 0.8),
-        (-1.44, -0.83),
-        (0.7, 0.6),
-    ]
+        (0.0, 0.0), (0.02, 0.01), (0.04, -0.03), (-0.03, 0.02), (0.01, 0.04), (1.43, 0.8), (-1.44, -0.83), (0.7, 0.6),
+    ]  # fmt: skip
     robots = {row: {"x": x, "y": y, "heading": 0.8 * row} for row, (x, y) in enumerate(places)}
     records = staged(5, 3, {}, {"x": 0.9, "y": -0.7}, robots)
     cast = cast_for(LEGGED_LEAGUE, 5, 3, {})
@@ -185,15 +156,10 @@ def corners() -> np.ndarray:
     cast, frames = cast_for(LEGGED_LEAGUE, 1, 1, {}), []
     for x, y in ((0.8, 0.5), (-0.8, 0.5), (0.8, -0.5), (-0.8, -0.5)):
         records = staged(1, 1, {}, {"x": x, "y": y + 0.2}, {0: {"x": x - 0.1, "y": y, "heading": 1.3}})
-        blobs = {
-            "head": [(10, 20)],
-            "ball": [(5, -5, 20, 12)],
-            "own_goal": [(44, 20, -20, -36)],
-            "opponents": [(1, 0, 2, 1)],
-        }
-        frames.append(
-            drawn(cast, Shot(*records, note_of(cast, [blobs, {}])), flags_of({"sight": True, "robot": "red 0"}), 480)
-        )
+        blobs = {"head": [(10, 20)], "ball": [(5, -5, 20, 12)]}
+        blobs |= {"own_goal": [(44, 20, -20, -36)], "opponents": [(1, 0, 2, 1)]}
+        shot = Shot(*records, note_of(cast, [blobs, {}]))
+        frames.append(drawn(cast, shot, flags_of({"sight": True, "robot": "red 0"}), 480))
     return contact_sheet(frames, columns=2, gap=0)
 
 

@@ -90,12 +90,9 @@ def told(cast: Cast) -> list[Any]:
 def film() -> np.ndarray:
     """Frames of films: parts of them, fast and slow, with what robots think between two notes of it."""
     frames = []
+    part = FilmSettings(width=320, start=0.7, seconds=1.3, fps=4.0, belief=True, trail=True, robot="ball")
     for league, kind, settings in (
-        (
-            LEGGED,
-            ".mp4",
-            FilmSettings(width=320, start=0.7, seconds=1.3, fps=4.0, belief=True, trail=True, robot="ball"),
-        ),
+        (LEGGED, ".mp4", part),
         (LEGGED, ".gif", FilmSettings(width=320, speed=3.0, roles=True, infrared=True)),
         (MIDDLE, ".png", FilmSettings(width=320, start=0.37, sight=True, path=True, field=True, robot="home_1")),
     ):
@@ -108,12 +105,8 @@ def film() -> np.ndarray:
 def live() -> np.ndarray:
     """Pictures of a match that goes on, as an onlooker sees it."""
     frames = []
-    for league, flags in (
-        (LEGGED, "belief,sight,trail,path"),
-        (MIDDLE, "roles"),
-        (LEGGED, {"field": True}),
-        (LEGGED, None),
-    ):
+    asked = ((LEGGED, "belief,sight,trail,path"), (MIDDLE, "roles"), (LEGGED, {"field": True}), (LEGGED, None))
+    for league, flags in asked:
         playing = StagedReplay(league).play()
         match = next(playing)
         onlooker, picture = Onlooker(match, flags), Picture(league, 320)

@@ -55,11 +55,8 @@ class StagedReplay(Replay):
         super().__init__(describe(match), b"", commands, np.zeros(commands.shape, GAZE), [], [], "0.9\n", packed)
 
     def new_match(self) -> Match:
-        home, away = TEAMS[self.league]
-        teams = {"home": home, "away": away}
-        return Match(
-            self.league, home=2, away=2, matches=2, controllers=teams, seed=5, senses=self.senses, pose="particles"
-        )
+        settings = {"home": 2, "away": 2, "matches": 2, "seed": 5, "senses": self.senses, "pose": "particles"}
+        return Match(self.league, controllers=dict(zip(("home", "away"), TEAMS[self.league])), **settings)
 
     def play(self) -> Iterator[Match]:
         match = self.new_match()
@@ -159,11 +156,8 @@ def stage_percepts(match: Match, step: int) -> None:
     assert match.batch.senses is not None
     percepts, rows = match.batch.senses.percepts[0], np.arange(4)
     if "infrared" in (percepts.dtype.names or ()):
-        percepts["pan"], percepts["tilt"], percepts["infrared"] = (
-            match.robots["pan"][0],
-            -0.1 - 0.01 * rows,
-            0.2 + 0.1 * rows,
-        )
+        percepts["pan"], percepts["tilt"] = match.robots["pan"][0], -0.1 - 0.01 * rows
+        percepts["infrared"] = 0.2 + 0.1 * rows
         for at, name in enumerate(("ball", "own_goal", "opponent_goal", "teammates", "opponents", "landmarks")):
             blobs = percepts[name]
             number = np.arange(blobs.shape[1]) + rows[:, None]

@@ -46,15 +46,11 @@ def browser(page: tuple[Replay, Path], tmp_path_factory: pytest.TempPathFactory)
         yield chromium
 
 
-def test_names_from_a_file_are_text(page: tuple[Replay, Path]) -> None:
+def test_names_from_a_file_are_text_and_the_page_names_nothing_outside_itself(page: tuple[Replay, Path]) -> None:
     text = page[1].read_text(encoding="utf-8")
     assert "window.evil" in text and "<script>window.evil" not in text and "<img" not in text
     assert len(re.findall("<script", text)) == len(re.findall("</script", text)) == 2
     assert json.loads(as_script({"a": EVIL + "\u2028"}))["a"] == EVIL + "\u2028"
-
-
-def test_the_page_names_nothing_outside_itself(page: tuple[Replay, Path]) -> None:
-    text = page[1].read_text(encoding="utf-8")
     assert re.findall(r"https?:|//\w+\.|url\(|@import|<link rel=\"stylesheet|src=\"", text) == []
     assert "default-src 'none'" in text
 
@@ -86,9 +82,8 @@ def test_a_page_shows_what_was_played(browser: Chromium, page: tuple[Replay, Pat
 def test_a_page_shows_what_a_robot_believes(browser: Chromium, page: tuple[Replay, Path]) -> None:
     notes = page[0].notes()
     assert notes is not None
-    found = browser.run(
-        "(() => { const t = window.player.recording.thought(1, 150); return [t.step, t.own.x * 1e3]; })()"
-    )
+    asked = "const t = window.player.recording.thought(1, 150); return [t.step, t.own.x * 1e3];"
+    found = browser.run(f"(() => {{ {asked} }})()")
     row = int(np.flatnonzero(notes.steps <= 150)[-1])
     assert found == [int(notes.steps[row]), int(notes.numbers[row, 1, 0])]
 
@@ -97,14 +92,8 @@ def test_a_page_shows_what_a_robot_believes(browser: Chromium, page: tuple[Repla
 def test_each_overlay_draws_something_and_has_a_button_and_a_key(browser: Chromium) -> None:
     browser.run("(() => { window.player.pick(1); window.player.seek(150); })()")
     look = "(() => { window.player.show(0); return window.player.pitch.canvas.toDataURL(); })()"
-    for name, key in (
-        ("belief", "b"),
-        ("sight", "v"),
-        ("path", "w"),
-        ("roles", "o"),
-        ("infrared", "i"),
-        ("trail", "t"),
-    ):
+    keys = {"belief": "b", "sight": "v", "path": "w", "roles": "o", "infrared": "i", "trail": "t"}
+    for name, key in keys.items():
         before, pressed = browser.run(look), browser.run(f"window.player.shown.{name}")
         browser.press(key, ord(key.upper()), key)
         assert browser.run(f"window.player.shown.{name}") is not pressed
@@ -143,9 +132,8 @@ def test_space_plays_and_arrows_seek(browser: Chromium) -> None:
     browser.press("?", 191, "?")
     assert browser.run("document.getElementById('help').open") is True
     browser.run("document.getElementById('help').close()")
-    browser.run(
-        "(() => { const s = document.getElementById('scrub'); s.value = 200; s.dispatchEvent(new Event('input')); })()"
-    )
+    moved = "const s = document.getElementById('scrub'); s.value = 200; s.dispatchEvent(new Event('input'));"
+    browser.run(f"(() => {{ {moved} }})()")
     assert browser.run("window.player.time") == 200
     assert browser.errors == []
 

@@ -54,19 +54,16 @@ RENEW = "python -m tests.render.test_golden_drawings FOLDER"
 
 
 def drawing_library() -> str:
-    """Return the versions on which pixels depend."""
     import pygame
 
     return f"pygame-ce {pygame.version.ver}, SDL {'.'.join(map(str, pygame.get_sdl_version()))}"
 
 
 def machine() -> str:
-    """Return the kind of this machine."""
     return f"{platform.system()} {platform.machine()}"
 
 
 def digest(found: np.ndarray | str) -> str:
-    """Return the hash of a picture or a text."""
     content = found.encode() if isinstance(found, str) else f"{found.shape} {found.dtype} ".encode() + found.tobytes()
     return hashlib.md5(content).hexdigest()
 

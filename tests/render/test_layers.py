@@ -13,6 +13,7 @@ pytest.importorskip("pygame")
 
 from soccer_env import Match, shows
 from soccer_env.geometry import out_of_frame
+from soccer_env.leagues import find_league
 from soccer_env.render import Picture, colours
 from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, flags_of
 from soccer_env.render.overlays.forces import force_arrows, grid, mind_of
@@ -78,14 +79,11 @@ def test_a_replay_draws_what_the_match_drew(league: str, tmp_path: Path) -> None
     cast, shot = looked_at(match)
     flags = OverlayFlags(**dict.fromkeys(FLAGS, True), robot="home_1")
     picture = Picture(league, 480)
-    frames = [
-        picture.draw(*last[:3], overlays=overlays_of(flags, who, last, shots[:-1], 480))
-        for who, last in ((reel.cast, shots[-1]), (cast, shot))
-    ]
-    assert np.array_equal(*frames)
-    assert np.array_equal(
-        shows.frame(replay, 90 / match.league.control_rate, width=480)[200:], picture.draw(*shot[:3])[200:]
-    )
+    both = ((reel.cast, shots[-1]), (cast, shot))
+    layers = [overlays_of(flags, who, last, shots[:-1], 480) for who, last in both]
+    assert np.array_equal(*(picture.draw(*last[:3], overlays=given) for (_, last), given in zip(both, layers)))
+    frame = shows.frame(replay, 90 / match.league.control_rate, width=480)
+    assert np.array_equal(frame[200:], picture.draw(*shot[:3])[200:])
 
 
 def test_the_field_pulls_to_the_goal_and_players_ahead_push_back() -> None:
@@ -143,10 +141,8 @@ def test_a_replay_without_thoughts_says_so_and_names_load_nothing() -> None:
     replay = recorder.stop()
     replay.settings["teams"]["home_0"] = "os:getcwd"
     reel = Reel(replay)
-    assert said("belief,field", reel.cast, reel.first, "home_0") == [
-        "field: os:getcwd computes no forces",
-        "belief: this replay keeps no thoughts: soccer record does",
-    ]
+    lacking = ["field: os:getcwd computes no forces", "belief: this replay keeps no thoughts: soccer record does"]
+    assert said("belief,field", reel.cast, reel.first, "home_0") == lacking
     assert shipped_team("os:getcwd") is None and explanation_of(shipped_team("sacks-2001")) is not None
 
 
@@ -162,16 +158,9 @@ def test_notes_of_older_versions_still_read() -> None:
     old = {"thoughts": changes, "thoughts_about": np.frombuffer((about[:start] + "}").encode(), np.uint8)}
     older = Replay(replay.settings, replay.start, replay.commands, replay.gazes, replay.hashes, replay.log, "", old)
     reel = Reel(older)
-    assert said("belief,sight,path", reel.cast, list(reel.shots())[-1]) == [
-        "sight: no camera was played or noted",
-        "path: no plans were noted",
-        said("belief", *last_of(older))[0],
-    ]
-
-
-def last_of(replay: Replay) -> tuple[Cast, Shot]:
-    reel = Reel(replay)
-    return reel.cast, list(reel.shots())[-1]
+    last = list(reel.shots())[-1]
+    lacking = ["sight: no camera was played or noted", "path: no plans were noted"]
+    assert said("belief,sight,path", reel.cast, last) == [*lacking, said("belief", reel.cast, last)[0]]
 
 
 def test_between_two_notes_places_move_evenly_and_jumps_do_not() -> None:
@@ -187,19 +176,12 @@ def test_between_two_notes_places_move_evenly_and_jumps_do_not() -> None:
     assert np.array_equal(note_at(notes, 10_000), notes.numbers[-1])
 
 
-def test_a_way_is_cut_where_it_jumps() -> None:
+def test_a_way_is_cut_where_it_jumps_and_a_ray_ends_at_the_board() -> None:
     way = [(0.0, 0.0), (0.1, 0.0), (0.1 + 2 * JUMP, 0.0), (0.2 + 2 * JUMP, 0.0)]
     assert unbroken(way) == way[2:]
-    assert to_board_is_on_the_line((0.3, 0.2), 0.7)
-
-
-def to_board_is_on_the_line(place: tuple[float, float], angle: float) -> bool:
-    from soccer_env.leagues import find_league
-
-    x, y = to_board(find_league("legged-2001"), *place, angle)
-    way = np.hypot(x - place[0], y - place[1])
-    ahead = out_of_frame(way, 0.0, np.cos(angle), np.sin(angle))
-    return max(abs(x) - 1.5, abs(y) - 1.0) == pytest.approx(0.0) and (x, y) == pytest.approx(np.add(place, ahead))
+    x, y = to_board(find_league("legged-2001"), 0.3, 0.2, 0.7)
+    ahead = out_of_frame(np.hypot(x - 0.3, y - 0.2), 0.0, np.cos(0.7), np.sin(0.7))
+    assert max(abs(x) - 1.5, abs(y) - 1.0) == pytest.approx(0.0) and (x, y) == pytest.approx(np.add((0.3, 0.2), ahead))
 
 
 def test_recovery_is_told_in_words() -> None:

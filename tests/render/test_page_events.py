@@ -50,7 +50,6 @@ class Told(Scene):
         return goal[:5], goal[5]
 
     def named(self, row: int) -> str:
-        """Return what a player is called."""
         robot = self.match.robots[0, row]
         return f"{COLOURS[int(robot['team'])]} {int(robot['number'])}{' (keeper)' if robot['keeper'] else ''}"
 
@@ -102,11 +101,11 @@ def test_an_own_goal_names_whose_and_for_whom_it_counts(name: str, team: int, ha
 
 @each_case
 def test_a_dribble_a_push_and_a_scrum(team: int, half: int) -> None:
-    for kind, how in (
-        ("clean_dribble", "dribbled in, without touching an opponent"),
-        ("pushed_in", "pushed in, in contact with an opponent"),
-        ("scrum", "bumped in out of a scrum"),
-    ):
+    told = {
+        "clean_dribble": "dribbled in, without touching an opponent", "scrum": "bumped in out of a scrum",
+        "pushed_in": "pushed in, in contact with an opponent",
+    }  # fmt: skip
+    for kind, how in told.items():
         scene = Told(LEGGED, team, half, players=2)
         if kind == "scrum":
             scene.feed(scene.row(1), scene.line - 0.15, 0.0)
@@ -196,9 +195,7 @@ def test_a_page_says_who_scored_and_what_the_scorer_believed(tmp_path: Path) -> 
         assert browser.run("typeof window.evil") == "undefined" and browser.errors == []
     assert f"{when} 1 : 0 {who} scores for {EVIL} {event[5]['how']}" in " ".join(words.split())
     assert "attacker; " in words.partition("decided")[2]
-    assert after == notes.steps[notes.steps > event[0]][0], (
-        "what it thought of the place that it was taken from is past"
-    )
+    assert after == notes.steps[notes.steps > event[0]][0], "what it thought of its place before is past"
     assert number(r"then\s+kick (\d+) %", words) == round(100 * event[5]["kick"]) > 0
     row = int(np.flatnonzero(notes.steps < event[5]["played"])[-1])
     thought = Reader.of(notes).thought(notes.numbers[row], event[3])
@@ -230,7 +227,6 @@ def test_a_page_without_thoughts_says_so_of_the_scorer(tmp_path: Path) -> None:
 
 
 def number(pattern: str, words: str) -> float:
-    """Return the number that a pattern finds."""
     found = re.search(pattern, words)
     assert found is not None, (pattern, words)
     return float(found[1])

@@ -1,4 +1,4 @@
-"""A picture: what it draws depends on the records alone, bad input is refused, and it needs pygame but no display."""
+"""Pictures, sheets and windows: what is drawn depends on the records alone, bad input is refused, pygame is needed."""
 
 import subprocess
 import sys
@@ -8,8 +8,14 @@ import pytest
 
 pytest.importorskip("pygame")
 
+import time
+
+import pygame
+import pytest
+
+from soccer_env import types
 from soccer_env.leagues import find_league
-from soccer_env.render import Picture, Window, check_display, png_of_frame
+from soccer_env.render import Picture, Window, check_display, contact_sheet, png_of_frame, save_png
 from tests.render.staged_frames import make_records
 from tests.scenes.staging import LEAGUES
 
@@ -26,9 +32,8 @@ def test_a_frame_depends_on_its_records_alone():
         match["home_direction"], match["clock"], match["phase"] = (-1) ** turn, turn * 61.0, turn
         ball["x"], ball["vy"] = rng.uniform(-1, 1), rng.uniform(-2, 2)
         for league in LEAGUES:
-            assert np.array_equal(
-                used[league].draw(match, ball, robots), Picture(league, 480).draw(match, ball, robots)
-            )
+            frames = (picture.draw(match, ball, robots) for picture in (used[league], Picture(league, 480)))
+            assert np.array_equal(*frames)
 
 
 def test_drawing_leaves_the_records_alone_and_takes_read_only_ones():
@@ -111,3 +116,113 @@ def test_without_pygame_the_error_says_what_to_install(monkeypatch, use):
     monkeypatch.setitem(sys.modules, "pygame", sys)  # stands for the older pygame: no IS_CE
     with pytest.raises(ImportError, match=r"older pygame"):
         use()
+
+
+pytest.importorskip("pygame")
+
+
+def test_a_png_holds_the_frame_and_its_path_ends_so(tmp_path):
+    frame = np.random.default_rng(1).integers(0, 256, (30, 41, 3), dtype=np.uint8)
+    save_png(frame[:, ::-1], tmp_path / "frame.png")
+    read = pygame.surfarray.array3d(pygame.image.load(tmp_path / "frame.png")).swapaxes(0, 1)
+    assert np.array_equal(read, frame[:, ::-1])
+    with pytest.raises(ValueError, match=r"must end with \.png, got '.*frame\.jpg'"):
+        save_png(np.zeros((2, 2, 3), np.uint8), tmp_path / "frame.jpg")
+    with pytest.raises(ValueError, match="a frame must be uint8"):
+        save_png(np.zeros((2, 2, 3)), tmp_path / "frame.png")
+
+
+def test_a_contact_sheet_shows_frames_row_by_row():
+    frames = [np.full((10, 20, 3), 40 * index, np.uint8) for index in range(5)]
+    sheet = contact_sheet(frames, columns=3, gap=4)
+    assert sheet.shape == (2 * 14 + 4, 3 * 24 + 4, 3)
+    for index, frame in enumerate(frames):
+        top, left = 4 + 14 * (index // 3), 4 + 24 * (index % 3)
+        assert np.array_equal(sheet[top : top + 10, left : left + 20], frame)
+    assert contact_sheet(frames[:2], columns=3, gap=0).shape == (10, 40, 3)
+
+
+def test_bad_sheets_are_value_errors():
+    frame = np.zeros((10, 20, 3), np.uint8)
+    with pytest.raises(ValueError, match="at least one frame"):
+        contact_sheet([])
+    with pytest.raises(ValueError, match="columns must be at least 1"):
+        contact_sheet([frame], columns=0)
+    with pytest.raises(ValueError, match="must have one size"):
+        contact_sheet([frame, frame[:5]])
+
+
+pytest.importorskip("pygame")
+
+
+@pytest.fixture(autouse=True)
+def dummy_driver(monkeypatch):
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    yield
+    pygame.quit()
+
+
+def make_frame(league="legged-2001", width=320):
+    robots = np.zeros(2, types.ROBOT)
+    robots["active"] = 1
+    return Picture(league, width).draw(np.zeros((), types.MATCH), np.zeros((), types.BALL), robots)
+
+
+def test_a_window_opens_at_the_first_frame_and_closes():
+    window = Window()
+    assert not window.is_open
+    assert window.show(make_frame()) and window.is_open
+    window.close()
+    window.close()
+    assert not window.is_open and not window.closed_by_user
+    assert window.show(make_frame()) and window.is_open
+    pygame.quit()
+    assert window.show(make_frame()) and window.is_open, "it comes back"
+    pygame.quit()
+    window.close()
+
+
+def test_a_window_shows_the_frame():
+    window, frame = Window(), make_frame()
+    window.show(frame)
+    shown = pygame.surfarray.array3d(window._window.get_surface()).swapaxes(0, 1)
+    assert np.array_equal(shown, frame)
+    window.show(make_frame("middle-size-2006", 400))
+    assert window._window.size[0] == 400
+    window.close()
+
+
+def test_two_windows_stand_side_by_side_and_the_user_closes_one():
+    left, right = Window("left"), Window("right")
+    assert left.show(make_frame()) and right.show(make_frame("middle-size-2006"))
+    pygame.event.post(pygame.event.Event(pygame.WINDOWCLOSE, window=right._window))
+    assert left.show(make_frame()) and left.is_open
+    assert not right.show(make_frame()) and right.closed_by_user and not right.is_open
+    assert not right.show(make_frame()) and not right.is_open
+    assert left.show(make_frame())
+    left.close()
+
+
+def test_escape_closes_the_window_it_was_pressed_in():
+    window = Window()
+    window.show(make_frame())
+    pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_ESCAPE, window=window._window))
+    assert not window.show(make_frame()) and window.closed_by_user
+
+
+def test_frames_keep_real_time():
+    window, frame = Window(fps=50.0), make_frame()
+    window.show(frame)
+    start = time.perf_counter()
+    for _ in range(10):
+        window.show(frame)
+    assert 0.19 < time.perf_counter() - start < 3.0
+    window.close()
+
+
+def test_a_bad_rate_is_a_value_error_that_names_it_and_a_window_takes_frames_only():
+    for fps in (0.0, -1.0, float("nan"), 1e9):
+        with pytest.raises(ValueError, match=f"fps must be .*got {fps}"):
+            Window(fps=fps)
+    with pytest.raises(ValueError, match=r"a frame must be uint8 of shape \(H, W, 3\), got float64 of shape \(2, 2\)"):
+        Window().show(np.zeros((2, 2)))

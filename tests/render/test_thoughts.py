@@ -1,4 +1,4 @@
-"""What a recording keeps of the robots' thoughts is what they believed, and changes nothing in the play."""
+"""What a recording and its clips keep of the robots' thoughts is what they believed, and changes no play."""
 
 from pathlib import Path
 
@@ -7,6 +7,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.replay import Recorder, Replay, Thoughts
+from soccer_env.replay.clips import EVERY, Clips, exact
 from soccer_env.thoughts.thoughts import SEES, TABLE, Notes
 from soccer_env.train.evaluate.recording import shown_of_memory
 
@@ -44,6 +45,11 @@ def test_the_last_note_is_what_the_robots_believe(league: str, pose: str, tmp_pa
 def test_thoughts_change_nothing_in_the_play() -> None:
     assert recorded("legged-2001")[1].hashes == recorded("legged-2001", thinks=False)[1].hashes
     assert recorded("legged-2001", thinks=False)[1].notes() is None
+    match = Match(home=1, away=1, seed=1)
+    recorder = Recorder(match, Thoughts(match))
+    for _ in range(10):
+        match.step(np.zeros((1, 2, 4)))
+    assert recorder.stop().notes() is None, "nobody there believes anything"
 
 
 def test_believed_players_lie_where_the_players_are() -> None:
@@ -57,24 +63,67 @@ def test_believed_players_lie_where_the_players_are() -> None:
     assert sorted(np.sign(tracks[:, 2])) == sorted([1, -1] + [0] * (notes.slots - 2))
 
 
-def test_a_match_in_which_nobody_believes_anything_has_no_thoughts() -> None:
-    match = Match(home=1, away=1, seed=1)
-    recorder = Recorder(match, Thoughts(match))
-    for _ in range(10):
-        match.step(np.zeros((1, 2, 4)))
-    assert recorder.stop().notes() is None
-
-
 def test_damaged_thoughts_are_refused() -> None:
     sound = recorded("legged-2001")[1].thoughts
-    for name, value in (
-        ("thoughts", sound["thoughts"][:-1]),
-        ("thoughts", sound["thoughts"].astype(np.int32)),
-        ("thoughts_about", np.frombuffer(b"[1]", np.uint8)),
-        ("thoughts_about", np.frombuffer(b"\xff{", np.uint8)),
-    ):
+    shorter, wider = sound["thoughts"][:-1], sound["thoughts"].astype(np.int32)
+    about = [np.frombuffer(content, np.uint8) for content in (b"[1]", b"\xff{")]
+    for name, value in [("thoughts", shorter), ("thoughts", wider), *(("thoughts_about", one) for one in about)]:
         replay = recorded("legged-2001", steps=1)[1]
         replay.thoughts = {**sound, name: value}
         with pytest.raises(ValueError):
             replay.notes()
     assert Notes(sound, len(sound["thoughts"])).numbers.dtype == np.int16
+
+
+BEFORE, AFTER = 3.0, 1.0  # [s]
+
+
+def clipped(league: str, seconds: float, marks: tuple[float, ...]) -> tuple[Match, Replay, list[tuple[int, Replay]]]:
+    match = Match(league, home=2, away=2, controllers={"home": "chaser", "away": "chaser"}, minutes=2, seed=3)
+    rate = match.league.control_rate
+    recorder = Recorder(match, Thoughts(match))
+    clips = Clips(match, recorder, BEFORE, AFTER)
+    for step in range(round(seconds * rate)):
+        clips.note()
+        match.step()
+        if step + 1 in [round(mark * rate) for mark in marks]:
+            clips.mark()
+    whole = recorder.stop()
+    return match, whole, clips.cut(whole)
+
+
+@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
+def test_a_clip_shows_what_happened(league: str, tmp_path: Path) -> None:
+    match, whole, found = clipped(league, 25.0, (10.0, 24.5))
+    rate = match.league.control_rate
+    for mark, (first, clip) in zip((10.0, 24.5), found, strict=True):
+        last = min(round((mark + AFTER) * rate), len(whole))
+        assert first <= round((mark - BEFORE) * rate) and first + len(clip) == last
+        assert clip.hashes == whole.hashes[first:last]  # what happened, step by step
+        again = Replay.read(clip.write(tmp_path / "a.replay"))
+        assert again.check() == len(clip) and again.teams == whole.teams
+
+
+def test_recording_for_clips_changes_nothing() -> None:
+    match, _, _ = clipped("legged-2001", 10.0, (5.0,))
+    plain = Match("legged-2001", home=2, away=2, controllers={"home": "chaser", "away": "chaser"}, minutes=2, seed=3)
+    for _ in range(10 * match.league.control_rate):
+        plain.step()
+    assert plain.state_hash(0) == match.state_hash(0)
+
+
+def test_a_clip_has_the_thoughts_of_its_part() -> None:
+    _, whole, ((first, clip),) = clipped("legged-2001", 12.0, (11.0,))
+    mine, all_of_it = clip.notes(), whole.notes()
+    assert mine is not None and all_of_it is not None
+    inside = (all_of_it.steps > first) & (all_of_it.steps <= first + len(clip))
+    assert np.array_equal(mine.steps + first, all_of_it.steps[inside])
+    assert np.array_equal(mine.numbers, all_of_it.numbers[inside])
+    assert whole.notes().between(len(whole), len(whole)) == {}  # type: ignore[union-attr]
+
+
+def test_where_no_moment_will_do_a_clip_begins_with_the_recording() -> None:
+    _, whole, _ = clipped("legged-2001", 4.0, ())
+    first, clip = exact(whole, [(16, whole.start)], 32)  # records of another moment
+    assert (first, len(clip)) == (0, 32) and clip.check() == 32
+    assert EVERY <= BEFORE

@@ -1,4 +1,4 @@
-"""Whatever a docstring, a comment or a page names as a file is there, and nobody is sent to what only some can read."""
+"""Whatever a docstring, a comment or a page names as a file is there, and so are the tests of SECURITY.md."""
 
 import ast
 import io
@@ -11,6 +11,8 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 CITED = re.compile(r"(?<![\w/*<{.-])((?:\.\./)*[A-Za-z_][\w/-]*\.(?:py|md))\b(?!\()")
 ELSEWHERE = re.compile(r"\bissues? #?\d|\b(?:DESIGN|TRUST|ENGINE|FOUND|STYLE|CLAIMS)\b(?:\.md|, S\d)", re.IGNORECASE)
+
+PROMISE = re.compile(r"\| (\d+) \| [^|]+ \| `([^`]+)` \|")
 
 # Names of files that a reader is to make himself, or that other programs make.
 EXAMPLES = {"train.py", "report.md", "tests/test_file.py", "beside.py", "lower.py", "upper.py"}
@@ -68,11 +70,16 @@ def test_nothing_refers_to_documents_that_are_not_in_the_repository() -> None:
 
 
 def test_a_missing_document_is_noticed() -> None:
-    assert CITED.findall("see soccer_env/match/match.py, ../gone.md and robots.x.py()") == [
-        "soccer_env/match/match.py",
-        "../gone.md",
-    ]
+    found = CITED.findall("see soccer_env/match/match.py, ../gone.md and robots.x.py()")
+    assert found == ["soccer_env/match/match.py", "../gone.md"]
     assert not is_there("gone.md", tracked()) and is_there("match.py", tracked())
-    assert (
-        ELSEWHERE.search("[DESIGN.md]") and ELSEWHERE.search("all below: issue 2") and ELSEWHERE.search("CLAIMS, S26")
-    )
+    assert all(map(ELSEWHERE.search, ("[DESIGN.md]", "all below: issue 2", "CLAIMS, S26")))
+
+
+def test_every_promise_names_a_test_that_is_there() -> None:
+    rows = PROMISE.findall((ROOT / "SECURITY.md").read_text(encoding="utf-8"))
+    assert [int(number) for number, _ in rows] == list(range(1, 15))
+    for _, test in rows:
+        path, _, name = test.partition("::")
+        assert (ROOT / path).exists(), test
+        assert not name or f"def {name}(" in (ROOT / path).read_text(encoding="utf-8"), test

@@ -8,11 +8,6 @@ from pathlib import Path
 
 import pytest
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
-
 ROOT = Path(__file__).parents[2]
 PRIVATE = {  # the one file that may name what a package does not promise, and how that looks in an import
     "numba": ("soccer_env/compiling/numba_parts.py", r"numba\.(core|np)\b"),
@@ -21,20 +16,6 @@ PRIVATE = {  # the one file that may name what a package does not promise, and h
     "stable-baselines3": ("train/ppo/learner.py", r"stable_baselines3\..*\._"),
 }
 OF_A_MODEL = re.compile(r"\bmodel\._[a-z]")  # attributes of a stable-baselines3 model that it does not promise
-
-
-def numbers(text: str) -> tuple[int, ...]:
-    return tuple(int(number) for number in re.findall(r"\d+", text))
-
-
-@pytest.mark.parametrize("package", PRIVATE)
-def test_the_version_is_bounded_above(package: str) -> None:
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    lists = settings["dependencies"], settings["optional-dependencies"]["train"]
-    (asked,) = (line for lines in lists for line in lines if re.match(rf"{package}\b", line))
-    bounds = re.fullmatch(rf"{package}>=([\d.]+),<([\d.]+)", asked)
-    assert bounds, f"{asked!r} must have an upper bound, for the sake of {PRIVATE[package][0]}"
-    assert numbers(bounds[1]) <= numbers(version(package)) < numbers(bounds[2])
 
 
 def test_numba_still_has_the_class_that_our_cache_is_made_of() -> None:

@@ -30,9 +30,8 @@ from soccer_env.train.command.command_line import COMMANDS, kinds_of_settings
 from soccer_env.train.command.parsing import flags_of
 from soccer_env.train.papers.stored import FOLDERS, read_stored
 
-pytest.importorskip("mkdocs")
-pytest.importorskip("material")
-pytest.importorskip("mkdocstrings")
+for package in ("mkdocs", "material", "mkdocstrings"):
+    pytest.importorskip(package)
 
 ROOT = Path(__file__).parents[2]
 LINKED = (
@@ -86,7 +85,6 @@ def test_every_field_of_every_record_and_code_is_in_a_table(read: Any, module: s
 
 
 def rows_of(text: str) -> list[str]:
-    """Return the names in the first column of a table."""
     return re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE)
 
 
@@ -148,11 +146,8 @@ def test_every_example_is_a_page_with_its_code(site: Site) -> None:
     pages = site("pages.examples").pages()
     for file in (ROOT / "train/examples").glob("[a-z]*.py"):
         shown = pages[f"examples/{file.stem}.md"]
-        assert (
-            file.read_text(encoding="utf-8")
-            .rstrip()
-            .endswith(shown.rsplit("```python\n", 1)[1].removesuffix("\n```\n"))
-        )
+        code = shown.rsplit("```python\n", 1)[1].removesuffix("\n```\n")
+        assert file.read_text(encoding="utf-8").rstrip().endswith(code)
         assert f"({file.stem}.md)" in pages["examples/index.md"]
 
 

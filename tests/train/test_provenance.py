@@ -28,7 +28,6 @@ class Own:
 
 @compiled
 def walk(memory, noise, command, k, settings):  # type: ignore[no-untyped-def]
-    """Walk on."""
     command.forward = settings.strength
 
 
@@ -48,9 +47,8 @@ def test_python_teams_are_told_apart_by_what_they_keep() -> None:
     kept = [{}, {"gain": 1.0}, {"gain": 2.0}, {"net": np.zeros(3)}, {"net": np.ones(3)}, {"net": [np.ones(3)]}]
     hashes = [team_hash(Own(**one)) for one in kept]
     assert len(set(hashes)) == len(kept) and UNKNOWN not in hashes
-    assert team_hash(Own(net=np.ones(3), memory_dtype=np.dtype("i8"))) == team_hash(
-        Own(memory_dtype=np.dtype("i8"), net=np.ones(3))
-    )
+    memory, net = np.dtype("i8"), np.ones(3)
+    assert team_hash(Own(net=net, memory_dtype=memory)) == team_hash(Own(memory_dtype=memory, net=net))
     assert team_hash(Own(gain=object())) == UNKNOWN
     one, other = (team_hash(Own(gain=object(), fingerprint=text)) for text in ("a", "b"))
     assert one != other and UNKNOWN not in (one, other)

@@ -66,7 +66,6 @@ class Child:
 
     @staticmethod
     def _carry_out(words: list[str], draw: random.Random, jumps: bool) -> None:
-        """Do it as the command `soccer` does, and end this process."""
         try:
             os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
             if jumps:
@@ -80,20 +79,17 @@ class Child:
         os._exit(code)
 
     def runs(self) -> bool:
-        """Tell whether it has not yet ended."""
         if self.code is None:
             number, status = os.waitpid(self.number, os.WNOHANG)
             self.code = os.waitstatus_to_exitcode(status) if number else None
         return self.code is None
 
     def ended(self) -> int:
-        """Wait for its end and return its exit code."""
         if self.code is None:
             self.code = os.waitstatus_to_exitcode(os.waitpid(self.number, 0)[1])
         return self.code
 
     def changes(self) -> Iterator[None]:
-        """Yield each time that a file has changed, until it has ended."""
         before = files(self.folder)
         while self.runs():
             time.sleep(POLL)
@@ -127,7 +123,6 @@ class Cutter:
         print("whole", whole.ended(), "whole", flush=True)
 
     def child(self, name: str, jumps: bool = False) -> Child:
-        """Start the command in a folder."""
         return Child(self.words, self.folder / name, self.draw, jumps)
 
     def cut(self, name: str, number: int) -> bool:
@@ -169,7 +164,6 @@ def visible(folder: Path) -> dict[Path, bytes]:
 
 
 def main() -> None:
-    """Cut a command as often as asked, let it end, and begin two at once in another folder."""
     folder, cuts, seed, words = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]), sys.argv[4:]
     signal.signal(signal.SIGINT, signal.default_int_handler)  # a job in the background begins with it ignored
     signal.signal(signal.SIGTERM, signal.SIG_DFL)

@@ -3,18 +3,13 @@
 All that a run leaves is compared bit for bit, but for the figures of the wall clock: the date at which it began, and
 `seconds` in a training's log, table and report. What a kill leaves of a file that was half written (`.NAME.*.tmp`) is
 left out, and so is the lock.
-
-    python -m tests.train.command.test_commands_cut 40          so many cuts of each command, at other moments
-    python -m tests.train.command.test_commands_cut 40 train    of one
 """
 
 import json
 import os
-import random
 import re
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -50,21 +45,13 @@ CODES = {"SIGINT": ("130", "0"), "SIGTERM": ("-15", "0"), "SIGKILL": ("-9", "0")
 def cut(name: str, folder: Path, cuts: int, seed: int) -> list[list[str]]:
     """Carry out a command whole, cut, and twice at once; return how its processes ended."""
     asked = [
-        sys.executable,
-        "-m",
-        "tests.train.command.cutting",
-        str(folder),
-        str(cuts),
-        str(seed),
+        sys.executable, "-m", "tests.train.command.cutting", str(folder), str(cuts), str(seed),
         *COMMANDS[name].split(),
-    ]
+    ]  # fmt: skip
     done = subprocess.run(asked, cwd=ROOT, capture_output=True, text=True, timeout=3600, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert "Traceback" not in done.stderr, done.stderr
     return [line.split() for line in done.stdout.splitlines()]
-
-
-# What a run leaves
 
 
 def contents(folder: Path) -> dict[str, Any]:
@@ -73,9 +60,12 @@ def contents(folder: Path) -> dict[str, Any]:
 
 
 def content(path: Path, folder: Path, data: bytes) -> Any:
-    """Return what a file holds, from its bytes."""
     if path.suffix == ".pt":
-        return checkpoint(path)
+        import torch
+
+        from tests.train.ppo.staged_training import plain
+
+        return plain(torch.load(path, weights_only=True))
     if path.name == "latest.json":
         return {name: value for name, value in json.loads(data).items() if name != "sha256"}
     data = re.sub(rb"\b20\d\d-\d\d-\d\d\b", b"DATE", data.replace(str(folder).encode(), b"FOLDER"))
@@ -89,32 +79,12 @@ def content(path: Path, folder: Path, data: bytes) -> Any:
 
 
 def columns(table: str) -> list[list[str]]:
-    """Return the rows of a table without its columns of seconds."""
     rows = [line.split(",") for line in table.splitlines()]
     kept = [index for index, name in enumerate(rows[0]) if not name.startswith("seconds")]
     return [[row[index] for index in kept] for row in rows]
 
 
-def checkpoint(path: Path) -> Any:
-    """Return all values of a checkpoint, whose bytes also tell which of them were one object."""
-    import torch
-
-    def plain(value: Any) -> Any:
-        if isinstance(value, torch.Tensor):
-            return str(value.dtype), tuple(value.shape), value.numpy().tobytes()
-        if isinstance(value, dict):
-            return {key: plain(part) for key, part in value.items()}
-        return [plain(part) for part in value] if isinstance(value, (list, tuple)) else repr(value)
-
-    return plain(torch.load(path, weights_only=True))
-
-
-def differences(one: dict[str, Any], other: dict[str, Any]) -> list[str]:
-    """Return the names of the files that differ."""
-    return [name for name in sorted({*one, *other}) if one.get(name) != other.get(name)]
-
-
-def check(name: str, folder: Path, cuts: int, seed: int) -> list[list[str]]:
+def check(name: str, folder: Path, cuts: int, seed: int) -> None:
     """Assert that a command that was cut ends as one that was not, and so do two at once."""
     ends = cut(name, folder, cuts, seed)
     cuts_made = [end for end in ends if end[0] in CODES]
@@ -125,8 +95,7 @@ def check(name: str, folder: Path, cuts: int, seed: int) -> list[list[str]]:
     assert whole
     for at in sorted({end[2] for end in ends if end[1] == "0" and end[0] not in ("replay", "whole")}):
         found = contents(folder / at)
-        assert differences(found, whole) == [], (at, ends)
-    return ends
+        assert [file for file in {*found, *whole} if found.get(file) != whole.get(file)] == [], (at, ends)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="needs signals and forks")
@@ -160,18 +129,3 @@ def test_a_script_that_spawns_processes_plays_the_same_in_them(tmp_path: Path) -
     script.write_text(SPAWNED)
     done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=300, check=False)
     assert done.stdout == "True\n", done.stderr
-
-
-def main() -> None:
-    """Cut every command many times, at moments of another seed."""
-    cuts = int(sys.argv[1]) if len(sys.argv) > 1 else 40
-    for name in sys.argv[2:] or COMMANDS:
-        with tempfile.TemporaryDirectory() as folder:
-            seed = random.SystemRandom().randrange(10**6)
-            print(name, "seed", seed, flush=True)
-            for end in check(name, Path(folder), cuts, seed):
-                print("  ", *end)
-
-
-if __name__ == "__main__":
-    main()

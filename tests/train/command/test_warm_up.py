@@ -1,12 +1,21 @@
-"""`soccer warm-up` plays every part once, and finds nothing to compile the second time."""
+"""`soccer warm-up` compiles each part once, a second process beside the first; long work says how far it is."""
+
+import subprocess
+from pathlib import Path
+from typing import Any
 
 import pytest
 
+from soccer_env.compiled import compiled, config
 from soccer_env.compiling import cache
+from soccer_env.compiling.cache import is_kept
 from soccer_env.teams import NAMES
-from soccer_env.train.command import warm_up
+from soccer_env.train import progress
+from soccer_env.train.command import compiling_beside, warm_up
 from soccer_env.train.command.command_line import main
+from soccer_env.train.command.compiling_beside import step_compiled_beside
 from soccer_env.train.command.warm_up import WarmUpSettings, parts_of
+from soccer_env.train.progress import EVERY, Progress
 
 
 def test_every_team_is_played_in_its_league() -> None:
@@ -28,16 +37,11 @@ def test_the_second_time_nothing_is_left(monkeypatch: pytest.MonkeyPatch, capsys
     assert said == f"nothing was left to compile; the cache is in {cache.folders()[0]}"
 
 
-@pytest.mark.parametrize(
-    ("words", "complaint"),
-    [
-        (["--league", "legged"], "league must be one of all, legged-2001"),
-        (["--team", "chasr"], "unknown team 'chasr', did you mean 'chaser'?"),
-    ],
-)
-def test_wrong_words_are_refused(words: list[str], complaint: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["warm-up", *words]) == 2
-    assert complaint in capsys.readouterr().err
+def test_wrong_words_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["warm-up", "--league", "legged"]) == 2
+    assert "league must be one of all, legged-2001" in capsys.readouterr().err
+    assert main(["warm-up", "--team", "chasr"]) == 2
+    assert "unknown team 'chasr', did you mean 'chaser'?" in capsys.readouterr().err
 
 
 def test_long_compiling_says_how_far_it_is(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
@@ -48,3 +52,97 @@ def test_long_compiling_says_how_far_it_is(monkeypatch: pytest.MonkeyPatch, caps
     for _ in range(3):
         cache._count()
     assert capsys.readouterr().err == "soccer_env: compiling ... 9 functions in 21 s\n"
+
+
+if_compiled = pytest.mark.skipif(bool(config.DISABLE_JIT), reason="nothing is compiled")
+
+
+class Started:
+    """A process that was asked for."""
+
+    every: list["Started"] = []
+
+    def __init__(self, command: list[str], **_: Any) -> None:
+        self.command, self.killed = command, False
+        self.every.append(self)
+
+    def __enter__(self) -> "Started":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        assert self.killed, "nobody waits for it"
+
+    def kill(self) -> None:
+        self.killed = True
+
+
+@pytest.fixture
+def started(monkeypatch: pytest.MonkeyPatch) -> list[Started]:
+    monkeypatch.setattr(Started, "every", [])
+    monkeypatch.setattr(subprocess, "Popen", Started)
+    monkeypatch.setattr(compiling_beside, "cores", lambda: 2)
+    return Started.every
+
+
+@if_compiled
+def test_with_an_empty_cache_one_process_runs_beside_and_ends_with_the_block(
+    started: list[Started], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr("soccer_env.compiling.cache.folders", lambda: (tmp_path,))
+    with pytest.raises(KeyboardInterrupt), step_compiled_beside():
+        assert [one.command[1:] for one in started] == [["-m", "soccer_env.train.command.compiling_beside"]]
+        assert not started[0].killed
+        raise KeyboardInterrupt
+    assert started[0].killed
+
+
+@if_compiled
+def test_none_is_started_where_it_would_not_help(started: list[Started], monkeypatch: pytest.MonkeyPatch) -> None:
+    compiling_beside.compile_step()
+    with step_compiled_beside():
+        pass
+    monkeypatch.setattr(compiling_beside, "is_kept", lambda function: False)
+    monkeypatch.setattr(compiling_beside, "cores", lambda: 1)
+    with step_compiled_beside():
+        pass
+    assert started == []
+
+
+@compiled
+def one_more(x):  # type: ignore[no-untyped-def]
+    return x + 1.0
+
+
+@if_compiled
+def test_what_is_kept_is_told_from_what_is_not(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr("soccer_env.compiling.cache.folders", lambda: (tmp_path / "cache",))
+    assert not is_kept(one_more)
+    assert one_more(1.0) == 2.0
+    assert is_kept(one_more)
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    now = [100.0]
+    monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
+    return now
+
+
+def test_without_a_terminal_a_plain_line_appears_now_and_then(clock: list[float], capsys: Any) -> None:
+    with Progress("reproduce", 40.0) as work:
+        work.note("S05, 0 of 2 done")
+        for _ in range(40):
+            clock[0] += 1.0
+            work.advance(1.0)
+    shares = [100 * EVERY / 40, 200 * EVERY / 40]
+    assert capsys.readouterr().err.splitlines() == [f"reproduce: {share:.0f} %, S05, 0 of 2 done" for share in shares]
+
+
+def test_short_work_and_no_work_say_nothing(clock: list[float], capsys: pytest.CaptureFixture[str]) -> None:
+    with Progress("bench", 3.0) as work:
+        clock[0] += 0.5 * EVERY
+        work.advance(3.0)
+    with Progress("reproduce", 0.0) as work:
+        clock[0] += 2 * EVERY
+        work.note("nothing")
+    assert capsys.readouterr().err == ""

@@ -16,7 +16,6 @@ def rows(**settings: Any) -> Any:
 
 
 def draw(env: Any, rng: np.random.Generator) -> np.ndarray:
-    """Return random actions for every row."""
     return rng.uniform(-1.0, 1.0, (env.num_envs, *env.action_space.shape)).astype(np.float32)
 
 
@@ -27,6 +26,5 @@ def play(env: Any, steps: int, seed: int = 0) -> list[Any]:
 
 
 def same(one: list[Any], other: list[Any]) -> bool:
-    """Tell whether two histories have the same observations, rewards and ends."""
     pairs = zip(one, other, strict=True)
     return all(np.array_equal(a[part], b[part]) for a, b in pairs for part in range(3))

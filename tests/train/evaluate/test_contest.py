@@ -88,12 +88,10 @@ def test_a_team_keeps_its_senses_and_its_size_when_it_changes_sides(senses: str,
     """Ideal senses are sure of the own place in every step, a particle filter is not for long."""
     first, second = Witness(), Witness()
     settings = EvaluateSettings(home="a", away="b", matches=2, minutes=0.05, players="1v2", senses=senses)
-    lines = evaluate(settings, teams={"a": first, "b": second}).lines
-    assert [line.side for line in lines] == ["home", "away"]
+    there, back = evaluate(settings, teams={"a": first, "b": second}).lines
+    assert (there.side, back.side) == ("home", "away")
     for team, size, ideal in zip((first, second), (1, 2), sure, strict=True):
-        steps = [line.steps for line in lines]
-        halves = team.seen[: steps[0]], team.seen[steps[0] :]
-        for seen, count in zip(halves, steps, strict=True):
+        for seen, count in ((team.seen[: there.steps], there.steps), (team.seen[there.steps :], back.steps)):
             assert len(seen) == count and {players for players, _ in seen} == {size}
             assert all(known for _, known in seen) == bool(ideal)
 

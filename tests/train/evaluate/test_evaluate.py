@@ -52,22 +52,17 @@ def test_the_result_does_not_depend_on_threads_or_batches(league: str, monkeypat
     assert len({line.state for line in one.lines}) == 10
 
 
-def test_another_seed_gives_other_matches() -> None:
-    states = {line.state for line in short().lines}
-    assert states.isdisjoint(line.state for line in short(seed=6).lines)
-
-
-def test_more_matches_begin_with_the_same_pairs() -> None:
-    assert [line.state for line in short(matches=4).lines] == [line.state for line in short().lines[:4]]
+def test_another_seed_gives_other_matches_and_more_matches_begin_with_the_same_pairs() -> None:
+    states = [line.state for line in short().lines]
+    assert set(states).isdisjoint(line.state for line in short(seed=6).lines)
+    assert [line.state for line in short(matches=4).lines] == states[:4]
 
 
 def test_matches_are_added_to_a_finished_evaluation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """As if all had been played at once: only those that are missing are."""
     played: list[int] = []
     play = module.play
-    monkeypatch.setattr(
-        module, "play", lambda contest, batch, *rest: (played.extend(batch), play(contest, batch, *rest))[1]
-    )
+    monkeypatch.setattr(module, "play", lambda *given: played.extend(given[1]) or play(*given))
     short(matches=4, out=tmp_path / "a")
     assert sorted(played) == [0, 1, 2, 3]
     grown = short(matches=8, out=tmp_path / "a", threads=2)
@@ -92,11 +87,8 @@ def test_every_match_can_be_played_alone() -> None:
 
 
 def test_pairs_share_a_seed_and_swap_sides() -> None:
-    lines = short().lines
-    expected = seeds_for(5, 5).tolist()
-    assert [line.seed for line in lines] == [seed for seed in expected for _ in range(2)]
-    assert [line.pair for line in lines] == [0, 0, 1, 1, 2, 2, 3, 3, 4, 4]
-    assert [line.side for line in lines] == ["home", "away"] * 5
+    found = [(line.pair, line.seed, line.side) for line in short().lines]
+    assert found == [(n, seed, side) for n, seed in enumerate(seeds_for(5, 5).tolist()) for side in ("home", "away")]
 
 
 def test_the_second_match_of_a_pair_swaps_teams_and_sizes() -> None:
@@ -126,15 +118,9 @@ def test_goals_count_for_the_team_that_scored_them() -> None:
 def test_a_team_of_ones_own_wins_on_both_sides() -> None:
     """Whoever runs at the ball scores more than whoever stands still, from either side."""
     settings = EvaluateSettings(
-        league="middle-size-2006",
-        home="mine",
-        away="still",
-        matches=10,
-        minutes=2.0,
-        players=1,
-        placement="instant",
+        league="middle-size-2006", home="mine", away="still", matches=10, minutes=2.0, players=1, placement="instant",
         rules="simple",
-    )
+    )  # fmt: skip
     result = evaluate(settings, teams={"mine": Follower()})
     for side in ("home", "away"):
         lines = [line for line in result.lines if line.side == side]
@@ -198,10 +184,9 @@ def test_other_settings_in_the_same_folder_are_refused_unless_anew(tmp_path: Pat
 
 def test_what_cannot_be_played_leaves_no_folder(tmp_path: Path) -> None:
     for wrong in ({"senses": "eyes"}, {"home": "nobody"}, {"scene": "empty-goal"}):
-        try:
+        with pytest.raises(ValueError):
             short(out=tmp_path / "new", matches=2, **wrong)
-        except ValueError:
-            assert not (tmp_path / "new").exists()
+        assert not (tmp_path / "new").exists()
 
 
 def test_result_json_is_the_contract(tmp_path: Path) -> None:
@@ -218,22 +203,17 @@ def test_result_json_is_the_contract(tmp_path: Path) -> None:
     assert [line["match"] for line in record["results"]] == [0, 1]
 
 
-def test_pictures_of_the_first_match(tmp_path: Path) -> None:
-    pytest.importorskip("pygame")
-    short(out=tmp_path, matches=2, picture=True)
-    assert (tmp_path / "match.png").read_bytes().startswith(b"\x89PNG")
-
-
-def test_without_pygame_there_is_a_note_and_no_picture(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_pictures_of_the_first_match(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
     def missing() -> None:
         raise ImportError("pictures need pygame")
 
+    pytest.importorskip("pygame")
+    short(out=tmp_path / "drawn", matches=2, picture=True)
+    assert (tmp_path / "drawn" / "match.png").read_bytes().startswith(b"\x89PNG")
     monkeypatch.setattr("soccer_env.render.canvas.require_pygame", missing)
-    short(out=tmp_path, matches=2, picture=True)
+    short(out=tmp_path / "without", matches=2, picture=True)
     assert "no picture: pictures need pygame" in capsys.readouterr().err
-    assert not (tmp_path / "match.png").exists()
+    assert not (tmp_path / "without" / "match.png").exists()
 
 
 def test_the_command_prints_a_table_and_judges(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,35 +1,27 @@
-"""A result follows from its lines; a folder goes on where it was and refuses other settings."""
+"""A result and the statistics of its play follow from its lines, and the report shows them."""
 
 import json
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from markdown_it import MarkdownIt
 
 from soccer_env.leagues import find_league
+from soccer_env.statistics.figures import FIGURES
+from soccer_env.statistics.records import BINS, GoalKind
+from soccer_env.train.evaluate import evaluate
 from soccer_env.train.evaluate.report import markdown, plain, sentence
 from soccer_env.train.evaluate.results import EvaluationResult, MatchLine, summarise
 from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings, conditions_of
+from soccer_env.train.evaluate.statistics import goal_rows, named, play_rows, totals
 
+KEYS = {
+    "league", "home", "away", "matches", "minutes", "seed", "senses", "wins", "draws", "losses", "goals_for",
+    "goals_against", "goal_difference", "win_rate", "points",
+}  # fmt: skip
 MADE = {"soccer_env": "1.0", "code": "abc"}
 ABOUT = {"command": "soccer evaluate --seed 3", "date": "2026-01-02", "commit": "1234567"}
-KEYS = {
-    "league",
-    "home",
-    "away",
-    "matches",
-    "minutes",
-    "seed",
-    "senses",
-    "wins",
-    "draws",
-    "losses",
-    "goals_for",
-    "goals_against",
-    "goal_difference",
-    "win_rate",
-    "points",
-}
 
 
 def conditions(matches: int = 20) -> Conditions:
@@ -47,16 +39,24 @@ def result_of(scores: list[tuple[int, int]]) -> EvaluationResult:
     return summarise(conditions(len(scores)), MADE, lines(scores))
 
 
+NUMBERS = [
+    (99.7, 2, "100"), (99.4, 2, "99"), (100.0, 2, "100"), (123.4, 2, "123"), (3.02, 2, "3"), (0.0, 2, "0"),
+    (999.7, 3, "1000"), (-999.7, 3, "-1000"), (0.00404, 3, "0.00404"), (0.0000123, 3, "0.0000123"),
+    (81.04, 3, "81"), (float("nan"), 2, "nan"), (float("inf"), 3, "inf"),
+]  # fmt: skip
+
+
+def test_numbers_of_tables_are_plain() -> None:
+    assert [plain(value, digits) for value, digits, _ in NUMBERS] == [text for _, _, text in NUMBERS]
+
+
 def test_what_is_counted() -> None:
     result = result_of([(3, 0), (1, 1), (0, 2), (2, 1)])
-    assert (result.wins, result.draws, result.losses) == (2, 1, 1)
-    assert (result.goals_for, result.goals_against) == (6, 4)
-    assert result.goal_difference.mean == pytest.approx(0.5)
-    assert result.win_rate.mean == pytest.approx(0.5)
-    assert result.points.mean == pytest.approx(0.625)
+    assert (result.wins, result.draws, result.losses, result.goals_for, result.goals_against) == (2, 1, 1, 6, 4)
+    means = [interval.mean for interval in (result.goal_difference, result.win_rate, result.points)]
+    assert means == pytest.approx([0.5, 0.5, 0.625])
     record = result.as_dict()
-    assert set(record) >= KEYS
-    assert set(record["points"]) == {"mean", "low", "high"}
+    assert set(record) >= KEYS and set(record["points"]) == {"mean", "low", "high"}
     assert record["points"]["low"] <= 0.625 <= record["points"]["high"]
     assert json.loads(json.dumps(record)) == record
 
@@ -91,14 +91,11 @@ def test_a_swapped_evaluation_is_the_negative() -> None:
     assert there.goal_difference.low == pytest.approx(-back.goal_difference.high, abs=0.1)
 
 
-def test_order_of_the_lines_is_of_no_account() -> None:
+def test_order_of_the_lines_is_of_no_account_but_missing_matches_are_refused() -> None:
     ordered = lines([(3, 0), (1, 1), (0, 2), (2, 1)])
     one, other = (summarise(conditions(4), MADE, chosen) for chosen in (ordered, ordered[::-1]))
     assert one == other
     assert markdown(one, ABOUT) == markdown(other, ABOUT)
-
-
-def test_missing_and_extra_matches_are_refused() -> None:
     with pytest.raises(ValueError, match="expected matches 0 to 3, got 2 lines"):
         summarise(conditions(4), MADE, lines([(1, 0), (1, 0)]))
 
@@ -112,23 +109,7 @@ def test_the_report_says_who_won_and_how_to_make_it_again() -> None:
     assert "| won, drawn, lost | 20, 0, 0 |  |" in text
     assert "| 9 | 109 | 2 : 0 | 1 : 0 |" in text
     assert "1234567" in text and "2026-01-02" in text
-
-
-def test_a_long_report_leaves_pairs_out() -> None:
-    text = markdown(result_of([(1, 0), (0, 1)] * 150), ABOUT)
-    assert "50 more pairs" in text
-
-
-@pytest.mark.parametrize(
-    ("value", "digits", "text"),
-    [
-        (99.7, 2, "100"), (99.4, 2, "99"), (100.0, 2, "100"), (123.4, 2, "123"), (3.02, 2, "3"), (0.0, 2, "0"),
-        (999.7, 3, "1000"), (-999.7, 3, "-1000"), (0.00404, 3, "0.00404"), (0.0000123, 3, "0.0000123"),
-        (81.04, 3, "81"), (float("nan"), 2, "nan"), (float("inf"), 3, "inf"),
-    ],
-)  # fmt: skip
-def test_numbers_of_tables_are_plain(value: float, digits: int, text: str) -> None:
-    assert plain(value, digits) == text
+    assert "50 more pairs" in markdown(result_of([(1, 0), (0, 1)] * 150), ABOUT)
 
 
 def test_a_name_is_shown_in_the_report_as_it_is() -> None:
@@ -147,3 +128,71 @@ def test_a_name_is_shown_in_the_report_as_it_is() -> None:
     assert words[0] == f"{plain_name} against random"
     assert plain_name in words and f"{plain_name} was trained with" in words
     assert [token.content for token in parsed if token.type == "fence"] == [f"soccer evaluate --home '{name}'\n"]
+
+
+PLAY = {"home": "chaser", "away": "still", "matches": 4, "minutes": 0.5, "players": 2, "senses": "ideal", "seed": 2}
+
+
+def line(**given):
+    """Return the statistics of a minute, all in play, in which nothing happened but what is given."""
+    empty = dict.fromkeys([name for name, _ in named()], 0) | {"played": 60.0, "in_play": 60.0}
+    return {**empty, "spell_lengths_for": [0] * BINS, "spell_lengths_against": [0] * BINS, **given}
+
+
+def test_counts_are_given_a_minute_and_times_as_shares() -> None:
+    lines = [line(shots_for=3, still=15.0), line(shots_for=1, still=15.0, in_play=30.0), line(), line(carried=0.4)]
+    found = totals(lines)
+    assert (found["shots_for"].total, found["shots_for"].value, found["shots_for"].unit) == (4, 1.0, "/min")
+    assert found["still"].value == pytest.approx(100 * 30.0 / 210.0)
+    assert found["still"].unit == "%"
+    assert found["carried"].total == 0.4
+    assert found["idle_for"].value is None  # of no mates
+
+
+def test_the_interval_is_that_of_pairs() -> None:
+    """Each pair has two shots, in one of its matches or in the other: nothing is unsure."""
+    even = totals([line(shots_for=2), line(), line(), line(shots_for=2)] * 5)["shots_for"]
+    assert (even.low, even.value, even.high) == (1.0, 1.0, 1.0)
+    uneven = totals([line(shots_for=2), line(shots_for=2), line(), line()] * 5)["shots_for"]
+    assert uneven.low < 0.8 < uneven.value == 1.0 < 1.2 < uneven.high
+
+
+def test_every_statistic_has_a_total_and_lines_without_any_have_none() -> None:
+    assert [*totals([line()] * 2)] == [name for name, _ in named()]
+    assert len(named()) == sum(2 if figure.team else 1 for figure in FIGURES)
+    assert totals([{}, {}]) == {}
+    assert totals([line(), {}]) == {}
+
+
+def test_an_evaluation_keeps_them_by_match_and_shows_them(tmp_path) -> None:
+    result = evaluate(EvaluateSettings(**PLAY, out=tmp_path))
+    lines = [json.loads(text) for text in (tmp_path / "matches.jsonl").read_text().splitlines()]
+    for one in lines:
+        play = one["statistics"]
+        assert (play["goals_for"], play["goals_against"]) == (one["goals_for"], one["goals_against"])
+        assert play["played"] == pytest.approx(30.0)
+        assert sum(play[f"goals_{kind.name.lower()}_for"] for kind in GoalKind) == one["goals_for"]
+    record = json.loads((tmp_path / "result.json").read_text())
+    assert record["statistics"]["touches_for"]["total"] == sum(one["statistics"]["touches_for"] for one in lines) > 0
+    assert record["statistics"]["touches_against"]["total"] < record["statistics"]["touches_for"]["total"]
+    assert {"statistics", "maps"}.isdisjoint(record["results"][0])
+    assert record["maps"]["heat_ball"] == np.sum([one["maps"]["heat_ball"] for one in lines], axis=0).tolist()
+    shots = [len(record["maps"][f"shots_{side}"]) for side in ("for", "against")]
+    assert shots == [record["statistics"][f"shots_{side}"]["total"] for side in ("for", "against")]
+    assert record["maps"]["pitch"]["length"] == 3.0
+    report = (tmp_path / "report.md").read_text()
+    rows = ("shots on target", "shots: saved", "ball in the middle third", "pushed in")
+    assert all(f"| {row} |" in report for row in rows)
+    assert {row[0] for row in play_rows(result.statistics)} >= {"ball in play", "whistles", "saves"}
+    assert len(goal_rows(result.statistics)) == len(GoalKind) + 3
+    assert evaluate(EvaluateSettings(**PLAY, out=tmp_path)).statistics == result.statistics
+
+
+def test_a_folder_whose_lines_lack_statistics_is_refused_in_words(tmp_path) -> None:
+    evaluate(EvaluateSettings(**PLAY, out=tmp_path))
+    file = tmp_path / "matches.jsonl"
+    lines = [json.loads(text) for text in file.read_text().splitlines()]
+    lines = [{name: line[name] for name in line.keys() - {"statistics", "maps"}} for line in lines]
+    file.write_text("".join(json.dumps(line) + "\n" for line in lines))
+    with pytest.raises(ValueError, match="a line has the fields .*statistics"):
+        evaluate(EvaluateSettings(**PLAY, out=tmp_path))

@@ -1,68 +1,49 @@
-"""Settings of an evaluation: what they mean, what is refused, and the command that repeats them."""
+"""Settings of an evaluation: what they mean, what is refused, the command that repeats them, policies as trained."""
 
+import json
 import shlex
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from soccer_env.agents.policy_file import dump
 from soccer_env.leagues import find_league
+from soccer_env.train.command.command_line import main
 from soccer_env.train.command.parsing import read_settings
-from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
+from soccer_env.train.evaluate import evaluate
+from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings, command_of, conditions_of
+from tests.agents.staged_policies import lively
 
 LEGGED, MIDDLE = find_league("legged-2001"), find_league("middle-size-2006")
 
 
-def test_what_is_left_open_comes_from_the_league() -> None:
+def test_what_is_left_open_comes_from_the_league_full_is_both_halves_and_team_sizes_may_differ() -> None:
     legged, middle = conditions_of(EvaluateSettings(), LEGGED), conditions_of(EvaluateSettings(), MIDDLE)
     assert (legged.minutes, legged.players, legged.placement) == (10.0, (3, 3), "instant")
     assert (middle.minutes, middle.players, middle.placement) == (4.0, (5, 5), "drive")
-
-
-def test_full_is_both_halves() -> None:
     assert conditions_of(EvaluateSettings(minutes="full"), LEGGED).minutes == 2 * LEGGED.rules.half_minutes
-
-
-def test_team_sizes_may_differ() -> None:
     assert conditions_of(EvaluateSettings(players="3v5"), LEGGED).players == (3, 5)
     assert conditions_of(EvaluateSettings(players=4), LEGGED).players == (4, 4)
 
 
 def test_senses_for_one_team_each() -> None:
     both = conditions_of(EvaluateSettings(senses="home=ideal,away=sensors"), LEGGED)
-    assert both.senses == ("ideal", "sensors")
-    assert both.senses_text == "home=ideal,away=sensors"
+    assert (both.senses, both.senses_text) == (("ideal", "sensors"), "home=ideal,away=sensors")
     assert conditions_of(EvaluateSettings(senses="ideal"), LEGGED).senses_text == "ideal"
 
 
 @pytest.mark.parametrize(
     "wrong",
     [
-        {"matches": 3},
-        {"matches": 0},
-        {"matches": 2.0},
-        {"matches": True},
-        {"seed": -1},
-        {"threads": 0},
-        {"minutes": 0},
-        {"minutes": float("nan")},
-        {"minutes": float("inf")},
-        {"minutes": "half"},
-        {"minutes": -4.0},
-        {"players": 0},
-        {"players": 12},
-        {"players": "3v"},
-        {"players": "v"},
-        {"players": "1v2v3"},
-        {"players": True},
-        {"senses": "eyes"},
-        {"senses": "home=ideal,away=eyes"},
-        {"senses": ""},
-        {"pose": "compass"},
-        {"placement": "walk"},
-        {"at_least": 95},
-        {"picture": True},
+        {"matches": 3}, {"matches": 0}, {"matches": 2.0}, {"matches": True}, {"seed": -1}, {"threads": 0},
+        {"minutes": 0}, {"minutes": float("nan")}, {"minutes": float("inf")}, {"minutes": "half"}, {"minutes": -4.0},
+        {"players": 0}, {"players": 12}, {"players": "3v"}, {"players": "v"}, {"players": "1v2v3"}, {"players": True},
+        {"senses": "eyes"}, {"senses": "home=ideal,away=eyes"}, {"senses": ""}, {"pose": "compass"},
+        {"placement": "walk"}, {"at_least": 95}, {"picture": True},
     ],
-)
+)  # fmt: skip
 def test_wrong_settings_are_refused_by_name(wrong: dict) -> None:
     with pytest.raises(ValueError, match=next(iter(wrong))):
         EvaluateSettings(**wrong)
@@ -79,9 +60,54 @@ def test_wrong_settings_are_refused_by_name(wrong: dict) -> None:
 def test_the_command_of_settings_gives_these_settings(settings: EvaluateSettings) -> None:
     program, name, *words = shlex.split(command_of(settings))
     assert (program, name) == ("soccer", "evaluate")
-    again = read_settings(EvaluateSettings, words, "evaluate")
-    assert again == settings
+    assert read_settings(EvaluateSettings, words, "evaluate") == settings
+    assert "anew" not in command_of(replace(settings, anew=True, out=Path("x"))), "a report throws no matches away"
 
 
-def test_the_command_of_a_report_never_throws_matches_away() -> None:
-    assert "anew" not in command_of(EvaluateSettings(anew=True, out=Path("x")))
+WORDS = ["--away", "still", "--players", "1", "--matches", "2", "--minutes", "0.05", "--seed", "1"]
+
+
+def file_of(folder: Path, **known: Any) -> str:
+    """Return the path of a policy file that says of its training what is known."""
+    file = folder / "lively.safetensors"
+    file.write_bytes(dump(lively(**known)))
+    return str(file)
+
+
+def test_another_pose_needs_a_flag_and_the_report_says_what_it_was(tmp_path: Path, capsys: Any) -> None:
+    home, out = file_of(tmp_path, pose="percept"), tmp_path / "out"
+    assert main(["evaluate", "--home", home, "--out", str(out), *WORDS]) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and home in said and not out.exists()
+    assert "--pose percept plays it as it was trained, --pose particles tests it so" in said
+    assert main(["evaluate", "--home", home, "--pose", "particles", "--out", str(out), *WORDS]) == 0
+    assert "| lively was trained with | pose percept |" in (out / "report.md").read_text()
+    assert json.loads((out / "result.json").read_text())["trained"] == {"lively": "pose percept"}
+    assert main(["evaluate", "--home", home, "--pose", "percept", *WORDS]) == 0
+    assert "was trained with" not in capsys.readouterr().out.split("written")[1]
+
+
+def test_the_team_away_is_looked_at_too() -> None:
+    with pytest.raises(ValueError, match=r"'mine' was trained with senses='ideal'.*--senses ideal plays it"):
+        from soccer_env.agents.learned import team_of
+
+        asked = EvaluateSettings(home="still", away="mine", players=1, matches=2, minutes=0.05)
+        evaluate(asked, teams={"mine": team_of(lively(senses="ideal"))})
+
+
+def test_who_observes_the_truth_is_not_offered_sensors(tmp_path: Path, capsys: Any) -> None:
+    home = file_of(tmp_path, observe="truth", senses="ideal")
+    assert main(["evaluate", "--home", home, *WORDS]) == 2
+    said = capsys.readouterr().err
+    assert said.endswith("--senses ideal plays it as it was trained\n"), said
+
+
+def test_a_folder_is_gone_on_with_whether_the_default_is_given_or_not(tmp_path: Path) -> None:
+    """And its settings are those that older versions wrote: the pose that is played, never None."""
+    words = ["evaluate", "--home", "random", "--out", str(tmp_path / "out"), *WORDS]
+    assert main(words) == 0
+    found = json.loads((tmp_path / "out/settings.json").read_text())["conditions"]
+    assert found.keys() == Conditions.__dataclass_fields__.keys()
+    assert (found["pose"], found["senses"]) == ("particles", ["sensors", "sensors"])
+    assert main([*words, "--pose", "particles", "--senses", "sensors"]) == 0
+    assert main([*words, "--pose", "percept"]) == 2

@@ -8,8 +8,11 @@ import sys
 from pathlib import Path
 from unittest.mock import patch
 
+import numpy as np
 import pytest
 
+from soccer_env import Match
+from soccer_env.train.examples import monte_carlo
 from soccer_env.train.examples.__main__ import PAGES, main, needs
 
 ROOT = Path(__file__).parents[3]
@@ -45,10 +48,8 @@ def test_a_page_is_short_and_says_what_it_needs_and_reached(name: str) -> None:
 
 
 def test_lines_that_do_something_are_counted() -> None:
-    assert code_lines('"""A page."""\n\nimport numpy\n\n\ndef main():\n    """Do it."""\n    # so\n    return 1\n') == {
-        6,
-        9,
-    }
+    page = '"""A page."""\n\nimport numpy\n\n\ndef main():\n    """Do it."""\n    # so\n    return 1\n'
+    assert code_lines(page) == {6, 9}
 
 
 def test_make_knows_every_page_and_where_it_can_run() -> None:
@@ -81,12 +82,9 @@ def test_what_a_page_takes_from_the_package_is_there(name: str) -> None:
 def test_a_page_that_nobody_knows_or_whose_library_is_missing_is_one_line(tmp_path: Path) -> None:
     program = "import sys\nsys.modules['torchrl'] = None\nfrom soccer_env.train.examples.__main__ import main\nmain()"
     for name, expected in {"ppo_keras": "name an example: cloning_minari", "ppo_torchrl": "needs torchrl=="}.items():
-        run = subprocess.run(
-            [sys.executable, "-c", program, name], cwd=tmp_path, capture_output=True, text=True, check=False
-        )
+        run = subprocess.run([sys.executable, "-c", program, name], cwd=tmp_path, capture_output=True, text=True)
         assert run.returncode == 1
-        assert expected in run.stderr
-        assert len(run.stderr.splitlines()) == 1
+        assert expected in run.stderr and len(run.stderr.splitlines()) == 1
 
 
 def test_help_names_every_page_with_what_it_needs(capsys: pytest.CaptureFixture[str]) -> None:
@@ -95,3 +93,21 @@ def test_help_names_every_page_with_what_it_needs(capsys: pytest.CaptureFixture[
             main()
         shown = capsys.readouterr().out
         assert [name for name in PAGES if f"  {name} " not in shown or f"needs: {needs(name)}\n" not in shown] == []
+
+
+@pytest.mark.slow
+def test_search_gets_past_where_chaser_does_not() -> None:
+    assert [monte_carlo.play(seed) for seed in (1, 3)] == [True, True]
+    assert [monte_carlo.play(seed, home="chaser") for seed in (1, 3)] == [False, False]
+
+
+def test_a_search_changes_no_record_of_the_match() -> None:
+    match = Match(seed=1, controllers={"away": "still"}, **monte_carlo.DRILL)
+    planner, before = match.branch([0] * 8), match.state_hash()
+    plan = monte_carlo.best_plan(match, planner, np.random.default_rng(1), np.zeros((monte_carlo.WALKS, 4)))
+    assert match.state_hash() == before
+    assert plan.shape == (monte_carlo.WALKS, 4) and np.abs(plan).max() <= 1.0
+
+
+def test_the_example_is_short() -> None:
+    assert len(code_lines(Path(monte_carlo.__file__).read_text(encoding="utf-8"))) <= LINES

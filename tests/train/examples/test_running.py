@@ -43,7 +43,6 @@ def test_the_measure_tells_a_robot_that_scores_from_one_that_stands() -> None:
     ahead, left = names.index("ball_x"), names.index("ball_y")
 
     def chase(seen: np.ndarray) -> np.ndarray:
-        """Turn to the ball, drive and kick."""
         turn = np.clip(3.0 * np.arctan2(seen[:, left], seen[:, ahead]), -1.0, 1.0)
         one = np.ones(len(seen))
         return np.stack([one, 0.0 * one, turn, one], axis=1)

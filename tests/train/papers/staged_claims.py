@@ -4,14 +4,7 @@ import dataclasses
 
 import numpy as np
 
-from soccer_env.train.papers.claim import (
-    NO_MATCH,
-    Batch,
-    Claim,
-    Curve,
-    Figure,
-    Without,
-)
+from soccer_env.train.papers.claim import NO_MATCH, Batch, Claim, Curve, Figure, Without
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.results import ClaimResult
 from soccer_env.train.papers.settings import ReproduceSettings

@@ -6,27 +6,13 @@ import numpy as np
 import pytest
 
 from soccer_env.optics import head_camera as optics
+from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.claims.ball.occlusion import APART, CLEAR, draw_scene, stands_before
 from soccer_env.train.papers.claims.ball.velocity import true_radial, walk_to_ball
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
-from soccer_env.train.papers.staging import (
-    LEGGED,
-    MIDDLE,
-    ahead_of,
-    ball_from,
-    begin,
-    kick_off,
-    play,
-    put,
-    put_ball,
-    stage,
-    standing,
-    watch,
-    wrapped,
-)
 from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, blind, camera_of, follow, see_again, stare
 from soccer_env.train.papers.verdicts import Samples
 
@@ -34,30 +20,30 @@ BATCH = Batch("test", 0, 0)
 
 
 def test_a_ball_put_ahead_is_there() -> None:
-    match = stage(BATCH, matches=5)
-    put(match, 0, np.linspace(-1.0, 1.0, 5), 0.2, np.linspace(-3.0, 3.0, 5))
-    put_ball(match, *ahead_of(match, 0, 0.4, 0.3))
-    begin(match)
-    distance, bearing = ball_from(match)
+    match = staging.stage(BATCH, matches=5)
+    staging.put(match, 0, np.linspace(-1.0, 1.0, 5), 0.2, np.linspace(-3.0, 3.0, 5))
+    staging.put_ball(match, *staging.ahead_of(match, 0, 0.4, 0.3))
+    staging.begin(match)
+    distance, bearing = staging.ball_from(match)
     assert distance == pytest.approx(0.4) and bearing == pytest.approx(0.3)
-    for _ in play(match, 1.0):
+    for _ in staging.play(match, 1.0):
         pass
-    assert ball_from(match)[0] == pytest.approx(0.4)
+    assert staging.ball_from(match)[0] == pytest.approx(0.4)
     assert (match.robots["active"][:, 1] == 0).all()
 
 
-@pytest.mark.parametrize("league", [LEGGED, MIDDLE])
+@pytest.mark.parametrize("league", [staging.LEGGED, staging.MIDDLE])
 def test_scenes_forget_what_was_seen_before_they_began(league: str) -> None:
-    match = stage(BATCH, league, matches=3)
-    put(match, 0, 0.0, 0.0)
-    begin(match)
+    match = staging.stage(BATCH, league, matches=3)
+    staging.put(match, 0, 0.0, 0.0)
+    staging.begin(match)
     assert (match.beliefs["ball"]["confidence"] == 0.0).all()
     assert (match.tracks["present"] == 0).all()
 
 
 def test_the_camera_is_where_optics_has_it() -> None:
-    match = stage(BATCH, matches=4)
-    put(match, 0, 0.3, -0.2, np.array([0.0, 1.0, 2.0, -3.0]))
+    match = staging.stage(BATCH, matches=4)
+    staging.put(match, 0, 0.3, -0.2, np.array([0.0, 1.0, 2.0, -3.0]))
     match.robots["pan"][:, 0], match.robots["tilt"][:, 0] = [0.0, 0.5, -1.0, 0.2], [0.0, -0.6, -1.2, 0.4]
     place, axis = camera_of(match)
     s = match.league.sensors.record()[0]
@@ -68,17 +54,17 @@ def test_the_camera_is_where_optics_has_it() -> None:
         expected = (robot["x"] + cosine * ahead - sine * left, robot["y"] + sine * ahead + cosine * left, height)
         assert place[m] == pytest.approx(expected)
         bearing, elevation = optics.direction_of_pixel(0.0, 0.0, robot["pan"], robot["tilt"], s)
-        assert wrapped(np.arctan2(axis[m, 1], axis[m, 0]) - robot["heading"]) == pytest.approx(bearing)
+        assert staging.wrapped(np.arctan2(axis[m, 1], axis[m, 0]) - robot["heading"]) == pytest.approx(bearing)
         assert axis[m, 2] == pytest.approx(np.sin(elevation))
 
 
 def test_a_staring_head_has_the_ball_on_its_axis() -> None:
-    match = stage(BATCH, matches=6, actions="full")
-    put(match, 0, 0.0, 0.0, np.linspace(-2.0, 2.0, 6))
-    put_ball(match, *ahead_of(match, 0, np.linspace(0.25, 0.8, 6), np.linspace(-1.0, 1.0, 6)))
-    begin(match)
-    actions = standing(match)
-    for _ in play(match, 1.0, actions):
+    match = staging.stage(BATCH, matches=6, actions="full")
+    staging.put(match, 0, 0.0, 0.0, np.linspace(-2.0, 2.0, 6))
+    staging.put_ball(match, *staging.ahead_of(match, 0, np.linspace(0.25, 0.8, 6), np.linspace(-1.0, 1.0, 6)))
+    staging.begin(match)
+    actions = staging.standing(match)
+    for _ in staging.play(match, 1.0, actions):
         stare(match, actions)
     distance, angle = ball_in_sight(match)
     assert angle.max() < np.radians(0.5)
@@ -86,14 +72,14 @@ def test_a_staring_head_has_the_ball_on_its_axis() -> None:
 
 
 def test_blind_robots_see_no_ball_until_they_may() -> None:
-    match = stage(BATCH, MIDDLE, matches=4)
-    put(match, 0, 0.0, 0.0)
-    put_ball(match, 1.5, 0.0)
-    begin(match)
+    match = staging.stage(BATCH, staging.MIDDLE, matches=4)
+    staging.put(match, 0, 0.0, 0.0)
+    staging.put_ball(match, 1.5, 0.0)
+    staging.begin(match)
     ages = []
     for switch in (see_again, blind, see_again):
         switch(match)
-        for _ in play(match, 1.0):
+        for _ in staging.play(match, 1.0):
             pass
         ages.append(match.beliefs["ball"]["age"][:, 0].max())
     assert ages[0] < 0.2 and ages[2] < 0.2
@@ -108,28 +94,34 @@ def test_stuck_robots_walk_on_the_spot() -> None:
     assert free["rate"].mean() == pytest.approx(-0.12, rel=0.15)
 
 
+def test_teams_play_from_the_kick_off() -> None:
+    match = staging.kick_off(BATCH, matches=2)
+    assert len(list(staging.watch(match, 1.0, settle=1.0))) == 16
+    assert (match.matches["step"] == 32).all() and match.robots.shape == (2, 6)
+
+
 def test_the_true_rate_of_the_distance_is_its_difference() -> None:
-    match = stage(BATCH, matches=3)
-    put(match, 0, 0.0, 0.0, 0.0, 0.1)
-    put_ball(match, [0.6, 0.5, -0.6], [0.0, 0.4, 0.3], 0.2, -0.1)
-    begin(match)
-    before, rates = ball_from(match)[0], []
-    for _ in play(match, 0.25):
+    match = staging.stage(BATCH, matches=3)
+    staging.put(match, 0, 0.0, 0.0, 0.0, 0.1)
+    staging.put_ball(match, [0.6, 0.5, -0.6], [0.0, 0.4, 0.3], 0.2, -0.1)
+    staging.begin(match)
+    before, rates = staging.ball_from(match)[0], []
+    for _ in staging.play(match, 0.25):
         rates.append(true_radial(match))
-    assert (ball_from(match)[0] - before) / 0.25 == pytest.approx(np.mean(rates, axis=0), abs=0.02)
+    assert (staging.ball_from(match)[0] - before) / 0.25 == pytest.approx(np.mean(rates, axis=0), abs=0.02)
 
 
 def test_who_follows_the_true_ball_reaches_it_or_keeps_away() -> None:
-    match = stage(BATCH, matches=8)
-    put(match, 0, -0.5, 0.0, np.linspace(-3.0, 3.0, 8))
-    begin(match)
-    actions = standing(match)
-    for _ in play(match, 12.0, actions):
+    match = staging.stage(BATCH, matches=8)
+    staging.put(match, 0, -0.5, 0.0, np.linspace(-3.0, 3.0, 8))
+    staging.begin(match)
+    actions = staging.standing(match)
+    for _ in staging.play(match, 12.0, actions):
         actions[:, 0, :3] = follow(match)
     assert (match.matches["last_touch_robot"] == 0).all()
-    for _ in play(match, 8.0, actions):
+    for _ in staging.play(match, 8.0, actions):
         actions[:, 0, :3] = follow(match, 0.4)
-    assert np.median(ball_from(match)[0]) == pytest.approx(0.4, abs=0.1)
+    assert np.median(staging.ball_from(match)[0]) == pytest.approx(0.4, abs=0.1)
 
 
 def test_hidden_balls_have_room_and_somebody_before_them() -> None:
@@ -142,14 +134,6 @@ def test_hidden_balls_have_room_and_somebody_before_them() -> None:
     assert np.isfinite(gap[:, 0]).mean() > 0.9
     assert stands_before(np.array([0.6, 0.0]), np.array([0.35, 0.1]), 0.0)
     assert not stands_before(np.array([0.6, 0.0]), np.array([0.35, 0.2]), 0.0)
-
-
-def test_teams_play_from_the_kick_off() -> None:
-    match = kick_off(BATCH, matches=2)
-    for _ in watch(match, 1.0, settle=1.0):
-        pass
-    assert (match.matches["step"] == 32).all()
-    assert match.robots.shape == (2, 6)
 
 
 DEAR = {  # 5 s of a core and more

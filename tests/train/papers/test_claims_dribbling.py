@@ -6,53 +6,43 @@ import pytest
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
 from soccer_env.leagues import find_league
 from soccer_env.match.staging import memory_of
+from soccer_env.train.papers import dribble_runs
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import goalkeeper
 from soccer_env.train.papers.claims.dribble import classes, dribbling, replanning
 from soccer_env.train.papers.claims.dribble import or_shoot as dribble_or_shoot
-from soccer_env.train.papers.dribble_runs import (
-    LOST,
-    NO_SHOTS,
-    START,
-    Way,
-    begin_dribbling,
-    dribblers,
-    losses,
-    place_with_ball,
-    run,
-)
 from soccer_env.train.papers.drill_runs import contacts_of, play_drill
 from soccer_env.train.papers.staging import LEGGED, put, put_ball, stage
 
 BATCH = Batch("test", 0, 0)
 
 
-def way(gaps: list[float], step: float = 0.1) -> Way:
+def way(gaps: list[float], step: float = 0.1) -> dribble_runs.Way:
     """Return the way of one robot that goes straight on, the ball `gaps` [m] from its chest in each step."""
     gap = np.array(gaps)[:, None]
     x = step * np.arange(len(gaps))[:, None]
     nothing, always = np.zeros_like(x), np.ones_like(x, bool)
-    return Way(x, nothing, gap, gap < 0.02, always, ~always, x, nothing, ~always)
+    return dribble_runs.Way(x, nothing, gap, gap < 0.02, always, ~always, x, nothing, ~always)
 
 
 def test_a_ball_is_lost_once_until_the_robot_has_it_again() -> None:
-    found = losses(way([0.0, 0.0, LOST + 0.01, 0.3, 0.3, 0.0, 0.0, 0.2, 0.0]))
+    found = dribble_runs.losses(way([0.0, 0.0, dribble_runs.LOST + 0.01, 0.3, 0.3, 0.0, 0.0, 0.2, 0.0]))
     assert found["lost"].tolist() == [2.0]
     assert found["tried"].tolist() == [True] and found["kept"].tolist() == [False]
 
 
 def test_a_metre_with_the_ball_is_a_metre_kept() -> None:
-    found = losses(way([0.0] * 12))
+    found = dribble_runs.losses(way([0.0] * 12))
     assert found["metres"][0] == pytest.approx(1.1) and found["kept"].tolist() == [True]
-    assert losses(way([0.0] * 5))["tried"].tolist() == [False]
+    assert dribble_runs.losses(way([0.0] * 5))["tried"].tolist() == [False]
 
 
 def test_a_dribbler_begins_with_its_ball_and_knows_where_it_is() -> None:
-    match = dribblers(BATCH, find_league(LEGGED), 8, 1, NO_SHOTS)
-    place_with_ball(match, heading=np.linspace(-0.5, 0.5, 8))
-    begin_dribbling(match)
+    match = dribble_runs.dribblers(BATCH, find_league(LEGGED), 8, 1, dribble_runs.NO_SHOTS)
+    dribble_runs.place_with_ball(match, heading=np.linspace(-0.5, 0.5, 8))
+    dribble_runs.begin_dribbling(match)
     own = match.beliefs["own"][:, 0]
-    assert (np.hypot(own["x"] - START, own["y"]) < 0.15).all()
+    assert (np.hypot(own["x"] - dribble_runs.START, own["y"]) < 0.15).all()
     for _ in range(32):
         match.step()
     assert (memory_of(match)["behaviour"] == DRIBBLE).mean() > 0.8
@@ -71,7 +61,7 @@ def test_robots_that_walk_against_another_touch_it() -> None:
     put(match, 0, -0.3, 0.0, 0.0)
     put(match, 1, [0.05, 0.9], 0.0, np.pi)
     put_ball(match, -1.0, 0.8)
-    found = run(match, 4.0, dribbling.walking(match, 0.035, np.zeros(2)))
+    found = dribble_runs.run(match, 4.0, dribbling.walking(match, 0.035, np.zeros(2)))
     assert found.touches.any(axis=0).tolist() == [True, False]
     assert found.x[-1, 1] > found.x[-1, 0]
 
@@ -90,7 +80,7 @@ def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
     put(match, 0, -0.3, 0.0, 0.0)
     put(match, 1, [0.0, 0.9, 0.9], [0.0, 0.0, 0.6], np.pi)
     put_ball(match, -1.0, 0.8)
-    begin_dribbling(match)
+    dribble_runs.begin_dribbling(match)
     contacts, actions = contacts_of(match), dribbling.walking(match, 0.035, np.zeros(3))
     actions[2] = 0.0
     for _ in range(64):

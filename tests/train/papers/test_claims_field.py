@@ -3,30 +3,17 @@
 import numpy as np
 import pytest
 
-from soccer_env.baselines.sacks_2001.forces import repulsion
+from soccer_env.baselines.sacks_2001.forces import goal_force, player_force, repulsion, wall_force
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.baselines.sacks_2001.steering import limited
 from soccer_env.train.papers.claim import Batch, as_plain
-from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.claims.field import constants as field_constants
 from soccer_env.train.papers.claims.field import cost as field_cost
 from soccer_env.train.papers.claims.field import forces as field_forces
 from soccer_env.train.papers.claims.field import minima as field_minima
 from soccer_env.train.papers.claims.field import movers as field_movers
-from soccer_env.train.papers.claims.field import numbers
-from soccer_env.train.papers.claims.field import paths as field_paths
-from soccer_env.train.papers.claims.field.point_world import players
-from soccer_env.train.papers.claims.field.points import (
-    NO_CUT_OFF,
-    SCENES,
-    START,
-    TOUCH,
-    UNIT,
-    WALL_UNIT,
-    force_arrows,
-    gap_ahead,
-    one_ahead,
-    starts,
-)
+from soccer_env.train.papers.claims.field import points
+from soccer_env.train.papers.claims.field.point_world import PointWorld, players
 from soccer_env.train.papers.claims.field.robots import RobotRuns, filled, run_robots
 from soccer_env.train.papers.dribble_runs import Way
 from soccer_env.train.papers.report import figure_table
@@ -36,38 +23,37 @@ BATCH = Batch("test", 0, 0)
 
 
 def test_a_gap_is_as_wide_as_asked_and_square_if_asked() -> None:
-    gap = gap_ahead(np.random.default_rng(0), 0.45, 0.55, askew=0.0)
-    assert (gap["x"][:, 0] == gap["x"][:, 1]).all()
+    gap, askew = (points.gap_ahead(np.random.default_rng(0), 0.45, 0.55, **how) for how in ({"askew": 0.0}, {}))
+    assert (gap["x"][:, 0] == gap["x"][:, 1]).all() and np.ptp(askew["x"], axis=1).max() > 0.1
     wide = np.hypot(gap["x"][:, 0] - gap["x"][:, 1], gap["y"][:, 0] - gap["y"][:, 1])
     assert wide.min() >= 0.45 and wide.max() <= 0.55
-    askew = gap_ahead(np.random.default_rng(0), 0.45, 0.55)
-    assert np.ptp(askew["x"], axis=1).max() > 0.1
 
 
 def test_movers_come_for_the_dribbler_or_cross_its_way() -> None:
     rng = np.random.default_rng(1)
-    comes, both, crosses = (
-        make(rng) for make in (field_movers.one_comes, field_movers.one_on_each_side, field_movers.one_crosses)
-    )
+    makers = (field_movers.one_comes, field_movers.one_on_each_side, field_movers.one_crosses)
+    comes, both, crosses = (make(rng) for make in makers)
     speed = np.hypot(comes["vx"], comes["vy"])
     assert speed.min() >= field_movers.SPEEDS[0] and speed.max() <= field_movers.SPEEDS[1]
     assert (comes["vx"] < 0.0).all()
     assert (both["vx"][:, 0] == 0.0).all() and (both["y"][:, 0] * both["y"][:, 1] < 0.0).all()
     when = -crosses["y"] / crosses["vy"]
-    straight_on = (crosses["x"] + when * crosses["vx"] - START) / 0.07
+    straight_on = (crosses["x"] + when * crosses["vx"] - points.START) / 0.07
     assert np.abs(when - straight_on).max() <= 3.0 + 1e-9
 
 
 def test_exponents_are_matched_where_the_papers_force_is_one() -> None:
-    assert pytest.approx(0.444, abs=1e-3) == UNIT
+    assert pytest.approx(0.444, abs=1e-3) == points.UNIT
     for exponent in field_forces.EXPONENTS:
-        assert field_forces.matched_gain(exponent) * (1.0 / UNIT - 1.0) / UNIT ** (exponent - 1) == pytest.approx(1.0)
+        assert field_forces.matched_gain(exponent) * (1.0 / points.UNIT - 1.0) / points.UNIT ** (
+            exponent - 1
+        ) == pytest.approx(1.0)
     samples = field_forces.matched_exponents(BATCH)
-    assert np.nanmin(samples["onset"]) > TOUCH and np.nanmax(samples["onset"]) < 1.0
+    assert np.nanmin(samples["onset"]) > points.TOUCH and np.nanmax(samples["onset"]) < 1.0
 
 
 def test_arrows_point_to_the_goal_where_nobody_is() -> None:
-    arrows = force_arrows(players([[0.0, 0.0]]), SacksSettings())
+    arrows = points.force_arrows(players([[0.0, 0.0]]), SacksSettings())
     far = [i for i, (x, y) in enumerate(zip(arrows.x, arrows.y, strict=True)) if np.hypot(x, y) > 1.0 and abs(y) < 0.6]
     for i in far:
         angle = np.arctan2(-arrows.y[i], 1.6 - arrows.x[i])
@@ -82,7 +68,6 @@ def test_a_field_is_drawn_with_its_arrows() -> None:
 
 
 def runs_of(x: list[float], off: list[float], touches: list[int], goal: list[int] | None = None) -> RobotRuns:
-    """Return one run of a robot on the middle line."""
     column = np.array(x)[:, None]
     none, flags = np.zeros_like(column), np.array(touches, bool)[:, None]
     scored = np.zeros_like(flags) if goal is None else np.array(goal, bool)[:, None]
@@ -106,20 +91,20 @@ def test_planning_is_weighed_by_one_decision_in_eight_frames() -> None:
 
 
 def test_a_force_without_cut_off_is_matched_where_the_papers_is_one() -> None:
-    for changes in ({}, NO_CUT_OFF):
+    for changes in ({}, points.NO_CUT_OFF):
         play = SacksSettings(**changes).record()[0]
-        assert repulsion(UNIT, play["player_gain"], play["player_range"], play) == pytest.approx(1.0)
-        assert repulsion(WALL_UNIT, play["wall_gain"], play["wall_range"], play) == pytest.approx(1.0)
+        assert repulsion(points.UNIT, play["player_gain"], play["player_range"], play) == pytest.approx(1.0)
+        assert repulsion(points.WALL_UNIT, play["wall_gain"], play["wall_range"], play) == pytest.approx(1.0)
 
 
 def test_robots_play_the_scenes_that_points_play() -> None:
     rng = BATCH.rng()
-    start, crowd = starts(rng)[:4], one_ahead(rng, 0.0, 0.25)[:4]
+    start, crowd = points.starts(rng)[:4], points.one_ahead(rng, 0.0, 0.25)[:4]
     runs = run_robots(BATCH, start, crowd)
     assert runs.way.x[0] == pytest.approx(start[:, 0], abs=0.02)
     assert np.isfinite(runs.off).mean() > 0.7 and runs.arrived.any()
     values = filled(runs.is_clean)
-    assert len(values) == SCENES and np.isfinite(values).sum() == 4
+    assert len(values) == points.SCENES and np.isfinite(values).sum() == 4
 
 
 def test_the_least_value_that_suffices_is_near_the_best() -> None:
@@ -134,33 +119,59 @@ def test_the_least_value_that_suffices_is_near_the_best() -> None:
 
 
 def test_trouble_is_a_stall_or_a_retreat() -> None:
-    samples = {
-        f"points gap, limit off: {what}": np.array(v)
-        for what, v in (("stalls", [0, 1, 0.0]), ("retreats", [0, 0, 1.0]))
-    }
+    found = {"stalls": [0, 1, 0.0], "retreats": [0, 0, 1.0]}
+    samples = {f"points gap, limit off: {what}": np.array(values) for what, values in found.items()}
     assert field_minima.trouble(samples, "points", "gap", "off").tolist() == [0.0, 1.0, 1.0]
     assert field_minima.share(samples, "points", "off", ("gap",)) == pytest.approx(200.0 / 3.0)
 
 
-def test_the_claims_are_built() -> None:
-    modules = (field_cost, field_forces, numbers, field_paths, field_movers, field_minima, field_constants)
-    built = {claim.id for module in modules for claim in module.CLAIMS}
-    asked = {
-        "S42",
-        "S44",
-        "S45",
-        "S46",
-        "S47",
-        "S48",
-        "S49",
-        "S50",
-        "S53",
-        "S54",
-        "S55",
-        "S56",
-        "S57",
-        "S58",
-        "S65",
-        "S68",
-    }
-    assert built == asked <= set(all_claims())
+def test_ms54_points_go_as_the_teams_own_forces_say() -> None:
+    """Straight on where nobody is; past somebody each step is that of forces and limit, and it keeps clear of him."""
+    alone = PointWorld().run([[-1.0, 0.5]], players([[0.0, -0.9]]))
+    assert alone.arrived[0] and alone.deviation[0] < 1e-9
+    runs = PointWorld().run([[-1.0, 0.0]], players([[0.0, 0.05]]))
+    assert runs.arrived[0] and 0.3 < runs.clearance[0] < 0.6 and runs.deviation[0] > 0.3
+    play = SacksSettings().record()[0]
+    for t in range(runs.steps[0]):
+        x, y = runs.path[t, 0]
+        pull = goal_force(1.6 - x, -y, play)
+        push = player_force(0.0 - x, 0.05 - y, 1.6 - x, -y, play)
+        off = limited(*pull, push[0], push[1] + wall_force(y, 1.0, play), 0.0, play)
+        assert runs.off[t, 0] == pytest.approx(off, abs=1e-9)
+
+
+def test_ms54_players_move_straight_on_or_come_for_the_dribbler() -> None:
+    crowd = players([[0.5, 0.3], [0.8, 0.0]], [[0.0, -0.1], [0.0, 0.0]], [0.0, 0.06])
+    runs = PointWorld().run([[-1.0, 0.0]], crowd, seconds=4.0)
+    assert runs.others[8, 0, 0] == pytest.approx([0.5, -0.1])
+    gap = np.linalg.norm(runs.others[:, 0, 1] - runs.path[:, 0], axis=-1)
+    assert np.diff(gap).max() < -0.05
+    met = PointWorld().run([[0.0, 0.0]], players([[0.1, 0.0]], [[-0.8, 0.0]]), seconds=0.5)
+    assert met.clearance[0] < 0.05  # passed between two decisions
+
+
+def test_ms54_noise_and_false_blobs_are_what_the_robot_sees_not_what_is_there() -> None:
+    start, crowd = np.tile([-1.0, 0.0], (200, 1)), players(np.tile([[0.0, 0.2]], (200, 1, 1)))
+    clean = PointWorld().run(start, crowd)
+    noisy = PointWorld(range_noise=0.1).run(start, crowd, rng=np.random.default_rng(1))
+    blobs = PointWorld(false_blobs=0.3).run(start, crowd, rng=np.random.default_rng(1))
+    assert np.ptp(clean.clearance) == 0.0
+    for runs in (noisy, blobs):
+        assert np.ptp(runs.clearance) > 0.01
+        assert np.nanstd(runs.turns) > 1.5 * np.nanstd(clean.turns)
+        assert (runs.others[0] == clean.others[0]).all()
+
+
+def test_ms54_a_body_that_faces_the_goal_keeps_its_steps_within_the_bodys_limit() -> None:
+    crowd = players([[0.0, 0.25], [0.0, -0.25]])
+    point, body = (PointWorld(body=body).run([[-1.0, 0.01]], crowd) for body in (False, True))
+    assert np.degrees(np.nanmax(np.abs(point.off))) == pytest.approx(70.0)
+    assert np.degrees(np.nanmax(np.abs(body.off))) == pytest.approx(55.0)
+
+
+def test_changes_of_side_are_counted_and_small_ones_are_not() -> None:
+    crowd = players([[0.0, 0.25], [0.0, -0.25]])
+    worlds = (PointWorld(SacksSettings(keep_side=keep)) for keep in (True, False))
+    with_rule, without = (world.run([[-1.2, 0.01]], crowd) for world in worlds)
+    assert with_rule.flips[0] == 0 and without.flips[0] >= 10
+    assert with_rule.retreats[0] == without.retreats[0] == 0

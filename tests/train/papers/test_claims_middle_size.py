@@ -1,13 +1,16 @@
-"""What the middle-size claims make of light and places is right."""
+"""What the claims of 2006 make of light, places, plans, the goalkeeper and the receiver is right."""
 
 import numpy as np
 import pytest
 
-from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims import all_claims, middle_size, own_pose
+from soccer_env.baselines.weigel_2001.planner import Planner
+from soccer_env.train.papers.claim import STAGED, Batch
+from soccer_env.train.papers.claims import middle_size, own_pose
+from soccer_env.train.papers.claims.goalkeeping import passes, places, saves, shots
+from soccer_env.train.papers.claims.planning import crossings, plans, runs, scenes, timing
 from soccer_env.train.papers.staging import MIDDLE, begin, play, put, stage
 
-BATCH = Batch("test", 0, 0)
+BATCH = Batch("test", 0, 0, rules=STAGED)
 
 
 def test_recovery_is_when_a_robot_is_no_longer_lost_for_a_second() -> None:
@@ -87,5 +90,96 @@ def test_the_ball_and_player_of_the_scene_stay_on_the_field() -> None:
     assert seen["light"].max() == 0.0
 
 
-def test_the_claims_are_built() -> None:
-    assert {"H26", "H27"} <= set(all_claims())
+def test_a_crossing_meets_the_straight_way_when_the_robot_would_be_there_or_nearly() -> None:
+    for scene in runs.scenes_of(BATCH, runs.CROSSING, 50):
+        (x, y, vx, vy), robot = scene.obstacles[0], np.array(scene.robot)
+        way = np.array(scene.target) - robot
+        assert np.hypot(*way) == pytest.approx(scenes.WAY)
+        assert scenes.CROSSERS[0] <= np.hypot(vx, vy) <= scenes.CROSSERS[1]
+        t = np.linspace(0.0, 2.5, 2501)
+        gap = np.hypot(*(np.array([[x], [y]]) + np.outer([vx, vy], t) - robot[:, None]
+                         - np.outer(way / scenes.WAY, np.minimum(t * runs.SPEED, scenes.WAY))))  # fmt: skip
+        assert gap.min() < scenes.LATE * scenes.CROSSERS[1] + 0.01
+
+
+def test_slow_traffic_leaves_robot_and_target_free() -> None:
+    for scene in runs.scenes_of(BATCH, scenes.slow_traffic, 30):
+        assert len(scene.obstacles) == scenes.SLOW_OBSTACLES
+        for x, y, vx, vy in scene.obstacles:
+            assert np.hypot(vx, vy) <= scenes.SLOW
+            assert np.hypot(x - scene.robot[0], y - scene.robot[1]) > 0.75
+            for t in (0.0, 1.0, 2.0, 4.0):
+                assert np.hypot(x + t * vx - scene.target[0], y + t * vy - scene.target[1]) > 0.75
+
+
+def test_a_wall_stands_across_the_way() -> None:
+    for scene in runs.scenes_of(BATCH, scenes.wall, 20):
+        assert len(scene.obstacles) in (2, 3, 9)
+        assert runs.plan(scene).arrived
+        straight = np.linspace(scene.robot, scene.target, 200)
+        gaps = [np.hypot(*(straight - one[:2]).T).min() for one in scene.obstacles]
+        assert min(gaps) < 0.3
+
+
+def test_the_side_on_which_an_obstacle_is_passed() -> None:
+    for y, side in ((0.3, 1), (-0.3, -1)):  # an obstacle on the left of the way is passed with it on the left
+        travel = Planner().travel((-2.0, 0.0), (2.0, 0.0), [(0.0, y, 0.0, 0.0)])
+        assert runs.side_of(travel, 0) == side and runs.side_changes(travel) == 0
+    far = Planner().travel((-2.0, 0.0), (2.0, 0.0), [(0.0, 2.5, 0.0, 0.0)])
+    assert runs.side_of(far, 0) == 0
+
+
+def test_the_canonical_crossings_show_what_the_paper_shows() -> None:
+    found = crossings.canonical(BATCH)
+    assert (found["old gap"] < crossings.NEAR).all() and (found["old away"] > 10).all()
+    assert (found["new gap"] > crossings.CLEAR).all() and (found["new sides"] == 0).all()
+    figures = crossings.snapshots({})
+    assert [figure.title.partition(", ")[2] for figure in figures] == ["t = 1", "t = 30", "t = 60"] * 2
+    planned, travelled, obstacle = figures[0].curves
+    assert len(travelled.x) == 2 and planned.x[-1] == pytest.approx(3.0) and len(obstacle.x) == 25
+
+
+def test_first_heading_and_sharpest_turn_of_a_straight_way_are_none() -> None:
+    scene = scenes.Scene((-2.0, 0.5), (2.0, 0.5), [])
+    plan = runs.plan(scene)
+    assert plans.first_heading(plan, scene) == pytest.approx(0.0, abs=1e-6)
+    assert plans.sharpest(plan) == pytest.approx(0.0, abs=1e-6)
+
+
+def test_t_is_never_below_that_of_the_straight_line_and_without_velocities_paths_are_the_same() -> None:
+    assert timing.times(BATCH)["smooth ratio"].min() >= 1.0 - 1e-9
+    assert plans.same_paths(BATCH)["same"].all() and not plans.same_paths(BATCH, still=False)["same"].all()
+
+
+def test_the_open_angle_in_closed_form() -> None:
+    goal, half = -6.0, 1.0 - 0.11
+    ball, far = np.array([[goal + 4.0, 0.0]]), np.array([[5.0, 3.0]])
+    whole = 2.0 * np.degrees(np.arctan2(half, 4.0))
+    assert places.open_angle(ball, far) == pytest.approx(whole)  # nobody between
+    shadow = 2.0 * np.degrees(np.arcsin((0.22 + 0.11) / 3.0))
+    assert places.open_angle(ball, np.array([[goal + 1.0, 0.0]])) == pytest.approx(whole - shadow)
+    assert places.open_angle(ball, np.array([[goal + 3.7, 0.0]])) == pytest.approx(0.0)
+
+
+def test_the_perpendicular_is_no_longer_than_the_way_to_the_crossing() -> None:
+    found = places.ways(BATCH)
+    assert (found["perpendicular"] <= found["crossing"] + 1e-9).all()
+    assert (places.ways(BATCH, waits=True)["perpendicular"] >= found["perpendicular"] - 1e-9).all()
+
+
+def test_goals_and_benefits_are_counted() -> None:
+    speed = np.array([5.0, 5.0, 9.0, 9.0])
+    samples = {"speed": speed, "passive": np.array([1.0, 1, 1, 1]), "active": np.array([0.0, 0, 1, 0])}
+    assert saves.conceded(samples, "active") == 25.0 and saves.slower(samples, "passive") == 100.0
+    assert saves.ratio(samples, saves.conceded) == 0.25 and saves.ratio(samples, saves.slower) == 0.0
+    noisy = {"fit own passive": np.ones(4), "fit own active": np.array([0.0, 0, 0, 1])}
+    assert saves.benefit(noisy, "fit", "own") == 75.0
+
+
+@pytest.mark.slow
+def test_shots_reach_the_goal_that_nobody_keeps_and_a_kick_is_received() -> None:
+    faced = shots.face_shots(BATCH, {"keeper": "passive", "strength": 0.0})
+    assert (faced.speed >= shots.SPEEDS[0]).all() and faced.goal.any() and (faced.moved >= 0.0).all()
+    soft, full = passes.kicked(BATCH, True), passes.kicked(BATCH, False)
+    assert full["top"].mean() == pytest.approx(10.0, rel=0.05) and soft["top"].mean() < 5.0
+    assert soft["got"].mean() > full["got"].mean() + 0.3

@@ -6,7 +6,6 @@ import pytest
 from soccer_env.match.staging import memory_settings_of
 from soccer_env.optics import head_camera as optics
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims import find_claims
 from soccer_env.train.papers.claims.players import blobs as players_blobs
 from soccer_env.train.papers.claims.players import grouping as players_grouping
 from soccer_env.train.papers.claims.players import jersey as players_jersey
@@ -169,22 +168,15 @@ def test_views_are_counted_from_head_on_and_only_within_the_picture() -> None:
     assert not seen[:, 0, 0].any()
 
 
-def test_thirds_and_the_lead_of_the_front() -> None:
+def test_sectors_thirds_and_variations_take_what_is_there() -> None:
+    found = players_jersey.by_sector(np.array([[0, 0, 3, 3]]), np.array([[1.0, 3.0, np.nan, 5.0]]))
+    assert found[0, 0] == 2.0 and found[0, 3] == 5.0 and np.isnan(found[0, 1])
     counts = np.zeros((2, views.SECTORS))
     counts[0, 0], counts[1, 5], counts[1, -1] = 5.0, 3.0, 2.0
     assert views.thirds(counts) == pytest.approx([50.0, 30.0, 20.0])
     assert views.lead_of_front(counts) == pytest.approx(20.0)
-
-
-def test_sectors_take_the_mean_of_what_is_there() -> None:
-    sector = np.array([[0, 0, 3, 3]])
-    found = players_jersey.by_sector(sector, np.array([[1.0, 3.0, np.nan, 5.0]]))
-    assert found[0, 0] == 2.0 and found[0, 3] == 5.0 and np.isnan(found[0, 1])
-
-
-def test_variation_is_the_deviation_over_the_mean() -> None:
     sizes = np.array([[[9.0, 11.0, np.nan], [10.0, 10.0, 10.0]]])
-    assert players_jersey.variation(sizes) == pytest.approx([0.1, 0.0])
+    assert players_jersey.variation(sizes) == pytest.approx([0.1, 0.0]), "the deviation over the mean"
 
 
 def test_a_jump_is_how_much_farther_a_headless_player_seems() -> None:
@@ -199,15 +191,6 @@ def test_a_jump_is_how_much_farther_a_headless_player_seems() -> None:
 
 def test_movers_keep_their_speed_and_those_that_stand_stay() -> None:
     samples = players_moving.leave(BATCH)
-    speeds = list(players_moving.SPEEDS)
-    assert samples["error"].shape == (players_moving.SCENES, len(speeds))
-    still = np.abs(samples["error"][:, 0] - samples["first"][:, 0])
-    assert np.nanmax(still) < 1e-3
+    assert samples["error"].shape == (players_moving.SCENES, len(players_moving.SPEEDS))
+    assert np.nanmax(np.abs(samples["error"][:, 0] - samples["first"][:, 0])) < 1e-3
     assert np.nanmedian(samples["error"][:, -1]) > np.nanmedian(samples["error"][:, 1])
-
-
-def test_the_claims_are_built() -> None:
-    ids = ("S32", "S33", "S34", "S35", "S36", "S37", "S38", "S39", "S40", "S41", "S61", "S66", "S69", "S70", "S72")
-    from soccer_env.train.papers.claims import all_claims
-
-    assert [claim.id for claim in find_claims(ids, all_claims())] == list(ids)

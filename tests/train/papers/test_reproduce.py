@@ -1,26 +1,28 @@
-"""The reproduction bench: stops when a claim is decided, resumes, refuses what does not belong together."""
+"""The reproduction bench stops when a claim is decided, resumes, refuses what does not belong together; its command."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from soccer_env.train.papers.claim import (
-    Batch,
-)
+from soccer_env.train.command.command_line import main
+from soccer_env.train.papers import reproduction
+from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.claims import all_claims, find_claims
 from soccer_env.train.papers.examination import looks_at
 from soccer_env.train.papers.report import row, section
 from soccer_env.train.papers.reproduction import reproduce
-from soccer_env.train.papers.settings import ReproduceSettings
+from soccer_env.train.papers.settings import ReproduceSettings, command_of
+from soccer_env.train.papers.stored import FOLDERS, read_stored
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 from tests.train.papers.staged_claims import CALLS, KNOWN, POSES, claim, draw, run
 
 
 @pytest.fixture(autouse=True)
 def no_calls() -> None:
-    CALLS.clear()
-    POSES.clear()
+    CALLS.clear(), POSES.clear()
 
 
 def test_sampling_stops_when_the_interval_decides() -> None:
@@ -41,19 +43,14 @@ def test_the_cap_ends_what_stays_undecided_and_n_says_so() -> None:
 def test_looks_double_and_share_the_five_per_cent() -> None:
     (once,), (often,) = run("A1", quick=True), run("A1")
     assert once.estimate == often.estimate and often.low < once.low < once.high < often.high
-    assert looks_at(1) == [1]
-    assert looks_at(8) == [1, 2, 4, 8]
-    assert looks_at(11) == [1, 2, 4, 8, 11]
-    assert looks_at(11, least=3) == [3, 6, 11]
-    assert looks_at(1, least=3) == [1]
+    assert [looks_at(cap) for cap in (1, 8, 11)] == [[1], [1, 2, 4, 8], [1, 2, 4, 8, 11]]
+    assert [looks_at(cap, least=3) for cap in (11, 1)] == [[3, 6, 11], [1]]
 
 
 def test_what_was_put_in_is_by_construction_and_is_shown_without_it() -> None:
     (result,) = run("A4")
-    assert result.verdict == "by construction"
-    assert result.without == "the shift"
-    assert [found["verdict"] for found in result.without_findings] == ["not"]
-    assert result.findings[0]["verdict"] == "reproduced"
+    assert (result.verdict, result.without) == ("by construction", "the shift")
+    assert [found["verdict"] for found in result.findings + result.without_findings] == ["reproduced", "not"]
 
 
 def test_three_seeds_are_put_together_and_each_speaks_for_itself(tmp_path: Path) -> None:
@@ -156,6 +153,13 @@ def test_minutes_choose_numbers_of_batches_not_times() -> None:
     assert CALLS[-2:] == [("A3", 0), ("A5", 0)]
 
 
+def test_batches_draw_from_seeds_of_their_own() -> None:
+    asked = [(name, seed, index) for name in ("A", "B") for seed in (0, 1) for index in (0, 1)]
+    assert len({tuple(Batch(*one).seeds(2).tolist()) for one in asked}) == 8
+    assert Batch("A", 0, 0).seeds(4)[:2].tolist() == Batch("A", 0, 0, threads=2).seeds(2).tolist()
+    assert Batch("A", 0, 0).rng().random() != Batch("A", 0, 0).rng(1).random()
+
+
 def test_same_seed_same_results_another_seed_others(tmp_path: Path) -> None:
     for name, threads in (("a", 1), ("b", 4)):
         run("A1", "A3", seeds=(5,), threads=threads, out=tmp_path / name)
@@ -190,17 +194,81 @@ def test_all_leaves_out_studies_which_can_be_named() -> None:
     results = reproduce(ReproduceSettings(all=True, quick=True), known=KNOWN)
     assert [result.id for result in results] == ["A1", "A2", "A3", "A4", "A5", "A6"]
     assert [result.id for result in run("look", "look", quick=True)] == ["look"]
-
-
-def test_an_unknown_claim_says_which_exist() -> None:
     with pytest.raises(ValueError, match="unknown claim 'S99'; known: A1, A2"):
         run("A1", "S99")
 
 
-def test_batches_draw_from_seeds_of_their_own() -> None:
-    draws = {
-        tuple(Batch(name, seed, index).seeds(2).tolist()) for name in ("A", "B") for seed in (0, 1) for index in (0, 1)
-    }
-    assert len(draws) == 8
-    assert Batch("A", 0, 0).seeds(4)[:2].tolist() == Batch("A", 0, 0, threads=2).seeds(2).tolist()
-    assert Batch("A", 0, 0).rng().random() != Batch("A", 0, 0).rng(1).random()
+@pytest.mark.parametrize(
+    ("words", "complaint"),
+    [
+        (["reproduce"], "give the ids of claims, or --all"),
+        (["reproduce", "S05", "--all"], "give the ids of claims, or --all"),
+        (["reproduce", "X99"], "unknown claim 'X99'; known: "),
+        (["reproduce", "S05", "--minutes", "0"], "minutes must be a number above 0"),
+        (["reproduce", "S05", "--minutes", "3", "--quick"], "give quick or minutes, not both"),
+        (
+            ["reproduce", "S05", "--stored", "--quick"],
+            "stored measures nothing: give it without quick",
+        ),
+        (["reproduce", "sensors", "--stored"], "no result of sensors is stored; measure it without --stored"),
+        (["reproduce", "S05", "--seed", "-1"], "seeds must be a whole number"),
+        (["reproduce", "S05", "--seeds", "1", "2", "1"], "seeds must be whole numbers, at least one and each once"),
+        (["reproduce", "S05", "--pose", "compass"], "unknown --pose 'compass'"),
+        (["reproduce", "S05", "--rules", "street"], "unknown --rules 'street'"),
+    ],
+)
+def test_a_mistake_is_one_line(words: list[str], complaint: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(words) == 2
+    printed = capsys.readouterr().err
+    assert complaint in printed and printed.count("\n") == 1
+
+
+def test_the_command_is_the_one_that_asks_for_the_same() -> None:
+    settings = ReproduceSettings(claims=("S05", "S06"), quick=True, seeds=(3,), threads=2, out="runs/a")
+    assert command_of(settings) == "soccer reproduce S05 S06 --quick --seeds 3 --threads 2 --out runs/a"
+    assert command_of(settings, "S06") == "soccer reproduce S06 --quick --seeds 3"
+    assert command_of(ReproduceSettings(all=True, minutes=9.0), "S06") == "soccer reproduce --all --minutes 9"
+
+
+def test_stored_results_are_printed_with_every_criterion_and_nothing_is_measured(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reproduction, "measure_missing", None)
+    assert main(["reproduce", "S63", "H12", "--stored"]) == 0
+    printed = " ".join(capsys.readouterr().out.split())
+    stored = {name: row for folder in FOLDERS.values() for name, row in read_stored(folder).items()}
+    for name in ("S63", "H12"):
+        found, claim = stored[name], all_claims()[name]
+        assert all(one["shown"] in printed for one in found["findings"] + found["without_findings"])
+        assert claim.statement in printed and claim.method in printed and str(claim.note).strip() in printed
+        assert f"Measured {found['about']['date']}, commit {found['about']['commit']}." in printed
+    assert "With the ingredient off (one speed for both" in printed and "at least 80" in printed
+
+
+def test_all_stored_results_are_a_table_alone(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["reproduce", "--all", "--stored"]) == 0
+    printed = capsys.readouterr().out
+    assert len(re.findall(r"│ [SH]\d\d │", printed)) == 72 + 27 and "Measured 2" not in printed
+    assert main(["reproduce", "S63", "--stored", "--json"]) == 0
+    (record,) = json.loads(capsys.readouterr().out)
+    assert record["verdict"] == "not" and record["findings"][0]["shown"] == "73.8 % (70.3 to 77.7)"
+
+
+def test_every_built_claim_is_complete() -> None:
+    claims = all_claims()
+    for name, found in claims.items():
+        texts = (found.paper, found.statement, found.method, *(criterion.text for criterion in found.criteria))
+        assert name == found.id and all(texts), name
+        assert found.study or found.section, name
+        assert 1 <= found.quick <= found.batches >= found.least >= 1 and found.seconds > 0.0, name
+        assert found.quick * found.seconds <= 15.0 and found.batches * found.seconds <= 150.0, f"{name} takes too long"
+    assert find_claims(["S05", "S05"], claims) == [claims["S05"]]
+    measured_by_all = [found for found in claims.values() if not found.study]
+    assert sum(found.quick * found.seconds for found in measured_by_all) <= 385.0  # [s] on one core: 5 minutes on two
+    assert sum(found.batches * found.seconds for found in measured_by_all) <= 5400.0
+
+
+def test_claims_can_be_listed(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list", "claims"]) == 0
+    printed = capsys.readouterr().out
+    assert "S05" in printed and "median range error" in printed and "league, staged" in printed

@@ -1,4 +1,4 @@
-"""What a reproduction writes and shows: results, reports, tables and pictures."""
+"""What a reproduction writes and shows: results, reports, tables and pictures, the same from processes of their own."""
 
 import dataclasses
 import io
@@ -9,24 +9,18 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from soccer_env.train.papers.claim import (
-    NO_MATCH,
-    PLAYED,
-    PLAYED_AND_STAGED,
-    STAGED,
-    Batch,
-)
+from soccer_env.train.papers.claim import NO_MATCH, PLAYED, PLAYED_AND_STAGED, STAGED, Batch
 from soccer_env.train.papers.report import row, screen_table
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.papers.verdicts import Samples
+from soccer_env.train.papers.workers import as_json, examine_in_processes, work
 from tests.train.papers.staged_claims import CALLS, POSES, claim, draw, run
 
 
 @pytest.fixture(autouse=True)
 def no_calls() -> None:
-    CALLS.clear()
-    POSES.clear()
+    CALLS.clear(), POSES.clear()
 
 
 def test_the_printed_table_marks_quick_verdicts_and_names_the_own_pose() -> None:
@@ -93,7 +87,9 @@ def test_the_report_shows_each_claim_and_draws_its_figures(tmp_path: Path) -> No
     assert "| A1 | What A1 says. | no match | reproduced | r |" in report
     assert "With the ingredient off (the shift)" in report
     assert "![A title](plots/A1-1.png)" in report
-    assert (tmp_path / "plots" / "A1-1.png").read_bytes().startswith(b"\x89PNG")
+    drawn = (tmp_path / "plots" / "A1-1.png").read_bytes()
+    run("A1", out=tmp_path / "again")
+    assert drawn.startswith(b"\x89PNG") and (tmp_path / "again" / "plots" / "A1-1.png").read_bytes() == drawn
     page = (tmp_path / "report.html").read_text()
     assert "3 claims: 1 reproduced, 1 not, 1 by construction." in page and "With the ingredient off (the shift)" in page
     assert "Paper against measured" in page and page.count("<svg") == page.count("</svg>") > 1
@@ -107,9 +103,27 @@ def test_without_matplotlib_the_report_says_what_to_install(tmp_path: Path, monk
     assert "| place [m] | a |" in report and "plots/" not in report
 
 
-def test_drawing_is_repeatable(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
-    for name in ("a", "b"):
-        run("A1", out=tmp_path / name)
-    one, two = ((tmp_path / name / "plots" / "A1-1.png").read_bytes() for name in ("a", "b"))
+SETTINGS = ReproduceSettings(claims=("S15", "S20"), quick=True, seeds=(1, 2), threads=2)
+
+
+def test_processes_change_no_result(tmp_path: Path) -> None:
+    for threads in (1, 2):
+        settings = dataclasses.replace(SETTINGS, threads=threads, out=tmp_path / f"{threads}")
+        assert [result.id for result in reproduce(settings)] == ["S15", "S20"]
+    one, two = ((tmp_path / name / "results.json").read_bytes() for name in ("1", "2"))
     assert one == two
+
+
+def test_a_process_that_fails_ends_the_run_with_its_claim(capfd: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(RuntimeError, match="the process that measured claim S99 ended with code 1"):
+        list(examine_in_processes({"S99": 1}, SETTINGS, "hash"))
+    assert "KeyError: 'S99'" in capfd.readouterr().err
+
+
+def test_a_worker_answers_a_line_for_each_claim_and_is_told_nothing_of_folders() -> None:
+    told = as_json(ReproduceSettings(claims=("S15",), quick=True, out=Path("somewhere"), anew=True, threads=3))
+    assert not {"out", "anew", "threads"} & set(told)
+    answers = io.StringIO()
+    work([json.dumps({"settings": told, "hash": "h"}), json.dumps(["S15", 1])], answers)
+    (answer,) = map(json.loads, answers.getvalue().splitlines())
+    assert (answer["id"], answer["settings"], answer["seeds"]) == ("S15", "h", [1, 2, 3])

@@ -3,21 +3,8 @@
 import numpy as np
 import pytest
 
-from soccer_env.train.papers.verdicts import (
-    CONTEXT,
-    NOT,
-    REPRODUCED,
-    UNDECIDED,
-    Finding,
-    combine,
-    counted,
-    deciding,
-    exact,
-    find,
-    judge,
-    measured,
-    reported,
-)
+from soccer_env.train.papers import verdicts
+from soccer_env.train.papers.verdicts import CONTEXT, NOT, REPRODUCED, UNDECIDED, Finding
 from soccer_env.train.statistics import clustered_share, unit_bootstrap, wilson_interval
 
 stats = pytest.importorskip("scipy.stats")
@@ -28,51 +15,44 @@ def finding(verdict: str) -> Finding:
     return Finding(verdict, "", 0.0, 0.0, 0.0, verdict, 1)
 
 
-@pytest.mark.parametrize(
-    ("bounds", "low", "high", "verdict"),
-    [
-        ({"at_most": 10.0}, 3.0, 9.0, REPRODUCED),
-        ({"at_most": 10.0}, 3.0, 10.0, REPRODUCED),
-        ({"at_most": 10.0}, 3.0, 10.1, UNDECIDED),
-        ({"at_most": 10.0}, 10.0, 12.0, UNDECIDED),
-        ({"at_most": 10.0}, 10.1, 12.0, NOT),
-        ({"at_least": 3.0}, 3.0, 5.0, REPRODUCED),
-        ({"at_least": 3.0}, 2.0, 2.9, NOT),
-        ({"at_least": 0.45, "at_most": 0.6}, 0.5, 0.59, REPRODUCED),
-        ({"at_least": 0.45, "at_most": 0.6}, 0.61, 0.7, NOT),
-        ({"at_least": 0.45, "at_most": 0.6}, 0.4, 0.7, UNDECIDED),
-        ({"above": 0.0}, 0.1, 0.2, REPRODUCED),
-        ({"above": 0.0}, 0.0, 0.0, NOT),
-        ({"above": 0.0}, 0.0, 0.2, UNDECIDED),
-        ({"below": 0.0}, -2.0, -1.0, REPRODUCED),
-        ({"at_most": 10.0}, -np.inf, np.inf, UNDECIDED),
-    ],
-)
+UNDER_TEN, BETWEEN = {"at_most": 10.0}, {"at_least": 0.45, "at_most": 0.6}
+CASES = [
+    (UNDER_TEN, 3.0, 9.0, REPRODUCED), (UNDER_TEN, 3.0, 10.0, REPRODUCED), (UNDER_TEN, 3.0, 10.1, UNDECIDED),
+    (UNDER_TEN, 10.0, 12.0, UNDECIDED), (UNDER_TEN, 10.1, 12.0, NOT), (UNDER_TEN, -np.inf, np.inf, UNDECIDED),
+    ({"at_least": 3.0}, 3.0, 5.0, REPRODUCED), ({"at_least": 3.0}, 2.0, 2.9, NOT),
+    (BETWEEN, 0.5, 0.59, REPRODUCED), (BETWEEN, 0.61, 0.7, NOT), (BETWEEN, 0.4, 0.7, UNDECIDED),
+    ({"above": 0.0}, 0.1, 0.2, REPRODUCED), ({"above": 0.0}, 0.0, 0.0, NOT), ({"above": 0.0}, 0.0, 0.2, UNDECIDED),
+    ({"below": 0.0}, -2.0, -1.0, REPRODUCED),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("bounds", "low", "high", "verdict"), CASES)
 def test_the_whole_interval_decides(bounds: dict[str, float], low: float, high: float, verdict: str) -> None:
-    assert judge(exact("", lambda samples: 0.0, **bounds), low, high) == verdict
+    assert verdicts.judge(verdicts.exact("", lambda samples: 0.0, **bounds), low, high) == verdict
+
+
+def test_a_reported_number_decides_nothing_and_an_exact_one_has_no_width() -> None:
+    found = verdicts.find(verdicts.reported("median", lambda samples: float(np.median(samples["x"]))), {"x": DRAWS})
+    assert found.verdict == CONTEXT and found.low < found.estimate < found.high
+    found = verdicts.find(verdicts.exact("", lambda samples: 3.0, unit="cm", at_most=3.0), {})
+    assert (found.low, found.high, found.verdict) == (3.0, 3.0, REPRODUCED)
 
 
 def test_a_claim_needs_all_of_its_criteria_and_one_violation_is_enough() -> None:
     good, bad, open_, told = (finding(verdict) for verdict in (REPRODUCED, NOT, UNDECIDED, CONTEXT))
-    assert combine([good, good, told]) == REPRODUCED
-    assert combine([good, open_]) == UNDECIDED
-    assert combine([good, open_, bad]) == NOT
-    assert combine([told]) == combine([]) == CONTEXT
-    assert deciding([good, open_, bad]) is bad
-    assert deciding([told, good]) is good
-    assert deciding([]) is None
+    assert verdicts.combine([good, good, told]) == REPRODUCED
+    assert verdicts.combine([good, open_]) == UNDECIDED
+    assert verdicts.combine([good, open_, bad]) == NOT
+    assert verdicts.combine([told]) == verdicts.combine([]) == CONTEXT
+    assert verdicts.deciding([good, open_, bad]) is bad
+    assert verdicts.deciding([told, good]) is good
+    assert verdicts.deciding([]) is None
 
 
 @pytest.mark.parametrize("bounds", [{}, {"at_least": 1.0, "above": 1.0}, {"more": 1.0}])
 def test_bounds_that_say_nothing_are_refused(bounds: dict[str, float]) -> None:
     with pytest.raises(ValueError, match="bounds are at_least"):
-        measured("", lambda samples: 0.0, **bounds)
-
-
-def test_a_reported_number_decides_nothing() -> None:
-    found = find(reported("median", lambda samples: float(np.median(samples["x"]))), {"x": DRAWS})
-    assert found.verdict == CONTEXT
-    assert found.low < found.estimate < found.high
+        verdicts.measured("", lambda samples: 0.0, **bounds)
 
 
 def test_units_with_many_frames_are_drawn_whole() -> None:
@@ -91,8 +71,8 @@ def test_a_value_that_is_not_always_there_leaves_the_interval_open() -> None:
         return float(found.mean()) if len(found) else float("nan")
 
     assert unit_bootstrap({"x": rare}, value) == (1.0, -np.inf, np.inf)
-    assert find(measured("", value, at_least=0.0), {"x": rare}).verdict == UNDECIDED
-    assert find(measured("", value, at_least=0.0), {"x": rare[1:]}).verdict == UNDECIDED
+    assert verdicts.find(verdicts.measured("", value, at_least=0.0), {"x": rare}).verdict == UNDECIDED
+    assert verdicts.find(verdicts.measured("", value, at_least=0.0), {"x": rare[1:]}).verdict == UNDECIDED
 
 
 @pytest.mark.parametrize("wins", [0, 1, 17, 40])
@@ -102,7 +82,7 @@ def test_a_counted_share_of_single_trials_is_wilsons(wins: int) -> None:
     share, low, high = clustered_share(hits, trials)
     assert (share, low, high) == pytest.approx(wilson_interval(wins, 40), abs=1e-12)
     assert (low, high) == pytest.approx((expected.low, expected.high), abs=1e-12)
-    found = find(counted("", "hits", "trials", at_most=50.0), {"hits": hits, "trials": trials})
+    found = verdicts.find(verdicts.counted("", "hits", "trials", at_most=50.0), {"hits": hits, "trials": trials})
     assert found.high == pytest.approx(100.0 * expected.high)
 
 
@@ -133,13 +113,10 @@ def test_a_criterion_says_in_words_where_it_has_to_lie() -> None:
     def value(samples: dict[str, np.ndarray]) -> float:
         return 3.0
 
-    assert measured("", value, at_least=80.0).asked == "at least 80"
-    assert measured("", value, above=0.0, below=0.125).asked == "above 0 and below 0.125"
-    assert counted("", "hits", "trials", at_most=5.0).asked == "at most 5"
-    assert reported("", value).asked == ""
-    assert find(exact("", value, at_least=35.0, at_most=55.0), {}).asked == "at least 35 and at most 55"
-
-
-def test_exact_numbers_have_no_width() -> None:
-    found = find(exact("", lambda samples: 3.0, unit="cm", at_most=3.0), {})
-    assert (found.low, found.high, found.verdict) == (3.0, 3.0, REPRODUCED)
+    assert verdicts.measured("", value, at_least=80.0).asked == "at least 80"
+    assert verdicts.measured("", value, above=0.0, below=0.125).asked == "above 0 and below 0.125"
+    assert verdicts.counted("", "hits", "trials", at_most=5.0).asked == "at most 5"
+    assert verdicts.reported("", value).asked == ""
+    assert (
+        verdicts.find(verdicts.exact("", value, at_least=35.0, at_most=55.0), {}).asked == "at least 35 and at most 55"
+    )

@@ -29,12 +29,10 @@ ROLLOUT = 48  # decisions: 8 of each of 6 robots
 
 
 def tiny(out: Path, **changes: Any) -> TrainSettings:
-    """Return the settings of a tiny training: seven rollouts."""
     return TrainSettings(out=out, **{**TINY, **changes})
 
 
 def plainly(settings: TrainSettings) -> training.TrainResult:
-    """Train without drawing learning curves and the page of the run."""
     with mock.patch.multiple(training, learning_curve=lambda *_: b"", page_of=lambda *_: ""):
         return train(settings)
 
@@ -53,13 +51,11 @@ def whole_run(tmp_path_factory: Any, **changes: Any) -> Path:
 
 
 def copy_of(run: Path, to: Path) -> Path:
-    """Return a copy of a run's folder."""
     shutil.copytree(run, to / "run")
     return to / "run"
 
 
 def weights(path: Path) -> dict[str, bytes]:
-    """Return the numbers of a policy file."""
     return {name: array.tobytes() for name, array in load_file(path).items()}
 
 
@@ -77,12 +73,10 @@ def outcome(folder: Path) -> dict[str, Any]:
 
 
 def records(path: Path) -> list[dict[str, Any]]:
-    """Return the lines of a log."""
     return [json.loads(line) for line in path.read_text().splitlines()]
 
 
 def untimed(line: dict[str, Any]) -> dict[str, Any]:
-    """Return a line of log.jsonl without the times."""
     return {name: value for name, value in line.items() if name != "seconds"}
 
 

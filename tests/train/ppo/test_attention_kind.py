@@ -40,9 +40,8 @@ def test_the_policy_before_training_has_the_shape_of_the_one_after(mirror: bool,
     settings = TrainSettings(kind="attention", mirror=mirror, hidden=hidden)
     blank = blank_policy(settings, LEAGUE)
     sizes = settings.hidden_sizes
-    made = policy_from(
-        network(hidden=sizes, mirror=mirror), name="t", league=LEAGUE, observe="belief", action_repeat=8, made={}
-    )
+    learned = network(hidden=sizes, mirror=mirror)
+    made = policy_from(learned, name="t", league=LEAGUE, observe="belief", action_repeat=8, made={})
     assert made.kind == blank.kind == "attention"
     assert len(made.attention[1]) == max(8, sizes[0] // 4)
     rows = np.random.default_rng(1).uniform(-1.0, 1.0, (5, len(NAMES))).astype(np.float32)
@@ -85,11 +84,8 @@ def test_the_actors_parameters_are_all_but_the_critics() -> None:
     assert made.actor_parameters()[-1] is made.log_std
 
 
-def test_pictures_have_no_slots_to_attend_to() -> None:
-    with pytest.raises(ValueError, match="kind='attention' needs observe='belief' or 'truth'"):
-        TrainSettings(kind="attention", observe="percepts", mirror=False)
-
-
-def test_slots_are_the_default_and_the_command_names_the_other_kind() -> None:
+def test_slots_are_the_default_the_command_names_the_other_kind_and_pictures_have_no_slots() -> None:
     assert TrainSettings().kind == "slots" and "--kind" not in command_of(TrainSettings())
     assert "--kind attention" in command_of(TrainSettings(kind="attention"))
+    with pytest.raises(ValueError, match="kind='attention' needs observe='belief' or 'truth'"):
+        TrainSettings(kind="attention", observe="percepts", mirror=False)

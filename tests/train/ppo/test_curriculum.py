@@ -1,13 +1,18 @@
-"""Whom a learner meets: even opponents the most often, past selves in turn, with ratings that order the strong."""
+"""Whom a learner meets: even opponents most often, past selves in turn, rated; how matches are shared among blocks."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from soccer_env.agents.perceptron import pack
 from soccer_env.leagues import find_league
+from soccer_env.match.match import BLOCK
 from soccer_env.train.ppo.curriculum import FLOOR, LEARNER, Curriculum
+from soccer_env.train.ppo.match_blocks import parts, shares
 from soccer_env.train.ppo.networks import blank_policy
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.vec_env import Result
@@ -22,24 +27,17 @@ def curriculum(past: int = 0, names: tuple[str, ...] = NAMES) -> Curriculum:
 
 
 def results(opponent: str, points: list[float]) -> list[Result]:
-    """Return episodes with that outcome: 1 won, 0.5 drawn, 0 lost."""
     return [Result((1, 1), opponent, int(share == 1.0), int(share == 0.0)) for share in points]
 
 
 def policy_with(number: float) -> Any:
-    from dataclasses import replace
-
-    biases = tuple(np.full_like(bias, number) for bias in BLANK.biases)
-    return replace(BLANK, biases=biases)
-
-
-def test_all_are_met_alike_at_first() -> None:
-    assert curriculum().lineup.weights == pytest.approx([1 / 3] * 3)
+    return replace(BLANK, biases=tuple(np.full_like(bias, number) for bias in BLANK.biases))
 
 
 def test_an_opponent_is_met_the_oftener_the_more_even_it_is() -> None:
-    """Always beaten: p = 1, the floor alone is left. Even: p (1 - p) is largest."""
+    """Always beaten: p = 1, the floor alone is left. Even: p (1 - p) is largest. At first all are met alike."""
     made = curriculum()
+    assert made.lineup.weights == pytest.approx([1 / 3] * 3)
     made.take(results("still", [1.0] * 500) + results("random", [1.0, 1.0, 0.0, 1.0] * 100))
     still, random, chaser = made.lineup.weights
     p = made.standings["random"].points
@@ -58,13 +56,16 @@ def test_points_are_those_of_late() -> None:
     assert made.standings["still"].episodes == 260 == made.standings[LEARNER].episodes
 
 
-def test_a_past_self_that_does_not_exist_yet_is_never_met() -> None:
+def test_a_past_self_that_does_not_exist_yet_is_never_met_and_without_any_none_is_kept() -> None:
     made = curriculum(past=2)
     assert made.lineup.weights[3:].tolist() == [0.0, 0.0]
     assert {made.lineup.choose(seed, 0) for seed in range(300)} == {0, 1, 2}
     made.add_past(BLANK, 48)
     assert made.lineup.weights[3] > 0.0 and made.lineup.weights[4] == 0.0
     assert {made.lineup.choose(seed, 0) for seed in range(300)} == {0, 1, 2, 3}
+    alone = curriculum()
+    alone.add_past(BLANK, 48)
+    assert alone.names == list(NAMES)
 
 
 def test_past_selves_together_weigh_as_much_as_one_opponent() -> None:
@@ -87,18 +88,11 @@ def test_the_oldest_past_self_gives_way() -> None:
 
 def test_a_past_self_begins_as_strong_as_the_learner_and_even_with_it() -> None:
     made = curriculum(past=1)
-    made.take(results("chaser", [1.0] * 20))
-    made.take(results("past-0", [1.0] * 20))
+    made.take(results("chaser", [1.0] * 20) + results("past-0", [1.0] * 20))
     made.add_past(BLANK, 48)
     standing, learner = made.standings["past-0"], made.standings[LEARNER]
     assert (standing.mu, standing.sigma) == (learner.mu, learner.sigma)
     assert (standing.points, standing.episodes) == (0.5, 0)
-
-
-def test_without_past_selves_none_is_kept() -> None:
-    made = curriculum()
-    made.add_past(BLANK, 48)
-    assert made.names == list(NAMES)
 
 
 def test_ratings_order_the_strong_above_the_weak() -> None:
@@ -137,3 +131,38 @@ def test_standings_survive_a_checkpoint() -> None:
     assert other.lineup.weights.tobytes() == again.lineup.weights.tobytes()
     for own, theirs in zip(other.lineup.teams, again.lineup.teams):
         assert own.settings.tobytes() == theirs.settings.tobytes()
+
+
+IDEAL = {"senses": "ideal"}
+
+
+def test_every_size_has_as_many_matches_in_blocks_of_up_to_64() -> None:
+    assert BLOCK == 64
+    assert shares([(3, 3)], 64, 0.0) == [((3, 3), 64, {})]
+    assert shares([(3, 3)], 129, 0.0) == [((3, 3), 43, {})] * 3
+    assert shares([(1, 1), (3, 3)], 9, 0.0) == [((1, 1), 4, {}), ((3, 3), 5, {})]
+    assert shares([(1, 1), (2, 2)], 200, 0.25) == [
+        ((1, 1), 37, {}), ((1, 1), 38, {}), ((1, 1), 25, IDEAL), ((2, 2), 37, {}), ((2, 2), 38, {}), ((2, 2), 25, IDEAL)
+    ]  # fmt: skip
+
+
+@given(sizes=st.integers(1, 4), matches=st.integers(0, 2000), share=st.sampled_from([0.0, 0.1, 0.25, 0.5, 0.99, 1.0]))
+def test_matches_add_up_and_no_block_is_empty_or_too_large(sizes: int, matches: int, share: float) -> None:
+    players = [(size, size) for size in range(1, sizes + 1)]
+    try:
+        blocks = shares(players, matches, share)
+    except ValueError as error:
+        assert "at least one for each" in str(error)
+        return
+    assert sum(count for _, count, _ in blocks) == matches
+    assert all(1 <= count <= BLOCK for _, count, _ in blocks)
+    for player in players:
+        ideal = sum(count for size, count, told in blocks if size == player and told == IDEAL)
+        whole = sum(count for size, count, _ in blocks if size == player)
+        assert abs(ideal - share * whole) <= 0.5 and abs(whole - matches / sizes) < 1.0
+
+
+@given(whole=st.integers(0, 10_000), count=st.integers(1, 50))
+def test_parts_are_nearly_equal(whole: int, count: int) -> None:
+    found = parts(whole, count)
+    assert len(found) == count and sum(found) == whole and max(found) - min(found) <= 1

@@ -21,14 +21,14 @@ from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.teaching.imitation import NO_KICK, fit, forget_own_commands, hold, holding, record
 from tests.train.ppo.staged_training import tiny
 
+Rows = tuple[np.ndarray, np.ndarray]  # observations, actions
 SETTINGS: dict[str, Any] = {"observe": "belief", "senses": "sensors", "matches": 4, "seed": 2}
 ENTRIES = layout(find_league("legged-2001"), "belief")
 NAMES = [entry.name for entry in ENTRIES]
 
 
 @pytest.fixture(scope="module")
-def recorded() -> tuple[np.ndarray, np.ndarray]:
-    """Return 40 decisions of 2 chasers in 4 matches."""
+def recorded() -> Rows:
     return record("chaser", "still", (2, 1), 40, 8, **SETTINGS)
 
 
@@ -46,20 +46,18 @@ def commands(repeat: int, decisions: int) -> np.ndarray:
 
 
 def network(mirror: bool = False, seed: int = 1) -> SoccerPolicy:
-    """Return an actor of 16 units for what was recorded."""
     torch.manual_seed(seed)
     seen, done = spaces.Box(-1.0, 1.0, (len(NAMES),), np.float32), spaces.Box(-1.0, 1.0, (4,), np.float32)
     return SoccerPolicy(seen, done, lambda _: 1e-3, entries=ENTRIES, hidden=(16,), critic=(16,), mirror=mirror)
 
 
-# Recording
-
-
-def test_a_row_is_kept_of_each_robot_at_each_decision(recorded: tuple[np.ndarray, np.ndarray]) -> None:
+def test_a_row_is_kept_of_each_robot_at_each_decision_the_same_each_time(recorded: Rows) -> None:
     observations, actions = recorded
     assert observations.shape == (40 * 4 * 2, len(NAMES)) and actions.shape == (40 * 4 * 2, 4)
     assert observations.dtype == actions.dtype == np.float32
     assert np.abs(observations).max() <= 1.0 and np.abs(actions).max() <= 1.0
+    again = record("chaser", "still", (2, 1), 40, 8, **SETTINGS)
+    assert all((one == other).all() for one, other in zip(recorded, again, strict=True))
 
 
 @pytest.mark.parametrize("repeat", [1, 8])
@@ -81,7 +79,7 @@ def test_a_kick_between_two_decisions_is_not_lost() -> None:
     assert ((kicks == np.float32(NO_KICK)) | (kicks > 0.0)).all()
 
 
-def test_what_does_not_lie_in_a_command_is_the_learners_observation(recorded: tuple[np.ndarray, np.ndarray]) -> None:
+def test_what_does_not_lie_in_a_command_is_the_learners_observation(recorded: Rows) -> None:
     match = Match(home=2, away=1, controllers={"home": "chaser", "away": "still"}, **SETTINGS)
     for _ in range(first_decision(match.league.delay_steps, 8)):
         match.step()
@@ -90,12 +88,7 @@ def test_what_does_not_lie_in_a_command_is_the_learners_observation(recorded: tu
     np.testing.assert_array_equal(first[..., columns], match.observations[:, :2][..., columns])
 
 
-def test_recording_twice_gives_the_same(recorded: tuple[np.ndarray, np.ndarray]) -> None:
-    again = record("chaser", "still", (2, 1), 40, 8, **SETTINGS)
-    assert all((one == other).all() for one, other in zip(recorded, again, strict=True))
-
-
-def test_what_tells_the_next_command_is_shuffled_over_the_rows(recorded: tuple[np.ndarray, np.ndarray]) -> None:
+def test_what_tells_the_next_command_is_shuffled_over_the_rows(recorded: Rows) -> None:
     before = recorded[0]
     after = before.copy()
     forget_own_commands(after, ENTRIES, 1)
@@ -106,17 +99,14 @@ def test_what_tells_the_next_command_is_shuffled_over_the_rows(recorded: tuple[n
         assert np.array_equal(np.sort(after[:, column]), np.sort(before[:, column]))
 
 
-# Fitting
-
-
-def fitted(recorded: tuple[np.ndarray, np.ndarray], seed: int = 1, **settings: Any) -> tuple[list[float], SoccerPolicy]:
+def fitted(recorded: Rows, seed: int = 1, **settings: Any) -> tuple[list[float], SoccerPolicy]:
     """Return the errors of 20 epochs and the network."""
     made = network(**settings)
     return fit(made, *recorded, 20, seed, batch=64), made
 
 
 @pytest.mark.parametrize("mirror", [False, True])
-def test_fitting_lowers_the_error(recorded: tuple[np.ndarray, np.ndarray], mirror: bool) -> None:
+def test_fitting_lowers_the_error(recorded: Rows, mirror: bool) -> None:
     errors, made = fitted(recorded, mirror=mirror)
     assert len(errors) == 20 and errors[-1] < 0.7 * errors[0]
     with torch.no_grad():
@@ -124,13 +114,16 @@ def test_fitting_lowers_the_error(recorded: tuple[np.ndarray, np.ndarray], mirro
     assert (left**2).mean() == pytest.approx(errors[-1], rel=0.1), "the errors are those of the actor"
 
 
-def test_fitting_is_deterministic_and_its_seed_counts(recorded: tuple[np.ndarray, np.ndarray]) -> None:
+def test_fitting_is_deterministic_its_seed_counts_and_it_tells_how_far_it_is(recorded: Rows) -> None:
     (errors, one), (again, other), (third, _) = fitted(recorded), fitted(recorded), fitted(recorded, seed=2)
     assert errors == again != third
     assert all((a == b).all() for a, b in zip(one.actor_parameters(), other.actor_parameters(), strict=True))
+    shares: list[float] = []
+    fit(network(), *recorded, 4, 1, advance=shares.append)
+    assert shares == [0.25] * 4
 
 
-def test_fitting_leaves_the_critic_and_the_noise_alone(recorded: tuple[np.ndarray, np.ndarray]) -> None:
+def test_fitting_leaves_the_critic_and_the_noise_alone(recorded: Rows) -> None:
     before, (_, after) = network(), fitted(recorded)
     assert (before.log_std == after.log_std).all()
     for part in ("mlp_extractor.value_net", "value_net"):
@@ -138,18 +131,7 @@ def test_fitting_leaves_the_critic_and_the_noise_alone(recorded: tuple[np.ndarra
         assert all((one == other).all() for one, other in pairs)
 
 
-def test_fitting_tells_how_far_it_is(recorded: tuple[np.ndarray, np.ndarray]) -> None:
-    shares: list[float] = []
-    fit(network(), *recorded, 4, 1, advance=shares.append)
-    assert shares == [0.25] * 4
-
-
-# Holding the actor to the teacher meanwhile
-
-
-def test_an_actor_that_strays_is_brought_back_the_more_the_stronger_it_is_held(
-    recorded: tuple[np.ndarray, np.ndarray],
-) -> None:
+def test_an_actor_that_strays_is_brought_back_the_more_the_stronger_it_is_held(recorded: Rows) -> None:
     def error(strength: float) -> float:
         made = network()
         for rollout in range(30 if strength else 0):
@@ -167,7 +149,7 @@ def test_it_is_held_less_and_less_and_not_at_all_without_a_teacher() -> None:
     assert holding(replace(settings, teacher=""), 0) == holding(replace(settings, teacher_until=0.0), 0) == 0.0
 
 
-def test_holding_leaves_the_width_of_the_noise_and_the_critic_alone(recorded: tuple[np.ndarray, np.ndarray]) -> None:
+def test_holding_leaves_the_width_of_the_noise_and_the_critic_alone(recorded: Rows) -> None:
     made = network()
     before = made.log_std.clone(), [part.clone() for part in made.mlp_extractor.value_net.parameters()]
     hold(made, recorded, 1.0, 0)

@@ -1,4 +1,4 @@
-"""A run's folder belongs to one training at a time and to one set of settings; its logs say each thing once."""
+"""A run's folder belongs to one training at a time and to one set of settings; its logs, and those of others."""
 
 import csv
 import json
@@ -6,10 +6,14 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from soccer_env.train.ppo.checkpoints import LATEST, as_tensors, from_tensors
+from soccer_env.train.command.command_line import main
+from soccer_env.train.ppo.checkpoints import as_tensors, from_tensors
+from soccer_env.train.ppo.reporting import loggers
+from soccer_env.train.ppo.reporting.loggers import Logs
 from soccer_env.train.ppo.run_folder import TRAINING, RunFolder, flattened
 from soccer_env.train.ppo.settings import TrainSettings
 from tests.train.ppo.staged_training import records, tiny
@@ -18,7 +22,6 @@ ROOT = Path(__file__).parents[3]
 
 
 def opened(settings: TrainSettings) -> RunFolder:
-    """Return the folder of a run, unlocked again."""
     folder = RunFolder(settings)
     folder.close()
     return folder
@@ -62,21 +65,13 @@ def test_the_lock_ends_with_the_process(tmp_path: Path) -> None:
     opened(tiny(tmp_path))
 
 
-def test_other_settings_are_refused_and_all_are_named(tmp_path: Path) -> None:
+def test_what_decides_is_refused_and_named_and_all_else_may_change(tmp_path: Path) -> None:
     opened(tiny(tmp_path))
     with pytest.raises(ValueError, match="seed 3 there, 4 now; .*gamma 0.99 there, 0.9 now"):
         RunFolder(tiny(tmp_path, seed=4, gamma=0.9))
-    opened(tiny(tmp_path))
-
-
-@pytest.mark.parametrize(
-    "change", [{"steps": 900}, {"threads": 2}, {"torch_threads": 2}, {"device": "auto"}, {"log": "csv"}]
-)
-def test_what_does_not_decide_may_change(tmp_path: Path, change: dict) -> None:
-    opened(tiny(tmp_path))
-    opened(tiny(tmp_path, **change))
-    name, value = next(iter(change.items()))
-    assert json.loads((tmp_path / "settings.json").read_text())["about"][name] == value
+    for name, value in {"steps": 900, "threads": 2, "torch_threads": 2, "device": "auto", "log": "csv"}.items():
+        opened(tiny(tmp_path, **{name: value}))
+        assert json.loads((tmp_path / "settings.json").read_text())["about"][name] == value
 
 
 def test_anew_starts_again_and_leaves_what_is_not_of_the_run(tmp_path: Path) -> None:
@@ -90,38 +85,10 @@ def test_anew_starts_again_and_leaves_what_is_not_of_the_run(tmp_path: Path) -> 
     assert {path.name for path in tmp_path.iterdir()} == {".lock", "notes.txt", "settings.json"}
 
 
-def test_settings_of_something_else_are_never_removed(tmp_path: Path) -> None:
-    (tmp_path / "settings.json").write_text('{"conditions": {}, "made_with": {}, "about": {}}')
-    for anew in (False, True):
-        with pytest.raises(ValueError, match="settings.json is of something else than a training"):
-            RunFolder(tiny(tmp_path, anew=anew))
-    assert "conditions" in (tmp_path / "settings.json").read_text()
-
-
-def test_a_run_without_settings_is_refused(tmp_path: Path) -> None:
-    (tmp_path / LATEST).write_text("{}")
-    for anew in (False, True):
-        with pytest.raises(ValueError, match="holds latest.json, but no settings.json of a training"):
-            RunFolder(tiny(tmp_path, anew=anew))
-    assert (tmp_path / LATEST).read_text() == "{}"
-
-
-def test_damaged_settings_are_refused_and_anew_mends_them(tmp_path: Path) -> None:
+def test_anew_mends_damaged_settings_beside_a_log_and_removes_what_a_kill_left_half_written(tmp_path: Path) -> None:
     (tmp_path / "settings.json").write_text("{")
-    for anew in (False, True):
-        with pytest.raises(ValueError, match="settings.json cannot be read as JSON .*; give another folder, or --anew"):
-            RunFolder(tiny(tmp_path, anew=anew))
     (tmp_path / "log.jsonl").write_text("")  # without a run's log it may be anybody's
     opened(tiny(tmp_path, anew=True))
-
-
-def test_a_file_is_no_folder(tmp_path: Path) -> None:
-    (tmp_path / "run").write_text("")
-    with pytest.raises(ValueError, match="is a file; give a folder"):
-        RunFolder(tiny(tmp_path / "run"))
-
-
-def test_what_a_kill_left_half_written_is_removed(tmp_path: Path) -> None:
     for name in (".checkpoint-0.pt.123.tmp", ".latest.json.9.tmp", ".notes.tmp"):
         (tmp_path / name).write_text("half")
     opened(tiny(tmp_path))
@@ -145,10 +112,6 @@ def test_logs_are_cut_back_to_a_step(tmp_path: Path) -> None:
     assert folder.lines() == [] and not (tmp_path / "progress.csv").exists()
 
 
-def test_parts_of_a_record_get_columns_of_their_own() -> None:
-    assert flattened({"step": 1, "seconds": {"a": 2, "b": 3}}) == {"step": 1, "seconds_a": 2, "seconds_b": 3}
-
-
 def test_plain_values_survive_as_tensors() -> None:
     import numpy as np
 
@@ -156,3 +119,58 @@ def test_plain_values_survive_as_tensors() -> None:
     back = from_tensors(as_tensors(tree))
     assert back["a"] == tree["a"] and back["b"] == tree["b"] and back["e"] == b""
     assert back["c"]["d"].tolist() == [[0.0, 1.0, 2.0], [3.0, 4.0, 5.0]] and back["c"]["d"].dtype == np.float64
+
+
+RECORD: dict[str, Any] = {
+    "step": 128, "episodes": 3, "goals_for": 2, "goals_against": 1,
+    "points": {"chaser": 0.5}, "rating": {"chaser": 25.0},
+    "seconds": {"matches": 1.0},
+}  # fmt: skip
+ROW = {"opponent": "chaser", "goal_difference": 0.5, "low": 0.0, "high": 1.0, "points": 0.75}
+
+
+def written(out: Path, log: str, step: int = 0) -> Path:
+    settings = tiny(out, log=log)
+    with RunFolder(settings) as folder:
+        logs = Logs(settings, folder, step)
+        logs.logger.record("train/approx_kl", 0.01)
+        logs.write(RECORD)
+        logs.write_evaluation(256, [ROW])
+        logs.close()
+    return out
+
+
+def test_csv_holds_both_and_a_run_that_goes_on_adds_a_file(tmp_path: Path) -> None:
+    for step in (0, 256):
+        written(tmp_path, "csv", step)
+    assert {path.name for path in (tmp_path / "csv").iterdir()} == {"progress-0.csv", "progress-256.csv"}
+    first, second = csv.DictReader((tmp_path / "csv" / "progress-0.csv").read_text().splitlines())
+    assert first["train/approx_kl"] == "0.01" and first["rollout/goals_for"] == "2" and first["points/chaser"] == "0.5"
+    assert second["evaluation/goal_difference_chaser"] == "0.5"
+
+
+def test_tensorboard_holds_both(tmp_path: Path) -> None:
+    pytest.importorskip("tensorboard")
+    from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
+
+    found = EventAccumulator(str(written(tmp_path, "tensorboard") / "tensorboard"))
+    found.Reload()
+    told = {name: [(one.step, one.value) for one in found.Scalars(name)] for name in found.Tags()["scalars"]}
+    assert told["rollout/goals_for"] == [(128, 2.0)] and told["train/approx_kl"][0][0] == 128
+    assert told["evaluation/goal_difference_chaser"] == [(256, 0.5)]
+
+
+def test_nothing_is_written_that_nobody_asked_for(tmp_path: Path) -> None:
+    assert {path.name for path in written(tmp_path, "").iterdir()} <= {"settings.json", ".lock"}
+    assert flattened({"step": 1, "seconds": {"a": 2, "b": 3}}) == {"step": 1, "seconds_a": 2, "seconds_b": 3}
+
+
+@pytest.mark.parametrize("kind", ["tensorboard", "wandb"])
+def test_a_missing_package_is_one_line_and_no_folder(kind: str, tmp_path: Path, monkeypatch: Any, capsys: Any) -> None:
+    monkeypatch.setattr(loggers, "find_spec", lambda name: None)
+    assert main(["train", "--log", f"csv,{kind}", "--out", str(tmp_path / "a")]) == 2
+    said = capsys.readouterr().err
+    assert said == f'soccer: --log {kind} needs another package: pip install "soccer_env[{kind}]"\n'
+    assert not (tmp_path / "a").exists()
+    assert main(["train", "--log", "tensorbord"]) == 2
+    assert "unknown log 'tensorbord', did you mean 'tensorboard'?" in capsys.readouterr().err

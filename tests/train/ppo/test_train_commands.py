@@ -1,16 +1,21 @@
-"""Where a training's settings come from: a file, and flags that overrule it; what is wrong is named in one line."""
+"""Where a training's settings come from: a file, flags that overrule it, modules of one's own; errors in one line."""
 
+import importlib
 import subprocess
 import sys
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from soccer_env.agents.policy_file import load
+from soccer_env.compiling import sources as stamps
 from soccer_env.train.command.command_line import main
 from soccer_env.train.command.parsing import read_settings
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.toml_file import settings_of
+from tests.train.ppo.staged_training import ROLLOUT, plainly, tiny
 
 ROOT = Path(__file__).parents[3]
 
@@ -22,13 +27,14 @@ def test_a_file_gives_settings_and_flags_overrule_it(tmp_path: Path) -> None:
     assert found == TrainSettings(steps=77, minutes=1, mirror=False, hidden="8", out=Path("there"))
     again = read_settings(TrainSettings, ["--steps", "88", "--mirror"], "train", found)
     assert again == replace(found, steps=88, mirror=True)
+    path.write_text('hidden = [32, 16]\nplayers = ["1v1", "2v2"]\n')  # lists are texts with commas
+    assert (settings_of(path).hidden_sizes, settings_of(path).sizes) == ((32, 16), ((1, 1), (2, 2)))
 
 
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        ("", None),
-        ("step = 3\n", "unknown setting 'step', did you mean 'steps'\\? known: league, players, opponents, steps"),
+        ("step = 3\n", "unknown setting 'step', did you mean 'steps'\\? known: league, rules, name, out"),
         ("[training]\nsteps = 3\n", "unknown setting 'training'"),
         ('steps = "many"\n', "steps must be a whole number of at least 0, got 'many'"),
         ("steps = 3.0\n", "steps must be a whole number of at least 0, got 3.0"),
@@ -48,12 +54,11 @@ def test_a_file_gives_settings_and_flags_overrule_it(tmp_path: Path) -> None:
         (".".join("a" * 8000) + " = 1", "unknown setting 'a'"),
     ],
 )
-def test_a_wrong_file_is_named(tmp_path: Path, content: str, message: str | None) -> None:
+def test_a_wrong_file_is_named(tmp_path: Path, content: str, message: str) -> None:
     path = tmp_path / "mine.toml"
+    path.touch()
+    assert settings_of(path) == TrainSettings()
     path.write_bytes(content.encode(errors="surrogateescape"))
-    if message is None:
-        assert settings_of(path) == TrainSettings()
-        return
     with pytest.raises(ValueError, match=f"mine.toml: {message}|mine.toml {message}"):
         settings_of(path)
 
@@ -107,8 +112,91 @@ def test_a_missing_package_is_said_with_what_installs_it(tmp_path: Path) -> None
         assert 'pip install "soccer_env[train]"' in line and missing in line
 
 
-def test_lists_of_a_file_are_texts_with_commas(tmp_path: Path) -> None:
-    file = tmp_path / "run.toml"
-    file.write_text('hidden = [32, 16]\nplayers = ["1v1", "2v2"]\n')
-    settings = settings_of(file)
-    assert settings.hidden_sizes == (32, 16) and settings.sizes == ((1, 1), (2, 2))
+def test_rows_say_what_installs_stable_baselines(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in [name for name in sys.modules if name.partition(".")[0] == "stable_baselines3"]:
+        monkeypatch.setitem(sys.modules, name, None)  # as if it were not there
+    monkeypatch.setitem(sys.modules, "stable_baselines3", None)
+    monkeypatch.delitem(sys.modules, "soccer_env.train.ppo.vec_env", raising=False)
+    with pytest.raises(ImportError, match=r'needs stable-baselines3: pip install "soccer_env\[train\]"'):
+        importlib.import_module("soccer_env.train.ppo.vec_env")
+
+
+pytest.importorskip("stable_baselines3")
+
+MINE = """
+from dataclasses import replace
+import numpy as np
+from soccer_env import OwnTerm, Rewards, Scene, team_of_function
+from soccer_env.leagues import find_league
+
+legged = find_league("legged-2001")
+ICY = replace(legged, name="icy", ball=replace(legged.ball, rolling=0.05))
+asked = []
+
+
+def touched(match):
+    asked.append("reward")
+    return match.robot_events["touch"].astype(float)
+
+
+def beside(league, ball, robots, draw):
+    asked.append("scene")
+    ball["x"] = 0.5
+
+
+def ahead(observations):
+    asked.append("team")
+    actions = np.zeros((*observations.shape[:2], 4))
+    actions[..., 0] = 1.0
+    return actions
+
+
+PAID = Rewards.only(goal=3.0, extra={"touch": touched})
+BESIDE = Scene("beside", "the ball ahead", place=beside, in_play=True)
+team = team_of_function(ahead, action_repeat=4, fingerprint="1")
+"""
+OWN = {
+    "league": "own_parts:ICY", "rewards": "own_parts:PAID", "scenes": "kick-off:0.5,own_parts:BESIDE:0.5",
+    "opponents": "still,own_parts:team", "evaluate_against": "own_parts:team", "teacher": "own_parts:team",
+}  # fmt: skip
+
+
+@pytest.fixture
+def mine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    (tmp_path / "own_parts.py").write_text(MINE)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    yield tmp_path
+    sys.modules.pop("own_parts", None)
+
+
+def test_all_parts_of_ones_own_are_trained_with(mine: Path) -> None:
+    result = plainly(tiny(mine / "run", **OWN, steps=2 * ROLLOUT))
+    asked = sys.modules["own_parts"].asked
+    assert {"reward", "scene", "team"} == set(asked)
+    assert result.steps >= 2 * ROLLOUT
+    assert load(mine / "run" / "last.safetensors").league == "icy"
+    assert result.evaluations[-1]["rows"][0]["opponent"] == "own_parts:team"
+    (mine / "own_parts.py").write_text(MINE.replace("rolling=0.05", "rolling=0.0625"))
+    for kept in (stamps.sources, stamps._read):  # once per process, and this is to be the next
+        kept.cache_clear()
+    with pytest.raises(ValueError, match="own_parts"):
+        plainly(tiny(mine / "run", **OWN, steps=3 * ROLLOUT))
+
+
+@pytest.mark.usefixtures("mine")
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"league": "own_parts:ICE"}, "unknown league 'ICE' in module 'own_parts', did you mean 'ICY'?"),
+        ({"rewards": "own_parts:ICY"}, "rewards 'own_parts:ICY' must be a Rewards, got <League icy"),
+        ({"scenes": "own_parts:BESIDES:0.5"}, "unknown scene 'BESIDES' in module 'own_parts', did you mean 'BESIDE'?"),
+        ({"opponents": "own_parts:tem"}, "opponents: unknown team 'tem' in module 'own_parts', did you mean 'team'?"),
+        ({"teacher": "own_parts:team", "rounds": 1}, "teacher: rounds=0 is needed for 'own_parts:team': a team in "),
+    ],
+)
+def test_what_is_not_there_is_named_before_a_folder_is_made(changes: dict[str, str], message: str) -> None:
+    with pytest.raises(ValueError) as error:
+        plainly(tiny(Path("run"), **changes))
+    assert message in str(error.value)
+    assert not Path("run").exists()

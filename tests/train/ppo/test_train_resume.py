@@ -2,6 +2,7 @@
 
 import hashlib
 import io
+import itertools
 import json
 import os
 import pickle
@@ -90,14 +91,10 @@ FEW = CUTS[:4]
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("cuts", "evaluated"), [(FEW, [0, 432, 576]), pytest.param(CUTS, [0, 432, 816, 1152], marks=pytest.mark.whole)]
-)
+@pytest.mark.parametrize("cuts", [FEW, pytest.param(CUTS, marks=pytest.mark.whole)])
 @pytest.mark.skipif(os.name != "posix", reason="needs SIGKILL")
-def test_a_run_cut_again_and_again_ends_as_one_that_was_not(
-    tmp_path: Path, cuts: list[str], evaluated: list[int]
-) -> None:
-    rollouts = 3 * len(cuts)
+def test_a_run_cut_again_and_again_ends_as_one_that_was_not(tmp_path: Path, cuts: list[str]) -> None:
+    rollouts, evaluated = 3 * len(cuts), [0, 432, 576] if cuts == FEW else [0, 432, 816, 1152]
     words = [sys.executable, "-c", CUTTING, str(tmp_path), ",".join(cuts)]
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=300, check=False)
     said = done.stdout + done.stderr
@@ -125,27 +122,32 @@ def assert_whole_logs(folder: Path, rollouts: int = 7, evaluations: Sequence[int
 
 
 @pytest.fixture
-def run(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the folder of a finished run, which is not to be changed."""
+    return whole_run(tmp_path_factory)
+
+
+@pytest.fixture
+def run(tmp_path: Path, whole: Path) -> Path:
     """Return a copy of the folder of a finished run."""
-    return copy_of(whole_run(tmp_path_factory), tmp_path)
+    return copy_of(whole, tmp_path)
 
 
 def newest(folder: Path) -> Path:
     return folder / json.loads((folder / LATEST).read_text())["file"]
 
 
-def flip(folder: Path) -> Path:
-    path = newest(folder)
-    content = bytearray(path.read_bytes())
-    content[len(content) // 2] ^= 4
-    path.write_bytes(content)
-    return path
+def with_bytes(change: Callable[[bytes], bytes]) -> Callable[[Path], Path]:
+    def damage(folder: Path) -> Path:
+        newest(folder).write_bytes(change(newest(folder).read_bytes()))
+        return newest(folder)
+
+    return damage
 
 
-def truncate(folder: Path) -> Path:
-    path = newest(folder)
-    path.write_bytes(path.read_bytes()[:-1])
-    return path
+def flipped(content: bytes) -> bytes:
+    middle = len(content) // 2
+    return content[:middle] + bytes([content[middle] ^ 4]) + content[middle + 1 :]
 
 
 def remove(folder: Path) -> Path:
@@ -182,12 +184,10 @@ def torch_bytes(value: Any) -> bytes:
 @pytest.mark.parametrize(
     "damage",
     [
-        flip,
-        truncate,
+        with_bytes(flipped),
+        with_bytes(lambda content: content[:-1]),
         remove,
-        overwritten(LATEST, ""),
-        overwritten(LATEST, "[]"),
-        overwritten(LATEST, "[" * 100_000),
+        *(overwritten(LATEST, content) for content in ("", "[]", "[" * 100_000)),
         overwritten(LATEST, '{"file": "../whole/checkpoint-0.pt", "sha256": ""}'),
         overwritten(LATEST, '{"file": ["checkpoint-0.pt"], "sha256": ""}'),
         overwritten("settings.json", '{"league": '),
@@ -195,9 +195,7 @@ def torch_bytes(value: Any) -> bytes:
         overwritten("log.jsonl", '{"step": 48}\n{"step": \n{"step": 96}\n'),
         overwritten("log.jsonl", '{"stop": 48}\n'),
         overwritten("evaluations.jsonl", '{"step": "many"}\n'),
-        signed(b""),
-        signed(b"PK" * 100),
-        signed(torch_bytes([1, 2])),
+        *map(signed, (b"", b"PK" * 100, torch_bytes([1, 2]))),
     ],
 )
 def test_a_damaged_run_is_refused_by_file_and_nothing_is_lost(run: Path, damage: Callable[[Path], Path]) -> None:
@@ -258,15 +256,12 @@ def test_a_torn_last_line_of_a_log_is_dropped(run: Path) -> None:
 
 
 @pytest.mark.parametrize("write", [2, 15, 23])
-def test_a_full_disk_leaves_the_last_good_checkpoint(
-    tmp_path: Path, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch, write: int
-) -> None:
+def test_a_full_disk_leaves_the_last_good_checkpoint(tmp_path: Path, whole: Path, monkeypatch: Any, write: int) -> None:
     """The disk fills up at that many writes; with room again the run ends as if nothing had been."""
-    left, sync = [write], os.fsync
+    writes, sync = itertools.count(1), os.fsync
 
     def full(handle: int) -> None:
-        left[0] -= 1
-        if left[0] < 0:
+        if next(writes) > write:
             raise OSError(28, "No space left on device")
         sync(handle)
 
@@ -277,5 +272,5 @@ def test_a_full_disk_leaves_the_last_good_checkpoint(
     state = read_checkpoint(tmp_path / "run")
     assert (state is None) == (write == 2)
     plainly(tiny(tmp_path / "run"))
-    assert outcome(tmp_path / "run") == outcome(whole_run(tmp_path_factory))
+    assert outcome(tmp_path / "run") == outcome(whole)
     assert_whole_logs(tmp_path / "run")

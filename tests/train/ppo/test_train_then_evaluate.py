@@ -10,15 +10,17 @@ from soccer_env.train.command.command_line import main
 
 pytest.importorskip("stable_baselines3")
 
+
 import stable_baselines3 as sb3
 
+from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
+from tests.train.ppo.staged_training import plainly, tiny
 
 AGAINST = ["--away", "still", "--players", "1", "--matches", "2", "--minutes", "0.05", "--seed", "1"]
 
 
 def saved(folder: Path, **settings: Any) -> str:
-    """Return the path of a zip that PPO saved after a moment in a SoccerVecEnv."""
     rows = SoccerVecEnv(players=[(1, 1)], matches=2, opponents="still", minutes=0.1, **settings)
     model = sb3.PPO("MlpPolicy", rows, n_steps=8, batch_size=8, n_epochs=1, seed=1, device="cpu").learn(16)
     model.save(folder / "mine.zip")
@@ -26,13 +28,10 @@ def saved(folder: Path, **settings: Any) -> str:
 
 
 def evaluated(home: str, *words: str) -> int:
-    """Return the exit code of `soccer evaluate`."""
     return main(["evaluate", "--home", home, *AGAINST, *words])
 
 
-def test_what_soccer_train_writes_is_evaluated_with_either_flag_that_the_error_names(
-    tmp_path: Path, capsys: Any
-) -> None:
+def test_what_was_trained_is_evaluated_with_either_flag_that_the_error_names(tmp_path: Path, capsys: Any) -> None:
     short = "--players 1v1 --steps 64 --matches 2 --minutes 0.05 --teacher-steps 0 --rollout 16 --batch 32"
     judged = "--evaluate-every 1000000 --evaluate-matches 2 --evaluate-minutes 0.05 --evaluate-against still"
     words = ["train", *short.split(), *judged.split(), "--teacher", "", "--no-mirror"]
@@ -71,9 +70,40 @@ def test_rows_of_beliefs_are_evaluated_as_the_error_says(tmp_path: Path, capsys:
     said = re.sub(r"\s+", " ", capsys.readouterr().err)
     assert "takes 93 inputs, 'truth' of 'legged-2001' has 73: give observe=belief" in said
     assert evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False") == 0
-
-
-def test_a_policy_that_learned_with_the_critics_state_is_told_so(tmp_path: Path, capsys: Any) -> None:
-    path = saved(tmp_path, state=True)
-    assert evaluated(path) == 2
+    assert evaluated(saved(tmp_path, state=True)) == 2
     assert "with state=True?" in re.sub(r"\s+", " ", capsys.readouterr().err)
+
+
+def test_a_policy_that_was_trained_for_a_moment_is_evaluated_against_the_team_of_2006(tmp_path: Path) -> None:
+    settings = tiny(
+        tmp_path / "run", league="middle-size-2006", players="1v1", steps=64, minutes=0.16, evaluate_minutes=0.16,
+        evaluate_every=64, opponents="chaser@0.5",
+    )  # fmt: skip
+    plainly(settings)
+    result = evaluate(
+        EvaluateSettings(
+            league="middle-size-2006",
+            home=str(tmp_path / "run" / "last.safetensors"),
+            away="heinemann-2006",
+            matches=2,
+            minutes=0.1,
+            players=2,
+            seed=1,
+            pose="percept",  # as it was trained
+        )  # fmt: skip
+    )
+    assert len(result.lines) == 2 and {line.goals_for >= 0 for line in result.lines} == {True}
+    assert result.conditions.away == "heinemann-2006" and result.conditions.league == "middle-size-2006"
+
+
+def test_a_policy_that_was_trained_for_ten_minutes_is_evaluated_against_the_team_of_2006() -> None:
+    """The file is `best.safetensors` of `soccer train --league middle-size-2006 --players 3v3 --seed 1`."""
+    policy = Path(__file__).with_name("ten-minutes-middle-size-2006.safetensors")
+    result = evaluate(
+        EvaluateSettings(
+            league="middle-size-2006", home=str(policy), away="heinemann-2006", matches=4, minutes=1.0, players=3,
+            seed=3, pose="particles",
+        )
+    )  # fmt: skip
+    assert len(result.lines) == 4
+    assert result.goals_against >= result.goals_for, "in four minutes it loses by half a goal"

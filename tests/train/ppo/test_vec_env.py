@@ -19,8 +19,6 @@ import stable_baselines3 as sb3
 
 from soccer_env.train.ppo.vec_env import Result
 
-# What stable-baselines3 may count on
-
 
 @pytest.mark.parametrize("state", [False, True])
 @pytest.mark.parametrize("actions", ["box", "full"])
@@ -67,8 +65,8 @@ def test_ppo_learns_on_it() -> None:
 @pytest.mark.parametrize("repeat", [1, 8])
 def test_what_was_returned_is_not_overwritten_by_the_next_step(repeat: int) -> None:
     env = rows(action_repeat=repeat, minutes=0.05)
-    kept, copies = [env.reset()], []
-    copies.append(kept[0].copy())
+    kept = [env.reset()]
+    copies = [kept[0].copy()]
     for seen, rewards, dones, infos in play(env, 50):
         last = [info["terminal_observation"] for info in infos if info]
         kept += [seen, rewards, dones, *last]
@@ -80,16 +78,11 @@ def test_what_was_returned_is_not_overwritten_by_the_next_step(repeat: int) -> N
 def test_actions_are_clipped_and_nonsense_is_refused() -> None:
     wild, tame = rows(), rows()
     wild.reset(), tame.reset()
-    assert same([wild.step(np.full((8, 4), 1e30))], [tame.step(np.ones((8, 4)))])
+    assert same([wild.step(np.full((8, 4), 1e30))], [tame.step(np.ones((8, 4), np.int64))])
     with pytest.raises(ValueError, match="not finite"):
         wild.step(np.full((8, 4), np.nan))
     with pytest.raises(ValueError, match="actions must be numbers of shape"):
         wild.step(np.ones((7, 4)))
-
-
-def test_each_team_size_needs_a_match() -> None:
-    with pytest.raises(ValueError, match="matches must be at least one for each of 2 team sizes, got 1"):
-        rows(players=MIXED, matches=1)
 
 
 def test_a_share_of_the_matches_of_each_size_has_ideal_senses() -> None:
@@ -106,14 +99,13 @@ def test_a_share_of_the_matches_of_each_size_has_ideal_senses() -> None:
 
 
 @pytest.mark.parametrize(("share", "matches"), [(0.1, 4), (0.9, 4), (0.5, 1)])
-def test_either_senses_need_a_match(share: float, matches: int) -> None:
+def test_either_senses_and_each_team_size_need_a_match(share: float, matches: int) -> None:
     with pytest.raises(ValueError, match="at least one for each of 1 team sizes, by either senses"):
         rows(observe="belief", senses="sensors", ideal_share=share, matches=matches)
     with pytest.raises(ValueError, match="ideal_share must be a number from 0 to 1, got 1.5"):
         rows(observe="belief", ideal_share=1.5)
-
-
-# The matches under it
+    with pytest.raises(ValueError, match="matches must be at least one for each of 2 team sizes, got 1"):
+        rows(players=MIXED, matches=1)
 
 
 def by_hand(match: Match, actions: np.ndarray, repeat: int) -> tuple[np.ndarray, np.ndarray, dict[int, np.ndarray]]:
@@ -205,25 +197,18 @@ def test_threads_change_nothing(players: tuple[tuple[int, int], ...], matches: i
     two.close()
 
 
-# Ends
-
-
-def test_an_end_by_max_cycles_is_a_time_limit_for_all_rows_of_the_match() -> None:
-    env = rows(max_cycles=12)
+@pytest.mark.parametrize(
+    ("settings", "steps", "limit"), [({"max_cycles": 12}, 12, True), ({"minutes": 0.05}, 48, False)]
+)
+def test_an_end_by_max_cycles_is_a_time_limit_for_all_rows_and_the_final_whistle_is_none(
+    settings: dict[str, Any], steps: int, limit: bool
+) -> None:
+    env = rows(**settings)
     env.reset()
-    history = play(env, 12)
+    history = play(env, steps)
     assert not any(dones.any() for _, _, dones, _ in history[:-1])
     _, _, dones, infos = history[-1]
-    assert dones.all() and all(info["TimeLimit.truncated"] is True for info in infos)
-
-
-def test_the_final_whistle_is_no_time_limit() -> None:
-    env = rows(minutes=0.05)
-    env.reset()
-    history = play(env, 48)
-    assert not any(dones.any() for _, _, dones, _ in history[:-1])
-    _, _, dones, infos = history[-1]
-    assert dones.all() and all(info["TimeLimit.truncated"] is False for info in infos)
+    assert dones.all() and all(info["TimeLimit.truncated"] is limit for info in infos)
 
 
 @pytest.mark.parametrize("repeat", [1, 8])
@@ -238,20 +223,16 @@ def test_a_goal_that_ends_the_episode_is_no_time_limit_and_ends_its_match_alone(
     assert np.flatnonzero(dones).tolist() == [4, 5]
     assert infos[4]["TimeLimit.truncated"] is False and infos[5]["TimeLimit.truncated"] is False
     assert (rewards == np.array([0, 0, 0, 0, 1, 1, 0, 0])).all()
-    assert env.results == [Result((2, 2), "chaser", 1, 0)] and env.results[0].points == 1.0
+    assert env.results == [Result((2, 2), "chaser", 1, 0)]
+    assert [Result((1, 1), "x", *score).points for score in ((2, 1), (1, 1), (0, 3))] == [1.0, 0.5, 0.0]
 
 
 def shoot(match: Match, m: int) -> None:
-    """Let the ball of match m roll into the goal that home attacks."""
     half = match.league.pitch.length / 2.0
     match.balls["x"][m], match.balls["y"][m], match.balls["vx"][m] = half - 0.2, 0.0, 2.0
     for r in range(len(match.agents)):
         match.robots["x"][m, r], match.robots["y"][m, r] = -half + 0.3, 0.4 * r - 0.6
     match.rebuild()
-
-
-def test_points_count_a_draw_half() -> None:
-    assert [Result((1, 1), "x", *score).points for score in ((2, 1), (1, 1), (0, 3))] == [1.0, 0.5, 0.0]
 
 
 def test_returns_of_episodes_sum_their_rewards() -> None:

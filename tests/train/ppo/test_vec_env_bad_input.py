@@ -1,11 +1,19 @@
-"""A VecEnv refuses the actions that a Match refuses, and moves nothing when it refuses or when a user's code raises."""
+"""A VecEnv refuses what a Match refuses, then moves nothing, calls Python of its user in one thread, and is copied."""
 
+import copy
+import pickle
+import time
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from soccer_env import Rewards
+from soccer_env import Rewards, make_team
+from soccer_env.match.squads import Lineup
+from soccer_env.scenes import SCENES, mixture
+from soccer_env.train.ppo.vec_env import SoccerVecEnv
 from tests.train.evaluate.staged_rows import MIXED, draw, play, rows, same
 
 pytest.importorskip("stable_baselines3")
@@ -18,7 +26,6 @@ def hashes(env: Any) -> list[str]:
 
 
 def with_one(value: float, row: int = 0) -> np.ndarray:
-    """Return actions of which one number is something else."""
     actions = np.zeros((COUNT, 4))
     actions[row, 2] = value
     return actions
@@ -47,12 +54,6 @@ def test_wrong_actions_are_refused_before_any_match_moves(actions: Any, complain
         env.step(actions)
     assert hashes(env) == before
     assert same(play(env, 3), play(other, 3))
-
-
-def test_numbers_beyond_the_box_are_clipped_as_by_a_match() -> None:
-    env, other = rows(), rows()
-    env.reset(), other.reset()
-    assert same([env.step(np.full((8, 4), 5.0))], [other.step(np.ones((8, 4), np.int64))])
 
 
 def test_a_step_without_actions_is_refused() -> None:
@@ -87,3 +88,117 @@ def test_an_error_in_code_of_a_user_moves_no_block() -> None:
     assert hashes(env) == before
     env.step(actions)
     assert hashes(env) != before
+
+
+def pickled(one: Any) -> Any:
+    return pickle.loads(pickle.dumps(one))
+
+
+def clouded(one: Any) -> Any:
+    return pickle.loads(pytest.importorskip("cloudpickle").dumps(one))
+
+
+LINEUP = Lineup((make_team("chaser"), make_team("still")), np.array([0.7, 0.3]), ("chaser", "still"))
+
+
+@pytest.mark.parametrize("way", [pickled, clouded, copy.deepcopy])
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"players": [(1, 1), (2, 3)], "matches": 4, "opponents": LINEUP, "max_cycles": 11, "action_repeat": 4},
+        {"league": "middle-size-2006", "players": [(2, 2)], "matches": 3, "state": True, "stagger": True},
+        {"players": [(2, 2)], "matches": 2, "actions": "full", "observe": "belief", "ideal_share": 0.5, "minutes": 0.1},
+    ],
+)
+def test_an_env_and_its_copy_have_one_future(way: Callable[[Any], Any], settings: dict[str, Any]) -> None:
+    env = SoccerVecEnv(**settings, seed=4)
+    env.reset()
+    actions = np.random.default_rng(1).uniform(-1.0, 1.0, (60, env.num_envs, *env.action_space.shape))
+    for t in range(30):
+        env.step(actions[t])
+    other = way(env)
+    assert other.matches[0] is not env.matches[0] and other.playing() == env.playing()
+    env.take_results()
+    for t in range(30, 60):
+        mine, theirs = env.step(actions[t]), other.step(actions[t])
+        for one, two in zip(mine[:3], theirs[:3], strict=True):
+            assert np.array_equal(one, two)
+        assert [sorted(info) for info in mine[3]] == [sorted(info) for info in theirs[3]]
+    assert [m.state_hash() for m in env.matches] == [m.state_hash() for m in other.matches]
+    assert env.take_results() == other.take_results()
+    assert np.array_equal(env.reset(), other.reset())
+
+
+def test_a_copy_resets_with_the_seed_that_was_given_last() -> None:
+    with pytest.raises(ValueError, match="SoccerVecEnv takes no teammates"):
+        SoccerVecEnv(teammates="chaser")
+    env = SoccerVecEnv(players=[(1, 1)], matches=2, seed=1)
+    first = env.reset()
+    env.seed(9)
+    other = pickled(env)
+    assert np.array_equal(env.reset(), other.reset()) and not np.array_equal(first, other.reset())
+
+
+class Watch:
+    """Note how many threads are inside at once."""
+
+    def __init__(self) -> None:
+        self.inside, self.most, self.calls = 0, 0, 0
+
+    def look(self) -> None:
+        self.inside, self.calls = self.inside + 1, self.calls + 1
+        self.most = max(self.most, self.inside)
+        time.sleep(1e-3)
+        self.inside -= 1
+
+
+class Team(Watch):
+    name = "own"
+    memory_dtype = np.dtype([])
+
+    def act(self, view: Any, memory: np.ndarray, rng: Any) -> np.ndarray:
+        self.look()
+        return view.stand()
+
+
+class Reward(Watch):
+    def __call__(self, match: Any) -> np.ndarray:
+        self.look()
+        return np.zeros_like(match.rewards)
+
+
+class Observe(Watch):
+    names = ("nothing",)
+
+    def __call__(self, match: Any) -> np.ndarray:
+        self.look()
+        return np.zeros((*match.rewards.shape, 1))
+
+
+class Place(Watch):
+    def __call__(self, *records: Any) -> None:
+        self.look()
+
+
+@pytest.mark.parametrize(
+    ("kind", "settings_with"),
+    [
+        (Team, lambda code: {"opponents": code}),
+        (Reward, lambda code: {"rewards": Rewards(extra={"own": code})}),
+        (Observe, lambda code: {"observe": code}),
+        (Place, lambda code: {"scene": replace(SCENES["kick-off"], name="own", place=code)}),
+    ],
+)
+def test_code_of_a_user_is_never_called_by_two_threads_at_once(kind: type[Watch], settings_with: Any) -> None:
+    code = kind()
+    env = rows(players=(*MIXED, (2, 2)), matches=6, threads=3, minutes=0.05, **settings_with(code))
+    env.reset()
+    play(env, 60)
+    env.close()
+    assert code.calls >= 6 and code.most == 1
+
+
+def test_compiled_code_is_played_by_all_threads() -> None:
+    assert rows(players=MIXED, matches=8, threads=2)._workers.threads == 2
+    scene = mixture("kick-off,scattered")
+    assert rows(players=MIXED, matches=8, threads=2, scene=scene)._workers.threads == 2

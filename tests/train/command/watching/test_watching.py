@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pytest import CaptureFixture, MonkeyPatch
 
 pytest.importorskip("pygame")
 
@@ -44,7 +45,7 @@ def test_a_tape_goes_on_and_back_and_stops_at_both_ends() -> None:
     assert step_of(tape) == 40 and tape.ended
 
 
-def test_a_tape_gives_up_its_oldest_shots(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_tape_gives_up_its_oldest_shots(monkeypatch: MonkeyPatch) -> None:
     monkeypatch.setattr(tapes, "KEPT", 8)
     tape = Tape(live(played()))
     for step in range(1, 31):
@@ -72,7 +73,7 @@ def test_keys_pause_step_seek_and_change_the_speed() -> None:
         Deck(tape, 16.0, 0.0)
 
 
-def test_a_replay_is_shown_until_escape_and_keys_reach_it(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_a_replay_is_shown_until_escape_and_keys_reach_it(monkeypatch: MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     match = played()
     recorder = Recorder(match)
@@ -145,7 +146,7 @@ def test_keys_pick_a_robot_and_the_picture_follows_it_or_the_ball() -> None:
     assert np.array_equal(frame_of(deck, cast, picture, ("a", "b")), whole)
 
 
-def test_two_matches_are_shown_in_one_process(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_two_matches_are_shown_in_one_process(monkeypatch: MonkeyPatch) -> None:
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     other = Window("other")
     other.show(Picture("middle-size-2006", 320).draw(*Tape(live(Match("middle-size-2006", home=1, away=1))).shot[:3]))
@@ -157,9 +158,7 @@ def test_two_matches_are_shown_in_one_process(monkeypatch: pytest.MonkeyPatch) -
     pygame.quit()
 
 
-def test_without_a_display_it_says_so(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
+def test_without_a_display_it_says_so(monkeypatch: MonkeyPatch, capsys: CaptureFixture[str], tmp_path: Path) -> None:
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER", "XDG_RUNTIME_DIR"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setattr(pygame.display, "get_driver", lambda: "offscreen")
