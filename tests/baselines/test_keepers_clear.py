@@ -10,7 +10,7 @@ from soccer_env.baselines.goalkeeping import part_angle
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from tests.scenes.staging import LEGGED, MIDDLE, put, put_ball, stage, steps_in
+from tests.scenes.staging import LEGGED, MIDDLE, place, put, stage, steps_in
 
 MATCHES = 64
 
@@ -26,9 +26,7 @@ def with_the_ball(team: str, widest: float) -> Match:
     body, ball, pitch = match.league.body, match.league.ball, match.league.pitch
     heading, touch = rng.uniform(-widest, widest, MATCHES), body.front + ball.radius
     x, y = -pitch.length / 2 + rng.uniform(0.2, 0.6, MATCHES), rng.uniform(-0.35, 0.35, MATCHES)
-    put(match, 0, x, y, heading)
-    put_ball(match, x + touch * np.cos(heading), y + touch * np.sin(heading))
-    match.rebuild()
+    place(match, ball=(x + touch * np.cos(heading), y + touch * np.sin(heading)), robots={0: (x, y, heading)})
     return match
 
 
@@ -61,8 +59,7 @@ def test_a_legged_keeper_gets_a_ball_on_its_own_line_out_of_its_goal(heading: fl
     match, rng = keeper_at_goal(LEGGED, "chaser"), np.random.default_rng(5)
     length = match.league.pitch.length / 2
     put(match, 0, rng.uniform(0.25, 0.45, MATCHES) - length, rng.uniform(-0.2, 0.2, MATCHES), heading)
-    put_ball(match, rng.uniform(0.02, 0.06, MATCHES) - length, rng.uniform(-0.2, 0.2, MATCHES))
-    match.rebuild()
+    place(match, ball=(rng.uniform(0.02, 0.06, MATCHES) - length, rng.uniform(-0.2, 0.2, MATCHES)))
     out = np.zeros(MATCHES, bool)
     for _ in range(steps_in(match, 12.0)):
         match.step()
@@ -90,9 +87,7 @@ def test_a_legged_keeper_that_faces_its_goal_does_not_kick(team: str) -> None:
     body, ball = match.league.body, match.league.ball
     heading = np.linspace(0.6, 1.4, MATCHES) * np.pi
     touch = body.front + ball.radius
-    put(match, 0, -0.9, 0.0, heading)
-    put_ball(match, -0.9 + touch * np.cos(heading), touch * np.sin(heading))
-    match.rebuild()
+    place(match, ball=(-0.9 + touch * np.cos(heading), touch * np.sin(heading)), robots={0: (-0.9, 0.0, heading)})
     for _ in range(4):
         match.step()
         assert not match.robot_events["kick"].any()
@@ -119,8 +114,7 @@ def test_mh04_the_middle_size_keeper_clears_a_resting_ball_by_driving_into_it() 
     match = keeper_at_goal(MIDDLE, "chaser")
     rng, pitch = np.random.default_rng(3), match.league.pitch
     put(match, 0, -pitch.length / 2 + 0.35, 0.0, 0.0)
-    put_ball(match, -pitch.length / 2 + rng.uniform(0.8, 1.3, MATCHES), rng.uniform(-0.8, 0.8, MATCHES))
-    match.rebuild()
+    place(match, ball=(-pitch.length / 2 + rng.uniform(0.8, 1.3, MATCHES), rng.uniform(-0.8, 0.8, MATCHES)))
     cleared = np.zeros(MATCHES, bool)
     for _ in range(steps_in(match, 12.0)):
         match.step()

@@ -11,7 +11,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.teams import make_team
 from soccer_env.types import Foul, Phase
-from tests.scenes.staging import LEGGED, put, put_ball, set_phase, steps_in
+from tests.scenes.staging import LEGGED, place, put, put_ball, set_phase, steps_in
 
 K = constants_of(find_league(LEGGED))[0]
 MATCHES = 32
@@ -51,8 +51,7 @@ def test_a_field_player_in_its_own_area_walks_out_before_the_whistle(team: str) 
 def test_a_ball_in_the_own_area_is_left_to_the_goalkeeper(team: str) -> None:
     match, rng = staged(team), np.random.default_rng(2)
     put(match, 1, -0.6, 0.3, np.pi)
-    put_ball(match, rng.uniform(-1.3, -1.1, MATCHES), rng.uniform(-0.4, 0.4, MATCHES))
-    match.rebuild()
+    place(match, ball=(rng.uniform(-1.3, -1.1, MATCHES), rng.uniform(-0.4, 0.4, MATCHES)))
     defended, kept = np.zeros(MATCHES, bool), np.zeros(MATCHES, bool)
     for _ in range(steps_in(match, 12.0)):
         match.step()
@@ -64,10 +63,7 @@ def test_a_ball_in_the_own_area_is_left_to_the_goalkeeper(team: str) -> None:
 
 def test_it_goes_to_a_ball_in_its_area_where_no_rule_forbids_it() -> None:
     match = staged("chaser", rules="simple")
-    put(match, 1, -0.6, 0.3, np.pi)
-    put(match, 0, -1.3, -0.3, 0.0)
-    put_ball(match, -1.0, 0.4)
-    match.rebuild()
+    place(match, ball=(-1.0, 0.4), robots={1: (-0.6, 0.3, np.pi), 0: (-1.3, -0.3, 0.0)})
     touched = np.zeros(MATCHES, bool)
     for _ in range(steps_in(match, 12.0)):
         match.step()
@@ -118,10 +114,7 @@ def test_the_shortest_way_out_of_the_area_goes_through_its_front() -> None:
 def test_an_attacker_before_a_goalkeeper_in_its_area_is_whistled_less_than_one_that_shoves() -> None:
     """Ball and goalkeeper right before it: it goes step by step, and shoots; nobody sees contacts."""
     match = staged("chaser")
-    put(match, 3, 1.25, 0.0, np.pi)
-    put(match, 1, 0.95, 0.0, 0.0)
-    put_ball(match, 1.1, 0.0)
-    match.rebuild()
+    place(match, ball=(1.1, 0.0), robots={3: (1.25, 0.0, np.pi), 1: (0.95, 0.0, 0.0)})
     whistles = np.zeros(MATCHES, bool)
     for _ in range(steps_in(match, 6.0)):
         match.step()

@@ -12,7 +12,7 @@ from soccer_env.scenes.drills_legged import DRILLS_LEGGED
 from soccer_env.scenes.judging import LOST, LOST_TIME, PAST
 from soccer_env.staging import put
 from soccer_env.types import AWAY
-from tests.scenes.staging import LEGGED, deepest_overlaps, put_ball, stand
+from tests.scenes.staging import LEGGED, deepest_overlaps, place, put_ball, stand
 from tests.scenes.symmetry import Records, mirrored, mirrored_actions
 
 MATCHES = 40
@@ -67,8 +67,7 @@ def test_placement_follows_from_the_seed_and_differs_between_seeds(scene: str) -
 
 def test_a_shot_at_the_far_post_that_nobody_stops_is_a_goal() -> None:
     match = drill("far-post-shots")
-    put(match, 1, -1.0, 0.0)
-    match.rebuild()
+    place(match, robots={1: (-1.0, 0.0)})
     results = np.zeros(MATCHES, int)
     for _ in range(16 * 4):
         match.step(stand(match))
@@ -135,8 +134,7 @@ def test_a_dribbler_that_touches_anybody_has_failed() -> None:
 
 def test_a_ball_lost_for_two_seconds_is_a_failure_and_one_that_is_caught_up_with_is_not() -> None:
     match = empty("dribble-past-one")
-    put_ball(match, -0.5 + LOST + 0.02, 0.0)
-    match.rebuild()
+    place(match, ball=(-0.5 + LOST + 0.02, 0.0))
     steps = round(LOST_TIME * match.league.control_rate)
     for _ in range(steps):
         match.step(stand(match))

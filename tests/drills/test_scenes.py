@@ -9,7 +9,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.scenes import SCENES
 from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM
-from tests.scenes.staging import LEAGUES, deepest_overlaps, each_league, put_ball, send_off, stand, steps_in
+from tests.scenes.staging import LEAGUES, deepest_overlaps, each_league, place, play, send_off, stand, steps_in
 
 SIZES = ((1, 1), (2, 3), (5, 5), (MAX_TEAM, MAX_TEAM), (1, MAX_TEAM), (MAX_TEAM, 1))
 
@@ -55,8 +55,7 @@ def test_a_shot_that_nobody_saves_is_a_goal(name):
 @each_league
 def test_a_shot_that_stops_is_saved(name):
     match = Match(name, home=1, away=1, matches=3, seed=4, scene="shot-at-keeper", episode="drill")
-    put_ball(match, 0.5, [0.0, 0.1, -0.2], 0.1, 0.0)
-    match.rebuild()
+    place(match, ball=(0.5, [0.0, 0.1, -0.2], 0.1, 0.0))
     match.step(stand(match))
     assert (match.events["drill"] == 1).all() and match.terminated.all()
 
@@ -65,8 +64,7 @@ def test_a_shot_that_stops_is_saved(name):
 def test_only_a_goal_by_home_empties_the_goal(name):
     match = Match(name, home=1, away=1, matches=2, seed=4, scene="empty-goal", episode="drill")
     over = match.league.pitch.length / 2 + match.league.ball.radius + 0.01
-    put_ball(match, [over, -over], 0.0)
-    match.rebuild()
+    place(match, ball=([over, -over], 0.0))
     match.step(stand(match))
     assert match.events["goal"].tolist() == [HOME, AWAY] and match.events["drill"].tolist() == [1, -1]
     assert match.terminated.all()
@@ -78,8 +76,7 @@ def test_a_drill_without_a_result_is_cut_off_and_not_lost(name):
     rules = "league:global_stuck=False"
     match = Match(name, home=1, away=1, seed=4, scene="empty-goal", episode="drill", rules=rules)
     limit = SCENES["empty-goal"].time_limit
-    for _ in range(steps_in(match, limit) - 1):
-        match.step(stand(match))
+    play(match, steps=steps_in(match, limit) - 1)
     assert not match.terminated[0] and not match.truncated[0]
     match.step(stand(match))
     assert match.truncated[0] and not match.terminated[0] and match.events["drill"][0] == 0

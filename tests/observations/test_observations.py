@@ -7,7 +7,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.observations import layout
 from soccer_env.observations.truth import PLAYER, PLAYER_SIZE
-from tests.scenes.staging import LEAGUES, put, put_ball, scatter, stage
+from tests.scenes.staging import LEAGUES, place, put, scatter, stage
 
 
 def entry(match: Match, r: int, name: str, m: int = 0) -> float:
@@ -53,8 +53,7 @@ def test_entries_mean_what_the_layout_says() -> None:
     put(match, 0, -5.0, 1.0)
     put(match, 1, 0.0, 0.0, np.pi / 2, forward=1.3)
     put(match, 2, 0.0, 3.0, -np.pi / 2)
-    put_ball(match, -2.0, 0.0, 0.0, 2.2)
-    match.rebuild()
+    place(match, ball=(-2.0, 0.0, 0.0, 2.2))
     match.batch.observe_anew(0, 1)
     diagonal = np.hypot(12.0, 8.0)
     facts = {
@@ -73,10 +72,7 @@ def test_entries_mean_what_the_layout_says() -> None:
 @pytest.mark.parametrize(("observe", "senses"), [("truth", "sensors"), ("belief", "ideal")])
 def test_the_heading_of_another_player_is_seen_from_the_robots_own(observe: str, senses: str) -> None:
     match = stage("middle-size-2006", home=2, away=1, observe=observe, senses=senses)
-    put(match, 0, 0.0, 0.0, 0.4)
-    put(match, 1, 1.0, 1.0, 1.5)
-    put(match, 2, -1.0, 2.0, -2.0)
-    match.rebuild()
+    place(match, robots={0: (0.0, 0.0, 0.4), 1: (1.0, 1.0, 1.5), 2: (-1.0, 2.0, -2.0)})
     match.batch.observe_anew(0, 1)
     for r, name, angle in ((0, "teammate_0", 1.1), (0, "opponent_0", -2.4), (1, "teammate_0", -1.1)):
         assert entry(match, r, f"{name}_cos") == pytest.approx(np.cos(angle), abs=1e-6)

@@ -13,7 +13,7 @@ from soccer_env.leagues.omni_sensors import OmniSensors
 from soccer_env.percept_types import BODY_PERCEPT
 from soccer_env.perception.body import light_barrier
 from soccer_env.types import ROBOT
-from tests.scenes.staging import LEGGED, MIDDLE, WALK, asking, each_league, put, put_ball, stage, stand, steady
+from tests.scenes.staging import LEGGED, MIDDLE, WALK, asking, each_league, place, play, put, stage, stand, steady
 from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_percepts, swapped_rows, turned
 
 EXACT = {"odometry_noise": 0.0}
@@ -24,8 +24,7 @@ def feeling(league: Any, matches: int = 1, home: int = 1, away: int = 1, **setti
     """Return matches whose robots feel themselves, robot 0 in the middle and the ball far away."""
     match = stage(league, matches, home, away, observe="percepts", **settings)
     put(match, 0, 0.0, 0.0)
-    put_ball(match, -0.4 * match.league.pitch.length, -0.4 * match.league.pitch.width)
-    match.rebuild()
+    place(match, ball=(-0.4 * match.league.pitch.length, -0.4 * match.league.pitch.width))
     return match
 
 
@@ -115,17 +114,13 @@ def test_ms06_a_robot_feels_whether_it_lies_on_its_side() -> None:
     match.robots["fallen"][:, 0] = 1.0
     match.step(stand(match))
     assert body(match)["upright"] == 0
-    for _ in range(16):
-        match.step(stand(match))
+    play(match, steps=16)
     assert body(match)["upright"] == 1
 
 
 def test_a_kick_is_felt_in_the_frame_in_which_it_hits() -> None:
     match = feeling(MIDDLE, home=2)
-    put(match, 1, 0.0, 0.0)
-    put(match, 0, -3.0, 1.0)
-    put_ball(match, 0.18 + 0.11, 0.0)
-    match.rebuild()
+    place(match, ball=(0.18 + 0.11, 0.0), robots={1: (0.0, 0.0), 0: (-3.0, 1.0)})
     match.step(stand(match))
     match.step(asking(match, 1, kick=1.0))
     assert match.percepts["body"]["kicked"][0].tolist() == [0, 1, 0]

@@ -15,7 +15,7 @@ from soccer_env.percept_types import BODY_PERCEPT, NO_POSE, POSE_SENSED, POSE_TO
 from soccer_env.perception.body import sense_body
 from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.types import MATCH, ROBOT, ROBOT_EVENTS
-from tests.scenes.staging import LEGGED, each_league, put, put_ball, stage, stand
+from tests.scenes.staging import LEGGED, each_league, place, stage, stand
 
 SHARP = {"pose_noise": 0.0, "pose_turn_noise": 0.0, "place_noise": 0.0, "place_turn_noise": 0.0}
 
@@ -25,10 +25,7 @@ def posed(
 ) -> Match:
     """Return matches in which robot 0, of home, and 1, of away, stand in the same way seen from their own goals."""
     match = stage(league, matches, 1, 1, **{"observe": "percepts", **settings})
-    put(match, 0, 0.4, 0.3, heading)
-    put(match, 1, -0.4, -0.3, heading - np.pi)
-    put_ball(match, -1.0, 0.7)
-    match.rebuild()
+    place(match, ball=(-1.0, 0.7), robots={0: (0.4, 0.3, heading), 1: (-0.4, -0.3, heading - np.pi)})
     return match
 
 

@@ -7,19 +7,8 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    distance,
-    each_league,
-    endless,
-    patient,
-    put_ball,
-    speed,
-    stage,
-    stand,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, each_league, endless, patient
+from tests.scenes.staging import distance, play, put_ball, speed, stage, stand, steps_in
 
 DIRECTIONS = 32
 
@@ -40,9 +29,7 @@ def test_a_rolling_ball_stops_after_v_squared_over_2a_in_every_direction(name, s
     a = league.ball.rolling
     v = np.repeat(speeds, DIRECTIONS) * np.tile(np.linspace(0.9, 1.0, DIRECTIONS), len(speeds))
     angle = np.tile(np.linspace(-np.pi, np.pi, DIRECTIONS), len(speeds))
-    match = stage(league, len(v))
-    put_ball(match, 0.0, 0.0, v * np.cos(angle), v * np.sin(angle))
-    match.rebuild()
+    match = stage(league, len(v), ball=(0.0, 0.0, v * np.cos(angle), v * np.sin(angle)))
     steps = roll_out(match, 2000)
     way = v**2 / (2.0 * a)
     last_step = a * league.dt**2 / 8.0  # [m] by which the step in which it stops may fall short
@@ -55,9 +42,7 @@ def test_a_rolling_ball_stops_after_v_squared_over_2a_in_every_direction(name, s
 
 @each_league
 def test_a_rolling_ball_loses_speed_at_a_constant_rate(name):
-    match = stage(endless(name))
-    put_ball(match, 0.0, 0.0, 2.0, 0.0)
-    match.rebuild()
+    match = stage(endless(name), ball=(0.0, 0.0, 2.0, 0.0))
     speeds = []
     for _ in range(20):
         match.step(stand(match))
@@ -91,9 +76,7 @@ def test_a_kicked_ball_slides_until_it_rolls_at_three_fifths_of_its_speed(name):
 
 @each_league
 def test_a_ball_that_rolls_never_slides_again_by_itself(name):
-    match = stage(endless(name))
-    put_ball(match, 0.0, 0.0, 1.0, -0.7)
-    match.rebuild()
+    match = stage(endless(name), ball=(0.0, 0.0, 1.0, -0.7))
     while speed(match.balls).any():
         match.step(stand(match))
         assert match.balls["vx"] == match.balls["roll_x"] and match.balls["vy"] == match.balls["roll_y"]
@@ -101,19 +84,15 @@ def test_a_ball_that_rolls_never_slides_again_by_itself(name):
 
 @each_league
 def test_a_ball_at_rest_stays_exactly_where_it_is(name):
-    match = stage(patient(name), 3)
-    put_ball(match, [0.0, 0.3, -0.7], [0.1, 0.0, 0.4])
-    match.rebuild()
+    match = stage(patient(name), 3, ball=([0.0, 0.3, -0.7], [0.1, 0.0, 0.4]))
     before = match.balls.copy()
-    for _ in range(200):
-        match.step(stand(match))
+    play(match, steps=200)
     np.testing.assert_array_equal(match.balls, before)
 
 
 @each_league
 def test_backspin_slows_a_ball_and_can_bring_it_back(name):
-    match = stage(endless(name))
-    put_ball(match, 0.0, 0.0, 0.3, 0.0)
+    match = stage(endless(name), ball=(0.0, 0.0, 0.3, 0.0))
     match.balls["roll_x"] = -1.0
     match.rebuild()
     furthest = 0.0
@@ -127,9 +106,7 @@ def test_backspin_slows_a_ball_and_can_bring_it_back(name):
 def test_nothing_moves_faster_than_the_balls_top_speed(name):
     top = find_league(name).ball.top_speed
     times = np.array([1.05, 1.5, 5.0, 50.0])
-    match = stage(endless(name), 4)
-    put_ball(match, 0.0, 0.0, 0.6 * times * top, -0.8 * times * top)
-    match.rebuild()
+    match = stage(endless(name), 4, ball=(0.0, 0.0, 0.6 * times * top, -0.8 * times * top))
     match.step(stand(match))
     assert (speed(match.balls) <= top * (1.0 + 1e-12)).all() and speed(match.balls) == pytest.approx(top)
     np.testing.assert_allclose(np.arctan2(match.balls["vy"], match.balls["vx"]), np.arctan2(-4.0, 3.0))

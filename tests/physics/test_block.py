@@ -11,7 +11,7 @@ from soccer_env.physics.block import most_reach, spread_of
 from soccer_env.physics.contacts import TOUCH_GAP, ball_gap, paws_gap
 from soccer_env.physics.solver.posts import between_segments
 from soccer_env.render.robots import figures_of
-from tests.scenes.staging import LEGGED, asking, endless, energy, put, put_ball, stage, stand, steady, steps_in
+from tests.scenes.staging import LEGGED, asking, endless, energy, place, play, put_ball, stage, stand, steady, steps_in
 from tests.scenes.symmetry import MIRROR, Records, assert_same_records, mirrored
 
 LEAGUE = endless(steady("legged-2001-block"))
@@ -22,9 +22,7 @@ UP = 9  # control steps until the legs are spread: one to begin, 7.7 of them at 
 
 def keeper(matches=1, **settings):
     """Return matches with home's goalkeeper at the origin, looking along x, the ball far off."""
-    match = stage(LEAGUE, matches, **settings)
-    put(match, 0, 0.0, 0.0, 0.0)
-    put_ball(match, 5.0, 0.0)
+    match = stage(LEAGUE, matches, **settings, ball=(5.0, 0.0), robots={0: (0.0, 0.0, 0.0)})
     match.robots["keeper"][:, 0] = 1
     match.rebuild()
     return match
@@ -40,12 +38,9 @@ def rolled(offsets, v=1.0, blocks=True, **settings):
     """Return matches in which a ball has rolled at a goalkeeper at several places aside of it, legs spread or not."""
     offsets = np.asarray(offsets)
     match = keeper(len(offsets), **settings)
-    for _ in range(UP):
-        match.step(asking(match, kick=1.0 if blocks else 0.0))
-    put_ball(match, 0.4, offsets, -v, 0.0)
-    match.rebuild()
-    for _ in range(steps_in(match, 0.4)):
-        match.step(stand(match))
+    play(match, actions=asking(match, kick=1.0 if blocks else 0.0), steps=UP)
+    place(match, ball=(0.4, offsets, -v, 0.0))
+    play(match, 0.4)
     return match
 
 
@@ -68,8 +63,7 @@ def test_while_it_blocks_a_robot_stands_still_and_then_walks_again():
         match.step(asking(match, kick=1.0, forward=1.0, left=0.5))
         assert match.robots["walk"][0, 0].tolist() == (0.0, 0.0, 0.0)
     assert np.hypot(match.robots["x"][0, 0], match.robots["y"][0, 0]) < 1e-9
-    for _ in range(steps_in(match, 2.0)):
-        match.step(asking(match, forward=1.0))
+    play(match, 2.0, asking(match, forward=1.0))
     assert match.robots["x"][0, 0] > 0.05
 
 
@@ -81,16 +75,13 @@ def test_ms53_only_a_goalkeeper_blocks_and_only_a_ball_out_of_its_kickers_reach(
     match.balls["x"][2] = BODY.front + BALL.radius + 0.003
     match.robots["has_ball"][2, 0] = 1
     match.rebuild()
-    for _ in range(UP):
-        match.step(asking(match, kick=1.0))
+    play(match, actions=asking(match, kick=1.0), steps=UP)
     assert spread(match).tolist() == [1.0, 0.0, 0.0]
     assert match.robots["kick_strength"][:, 0].tolist() == [0.0, 0.0, 1.0]
 
 
 def test_without_a_block_in_the_league_a_goalkeeper_that_kicks_the_air_does_nothing():
-    match = stage(steady(LEGGED))
-    put(match, 0, 0.0, 0.0, 0.0)
-    put_ball(match, 1.0, 0.0)
+    match = stage(steady(LEGGED), ball=(1.0, 0.0), robots={0: (0.0, 0.0, 0.0)})
     match.robots["keeper"][:, 0] = 1
     match.rebuild()
     match.step(asking(match, kick=1.0))
@@ -124,17 +115,12 @@ def test_a_ball_bounces_off_a_leg_as_off_a_slanting_wall(share):
     league = replace(LEAGUE, body=replace(BODY, mass=1e6), ball=replace(BALL, rolling=0.0, sliding=1e-9))
     pair = replace(league.materials.ball_robot, friction=0.0)
     league = replace(league, materials=replace(league.materials, ball_robot=pair))
-    match = stage(league)
-    put(match, 0, 0.0, 0.0, 0.0)
-    put_ball(match, 5.0, 0.0)
+    match = stage(league, ball=(5.0, 0.0), robots={0: (0.0, 0.0, 0.0)})
     match.robots["keeper"][:, 0] = 1
     match.rebuild()
-    for _ in range(UP):
-        match.step(asking(match, kick=1.0))
-    put_ball(match, 0.4, aside, -1.0, 0.0)
-    match.rebuild()
-    for _ in range(6):
-        match.step(stand(match))
+    play(match, actions=asking(match, kick=1.0), steps=UP)
+    place(match, ball=(0.4, aside, -1.0, 0.0))
+    play(match, steps=6)
     bounce = (1.0 + pair.elasticity) * nx
     assert match.balls["vx"][0] == pytest.approx(-1.0 + bounce * nx, abs=1e-3)
     assert match.balls["vy"][0] == pytest.approx(bounce * ny, abs=1e-3)
@@ -142,10 +128,8 @@ def test_a_ball_bounces_off_a_leg_as_off_a_slanting_wall(share):
 
 def test_legs_that_spread_push_a_ball_that_lies_beside_them_away():
     match = keeper()
-    put_ball(match, BODY.tip_x, BODY.tip_y + BODY.tip_radius + BALL.radius + 0.01)
-    match.rebuild()
-    for _ in range(UP + 2):
-        match.step(asking(match, kick=1.0))
+    place(match, ball=(BODY.tip_x, BODY.tip_y + BODY.tip_radius + BALL.radius + 0.01))
+    play(match, actions=asking(match, kick=1.0), steps=UP + 2)
     k = constants_of(LEAGUE)[0]
     assert match.balls["y"][0] > OUTSIDE - 0.002
     assert paws_gap(match.robots[0, 0], k, match.balls["x"][0], match.balls["y"][0], 1.0) > -0.002
@@ -156,8 +140,7 @@ def test_legs_that_spread_push_a_ball_that_lies_beside_them_away():
 def test_ms53_a_blocked_ball_is_touched_and_lies_off_the_leg():
     """MS53: who touched it and how far it is away follow the legs where they are."""
     match = keeper()
-    for _ in range(UP):
-        match.step(asking(match, kick=1.0))
+    play(match, actions=asking(match, kick=1.0), steps=UP)
     robot, k = match.robots[0, 0], constants_of(LEAGUE)[0]
     for gap in (paws_gap(robot, k, BLOCK.paw_x, OUTSIDE, 1.0), ball_gap(robot, k, BLOCK.paw_x, -OUTSIDE)):
         assert gap == pytest.approx(0.0, abs=1e-12)
@@ -171,10 +154,7 @@ def test_ms53_a_blocked_ball_is_touched_and_lies_off_the_leg():
 
 def test_a_robot_that_walks_into_a_spread_leg_is_stopped_by_it():
     """One that would walk past beside the goalkeeper; the other match shows it without the block."""
-    match = stage(LEAGUE, 2)
-    put(match, 0, 0.0, 0.0, 0.0)
-    put(match, 1, 0.26, 0.2, np.pi)
-    put_ball(match, 5.0, 0.0)
+    match = stage(LEAGUE, 2, ball=(5.0, 0.0), robots={0: (0.0, 0.0, 0.0), 1: (0.26, 0.2, np.pi)})
     match.robots["keeper"][:, 0] = 1
     match.rebuild()
     for _ in range(steps_in(match, 1.0)):
@@ -190,9 +170,7 @@ def test_ms53_a_mirrored_block_is_the_mirror_of_a_block():
     """MS53: whoever blocks, ball and robots do the mirrored thing in the mirrored match."""
     one, other = keeper(), keeper()
     for match in (one, other):
-        put(match, 1, 0.5, 0.14, np.pi)
-        put_ball(match, 0.45, 0.2, -0.5, 0.0)
-        match.rebuild()
+        place(match, ball=(0.45, 0.2, -0.5, 0.0), robots={1: (0.5, 0.14, np.pi)})
     mirrored(Records.of(one)).put_into(other)
     for step in range(40):
         actions = asking(one, kick=float(step == 2), left=0.3)
@@ -211,8 +189,7 @@ def test_both_backends_block_to_the_bit():
 
 def test_a_block_is_saved_with_the_match_and_shown():
     match = keeper()
-    for _ in range(6):
-        match.step(asking(match, kick=1.0))
+    play(match, actions=asking(match, kick=1.0), steps=6)
     saved = match.save()
     assert 0.0 < spread(match)[0] < 1.0
     paws = figures_of(match.robots[0], match.league, 1.0)[0].paws

@@ -9,21 +9,8 @@ from soccer_env import Match
 from soccer_env.leagues.league import League
 from soccer_env.physics.engine.space import robot_moment
 from soccer_env.staging import constants_of
-from tests.scenes.staging import (
-    LEGGED,
-    asking,
-    boarded,
-    each_league,
-    endless,
-    energy,
-    icy,
-    put,
-    put_ball,
-    stage,
-    stand,
-    steady,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, boarded, each_league, endless, icy, steady
+from tests.scenes.staging import asking, energy, play, put, put_ball, stage, stand, steps_in
 
 MATCHES = 200
 
@@ -144,9 +131,7 @@ def test_ms51_a_paw_that_swings_hits_the_ball_at_twice_the_speed_of_the_walk(mas
 
 def test_ms51_a_paw_that_stands_on_the_ground_leaves_the_ball_alone():
     match = swinging(1e6, gap=0.001, side=-1.0)
-    for _ in range(match.league.drive.gait_steps // 2):
-        match.step(asking(match, forward=1.0))
+    play(match, actions=asking(match, forward=1.0), steps=match.league.drive.gait_steps // 2)
     assert abs(match.balls["vx"][0]) < 1e-9
-    for _ in range(match.league.drive.gait_steps // 2):
-        match.step(asking(match, forward=1.0))
+    play(match, actions=asking(match, forward=1.0), steps=match.league.drive.gait_steps // 2)
     assert match.balls["vx"][0] > match.league.drive.forward, "then it swings"

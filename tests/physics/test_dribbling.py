@@ -5,27 +5,14 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.physics.engine.space import build_space
-from tests.scenes.staging import (
-    LEAGUES,
-    LEGGED,
-    MIDDLE,
-    asking,
-    each_league,
-    endless,
-    outline,
-    put,
-    put_ball,
-    stage,
-    steady,
-)
+from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, endless, steady
+from tests.scenes.staging import asking, outline, place, play, put, stage
 
 
 def pushed(league, matches, v, seconds, forward):
     """Return matches in which a robot has pushed its ball ahead, and the greatest distance that it lost it by."""
     match = stage(league, matches, seed=4)
-    put(match, 0, -1.2, 0.0, 0.0)
-    put_ball(match, -1.2 + league.body.front + league.ball.radius + 0.003, 0.0)
-    match.rebuild()
+    place(match, ball=(-1.2 + league.body.front + league.ball.radius + 0.003, 0.0), robots={0: (-1.2, 0.0, 0.0)})
     kept = np.ones(matches, bool)
     for step in range(round(seconds * league.control_rate)):
         match.step(asking(match, forward=forward(step * league.dt) * v / league.drive.forward))
@@ -55,12 +42,8 @@ def test_a_robot_that_brakes_hard_loses_its_ball():
 
 
 def test_a_robot_that_turns_on_the_spot_loses_its_ball():
-    match = stage(steady(MIDDLE))
-    put(match, 0, -1.0, 0.0, 0.0)
-    put_ball(match, -1.0 + 0.18 + 0.11 + 0.003, 0.0)
-    match.rebuild()
-    for _ in range(100):
-        match.step(asking(match, turn=1.0))
+    match = stage(steady(MIDDLE), ball=(-1.0 + 0.18 + 0.11 + 0.003, 0.0), robots={0: (-1.0, 0.0, 0.0)})
+    play(match, actions=asking(match, turn=1.0), steps=100)
     assert match.robots["has_ball"][0, 0] == 0
 
 
@@ -68,9 +51,7 @@ def kept_for(commands, seconds=4.0):
     """Return for how long [s] guides keep the ball (N,), each robot at 1 m/s ahead and then told its command (N, 3)."""
     league = endless(steady(MIDDLE))
     match = stage(league, len(commands))
-    put(match, 0, 0.0, 0.0, 0.0)
-    put_ball(match, league.body.front + league.ball.radius + 0.001, 0.0)
-    match.rebuild()
+    place(match, ball=(league.body.front + league.ball.radius + 0.001, 0.0), robots={0: (0.0, 0.0, 0.0)})
     warm = league.control_rate  # steps of a gentle start
     last = np.zeros(len(commands))
     for step in range(warm + round(seconds * league.control_rate)):
@@ -102,8 +83,7 @@ def test_a_ball_a_little_off_the_middle_is_steered_into_the_pocket_by_its_tips(n
     aside = np.linspace(-0.6, 0.6, 21) * (league.body.tip_y - league.body.tip_radius)
     match = stage(league, 21)
     put(match, 0, -1.2, 0.0, 0.0)
-    put_ball(match, -1.2 + league.body.tip_x + league.ball.radius + league.body.tip_radius + 0.05, aside)
-    match.rebuild()
+    place(match, ball=(-1.2 + league.body.tip_x + league.ball.radius + league.body.tip_radius + 0.05, aside))
     share = 0.5 if name == LEGGED else 0.2
     for _ in range(round(0.5 / (share * league.drive.forward) * league.control_rate)):
         match.step(asking(match, forward=share))
@@ -113,11 +93,9 @@ def test_a_ball_a_little_off_the_middle_is_steered_into_the_pocket_by_its_tips(n
 @each_league
 def test_a_ball_against_the_front_lies_in_the_pocket_and_overlaps_nothing(name):
     league = find_league(name)
-    match = stage(league)
-    put(match, 0, 0.0, 0.0, 0.7)
+    match = stage(league, robots={0: (0.0, 0.0, 0.7)})
     reach = league.body.front + league.ball.radius
-    put_ball(match, reach * np.cos(0.7), reach * np.sin(0.7))
-    match.rebuild()
+    place(match, ball=(reach * np.cos(0.7), reach * np.sin(0.7)))
     match.step(asking(match))
     assert match.robots["has_ball"][0, 0] == 1
     space = build_space(league, match.balls[0], match.robots[0])

@@ -7,20 +7,8 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    asking,
-    each_league,
-    endless,
-    put,
-    put_ball,
-    speed,
-    stage,
-    stand,
-    steady,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, each_league, endless, steady
+from tests.scenes.staging import asking, place, play, put, speed, stage, stand, steps_in
 
 DIFFERENTIAL = "middle-size-2006-differential"
 
@@ -29,8 +17,7 @@ def on_its_own(league, matches=1, **settings):
     """Return matches with robot 0 at rest in the middle, the ball far away and nobody else."""
     match = stage(league, matches, **settings)
     put(match, 0, 0.0, 0.0)
-    put_ball(match, -0.4 * match.league.pitch.length, -0.4 * match.league.pitch.width)
-    match.rebuild()
+    place(match, ball=(-0.4 * match.league.pitch.length, -0.4 * match.league.pitch.width))
     return match
 
 
@@ -138,8 +125,7 @@ def test_no_robot_gains_or_loses_speed_faster_than_it_can(name):
 def test_robots_walk_at_the_speed_that_is_asked_of_them(name, command, expected):
     match = on_its_own(steady(name))
     actions = asking(match, forward=command[0], left=command[1])
-    for _ in range(steps_in(match, 1.5)):
-        match.step(actions)
+    play(match, 1.5, actions)
     assert speed(match.robots)[0, 0] == pytest.approx(expected, rel=1e-9)
 
 
@@ -156,8 +142,7 @@ def test_a_turn_counter_clockwise_is_positive_and_left_is_to_the_left():
     match = on_its_own(steady(MIDDLE), 2)
     actions = stand(match)
     actions[0, 0, 2], actions[1, 0, 1] = 0.2, 0.5
-    for _ in range(25):
-        match.step(actions)
+    play(match, actions=actions, steps=25)
     assert match.robots["heading"][0, 0] > 0.1 and match.robots["heading"][1, 0] == 0.0
     assert match.robots["y"][1, 0] > 0.1 and abs(match.robots["x"][1, 0]) < 1e-9
 
@@ -166,8 +151,7 @@ def test_a_differential_base_cannot_move_sideways():
     match = on_its_own(find_league(DIFFERENTIAL), 20)
     match.robots["heading"][:, 0] = np.linspace(-3.0, 3.0, 20)
     match.rebuild()
-    for _ in range(100):
-        match.step(asking(match, left=1.0))
+    play(match, actions=asking(match, left=1.0), steps=100)
     assert not speed(match.robots)[:, 0].any()
     aside = 0.0
     for _ in range(100):  # in a curve, ground holds the wheels against the side
@@ -246,20 +230,16 @@ def test_a_robot_that_nobody_pushes_is_never_faster_than_its_top_speed_times_its
 def test_a_robot_without_commands_stands_where_it_is(name):
     match = on_its_own(name, 5)
     before = match.robots[:, 0].copy()
-    for _ in range(100):
-        match.step(stand(match))
+    play(match, steps=100)
     for axis in ("x", "y", "heading"):
         np.testing.assert_array_equal(match.robots[axis][:, 0], before[axis])
 
 
 @each_league
 def test_a_robot_sent_off_neither_moves_nor_kicks_whatever_it_is_told(name):
-    match = stage(name, 4)
-    put(match, 1, 0.5, 0.5)
-    match.rebuild()
+    match = stage(name, 4, robots={1: (0.5, 0.5)})
     before = match.robots[:, 0].copy()
-    for _ in range(100):
-        match.step(asking(match, forward=1.0, left=1.0, turn=1.0, kick=1.0))
+    play(match, actions=asking(match, forward=1.0, left=1.0, turn=1.0, kick=1.0), steps=100)
     for axis in ("x", "y", "heading", "vx", "vy", "omega"):
         np.testing.assert_array_equal(match.robots[axis][:, 0], before[axis])
     assert not match.robot_events["kick"].any()

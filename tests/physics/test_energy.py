@@ -4,18 +4,8 @@ import numpy as np
 
 from soccer_env import Match
 from soccer_env.types import Phase
-from tests.scenes.staging import (
-    boarded,
-    each_league,
-    energy,
-    put_ball,
-    scatter,
-    set_phase,
-    speed,
-    stage,
-    stand,
-    steps_in,
-)
+from tests.scenes.leagues import boarded, each_league
+from tests.scenes.staging import energy, place, play, put_ball, scatter, set_phase, speed, stage, stand, steps_in
 
 SOLVER = 1e-9  # [J] of rounding in a step
 
@@ -58,8 +48,7 @@ def test_a_ball_that_has_come_back_from_a_board_gets_no_faster(name):
     match = stage(boarded(name), 250)
     ball, pitch = match.league.ball, match.league.pitch
     edge = pitch.width / 2 - ball.radius
-    put_ball(match, 0.3, edge - rng.uniform(0.2, 0.5, 250), 0.0, rng.uniform(0.3, 1.0, 250) * ball.top_speed)
-    match.rebuild()
+    place(match, ball=(0.3, edge - rng.uniform(0.2, 0.5, 250), 0.0, rng.uniform(0.3, 1.0, 250) * ball.top_speed))
     came, fastest = np.zeros((2, 250))
     for _ in range(40):
         last = match.balls["vy"].copy()
@@ -73,7 +62,6 @@ def test_a_ball_that_has_come_back_from_a_board_gets_no_faster(name):
 @each_league
 def test_matches_left_alone_come_to_rest(name):
     match = let_loose(name, 20, seed=4)
-    for _ in range(steps_in(match, 40.0)):
-        match.step(stand(match))
+    play(match, 40.0)
     assert not speed(match.balls).any()
     assert speed(match.robots).max() < 1e-6 and abs(match.robots["omega"]).max() < 1e-5

@@ -9,7 +9,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.physics.gait import LEGS, most_swing, paw_offset, stance
-from tests.scenes.staging import LEGGED, MIDDLE, asking, endless, put, put_ball, stage, steady
+from tests.scenes.staging import LEGGED, MIDDLE, asking, endless, place, play, stage, steady
 
 LEFT_FORE, RIGHT_FORE, LEFT_HIND, RIGHT_HIND = range(LEGS)
 AT_FULL_SPEED = 24  # control steps after which a robot walks as it was asked to, gait steps of 8
@@ -19,11 +19,8 @@ def walker(forward: float = 0.0, left: float = 0.0, turn: float = 0.0, handednes
     """Return a match in which robot 0 has walked on an endless pitch without slip until its speed is constant."""
     match = stage(steady(endless(LEGGED)))
     match.matches["handedness"] = handedness
-    put(match, 0, 0.0, 0.0, 0.7)
-    put_ball(match, 50.0, 50.0)
-    match.rebuild()
-    for _ in range(AT_FULL_SPEED):
-        match.step(asking(match, forward=forward, left=left, turn=turn))
+    place(match, ball=(50.0, 50.0), robots={0: (0.0, 0.0, 0.7)})
+    play(match, actions=asking(match, forward=forward, left=left, turn=turn), steps=AT_FULL_SPEED)
     return match
 
 
@@ -95,16 +92,12 @@ def test_in_a_mirrored_match_the_legs_of_the_other_side_swing_first() -> None:
 
 
 def test_no_paw_swings_farther_than_it_can() -> None:
-    match = stage(endless(LEGGED), 50)
-    put(match, 0, 0.0, 0.0)
-    put(match, 1, 10.0, 0.0)
-    match.rebuild()
+    match = stage(endless(LEGGED), 50, robots={0: (0.0, 0.0), 1: (10.0, 0.0)})
     k, rng = constants_of(match.league)[0], np.random.default_rng(1)
     farthest = 0.0
     for _ in range(10):
         actions = rng.choice([-1.0, 1.0], (50, 2, 4))
-        for _ in range(8):
-            match.step(actions)
+        play(match, actions=actions, steps=8)
         offsets = [paw_offset(robot, k, leg, 1.0) for robot in match.robots.flat for leg in range(LEGS)]
         farthest = max(farthest, np.hypot(*np.transpose(offsets)).max())
     assert 0.6 * most_swing(k) < farthest <= most_swing(k)

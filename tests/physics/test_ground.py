@@ -5,20 +5,9 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues.league import League
+from tests.scenes.leagues import LEGGED, MIDDLE, endless, steady
 from tests.scenes.outlines import robot_gaps
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    asking,
-    endless,
-    put,
-    put_ball,
-    speed,
-    stage,
-    stand,
-    steady,
-    steps_in,
-)
+from tests.scenes.staging import asking, place, play, put, speed, stage, stand, steps_in
 
 DIFFERENTIAL = "middle-size-2006-differential"
 ROBOTS = (LEGGED, MIDDLE, DIFFERENTIAL)
@@ -29,17 +18,14 @@ WAYS = {"ahead": (1.0, 0.0), "back": (-1.0, 0.0), "left": (0.0, 1.0), "right": (
 
 def face_to_face(league: League, headings: np.ndarray, aside: np.ndarray, gap: float = GAP) -> Match:
     """Return matches in which robot 0 heads along x and another one stands in its way, a gap [m] before it."""
-    match = stage(league, len(headings))
-    put_ball(match, 50.0, 50.0)
-    put(match, 0, 0.0, 0.0)
+    match = stage(league, len(headings), ball=(50.0, 50.0), robots={0: (0.0, 0.0)})
     near, far = np.zeros(len(headings)), np.full(len(headings), 1.0)
     for _ in range(40):
         middle = 0.5 * (near + far)
         put(match, 1, middle, aside, headings)
         found = robot_gaps(league, match.robots)[:, 0]
         near, far = np.where(found < GAP, middle, near), np.where(found < GAP, far, middle)
-    put(match, 1, far + gap - GAP, aside, headings)
-    match.rebuild()
+    place(match, robots={1: (far + gap - GAP, aside, headings)})
     return match
 
 
@@ -99,10 +85,7 @@ def knocked(match: Match, way: str, v: float) -> None:
 
 def alone(name: str) -> Match:
     """Return a match in which robot 0 has come to rest and heads along x."""
-    match = stage(steady(endless(name)))
-    put_ball(match, 50.0, 50.0)
-    put(match, 0, 0.0, 0.0)
-    match.rebuild()
+    match = stage(steady(endless(name)), ball=(50.0, 50.0), robots={0: (0.0, 0.0)})
     match.step(stand(match))
     return match
 
@@ -127,8 +110,7 @@ def test_who_walks_and_is_pushed_goes_back_to_its_walk_with_the_thrust_of_its_dr
     match = alone(name)
     drive, dt = match.league.drive, match.league.dt
     actions = asking(match, forward=0.5)
-    for _ in range(steps_in(match, 1.5)):
-        match.step(actions)
+    play(match, 1.5, actions)
     walk = match.robots["vx"][0, 0]
     assert walk == pytest.approx(0.5 * drive.forward)
     sideways = name == DIFFERENTIAL and way in ("left", "right")
@@ -147,8 +129,7 @@ def test_who_is_turned_resists_with_turn_traction_if_it_stands_and_with_turn_thr
         match = alone(name)
         drive, dt = match.league.drive, match.league.dt
         actions = asking(match, forward=0.3 if walks else 0.0)
-        for _ in range(steps_in(match, 1.5)):
-            match.step(actions)
+        play(match, 1.5, actions)
         most = drive.turn_thrust if walks else drive.turn_traction
         omega = 3.5 * most * dt
         match.robots["omega"][:, 0] = -omega

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from tests.scenes.staging import LEGGED, asking, endless, put, put_ball, stage, stand, steady, steps_in
+from tests.scenes.staging import LEGGED, asking, endless, play, put, put_ball, stage, stand, steady, steps_in
 
 DEEP, BESIDE = 0.010, 0.021  # [m] from a leg's axis to the line between two legs: less than its radius, and more
 SIDES = ("fore", "left")  # of the robot between whose legs another one's leg stands
@@ -88,12 +88,8 @@ def test_ms51_it_comes_free_straight_apart(side):
 
 def free_way(match: Match) -> float:
     """Return how far a robot that nobody holds walks back in 3 s [m]."""
-    alone = stage(match.league)
-    put(alone, 0, 0.0, 0.0)
-    put_ball(alone, 50.0, 50.0)
-    alone.rebuild()
-    for _ in range(steps_in(alone, 3.0)):
-        alone.step(asking(alone, forward=-1.0))
+    alone = stage(match.league, ball=(50.0, 50.0), robots={0: (0.0, 0.0)})
+    play(alone, 3.0, asking(alone, forward=-1.0))
     return float(-alone.robots["x"][0, 0])
 
 

@@ -12,7 +12,7 @@ from soccer_env.leagues import find_league
 from soccer_env.physics.kicker import lies_badly, work_kicker
 from soccer_env.random_numbers import GOLDEN
 from soccer_env.types import RobotStream
-from tests.scenes.staging import LEGGED, MIDDLE, asking, each_league, put, put_ball, speed, stage, stand, steady
+from tests.scenes.staging import LEGGED, MIDDLE, asking, each_league, place, put, put_ball, speed, stage, stand, steady
 
 KICKS = 1000
 FEW = 40  # kicks, of which a fact holds for each
@@ -126,8 +126,7 @@ def badness_of(robot, k, x, y):
 
 @each_league
 def test_a_ball_lies_best_in_the_middle_of_the_front_and_worst_at_every_edge(name):
-    match = stage(name)
-    put(match, 0, 0.0, 0.0)
+    match = stage(name, robots={0: (0.0, 0.0)})
     k, robot = match.settings.constants()[0], match.robots[0, 0]
     front, reach, half = k["body_front"] + k["ball_radius"], k["kicker_reach"], k["kicker_half_width"]
     for x, y, expected in (
@@ -151,9 +150,7 @@ def test_a_missed_kick_gives_nothing_and_the_kicker_recharges(name):
     league = find_league(name)
     match = stage(replace(league, kicker=replace(league.kicker, miss=1.0)), 50)
     body, ball, kicker = league.body, league.ball, league.kicker
-    put(match, 0, 0.0, 0.0)
-    put_ball(match, body.front + ball.radius + EDGE * kicker.reach, 0.0)
-    match.rebuild()
+    place(match, ball=(body.front + ball.radius + EDGE * kicker.reach, 0.0), robots={0: (0.0, 0.0)})
     match.step(stand(match))
     kicked, recharging = np.zeros(50, bool), np.zeros(50, bool)
     for _ in range(11):
@@ -169,8 +166,7 @@ def test_a_missed_kick_gives_nothing_and_the_kicker_recharges(name):
 def test_a_ball_that_another_robot_touches_lies_as_badly_as_it_can(name, miss, gap, share):
     match = ready(name)
     heading, apart = match.robots["heading"][:, 0], 2.0 * (match.league.body.front + match.league.ball.radius) + gap
-    put(match, 1, 0.1 + apart * np.cos(heading), -0.2 + apart * np.sin(heading), heading + np.pi)
-    match.rebuild()
+    place(match, robots={1: (0.1 + apart * np.cos(heading), -0.2 + apart * np.sin(heading), heading + np.pi)})
     missed = (~finish(match)).mean()
     assert missed == pytest.approx(share * miss, abs=4.0 * np.sqrt(share * miss * (1.0 - miss) / KICKS))
 

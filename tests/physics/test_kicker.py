@@ -7,19 +7,8 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    asking,
-    each_league,
-    put,
-    put_ball,
-    speed,
-    stage,
-    stand,
-    steady,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, each_league, steady
+from tests.scenes.staging import asking, place, play, put, put_ball, speed, stage, stand, steps_in
 
 
 def at_the_ball(league, matches=1, ahead=0.005, aside=0.0, row=0, **settings) -> Match:
@@ -27,8 +16,7 @@ def at_the_ball(league, matches=1, ahead=0.005, aside=0.0, row=0, **settings) ->
     match = stage(league, matches, **settings)
     body, ball = match.league.body, match.league.ball
     put(match, row, -0.3 * match.league.pitch.length, 0.1, 0.0)
-    put_ball(match, match.robots["x"][:, row] + body.front + ball.radius + ahead, 0.1 + aside)
-    match.rebuild()
+    place(match, ball=(match.robots["x"][:, row] + body.front + ball.radius + ahead, 0.1 + aside))
     match.step(stand(match))  # from now on it knows that it has the ball
     return match
 
@@ -98,8 +86,7 @@ def test_a_legged_kick_takes_0_6_s_in_which_the_robot_comes_to_a_stand_and_stays
 def test_a_walking_robot_brakes_as_soon_as_it_winds_up():
     match = at_the_ball(steady(LEGGED))
     put(match, 0, match.robots["x"][:, 0], 0.1, 0.0, forward=0.07)
-    put_ball(match, match.balls["x"], 0.1, 0.07, 0.0)
-    match.rebuild()
+    place(match, ball=(match.balls["x"], 0.1, 0.07, 0.0))
     actions, speeds = asking(match, forward=0.07 / 0.12, kick=1.0), []
     while not match.robot_events["kick"][0, 0]:
         match.step(actions)
@@ -126,9 +113,7 @@ def test_kicks_stray_from_the_heading_with_the_leagues_deviation(name, degrees):
     match = at_the_ball(name, matches, seed=11)
     heading = np.linspace(-3.0, 3.0, matches)
     reach = match.league.body.front + match.league.ball.radius
-    put(match, 0, -0.5, 0.0, heading)
-    put_ball(match, -0.5 + reach * np.cos(heading), reach * np.sin(heading))
-    match.rebuild()
+    place(match, ball=(-0.5 + reach * np.cos(heading), reach * np.sin(heading)), robots={0: (-0.5, 0.0, heading)})
     at, _, direction = kicks(match, asking(match, kick=1.0), 12)
     off = (direction - match.robots["heading"][:, 0] + np.pi) % (2.0 * np.pi) - np.pi
     assert (at > 0).all()
@@ -142,8 +127,7 @@ def test_a_kicked_ball_flies_clear_of_the_robot_that_kicked_it(name):
     match = at_the_ball(name, 200, seed=2)
     kicks(match, asking(match, kick=1.0), 11)
     direction = np.arctan2(match.balls["vy"], match.balls["vx"])
-    for _ in range(steps_in(match, 0.2)):
-        match.step(stand(match))
+    play(match, 0.2)
     later = np.arctan2(match.balls["vy"], match.balls["vx"])
     straight = abs(direction) < np.radians(20.0)
     assert straight.mean() > 0.9
@@ -201,9 +185,7 @@ def test_a_legged_goalkeeper_kicks():
 
 
 def test_a_dribbled_ball_leaves_with_the_robots_speed_on_top():
-    match = stage(steady(MIDDLE))
-    put(match, 0, -3.0, 0.0, 0.0, forward=1.5)
-    put_ball(match, -3.0 + 0.18 + 0.11 + 0.005, 0.0, 1.5, 0.0)
+    match = stage(steady(MIDDLE), ball=(-3.0 + 0.18 + 0.11 + 0.005, 0.0, 1.5, 0.0), robots={0: (-3.0, 0.0, 0.0, 1.5)})
     match.robots["has_ball"][:, 0] = 1
     match.rebuild()
     at, v, _ = kicks(match, asking(match, forward=1.5 / 2.6, kick=0.4), 1)

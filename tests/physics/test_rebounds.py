@@ -5,20 +5,8 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues.league import League
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    boarded,
-    each_league,
-    endless,
-    put,
-    put_ball,
-    speed,
-    stage,
-    stand,
-    steady,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, endless, steady
+from tests.scenes.staging import place, play, put, speed, stage, stand, steps_in
 
 SIDES = ("front", "left", "right", "back")
 DIRECTIONS = {"front": (-1.0, 0.0), "left": (0.0, -1.0), "right": (0.0, 1.0), "back": (1.0, 0.0)}  # of the ball
@@ -38,8 +26,7 @@ def roll_at(match: Match, side: str, speeds: np.ndarray, aside: np.ndarray) -> N
     """Let balls roll straight at a side of robot 0, `aside` [m] of its middle."""
     (x, y), (dx, dy), radius = hull(match.league, side), DIRECTIONS[side], match.league.ball.radius + RUN_UP
     put(match, 0, 0.0, 0.0)
-    put_ball(match, x - radius * dx - aside * dy, y - radius * dy + aside * dx, speeds * dx, speeds * dy)
-    match.rebuild()
+    place(match, ball=(x - radius * dx - aside * dy, y - radius * dy + aside * dx, speeds * dx, speeds * dy))
 
 
 def ahead(match: Match, side: str) -> np.ndarray:
@@ -57,10 +44,8 @@ def test_a_ball_that_rolls_at_0_7_m_per_s_comes_back_5_to_20_cm_from_a_legged_bo
     edge = 0.5 * (way[0] * pitch.length + way[1] * pitch.width) - radius
     start = edge - gap
     aside = 0.6 * way[0]
-    put_ball(match, way[0] * start, way[1] * start + aside, 0.7 * way[0], 0.7 * way[1])
-    match.rebuild()
-    for _ in range(steps_in(match, 4.0)):
-        match.step(stand(match))
+    place(match, ball=(way[0] * start, way[1] * start + aside, 0.7 * way[0], 0.7 * way[1]))
+    play(match, 4.0)
     assert not speed(match.balls).any()
     away = edge - (match.balls["x"] if way[0] else match.balls["y"])
     assert (away > 0.05).all() and (away < 0.20).all(), away
@@ -70,8 +55,7 @@ def test_a_ball_that_rolls_at_0_7_m_per_s_comes_back_5_to_20_cm_from_a_legged_bo
 def test_a_ball_that_rolls_at_10_m_per_s_comes_back_a_metre_from_a_middle_size_robot_that_stands(side):
     match = stage(steady(endless(MIDDLE)), 5)
     roll_at(match, side, np.full(5, 10.0), np.linspace(-0.02, 0.02, 5))
-    for _ in range(steps_in(match, 3.0)):
-        match.step(stand(match))
+    play(match, 3.0)
     assert (-ahead(match, side) - match.league.ball.radius > 1.0).all(), ahead(match, side)
 
 
@@ -107,8 +91,7 @@ def test_a_ball_that_rolls_comes_back_from_a_board_as_far_as_friction_and_elasti
     model, gap = league.ball, 1e-3
     v = np.linspace(0.3, 0.8, 6) * model.top_speed
     edge = 0.5 * league.pitch.width - model.radius
-    put_ball(match, 0.3, edge - gap, 0.0, v)
-    match.rebuild()
+    place(match, ball=(0.3, edge - gap, 0.0, v))
     roll = np.maximum(1.0 - pair.friction * (1.0 + pair.elasticity) / model.shell, 0.0)
     back = (pair.elasticity - model.shell * roll) / (1.0 + model.shell) * v
     time = np.abs(pair.elasticity + roll) * v / (model.sliding * (1.0 + 1.0 / model.shell))  # [s] of sliding

@@ -5,19 +5,8 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.types import MAX_TEAM, Phase
-from tests.scenes.staging import (
-    LEAGUES,
-    LEGGED,
-    MIDDLE,
-    deepest_overlaps,
-    each_league,
-    patient,
-    scatter,
-    set_phase,
-    speed,
-    stand,
-    steps_in,
-)
+from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, patient
+from tests.scenes.staging import deepest_overlaps, scatter, set_phase, speed, stand, steps_in
 
 
 def chase(match: Match) -> np.ndarray:

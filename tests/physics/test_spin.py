@@ -127,8 +127,7 @@ def test_a_goal_post_takes_roll_and_speed_of_a_ball_as_friction_and_elasticity_s
 def test_a_heavy_robot_takes_roll_and_speed_of_a_ball_as_friction_and_elasticity_say(name, part):
     league = quick(name)
     speeds, angles, rolls = every(league)
-    match = stage(league, len(speeds))
-    put(match, 0, 0.0, 0.0)
+    match = stage(league, len(speeds), robots={0: (0.0, 0.0)})
     point, normal = targets(league)[part]
     check_blow(match, point, normal, league.materials.ball_robot, speeds, angles, rolls)
 
@@ -163,8 +162,7 @@ def test_a_wall_takes_the_roll_of_a_ball_that_its_own_roll_drives_into_it(name):
     """
     league = fine(boarded(name))
     ball, mu = league.ball, league.materials.ball_board.friction
-    match = stage(league)
-    put_ball(match, 0.0, 0.5 * league.pitch.width - ball.radius)
+    match = stage(league, ball=(0.0, 0.5 * league.pitch.width - ball.radius))
     match.balls["roll_y"] = began = 1.0
     match.rebuild()
     rate = (1.0 + mu) * ball.sliding / ball.shell  # [m/s2]

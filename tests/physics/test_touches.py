@@ -7,22 +7,8 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.physics.contacts import TOUCH_GAP, ball_gap, paws_gap
 from soccer_env.types import AWAY, HOME, NO_TEAM
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    asking,
-    boarded,
-    distance,
-    each_league,
-    endless,
-    outline,
-    put,
-    put_ball,
-    stage,
-    stand,
-    steady,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, endless, steady
+from tests.scenes.staging import asking, distance, outline, place, play, put, put_ball, stage, stand, steps_in
 
 MANY = 200
 FLANK = outline(find_league(LEGGED))[:, 1].max()  # [m]
@@ -48,8 +34,7 @@ def test_a_bounce_within_one_control_step_is_a_touch_by_that_robot(name, top):
     put(match, 1, -5.0, 5.0)
     away = body.reach + r + rng.uniform(0.05, 0.4, MANY)
     v = rng.uniform(0.5, 1.0, MANY) * top
-    put_ball(match, away * np.cos(angle), away * np.sin(angle), -v * np.cos(angle), -v * np.sin(angle))
-    match.rebuild()
+    place(match, ball=(away * np.cos(angle), away * np.sin(angle), -v * np.cos(angle), -v * np.sin(angle)))
     touched = run_until_touched(match, 1.0 if name == LEGGED else 0.3)
     assert touched[:, 0].all() and not touched[:, 1].any()
     assert (match.matches["last_touch_team"] == HOME).all() and (match.matches["last_touch_robot"] == 0).all()
@@ -61,8 +46,7 @@ def test_a_fast_ball_on_a_robot_that_drives_away_is_a_touch():
     rng = np.random.default_rng(2)
     u = rng.uniform(0.5, 2.6, MANY)
     put(match, 1, 0.0, 0.0, np.pi, forward=u)
-    put_ball(match, rng.uniform(0.5, 0.9, MANY), rng.uniform(-0.1, 0.1, MANY), -rng.uniform(6.0, 11.0, MANY), 0.0)
-    match.rebuild()
+    place(match, ball=(rng.uniform(0.5, 0.9, MANY), rng.uniform(-0.1, 0.1, MANY), -rng.uniform(6.0, 11.0, MANY), 0.0))
     touched = np.zeros(MANY, bool)
     for _ in range(steps_in(match, 0.4)):
         match.step(asking(match, r=1, forward=u / 2.6))
@@ -79,8 +63,7 @@ def test_a_bounce_off_a_board_is_nobodys_touch(name):
     edge, v = pitch.width / 2, rng.uniform(0.3, 0.9, MANY) * match.league.ball.top_speed
     put(match, 0, 0.0, edge - 0.6 * rng.uniform(1.0, 2.0, MANY), 0.0)
     put(match, 1, -1.0, edge - 2.0 * body.reach, 0.0)
-    put_ball(match, body.reach + r + 0.06, edge - r - rng.uniform(0.05, 0.2, MANY), rng.uniform(0.0, 0.5, MANY), v)
-    match.rebuild()
+    place(match, ball=(body.reach + r + 0.06, edge - r - rng.uniform(0.05, 0.2, MANY), rng.uniform(0.0, 0.5, MANY), v))
     bounced = np.zeros(MANY, bool)
     for _ in range(3):
         match.step(stand(match))
@@ -93,8 +76,7 @@ def test_a_bounce_off_a_board_is_nobodys_touch(name):
 def test_a_ball_that_a_board_sends_towards_a_robot_has_not_touched_it_yet():
     match = stage(LEGGED)
     put(match, 0, 0.0, 1.0 - 0.042 - 0.042 - 0.05 - FLANK, 0.0)  # its flank is 5 cm from a ball at the board
-    put_ball(match, 0.0, 0.93, 0.0, 1.5)
-    match.rebuild()
+    place(match, ball=(0.0, 0.93, 0.0, 1.5))
     match.step(stand(match))
     assert match.balls["vy"][0] < 0.0, "it has come back from the board"
     assert not match.robot_events["touch"].any()
@@ -105,8 +87,7 @@ def test_a_bounce_off_a_board_beside_a_robot_that_hugs_it_is_nobodys_touch():
     rng = np.random.default_rng(1)
     put(match, 0, 0.0, 1.0 - FLANK - match.league.foot - 0.005, 0.0)
     v, angle = rng.uniform(1.0, 2.0, MANY), rng.uniform(1.0, np.pi / 2, MANY)
-    put_ball(match, 0.22, 1.0 - 0.042 - rng.uniform(0.05, 0.12, MANY), v * np.cos(angle), v * np.sin(angle))
-    match.rebuild()
+    place(match, ball=(0.22, 1.0 - 0.042 - rng.uniform(0.05, 0.12, MANY), v * np.cos(angle), v * np.sin(angle)))
     for _ in range(3):
         match.step(stand(match))
         assert not match.robot_events["touch"].any()
@@ -117,8 +98,7 @@ def test_a_ball_that_passes_close_by_is_not_touched(name):
     match = stage(endless(name))
     side, r = outline(match.league)[:, 1].max(), match.league.ball.radius
     put(match, 0, 0.0, 0.0, 0.0)
-    put_ball(match, -1.0, side + r + 0.01, match.league.ball.top_speed, 0.0)
-    match.rebuild()
+    place(match, ball=(-1.0, side + r + 0.01, match.league.ball.top_speed, 0.0))
     touched = run_until_touched(match, 1.5)
     assert match.balls["x"][0] > 0.3 and not touched.any()
 
@@ -142,8 +122,7 @@ def test_of_two_robots_that_touch_the_ball_the_nearer_is_the_last(name):
     apart = match.league.body.front + match.league.ball.radius
     put(match, 0, [-apart - 0.0005, -apart - 0.003], 0.0, 0.0)
     put(match, 1, [apart + 0.003, apart + 0.0005], 0.0, np.pi)
-    put_ball(match, 0.0, 0.0)
-    match.rebuild()
+    place(match, ball=(0.0, 0.0))
     match.step(stand(match))
     assert match.robot_events["touch"].sum(axis=1).tolist() == [2, 2]
     assert match.events["touch_team"].tolist() == [HOME, AWAY]
@@ -156,12 +135,10 @@ def test_robots_that_meet_have_a_collision_and_those_apart_have_none(name):
     put(match, 0, 0.0, 0.0, 0.0)
     put(match, 2, 2.0 * reach + 0.01, 0.0, np.pi)
     put(match, 1, -2.5 * reach, 3.0 * reach, 0.0)
-    put_ball(match, 0.3, -0.6)
-    match.rebuild()
+    place(match, ball=(0.3, -0.6))
     match.step(stand(match))
     assert not match.robot_events["collision"].any()
-    for _ in range(steps_in(match, 2.0)):
-        match.step(asking(match, r=0, forward=1.0))
+    play(match, 2.0, asking(match, r=0, forward=1.0))
     assert match.robot_events["collision"].tolist() == [[1, 0, 1, 0]]
 
 
@@ -202,8 +179,7 @@ def test_nobody_far_away_has_the_ball(name):
     match = stage(name, 60)
     rng = np.random.default_rng(5)
     put(match, 0, 0.0, 0.0, rng.uniform(-np.pi, np.pi, 60))
-    put_ball(match, rng.uniform(-1.0, 1.0, 60), rng.uniform(-0.9, 0.9, 60))
-    match.rebuild()
+    place(match, ball=(rng.uniform(-1.0, 1.0, 60), rng.uniform(-0.9, 0.9, 60)))
     match.step(stand(match))
     far = distance(match.balls, 0.0, 0.0) > match.league.body.reach + 2.2 * match.league.ball.radius
     assert far.sum() > 20

@@ -7,19 +7,8 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.types import MAX_TEAM, Phase
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    deepest_overlaps,
-    distance,
-    each_league,
-    put,
-    put_ball,
-    scatter,
-    set_phase,
-    stage,
-    stand,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, each_league
+from tests.scenes.staging import deepest_overlaps, distance, scatter, set_phase, stage, stand
 from tests.scenes.symmetry import Records, assert_same, mirrored
 
 
@@ -42,8 +31,7 @@ def carried(match, before):
 
 def dropped_at(name, x, y):
     """Return where balls that stuck at x, y are dropped, nobody near."""
-    match = stage(name, len(x))
-    put_ball(match, x, y)
+    match = stage(name, len(x), ball=(x, y))
     dropped(match)
     return match.balls["x"], match.balls["y"]
 
@@ -93,10 +81,7 @@ def test_beside_the_area_it_stays_beside_it():
 @pytest.mark.parametrize("handedness", [1.0, -1.0])
 def test_a_goalkeeper_stays_in_its_area_and_a_robot_just_within_the_ring_is_moved_out_by_a_hair(handedness):
     """A trap: robots were moved round the ring one way only, a keeper from its goal to midfield."""
-    match = stage(LEGGED, 1, home=2, away=2)
-    put(match, 2, 1.30, 0.20, np.pi)
-    put(match, 3, 0.5, -0.30, np.pi)
-    put_ball(match, 0.95, 0.1)
+    match = stage(LEGGED, 1, home=2, away=2, ball=(0.95, 0.1), robots={2: (1.30, 0.20, np.pi), 3: (0.5, -0.30, np.pi)})
     match.matches["handedness"] = handedness
     ring = match.league.rules.separation + match.league.body.reach
     assert match.robots["keeper"][0, 2] == 1
@@ -106,18 +91,13 @@ def test_a_goalkeeper_stays_in_its_area_and_a_robot_just_within_the_ring_is_move
 
 
 def test_a_goalkeeper_out_of_its_area_keeps_the_ring_like_anybody():
-    match = stage(LEGGED, 1, home=2, away=2)
-    put(match, 2, 0.7, 0.2, np.pi)
-    put_ball(match, 0.5, 0.2)
+    match = stage(LEGGED, 1, home=2, away=2, ball=(0.5, 0.2), robots={2: (0.7, 0.2, np.pi)})
     dropped(match)
     assert distance(match.robots, 0.5, 0.2)[0, 2] >= match.league.rules.separation + match.league.body.reach - 1e-6
 
 
 def test_a_robot_outside_the_ring_is_not_moved_however_near_others_stand():
-    match = stage(LEGGED, 1, home=2, away=2)
-    put(match, 0, -0.5, 0.0)
-    put(match, 3, -0.5, 0.17, np.pi)
-    put_ball(match, 0.5, 0.0)
+    match = stage(LEGGED, 1, home=2, away=2, ball=(0.5, 0.0), robots={0: (-0.5, 0.0), 3: (-0.5, 0.17, np.pi)})
     assert not carried(match, dropped(match)).any()
 
 
@@ -160,8 +140,7 @@ def test_a_mirrored_drop_is_the_mirror_image():
 
 def test_without_the_rule_no_ball_is_dropped():
     league = find_league(LEGGED)
-    match = stage(replace(league, rules=replace(league.rules, dropped_ball=False)))
-    put_ball(match, 0.4, 0.3)
+    match = stage(replace(league, rules=replace(league.rules, dropped_ball=False)), ball=(0.4, 0.3))
     match.matches["still_clock"] = league.rules.stuck_time
     match.rebuild()
     match.step(stand(match))

@@ -6,26 +6,14 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.scenes.staging import (
-    LEAGUES,
-    LEGGED,
-    MIDDLE,
-    each_league,
-    icy,
-    put,
-    put_ball,
-    stage,
-    stand,
-    steps_in,
-)
+from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, each_league, icy, place, put, put_ball, stage, stand, steps_in
 
 MILLIMETRE = 0.001  # [m]
 
 
 def ball_at(match, x, y):
     """Lay the ball down and let the referee look once."""
-    put_ball(match, x, y)
-    match.rebuild()
+    place(match, ball=(x, y))
     match.step(stand(match))
 
 
@@ -104,8 +92,7 @@ def test_a_goal_is_counted_once(name):
     match = Match(name, home=1, away=1, seed=1)
     league = match.league
     match.matches["phase"] = Phase.PLAY
-    put_ball(match, league.pitch.length / 2 + league.ball.radius + 0.01, 0.0, 0.5 * league.ball.top_speed, 0.0)
-    match.rebuild()
+    place(match, ball=(league.pitch.length / 2 + league.ball.radius + 0.01, 0.0, 0.5 * league.ball.top_speed, 0.0))
     goals = 0
     for _ in range(100):
         match.step(stand(match))

@@ -7,7 +7,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.scenes import SCENES
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.scenes.staging import LEGGED, each_league, put_ball, stand, steps_in
+from tests.scenes.staging import LEGGED, each_league, place, play, stand, steps_in
 
 MINUTES = 0.2  # two halves of 6 s
 
@@ -74,8 +74,7 @@ def test_the_final_whistle_ends_the_match_and_nothing_happens_after_it(name):
 def test_time_runs_on_while_the_ball_lies_ready_for_a_restart(name):
     match = Match(name, seed=1)
     assert match.matches["phase"][0] == Phase.KICK_OFF
-    for _ in range(steps_in(match, 3.0)):
-        match.step(stand(match))
+    play(match, 3.0)
     assert match.matches["clock"][0] == pytest.approx(3.0)
 
 
@@ -83,19 +82,16 @@ def test_time_runs_on_while_the_ball_lies_ready_for_a_restart(name):
 def test_without_a_clock_a_match_goes_on(name):
     match = Match(name, episode="goal", seed=1)
     assert np.isinf(match.matches["half_length"][0])
-    for _ in range(200):
-        match.step(stand(match))
+    play(match, steps=200)
     assert match.matches["half"][0] == 0 and not match.terminated[0]
 
 
 @each_league
 def test_a_goal_in_the_last_moment_of_a_half_counts(name):
     match = Match(name, minutes=MINUTES, seed=1, rules="simple")
-    for _ in range(steps_in(match, 6.0) - 1):
-        match.step(stand(match))
+    play(match, steps=steps_in(match, 6.0) - 1)
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
-    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.rebuild()
+    place(match, ball=(match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0))
     match.step(stand(match))
     assert match.events["goal"][0] == HOME and match.events["half_time"][0] == 1
     assert match.matches["score"].tolist() == [[1, 0]]
@@ -106,11 +102,9 @@ def test_a_goal_in_the_last_moment_of_a_half_counts(name):
 def test_the_goal_that_ends_an_episode_ends_it_even_at_half_time(name):
     """It used to begin a second half of a match that was over."""
     match = Match(name, episode="goal", minutes=MINUTES, seed=1, rules="simple")
-    for _ in range(steps_in(match, 6.0) - 1):
-        match.step(stand(match))
+    play(match, steps=steps_in(match, 6.0) - 1)
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
-    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.rebuild()
+    place(match, ball=(match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0))
     match.step(stand(match))
     assert match.events["goal"][0] == HOME and match.terminated[0]
     assert match.events["half_time"][0] == 0 and match.matches["phase"][0] == Phase.OVER
@@ -127,12 +121,10 @@ def test_events_name_teams_and_not_sides(name):
     match.robots["x"], match.robots["y"] = [-1.0, -0.5, -1.0, 0.0], [0.5, 0.5, -0.5, -0.5]
     match.robots["x"][:, 1], match.robots["y"][:, 1], match.robots["heading"][:, 1] = [x, -x], 0.0, [0.0, np.pi]
     gap = league.body.front + league.ball.radius + 0.002
-    put_ball(match, [x + gap, -x - gap], 0.0)
-    match.rebuild()
+    place(match, ball=([x + gap, -x - gap], 0.0))
     match.step(stand(match))
     assert match.events["touch_team"].tolist() == [HOME, HOME]
-    put_ball(match, [7.0 * x, -7.0 * x], 0.0)
-    match.rebuild()
+    place(match, ball=([7.0 * x, -7.0 * x], 0.0))
     match.step(stand(match))
     assert match.events["goal"].tolist() == [HOME, HOME] and match.matches["score"].tolist() == [[1, 0], [1, 0]]
     assert match.events["restart_team"].tolist() == [AWAY, AWAY]

@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.scenes.staging import LEGGED, MIDDLE, asking, put, put_ball, stage, stand, steps_in
+from tests.scenes.staging import LEGGED, MIDDLE, asking, place, put, put_ball, stage, stand, steps_in
 
 LEAGUE = find_league(MIDDLE)
 HALF_LENGTH, HALF_WIDTH = LEAGUE.pitch.length / 2, LEAGUE.pitch.width / 2
@@ -22,8 +22,7 @@ def called(x, y, touches=TOUCHES, directions=DIRECTIONS, **settings) -> Match:
     match = Match(MIDDLE, home=3, away=3, matches=len(touches), seed=1, **settings)
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
     match.matches["last_touch_team"], match.matches["home_direction"] = touches, directions
-    put_ball(match, x, y)
-    match.rebuild()
+    place(match, ball=(x, y))
     match.step(stand(match))
     return match
 
@@ -100,10 +99,7 @@ def test_the_last_touch_before_it_went_out_decides_and_not_an_earlier_one():
 
 
 def test_the_middle_size_robot_that_drives_the_ball_out_loses_it():
-    match = stage(MIDDLE)
-    put(match, 0, 0.0, 2.5, np.pi / 2)
-    put_ball(match, 0.0, 2.5 + 0.18 + 0.11 + 0.005)
-    match.rebuild()
+    match = stage(MIDDLE, ball=(0.0, 2.5 + 0.18 + 0.11 + 0.005), robots={0: (0.0, 2.5, np.pi / 2)})
     for _ in range(steps_in(match, 4.0)):
         match.step(asking(match, forward=0.4))
         if match.events["out"][0]:

@@ -10,21 +10,8 @@ from soccer_env.referee.places import MARGIN, capsule, in_the_way
 from soccer_env.referee.restarts import STEP_ASIDE, make_room
 from soccer_env.staging import constants_of
 from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM, Phase
-from tests.scenes.staging import (
-    LEAGUES,
-    LEGGED,
-    MIDDLE,
-    asking,
-    deepest_overlaps,
-    distance,
-    each_league,
-    put_ball,
-    scatter,
-    set_phase,
-    speed,
-    stand,
-    steps_in,
-)
+from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league
+from tests.scenes.staging import asking, deepest_overlaps, distance, place, scatter, set_phase, speed, stand, steps_in
 
 KINDS = {
     LEGGED: (Phase.KICK_OFF,),
@@ -56,8 +43,7 @@ def called(name, phase, home, away, placement="instant", seed=0) -> Match:
         Phase.CORNER_KICK: (attack * beyond, aside, 1 - TAKERS),
     }[phase]
     match.matches["last_touch_team"] = last
-    put_ball(match, x, y)
-    match.rebuild()
+    place(match, ball=(x, y))
     match.step(stand(match))
     assert (match.events["restart"] == phase).all() and (match.events["restart_team"] == TAKERS).all()
     return match
@@ -145,8 +131,7 @@ def test_the_old_base_finds_its_place_without_stepping_aside():
     match = Match("middle-size-2006-differential", home=1, away=1, matches=8, seed=3, placement="drive")
     set_phase(match, Phase.PLAY)
     scatter(match, np.random.default_rng(3), 0.8)
-    put_ball(match, match.league.pitch.length / 2 + 0.2, 0.0)
-    match.rebuild()
+    place(match, ball=(match.league.pitch.length / 2 + 0.2, 0.0))
     match.step(stand(match))
     places = match.robots[["place_x", "place_y"]].copy()
     last = match.robots.copy()
@@ -232,8 +217,7 @@ def test_a_restart_forgets_who_touched_the_ball(name):
     match = Match(name, home=1, away=1, seed=1)
     set_phase(match, Phase.PLAY)
     match.matches["last_touch_team"], match.matches["last_touch_robot"] = HOME, 0
-    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.rebuild()
+    place(match, ball=(match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0))
     match.step(stand(match))
     assert match.matches["last_touch_team"][0] == NO_TEAM and match.matches["last_touch_robot"][0] == -1
 
@@ -244,8 +228,7 @@ def test_sent_off_robots_are_not_placed(name):
     absent = match.robots["active"][0] == 0
     before = match.robots[:, absent].copy()
     set_phase(match, Phase.PLAY)
-    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.rebuild()
+    place(match, ball=(match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0))
     match.step(stand(match))
     assert (match.events["restart"] == Phase.KICK_OFF).all()
     for axis in ("x", "y", "heading"):

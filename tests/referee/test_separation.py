@@ -10,18 +10,8 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.rules import NEVER, simple_of
 from soccer_env.types import MAX_TEAM
 from tests.referee.test_dropped_ball import crowd
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    asking,
-    deepest_overlaps,
-    distance,
-    put,
-    put_ball,
-    stage,
-    stand,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE
+from tests.scenes.staging import asking, deepest_overlaps, distance, place, play, put, put_ball, stage, stand, steps_in
 from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_actions
 
 PAWS = find_league(LEGGED).body
@@ -32,11 +22,7 @@ def pushing(league=LEGGED, matches=1, x=0.3, y=0.4, contact_time=15.0):
     """Return matches in which two opponents push against each other, away from the ball, and their actions."""
     found = find_league(league)
     found = replace(found, rules=replace(simple_of(found.rules), contact_time=contact_time, dropped_ball=False))
-    match = stage(found, matches)
-    put_ball(match, -1.2, -0.8)
-    put(match, 0, x, y, 0.0)
-    put(match, 1, np.asarray(x) + NOSES, y, np.pi)
-    match.rebuild()
+    match = stage(found, matches, ball=(-1.2, -0.8), robots={0: (x, y, 0.0), 1: (np.asarray(x) + NOSES, y, np.pi)})
     return match, asking(match, [0, 1], forward=1.0)
 
 
@@ -180,10 +166,7 @@ def test_team_mates_are_left_alone():
 
 
 def test_team_mates_that_hold_each_other_by_the_legs_are_set_free_and_the_farther_from_the_ball_goes():
-    match = stage(LEGGED, 1, home=2, away=1)
-    put(match, 0, 0.0, 0.0)
-    put(match, 1, 0.0, 0.17)
-    put_ball(match, 0.5, 0.0)
+    match = stage(LEGGED, 1, home=2, away=1, ball=(0.5, 0.0), robots={0: (0.0, 0.0), 1: (0.0, 0.17)})
     match.robots["locked"][:, :2] = 16.0
     match.robots["caught_by"][0, 1] = 1
     match.robots["gait_phase"] = 1  # legs are looked at anew as a gait step begins
@@ -200,15 +183,13 @@ def test_time_in_contact_counts_for_a_robot_that_stands_as_for_the_one_that_it_h
     """A trap of searchers: the one stands for ever, the other cannot leave."""
     match, actions = pushing()
     actions[:, 0] = 0.0
-    for _ in range(3):
-        match.step(actions)
+    play(match, actions=actions, steps=3)
     assert (match.robots["locked"] > 0.0).all()
 
 
 def test_at_a_board_the_other_one_is_moved_farther_and_nobody_stands_in_anybody():
     match, actions = pushing(matches=3, x=np.array([1.05, -1.3, 0.0]), y=np.array([0.5, -0.8, 0.83]))
-    put_ball(match, match.robots["x"][:, 0] - 0.25, match.robots["y"][:, 0])
-    match.rebuild()
+    place(match, ball=(match.robots["x"][:, 0] - 0.25, match.robots["y"][:, 0]))
     match.robots["locked"] = 14.9
     assert separations(match, actions, 0.5)
     assert max(deepest_overlaps(match).values()) < 0.002

@@ -6,7 +6,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.scenes.staging import MIDDLE, put_ball, stand
+from tests.scenes.staging import MIDDLE, place, stand
 
 LEAGUE = find_league(MIDDLE)
 OUT = {  # where the ball goes out, and who touched it last: home attacks +x
@@ -25,8 +25,7 @@ def lined_up(case, home=HOME, **settings):
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
     match.matches["home_direction"] = 1.0 if home == HOME else -1.0
     match.matches["last_touch_team"] = last if home == HOME else 1 - last
-    put_ball(match, x, y)
-    match.rebuild()
+    place(match, ball=(x, y))
     match.step(stand(match))
     assert match.events["restart_team"][0] == home
     return match

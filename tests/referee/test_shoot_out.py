@@ -8,7 +8,7 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.referee.shoot_out import is_decided
 from soccer_env.staging import put_ball
 from soccer_env.types import AWAY, HOME, Phase
-from tests.scenes.staging import MIDDLE, stand
+from tests.scenes.staging import MIDDLE, play, stand
 
 
 def drawn(rules="league:shoot_out=True", **settings) -> Match:
@@ -52,8 +52,7 @@ def test_the_others_are_kept_at_their_places_whatever_they_ask_for():
     places, end = match.robots["x"][0].copy(), np.sign(match.matches["restart_x"][0])
     actions = stand(match)
     actions[:, :, 1] = 1.0  # aside: the taker leaves the ball
-    for _ in range(100):
-        match.step(actions)
+    play(match, actions=actions, steps=100)
     looks_on, gone = end * places < 0.0, abs(match.robots["y"][0]) > 3.0
     moved = abs(match.robots["x"][0] - places)
     assert looks_on.sum() == 4 and moved[looks_on].max() < 0.2 and gone[~looks_on].any()

@@ -8,20 +8,8 @@ from soccer_env.compiled import compiled
 from soccer_env.physics.contacts import paws_gap
 from soccer_env.referee.steering import CLEAR, SLACK, hold_off, keep_off, way_round
 from soccer_env.types import Phase
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    distance,
-    each_league,
-    put,
-    put_ball,
-    scatter,
-    set_phase,
-    speed,
-    stage,
-    stand,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, each_league
+from tests.scenes.staging import distance, place, put, put_ball, scatter, set_phase, speed, stage, stand, steps_in
 
 DIFFERENTIAL = "middle-size-2006-differential"
 DEEPEST = 0.001  # [m] of a robot that was set back, in the held ball
@@ -122,8 +110,7 @@ def test_a_robot_on_whose_place_the_ball_is_put_is_set_back_at_once_and_told(nam
     match = stage(name, 4, home=2, away=2, placement="drive")
     for r in range(4):
         put(match, r, [0.05, 1.0, 1.2, -1.0][r], [0.02, 0.6, -0.6, 0.7][r])
-    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.rebuild()
+    place(match, ball=(match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0))
     match.step(stand(match))
     assert (match.matches["placing"] == 1).all() and (match.events["restart"] == Phase.KICK_OFF).all()
     assert gaps_of(match).min() > -DEEPEST
@@ -159,8 +146,7 @@ def test_while_placing_nobody_drives_through_the_ball(name, size):
     match = Match(name, home=size, away=size, matches=24, seed=6, placement="drive")
     set_phase(match, Phase.PLAY)
     scatter(match, np.random.default_rng(6), 0.5)
-    put_ball(match, match.league.pitch.length / 2 + 0.2, 0.0)
-    match.rebuild()
+    place(match, ball=(match.league.pitch.length / 2 + 0.2, 0.0))
     match.step(stand(match))
     placing, depths, moved = match.matches["placing"] == 1, [], 0.0
     assert placing.all()

@@ -5,12 +5,12 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
+from tests.scenes.leagues import LEAGUES, LEGGED, each_league
 from tests.scenes.staging import (
-    LEAGUES,
-    LEGGED,
     deepest_overlaps,
     distance,
-    each_league,
+    place,
+    play,
     put,
     put_ball,
     scatter,
@@ -24,9 +24,7 @@ from tests.scenes.staging import (
 
 @each_league
 def test_a_ball_that_stays_is_stuck_after_the_leagues_time(name):
-    match = stage(name)
-    put_ball(match, 0.4, 0.3)
-    match.rebuild()
+    match = stage(name, ball=(0.4, 0.3))
     steps = 0
     while not match.events["stuck"][0]:
         match.step(stand(match))
@@ -40,8 +38,7 @@ def test_a_ball_that_stays_is_stuck_after_the_leagues_time(name):
 @pytest.mark.parametrize(("share", "stuck"), [(0.99, 1), (1.01, 0)])
 @each_league
 def test_within_the_radius_it_has_stayed_and_beyond_it_it_begins_anew(name, x, y, share, stuck):
-    match = stage(name)
-    put_ball(match, 0.4, 0.3)
+    match = stage(name, ball=(0.4, 0.3))
     far = share * match.league.rules.stuck_radius
     match.matches["still_x"], match.matches["still_y"] = 0.4 + far * x, 0.3 + far * y
     match.matches["still_clock"] = match.league.rules.stuck_time - match.league.dt
@@ -74,8 +71,7 @@ def test_a_moving_ball_is_never_stuck_however_slowly_it_moves_on(name, pace):
 def test_a_ball_that_trembles_on_the_spot_is_stuck(name):
     match = stage(name)
     rules = match.league.rules
-    put_ball(match, 0.0, 0.0)
-    match.rebuild()
+    place(match, ball=(0.0, 0.0))
     called = 0
     for step in range(steps_in(match, rules.stuck_time) + 2):
         match.balls["x"] = 0.4 * rules.stuck_radius * np.sin(step)
@@ -135,8 +131,6 @@ def test_anybody_may_play_a_dropped_ball_at_once():
     match = stage(LEGGED)
     set_phase(match, Phase.DROP_BALL)
     match.matches["restart_x"], match.matches["restart_y"] = 0.0, 0.0
-    put_ball(match, 0.0, 0.0, 0.5, 0.0)
-    match.rebuild()
-    for _ in range(4):
-        match.step(stand(match))
+    place(match, ball=(0.0, 0.0, 0.5, 0.0))
+    play(match, steps=4)
     assert match.matches["phase"][0] == Phase.PLAY

@@ -17,8 +17,7 @@ MATES = ("cover", "crowding", "guard", "strength", "foul")
 
 def scene(places: dict[int, tuple[float, float]], home: int = 3, away: int = 1) -> Match:
     """Return a legged match with the ball at (0.5, 0.2) and these robots; the others are off the pitch."""
-    match = stage("legged-2001", home=home, away=away)
-    put_ball(match, 0.5, 0.2)
+    match = stage("legged-2001", home=home, away=away, ball=(0.5, 0.2))
     for r, (x, y) in places.items():
         put(match, r, x, y)
     return match

@@ -10,7 +10,7 @@ from soccer_env import Match, Rewards
 from soccer_env.rewards import KINDS, NAMES, POTENTIALS, PRESETS, TERMS, Term, find_rewards, make_pay
 from soccer_env.train.command.command_line import main
 from soccer_env.types import AWAY, HOME
-from tests.scenes.staging import LEAGUES, endless, put, put_ball, scatter, set_phase, stage, stand
+from tests.scenes.staging import LEAGUES, endless, place, put, put_ball, scatter, set_phase, stage, stand
 
 GOAL, PROGRESS, APPROACH, EFFORT = (NAMES.index(name) for name in ("goal", "progress", "approach", "effort"))
 EVENTS = [column for column, term in enumerate(TERMS) if term.kind == "event"]
@@ -132,10 +132,7 @@ def test_effort_is_the_mean_square_of_the_clipped_command() -> None:
 
 def test_progress_is_gained_by_one_team_and_lost_by_the_other() -> None:
     match = stage(endless("middle-size-2006"), rewards=Rewards(gamma=1.0))
-    put(match, 0, -3.0, 3.0)
-    put(match, 1, 3.0, -3.0)
-    put_ball(match, 0.0, 0.0, 3.0)
-    match.rebuild()
+    place(match, ball=(0.0, 0.0, 3.0), robots={0: (-3.0, 3.0), 1: (3.0, -3.0)})
     match.step(stand(match))
     assert match.terms[0, 0, PROGRESS] > 0.0
     assert match.terms[0, 0, PROGRESS] == pytest.approx(-match.terms[0, 1, PROGRESS])

@@ -1,65 +1,43 @@
-"""Stage matches for tests: leagues with something taken out, small scenes, commands, and measures of the bodies."""
+"""Stage matches for tests: small scenes, commands, and measures of the bodies."""
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
-import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import League
 from soccer_env.leagues.constants import constants_of
 from soccer_env.physics.contacts import paws_gap
 from soccer_env.physics.engine.space import robot_moment
-from soccer_env.staging import patient, send_off, set_phase
-from soccer_env.staging import put as put
-from soccer_env.staging import put_ball as put_ball
+from soccer_env.staging import put, put_ball, send_off, set_phase
 from soccer_env.types import Phase
+from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, boarded, each_league, endless, icy, patient, steady  # noqa: F401
 from tests.scenes.outlines import ball_board_gaps, robot_board_gaps, robot_gaps
 
-LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
-LEAGUES = (LEGGED, MIDDLE)
 WALK = ("forward", "left", "turn")
-each_league = pytest.mark.parametrize("name", LEAGUES)
-
-
-# Leagues with something taken out
-
-
-def endless(league: str | League) -> League:
-    """Return the league, with a patient referee, on a pitch so large that nothing reaches its edge."""
-    found = patient(league)
-    return replace(found, pitch=replace(found.pitch, length=400.0, width=400.0))
-
-
-def boarded(league: str | League) -> League:
-    """Return the league with boards on its lines instead of a band, and a patient referee."""
-    found = patient(league)
-    return replace(found, pitch=replace(found.pitch, walled=True, band_side=0.0, band_end=0.0))
-
-
-def steady(league: str | League) -> League:
-    """Return the league, with a patient referee, where no robot slips and all kicks are alike."""
-    found = patient(league)
-    kicker = replace(found.kicker, spread=0.0, speed_spread=0.0, miss=0.0)
-    return replace(found, drive=replace(found.drive, slip=0.0), kicker=kicker)
-
-
-def icy(league: str | League) -> League:
-    """Return the league, with a patient referee, on a carpet without friction."""
-    found = patient(league)
-    return replace(found, ball=replace(found.ball, rolling=0.0, sliding=1e-9, pivot=0.0))
 
 
 # Putting things somewhere
 
 
-def stage(league: str | League, matches: int = 1, home: int = 1, away: int = 1, **settings: Any) -> Match:
-    """Return matches in play, the ball at rest on the centre spot, all robots sent off until `put` brings them on."""
+def stage(league: Any, matches: int = 1, home: int = 1, away: int = 1, *, ball: Any = None, robots: Any = None,
+          **settings: Any) -> Match:  # fmt: skip
+    """Return matches in play, the ball at rest on the centre spot, all robots sent off but those that `place` names."""
     match = Match(league, matches=matches, home=home, away=away, **{"seed": 1, **settings})
     set_phase(match, Phase.PLAY)
     send_off(match, range(home + away))
+    if ball is not None or robots is not None:
+        place(match, ball, robots)
     return match
+
+
+def place(match: Match, ball: Any = None, robots: Any = None) -> None:
+    """Put the ball, as for `put_ball`, and robots by their row, as for `put`, and rebuild the physics on them."""
+    for r, where in (robots or {}).items():
+        put(match, r, *where)
+    if ball is not None:
+        put_ball(match, *ball)
+    match.rebuild()
 
 
 def scatter(match: Match, rng: np.random.Generator, share: float = 0.8) -> None:
@@ -102,6 +80,12 @@ def asking(
 def steps_in(match: Match, seconds: float) -> int:
     """Return the control steps in a time [s]."""
     return round(seconds * match.league.control_rate)
+
+
+def play(match: Match, seconds: float = 0.0, actions: Any = None, steps: int | None = None) -> None:
+    """Play for a time [s], or some control steps; everybody stands unless told otherwise."""
+    for _ in range(steps_in(match, seconds) if steps is None else steps):
+        match.step(stand(match) if actions is None else actions)
 
 
 # Looking

@@ -6,17 +6,13 @@ import pytest
 from soccer_env import Match
 from soccer_env.teams import TeamRandom, View
 from soccer_env.types import AWAY
-from tests.scenes.staging import LEGGED, put, put_ball, stage, steady
+from tests.scenes.staging import LEGGED, place, stage, steady
 
 
 def looking() -> Match:
     """Return a robot that has just looked at a ball, a team-mate and an opponent, and has not thought about it yet."""
     match = stage(steady(LEGGED), home=2, away=1, observe="belief")
-    put(match, 0, -0.9, 0.0)
-    put(match, 1, 0.2, 0.3, 2.0)
-    put(match, 2, 0.3, -0.2, 3.0)
-    put_ball(match, 0.0, 0.1)
-    match.rebuild()
+    place(match, ball=(0.0, 0.1), robots={0: (-0.9, 0.0), 1: (0.2, 0.3, 2.0), 2: (0.3, -0.2, 3.0)})
     match.batch.senses.start(0)
     match.batch.senses.sense(0, 1)
     return match

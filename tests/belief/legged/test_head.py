@@ -19,7 +19,7 @@ from soccer_env.percept_types import LEGGED_PERCEPT
 from soccer_env.types import GAZE
 from tests.belief.legged.staged_ball import Watcher
 from tests.scenes.projection import pixel_of_direction
-from tests.scenes.staging import LEGGED, asking, put, put_ball, stage, steady
+from tests.scenes.staging import LEGGED, asking, stage, steady
 
 LEAGUE = find_league(LEGGED)
 RADIUS = LEAGUE.ball.radius
@@ -221,10 +221,7 @@ def watch(match: Match, actions: Any, seconds: float) -> np.ndarray:
 
 def test_ms07_the_ball_stays_at_the_centre_of_the_picture_while_the_robot_walks() -> None:
     """MS07: the head follows at the speed of its joints; the beam on its axis meets the ball in most frames."""
-    match = stage(steady(LEGGED), observe="belief")
-    put(match, 0, -1.0, -0.5, 0.2)
-    put_ball(match, -0.5, -0.2)
-    match.rebuild()
+    match = stage(steady(LEGGED), observe="belief", ball=(-0.5, -0.2), robots={0: (-1.0, -0.5, 0.2)})
     found = watch(match, asking(match, forward=0.8, left=0.4, turn=0.15), 5.0)
     settled = found[8:]  # after half a second to find it
     assert (settled < CENTRED).mean() > 0.95
@@ -241,10 +238,7 @@ def test_the_head_leads_a_ball_that_lies_still_and_not_one_that_comes_along() ->
 
 
 def test_the_head_catches_a_ball_aside_at_the_speed_of_its_joints() -> None:
-    match = stage(steady(LEGGED), observe="belief")
-    put(match, 0, 0.0, 0.0)
-    put_ball(match, 0.4, 0.6)
-    match.rebuild()
+    match = stage(steady(LEGGED), observe="belief", ball=(0.4, 0.6), robots={0: (0.0, 0.0)})
     found = watch(match, asking(match), 1.0)
     frames = np.arctan2(0.6, 0.4 - 0.075) / LEAGUE.head.pan_speed * LEAGUE.control_rate
     assert (found > CENTRED).sum() == pytest.approx(frames, abs=1.5)

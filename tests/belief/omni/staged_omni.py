@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env import Match
-from tests.scenes.staging import MIDDLE, put, put_ball, stage, stand, steady
+from tests.scenes.staging import MIDDLE, play, put, put_ball, stage, stand, steady
 
 CLEAR = {  # what can be seen is seen, but for its pixels
     **dict.fromkeys(("ball_miss", "player_miss", "false_balls", "barrier_miss", "odometry_noise"), 0.0),
@@ -36,8 +36,7 @@ def begin(match: Match) -> None:
 
 def run(match: Match, seconds: float, actions: np.ndarray | None = None) -> None:
     """Play for a time [s], everybody standing unless told otherwise."""
-    for _ in range(round(seconds * match.league.control_rate)):
-        match.step(stand(match) if actions is None else actions)
+    play(match, seconds, stand(match) if actions is None else actions)
 
 
 def in_frame(match: Match, r: int, things: np.ndarray) -> np.ndarray:

@@ -18,7 +18,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.league import Slots
 from soccer_env.percept_types import OMNI_PERCEPT
 from tests.belief.omni.staged_omni import begin, in_frame, run, state, thinking
-from tests.scenes.staging import MIDDLE, asking, put, put_ball, scatter, set_phase
+from tests.scenes.staging import MIDDLE, asking, place, put, put_ball, scatter, set_phase
 
 MATES = find_league(MIDDLE).slots.teammates
 BOTH = pytest.mark.parametrize("name", ["kalman", "least-squares"])
@@ -158,8 +158,7 @@ def test_the_nearest_keep_the_slots() -> None:
 def test_a_player_that_jumps_within_the_gate_is_believed_after_readings_in_a_row() -> None:
     match = with_players({1: (2.0, 0.0)}, 1, 1)
     run(match, 0.4)
-    put(match, 1, 2.0, 0.8)
-    match.rebuild()
+    place(match, robots={1: (2.0, 0.8)})
     run(match, 0.04)
     assert (tracks_of(match, False)["y"][:, 0] < 0.2).all()  # one reading, a frame late
     run(match, 0.02)

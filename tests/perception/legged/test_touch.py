@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from tests.scenes.staging import LEGGED, asking, put, put_ball, stage, stand
+from tests.scenes.staging import LEGGED, asking, place, play, put, stage, stand
 
 SWITCHES = ("head", "chin", "back", "feet")
 
@@ -16,8 +16,7 @@ def feeling(**settings: object) -> Match:
     match = stage(LEGGED, 1, 1, 1, observe="percepts", **settings)
     put(match, 0, 0.0, 0.0)
     put(match, 1, 1.0, 0.5)
-    put_ball(match, match.league.body.front + match.league.ball.radius, 0.0)
-    match.rebuild()
+    place(match, ball=(match.league.body.front + match.league.ball.radius, 0.0))
     return match
 
 
@@ -29,8 +28,7 @@ def felt(match: Match, r: int = 0) -> tuple[int, ...]:
 def test_ms06_a_collision_presses_no_touch_sensor() -> None:
     """MS06: who runs into another robot, and who has the ball between its paws, feel no more than one alone."""
     match = feeling()
-    put(match, 1, -0.4, 0.0)
-    match.rebuild()
+    place(match, robots={1: (-0.4, 0.0)})
     actions = asking(match, 1, forward=1.0)
     collided, touched, pressed = False, False, set()
     for _ in range(64):
@@ -46,8 +44,7 @@ def test_ms06_paws_feel_the_ground_and_not_what_stands_before_them() -> None:
     match = feeling()
     match.step(stand(match))
     assert felt(match)[3] == 4
-    for _ in range(12):
-        match.step(asking(match, forward=1.0))
+    play(match, actions=asking(match, forward=1.0), steps=12)
     assert felt(match)[3] == 2
     match.robots["fallen"][0, 0] = 1.0
     match.step(stand(match))

@@ -10,7 +10,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from tests.perception.omni.staged_omni import NOW, SURE, around, look, watching
-from tests.scenes.staging import MIDDLE, put, put_ball, stand
+from tests.scenes.staging import MIDDLE, play, put, put_ball
 
 LEAGUE = find_league(MIDDLE)
 S = LEAGUE.sensors
@@ -81,8 +81,7 @@ def test_in_constant_light_the_table_does_not_matter() -> None:
     percepts = []
     for table in ("adaptive", "fixed"):
         match = Match(MIDDLE, home=2, away=2, seed=8, observe="percepts", sensors={"colour_table": table})
-        for _ in range(20):
-            match.step(stand(match))
+        play(match, steps=20)
         percepts.append(match.percepts.tobytes())
         assert not match.percepts["light"].any() and not match.batch.senses.sensor_states["table"].any()
     assert percepts[0] == percepts[1]

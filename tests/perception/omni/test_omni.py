@@ -10,7 +10,7 @@ import pytest
 from soccer_env.leagues import find_league
 from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_of
 from tests.perception.omni.staged_omni import NOW, SHARP, SURE, apart, around, gather, look, watching
-from tests.scenes.staging import MIDDLE, put, put_ball, scatter, set_phase, stand
+from tests.scenes.staging import MIDDLE, play, put, put_ball, scatter, set_phase
 
 LEAGUE = find_league(MIDDLE)
 S = LEAGUE.sensors.record().view(np.recarray)[0]
@@ -212,8 +212,7 @@ def test_mh02_a_picture_arrives_some_frames_after_its_exposure() -> None:
 def test_a_robot_that_was_moved_sees_its_new_place_at_once() -> None:
     match = watching(sensors={**SURE, **SHARP, "camera_delay": 3})
     match.rebuild()
-    for _ in range(10):
-        match.step(stand(match))
+    play(match, steps=10)
     assert match.percepts["age"][0, 0] == pytest.approx(0.06)
     put(match, 0, 3.0, 0.0)
     put_ball(match, 4.0, 0.0)

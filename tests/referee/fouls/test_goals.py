@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.types import Phase
 from tests.scenes.fouls import POCKET, court, fouls
-from tests.scenes.staging import put, put_ball, stand
+from tests.scenes.staging import place, put, put_ball, stand
 
 RULES = "keeper_pushing=True,holding=True,kick_off_shot=True"
 STEP = 1.0 / 16.0
@@ -14,9 +14,7 @@ STEP = 1.0 / 16.0
 def rolling_in(rules=RULES, side=1.0, y=0.1):
     """Return a match in which the ball rolls over the goal line in a step or two; robot 1 stands aside."""
     match = court(rules)
-    put(match, 1, 0.5, 0.5)
-    put_ball(match, side * (1.5 + 0.03), y, side * 0.3)
-    match.rebuild()
+    place(match, ball=(side * (1.5 + 0.03), y, side * 0.3), robots={1: (0.5, 0.5)})
     return match
 
 
@@ -110,13 +108,10 @@ def test_the_kicking_team_has_to_touch_the_ball_when_all_of_it_has_left_the_circ
     match.matches["kick_off_shot"] = 0
     away = match.league.pitch.circle + match.league.ball.radius + beyond
     x, y = np.cos(way), np.sin(way)
-    put_ball(match, away * x, away * y)
-    put(match, 4, (away + POCKET) * x, (away + POCKET) * y, way + np.pi)
-    match.rebuild()
+    place(match, ball=(away * x, away * y), robots={4: ((away + POCKET) * x, (away + POCKET) * y, way + np.pi)})
     match.step(stand(match))
     assert match.robot_events["touch"][0, 4] == 1 and match.matches["kick_off_shot"][0] == 0  # an opponent: no matter
-    put(match, 1, (away - POCKET) * x, (away - POCKET) * y, way)
-    match.rebuild()
+    place(match, robots={1: ((away - POCKET) * x, (away - POCKET) * y, way)})
     match.step(stand(match))
     assert match.robot_events["touch"][0, 1] == 1 and match.matches["kick_off_shot"][0] == owner
 

@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.types import Phase
 from tests.scenes.fouls import NOSES, asks, court, face, fouls, rows
-from tests.scenes.staging import LEGGED, deepest_overlaps, put, put_ball, stage, stand
+from tests.scenes.staging import LEGGED, deepest_overlaps, play, put, put_ball, stage, stand
 
 RULE = "pushing=True,pardon=True"
 STEP = 1.0 / 16.0
@@ -170,8 +170,7 @@ def test_padding_never_comes_on():
 
 def test_a_match_saved_in_mid_penalty_goes_on_alike():
     match, actions = penalised()
-    for _ in range(50):
-        match.step(actions)
+    play(match, actions=actions, steps=50)
     saved = match.save()
     hashes = []
     for _ in range(2):

@@ -6,7 +6,7 @@ import pytest
 
 from soccer_env.types import Foul
 from tests.scenes.fouls import BODY, FOOT_IN, NOSES, asks, court, fouls, rows
-from tests.scenes.staging import LEGGED, put, put_ball, stage, stand
+from tests.scenes.staging import LEGGED, place, put_ball, stage, stand
 
 RULE = "illegal_defender=True"
 LINE = -FOOT_IN  # [m] of home's penalty area, and of its own goal beyond
@@ -17,8 +17,7 @@ STEP = 1.0 / 16.0
 def standing_at(x, y=0.0, heading=0.0, rules=RULE, r=1):
     """Return a match in which robot r alone stands somewhere."""
     match = court(rules)
-    put(match, r, x, y, heading)
-    match.rebuild()
+    place(match, robots={r: (x, y, heading)})
     return match
 
 
@@ -41,8 +40,7 @@ def test_a_field_player_with_two_feet_in_its_own_area_is_illegal(x, y, heading, 
 def test_a_second_is_legal_and_short_visits_add_up():
     match = standing_at(-1.2)
     assert fouls(match, stand(match), 1.0) == []
-    put(match, 1, 0.0, 0.0)
-    match.rebuild()
+    place(match, robots={1: (0.0, 0.0)})
     fouls(match, stand(match), 0.5)
     assert match.robots["trespass"][0, 1] == 0.5
 
@@ -65,8 +63,7 @@ def test_it_is_called_though_the_goalkeeper_is_out_but_not_where_there_is_none()
     match = standing_at(-1.2)
     assert match.robots["active"][0, 0] == 0
     assert rows(fouls(match, stand(match), 2.0)) == [1]
-    alone = stage(LEGGED, 1, 1, 1, rules=f"simple:{RULE},dropped_ball=False")
-    put(alone, 0, -1.2, 0.0)
+    alone = stage(LEGGED, 1, 1, 1, rules=f"simple:{RULE},dropped_ball=False", robots={0: (-1.2, 0.0)})
     alone.robots["trespass"] = 0.0  # as in a court
     alone.rebuild()
     assert fouls(alone, stand(alone), 3.0) == []
@@ -79,11 +76,9 @@ def test_with_the_switch_off_nobody_is_whistled():
 
 def test_whom_an_opponent_or_the_referee_put_there_has_time_to_walk_out():
     match = standing_at(-1.2)
-    put(match, 4, -1.2 + NOSES, 0.0, pi)
-    match.rebuild()
+    place(match, robots={4: (-1.2 + NOSES, 0.0, pi)})
     assert fouls(match, asks(match, r4=0.6), 5.0) == []
-    put(match, 4, 0.5, 0.0, pi)
-    match.rebuild()
+    place(match, robots={4: (0.5, 0.0, pi)})
     assert 3.5 < fouls(match, stand(match), 6.0)[0][0] <= 4.0 + 2 * STEP
     match = standing_at(-0.7, -0.3)  # the ball falls where it stands, and it is carried away from there
     match.batch.constants["rules_dropped_ball"] = 1
@@ -98,8 +93,7 @@ def test_whom_an_opponent_or_the_referee_put_there_has_time_to_walk_out():
 @pytest.mark.parametrize(("ball", "guilty"), [(0.0, [1]), (1.3, [])])
 def test_an_attacker_may_not_camp_in_the_opponents_area_while_the_ball_is_elsewhere(ball, guilty):
     match = standing_at(1.25, rules="illegal_attacker=True")
-    put_ball(match, ball, 0.4)
-    match.rebuild()
+    place(match, ball=(ball, 0.4))
     found = fouls(match, stand(match), 11.0)
     assert rows(found) == guilty and all(abs(second - 10.0 - STEP) < 1e-9 for second, _, _ in found)
     match = standing_at(1.25, rules="illegal_defender=True")
@@ -119,9 +113,7 @@ def test_who_stands_in_a_goal_for_five_seconds_leaves_the_field_but_for_a_goalke
 def test_who_comes_back_onto_the_field_in_time_has_not_left_it():
     match = standing_at(1.6, rules="leaving_field=True")
     assert fouls(match, stand(match), 4.9) == []
-    put(match, 1, 1.3, 0.0)
-    match.rebuild()
+    place(match, robots={1: (1.3, 0.0)})
     fouls(match, stand(match), 0.1)
-    put(match, 1, 1.6, 0.0)
-    match.rebuild()
+    place(match, robots={1: (1.6, 0.0)})
     assert fouls(match, stand(match), 4.9) == []

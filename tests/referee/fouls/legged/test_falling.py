@@ -10,15 +10,14 @@ from soccer_env.leagues import find_league
 from soccer_env.referee.fouls.legged.falling import impulse_on
 from soccer_env.types import Foul
 from tests.scenes.fouls import NOSES, asks, face, fouls
-from tests.scenes.staging import LEGGED, put, put_ball, stage, stand
+from tests.scenes.staging import LEGGED, place, put, stage, stand
 
 
 def shoved(fall, fall_time=3.0, matches=1, rules="falling=True"):
     """Return matches in which robot 1 stands before robot 4, which may fall."""
     league = find_league(LEGGED)
     league = replace(league, drive=replace(league.drive, fall=fall, fall_time=fall_time))
-    match = stage(league, matches, 3, 3, rules=f"simple:dropped_ball=False,{rules}")
-    put_ball(match, 0.0, -0.9)
+    match = stage(league, matches, 3, 3, rules=f"simple:dropped_ball=False,{rules}", ball=(0.0, -0.9))
     face(match, 1, 4, 0.3)
     match.rebuild()
     return match
@@ -78,8 +77,7 @@ def test_the_impulse_is_of_opponents_that_push_nearby_as_fast_as_they_walk_towar
 
 def test_who_stands_beside_a_push_does_not_fall():
     match = shoved(1e6)
-    put(match, 5, 0.5, 0.68, 0.5 * pi)
-    match.rebuild()
+    place(match, robots={5: (0.5, 0.68, 0.5 * pi)})
     for _ in range(16):
         match.step(asks(match, r1=1.0))
     assert match.robots["fallen"][0, 4] > 0.0 and match.robots["fallen"][0, 5] == 0.0

@@ -7,7 +7,7 @@ import pytest
 from soccer_env.referee.fouls.legged.holding import is_covered
 from soccer_env.types import Foul
 from tests.scenes.fouls import BODY, KEEPER, POCKET, asks, court, fouls, rows
-from tests.scenes.staging import put, put_ball, stand
+from tests.scenes.staging import place, put, put_ball, stand
 
 RULE = "holding=True"
 DT = 1.0 / 16.0
@@ -114,23 +114,17 @@ def test_a_ball_that_a_robot_covers_in_a_corner_is_trapped_though_it_walks_ahead
     match = court(RULE)
     side = 1.0 if heading > 0.0 else -1.0
     x, y = 1.5 - 0.043, side * (1.0 - 0.043)
-    put(match, 1, x - POCKET * cos(heading), y - POCKET * sin(heading), heading)
-    put_ball(match, x, y)
-    match.rebuild()
+    place(match, ball=(x, y), robots={1: (x - POCKET * cos(heading), y - POCKET * sin(heading), heading)})
     found = fouls(match, asks(match, r1=0.6), 4.0)
     assert rows(found) == [1] and found[0][2] == Foul.HOLDING and 3.0 < found[0][0] < 3.8
 
 
 def test_a_ball_pressed_straight_against_a_board_is_trapped_and_one_pushed_along_it_is_free():
     match = court(RULE)
-    put(match, 1, 0.3, 1.0 - 0.043 - POCKET, 0.5 * pi)
-    put_ball(match, 0.3, 1.0 - 0.043)
-    match.rebuild()
+    place(match, ball=(0.3, 1.0 - 0.043), robots={1: (0.3, 1.0 - 0.043 - POCKET, 0.5 * pi)})
     assert rows(fouls(match, asks(match, r1=0.6), 4.0)) == [1]
     match = court(RULE)
-    put(match, 1, -1.0, 1.0 - 0.11, 0.0)
-    put_ball(match, -1.0 + POCKET, 1.0 - 0.045)
-    match.rebuild()
+    place(match, ball=(-1.0 + POCKET, 1.0 - 0.045), robots={1: (-1.0, 1.0 - 0.11, 0.0)})
     assert fouls(match, asks(match, r1=0.7), 8.0) == []
 
 

@@ -8,7 +8,7 @@ from soccer_env.referee.fouls.legged.contact import KEEPER, PLAYER, note_push, n
 from soccer_env.referee.fouls.legged.keeper_pushing import joins
 from soccer_env.types import Foul
 from tests.scenes.fouls import BODY, FOOT_IN, NOSES, OTHER_KEEPER, POCKET, asks, court, fouls, rows
-from tests.scenes.staging import put, put_ball
+from tests.scenes.staging import place, put, put_ball
 
 RULE = "keeper_pushing=True"
 STEP = 1.0 / 16.0
@@ -18,9 +18,7 @@ NEAR = 0.93  # [m] of an attacker whose paws touch a goalkeeper in its area
 def charge(rules=RULE, x=NEAR):
     """Return a match in which robot 1 stands right before the away team's goalkeeper."""
     match = court(rules)
-    put(match, 1, x, 0.0, 0.0)
-    put(match, OTHER_KEEPER, x + NOSES, 0.0, pi)
-    match.rebuild()
+    place(match, robots={1: (x, 0.0, 0.0), OTHER_KEEPER: (x + NOSES, 0.0, pi)})
     return match
 
 
@@ -37,8 +35,7 @@ def pushed_steps(match, actions):
 
 def test_one_second_is_legal_and_one_step_more_is_not_even_for_the_robot_nearest_to_the_ball():
     match = charge()
-    put_ball(match, 1.1, 0.3)
-    match.rebuild()
+    place(match, ball=(1.1, 0.3))
     assert pushed_steps(match, asks(match, r1=1.0)) == 16 + 1
     assert match.robot_events["foul"][0, 1] == Foul.KEEPER_PUSHING and match.robots["penalty"][0, 1] == 30.0
     assert match.matches["whistled"][0] == 0
@@ -71,8 +68,7 @@ def test_a_standing_attacker_is_never_guilty_whoever_walks_into_it():
 
 def test_a_second_attacker_that_joins_is_removed_immediately_and_the_first_after_its_second():
     match = charge()
-    put(match, 2, NEAR + NOSES, 0.24, -0.5 * pi)
-    match.rebuild()
+    place(match, robots={2: (NEAR + NOSES, 0.24, -0.5 * pi)})
     match.robots["keeper_pushing"][0, 1] = 0.3
     actions = asks(match, r1=1.0, r2=1.0)
     found = fouls(match, actions, 4.0)
@@ -92,10 +88,7 @@ def test_who_comes_after_a_mate_joins_it_and_of_two_that_come_at_once_neither_do
 
 def test_a_goalkeeper_is_pushed_through_the_ball_too():
     match = court(RULE)
-    put(match, 1, NEAR, 0.0, 0.0)
-    put_ball(match, NEAR + POCKET, 0.0)
-    put(match, OTHER_KEEPER, NEAR + 2.0 * POCKET, 0.0, pi)
-    match.rebuild()
+    place(match, ball=(NEAR + POCKET, 0.0), robots={1: (NEAR, 0.0, 0.0), OTHER_KEEPER: (NEAR + 2.0 * POCKET, 0.0, pi)})
     actions = asks(match, r1=1.0)
     found = fouls(match, actions, 2.0)
     assert rows(found) == [1] and found[0][2] == Foul.KEEPER_PUSHING

@@ -6,7 +6,7 @@ import pytest
 from soccer_env.referee.fouls.legged.contact import note_push
 from soccer_env.types import Foul
 from tests.scenes.fouls import BODY, FOOT_IN, KEEPER, NOSES, asks, court, face, fouls, rows
-from tests.scenes.staging import put, put_ball, stand
+from tests.scenes.staging import place, put, stand
 
 RULE = "pushing=True"
 
@@ -86,17 +86,14 @@ def test_mates_may_push_each_other():
 def test_the_robot_nearest_to_the_ball_may_push_within_50_cm(away, guilty):
     match = court(RULE)
     face(match, 1, 4, 0.3)
-    put_ball(match, 0.3, 0.4 - away)
-    match.rebuild()
+    place(match, ball=(0.3, 0.4 - away))
     assert rows(fouls(match, asks(match, r1=1.0), 5.0)) == guilty
 
 
 def test_the_second_nearest_of_a_team_may_not_while_the_nearest_of_the_other_may():
     match = court(RULE)
     face(match, 1, 4, 0.3)
-    put_ball(match, 0.3, 0.1)
-    put(match, 2, 0.3, -0.1)
-    match.rebuild()
+    place(match, ball=(0.3, 0.1), robots={2: (0.3, -0.1)})
     assert rows(fouls(match, asks(match, r1=1.0, r4=1.0), 6.0)) == [1]
 
 
@@ -119,8 +116,7 @@ def test_short_pushes_count_as_one_unless_it_lets_go_for_as_long():
     assert pushed_steps(match, asks(match, r1=1.0), 8.0) == 16 + 1 + 10  # while it got going the clock ran back
     match = court(RULE)
     match.robots["pushing"][0, 1] = 2.0
-    put(match, 1, -1.0, 0.4)
-    match.rebuild()
+    place(match, robots={1: (-1.0, 0.4)})
     fouls(match, stand(match), 1.5)
     assert match.robots["pushing"][0, 1] == 0.5
 
@@ -134,7 +130,6 @@ def test_both_teams_and_both_directions_are_alike(turned):
         put(match, 1, -0.3 - NOSES, -0.4, 0.0)
     else:
         face(match, 4, 1, 0.3)
-    put_ball(match, 0.0, 0.9 if turned else -0.9)
-    match.rebuild()
+    place(match, ball=(0.0, 0.9 if turned else -0.9))
     found = fouls(match, asks(match, r4=1.0), 8.0)
     assert rows(found) == [4]

@@ -6,7 +6,7 @@ import pytest
 
 from soccer_env.types import Foul, Phase
 from tests.scenes.fouls import KEEPER, POCKET, court, fouls, rows
-from tests.scenes.staging import put, put_ball, stand
+from tests.scenes.staging import place, put, put_ball, stand
 
 STEP = 1.0 / 16.0
 
@@ -27,29 +27,24 @@ def until_restart(match, seconds, actions=None):
 def test_a_ball_that_nobody_touches_for_30_s_gives_a_kick_off_to_those_in_whose_half_it_lies(x, team, direction, idle):
     match = court("global_stuck=True")
     match.matches["home_direction"], match.matches["idle_clock"] = direction, idle
-    put_ball(match, x, 0.3)
-    match.rebuild()
+    place(match, ball=(x, 0.3))
     assert until_restart(match, 31.0 - idle) == (30.0 - idle + STEP, Phase.KICK_OFF, team)
     assert match.events["stuck"][0] == 1 and match.balls["x"][0] == 0.0
 
 
 def test_a_touch_begins_the_30_s_anew_and_the_switch_off_ends_them():
     match = court("global_stuck=True")
-    put_ball(match, -0.9, 0.3)
-    put(match, 1, -0.9 - POCKET, 0.3)
-    match.rebuild()
+    place(match, ball=(-0.9, 0.3), robots={1: (-0.9 - POCKET, 0.3)})
     assert until_restart(match, 33.0) is None
     match = court("global_stuck=False")
-    put_ball(match, -0.9, 0.3)
-    match.rebuild()
+    place(match, ball=(-0.9, 0.3))
     assert until_restart(match, 33.0) is None
 
 
 def test_a_dropped_ball_that_nobody_comes_for_does_not_stop_the_clock():
     match = court("global_stuck=True")
     match.batch.constants["rules_dropped_ball"] = 1
-    put_ball(match, -0.9, 0.3)
-    match.rebuild()
+    place(match, ball=(-0.9, 0.3))
     second, phase, _ = until_restart(match, 16.0)
     assert phase == Phase.DROP_BALL and second == 15.0
     second, phase, team = until_restart(match, 16.0)
@@ -59,10 +54,7 @@ def test_a_dropped_ball_that_nobody_comes_for_does_not_stop_the_clock():
 def scrum(rules="local_stuck=True", x=-0.5, r=1):
     """Return a match in which robot r and, a little farther away, robot 4 stand at the ball."""
     match = court(rules)
-    put_ball(match, x, 0.3)
-    put(match, r, x - POCKET, 0.3)
-    put(match, 4, x + POCKET + 0.001, 0.3, pi)
-    match.rebuild()
+    place(match, ball=(x, 0.3), robots={r: (x - POCKET, 0.3), 4: (x + POCKET + 0.001, 0.3, pi)})
     return match
 
 
@@ -105,9 +97,7 @@ def test_30_s_at_one_place_are_enough_and_less_is_not(clock, guilty):
 @pytest.mark.parametrize(("farther", "nearest"), [(0.0, 1), (0.05, 4)])
 def test_the_robot_nearest_to_the_ball_is_carried(farther, nearest):
     match = scrum()
-    put(match, 1, -0.5 - POCKET - farther, 0.3)
-    put(match, 4, -0.5 + POCKET + 0.01, 0.3, pi)
-    match.rebuild()
+    place(match, robots={1: (-0.5 - POCKET - farther, 0.3), 4: (-0.5 + POCKET + 0.01, 0.3, pi)})
     assert rows(fouls(late(match), stand(match), STEP)) == [nearest]
 
 
@@ -136,18 +126,14 @@ def test_of_a_goalkeeper_in_its_own_half_the_ball_is_taken_to_the_centre_spot_in
 
 def test_a_robot_near_a_ball_that_nobody_touches_is_left_alone():
     match = court("local_stuck=True")
-    put_ball(match, -0.5, 0.3)
-    put(match, 1, -0.9, 0.3)
-    match.rebuild()
+    place(match, ball=(-0.5, 0.3), robots={1: (-0.9, 0.3)})
     assert fouls(match, stand(match), 60.0) == []
 
 
 def test_a_robot_that_comes_to_a_ball_that_lay_there_is_not_in_its_way():
     match = court("local_stuck=True")
-    put_ball(match, -0.5, 0.3)
-    match.rebuild()
+    place(match, ball=(-0.5, 0.3))
     assert fouls(match, stand(match), 40.0) == []
-    put(match, 1, -0.5 - POCKET, 0.3)
-    match.rebuild()
+    place(match, robots={1: (-0.5 - POCKET, 0.3)})
     assert fouls(match, stand(match), 29.9) == []
     assert rows(fouls(match, stand(match), 0.3)) == [1]
