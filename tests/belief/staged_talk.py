@@ -1,7 +1,5 @@
 """Robots that only talk, for tests: beliefs are set, frames pass, and what arrives is looked at."""
 
-from __future__ import annotations
-
 from math import inf
 from typing import Any
 

@@ -1,7 +1,5 @@
 """A still thing stays where it is while the robot walks round it."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

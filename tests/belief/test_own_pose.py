@@ -3,8 +3,6 @@
 Sacks 2001 says nothing of self-localisation; Heinemann et al. 2006, 1, call theirs "efficient and reliable".
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Particles: how they are moved, weighed, kept and drawn anew, and what pose is read from them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """What is said arrives late, at team-mates alone, or is lost for all; four bits tell how far the ball is."""
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What a robot feels of itself: the steps that it makes (not the ground that it covers), balance, its kicker."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The pose from outside: right on average, wrong by what the settings say, and wrong for a while the same way."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

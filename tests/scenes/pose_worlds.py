@@ -10,8 +10,6 @@ head sweeps from side to side; its blobs are made from the true pose through `op
 camera. The middle-size robot's picture comes from its sensor.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """One match of the middle size whose records a test fills, and what the referee says of them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

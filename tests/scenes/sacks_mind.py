@@ -1,7 +1,5 @@
 """A player of sacks-2001 alone with what it is told to believe."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A kind of robot is one declared thing: here is a third one, which hears a beacon in the ball and plays a match."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 

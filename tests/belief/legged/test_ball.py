@@ -1,7 +1,5 @@
 """What a legged robot remembers of the ball: it fades, follows the robot's own motion, and is averaged."""
 
-from __future__ import annotations
-
 from math import atan2, cos, hypot, inf, pi, sin
 from typing import Any
 

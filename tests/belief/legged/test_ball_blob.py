@@ -1,7 +1,5 @@
 """From blobs to a place: which blob is the ball, in which direction, how far."""
 
-from __future__ import annotations
-
 from math import atan2, cos, hypot, pi, radians, sin, sqrt, tan
 from typing import Any
 

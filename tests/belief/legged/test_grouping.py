@@ -5,8 +5,6 @@
 +--+                +-----+
 """
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The head keeps the believed ball at the centre of the picture, and searches when there is none."""
 
-from __future__ import annotations
-
 from math import cos, inf, pi, sin
 from typing import Any
 

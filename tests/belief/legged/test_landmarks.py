@@ -1,7 +1,5 @@
 """What poses cost that see the landmarks and goals of a legged field elsewhere than the robot sees them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Which player in memory is the one that is seen: likelihood = uncertainty / distance^3 / angle."""
 
-from __future__ import annotations
-
 from math import atan2, hypot, inf, pi
 from typing import Any
 

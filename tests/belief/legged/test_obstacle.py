@@ -1,7 +1,5 @@
 """What a legged robot makes of a reading of its ranger that no player in memory accounts for.  [Sacks 2001, 4.3.3]"""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import atan2, cos, hypot, inf, pi, sin
 from typing import Any

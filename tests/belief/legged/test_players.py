@@ -1,7 +1,5 @@
 """What a legged robot makes of jersey-coloured blobs: players, their places, a slot for each."""
 
-from __future__ import annotations
-
 from math import atan2, cos, hypot, sin
 
 import pytest

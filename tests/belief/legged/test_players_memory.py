@@ -1,7 +1,5 @@
 """What a legged robot remembers of other players: what its own steps, time and other sightings do to it."""
 
-from __future__ import annotations
-
 from math import pi
 from typing import Any
 

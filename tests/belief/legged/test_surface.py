@@ -1,7 +1,5 @@
 """A player's surface lies half a body before its middle, and the ranger's reading comes back as it was."""
 
-from __future__ import annotations
-
 from math import cos, sin
 
 import pytest

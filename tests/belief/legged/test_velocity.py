@@ -1,7 +1,5 @@
 """How fast the ball seems to come, and how fast it rolls."""
 
-from __future__ import annotations
-
 from math import atan2, cos, hypot, sin
 
 import numpy as np

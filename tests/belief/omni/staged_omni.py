@@ -1,7 +1,5 @@
 """Scenes for the world model of a middle-size robot: played for a while, believed and true side by side."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Middle-size robots that report by radio, for tests: each believes what the test says, and hears the others."""
 
-from __future__ import annotations
-
 from math import cos, sin
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The ball that a middle-size robot tracks: its velocity, kicks, false balls, own motion, delay, the light barrier."""
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What poses cost whose white lines and goals lie elsewhere than the robot sees them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

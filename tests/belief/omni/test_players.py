@@ -1,7 +1,5 @@
 """The players that a middle-size robot tracks: who is who, how they move, when they are forgotten."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Team-mates that report by radio are where they say, and a ball that one sees is known to all."""
 
-from __future__ import annotations
-
 from math import inf, pi
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The filters of the tracking: the textbook's Kalman filter, a line fitted to readings, one thing followed by them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -7,8 +7,6 @@ percepts = scene.look()          with noise, all robots look
 cast_ball(scene, m, finer=4)     (visible, whole) masks of the ball's pixels, by casting a ray through each
 """
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np

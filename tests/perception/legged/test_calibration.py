@@ -1,7 +1,5 @@
 """The tables from sizes to ranges are those of the pinhole, and give back where things are."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from math import pi
 

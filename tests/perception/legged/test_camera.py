@@ -1,7 +1,5 @@
 """Where things are in the picture: pinhole, pose of the camera, ball, goals and landmarks."""
 
-from __future__ import annotations
-
 from math import pi
 
 import numpy as np

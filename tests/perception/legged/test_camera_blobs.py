@@ -1,7 +1,5 @@
 """What the vision makes of a picture: four blobs of each colour, noise, misses, mergers, and what is no ball."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """The jersey in the picture: what of it is seen from where, and what a lowered head hides."""
 
-from __future__ import annotations
-
 from math import pi
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Settings of legged sensors that cannot be are refused, with a word on what is allowed."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """The infrared ranger measures what its beam meets first, and knows what it cannot measure."""
 
-from __future__ import annotations
-
 from math import asin, cos, inf, pi, sin, sqrt
 
 import numpy as np

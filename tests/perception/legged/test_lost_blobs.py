@@ -1,7 +1,5 @@
 """Blobs that are lost: whole players and single stickers that a frame misses, and regions that are too small."""
 
-from __future__ import annotations
-
 from math import pi
 
 import numpy as np

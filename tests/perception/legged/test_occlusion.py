@@ -1,7 +1,5 @@
 """Bodies hide what stands behind them, in part too: held against ray-cast images at four times the resolution."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """What the touch sensors of a legged robot feel: at head, chin, back and feet, and nowhere else."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Scenes before the mirror camera: a robot in the middle, things put round it, one look."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

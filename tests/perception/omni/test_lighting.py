@@ -1,7 +1,5 @@
 """Light changes, the colour table follows it or does not, and what is seen depends on the difference."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

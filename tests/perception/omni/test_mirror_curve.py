@@ -1,7 +1,5 @@
 """The mirror is a hyperboloid: rays that are reflected one by one meet the pixels that the closed form names."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

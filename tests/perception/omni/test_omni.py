@@ -1,7 +1,5 @@
 """The mirror camera sees ball, players and goals all round, where they are not hidden."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """White lines of the pitch: what a robot knows of them, and the first one that it sees in each direction."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The mirror camera tells robots by their markers and goals by the own side, and sees what stands behind what."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Settings of the middle-size robots' sensors that cannot be are refused, with a word on what is allowed."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest
