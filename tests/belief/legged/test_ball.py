@@ -1,6 +1,6 @@
 """What a legged robot remembers of the ball: it fades, follows the robot's own motion, and is averaged."""
 
-from math import atan2, cos, hypot, inf, pi, sin
+from math import atan2, hypot, inf, pi
 from typing import Any
 
 import numpy as np
@@ -30,7 +30,7 @@ def test_ms02_the_ball_is_kept_in_polar_coordinates_of_the_robot() -> None:
 
 
 def test_ms03_confidence_is_100_when_seen_and_fades_when_not() -> None:
-    """MS03: 10 a second are lost while the ball is not seen, down to 0."""
+    """MS03: 10 a second are lost while the ball is not seen, down to 0; frames that were not delivered count."""
     robot = Watcher()
     assert robot.see(0.8, 0.0)["confidence"] == 100.0
     for frame in range(1, 200):
@@ -38,10 +38,6 @@ def test_ms03_confidence_is_100_when_seen_and_fades_when_not() -> None:
         assert robot.ball["confidence"] == pytest.approx(max(100.0 - 10.0 * frame / 16, 0.0))
         assert robot.ball["age"] == pytest.approx(frame / 16)
     assert robot.see(0.8, 0.0)["confidence"] == 100.0 and robot.ball["age"] == 0.0
-
-
-def test_ms03_it_fades_at_the_pace_of_time_whatever_the_frames_do() -> None:
-    """MS03: ten frames that were not delivered count as ten."""
     robot = Watcher(fading=20.0)
     robot.see(0.8, 0.0)
     assert robot.miss(skip=10)["confidence"] == pytest.approx(100.0 - 20.0 * 10 / 16)
@@ -105,7 +101,6 @@ def test_ms15_a_still_ball_is_where_it_was_after_a_walk_out_of_sight() -> None:
 
 
 def test_ms15_after_a_whole_circle_the_ball_is_where_it_was() -> None:
-    """MS15: raw and filtered place alike."""
     robot = Watcher()
     for y in (0.2, 0.25, 0.3):
         robot.see(0.8, y)
@@ -125,30 +120,18 @@ def test_ms15_a_dribbled_ball_comes_along() -> None:
         assert robot.place[0] == pytest.approx(ahead, abs=2e-3)
 
 
-@pytest.mark.parametrize(
-    ("x", "y", "forward"),
-    [
-        pytest.param(0.15, 0.0, -0.01, id="it steps back"),
-        pytest.param(0.24, 0.0, 0.01, id="the ball is too far"),
-        pytest.param(0.08, 0.12, 0.01, id="the ball lies aside"),
-    ],
-)
+@pytest.mark.parametrize(("x", "y", "forward"), [(0.15, 0.0, -0.01), (0.24, 0.0, 0.01), (0.08, 0.12, 0.01)])
 def test_ms15_other_balls_are_not_dribbled(x: float, y: float, forward: float) -> None:
-    """MS15: near, ahead and walking on are all needed."""
-    robot = Watcher()
+    """MS15: none that the robot steps back from, none too far ahead, none aside, none that it no longer believes in."""
+    robot, unsure = Watcher(), Watcher(fading=50.0)
     robot.see(x, y)
     before = robot.place
     robot.miss(forward=forward)
     assert robot.place == pytest.approx((before[0] - forward, before[1]), abs=1e-6)
-
-
-def test_ms15_a_ball_without_confidence_is_left_behind() -> None:
-    """MS15: no robot dribbles a ball for ever that it has not seen."""
-    robot = Watcher(fading=50.0)
-    robot.see(0.15, 0.0)
+    unsure.see(0.15, 0.0)
     for _ in range(80):
-        robot.miss(forward=0.01)
-    assert robot.place[0] == pytest.approx(0.15 - 0.01 * 49, abs=2e-3)
+        unsure.miss(forward=0.01)
+    assert unsure.place[0] == pytest.approx(0.15 - 0.01 * 49, abs=2e-3)
 
 
 def test_ms16_the_filtered_place_is_the_mean_of_the_last_four_in_cartesian_coordinates() -> None:
@@ -168,17 +151,6 @@ def test_ms16_the_filtered_place_is_the_mean_of_the_last_four_in_cartesian_coord
     assert robot.ball["filtered_distance"] == pytest.approx(hypot(0.575, 0.15), abs=MILLIMETRES)
 
 
-def test_ms16_it_halves_the_noise() -> None:
-    """MS16: four independent estimates have half the deviation of one."""
-    robot, rng, raw, filtered = Watcher(), np.random.default_rng(0), [], []
-    for step in range(400):
-        robot.see(0.8 + 0.05 * rng.standard_normal(), 0.05 * rng.standard_normal())
-        if step > 4:
-            raw.append(robot.ball["distance"])
-            filtered.append(robot.ball["filtered_distance"])
-    assert 0.4 < np.std(filtered) / np.std(raw) < 0.6
-
-
 def test_ms16_sightings_are_averaged_where_they_are_now() -> None:
     """MS16: a robot that walks towards a still ball averages no old distances."""
     robot, still = Watcher(), Watcher(odometry="none")
@@ -190,7 +162,6 @@ def test_ms16_sightings_are_averaged_where_they_are_now() -> None:
 
 
 def test_ms16_a_ball_that_is_found_again_is_not_averaged_with_a_stale_one() -> None:
-    """MS16: sightings of more than a second ago drop out."""
     for pause, expected in ((8, 0.9), (18, 0.6)):
         robot = Watcher()
         for _ in range(4):
@@ -213,14 +184,14 @@ def test_a_ball_between_the_paws_is_held(x: float, y: float, held: int) -> None:
 
 
 def test_no_memory_is_asked_to_do_what_it_cannot() -> None:
-    with pytest.raises(ValueError, match="averaged must be 1 to 6, got 7"):
-        LeggedMemory(averaged=7)
-    with pytest.raises(ValueError, match="averaged must be 1 to 6, got 0"):
-        LeggedMemory(averaged=0)
-    with pytest.raises(ValueError, match="velocity_interval must be at most velocity_gap 1.5, got 2.0"):
-        LeggedMemory(velocity_interval=2.0)
-    with pytest.raises(ValueError, match="area_small must be at most area_large 1.0, got 2.0"):
-        LeggedMemory(area_large=1.0)
+    for message, change in (
+        ("averaged must be 1 to 6, got 7", {"averaged": 7}),
+        ("averaged must be 1 to 6, got 0", {"averaged": 0}),
+        ("velocity_interval must be at most velocity_gap 1.5, got 2.0", {"velocity_interval": 2.0}),
+        ("area_small must be at most area_large 1.0, got 2.0", {"area_large": 1.0}),
+    ):
+        with pytest.raises(ValueError, match=message):
+            LeggedMemory(**change)
 
 
 # Whole streams of percepts
@@ -260,14 +231,6 @@ def test_no_stream_of_percepts_makes_a_number_that_is_none() -> None:
         robot.believe(percepts)
         ball = robot.ball
         assert all(np.isfinite(ball[name]) for name in NUMBERS)
-        assert 0.0 <= ball["confidence"] <= 100.0 and ball["distance"] < 20.0
-        assert -pi <= ball["bearing"] <= pi
-        x, y = (
-            ball["filtered_distance"] * cos(ball["filtered_bearing"]),
-            ball["filtered_distance"] * sin(ball["filtered_bearing"]),
-        )
-        assert (x, y) == pytest.approx((ball["x"], ball["y"]), abs=1e-9)
-
-
-def test_a_robot_remembers_little() -> None:
-    assert Watcher().memories.nbytes <= 124
+        assert 0.0 <= ball["confidence"] <= 100.0 and ball["distance"] < 20.0 and -pi <= ball["bearing"] <= pi
+        assert robot.filtered_place == pytest.approx((ball["x"], ball["y"]), abs=1e-9)
+    assert robot.memories.nbytes <= 124

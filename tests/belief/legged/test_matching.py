@@ -6,15 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.belief.legged.matching import (
-    LEAST_ANGLE,
-    LEAST_DISTANCE,
-    angle_between,
-    falloff,
-    likeliest_slot,
-    likelihood,
-    uncertainty_of,
-)
+from soccer_env.belief.legged import matching
+from soccer_env.belief.legged.matching import angle_between, falloff, likeliest_slot, likelihood, uncertainty_of
 from soccer_env.belief.legged.players import grow_older, remember
 from soccer_env.belief_types import TRACK
 from soccer_env.compiled import compiled
@@ -48,30 +41,23 @@ def slot_for(tracks: np.ndarray, x: float, y: float, **changes: Any) -> int:
 
 
 @pytest.mark.parametrize("power", [0.0, 1.0, 2.0, 2.5, 3.0])
-def test_powers_may_be_whole_or_not(power: float) -> None:
+def test_powers_may_be_whole_or_not_and_never_overflow(power: float) -> None:
     for value in (1e-3, 0.07, 1.0, 3.6):
         assert falloff(value, power) == pytest.approx(value**-power, rel=1e-13)
-
-
-def test_powers_never_overflow() -> None:
-    for value, power in ((1e-3, 1e3), (1e-3, 1e300), (4.0, 1e300)):
-        assert 0.0 <= falloff(value, power) < inf
+    for value, huge in ((1e-3, 1e3), (1e-3, 1e300), (4.0, 1e300)):
+        assert 0.0 <= falloff(value, huge) < inf
     assert slot_for(memory((1, 0, 1), (2, 0, 1), None), 1.0, 0.0, distance_power=1e6, angle_power=1e6) == 0
 
 
 def test_ms32_uncertainty_grows_from_a_half_to_a_hundred() -> None:
-    """MS32: with the time that a player has not been seen for."""
+    """MS32: with the time that a player has not been seen for; of two equally near the longer unseen is replaced."""
     ages = [uncertainty_of(memory((1.0, 0.0, age))[0], settings()) for age in (0.0, 3.0, 15.0, 29.85, 60.0, 1e9)]
     assert ages == pytest.approx([0.5, 10.5, 50.5, 100.0, 100.0, 100.0])
     assert uncertainty_of(memory(None)[0], settings()) == 100.0
     assert uncertainty_of(memory((1.0, 0.0, 3.0))[0], settings(uncertainty_growth=0.0)) == 0.5
-
-
-def test_ms32_of_two_players_equally_near_the_longer_unseen_is_replaced() -> None:
-    """MS32: whichever slot it is in."""
     assert slot_for(memory((1.0, 0.3, 5.0), (1.0, -0.3, 1.0)), 1.0, 0.0) == 0
-    assert slot_for(memory((1.0, 0.3, 1.0), (1.0, -0.3, 5.0)), 1.0, 0.0) == 1
-    assert slot_for(memory((1.0, 0.3, 1.0), (1.0, -0.3, 5.0)), 1.0, 0.0, uncertainty_growth=0.0) == 0
+    later = memory((1.0, 0.3, 1.0), (1.0, -0.3, 5.0))
+    assert (slot_for(later, 1.0, 0.0), slot_for(later, 1.0, 0.0, uncertainty_growth=0.0)) == (1, 0)
 
 
 def test_ms30_likelihood_is_uncertainty_by_distance_cubed_by_angle() -> None:
@@ -84,11 +70,8 @@ def test_ms30_likelihood_is_uncertainty_by_distance_cubed_by_angle() -> None:
 
 
 def test_ms30_a_player_is_matched_with_the_nearest_in_memory() -> None:
-    """MS30: all seen equally long ago."""
-    tracks = memory((0.8, 0.0, 1.0), (1.5, 0.5, 1.0), (1.0, -0.8, 1.0))
-    assert slot_for(tracks, 0.9, 0.05) == 0
-    assert slot_for(tracks, 1.3, 0.5) == 1
-    assert slot_for(tracks, 1.0, -0.6) == 2
+    tracks = memory((0.8, 0.0, 1.0), (1.5, 0.5, 1.0), (1.0, -0.8, 1.0))  # all seen equally long ago
+    assert [slot_for(tracks, *place) for place in ((0.9, 0.05), (1.3, 0.5), (1.0, -0.6))] == [0, 1, 2]
 
 
 def test_ms30_no_slot_is_taken_twice_in_one_view() -> None:
@@ -116,7 +99,9 @@ def test_ms31_the_angle_counts_more_than_the_range() -> None:
 
 def test_nothing_is_nearer_than_a_millimetre_and_a_tenth_of_a_degree() -> None:
     track = memory((1.0, 0.0, 0.0))[0]
-    assert likelihood(track, 1.0, 0.0, 0.0, settings()) == pytest.approx(0.5 * LEAST_DISTANCE**-3 / LEAST_ANGLE)
+    assert likelihood(track, 1.0, 0.0, 0.0, settings()) == pytest.approx(
+        0.5 * matching.LEAST_DISTANCE**-3 / matching.LEAST_ANGLE
+    )
     own_place = memory((0.0, 0.0, 0.0))[0]
     assert likelihood(own_place, 0.0, 0.0, 0.0, settings(empty_distance=0.0)) < inf
 

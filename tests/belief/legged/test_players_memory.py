@@ -36,16 +36,17 @@ def test_ms36_players_in_memory_are_moved_by_own_steps() -> None:
 def test_ms03_trust_in_a_player_fades_while_it_is_not_seen() -> None:
     """MS03: from 100 by 10 a second, to 0."""
     robot = Onlooker()
+    opponent = robot.opponents[0:1]
     robot.look([robot.show(*AHEAD)])
     robot.wait(3.0)
-    assert (robot.opponents["confidence"][0], robot.opponents["age"][0]) == pytest.approx((70.0, 3.0))
+    assert (opponent["confidence"][0], opponent["age"][0]) == pytest.approx((70.0, 3.0))
     robot.wait(9.0)
-    assert (robot.opponents["confidence"][0], robot.opponents["present"][0]) == (0.0, 1)
+    assert (opponent["confidence"][0], opponent["present"][0]) == (0.0, 1)
     robot.look([robot.show(*AHEAD)])
-    assert (robot.opponents["confidence"][0], robot.opponents["age"][0]) == (100.0, 0.0)
+    assert (opponent["confidence"][0], opponent["age"][0]) == (100.0, 0.0)
     robot.settings["fading"] = 0.0
     robot.wait(3.0)
-    assert robot.opponents["confidence"][0] == 100.0
+    assert opponent["confidence"][0] == 100.0
 
 
 def test_what_has_not_been_seen_for_long_is_forgotten() -> None:
@@ -119,16 +120,16 @@ def test_eleven_robots_in_one_bearing_are_one_player() -> None:
     assert len(places(robot.tracks[0])) == 2 and finite(robot)
 
 
-def test_blobs_of_no_size_or_of_the_whole_picture_break_nothing() -> None:
-    for mode in ("largest", "combined"):
-        for slots in ("all", "nearest"):
-            robot = Onlooker(player_blob=mode, slots=slots)
-            point, whole = (3, 3, 2, 2, 1), (44, -44, 36, -36, 6336)
-            for tilt in (-1.5, 0.0, 0.75):
-                robot.tilt = tilt
-                robot.look([point, point, whole, (44, -44, 300, -300, 32767)], [point], infrared=0.1, turn=pi)
-                robot.look([whole], [whole], infrared=0.39, forward=-2.0)
-            assert finite(robot) and len(places(robot.tracks[0])) >= 2
+@pytest.mark.parametrize("mode", ["largest", "combined"])
+@pytest.mark.parametrize("slots", ["all", "nearest"])
+def test_blobs_of_no_size_or_of_the_whole_picture_break_nothing(mode: str, slots: str) -> None:
+    robot = Onlooker(player_blob=mode, slots=slots)
+    point, whole = (3, 3, 2, 2, 1), (44, -44, 36, -36, 6336)
+    for tilt in (-1.5, 0.0, 0.75):
+        robot.tilt = tilt
+        robot.look([point, point, whole, (44, -44, 300, -300, 32767)], [point], infrared=0.1, turn=pi)
+        robot.look([whole], [whole], infrared=0.39, forward=-2.0)
+    assert finite(robot) and len(places(robot.tracks[0])) >= 2
 
 
 def test_a_robot_in_the_same_place_breaks_nothing() -> None:

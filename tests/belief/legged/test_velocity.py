@@ -41,14 +41,17 @@ def test_ms17_a_velocity_every_third_of_a_second() -> None:
 
 
 def test_ms17_it_is_the_difference_of_places_by_the_time_between() -> None:
-    """MS17: whether 5 or 6 frames lie between them."""
     robot = Watcher()
-    x = 1.5
-    for _ in range(64):
-        robot.see(x, 0.0)
-        x -= 0.2 * robot.dt
-        if robot.frame > 16:
+    for step in range(64):
+        robot.see(1.5 - 0.2 * robot.dt * step, 0.0)
+        if robot.frame > 16:  # whether 5 or 6 frames lie between them
             assert robot.ball["radial"] == pytest.approx(-0.2, abs=SLOW)
+
+
+def stand_still(robot: Watcher, frames: int, missed: int = 0) -> None:
+    """Show a ball that lies 1.2 m ahead for some frames, and none for some more."""
+    for frame in range(frames + missed):
+        robot.look(*([robot.blob(1.2, 0.0)] if frame < frames else []))
 
 
 def after_a_gap(robot: Watcher, missed: int) -> float:
@@ -56,10 +59,7 @@ def after_a_gap(robot: Watcher, missed: int) -> float:
 
     It is seen up to frame 16, the reading at 1 s, and lies 0.3 m nearer when it is found again.
     """
-    for _ in range(17):
-        robot.see(1.2, 0.0)
-    for _ in range(missed):
-        robot.miss()
+    stand_still(robot, 17, missed)
     robot.see(0.9, 0.0)
     while robot.memories["sampled"][0] == 16:  # to the next reading
         robot.see(0.9, 0.0)
@@ -76,24 +76,14 @@ def test_ms17_after_more_than_a_second_and_a_half_the_place_is_only_stored() -> 
     assert after_a_gap(Watcher(velocity_gate=False), 31) == pytest.approx(-0.15, abs=SLOW)
 
 
-def test_ms17_a_ball_that_was_not_seen_for_a_third_of_a_second_gives_no_reading() -> None:
-    """MS17: then nothing is stored or calculated; a ball missed in a frame or two still gives one."""
+@pytest.mark.parametrize(("seen", "missed", "sampled"), [(17, 0, 16), (17, 6, 16), (20, 3, 22)])
+def test_ms17_a_ball_that_was_not_seen_for_a_third_of_a_second_gives_no_reading(
+    seen: int, missed: int, sampled: int
+) -> None:
+    """MS17: the reading at frame 22 is stored if the ball was seen 3 frames ago, and is not if it was 6 ago."""
     robot = Watcher()
-    for _ in range(17):
-        robot.see(1.2, 0.0)
-    stored = int(robot.memories["sampled"][0])
-    assert stored == 16
-    for _ in range(6):
-        robot.miss()
-    assert robot.memories["sampled"][0] == stored  # the reading at frame 22: seen 6 frames ago
-    robot = Watcher()
-    for _ in range(20):
-        robot.see(1.2, 0.0)
-    robot.miss()
-    robot.miss()
-    assert robot.frame == 21
-    robot.miss()
-    assert robot.memories["sampled"][0] == 22  # seen 3 frames ago
+    stand_still(robot, seen, missed)
+    assert robot.memories["sampled"][0] == sampled
 
 
 def test_ms17_a_velocity_is_forgotten_with_its_reading() -> None:
@@ -109,26 +99,21 @@ def test_ms17_a_velocity_is_forgotten_with_its_reading() -> None:
     assert [robot.ball[name] for name in ("radial", "angular", "vx", "vy")] == [0.0] * 4
 
 
-def jump(**settings: str) -> np.void:
-    """Return the ball after it was seen 6 cm nearer and 0.1 rad farther left in one frame, that of a reading."""
-    robot = Watcher(**settings)
-    for _ in range(16):
-        robot.see(1.0, 0.0)
-    return robot.see(0.94 * cos(0.1), 0.94 * sin(0.1))
-
-
-def test_ms18_the_radial_velocity_is_of_the_filtered_place_the_angular_of_the_raw() -> None:
+@pytest.mark.parametrize(("radial_from", "radial"), [(None, -0.015), ("raw", -0.06)])
+@pytest.mark.parametrize(("angular_from", "angular"), [(None, 0.1), ("filtered", 0.025)])
+def test_ms18_the_radial_velocity_is_of_the_filtered_place_the_angular_of_the_raw(
+    radial_from: str | None, radial: float, angular_from: str | None, angular: float
+) -> None:
     """MS18, footnote 4: one sighting in four moves the filtered place by a quarter, the raw one by all.
 
-    The readings are 5 frames apart.
+    The ball is seen 6 cm nearer and 0.1 rad farther left in the frame of a reading, 5 after the one before.
     """
-    time = 5 / 16
-    ball = jump()
-    assert ball["radial"] == pytest.approx(-0.015 / time, abs=SLOW)
-    assert ball["angular"] == pytest.approx(0.1 / time, abs=SLOW)
-    ball = jump(radial_from="raw", angular_from="filtered")
-    assert ball["radial"] == pytest.approx(-0.06 / time, abs=SLOW)
-    assert ball["angular"] == pytest.approx(0.025 / time, abs=SLOW)
+    told = {"radial_from": radial_from, "angular_from": angular_from}
+    robot = Watcher(**{name: source for name, source in told.items() if source})
+    for _ in range(16):
+        robot.see(1.0, 0.0)
+    ball = robot.see(0.94 * cos(0.1), 0.94 * sin(0.1))
+    assert (ball["radial"], ball["angular"]) == pytest.approx((radial * 16 / 5, angular * 16 / 5), abs=SLOW)
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
@@ -160,7 +145,6 @@ def test_a_still_ball_stands_still_over_the_ground_however_the_robot_walks(walk:
 
 
 def test_ms18_the_moving_robot_sees_it_come_and_turn() -> None:
-    """MS18: radial and angular velocity are not freed of the robot's own motion."""
     robot, x, y = Watcher(), 1.2, 0.0
     for _ in range(40):
         x, y = move_point(x, y, 0.0075, 0.0, 0.02)
