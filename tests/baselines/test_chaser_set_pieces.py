@@ -121,10 +121,9 @@ def test_who_fights_for_the_ball_may_drive_at_who_has_it_but_not_at_a_goalkeeper
     assert (hold_back(sight, K, play, 1.0, 0.0, 2.6, fights)[2] < 2.6) == held_back
 
 
-@pytest.mark.parametrize(
-    ("away", "mate", "ball_x", "holds"),
-    [(0.44, 0, 0.0, True), (0.46, 0, 0.0, False), (0.44, 1, 0.0, False), (0.44, 0, -3.1, False)],
-)
+@pytest.mark.parametrize(("away", "mate", "ball_x", "holds"), [
+    (0.44, 0, 0.0, True), (0.46, 0, 0.0, False), (0.44, 1, 0.0, False), (0.44, 0, -3.1, False),
+])  # fmt: skip
 def test_it_stands_in_the_way_of_an_opponent_that_has_the_ball_but_not_before_its_own_goal(away, mate, ball_x, holds):
     sight = sees(ball_x, away, mate)
     sight["ball_x"], sight["distance"] = ball_x, 1.0

@@ -39,15 +39,11 @@ def test_who_is_unsure_looks_up_for_a_moment_and_then_at_the_ball_again() -> Non
     assert (looks[1][0] - looks[0][-1]) * dt == pytest.approx(NUMBERS["glance_rest"][0], abs=2.0 * dt)
 
 
-@pytest.mark.parametrize(
-    "seen",
-    [
-        {"confidence": UNSURE + 1.0, "distance": ROOM + 0.05},
-        {"confidence": QUITE_LOST + 1.0, "distance": ROOM - 0.01},
-        {"confidence": 0.0, "distance": ROOM + 0.05, "age": 0.5},
-        {"confidence": QUITE_LOST + 1.0, "distance": ROOM + 0.1, "keeper": 1},
-    ],
-)
+@pytest.mark.parametrize("seen", [
+    {"confidence": UNSURE + 1.0, "distance": ROOM + 0.05}, {"confidence": QUITE_LOST + 1.0, "distance": ROOM - 0.01},
+    {"confidence": 0.0, "distance": ROOM + 0.05, "age": 0.5},
+    {"confidence": QUITE_LOST + 1.0, "distance": ROOM + 0.1, "keeper": 1},
+])  # fmt: skip
 def test_the_eyes_stay_on_the_ball(seen: dict) -> None:
     assert (tilts(**seen)[:, 0] < 0.0).all()
 

@@ -133,18 +133,15 @@ def test_names_are_parsed_and_checked() -> None:
     assert changed.settings["recovery"] == 0 and changed.settings["player_gain"] == 0.4
 
 
-@pytest.mark.parametrize(
-    ("name", "message"),
-    [
-        *((f"sacks-2001:{wrong}", "must be written as name=value") for wrong in ("", "x", "x=", "=1", "a=1,,b=2")),
-        *((f"chaser@{wrong}", "must be a number from 0 to 1") for wrong in ("", "2", "-1", "x", "nan")),
-        ("lions", "unknown team 'lions'.* known: "),
-        ("chaser:recovery=False", "unknown setting of chaser 'recovery', did you mean .* known: settle"),
-        ("sacks-2001:recover=False", "'recover' in SacksSettings, did you mean 'recovery' .*known: strength"),
-        ("sacks-2001:recovery=3", "SacksSettings.recovery must be True or False, got 3"),
-        ("x.zip:path=y", "the file of team 'x.zip' is given by its name, not by a setting path"),
-    ],
-)
+@pytest.mark.parametrize(("name", "message"), [
+    *((f"sacks-2001:{wrong}", "must be written as name=value") for wrong in ("", "x", "x=", "=1", "a=1,,b=2")),
+    *((f"chaser@{wrong}", "must be a number from 0 to 1") for wrong in ("", "2", "-1", "x", "nan")),
+    ("lions", "unknown team 'lions'.* known: "),
+    ("chaser:recovery=False", "unknown setting of chaser 'recovery', did you mean .* known: settle"),
+    ("sacks-2001:recover=False", "'recover' in SacksSettings, did you mean 'recovery' .*known: strength"),
+    ("sacks-2001:recovery=3", "SacksSettings.recovery must be True or False, got 3"),
+    ("x.zip:path=y", "the file of team 'x.zip' is given by its name, not by a setting path"),
+])  # fmt: skip
 def test_a_name_that_cannot_be_is_explained(name: str, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         make_team(name)
@@ -195,13 +192,10 @@ def test_a_package_ships_a_team_as_a_factory_of_its_strength_and_settings() -> N
 
 
 @pytest.mark.usefixtures("shipped")
-@pytest.mark.parametrize(
-    ("name", "message"),
-    [
-        ("nobody", "team 'nobody' must be a function that takes strength=, .*:nobody is <function nobody"),
-        ("nothing", "a team needs name, memory_dtype and act, got None"),
-    ],
-)
+@pytest.mark.parametrize(("name", "message"), [
+    ("nobody", "team 'nobody' must be a function that takes strength=, .*:nobody is <function nobody"),
+    ("nothing", "a team needs name, memory_dtype and act, got None"),
+])  # fmt: skip
 def test_an_entry_point_that_is_no_factory_of_a_team_is_refused(name: str, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         make_team(name)

@@ -63,16 +63,12 @@ def test_one_scene_is_no_mixture() -> None:
     assert mixture("kick-off:0.2") is SCENES["kick-off"]
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("kick-off:0.5,scatered:0.5", "'scatered', did you mean 'scattered'"),
-        ("kick-off:much,scattered", "NAME:share,NAME:share, got"),
-        ("kick-off,kick-off:2", "scenes must be different"),
-        ("kick-off:0,scattered:1", "shares of a Mixture must be above 0"),
-        ("kick-off:inf,scattered:1", "shares of a Mixture must be above 0"),
-    ],
-)
+@pytest.mark.parametrize(("text", "said"), [
+    ("kick-off:0.5,scatered:0.5", "'scatered', did you mean 'scattered'"),
+    ("kick-off:much,scattered", "NAME:share,NAME:share, got"), ("kick-off,kick-off:2", "scenes must be different"),
+    ("kick-off:0,scattered:1", "shares of a Mixture must be above 0"),
+    ("kick-off:inf,scattered:1", "shares of a Mixture must be above 0"),
+])  # fmt: skip
 def test_wrong_mixtures_are_refused(text: str, said: str) -> None:
     with pytest.raises(ValueError, match=said):
         mixture(text)

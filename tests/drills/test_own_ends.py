@@ -83,16 +83,13 @@ def test_envs_tell_of_it() -> None:
     assert terminations["home_0"] and infos["home_0"]["events"]["drill"] == "success"
 
 
-@pytest.mark.parametrize(
-    ("returned", "message"),
-    [
-        (0.5, "success of scene 'mine' must return 1, -1 or 0 for each match, got 0.5 for 0"),
-        (np.nan, "success of scene 'mine' must return numbers in [-1, 1], got nan at (0,)"),
-        (2, "success of scene 'mine' must return numbers in [-1, 1], got 2.0 at (0,)"),
-        (np.zeros(3), "success of scene 'mine' must return numbers of shape (2,), got shape (3,)"),
-        (None, "success of scene 'mine' must return"),
-    ],
-)
+@pytest.mark.parametrize(("returned", "message"), [
+    (0.5, "success of scene 'mine' must return 1, -1 or 0 for each match, got 0.5 for 0"),
+    (np.nan, "success of scene 'mine' must return numbers in [-1, 1], got nan at (0,)"),
+    (2, "success of scene 'mine' must return numbers in [-1, 1], got 2.0 at (0,)"),
+    (np.zeros(3), "success of scene 'mine' must return numbers of shape (2,), got shape (3,)"),
+    (None, "success of scene 'mine' must return"),
+])  # fmt: skip
 def test_what_it_returns_wrongly_is_named(returned: Any, message: str) -> None:
     mine = Scene("mine", "wrong", success=lambda match: returned)
     match = Match(**{**SETTINGS, "scene": mine}, matches=2)

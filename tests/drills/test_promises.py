@@ -110,14 +110,10 @@ def test_still_players_stand_on_the_way_one_behind_another(scene: str) -> None:
         assert (far > near + 0.2).all()
 
 
-@pytest.mark.parametrize(
-    ("scene", "near", "far", "aside", "meets"),
-    [
-        ("dribble-past-mover-near", 0.5, 0.7, 0.7, (0.2, 0.4)),
-        ("dribble-past-mover-far", 1.1, 1.5, 0.4, (0.3, 0.6)),
-        ("dribble-past-mover-head-on", 0.7, 1.3, 0.05, (-1e-6, 1e-5)),
-    ],
-)
+@pytest.mark.parametrize(("scene", "near", "far", "aside", "meets"), [
+    ("dribble-past-mover-near", 0.5, 0.7, 0.7, (0.2, 0.4)), ("dribble-past-mover-far", 1.1, 1.5, 0.4, (0.3, 0.6)),
+    ("dribble-past-mover-head-on", 0.7, 1.3, 0.05, (-1e-6, 1e-5)),
+])  # fmt: skip
 def test_a_mover_stands_where_its_drill_says_and_heads_for_the_way(
     scene: str, near: float, far: float, aside: float, meets: tuple[float, float]
 ) -> None:

@@ -25,14 +25,11 @@ from tests.scenes.symmetry import (
 )
 
 
-@pytest.mark.parametrize(
-    ("frame", "axis", "mirror", "half_turn"),
-    [
-        (NONE, "", 1, 1), (ROBOT, X, 1, 1), (ROBOT, Y, -1, 1), (ROBOT, TURN, -1, 1), (TEAM, X, 1, 1), (TEAM, Y, -1, 1),
-        (FIELD, X, 1, -1), (FIELD, Y, -1, -1), (FIELD, TURN, -1, 1), (CAMERA, "", 1, 1), (CAMERA, SIDE, None, 1),
-        (None, "", None, None),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("frame", "axis", "mirror", "half_turn"), [
+    (NONE, "", 1, 1), (ROBOT, X, 1, 1), (ROBOT, Y, -1, 1), (ROBOT, TURN, -1, 1), (TEAM, X, 1, 1), (TEAM, Y, -1, 1),
+    (FIELD, X, 1, -1), (FIELD, Y, -1, -1), (FIELD, TURN, -1, 1), (CAMERA, "", 1, 1), (CAMERA, SIDE, None, 1),
+    (None, "", None, None),
+])  # fmt: skip
 def test_signs_follow_from_frame_and_axis(frame: Any, axis: Any, mirror: int | None, half_turn: int | None) -> None:
     entry = Entry("a", frame=frame, axis=axis)
     assert (entry.mirror, entry.half_turn) == (mirror, half_turn)

@@ -260,14 +260,11 @@ assert c.bodies.tobytes() == batch.bodies.tobytes()
     subprocess.run([sys.executable, "-c", code], env=environment, check=True, timeout=60)
 
 
-@pytest.mark.parametrize(
-    ("call", "kinds", "given"),
-    [
-        (chipmunk._python_step, (ctypes.c_size_t, ctypes.c_double), (7, 0.25)),
-        (chipmunk._python_each, (ctypes.c_size_t,) * 3, (7, 9, 11)),
-        (chipmunk._python_shape, (ctypes.c_size_t,) * 2, (7, 9)),
-    ],
-)
+@pytest.mark.parametrize(("call", "kinds", "given"), [
+    (chipmunk._python_step, (ctypes.c_size_t, ctypes.c_double), (7, 0.25)),
+    (chipmunk._python_each, (ctypes.c_size_t,) * 3, (7, 9, 11)),
+    (chipmunk._python_shape, (ctypes.c_size_t,) * 2, (7, 9)),
+])  # fmt: skip
 def test_without_compiling_a_function_of_chipmunk_is_called_by_its_address(call, kinds, given):
     heard = []
     function = ctypes.CFUNCTYPE(None, *kinds)(lambda *words: heard.append(words))

@@ -108,20 +108,11 @@ def test_no_robot_gains_or_loses_speed_faster_than_it_can(name):
         assert (turn <= league.drive.turn_acceleration * league.dt + 1e-9).all()
 
 
-@pytest.mark.parametrize(
-    ("name", "command", "expected"),
-    [
-        (LEGGED, (1.0, 0.0), 0.12),
-        (LEGGED, (-1.0, 0.0), 0.10),
-        (LEGGED, (0.0, 1.0), 0.08),
-        (LEGGED, (0.0, -0.5), 0.04),
-        (MIDDLE, (0.0, -1.0), 2.6),
-        (MIDDLE, (0.6, 0.8), 2.6),
-        (MIDDLE, (1.0, 1.0), 2.6),
-        (DIFFERENTIAL, (1.0, 0.0), 1.6),
-        (DIFFERENTIAL, (1.0, 1.0), 1.6),
-    ],
-)
+@pytest.mark.parametrize(("name", "command", "expected"), [
+    (LEGGED, (1.0, 0.0), 0.12), (LEGGED, (-1.0, 0.0), 0.10), (LEGGED, (0.0, 1.0), 0.08), (LEGGED, (0.0, -0.5), 0.04),
+    (MIDDLE, (0.0, -1.0), 2.6), (MIDDLE, (0.6, 0.8), 2.6), (MIDDLE, (1.0, 1.0), 2.6), (DIFFERENTIAL, (1.0, 0.0), 1.6),
+    (DIFFERENTIAL, (1.0, 1.0), 1.6),
+])  # fmt: skip
 def test_robots_walk_at_the_speed_that_is_asked_of_them(name, command, expected):
     match = on_its_own(steady(name))
     actions = asking(match, forward=command[0], left=command[1])

@@ -134,10 +134,9 @@ def test_a_kicked_ball_flies_clear_of_the_robot_that_kicked_it(name):
     np.testing.assert_allclose(later[straight], direction[straight], atol=1e-6)
 
 
-@pytest.mark.parametrize(
-    ("name", "ahead", "aside"),
-    [(LEGGED, 0.04, 0.0), (LEGGED, 0.031, 0.0), (LEGGED, 0.05, 0.046), (MIDDLE, 0.05, 0.0), (MIDDLE, 0.02, 0.09)],
-)
+@pytest.mark.parametrize(("name", "ahead", "aside"), [
+    (LEGGED, 0.04, 0.0), (LEGGED, 0.031, 0.0), (LEGGED, 0.05, 0.046), (MIDDLE, 0.05, 0.0), (MIDDLE, 0.02, 0.09),
+])  # fmt: skip
 def test_a_ball_outside_the_pocket_cannot_be_kicked(name, ahead, aside):
     match = at_the_ball(name, ahead=ahead, aside=aside)
     assert match.robots["has_ball"][0, 0] == 0

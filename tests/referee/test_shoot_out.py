@@ -80,23 +80,14 @@ def test_it_ends_when_one_team_cannot_be_caught():
     assert match.matches["phase"][0] == Phase.OVER and match.matches["restart_team"][0] == -1
 
 
-@pytest.mark.parametrize(
-    ("taken", "first", "second", "over"),
-    [
-        (6, 3, 0, True),  # 3 to 0 with two left
-        (6, 2, 0, False),
-        (7, 3, 0, True),
-        (8, 3, 3, False),
-        (9, 4, 2, True),
-        (9, 4, 3, False),
-        (9, 3, 4, True),
-        (10, 3, 3, False),
-        (10, 4, 3, True),
-        (11, 4, 3, False),  # in single pairs both kick
-        (12, 4, 3, True),
-        (20, 5, 5, True),  # a draw in the end
-    ],
-)
+@pytest.mark.parametrize(("taken", "first", "second", "over"), [
+    (6, 3, 0, True),  # 3 to 0 with two left
+    (6, 2, 0, False), (7, 3, 0, True), (8, 3, 3, False), (9, 4, 2, True), (9, 4, 3, False), (9, 3, 4, True),
+    (10, 3, 3, False), (10, 4, 3, True),
+    (11, 4, 3, False),  # in single pairs both kick
+    (12, 4, 3, True),
+    (20, 5, 5, True),  # a draw in the end
+])  # fmt: skip
 def test_when_it_is_decided(taken, first, second, over):
     match = drawn()
     record, k = match.matches[0], constants_of(match.league)[0]

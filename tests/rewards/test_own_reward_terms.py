@@ -29,15 +29,12 @@ def test_rewards_can_be_compared_copied_and_written_down() -> None:
     assert described["extra"]["x"]["function"].endswith(".one")
 
 
-@pytest.mark.parametrize(
-    ("bad", "message"),
-    [
-        ((3,), "OwnTerm.function must be"),
-        ((one, "bonus"), "OwnTerm.kind must be one of potential, event, cost, got 'bonus'"),
-        ((one, "cost", np.nan), "OwnTerm.weight must be -1000000000 to 1000000000, got nan"),
-        ((one, "event", -1e300), "OwnTerm.weight must be -1000000000 to 1000000000, got -1e+300"),
-    ],
-)
+@pytest.mark.parametrize(("bad", "message"), [
+    ((3,), "OwnTerm.function must be"),
+    ((one, "bonus"), "OwnTerm.kind must be one of potential, event, cost, got 'bonus'"),
+    ((one, "cost", np.nan), "OwnTerm.weight must be -1000000000 to 1000000000, got nan"),
+    ((one, "event", -1e300), "OwnTerm.weight must be -1000000000 to 1000000000, got -1e+300"),
+])  # fmt: skip
 def test_bad_terms_of_ones_own_are_refused(bad: tuple[Any, ...], message: str) -> None:
     with pytest.raises(ValueError, match=re.escape(message)):
         OwnTerm(*bad)

@@ -147,17 +147,12 @@ def test_approach_rewards_the_nearest_robot_for_coming_nearer() -> None:
     assert match.terms[0, 0, APPROACH] == match.terms[0, 1, APPROACH] > 0.0 == match.terms[0, 2, APPROACH]
 
 
-@pytest.mark.parametrize(
-    ("bad", "message"),
-    [
-        ({"goal": np.nan}, r"Rewards\.goal"),
-        ({"progress": "much"}, r"Rewards\.progress"),
-        ({"gamma": 1.5}, r"Rewards\.gamma"),
-        ({"extra": {"goal": len}}, r"Rewards\.extra"),
-        ({"effort": 1.7e308}, r"Rewards\.effort must be -1000000000 to 1000000000, got 1.7e\+308"),
-        ({"goals": 1.0}, f"'goals'.*known: {', '.join(NAMES)}, gamma, extra"),
-    ],
-)
+@pytest.mark.parametrize(("bad", "message"), [
+    ({"goal": np.nan}, r"Rewards\.goal"), ({"progress": "much"}, r"Rewards\.progress"),
+    ({"gamma": 1.5}, r"Rewards\.gamma"), ({"extra": {"goal": len}}, r"Rewards\.extra"),
+    ({"effort": 1.7e308}, r"Rewards\.effort must be -1000000000 to 1000000000, got 1.7e\+308"),
+    ({"goals": 1.0}, f"'goals'.*known: {', '.join(NAMES)}, gamma, extra"),
+])  # fmt: skip
 def test_bad_weights_are_refused_by_name(bad: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         Rewards(**bad)

@@ -124,10 +124,9 @@ def test_a_scrum_of_half_a_second_ago_still_is_one(ago, kind) -> None:
     assert steps.kinds(HOME) == only(kind)
 
 
-@pytest.mark.parametrize(
-    ("other", "ago", "kind"),
-    [(THEIR_PLAYER, 48, PUSHED_IN), (THEIR_PLAYER, 49, CLEAN_DRIBBLE), (MATE, 1, CLEAN_DRIBBLE)],
-)
+@pytest.mark.parametrize(("other", "ago", "kind"), [
+    (THEIR_PLAYER, 48, PUSHED_IN), (THEIR_PLAYER, 49, CLEAN_DRIBBLE), (MATE, 1, CLEAN_DRIBBLE),
+])  # fmt: skip
 def test_a_dribble_in_touch_with_an_opponent_within_three_seconds_is_a_push_and_not_in_the_legs_of_a_mate(
     other, ago, kind
 ) -> None:
@@ -168,10 +167,9 @@ def test_goals_within_ten_seconds_of_a_restart_say_which(ago, counted) -> None:
     assert steps.of("after_restart") == expected
 
 
-@pytest.mark.parametrize(
-    ("locked", "ago", "counted", "mate"),
-    [(1.0, 160, 1, False), (1.0, 161, 0, False), (0.94, 1, 0, False), (1.0, 1, 0, True)],
-)
+@pytest.mark.parametrize(("locked", "ago", "counted", "mate"), [
+    (1.0, 160, 1, False), (1.0, 161, 0, False), (0.94, 1, 0, False), (1.0, 1, 0, True),
+])  # fmt: skip
 def test_goals_within_ten_seconds_of_a_goalkeeper_in_contact_with_opponents_for_one_say_so(
     locked, ago, counted, mate
 ) -> None:

@@ -23,13 +23,10 @@ each_direction = pytest.mark.parametrize("direction", [1.0, -1.0])
 
 
 @each_direction
-@pytest.mark.parametrize(
-    ("y", "vx", "shots", "on_target"),
-    [
-        (0.29, 1.0, 1, 1), (-0.29, 1.0, 1, 1), (0.31, 1.0, 1, 0), (-0.44, 1.0, 1, 0), (0.46, 1.0, 0, 0),
-        (0.0, -1.0, 0, 0), (0.0, 0.85, 0, 0), (0.0, 0.9, 1, 1),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("y", "vx", "shots", "on_target"), [
+    (0.29, 1.0, 1, 1), (-0.29, 1.0, 1, 1), (0.31, 1.0, 1, 0), (-0.44, 1.0, 1, 0), (0.46, 1.0, 0, 0), (0.0, -1.0, 0, 0),
+    (0.0, 0.85, 0, 0), (0.0, 0.9, 1, 1),
+])  # fmt: skip
 def test_a_kick_that_would_roll_to_the_goal_is_a_shot(direction, y, vx, shots, on_target) -> None:
     """A ball that is kicked slides first: 0.51 m at 0.85 m/s, 0.57 m at 0.9 m/s, of the 0.54 m to the line."""
     steps = Steps(direction=direction)
@@ -55,13 +52,10 @@ def test_a_push_is_a_shot_when_the_ball_comes_free_as_fast_as_by_a_kick(speed, s
     assert steps.of("shots") == [shots if free >= 4 else 0, 0]
 
 
-@pytest.mark.parametrize(
-    ("y", "touches", "saves"),
-    [
-        (0.0, [THEIR_KEEPER], 1), (0.0, [THEIR_PLAYER], 0), (0.0, [THEIR_PLAYER, THEIR_KEEPER], 0), (0.0, [KEEPER], 0),
-        (0.4, [THEIR_KEEPER], 0), (0.0, [THEIR_KEEPER, THEIR_PLAYER], 1), (0.0, [], 0),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("y", "touches", "saves"), [
+    (0.0, [THEIR_KEEPER], 1), (0.0, [THEIR_PLAYER], 0), (0.0, [THEIR_PLAYER, THEIR_KEEPER], 0), (0.0, [KEEPER], 0),
+    (0.4, [THEIR_KEEPER], 0), (0.0, [THEIR_KEEPER, THEIR_PLAYER], 1), (0.0, [], 0),
+])  # fmt: skip
 def test_a_shot_on_target_is_saved_if_the_goalkeeper_touches_it_first(y, touches, saves) -> None:
     steps = Steps()
     shoot(steps, y=y)

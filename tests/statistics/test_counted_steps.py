@@ -37,14 +37,11 @@ def test_a_ball_slower_than_2_cm_a_second_lies_still(vx, vy, still) -> None:
     assert steps.of("still") == still
 
 
-@pytest.mark.parametrize(
-    ("x", "y", "board", "corner"),
-    [
-        (0.0, 0.81, 1.0, 0.0), (0.0, -0.81, 1.0, 0.0), (0.0, 0.79, 0.0, 0.0), (1.31, 0.0, 1.0, 0.0),
-        (-1.31, 0.0, 1.0, 0.0), (1.29, 0.0, 0.0, 0.0), (1.26, 0.76, 0.0, 1.0), (-1.31, -0.81, 1.0, 1.0),
-        (1.31, 0.74, 1.0, 0.0), (1.24, 0.81, 1.0, 0.0),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("x", "y", "board", "corner"), [
+    (0.0, 0.81, 1.0, 0.0), (0.0, -0.81, 1.0, 0.0), (0.0, 0.79, 0.0, 0.0), (1.31, 0.0, 1.0, 0.0),
+    (-1.31, 0.0, 1.0, 0.0), (1.29, 0.0, 0.0, 0.0), (1.26, 0.76, 0.0, 1.0), (-1.31, -0.81, 1.0, 1.0),
+    (1.31, 0.74, 1.0, 0.0), (1.24, 0.81, 1.0, 0.0),
+])  # fmt: skip
 def test_a_ball_within_20_cm_of_a_line_is_at_the_boards_and_within_25_of_two_in_a_corner(x, y, board, corner) -> None:
     steps = Steps()
     steps.ball(x, y)
@@ -156,17 +153,9 @@ def test_mates_are_field_players_that_are_not_nearest_to_the_ball_and_idle_those
 
 @each_direction
 @pytest.mark.parametrize(("row", "team"), [(0, HOME), (3, AWAY)])
-@pytest.mark.parametrize(
-    ("ahead", "aside", "away", "in_goal"),
-    [
-        (0.74, 0.0, 0, 0),
-        (0.76, 0.0, 1, 0),
-        (0.55, 0.52, 1, 0),
-        (0.0, 0.74, 0, 0),
-        (-0.01, 0.1, 0, 1),
-        (0.01, 0.1, 0, 0),
-    ],
-)
+@pytest.mark.parametrize(("ahead", "aside", "away", "in_goal"), [
+    (0.74, 0.0, 0, 0), (0.76, 0.0, 1, 0), (0.55, 0.52, 1, 0), (0.0, 0.74, 0, 0), (-0.01, 0.1, 0, 1), (0.01, 0.1, 0, 0),
+])  # fmt: skip
 def test_a_goalkeeper_is_away_a_quarter_of_the_pitch_from_its_goal_and_in_it_behind_its_line(
     direction, row, team, ahead, aside, away, in_goal
 ) -> None:

@@ -81,10 +81,9 @@ def test_a_shot_that_a_field_player_stops_is_not_saved(team, half):
     assert scene.match.statistics["saves"].sum() == 0
 
 
-@pytest.mark.parametrize(
-    ("name", "pace", "way", "shots"),
-    [(LEGGED, 8.0, 0.4, 1), (LEGGED, 3.0, 0.15, 0), (MIDDLE, 1.3, 1.5, 1), (MIDDLE, 0.8, 1.5, 0)],
-)
+@pytest.mark.parametrize(("name", "pace", "way", "shots"), [
+    (LEGGED, 8.0, 0.4, 1), (LEGGED, 3.0, 0.15, 0), (MIDDLE, 1.3, 1.5, 1), (MIDDLE, 0.8, 1.5, 0),
+])  # fmt: skip
 def test_a_ball_knocked_away_as_by_a_kick_is_a_shot_and_one_that_is_dribbled_is_not(name, pace, way, shots):
     scene = Scene(name, 0, 0)
     league = scene.match.league

@@ -33,15 +33,11 @@ def test_a_shot_is_noted_where_the_ball_was_played(direction: float) -> None:
     assert maps_of(steps.tally[0], AWAY, ROWS)["shots_against"] == shots(steps)
 
 
-@pytest.mark.parametrize(
-    ("y", "touches", "outcome"),
-    [
-        (0.0, [], "off_target"), (0.4, [], "off_target"), (0.0, [THEIR_KEEPER], "saved"),
-        (0.0, [THEIR_PLAYER], "blocked"), (0.0, [MATE], "blocked"), (0.4, [THEIR_KEEPER], "blocked"),
-        (0.0, [THEIR_PLAYER, THEIR_KEEPER], "blocked"), (0.0, [THEIR_KEEPER, THEIR_PLAYER], "saved"),
-        (0.0, [KEEPER], "blocked"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("y", "touches", "outcome"), [
+    (0.0, [], "off_target"), (0.4, [], "off_target"), (0.0, [THEIR_KEEPER], "saved"), (0.0, [THEIR_PLAYER], "blocked"),
+    (0.0, [MATE], "blocked"), (0.4, [THEIR_KEEPER], "blocked"), (0.0, [THEIR_PLAYER, THEIR_KEEPER], "blocked"),
+    (0.0, [THEIR_KEEPER, THEIR_PLAYER], "saved"), (0.0, [KEEPER], "blocked"),
+])  # fmt: skip
 def test_who_touches_a_shot_first_saves_or_blocks_it(y: float, touches: list[int], outcome: str) -> None:
     steps = Steps()
     shoot(steps, y=y)

@@ -85,13 +85,10 @@ def test_a_short_break_does_not_end_it(pause: int, seconds: float) -> None:
     assert steps.of("stuck") == pytest.approx([seconds, 0.0])
 
 
-@pytest.mark.parametrize(
-    ("wanted", "made", "stuck"),
-    [
-        (WANTS * TOP * 1.01, 0.0, True), (WANTS * TOP * 0.99, 0.0, False),
-        (TOP, MAKES * TOP * 0.99, True), (TOP, MAKES * TOP * 1.01, False),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("wanted", "made", "stuck"), [
+    (WANTS * TOP * 1.01, 0.0, True), (WANTS * TOP * 0.99, 0.0, False), (TOP, MAKES * TOP * 0.99, True),
+    (TOP, MAKES * TOP * 1.01, False),
+])  # fmt: skip
 def test_who_wants_little_or_gets_on_is_not_stuck(wanted: float, made: float, stuck: bool) -> None:
     steps = Steps()
     aim(steps, wanted, made)
@@ -109,14 +106,10 @@ def test_who_winds_up_a_kick_or_lies_on_the_ground_is_not_stuck(field: str) -> N
 
 
 @each_direction
-@pytest.mark.parametrize(
-    ("x", "y", "column", "row"),
-    [
-        (-1.49, -0.99, 0, 0), (1.49, 0.99, CELLS_LONG - 1, CELLS_WIDE - 1),
-        (0.01, 0.01, CELLS_LONG // 2, CELLS_WIDE // 2),
-        (-0.01, -0.01, CELLS_LONG // 2 - 1, CELLS_WIDE // 2 - 1), (1.6, -1.2, CELLS_LONG - 1, 0),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("x", "y", "column", "row"), [
+    (-1.49, -0.99, 0, 0), (1.49, 0.99, CELLS_LONG - 1, CELLS_WIDE - 1), (0.01, 0.01, CELLS_LONG // 2, CELLS_WIDE // 2),
+    (-0.01, -0.01, CELLS_LONG // 2 - 1, CELLS_WIDE // 2 - 1), (1.6, -1.2, CELLS_LONG - 1, 0),
+])  # fmt: skip
 def test_the_heat_map_is_that_of_a_team_that_attacks_to_the_right(direction, x, y, column, row) -> None:
     """A ball that is beyond a line counts in the cell at the line."""
     steps = Steps(direction=direction)

@@ -64,19 +64,16 @@ def test_mh19_a_ball_at_the_goal_line_leaves_it_between_the_posts(stance: str) -
         assert (x, y) == (pytest.approx(0.35 - HALF), pytest.approx(side * 1.0))
 
 
-@pytest.mark.parametrize(
-    ("ball", "velocity", "shot"),
-    [
-        ((-3.0, 0.0), (-4.0, 0.0), True),
-        ((-3.0, 0.0), (4.0, 0.0), False),  # away from the goal
-        ((-3.0, 0.0), (0.0, 4.0), False),  # along it
-        ((-3.0, 0.0), (-0.4, 0.0), False),  # slower than a shot
-        ((-3.0, 0.0), (-1.6, 0.0), True),  # v^2 / 2a = 3.2 m: rolls in
-        ((-3.0, 0.0), (-1.5, 0.0), False),  # 2.8 m: stops before the line
-        ((-3.0, 0.0), (-3.0, 1.2), True),  # crosses at 1.2 m
-        ((-3.0, 0.0), (-3.0, 1.3), False),  # at 1.3 m, beside the post and what may be believed
-    ],
-)
+@pytest.mark.parametrize(("ball", "velocity", "shot"), [
+    ((-3.0, 0.0), (-4.0, 0.0), True),
+    ((-3.0, 0.0), (4.0, 0.0), False),  # away from the goal
+    ((-3.0, 0.0), (0.0, 4.0), False),  # along it
+    ((-3.0, 0.0), (-0.4, 0.0), False),  # slower than a shot
+    ((-3.0, 0.0), (-1.6, 0.0), True),  # v^2 / 2a = 3.2 m: rolls in
+    ((-3.0, 0.0), (-1.5, 0.0), False),  # 2.8 m: stops before the line
+    ((-3.0, 0.0), (-3.0, 1.2), True),  # crosses at 1.2 m
+    ((-3.0, 0.0), (-3.0, 1.3), False),  # at 1.3 m, beside the post and what may be believed
+])  # fmt: skip
 def test_mh20_a_shot_is_a_ball_that_rolls_over_the_line_between_the_posts(
     ball: tuple[float, float], velocity: tuple[float, float], shot: bool
 ) -> None:

@@ -49,18 +49,13 @@ def test_other_leagues_are_refused() -> None:
     Match("legged-2001-inner", controllers={"home": "sacks-2001", "away": "still"}, seed=1).step()
 
 
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"strength": 1.5}, "strength must be 0 to 1"),
-        ({"exponent": 4}, "exponent must be 1 to 3"),
-        ({"exponent": 1.5}, "exponent must be a whole number, 1 to 3"),
-        ({"goal_force": "strong"}, "goal_force must be one of unit, proportional"),
-        ({"player_range": 0.0}, "player_range must be 0.01 to 100"),
-        ({"step_length": -0.01}, "step_length must be 0 to"),
-        ({"recovery": 1}, "recovery must be True or False"),
-    ],
-)
+@pytest.mark.parametrize(("changes", "message"), [
+    ({"strength": 1.5}, "strength must be 0 to 1"), ({"exponent": 4}, "exponent must be 1 to 3"),
+    ({"exponent": 1.5}, "exponent must be a whole number, 1 to 3"),
+    ({"goal_force": "strong"}, "goal_force must be one of unit, proportional"),
+    ({"player_range": 0.0}, "player_range must be 0.01 to 100"), ({"step_length": -0.01}, "step_length must be 0 to"),
+    ({"recovery": 1}, "recovery must be True or False"),
+])  # fmt: skip
 def test_settings_that_cannot_be_are_refused(changes: dict[str, object], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         SacksSettings().changed(changes)

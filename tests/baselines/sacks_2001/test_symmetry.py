@@ -32,10 +32,9 @@ def team_of(name: str, **settings: Any) -> CompiledTeam:
     return team
 
 
-@pytest.mark.parametrize(
-    ("name", "settings"),
-    [("sacks-2001", {}), ("sacks-2001-future", {}), ("sacks-2001", {"avoidance": False, "avoid_chasing": True})],
-)
+@pytest.mark.parametrize(("name", "settings"), [
+    ("sacks-2001", {}), ("sacks-2001-future", {}), ("sacks-2001", {"avoidance": False, "avoid_chasing": True}),
+])  # fmt: skip
 def test_the_team_plays_the_mirrored_scene_in_the_mirror(name: str, settings: dict[str, Any]) -> None:
     team, rng = team_of(name, **settings), np.random.default_rng(4)
     memory, image = (np.zeros((MATCHES, PLAYERS), team.memory_dtype) for _ in range(2))

@@ -184,17 +184,13 @@ def supporting(ball: tuple[float, float], x: float, y: float) -> Mind:
     return mind
 
 
-@pytest.mark.parametrize(
-    ("ball", "place"),
-    [
-        ((0.0, -0.4), (-0.8, 0.05)),  # 0.8 m behind the ball, 0.45 m aside of it towards the middle
-        ((0.5, 0.9), (-0.3, 0.45)),
-        ((-1.2, 0.3), (-1.5 + 3.0 * LEAGUE.body.reach, -0.15)),  # off the goal line
-        ((0.0, 0.15), (-0.8, -0.3)),
-        ((0.5, 1.5), (-0.3, 1.0 - LEAGUE.body.reach)),
-        ((0.5, -1.5), (-0.3, -1.0 + LEAGUE.body.reach)),  # of a ball that is believed outside, not beyond the board
-    ],
-)
+@pytest.mark.parametrize(("ball", "place"), [
+    ((0.0, -0.4), (-0.8, 0.05)),  # 0.8 m behind the ball, 0.45 m aside of it towards the middle
+    ((0.5, 0.9), (-0.3, 0.45)),
+    ((-1.2, 0.3), (-1.5 + 3.0 * LEAGUE.body.reach, -0.15)),  # off the goal line
+    ((0.0, 0.15), (-0.8, -0.3)), ((0.5, 1.5), (-0.3, 1.0 - LEAGUE.body.reach)),
+    ((0.5, -1.5), (-0.3, -1.0 + LEAGUE.body.reach)),  # of a ball that is believed outside, not beyond the board
+])  # fmt: skip
 def test_a_supporter_stands_behind_the_ball_and_aside_of_it_and_off_lines_and_boards(
     ball: tuple[float, float], place: tuple[float, float]
 ) -> None:

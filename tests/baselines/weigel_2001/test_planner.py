@@ -19,27 +19,23 @@ from tests.scenes.planning import CROSSING_A, CROSSING_B, random_scene
 HERE, THERE = (0.0, 0.0), (3.0, 1.0)
 
 
-@pytest.mark.parametrize(
-    ("asked", "complaint"),
-    [
-        ({"robot": (0.0, nan)}, r"robot must be finite and within 1000 m of the middle of the pitch, got \(0.0, nan\)"),
-        ({"robot": (0.0, 1.0, 2.0)}, "robot must be two numbers x, y, got"),
-        ({"robot": None}, "robot must be two numbers x, y, got None"),
-        ({"target": (inf, 0.0)}, "target must be finite and within 1000 m"),
-        ({"target": (0.0, 1001.0)}, "target must be finite and within 1000 m"),
-        ({"target": ("a", 0.0)}, "target must be two numbers x, y"),
-        ({"obstacles": (1.0, 2.0)}, r"obstacles must be rows of x, y, vx, vy, .* got \(2,\)"),
-        ({"obstacles": [(1.0, 2.0)]}, r"obstacles must be rows of x, y, vx, vy, .* got \(1, 2\)"),
-        ({"obstacles": [(1.0, 2.0, 0.0, 0.0), (1.0,)]}, "obstacles must be rows of x, y, vx, vy"),
-        ({"obstacles": [(1.0, 2.0, 0.0, nan)]}, r"obstacles\[0\].vy must be -100 to 100, got nan"),
-        ({"obstacles": [(0.0,) * 4, (0.0, 2e3, 0.0, 0.0)]}, r"obstacles\[1\].y must be -1000 to 1000, got 2000.0"),
-        ({"obstacles": [(1.0, 2.0, 0.0, 0.0, -0.1)]}, r"obstacles\[0\].radius must be 0 to 5, got -0.1"),
-        ({"obstacles": np.zeros((33, 4))}, "obstacles must be at most 32, got 33"),
-        ({"side": 0}, "side must be one of -1, 1, got 0"),
-        ({"side": 2}, "side must be -1 to 1, got 2"),
-        ({"side": 0.5}, "side must be a whole number"),
-    ],
-)
+@pytest.mark.parametrize(("asked", "complaint"), [
+    ({"robot": (0.0, nan)}, r"robot must be finite and within 1000 m of the middle of the pitch, got \(0.0, nan\)"),
+    ({"robot": (0.0, 1.0, 2.0)}, "robot must be two numbers x, y, got"),
+    ({"robot": None}, "robot must be two numbers x, y, got None"),
+    ({"target": (inf, 0.0)}, "target must be finite and within 1000 m"),
+    ({"target": (0.0, 1001.0)}, "target must be finite and within 1000 m"),
+    ({"target": ("a", 0.0)}, "target must be two numbers x, y"),
+    ({"obstacles": (1.0, 2.0)}, r"obstacles must be rows of x, y, vx, vy, .* got \(2,\)"),
+    ({"obstacles": [(1.0, 2.0)]}, r"obstacles must be rows of x, y, vx, vy, .* got \(1, 2\)"),
+    ({"obstacles": [(1.0, 2.0, 0.0, 0.0), (1.0,)]}, "obstacles must be rows of x, y, vx, vy"),
+    ({"obstacles": [(1.0, 2.0, 0.0, nan)]}, r"obstacles\[0\].vy must be -100 to 100, got nan"),
+    ({"obstacles": [(0.0,) * 4, (0.0, 2e3, 0.0, 0.0)]}, r"obstacles\[1\].y must be -1000 to 1000, got 2000.0"),
+    ({"obstacles": [(1.0, 2.0, 0.0, 0.0, -0.1)]}, r"obstacles\[0\].radius must be 0 to 5, got -0.1"),
+    ({"obstacles": np.zeros((33, 4))}, "obstacles must be at most 32, got 33"),
+    ({"side": 0}, "side must be one of -1, 1, got 0"), ({"side": 2}, "side must be -1 to 1, got 2"),
+    ({"side": 0.5}, "side must be a whole number"),
+])  # fmt: skip
 @pytest.mark.parametrize("act", ["plan", "travel"])
 def test_bad_input_is_named(act: str, asked: dict[str, Any], complaint: str) -> None:
     ask: Callable[..., Any] = getattr(Planner(), act)

@@ -165,10 +165,9 @@ def test_a_ball_rolls_on_while_the_report_is_on_its_way() -> None:
     assert abs(radio.beliefs["ball"]["vx"][0]) < 1e-12
 
 
-@pytest.mark.parametrize(
-    ("age", "told", "own"),
-    [(0.1, 0.0, True), (0.48, 0.0, True), (0.52, 0.0, False), (3.0, 0.0, False), (1.0, 2.0, True)],
-)
+@pytest.mark.parametrize(("age", "told", "own"), [
+    (0.1, 0.0, True), (0.48, 0.0, True), (0.52, 0.0, False), (3.0, 0.0, False), (1.0, 2.0, True),
+])  # fmt: skip
 def test_the_own_ball_counts_until_it_has_not_been_seen_for_a_while_and_before_an_older_one(
     age: float, told: float, own: bool
 ) -> None:

@@ -49,10 +49,9 @@ def test_ms37_a_player_appears_slightly_smaller_head_on() -> None:
     assert 0.85 < front / side < 1.0
 
 
-@pytest.mark.parametrize(
-    ("heading", "pan", "stickers"),
-    [(FRONT, 0.0, 3), (REAR, 0.0, 3), (FRONT + 0.8, 0.0, 6), (FRONT, 0.7, 4), (SIDE, -0.7, 4)],
-)
+@pytest.mark.parametrize(("heading", "pan", "stickers"), [
+    (FRONT, 0.0, 3), (REAR, 0.0, 3), (FRONT + 0.8, 0.0, 6), (FRONT, 0.7, 4), (SIDE, -0.7, 4),
+])  # fmt: skip
 def test_ms37_several_stickers_are_seen_and_only_those_that_face_the_camera(
     heading: float, pan: float, stickers: int
 ) -> None:

@@ -16,21 +16,18 @@ PITCH = LEAGUE.pitch
 S = LEAGUE.sensors.record().view(np.recarray)[0]
 
 
-@pytest.mark.parametrize(
-    ("x", "y", "distance"),
-    [
-        (0.3, 3.0, 0.3),  # halfway line
-        (0.0, 0.0, 0.0),  # the halfway line runs through the centre spot
-        (0.7, 0.0, 0.3),  # centre circle
-        (3.0, 3.8, 0.2),  # touchline
-        (-5.9, 3.5, 0.1),  # goal line
-        (-6.5, -4.5, np.hypot(0.5, 0.5)),  # beyond the corner
-        (4.4, 1.0, 0.1),  # penalty area, 1.5 x 5 m
-        (-5.2, 2.6, 0.1),  # its side
-        (5.6, -1.0, 0.1),  # goal area, 0.5 x 3 m
-        (5.75, 1.52, 0.02),  # its side
-    ],
-)
+@pytest.mark.parametrize(("x", "y", "distance"), [
+    (0.3, 3.0, 0.3),  # halfway line
+    (0.0, 0.0, 0.0),  # the halfway line runs through the centre spot
+    (0.7, 0.0, 0.3),  # centre circle
+    (3.0, 3.8, 0.2),  # touchline
+    (-5.9, 3.5, 0.1),  # goal line
+    (-6.5, -4.5, np.hypot(0.5, 0.5)),  # beyond the corner
+    (4.4, 1.0, 0.1),  # penalty area, 1.5 x 5 m
+    (-5.2, 2.6, 0.1),  # its side
+    (5.6, -1.0, 0.1),  # goal area, 0.5 x 3 m
+    (5.75, 1.52, 0.02),  # its side
+])  # fmt: skip
 def test_the_lines_run_where_the_rules_of_2006_draw_them(x: float, y: float, distance: float) -> None:
     for sign_x, sign_y in ((1, 1), (-1, 1), (1, -1), (-1, -1)):
         found = nearest_line(PITCH, np.array(sign_x * x), np.array(sign_y * y))

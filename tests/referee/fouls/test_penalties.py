@@ -68,13 +68,10 @@ def test_out_it_does_not_move_touch_or_push_and_its_clock_is_told():
     assert match.robots["penalty"][0, 1] == 27.5
 
 
-@pytest.mark.parametrize(
-    ("r", "ball", "hand", "side"),
-    [
-        (1, -0.9, 1.0, 1.0), (1, 0.9, 1.0, -1.0), (4, -0.9, 1.0, 1.0), (4, 0.9, 1.0, -1.0),
-        (1, 0.0, 1.0, 1.0), (4, 0.0, 1.0, -1.0), (1, 0.0, -1.0, -1.0), (4, 0.0, -1.0, 1.0),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("r", "ball", "hand", "side"), [
+    (1, -0.9, 1.0, 1.0), (1, 0.9, 1.0, -1.0), (4, -0.9, 1.0, 1.0), (4, 0.9, 1.0, -1.0), (1, 0.0, 1.0, 1.0),
+    (4, 0.0, 1.0, -1.0), (1, 0.0, -1.0, -1.0), (4, 0.0, -1.0, 1.0),
+])  # fmt: skip
 def test_it_comes_back_away_from_the_ball_and_if_that_lies_in_the_middle_on_its_left(r, ball, hand, side):
     match = soon_back(r)
     match.matches["handedness"] = hand

@@ -21,17 +21,14 @@ def standing_at(x, y=0.0, heading=0.0, rules=RULE, r=1):
     return match
 
 
-@pytest.mark.parametrize(
-    ("x", "y", "heading", "guilty"),
-    [
-        (LINE + HIND - 0.002, 0.0, 0.0, True),  # both hind feet just in
-        (LINE + HIND + 0.002, 0.0, 0.0, False),
-        (LINE + HIND * 0.707 + BODY.hind_y * 0.707 - 0.003, 0.0, 0.25 * pi, False),  # one hind foot
-        (-1.2, 0.5 + BODY.tip_y - 0.002, 0.0, True),  # the two right feet, over the side of the area
-        (-1.2, 0.5 + BODY.tip_y + 0.002, 0.0, False),
-        (-1.55, 0.0, 0.0, True),  # in its own goal
-    ],
-)
+@pytest.mark.parametrize(("x", "y", "heading", "guilty"), [
+    (LINE + HIND - 0.002, 0.0, 0.0, True),  # both hind feet just in
+    (LINE + HIND + 0.002, 0.0, 0.0, False),
+    (LINE + HIND * 0.707 + BODY.hind_y * 0.707 - 0.003, 0.0, 0.25 * pi, False),  # one hind foot
+    (-1.2, 0.5 + BODY.tip_y - 0.002, 0.0, True),  # the two right feet, over the side of the area
+    (-1.2, 0.5 + BODY.tip_y + 0.002, 0.0, False),
+    (-1.55, 0.0, 0.0, True),  # in its own goal
+])  # fmt: skip
 def test_a_field_player_with_two_feet_in_its_own_area_is_illegal(x, y, heading, guilty):
     found = fouls(standing_at(x, y, heading), stand(court(RULE)), 3.0)
     assert found == ([(1.0 + STEP, 1, Foul.ILLEGAL_DEFENDER)] if guilty else [])

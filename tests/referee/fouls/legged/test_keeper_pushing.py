@@ -106,10 +106,9 @@ def test_only_a_ball_between_the_two_hands_a_push_on(ball, pushes):
     assert match.robot_events["pushes"][0].tolist() == [0, pushes, 0, 0, 0, 0]
 
 
-@pytest.mark.parametrize(
-    ("keeper", "inside", "pushes"),
-    [(OTHER_KEEPER, 0.003, KEEPER), (OTHER_KEEPER, -0.003, PLAYER), (4, 0.3, PLAYER)],
-)
+@pytest.mark.parametrize(("keeper", "inside", "pushes"), [
+    (OTHER_KEEPER, 0.003, KEEPER), (OTHER_KEEPER, -0.003, PLAYER), (4, 0.3, PLAYER),
+])  # fmt: skip
 def test_one_foot_of_a_goalkeeper_counts_and_no_field_player_is_one(keeper, inside, pushes):
     heading = 1.25 * pi  # one of its hind feet is over the line first
     match = court(RULE)

@@ -58,13 +58,10 @@ def test_who_stands_is_never_guilty_and_who_turns_or_walks_away_pushes_nobody():
     assert fouls(match, asks(match, r1=-1.0), 2.0) == []
 
 
-@pytest.mark.parametrize(
-    ("heading", "forward", "left", "pushes"),
-    [
-        (0.0, 0.26, 0.0, 1), (0.0, 0.24, 0.0, 0), (0.0, -1.0, 0.0, 0), (0.0, 0.0, 1.0, 0),
-        (0.5 * np.pi, 0.0, -0.26, 1), (0.5 * np.pi, 0.0, 0.26, 0), (np.pi, -0.26, 0.0, 1), (0.25 * np.pi, 0.3, 0.0, 0),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("heading", "forward", "left", "pushes"), [
+    (0.0, 0.26, 0.0, 1), (0.0, 0.24, 0.0, 0), (0.0, -1.0, 0.0, 0), (0.0, 0.0, 1.0, 0), (0.5 * np.pi, 0.0, -0.26, 1),
+    (0.5 * np.pi, 0.0, 0.26, 0), (np.pi, -0.26, 0.0, 1), (0.25 * np.pi, 0.3, 0.0, 0),
+])  # fmt: skip
 def test_a_walk_leads_into_another_from_a_quarter_of_the_top_speed_on(heading, forward, left, pushes):
     match = court(RULE)
     put(match, 4, 0.3 + NOSES, 0.4)

@@ -20,10 +20,9 @@ def until_restart(match, seconds, actions=None):
     return None
 
 
-@pytest.mark.parametrize(
-    ("x", "team", "direction", "idle"),
-    [(-0.9, 0, 1.0, 0.0), (0.9, 1, 1.0, 29.0), (-0.9, 1, -1.0, 29.0), (0.9, 0, -1.0, 29.0)],
-)
+@pytest.mark.parametrize(("x", "team", "direction", "idle"), [
+    (-0.9, 0, 1.0, 0.0), (0.9, 1, 1.0, 29.0), (-0.9, 1, -1.0, 29.0), (0.9, 0, -1.0, 29.0),
+])  # fmt: skip
 def test_a_ball_that_nobody_touches_for_30_s_gives_a_kick_off_to_those_in_whose_half_it_lies(x, team, direction, idle):
     match = court("global_stuck=True")
     match.matches["home_direction"], match.matches["idle_clock"] = direction, idle

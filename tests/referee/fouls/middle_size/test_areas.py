@@ -10,19 +10,14 @@ GOAL_AREA, PENALTY_AREA = Foul.GOAL_AREA, Foul.PENALTY_AREA
 
 
 @each_team
-@pytest.mark.parametrize(
-    ("index", "x", "y", "foul"),
-    [
-        (1, -5.51, 0.0, GOAL_AREA),  # a field player in its own goal area, 0.5 x 3 m
-        (1, -5.49, 0.0, 0),
-        (1, -5.6, 1.49, GOAL_AREA),
-        (1, -5.6, 1.51, 0),
-        (0, -5.8, 0.0, 0),  # its goalkeeper
-        (1, 5.51, 0.0, GOAL_AREA),  # an attacker
-        (1, 5.49, 0.0, 0),
-        (0, 5.6, 0.0, GOAL_AREA),  # a goalkeeper that attacks
-    ],
-)
+@pytest.mark.parametrize(("index", "x", "y", "foul"), [
+    (1, -5.51, 0.0, GOAL_AREA),  # a field player in its own goal area, 0.5 x 3 m
+    (1, -5.49, 0.0, 0), (1, -5.6, 1.49, GOAL_AREA), (1, -5.6, 1.51, 0),
+    (0, -5.8, 0.0, 0),  # its goalkeeper
+    (1, 5.51, 0.0, GOAL_AREA),  # an attacker
+    (1, 5.49, 0.0, 0),
+    (0, 5.6, 0.0, GOAL_AREA),  # a goalkeeper that attacks
+])  # fmt: skip
 def test_only_the_goalkeeper_stays_in_a_goal_area(index, x, y, foul, team):
     referee = Referee(team=team)
     referee.put(index, x, y)

@@ -12,18 +12,12 @@ from tests.scenes.staging import stand
 each_team = pytest.mark.parametrize("team", [HOME, AWAY])
 
 
-@pytest.mark.parametrize(
-    ("foul", "place"),
-    [
-        ((1.0, 2.0), (1.0, 2.0)),
-        ((5.49, 0.0), (5.49, 0.0)),  # the goal area is 0.5 x 3 m
-        ((5.51, 0.7), (5.5, 0.7)),
-        ((-5.8, -1.49), (-5.5, -1.49)),
-        ((-5.7, -1.51), (-5.7, -1.51)),
-        ((6.3, 2.0), (5.8, 2.0)),
-        ((1.0, -4.4), (1.0, -3.8)),
-    ],
-)
+@pytest.mark.parametrize(("foul", "place"), [
+    ((1.0, 2.0), (1.0, 2.0)),
+    ((5.49, 0.0), (5.49, 0.0)),  # the goal area is 0.5 x 3 m
+    ((5.51, 0.7), (5.5, 0.7)), ((-5.8, -1.49), (-5.5, -1.49)), ((-5.7, -1.51), (-5.7, -1.51)),
+    ((6.3, 2.0), (5.8, 2.0)), ((1.0, -4.4), (1.0, -3.8)),
+])  # fmt: skip
 def test_it_is_taken_where_the_foul_was_on_the_pitch_and_out_of_the_goal_areas(foul, place):
     assert spot(Referee().k, *foul) == pytest.approx(place)
 
