@@ -56,8 +56,7 @@ def test_a_ball_farther_away_is_kept_in_the_picture_below_its_middle() -> None:
     k = constants_of(find_league(LEGGED))[0]
     told = tilts(100.0, KEEPER_ROOM)
     below = np.arctan2(k["head_camera_height"] - k["ball_radius"], KEEPER_ROOM - k["head_camera_ahead"])
-    assert (told[:, 0] > 0.0).all()
-    assert told[0, 1] * k["head_pan_limit"] == pytest.approx(0.2)
+    assert (told[:, 0] > 0.0).all() and told[0, 1] * k["head_pan_limit"] == pytest.approx(0.2)
     middle = share_of_tilt(NUMBERS["raised"][0] - below, k["head_tilt_low"], k["head_tilt_high"])
     assert told[0, 2] == pytest.approx(middle)
     assert NUMBERS["raised"][0] < 0.5 * find_league(LEGGED).sensors.view_height

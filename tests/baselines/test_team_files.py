@@ -42,8 +42,7 @@ def evaluate(home: str, out: Path, *words: str) -> int:
 
 def test_a_policy_plays_by_the_name_of_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path / "tiny.safetensors", policy())
-    assert isinstance(make_team(file), ObservingTeam)
-    assert evaluate(file, tmp_path / "out") == 0
+    assert isinstance(make_team(file), ObservingTeam) and evaluate(file, tmp_path / "out") == 0
     assert len((tmp_path / "out" / "matches.jsonl").read_text().splitlines()) == 2
     assert json.loads((tmp_path / "out" / "result.json").read_text())["home"] == file
     assert capsys.readouterr().err == ""

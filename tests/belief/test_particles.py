@@ -37,8 +37,7 @@ def pose_at(x: float, y: float, heading: float) -> np.ndarray:
 def test_a_draw_has_mean_0_and_deviation_1_and_is_never_far_out() -> None:
     noise = noise_of()
     found = np.array([kernels.draw(noise) for _ in range(20_000)])
-    assert found.mean() == pytest.approx(0.0, abs=0.03)
-    assert found.std() == pytest.approx(1.0, abs=0.02)
+    assert found.mean() == pytest.approx(0.0, abs=0.03) and found.std() == pytest.approx(1.0, abs=0.02)
     assert abs(found).max() < 2.5
 
 

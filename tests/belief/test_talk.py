@@ -43,8 +43,7 @@ def test_ms06_a_word_is_heard_by_team_mates_alone_half_a_second_later() -> None:
     assert talkers.heard() == [0] * 6 and talkers.heard("distance") == [inf] * 6 and talkers.heard("age") == [inf] * 6
     talkers.step()
     word = word_for(0.5)
-    assert talkers.heard() == [word, 0, word, 0, 0, 0]
-    assert talkers.heard("distance")[0] == distance_of(word)
+    assert talkers.heard() == [word, 0, word, 0, 0, 0] and talkers.heard("distance")[0] == distance_of(word)
     assert talkers.heard("age")[:2] == [0.5, inf]
 
 

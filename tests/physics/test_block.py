@@ -53,8 +53,7 @@ def test_ms53_a_block_takes_the_time_of_its_joints_and_stands_for_as_long_as_the
     t = np.arange(30) * LEAGUE.dt
     end = BLOCK.raise_time + BLOCK.hold_time + BLOCK.recover_time
     expected = np.clip(np.minimum(t / BLOCK.raise_time, (end - t) / BLOCK.recover_time), 0.0, 1.0)
-    assert found == pytest.approx(expected, abs=1e-9)
-    assert max(found) == 1.0 and found[-1] == 0.0
+    assert found == pytest.approx(expected, abs=1e-9) and max(found) == 1.0 and found[-1] == 0.0
 
 
 def test_while_it_blocks_a_robot_stands_still_and_then_walks_again():
@@ -133,8 +132,7 @@ def test_legs_that_spread_push_a_ball_that_lies_beside_them_away():
     k = constants_of(LEAGUE)[0]
     assert match.balls["y"][0] > OUTSIDE - 0.002
     assert paws_gap(match.robots[0, 0], k, match.balls["x"][0], match.balls["y"][0], 1.0) > -0.002
-    assert match.matches["last_touch_robot"][0] == 0
-    assert energy(match)[0] < 0.5 * BALL.mass * 0.5**2
+    assert match.matches["last_touch_robot"][0] == 0 and energy(match)[0] < 0.5 * BALL.mass * 0.5**2
 
 
 def test_ms53_a_blocked_ball_is_touched_and_lies_off_the_leg():

@@ -91,8 +91,7 @@ def test_body_attributes_agree_with_the_rows(backend):
     bodies = list(batch.spaces[0].bodies)
     batch.step_all(DT, command(batch, np.random.default_rng(2)))
     rows = [[*body.position, body.angle, *body.velocity, body.angular_velocity] for body in bodies]
-    assert batch.bodies[0, :BODIES].tolist() == rows
-    assert not batch.bodies[0, BODIES:].any()
+    assert batch.bodies[0, :BODIES].tolist() == rows and not batch.bodies[0, BODIES:].any()
     batch.bodies[0, 2] = 0.5, -0.25, 1.5, 0.125, 2.0, -3.0
     batch.write_bodies(0)
     body = bodies[2]

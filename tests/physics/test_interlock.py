@@ -116,5 +116,4 @@ def test_a_leg_that_has_come_twice_its_width_out_is_free_before_the_gait_step_en
         carried.rebuild()
         moved[out] = abs(way(carried, 0.0625))[-1, 1]
     assert moved[1.0] > 0.006, "it slides"
-    assert moved[0.045] == pytest.approx(moved[1.0], rel=0.05)
-    assert moved[0.025] < 0.5 * moved[1.0]
+    assert moved[0.045] == pytest.approx(moved[1.0], rel=0.05) and moved[0.025] < 0.5 * moved[1.0]

@@ -71,8 +71,7 @@ def test_spans_are_noted_after_steps_that_are_powers_of_two():
         assert spans["steps"].tolist() == [steps, steps]
     assert spans["count"].all()
     match.rebuild([0])
-    assert spans["steps"].tolist() == [0, 8]
-    assert spans["count"][0] == 0
+    assert spans["steps"].tolist() == [0, 8] and spans["count"][0] == 0
 
 
 def test_a_small_batch_fetches_nothing(monkeypatch):
@@ -89,8 +88,7 @@ def test_a_span_holds_whole_lines_and_grows_while_memory_goes_on():
     add(spans[0], 14 * LINE, 64)
     add(spans[0], 0, 64)  # no address
     add(spans[0], 20 * LINE, 0)  # nothing there
-    assert spans["count"][0] == 2
-    assert spans["span"][0, 1].tolist() == (14 * LINE, 1)
+    assert spans["count"][0] == 2 and spans["span"][0, 1].tolist() == (14 * LINE, 1)
 
 
 def test_spans_beyond_the_room_are_left_out():

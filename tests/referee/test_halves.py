@@ -25,8 +25,7 @@ def play_on(match: Match, what: str) -> int:
 def test_the_first_half_ends_on_time(name):
     match = Match(name, minutes=MINUTES, seed=1)
     assert play_on(match, "half_time") == steps_in(match, 6.0)
-    assert match.matches["half"][0] == 1 and match.matches["clock"][0] == 0.0
-    assert not match.terminated[0]
+    assert match.matches["half"][0] == 1 and match.matches["clock"][0] == 0.0 and not match.terminated[0]
 
 
 @pytest.mark.parametrize(("name", "minutes"), [("legged-2001", 10.0), ("middle-size-2006", 15.0)])
@@ -42,8 +41,7 @@ def test_at_half_time_the_teams_change_ends_and_the_other_team_kicks_off(name, p
     first = match.matches["kick_off_team"][0]
     assert match.matches["restart_team"][0] == first and match.matches["home_direction"][0] == 1.0
     play_on(match, "half_time")
-    assert match.matches["home_direction"][0] == -1.0
-    assert match.events["restart"][0] == Phase.KICK_OFF
+    assert match.matches["home_direction"][0] == -1.0 and match.events["restart"][0] == Phase.KICK_OFF
     assert match.events["restart_team"][0] == match.matches["restart_team"][0] == 1 - first
     for _ in range(steps_in(match, 12.0) if placement == "drive" else 0):
         if match.matches["placing"][0] == 0:

@@ -94,8 +94,7 @@ def test_the_last_touch_before_it_went_out_decides_and_not_an_earlier_one():
             teams.append(match.events["touch_team"][0])
         if match.events["out"][0]:
             break
-    assert match.events["restart"][0] == Phase.THROW_IN
-    assert match.events["restart_team"][0] == 1 - teams[-1]
+    assert match.events["restart"][0] == Phase.THROW_IN and match.events["restart_team"][0] == 1 - teams[-1]
 
 
 def test_the_middle_size_robot_that_drives_the_ball_out_loses_it():

@@ -154,8 +154,7 @@ def test_ms55_with_an_infinite_time_they_are_left_alone():
 
 def test_robots_that_part_in_time_are_left_alone():
     match, actions = pushing()
-    assert separations(match, actions, 12.0) == []
-    assert separations(match, -actions, 15.0) == []
+    assert separations(match, actions, 12.0) == [] and separations(match, -actions, 15.0) == []
     assert (match.robots["locked"] == 0.0).all()
 
 
@@ -191,8 +190,7 @@ def test_at_a_board_the_other_one_is_moved_farther_and_nobody_stands_in_anybody(
     match, actions = pushing(matches=3, x=np.array([1.05, -1.3, 0.0]), y=np.array([0.5, -0.8, 0.83]))
     place(match, ball=(match.robots["x"][:, 0] - 0.25, match.robots["y"][:, 0]))
     match.robots["locked"] = 14.9
-    assert separations(match, actions, 0.5)
-    assert max(deepest_overlaps(match).values()) < 0.002
+    assert separations(match, actions, 0.5) and max(deepest_overlaps(match).values()) < 0.002
     apart = np.hypot(np.ptp(match.robots["x"], axis=1), np.ptp(match.robots["y"], axis=1))
     assert (apart > match.league.rules.separation).all()
     assert (abs(match.robots["x"]) < match.league.pitch.length / 2).all()

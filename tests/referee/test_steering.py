@@ -113,8 +113,7 @@ def test_a_robot_on_whose_place_the_ball_is_put_is_set_back_at_once_and_told(nam
     place(match, ball=(match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0))
     match.step(stand(match))
     assert (match.matches["placing"] == 1).all() and (match.events["restart"] == Phase.KICK_OFF).all()
-    assert gaps_of(match).min() > -DEEPEST
-    assert match.robots["placed"].tolist() == [[1, 0, 0, 0]] * 4
+    assert gaps_of(match).min() > -DEEPEST and match.robots["placed"].tolist() == [[1, 0, 0, 0]] * 4
 
 
 @pytest.mark.parametrize("name", [LEGGED, MIDDLE, DIFFERENTIAL])

@@ -47,8 +47,7 @@ def test_a_belief_never_reads_the_truth(league: str, pose: str) -> None:
         batch.robots["noise"], batch.robots["gaze"] = noise, gaze
         del senses.believe, batch.observe
     assert other.beliefs.tobytes() == match.beliefs.tobytes()
-    assert other.tracks.tobytes() == match.tracks.tobytes()
-    assert other.state_hash() == match.state_hash()
+    assert other.tracks.tobytes() == match.tracks.tobytes() and other.state_hash() == match.state_hash()
 
 
 def poison(batch: Any) -> None:

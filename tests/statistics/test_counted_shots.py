@@ -71,8 +71,7 @@ def test_a_shot_that_the_goalkeeper_touches_and_that_goes_in_is_not_saved() -> N
     steps.count(touch=THEIR_KEEPER)
     steps.score(HOME)
     steps.count(steps=6 * SECOND)
-    assert steps.of("saves") == [0, 0]
-    assert steps.kinds(HOME) == only(DEFLECTED_KICK)
+    assert steps.of("saves") == [0, 0] and steps.kinds(HOME) == only(DEFLECTED_KICK)
 
 
 def test_a_restart_or_another_kick_ends_a_save_that_was_made() -> None:

@@ -88,8 +88,7 @@ def test_a_spell_goes_on_after_half_a_second_without_the_ball_and_not_after_long
     for has_ball, length in ((1, 16), (0, gap), (1, 10), (0, 9)):
         steps.set(row, has_ball=has_ball)
         steps.count(steps=length)
-    assert steps.of("spells")[team] == len(spells)
-    assert steps.of("spells")[1 - team] == 0
+    assert steps.of("spells")[team] == len(spells) and steps.of("spells")[1 - team] == 0
     assert steps.of("spell_time")[team] == pytest.approx(sum(spells) * DT)
     assert steps.of("longest_spell")[team] == pytest.approx(max(spells) * DT)
     places = [int(BINS_PER_OCTAVE * np.log2(length * DT / SHORTEST)) for length in spells]
@@ -118,8 +117,7 @@ def test_a_touch_counts_anew_after_more_than_a_second_without_one(row, team, gap
     steps.count(seconds=3.0, touch=row)
     steps.count(steps=gap)
     steps.count(touch=row)
-    assert steps.of("touches")[team] == touches
-    assert steps.of("touches")[1 - team] == 0
+    assert steps.of("touches")[team] == touches and steps.of("touches")[1 - team] == 0
     steps.count(touch=(row + 1) % 6)  # another robot's is its own
     assert sum(steps.of("touches")) == touches + 1
 
@@ -142,13 +140,11 @@ def test_mates_are_field_players_that_are_not_nearest_to_the_ball_and_idle_those
     for row in range(4, 8):  # the keeper is the nearest of away: all three others are mates
         steps.put(row, 0.3 + 0.2 * row if row > 4 else 0.2, -0.5, 2.0 * slow)
     steps.count(seconds=1.0)
-    assert steps.of("mates") == pytest.approx([2.0, 3.0])
-    assert steps.of("idle") == pytest.approx([1.0, 0.0])
+    assert steps.of("mates") == pytest.approx([2.0, 3.0]) and steps.of("idle") == pytest.approx([1.0, 0.0])
     steps.put(1, -1.2, 0.5, 0.0)  # now it is one of the mates, and one that moves, farther off, is the nearest
     steps.put(2, -0.5, 0.5, 2.0 * slow)
     steps.count(seconds=1.0)
-    assert steps.of("mates") == pytest.approx([4.0, 6.0])
-    assert steps.of("idle") == pytest.approx([2.0, 0.0])
+    assert steps.of("mates") == pytest.approx([4.0, 6.0]) and steps.of("idle") == pytest.approx([2.0, 0.0])
 
 
 @each_direction
@@ -165,8 +161,7 @@ def test_a_goalkeeper_is_away_a_quarter_of_the_pitch_from_its_goal_and_in_it_beh
     steps.put(row, side * (ahead - 1.5), aside)
     steps.count(seconds=1.0)
     mine = slice(None, None, 1 if team == HOME else -1)
-    assert steps.of("keeper_away")[mine] == [away, 0]
-    assert steps.of("keeper_in_goal")[mine] == [in_goal, 0]
+    assert steps.of("keeper_away")[mine] == [away, 0] and steps.of("keeper_in_goal")[mine] == [in_goal, 0]
 
 
 @pytest.mark.parametrize(("fields", "out"), [({"penalty": 30.0}, 1.0), ({"banned": 1}, 1.0), ({}, 0.0)])
@@ -187,8 +182,7 @@ def test_a_restart_counts_for_the_team_that_takes_it(team, phase) -> None:
     steps.count(steps=3, restart=phase, restart_team=team)
     expected = np.zeros((2, len(Phase)), int)
     expected[team, phase] = 3
-    assert steps.of("restarts") == expected.tolist()
-    assert steps.of("drops") == 0
+    assert steps.of("restarts") == expected.tolist() and steps.of("drops") == 0
 
 
 def test_dropped_balls_and_separations_are_counted_and_how_far_they_carried_whom() -> None:

@@ -55,8 +55,7 @@ def test_times_and_touches_are_those_of_the_recording(played) -> None:
     for name, seconds in times(recording).items():
         assert found[name] == pytest.approx(seconds), name
     assert found["touches"].sum(axis=1).tolist() == touches(recording).tolist()
-    assert found["kicks"].sum(axis=1).tolist() == kicks(recording).tolist()
-    assert (found["scrum"] > 0.0).any()
+    assert found["kicks"].sum(axis=1).tolist() == kicks(recording).tolist() and (found["scrum"] > 0.0).any()
     assert (found["touches"] > 0).all()
 
 
@@ -86,8 +85,7 @@ def test_what_the_referee_called_is_counted_once(played) -> None:
                 called = (mine["restart"] == phase) & (mine["restart_team"] == team)
                 assert found["restarts"][m, team, phase] == called.sum()
         assert found["drops"][m] == ((mine["restart"] != 0) & (mine["restart_team"] == NO_TEAM)).sum()
-        assert found["fouls"][m].sum() >= (mine["foul"] != 0).sum()
-        assert found["fouls"][m, :, 0].sum() == 0
+        assert found["fouls"][m].sum() >= (mine["foul"] != 0).sum() and found["fouls"][m, :, 0].sum() == 0
         step = match.league.drive.forward * match.league.dt
         assert found["carried"][m] == pytest.approx(moved[:, m].max(initial=0.0), abs=2.0 * step)
     assert found["restarts"].sum() > 0

@@ -38,8 +38,7 @@ def played_across(name, team, half, apart, opponent):
 @each_case
 def test_a_ball_kicked_to_a_mate_is_a_pass(name, team, half):
     scene = played_across(name, team, half, APART[name][1], opponent=False)
-    assert passes(scene) == [1, 1, 0]
-    assert passes(scene, opponents=True) == [0, 0, 0]
+    assert passes(scene) == [1, 1, 0] and passes(scene, opponents=True) == [0, 0, 0]
     assert scene.of("shots") == 0
 
 
@@ -47,8 +46,7 @@ def test_a_ball_kicked_to_a_mate_is_a_pass(name, team, half):
 @each_case
 def test_a_ball_kicked_to_an_opponent_is_intercepted(name, team, half):
     scene = played_across(name, team, half, APART[name][1], opponent=True)
-    assert passes(scene) == [1, 0, 0]
-    assert passes(scene, opponents=True) == [0, 0, 1]
+    assert passes(scene) == [1, 0, 0] and passes(scene, opponents=True) == [0, 0, 1]
 
 
 @each_league
@@ -65,8 +63,7 @@ def test_a_shot_that_the_goalkeeper_stops_is_saved_and_no_pass(team, half):
     scene.begin()
     scene.kick(scene.row(1), seconds=3.0)
     assert [scene.of(what) for what in ("shots", "on_target")] == [1, 1]
-    assert scene.of("saves", opponents=True) == 1
-    assert scene.match.statistics["goals"].sum() == 0
+    assert scene.of("saves", opponents=True) == 1 and scene.match.statistics["goals"].sum() == 0
     assert passes(scene) == passes(scene, opponents=True) == [0, 0, 0]
 
 
@@ -77,8 +74,7 @@ def test_a_shot_that_a_field_player_stops_is_not_saved(team, half):
     scene.put(scene.row(1, opponent=True), scene.line - 0.15, 0.0, np.pi)
     scene.begin()
     scene.kick(scene.row(1), seconds=3.0)
-    assert scene.of("on_target") == 1
-    assert scene.match.statistics["saves"].sum() == 0
+    assert scene.of("on_target") == 1 and scene.match.statistics["saves"].sum() == 0
 
 
 @pytest.mark.parametrize(("name", "pace", "way", "shots"), [
@@ -94,8 +90,7 @@ def test_a_ball_knocked_away_as_by_a_kick_is_a_shot_and_one_that_is_dribbled_is_
     scene.ball(scene.line - way, 0.0, vx=pace * league.drive.forward)
     scene.match.rebuild()
     scene.play(round(1.5 * league.control_rate))
-    assert scene.of("goals").sum() == 1
-    assert scene.of("shots") == shots
+    assert scene.of("goals").sum() == 1 and scene.of("shots") == shots
     assert scene.of("kicks") == 0
 
 

@@ -37,8 +37,7 @@ def test_a_kick_into_the_own_goal_is_an_own_goal_and_no_shot(name, team, half):
     scene.begin()
     scene.kick(scene.row())
     assert_only(scene, GoalKind.OWN_GOAL, opponents=True)
-    assert scene.of("kicks") == 1
-    assert scene.of("shots") == 0
+    assert scene.of("kicks") == 1 and scene.of("shots") == 0
 
 
 @each_league
@@ -52,8 +51,7 @@ def test_a_ball_walked_into_an_empty_goal_is_a_clean_dribble(name, team, half):
         if scene.of("goals").sum() == 0:  # it would walk on after the kick-off
             scene.play(1)
     assert_only(scene, GoalKind.CLEAN_DRIBBLE)
-    assert scene.of("shots") == 0
-    assert scene.of("after_pushed_keeper") == 0
+    assert scene.of("shots") == 0 and scene.of("after_pushed_keeper") == 0
 
 
 @each_case
@@ -129,5 +127,4 @@ def test_a_goal_after_a_pushed_keeper_says_so(team, half):
     scene.play(round(3.0 * scene.match.league.control_rate))
     assert scene.of("goals").sum() == 0
     scene.kick(scene.row(1))
-    assert scene.of("goals").sum() == 1
-    assert scene.of("after_pushed_keeper") == 1
+    assert scene.of("goals").sum() == 1 and scene.of("after_pushed_keeper") == 1

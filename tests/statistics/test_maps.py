@@ -28,8 +28,7 @@ def shots(steps: Steps, team: int = HOME) -> list[Any]:
 def test_a_shot_is_noted_where_the_ball_was_played(direction: float) -> None:
     steps = Steps(direction=direction)
     shoot(steps, x=1.0, y=direction * 0.1)
-    assert shots(steps) == [[1, KICKER, "off_target", 1.0, 0.1]]
-    assert shots(steps, AWAY) == []
+    assert shots(steps) == [[1, KICKER, "off_target", 1.0, 0.1]] and shots(steps, AWAY) == []
     assert maps_of(steps.tally[0], AWAY, ROWS)["shots_against"] == shots(steps)
 
 
@@ -63,8 +62,7 @@ def test_a_kick_that_is_in_before_it_could_be_judged_is_on_the_map() -> None:
     shoot(steps, x=1.4, vx=0.3)
     assert shots(steps) == []
     steps.score(HOME)
-    assert shots(steps) == [[2, KICKER, "goal", 1.4, 0.0]]
-    assert steps.of("shots") == [1, 0]
+    assert shots(steps) == [[2, KICKER, "goal", 1.4, 0.0]] and steps.of("shots") == [1, 0]
 
 
 def test_a_goal_after_the_shot_was_over_does_not_change_it() -> None:

@@ -68,6 +68,5 @@ def test_commands_are_finite_whatever_is_believed(name: str) -> None:
                 beliefs["ball"]["age"], tracks["distance"], tracks["x"], tracks["y"] = np.inf, 0.0, 0.0, 0.0
                 beliefs["heard"]["distance"] = beliefs["heard"]["age"] = np.inf
             commands = play(team, beliefs, tracks, memory)
-            assert np.isfinite(commands).all()
-            assert np.abs(commands).max() <= 1.0 + 1e-9
+            assert np.isfinite(commands).all() and np.abs(commands).max() <= 1.0 + 1e-9
             assert all(np.isfinite(memory[field]).all() for field in MEMORY_LATERAL)

@@ -63,14 +63,12 @@ def test_ms26_it_dribbles_round_who_is_in_the_way_and_shoots_where_nobody_is() -
 
 def test_ms26_a_team_that_shoots_not_at_all_dribbles_to_the_goal() -> None:
     for mind in (holding(0.0, shoots=False), holding(0.5, shoots=False)):
-        assert mind.think(1.0)[:, KICK].max() == 0.0
-        assert mind.memory["behaviour"] == DRIBBLE
+        assert mind.think(1.0)[:, KICK].max() == 0.0 and mind.memory["behaviour"] == DRIBBLE
 
 
 def test_ms26_who_chooses_shots_does_not_shoot_while_it_faces_away_from_the_goal_or_is_far_from_it() -> None:
     for mind in (holding(0.9, choose_shots=True), holding(0.0, -1.0, choose_shots=True)):
-        assert mind.think(1.0)[:, KICK].max() == 0.0
-        assert mind.memory["behaviour"] != SHOOT
+        assert mind.think(1.0)[:, KICK].max() == 0.0 and mind.memory["behaviour"] != SHOOT
     mind = holding(0.0, choose_shots=True)
     assert mind.think()[-1, KICK] == 1.0
 

@@ -107,8 +107,7 @@ def test_the_clearance_is_the_smallest_gap_to_whoever_moves() -> None:
 
 def test_turns_to_both_sides_add_up() -> None:
     square = np.array([(0, 0), (1, 0), (1, 0), (1, 1), (2, 1)], float)
-    assert turn_of(square) == pytest.approx(pi)
-    assert turn_of(square[:2]) == 0.0
+    assert turn_of(square) == pytest.approx(pi) and turn_of(square[:2]) == 0.0
     assert Planner().plan((0.0, 0.0), (3.0, 0.0)).turn == pytest.approx(0.0, abs=1e-6)
 
 

@@ -65,8 +65,7 @@ def test_mh13_backwards_the_way_is_planned_from_the_target_towards_the_robot() -
     back, forth = plan_of(scene), plan_of(scene, backward=False)
     assert back.arrived and forth.arrived
     turned = plan_of(Scene(scene.target, scene.robot, scene.obstacles), backward=False)
-    assert back.cells.tolist() == turned.cells[::-1].tolist()
-    assert back.cells.tolist() != forth.cells.tolist()
+    assert back.cells.tolist() == turned.cells[::-1].tolist() and back.cells.tolist() != forth.cells.tolist()
     ahead = [int(np.argmax(np.abs(plan.cells[:, 1]) > 1)) for plan in (back, forth)]
     assert ahead[0] < ahead[1], "backwards it leaves the straight line earlier"
 
@@ -116,8 +115,7 @@ def test_mh17_so_it_is_for_every_time_that_it_is_planned_for() -> None:
     for scene in random_scenes(40, speed=0.0, most=8):
         moving = plan_of(scene._replace(obstacles=scene.obstacles + BESIDE))
         still = plan_of(scene._replace(obstacles=scene.obstacles + BESIDE), time_variant=False)
-        assert moving.cells.tolist() == still.cells.tolist()
-        assert moving.path.tobytes() == still.path.tobytes()
+        assert moving.cells.tolist() == still.cells.tolist() and moving.path.tobytes() == still.path.tobytes()
         changed += moving.iterations > 1
     assert changed > 0
 

@@ -76,8 +76,7 @@ def test_an_enclosed_robot_or_target_ends_the_plan_at_bounded_cost_with_a_path_n
         for moves in (0.0, 0.5):
             crowd = [(x, y, moves, 0.0) for x, y, *_ in ring()]
             plan = Planner(search=True).plan(robot, target, crowd)
-            assert plan.ended in ("enclosed", "capped", "arrived")
-            assert plan.evaluations < 4000 + 100
+            assert plan.ended in ("enclosed", "capped", "arrived") and plan.evaluations < 4000 + 100
             assert plan.path[0] == pytest.approx(robot) and plan.path[-1] == pytest.approx(target)
     assert Planner().plan((4.0, 1.0), (0.0, 0.0), ring()).ended == "enclosed"
 

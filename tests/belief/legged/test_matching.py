@@ -79,22 +79,19 @@ def test_ms30_no_slot_is_taken_twice_in_one_view() -> None:
     tracks = memory((1.0, 0.0, 0.0), (-1.0, 0.0, 0.1))
     assert slot_for(tracks, 1.0, 0.01) == 1
     tracks["age"] = 0.0
-    assert slot_for(tracks, 1.0, 0.01) == -1
-    assert slot_for(tracks[:0], 1.0, 0.0) == -1
+    assert slot_for(tracks, 1.0, 0.01) == -1 and slot_for(tracks[:0], 1.0, 0.0) == -1
 
 
 def test_ms31_with_the_first_power_an_uncertain_player_far_away_is_replaced() -> None:
     """MS31: 1/d lets uncertainty outweigh the distance; 1/d^3 does not."""
     tracks = memory((1.0, 0.0, 0.0625), (1.6, 0.6, 6.0))
-    assert slot_for(tracks, 1.1, 0.0, **LINEAR) == 1
-    assert slot_for(tracks, 1.1, 0.0, **CUBIC) == 0
+    assert slot_for(tracks, 1.1, 0.0, **LINEAR) == 1 and slot_for(tracks, 1.1, 0.0, **CUBIC) == 0
 
 
 def test_ms31_the_angle_counts_more_than_the_range() -> None:
     """MS31: 0.3 m too far in the right direction, or 0.25 m aside."""
     tracks = memory((1.0, 0.0, 1.0), (1.3, 0.25, 1.0))
-    assert slot_for(tracks, 1.3, 0.01) == 0
-    assert slot_for(tracks, 1.3, 0.01, angle_power=0.0) == 1
+    assert slot_for(tracks, 1.3, 0.01) == 0 and slot_for(tracks, 1.3, 0.01, angle_power=0.0) == 1
 
 
 def test_nothing_is_nearer_than_a_millimetre_and_a_tenth_of_a_degree() -> None:
@@ -118,8 +115,7 @@ def test_an_empty_slot_is_used_unless_a_player_in_memory_is_near() -> None:
     assert slot_for(memory(None, None), 1.0, 0.0) == 0
     for age, stays, goes in ((0.0625, 0.2, 0.4), (5.0, 0.5, 0.8), (15.0, 0.7, 1.0)):  # [s], [m] aside
         tracks = memory(None, (1.0, 0.0, age))
-        assert slot_for(tracks, 1.0, stays) == 1
-        assert slot_for(tracks, 1.0, goes) == 0
+        assert slot_for(tracks, 1.0, stays) == 1 and slot_for(tracks, 1.0, goes) == 0
     just_seen = memory(None, (1.0, 0.0, 0.0625))
     assert slot_for(just_seen, 1.5, 0.01) == 1  # a range error
     assert slot_for(just_seen, 1.5, 0.01, empty_distance=0.3, empty_angle=0.1) == 0
@@ -164,6 +160,5 @@ def duplicate_share(noise: float, **changes: float) -> float:
 @pytest.mark.parametrize("noise", [0.05, 0.08])
 def test_ms31_one_player_fills_the_slots_under_the_first_power_and_not_under_the_final_rule(noise: float) -> None:
     """MS31: S35, "frequently caused a single foe to fill up all three foe slots"; the angle is what prevents it."""
-    assert duplicate_share(noise, **LINEAR) > 0.95
-    assert duplicate_share(noise) < 0.02
+    assert duplicate_share(noise, **LINEAR) > 0.95 and duplicate_share(noise) < 0.02
     assert duplicate_share(noise, **CUBIC) > 0.5

@@ -45,8 +45,7 @@ def test_mh06_tracking_steadies_the_place_of_a_ball_at_rest(name: str) -> None:
             raw.append(np.hypot(x - 5.0, y - 1.0))
             filtered.append(off(match)[0])
             speeds.append(np.hypot(ball["vx"], ball["vy"]))
-    assert np.mean(filtered) < 0.75 * np.mean(raw)
-    assert np.mean(speeds) < 0.6
+    assert np.mean(filtered) < 0.75 * np.mean(raw) and np.mean(speeds) < 0.6
 
 
 @BOTH

@@ -84,8 +84,7 @@ def test_ms37_without_its_head_stickers_a_player_is_half_as_high() -> None:
     pieces = views(np.array([FRONT, SIDE]), away=1.5)
     for row in pieces:
         trunk = row[row["high"] < 0.0]  # below the height of the camera
-        assert len(trunk) < len(row)
-        assert around(trunk)[1] / around(row)[1] == pytest.approx(0.4, abs=0.05)
+        assert len(trunk) < len(row) and around(trunk)[1] / around(row)[1] == pytest.approx(0.4, abs=0.05)
 
 
 def test_team_mates_and_opponents_are_told_apart() -> None:

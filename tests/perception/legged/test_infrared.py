@@ -151,8 +151,7 @@ def test_the_error_of_a_reading_grows_as_the_law_says(distance: float) -> None:
     place.robots["x"][:, 0] = 1.8 - Place().camera()[0] - distance
     found = place.readings()[:, 0]
     expected = sqrt(0.004**2 + (0.018 * (distance / 0.4) ** 3) ** 2)
-    assert (found > 0.0).all()
-    assert found.std() == pytest.approx(expected, rel=0.05)
+    assert (found > 0.0).all() and found.std() == pytest.approx(expected, rel=0.05)
     assert found.mean() == pytest.approx(distance, abs=0.1 * expected)
 
 

@@ -22,8 +22,7 @@ def test_players_are_told_apart_by_their_markers_and_listed_nearest_first() -> N
         match.matches["home_direction"] = turned  # the jersey is the same in both halves
         put(match, 0, 0.0, 0.0, heading)
         players = look(match)["players"]
-        assert players["seen"].sum(axis=1).tolist() == [4] * 200
-        assert players.shape[1] == OTHERS
+        assert players["seen"].sum(axis=1).tolist() == [4] * 200 and players.shape[1] == OTHERS
         assert (np.diff(players["distance"][:, :4], axis=1) >= 0.0).all()
         assert players["teammate"][:, :4].tolist() == [[0, 1, 0, 0]] * 200
         expected = [np.arctan2(0.5, -1.0), np.arctan2(1.0, 2.0), np.arctan2(-3.0, 0.5), np.arctan2(-1.0, -4.0)]

@@ -55,8 +55,7 @@ def test_it_is_parked_for_30_s_and_comes_back_at_the_halfway_line_away_from_the_
     assert robot["x"] == 0.0 and robot["active"] == 1 and robot["placed"] == 1 and robot["penalty"] == 0.0
     edge = match.league.pitch.width / 2 - abs(robot["y"])
     assert np.sign(robot["y"]) == side and 0.15 < edge < 0.21
-    assert robot["heading"] == pytest.approx(-side * pi / 2)
-    assert robot["vx"] == robot["vy"] == 0.0
+    assert robot["heading"] == pytest.approx(-side * pi / 2) and robot["vx"] == robot["vy"] == 0.0
 
 
 def test_out_it_does_not_move_touch_or_push_and_its_clock_is_told():

@@ -58,8 +58,7 @@ def test_ends_change_at_half_time():
 
 def test_it_is_called_though_the_goalkeeper_is_out_but_not_where_there_is_none():
     match = standing_at(-1.2)
-    assert match.robots["active"][0, 0] == 0
-    assert rows(fouls(match, stand(match), 2.0)) == [1]
+    assert match.robots["active"][0, 0] == 0 and rows(fouls(match, stand(match), 2.0)) == [1]
     alone = stage(LEGGED, 1, 1, 1, rules=f"simple:{RULE},dropped_ball=False", robots={0: (-1.2, 0.0)})
     alone.robots["trespass"] = 0.0  # as in a court
     alone.rebuild()

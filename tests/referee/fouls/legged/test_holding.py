@@ -70,8 +70,7 @@ def test_the_full_time_is_legal_and_one_step_more_is_not(r, x, limit):
 def test_a_ball_that_is_walked_ahead_with_or_stood_before_is_never_held(asked):
     match = court(RULE)
     put(match, 1, -0.9, 0.0)
-    assert hold(match, 1, at_work(match, 1, **asked), 8.0) is None
-    assert match.robots["holding"][0, 1] == 0.0
+    assert hold(match, 1, at_work(match, 1, **asked), 8.0) is None and match.robots["holding"][0, 1] == 0.0
 
 
 def test_who_stands_with_it_neither_holds_on_nor_lets_go_and_who_walks_ahead_lets_go():

@@ -54,8 +54,7 @@ def test_who_stands_is_never_guilty_and_who_turns_or_walks_away_pushes_nobody():
     assert fouls(match, stand(match), 6.0) == []
     actions = stand(match)
     actions[:, 1, 2] = 1.0
-    assert fouls(match, actions, 6.0) == []
-    assert fouls(match, asks(match, r1=-1.0), 2.0) == []
+    assert fouls(match, actions, 6.0) == [] and fouls(match, asks(match, r1=-1.0), 2.0) == []
 
 
 @pytest.mark.parametrize(("heading", "forward", "left", "pushes"), [

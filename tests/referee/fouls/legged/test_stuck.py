@@ -134,5 +134,4 @@ def test_a_robot_that_comes_to_a_ball_that_lay_there_is_not_in_its_way():
     place(match, ball=(-0.5, 0.3))
     assert fouls(match, stand(match), 40.0) == []
     place(match, robots={1: (-0.5 - POCKET, 0.3)})
-    assert fouls(match, stand(match), 29.9) == []
-    assert rows(fouls(match, stand(match), 0.3)) == [1]
+    assert fouls(match, stand(match), 29.9) == [] and rows(fouls(match, stand(match), 0.3)) == [1]

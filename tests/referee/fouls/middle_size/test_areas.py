@@ -21,8 +21,7 @@ GOAL_AREA, PENALTY_AREA = Foul.GOAL_AREA, Foul.PENALTY_AREA
 def test_only_the_goalkeeper_stays_in_a_goal_area(index, x, y, foul, team):
     referee = Referee(team=team)
     referee.put(index, x, y)
-    assert not any(referee.wait(9.98))
-    assert referee.look() == foul
+    assert not any(referee.wait(9.98)) and referee.look() == foul
     if foul:
         assert referee.record["phase"] == Phase.FREE_KICK and referee.record["restart_team"] == 1 - team
         assert abs(referee.record["restart_x"]) == 5.5
@@ -45,8 +44,7 @@ def test_one_field_player_is_in_its_own_penalty_area_beside_the_goalkeeper(secon
     referee.put(0, -5.8, 0.0)
     referee.put(1, -5.0, 0.0)
     referee.put(2, *second)
-    assert not any(referee.wait(9.98))
-    assert referee.look() == foul
+    assert not any(referee.wait(9.98)) and referee.look() == foul
 
 
 @pytest.mark.parametrize(("ball", "guilty"), [(-1.0, 2), (2.0, 1)])
