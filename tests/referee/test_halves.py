@@ -24,8 +24,8 @@ def play_on(match: Match, what: str) -> int:
 @each_league
 def test_the_first_half_ends_on_time(name):
     match = Match(name, minutes=MINUTES, seed=1)
-    assert play_on(match, "half_time") == steps_in(match, 6.0)
-    assert match.matches["half"][0] == 1 and match.matches["clock"][0] == 0.0 and not match.terminated[0]
+    assert play_on(match, "half_time") == steps_in(match, 6.0) and not match.terminated[0]
+    assert match.matches["half"][0] == 1 and match.matches["clock"][0] == 0.0
 
 
 @pytest.mark.parametrize(("name", "minutes"), [("legged-2001", 10.0), ("middle-size-2006", 15.0)])
@@ -69,44 +69,39 @@ def test_the_final_whistle_ends_the_match_and_nothing_happens_after_it(name):
 
 
 @each_league
-def test_time_runs_on_while_the_ball_lies_ready_for_a_restart(name):
-    match = Match(name, seed=1)
-    assert match.matches["phase"][0] == Phase.KICK_OFF
+def test_time_runs_on_while_the_ball_lies_ready_for_a_restart_and_without_a_clock_a_match_goes_on(name):
+    match, endless = Match(name, seed=1), Match(name, episode="goal", seed=1)
+    assert match.matches["phase"][0] == Phase.KICK_OFF and np.isinf(endless.matches["half_length"][0])
     play(match, 3.0)
     assert match.matches["clock"][0] == pytest.approx(3.0)
+    play(endless, steps=200)
+    assert endless.matches["half"][0] == 0 and not endless.terminated[0]
 
 
-@each_league
-def test_without_a_clock_a_match_goes_on(name):
-    match = Match(name, episode="goal", seed=1)
-    assert np.isinf(match.matches["half_length"][0])
-    play(match, steps=200)
-    assert match.matches["half"][0] == 0 and not match.terminated[0]
-
-
-@each_league
-def test_a_goal_in_the_last_moment_of_a_half_counts(name):
-    match = Match(name, minutes=MINUTES, seed=1, rules="simple")
+def goal_at_half_time(name, **settings):
+    """Return a match in which a goal falls in the last step of the first half."""
+    match = Match(name, minutes=MINUTES, seed=1, rules="simple", **settings)
     play(match, steps=steps_in(match, 6.0) - 1)
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
     place(match, ball=(match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0))
     match.step(stand(match))
-    assert match.events["goal"][0] == HOME and match.events["half_time"][0] == 1
-    assert match.matches["score"].tolist() == [[1, 0]]
+    assert match.events["goal"][0] == HOME
+    return match
+
+
+@each_league
+def test_a_goal_in_the_last_moment_of_a_half_counts(name):
+    match = goal_at_half_time(name)
+    assert match.events["half_time"][0] == 1 and match.matches["score"].tolist() == [[1, 0]]
     assert match.matches["restart_team"][0] == AWAY, "the second half begins, whoever scored"
 
 
 @each_league
 def test_the_goal_that_ends_an_episode_ends_it_even_at_half_time(name):
     """It used to begin a second half of a match that was over."""
-    match = Match(name, episode="goal", minutes=MINUTES, seed=1, rules="simple")
-    play(match, steps=steps_in(match, 6.0) - 1)
-    match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
-    place(match, ball=(match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0))
-    match.step(stand(match))
-    assert match.events["goal"][0] == HOME and match.terminated[0]
-    assert match.events["half_time"][0] == 0 and match.matches["phase"][0] == Phase.OVER
-    assert match.matches["home_direction"][0] == 1.0
+    match = goal_at_half_time(name, episode="goal")
+    assert match.terminated[0] and match.matches["phase"][0] == Phase.OVER
+    assert match.events["half_time"][0] == 0 and match.matches["home_direction"][0] == 1.0
 
 
 @each_league
@@ -142,13 +137,10 @@ def test_the_seed_chooses_who_kicks_off_first_each_side_equally_often(name):
     assert (match.matches["kick_off_team"] != first).mean() > 0.3, "an episode draws anew"
 
 
-def test_with_the_teams_sides_swapped_the_same_side_kicks_off():
-    """So that each team does in one match of a pair."""
-    both = [Match(LEGGED, home=1, away=3, matches=20, seed=6), Match(LEGGED, home=3, away=1, matches=20, seed=6)]
-    assert (both[0].matches["kick_off_team"] == both[1].matches["kick_off_team"]).all()
-
-
-def test_in_a_drill_home_kicks_off():
+def test_with_the_teams_sides_swapped_the_same_side_kicks_off_and_in_a_drill_home():
+    """So that each team kicks off in one match of a pair."""
+    one, other = (Match(LEGGED, home=home, away=4 - home, matches=20, seed=6) for home in (1, 3))
+    assert (one.matches["kick_off_team"] == other.matches["kick_off_team"]).all()
     for scene in [scene for scene in SCENES.values() if scene.place is not None and not scene.in_play]:
         match = Match(LEGGED, home=3, away=3, matches=20, seed=4, scene=scene)
         assert (match.matches["kick_off_team"] == HOME).all()

@@ -11,8 +11,6 @@ from tests.scenes.staging import (
     distance,
     place,
     play,
-    put,
-    put_ball,
     scatter,
     set_phase,
     speed,
@@ -57,11 +55,8 @@ def test_a_moving_ball_is_never_stuck_however_slowly_it_moves_on(name, pace):
     radius = 1.2 * rules.stuck_radius
     for step in range(int(2.5 * rules.stuck_time / dt)):
         way = pace * slowest * step * dt
-        put_clock = match.matches[["still_x", "still_y", "still_clock"]].copy()
-        put_ball(match, [-0.6 + 0.4 * way, radius * np.cos(way / radius)], [0.2, radius * np.sin(way / radius)])
-        match.balls["x"][0] += 0.6 * way
-        for field in put_clock.dtype.names:
-            match.matches[field] = put_clock[field]  # `put_ball` would start the clock again
+        match.balls["x"] = [-0.6 + way, radius * np.cos(way / radius)]
+        match.balls["y"] = [0.2, radius * np.sin(way / radius)]
         match.rebuild()
         match.step(stand(match))
         assert not match.events["stuck"].any()
@@ -69,10 +64,8 @@ def test_a_moving_ball_is_never_stuck_however_slowly_it_moves_on(name, pace):
 
 @each_league
 def test_a_ball_that_trembles_on_the_spot_is_stuck(name):
-    match = stage(name)
-    rules = match.league.rules
-    place(match, ball=(0.0, 0.0))
-    called = 0
+    match = stage(name, ball=(0.0, 0.0))
+    rules, called = match.league.rules, 0
     for step in range(steps_in(match, rules.stuck_time) + 2):
         match.balls["x"] = 0.4 * rules.stuck_radius * np.sin(step)
         match.rebuild()
@@ -116,11 +109,8 @@ def test_at_a_dropped_ball_the_robots_are_pulled_apart_and_away_from_it(name, si
 
 @each_league
 def test_robots_far_from_a_dropped_ball_stay_where_they_are(name):
-    match = stage(name)
-    put(match, 0, -1.0, -0.6, 0.4)
-    put_ball(match, 1.2, 0.9 * match.league.pitch.width / 2)
+    match = stage(name, ball=(1.2, 0.9), robots={0: (-1.0, -0.6, 0.4)})
     match.matches["still_clock"] = match.league.rules.stuck_time
-    match.rebuild()
     match.step(stand(match))
     assert match.events["stuck"][0] == 1
     assert match.robots[["x", "y", "heading"]][0, 0].tolist() == (-1.0, -0.6, 0.4)

@@ -1,9 +1,11 @@
-"""Who may not stay in the areas before the goals, and for how long."""
+"""Who may not stay in the areas before the goals, and for how long; cards."""
 
 import pytest
 
+from soccer_env.referee.fouls.middle_size.cards import OUT, YELLOW, book
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
+from tests.scenes.staging import asking, play, stand
 
 each_team = pytest.mark.parametrize("team", [HOME, AWAY])
 GOAL_AREA, PENALTY_AREA = Foul.GOAL_AREA, Foul.PENALTY_AREA
@@ -57,19 +59,22 @@ def test_the_one_nearest_to_the_ball_may_stay_and_the_other_is_guilty(ball, guil
     assert referee.deeds["foul"].tolist() == [PENALTY_AREA if row == guilty else 0 for row in range(6)]
 
 
-@pytest.mark.parametrize(("index", "x"), [(0, -4.6), (4, 5.0)])
-def test_a_goalkeeper_and_an_opponent_in_its_own_area_crowd_nobody_though_nearer_to_the_ball(index, x):
+@pytest.mark.parametrize(("first", "second", "ball"), [
+    ((1, -5.0, 0.0), (0, -4.6, 0.0), (-4.6, 1.0)), ((1, -5.0, 0.0), (4, 5.0, 0.0), (5.0, 1.0)),
+    ((1, 5.0, 0.0), (2, 5.0, 1.0), (0.0, 0.0)),
+])  # fmt: skip
+def test_a_goalkeeper_and_an_opponent_in_its_own_area_crowd_nobody_and_opponents_may_stay_there(first, second, ball):
     referee = Referee()
-    referee.put(1, -5.0, 0.0)
-    referee.put(index, x, 0.0)
-    referee.ball["x"], referee.ball["y"] = x, 1.0
+    referee.put(*first)
+    referee.put(*second)
+    referee.ball["x"], referee.ball["y"] = ball
     assert not any(referee.wait(11.0))
 
 
-def test_opponents_may_stay_in_a_penalty_area():
+def test_clocks_stand_still_at_restarts():
     referee = Referee()
-    referee.put(1, 5.0, 0.0)
-    referee.put(2, 5.0, 1.0)
+    referee.put(1, 5.6, 0.0)
+    referee.restart(Phase.THROW_IN, 0.0, 4.0)
     assert not any(referee.wait(11.0))
 
 
@@ -83,8 +88,46 @@ def test_each_can_be_switched_off(rule):
     assert fouls == ({PENALTY_AREA} if rule == "goal_area" else {GOAL_AREA})
 
 
-def test_clocks_stand_still_at_restarts():
+def cards(referee, hard):
+    """Return the cards and what `book` says, for fouls of robot 1 one after the other."""
+    shown = []
+    for one in hard:
+        referee.deeds["card"] = 0
+        out = book(referee.robots, referee.deeds, referee.rows[1], one, referee.k)
+        shown.append((int(referee.deeds["card"][referee.rows[1]]), bool(out)))
+    return shown
+
+
+@pytest.mark.parametrize("team", [HOME, AWAY])
+def test_every_third_foul_is_a_yellow_card_and_the_sixth_the_end(team):
+    referee = Referee(team=team)
+    assert cards(referee, [False] * 6) == [(0, False)] * 2 + [(YELLOW, False)] + [(0, False)] * 2 + [(OUT, True)]
+    robot = referee.robots[referee.rows[1]]
+    assert robot["active"] == 0 and robot["banned"] == 1 and robot["penalty"] == 0.0
+
+
+def test_a_hard_foul_is_a_yellow_card_at_once_and_who_is_sent_off_never_comes_back():
     referee = Referee()
-    referee.put(1, 5.6, 0.0)
-    referee.restart(Phase.THROW_IN, 0.0, 4.0)
-    assert not any(referee.wait(11.0))
+    assert cards(referee, [True, True]) == [(YELLOW, False), (OUT, True)]
+    referee.match.rebuild()
+    play(referee.match, actions=asking(referee.match, referee.rows[1], 1.0), steps=150)
+    assert referee.robots["active"].tolist() == [1, 0, 1, 1, 1, 1]
+
+
+def test_who_came_back_begins_with_a_yellow_card_again_and_cards_can_be_switched_off():
+    assert cards(Referee(timed_cards=True), [True] * 4) == [(YELLOW, False), (OUT, True)] * 2
+    referee = Referee(cards=False)
+    assert cards(referee, [True] * 4) == [(0, False)] * 4 and referee.robots["fouls"].max() == 0
+
+
+def test_the_timed_variant_lets_it_come_back_after_its_time():
+    referee = Referee(timed_cards=True, card_time=1.0)
+    cards(referee, [True, True])
+    assert referee.robots["banned"].max() == 0 and referee.robots["penalty"][1] == 1.0
+    referee.match.rebuild()
+    active = []
+    for _ in range(60):
+        referee.match.step(stand(referee.match))
+        active.append(int(referee.robots["active"][1]))
+    assert active.index(1) == 49
+    assert abs(referee.robots["x"][1]) < 0.5 and abs(referee.robots["y"][1]) > 3.0

@@ -1,9 +1,10 @@
-"""Who drives into an opponent off the ball, or into a goalkeeper, commits a foul; who stands never does."""
+"""Who drives into an opponent off the ball, or into a goalkeeper; and how much of the ball may lie within a robot."""
 
 from math import pi
 
 import pytest
 
+from soccer_env.referee.fouls.middle_size.handling import share_within
 from soccer_env.staging import put_ball
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
@@ -76,15 +77,12 @@ def test_the_robot_nearest_to_the_ball_may_fight_for_it():
     assert referee.look(collides=(1, 4)) == Foul.CHARGING
 
 
-def test_time_out_of_contact_is_taken_off():
+def test_time_out_of_contact_is_taken_off_and_mates_may_push_each_other():
     referee = behind(1.0)
     for _ in range(3):
         assert not any(referee.wait(1.5, collides=(1, 4)))
         referee.wait(1.5)
     assert referee.robots["charging"][referee.rows[1]] == 0.0
-
-
-def test_mates_may_push_each_other():
     referee = behind(2.5)
     referee.put(4, 4.0, 0.0)
     referee.put(2, 1.0 + CONTACT - 0.005, 0.0)
@@ -128,9 +126,83 @@ def test_both_can_be_switched_off():
 def test_a_robot_that_runs_into_another_is_seen_by_a_whole_step():
     referee = behind(0.0)
     referee.put(1, 0.0, 0.0, 0.0, 2.6)
-    referee.match.rebuild()
-    fouls = []
+    match, fouls = referee.match, []
+    match.rebuild()
     for _ in range(25):
-        referee.match.step(asking(referee.match, referee.rows[1], 1.0))
+        match.step(asking(match, referee.rows[1], 1.0))
         fouls.append(int(referee.events["foul"]))
     assert Foul.CHARGING in fouls
+
+
+HULL, DIAMETER = 0.235, 0.22  # [m] the line that touches the tips of the guide; the ball
+
+
+@pytest.mark.parametrize("share", [0.0, 0.25, 1.0 / 3.0, 0.5])
+def test_the_share_of_the_ball_within_the_hull_follows_from_where_it_lies(share):
+    assert share_within(Referee().k, HULL + DIAMETER * (0.5 - share), 0.1) == pytest.approx(share, abs=1e-9)
+
+
+def test_at_the_kicker_the_ball_lies_within_by_a_quarter_and_outside_beside_the_guide_or_behind_the_robot():
+    k = Referee().k
+    assert share_within(k, 0.18 + 0.11, 0.0) == pytest.approx(0.055 / 0.22)
+    assert share_within(k, 0.2, 0.151) == share_within(k, 0.2, -0.151) == share_within(k, -0.3, 0.0) == 0.0
+
+
+def held(share, team=HOME, **changes):
+    """Return a referee before whom robot 1 has a share of the ball within its hull."""
+    referee = Referee(team=team, **changes)
+    referee.put(1, 0.0, 0.0)
+    put_ball(referee.match, HULL + DIAMETER * (0.5 - share), 0.0)
+    return referee
+
+
+@each_team
+@pytest.mark.parametrize(("share", "foul"), [(0.33, 0), (0.34, Foul.HANDLING)])
+def test_more_than_a_third_for_longer_than_a_stop_takes_is_a_foul(share, foul, team):
+    fouls = held(share, team).wait(0.48) + [held(share, team).look()]
+    assert not any(fouls)
+    assert held(share, team).wait(0.5)[-1] == foul
+
+
+def test_who_lets_the_ball_out_begins_anew():
+    referee = held(0.5)
+    for _ in range(2):
+        put_ball(referee.match, HULL, 0.0)
+        assert not any(referee.wait(0.4))
+        put_ball(referee.match, HULL + DIAMETER * 0.3, 0.0)
+        assert referee.look() == 0
+
+
+def with_ball(forward, team=HOME, **changes):
+    """Return a referee before whom robot 1 goes with the ball at a speed [m/s]."""
+    referee = Referee(team=team, **changes)
+    robot = referee.put(1, 0.0, 0.0, 0.0, forward)
+    robot["has_ball"] = 1
+    put_ball(referee.match, 0.29, 0.0)
+    return referee
+
+
+@each_team
+@pytest.mark.parametrize(("seconds", "foul"), [(0.48, 0), (0.54, Foul.HANDLING)])
+def test_going_back_with_the_ball_for_more_than_half_a_metre_is_a_foul(seconds, foul, team):
+    fouls = with_ball(-1.0, team).wait(seconds)
+    assert (foul in fouls) and (foul != 0 or not any(fouls))
+
+
+def test_a_robot_that_loses_the_ball_begins_anew():
+    referee = with_ball(-1.0)
+    assert not any(referee.wait(0.4))
+    put_ball(referee.match, 2.0, 0.0)
+    referee.look()
+    put_ball(referee.match, 0.29, 0.0)
+    assert not any(referee.wait(0.4))
+
+
+@pytest.mark.parametrize(("on", "metres", "foul"), [(True, 2.9, 0), (True, 3.1, Foul.DRIBBLE), (False, 9.0, 0)])
+def test_dribbling_is_limited_to_three_metres_only_if_asked(on, metres, foul):
+    fouls = with_ball(1.0, dribble_limit=on).wait(metres)
+    assert (foul in fouls) and (foul != 0 or not any(fouls))
+
+
+def test_handling_can_be_switched_off():
+    assert not any(held(0.5, handling=False).wait(2.0)) and not any(with_ball(-1.0, handling=False).wait(2.0))
