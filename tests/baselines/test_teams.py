@@ -1,17 +1,19 @@
-"""The shipped teams: still stands, random wanders, every team plays at any size, from beliefs alone, left as right."""
+"""The shipped teams play at any size, from beliefs alone, left as right; kernels of teams reach every player."""
 
 from importlib.metadata import EntryPoint
 from typing import Any
-
 import numpy as np
 import pytest
-
 from soccer_env import Match, make_team
 from soccer_env.leagues import LEAGUES as ALL_LEAGUES
 from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, registered, registry
 from soccer_env.types import COMMAND
 from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, put, scatter, set_phase, stage
 from tests.scenes.symmetry import mirror, turn
+from soccer_env import Match
+from soccer_env.compiled import compiled
+from soccer_env.team_kernels import NO_MEMORY, STRENGTH, per_blind_player, per_player
+from soccer_env.teams import CompiledTeam
 
 TEAMS = ("still", "random", "chaser")
 IMAGED = tuple(team for team in TEAMS if team != "random")  # whose draws have no image
@@ -23,22 +25,20 @@ def numbers(commands: np.ndarray) -> np.ndarray:
     return np.stack([commands[name] for name in COMMAND.names or ()], axis=-1)
 
 
-def test_still_stands_still() -> None:
-    match = Match(seed=1, controllers={"home": "still", "away": "still"})
+def test_still_stands_still_and_random_moves_as_strength_says() -> None:
+    match, commands = Match(seed=1, controllers={"home": "still", "away": "still"}), {}
     start = match.robots[["x", "y", "heading"]].copy()
     for _ in range(100):
         match.step()
     assert (match.robots[["x", "y", "heading"]] == start).all()
-
-
-def test_random_moves_as_strength_says() -> None:
-    commands = {}
     for strength in (1.0, 0.5):
         match = Match(seed=1, matches=50, controllers={"home": f"random@{strength}", "away": "still"})
         match.step()
         commands[strength] = numbers(match.robots["command"])[:, :3, :3].copy()
     assert np.abs(commands[1.0]).max() > 0.9
     np.testing.assert_allclose(commands[0.5], 0.5 * commands[1.0])
+
+
 
 
 @pytest.mark.parametrize(
@@ -49,8 +49,7 @@ def test_without_strength_a_player_is_slower_and_decides_less_often(team: str, l
     for strength in (0, 1):
         controllers = {"home": f"{team}@{strength}", "away": "still"}
         match = stage(league, 20, seed=2, controllers=controllers, senses="ideal")
-        put(match, 0, -0.4 * match.league.pitch.length, 0.1)
-        match.rebuild()
+        place(match, robots={0: (-0.4 * match.league.pitch.length, 0.1)})
         commands = []
         for _ in range(80):
             match.step()
@@ -201,9 +200,12 @@ def test_an_entry_point_that_is_no_factory_of_a_team_is_refused(name: str, messa
         make_team(name)
 
 
-def test_a_team_object_is_no_factory() -> None:
+def test_a_team_object_is_no_factory_and_a_team_without_a_name_is_no_team() -> None:
+    nameless: Any = type("Nameless", (), {"memory_dtype": np.dtype([]), "act": Lions.act})()
     with pytest.raises(ValueError, match="team 'x' must be a function that takes strength=, a:b is 'text'"):
         registry.check_factory("x", "a:b", "text")
+    with pytest.raises(ValueError, match="a team needs name, memory_dtype and act"):
+        make_team(nameless)
 
 
 def test_a_team_for_other_leagues_is_refused() -> None:
@@ -215,12 +217,55 @@ def test_a_team_for_other_leagues_is_refused() -> None:
         Match("middle-size-2006", controllers={"home": dogs}, seed=1)
 
 
-def test_a_team_without_a_name_is_no_team() -> None:
-    class Nameless:
-        memory_dtype = np.dtype([])
+COUNT = np.dtype([("decisions", "i8")])
+SUM = np.dtype([("players", "i8")])
+BASES = ("legged-2001", "middle-size-2006", "middle-size-2006-differential")
 
-        def act(self, view: Any, memory: np.ndarray, rng: Any) -> np.ndarray:
-            return np.zeros(0)
 
-    with pytest.raises(ValueError, match="a team needs name, memory_dtype and act"):
-        make_team(Nameless())  # type: ignore[arg-type]
+@compiled
+def count(belief, tracks, memory, noise, command, k, settings, scratch):  # type: ignore[no-untyped-def]
+    """Count the decisions, say in which order the player came, and which settings and number it has."""
+    memory.decisions += 1
+    scratch.players += 1
+    command.forward, command.left = settings.strength, scratch.players / 100.0
+    command.turn, command.kick = belief.situation.number / 100.0, -1.0
+
+
+@compiled
+def walk(memory, noise, command, k, settings):  # type: ignore[no-untyped-def]
+    """Walk as fast as the strength says."""
+    command.forward = settings.strength
+
+
+COUNTER, WALKER = per_player(count, SUM), per_blind_player(walk)
+
+
+def counters(*strengths: float) -> CompiledTeam:
+    return CompiledTeam("counters", COUNTER, COUNT, np.array([(one,) for one in strengths], STRENGTH))
+
+
+def test_every_player_decides_once_a_step_from_its_own_belief() -> None:
+    match = Match(home=3, away=2, matches=2, seed=1, controllers={"home": counters(0.5), "away": "still"})
+    for _ in range(4):
+        match.step()
+    assert match.squads[0].memory["decisions"].tolist() == [[4, 4, 4]] * 2
+    command = match.robots["command"][:, :3]
+    assert (command["turn"] * 100).round().tolist() == [[0, 1, 2]] * 2, "each has its own number"
+    assert (command["left"] * 100).round().tolist() == [[1, 2, 3], [4, 5, 6]], "and all the same record to work in"
+    assert (match.robots["command"]["turn"][:, 3:] == 0.0).all(), "others are left alone"
+
+
+@pytest.mark.parametrize(("league", "row"), list(zip(BASES, range(3), strict=True)))
+def test_a_team_has_settings_for_each_kind_of_base_or_for_all(league: str, row: int) -> None:
+    for strengths, expected in (((0.1, 0.2, 0.3), (0.1, 0.2, 0.3)[row]), ((0.4,), 0.4)):
+        teams: dict[str, Any] = {"home": counters(*strengths), "away": "still"}
+        match = Match(league, home=1, away=1, seed=1, controllers=teams, senses="ideal")
+        match.step()
+        assert match.robots["command"]["forward"][0, 0] == expected
+
+
+def test_a_blind_player_plays_without_beliefs() -> None:
+    team = CompiledTeam("walkers", WALKER, NO_MEMORY, np.array([(0.25,)], STRENGTH), blind=True)
+    match = Match(home=2, away=2, matches=3, seed=1, controllers={"home": team, "away": team})
+    match.step()
+    assert (match.robots["command"]["forward"] == 0.25).all()

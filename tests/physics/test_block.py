@@ -20,11 +20,11 @@ OUTSIDE = BLOCK.paw_y + BODY.tip_radius + BALL.radius  # [m] aside, where a ball
 UP = 9  # control steps until the legs are spread: one to begin, 7.7 of them at the joints' speed
 
 
-def keeper(matches=1, **settings):
+def keeper(matches=1, league=LEAGUE, **settings):
     """Return matches with home's goalkeeper at the origin, looking along x, the ball far off."""
-    match = stage(LEAGUE, matches, **settings, ball=(5.0, 0.0), robots={0: (0.0, 0.0, 0.0)})
+    match = stage(league, matches, **settings)
     match.robots["keeper"][:, 0] = 1
-    match.rebuild()
+    place(match, ball=(5.0, 0.0), robots={0: (0.0, 0.0, 0.0)})
     return match
 
 
@@ -80,13 +80,9 @@ def test_ms53_only_a_goalkeeper_blocks_and_only_a_ball_out_of_its_kickers_reach(
 
 
 def test_without_a_block_in_the_league_a_goalkeeper_that_kicks_the_air_does_nothing():
-    match = stage(steady(LEGGED), ball=(1.0, 0.0), robots={0: (0.0, 0.0, 0.0)})
-    match.robots["keeper"][:, 0] = 1
-    match.rebuild()
+    match = keeper(league=steady(LEGGED))
     match.step(asking(match, kick=1.0))
-    assert match.robots["kick_clock"][0, 0] == 0.0
-    k = constants_of(match.league)[0]
-    assert most_reach(k) == BODY.reach
+    assert match.robots["kick_clock"][0, 0] == 0.0 and most_reach(constants_of(match.league)[0]) == BODY.reach
 
 
 def test_ms53_spread_legs_stop_a_ball_as_far_aside_as_they_reach_and_none_a_centimetre_farther():
@@ -114,9 +110,7 @@ def test_a_ball_bounces_off_a_leg_as_off_a_slanting_wall(share):
     league = replace(LEAGUE, body=replace(BODY, mass=1e6), ball=replace(BALL, rolling=0.0, sliding=1e-9))
     pair = replace(league.materials.ball_robot, friction=0.0)
     league = replace(league, materials=replace(league.materials, ball_robot=pair))
-    match = stage(league, ball=(5.0, 0.0), robots={0: (0.0, 0.0, 0.0)})
-    match.robots["keeper"][:, 0] = 1
-    match.rebuild()
+    match = keeper(league=league)
     play(match, actions=asking(match, kick=1.0), steps=UP)
     place(match, ball=(0.4, aside, -1.0, 0.0))
     play(match, steps=6)

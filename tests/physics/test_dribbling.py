@@ -1,15 +1,16 @@
 """The ball on the carpet, how far it rolls and slides; and the pocket, in which a ball pushed straight ahead stays."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+
+from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.physics.engine.space import build_space
-from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, endless, steady
-from tests.scenes.staging import asking, outline, place, play, put, stage
-from dataclasses import replace
-from soccer_env import Match
-from tests.scenes.leagues import LEGGED, MIDDLE, each_league, endless, patient
-from tests.scenes.staging import distance, play, put_ball, speed, stage, stand, steps_in
+from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, endless, patient, steady
+from tests.scenes.staging import asking, distance, outline, place, play, put, put_ball, speed, stage, stand, steps_in
+
 
 def pushed(league, matches, v, seconds, forward):
     """Return matches in which a robot has pushed its ball ahead, and the greatest distance that it lost it by."""

@@ -48,36 +48,34 @@ def test_the_delay_is_a_setting(delay):
 
 def test_a_legged_robot_takes_a_new_command_only_when_its_gait_step_of_8_control_steps_ends():
     match = on_its_own(steady(LEGGED))
-    targets, phases = [], []
-    for step in range(40):
-        match.step(asking(match, forward=(step + 1) / 40.0))  # another command at every step
-        targets.append(match.robots["target"]["forward"][0, 0])
-        phases.append(match.robots["gait_phase"][0, 0])
+    targets = targets_of(match, 40)
     changes = np.flatnonzero(np.diff(targets) != 0.0) + 1
     np.testing.assert_array_equal(changes, [8, 16, 24, 32])
-    np.testing.assert_array_equal(phases, (np.arange(40) + 1) % 8)
     # what it takes was asked for two control steps before
-    np.testing.assert_allclose(np.array(targets)[changes], 0.12 * (changes - 2 + 1) / 40.0)
+    np.testing.assert_allclose(targets[changes], 0.12 * (changes - 2 + 1) / 40.0)
+    for phase in (*range(1, 8), 0):
+        match.step(stand(match))
+        assert match.robots["gait_phase"][0, 0] == phase
+
+
+def targets_of(match: Match, steps: int) -> np.ndarray:
+    """Return the speeds ahead [m/s] that robot 0 goes for, asked for another one at every step."""
+    found = []
+    for step in range(steps):
+        match.step(asking(match, forward=(step + 1) / steps))
+        found.append(match.robots["target"]["forward"][0, 0])
+    return np.array(found)
 
 
 def test_gait_steps_are_even_even_if_slip_is_drawn_at_other_times():
     """A trap: a slip of 12 control steps used to cut every second gait step of 8 short."""
     league = find_league(LEGGED)
-    match = on_its_own(replace(league, drive=replace(league.drive, slip_time=0.75)))
-    targets = []
-    for step in range(48):
-        match.step(asking(match, forward=(step + 1) / 48.0))
-        targets.append(match.robots["target"]["forward"][0, 0])
+    targets = targets_of(on_its_own(replace(league, drive=replace(league.drive, slip_time=0.75))), 48)
     np.testing.assert_array_equal(np.flatnonzero(np.diff(targets)) + 1, [8, 16, 24, 32, 40])
 
 
 def test_wheels_follow_at_every_control_step():
-    match = on_its_own(steady(MIDDLE))
-    targets = []
-    for step in range(20):
-        match.step(asking(match, forward=(step + 1) / 20.0))
-        targets.append(match.robots["target"]["forward"][0, 0])
-    np.testing.assert_allclose(targets[5:], 2.6 * np.arange(1, 16) / 20.0)
+    np.testing.assert_allclose(targets_of(on_its_own(steady(MIDDLE)), 20)[5:], 2.6 * np.arange(1, 16) / 20.0)
 
 
 def test_an_omnidirectional_robot_reaches_2_6_m_per_s_after_0_65_s():
@@ -120,20 +118,18 @@ def test_robots_walk_at_the_speed_that_is_asked_of_them(name, command, expected)
     assert speed(match.robots)[0, 0] == pytest.approx(expected, rel=1e-9)
 
 
-def test_robots_turn_at_their_top_rate_and_no_faster():
-    for name, rate in ((LEGGED, 0.8), (MIDDLE, 6.0)):
-        match = on_its_own(steady(name))
-        for _ in range(steps_in(match, 2.0)):
-            match.step(asking(match, turn=1.0))
-            assert match.robots["omega"][0, 0] <= rate + 1e-9
-        assert match.robots["omega"][0, 0] == pytest.approx(rate)
+@pytest.mark.parametrize(("name", "rate"), [(LEGGED, 0.8), (MIDDLE, 6.0)])
+def test_robots_turn_at_their_top_rate_and_no_faster(name, rate):
+    match = on_its_own(steady(name))
+    for _ in range(steps_in(match, 2.0)):
+        match.step(asking(match, turn=1.0))
+        assert match.robots["omega"][0, 0] <= rate + 1e-9
+    assert match.robots["omega"][0, 0] == pytest.approx(rate)
 
 
 def test_a_turn_counter_clockwise_is_positive_and_left_is_to_the_left():
     match = on_its_own(steady(MIDDLE), 2)
-    actions = stand(match)
-    actions[0, 0, 2], actions[1, 0, 1] = 0.2, 0.5
-    play(match, actions=actions, steps=25)
+    play(match, actions=asking(match, turn=[0.2, 0.0], left=[0.0, 0.5]), steps=25)
     assert match.robots["heading"][0, 0] > 0.1 and match.robots["heading"][1, 0] == 0.0
     assert match.robots["y"][1, 0] > 0.1 and abs(match.robots["x"][1, 0]) < 1e-9
 
@@ -218,19 +214,11 @@ def test_a_robot_that_nobody_pushes_is_never_faster_than_its_top_speed_times_its
 
 
 @each_league
-def test_a_robot_without_commands_stands_where_it_is(name):
-    match = on_its_own(name, 5)
-    before = match.robots[:, 0].copy()
-    play(match, steps=100)
-    for axis in ("x", "y", "heading"):
-        np.testing.assert_array_equal(match.robots[axis][:, 0], before[axis])
-
-
-@each_league
-def test_a_robot_sent_off_neither_moves_nor_kicks_whatever_it_is_told(name):
-    match = stage(name, 4, robots={1: (0.5, 0.5)})
-    before = match.robots[:, 0].copy()
-    play(match, actions=asking(match, forward=1.0, left=1.0, turn=1.0, kick=1.0), steps=100)
-    for axis in ("x", "y", "heading", "vx", "vy", "omega"):
-        np.testing.assert_array_equal(match.robots[axis][:, 0], before[axis])
-    assert not match.robot_events["kick"].any()
+def test_a_robot_without_commands_stands_where_it_is_and_so_does_one_sent_off_whatever_it_is_told(name):
+    match, out = on_its_own(name, 5), stage(name, 4, robots={1: (0.5, 0.5)})
+    for one, actions in ((match, None), (out, asking(out, forward=1.0, left=1.0, turn=1.0, kick=1.0))):
+        before = one.robots[:, 0].copy()
+        play(one, actions=actions, steps=100)
+        for axis in ("x", "y", "heading", "vx", "vy", "omega"):
+            np.testing.assert_array_equal(one.robots[axis][:, 0], before[axis])
+    assert not out.robot_events["kick"].any()

@@ -1,16 +1,30 @@
 """Energy: without commands nothing ever speeds up; a blow adds none and keeps momentum, whatever meets whatever."""
 
-import numpy as np
-from soccer_env import Match
-from soccer_env.types import Phase
-from tests.scenes.leagues import boarded, each_league
-from tests.scenes.staging import energy, place, play, put_ball, scatter, set_phase, speed, stage, stand, steps_in
 from dataclasses import replace
+
+import numpy as np
 import pytest
+
+from soccer_env import Match
 from soccer_env.leagues.league import League
 from soccer_env.physics.engine.space import robot_moment
+from soccer_env.types import Phase
 from tests.scenes.leagues import LEGGED, boarded, each_league, endless, icy, steady
-from tests.scenes.staging import asking, energy, freeze, place, play, put, stage, stand, steps_in
+from tests.scenes.staging import (
+    asking,
+    energy,
+    freeze,
+    place,
+    play,
+    put,
+    put_ball,
+    scatter,
+    set_phase,
+    speed,
+    stage,
+    stand,
+    steps_in,
+)
 
 SOLVER = 1e-9  # [J] of rounding in a step
 
@@ -144,9 +158,6 @@ def test_blows_in_a_throng_on_ice_keep_momentum(name):
         match.step(stand(match))
         assert abs(momentum(match) - kept).max() < 3e-10 * match.league.body.mass
     assert (abs(match.robots["vx"] - moved) > 1e-3).mean() > 0.5
-
-
-# Paws that swing
 
 
 def swinging(mass: float, gap: float, side: float) -> Match:

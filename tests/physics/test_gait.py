@@ -1,14 +1,28 @@
-"""The trot, and legs that stand between the legs of another robot: they are held in every direction but straight apart."""
+"""The trot, and legs that stand between those of another robot: held in every direction but straight apart."""
 
 from dataclasses import replace
+
 import numpy as np
 import pytest
+
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.physics.gait import LEGS, most_swing, paw_offset, stance
-from tests.scenes.staging import LEGGED, MIDDLE, asking, endless, place, play, stage, steady
-from tests.scenes.staging import LEGGED, asking, endless, play, put, put_ball, stage, stand, steady, steps_in
+from tests.scenes.staging import (
+    LEGGED,
+    MIDDLE,
+    asking,
+    endless,
+    place,
+    play,
+    put,
+    put_ball,
+    stage,
+    stand,
+    steady,
+    steps_in,
+)
 
 LEFT_FORE, RIGHT_FORE, LEFT_HIND, RIGHT_HIND = range(LEGS)
 AT_FULL_SPEED = 24  # control steps after which a robot walks as it was asked to, gait steps of 8

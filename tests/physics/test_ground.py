@@ -2,15 +2,25 @@
 
 import numpy as np
 import pytest
+
 from soccer_env import Match
 from soccer_env.leagues.league import League
-from tests.scenes.leagues import LEGGED, MIDDLE, endless, steady
-from tests.scenes.outlines import robot_gaps
-from tests.scenes.staging import asking, place, play, put, speed, stage, stand, steps_in
-from tests.scenes.staging import asking
 from soccer_env.types import MAX_TEAM, Phase
-from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, patient
-from tests.scenes.staging import deepest_overlaps, scatter, set_phase, speed, stand, steps_in
+from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, endless, patient, steady
+from tests.scenes.outlines import robot_gaps
+from tests.scenes.staging import (
+    asking,
+    deepest_overlaps,
+    place,
+    play,
+    put,
+    scatter,
+    set_phase,
+    speed,
+    stage,
+    stand,
+    steps_in,
+)
 
 DIFFERENTIAL = "middle-size-2006-differential"
 ROBOTS = (LEGGED, MIDDLE, DIFFERENTIAL)

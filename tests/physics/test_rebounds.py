@@ -1,13 +1,14 @@
 """What comes back from boards and robots: a rolling ball, and blows of legs with the elasticity and friction stated."""
 
+from math import pi
+
 import numpy as np
 import pytest
+
 from soccer_env import Match
 from soccer_env.leagues.league import League
-from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, endless, steady
-from tests.scenes.staging import place, play, put, speed, stage, stand, steps_in
-from math import pi
-from tests.scenes.staging import LEGGED, freeze, icy, put, put_ball, stage, stand
+from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, endless, icy, steady
+from tests.scenes.staging import freeze, place, play, put, put_ball, speed, stage, stand, steps_in
 
 SIDES = ("front", "left", "right", "back")
 DIRECTIONS = {"front": (-1.0, 0.0), "left": (0.0, -1.0), "right": (0.0, 1.0), "back": (1.0, 0.0)}  # of the ball
@@ -114,9 +115,6 @@ def on_ice(robots: int) -> Match:
         match.robots["active"][:, r] = 1
     put_ball(match, -1.2, -0.8)
     return match
-
-
-
 
 
 def blow(match: Match, mover: np.void) -> tuple[np.ndarray, np.ndarray]:

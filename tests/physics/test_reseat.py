@@ -1,19 +1,18 @@
-"""A Space that is put back in place of a new one has the same future to the last bit; fetching ahead changes no number."""
+"""A Space that is put back has the same future as a new one, to the last bit; fetching ahead changes no number."""
 
-from tests.scenes.staging import play
 from typing import Any
+
 import numpy as np
 import pytest
-from soccer_env import Match
-from soccer_env.physics.engine import reseat
-from tests.scenes.staging import LEAGUES
 from pymunk._chipmunk_cffi import ffi
-from soccer_env.match import Match
-from soccer_env.physics.engine import prefetch
+
+from soccer_env import Match
+from soccer_env.physics.engine import prefetch, reseat
 from soccer_env.physics.engine.memory import address_of
 from soccer_env.physics.engine.pools import BUFFER_SIZE, SPACE_DYNAMIC
 from soccer_env.physics.engine.pools import layout_fits as structs_known
 from soccer_env.physics.engine.prefetch import LINE, SPANS, add
+from tests.scenes.staging import LEAGUES, play
 
 TOUCH = {"legged-2001": 0.3, "middle-size-2006": 0.6}  # [m] between the centres of robots that may touch
 
@@ -105,9 +104,6 @@ def lines_of(spans):
     return {int(at) // LINE + i for at, lines in noted for i in range(int(lines))}
 
 
-
-
-
 @pytest.mark.parametrize("league", LEAGUES)
 def test_fetching_ahead_changes_no_bit(league):
     assert structs_known(), "the structs of this pymunk are known"
@@ -160,8 +156,6 @@ def test_a_span_holds_whole_lines_and_grows_while_memory_goes_on_and_those_beyon
     for i in range(prefetch.MOST_SPANS + 5):
         add(many[0], 3 * i * LINE + LINE, LINE)
     assert many["count"][0] == prefetch.MOST_SPANS
-
-
 
 
 def test_shapes_of_a_fresh_space_are_neighbours_only_where_they_stand():

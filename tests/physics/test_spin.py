@@ -15,8 +15,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
-from soccer_env.staging import constants_of
-from tests.scenes.staging import MIDDLE, boarded, each_league, energy, icy, put, put_ball, stage, stand
+from tests.scenes.staging import MIDDLE, boarded, each_league, energy, freeze, icy, put, put_ball, stage, stand
 
 RATE = 1000  # [1/s] control steps, so short that a step holds one blow
 SUBSTEPS = 2
@@ -136,22 +135,10 @@ def test_a_heavy_robot_takes_roll_and_speed_of_a_ball_as_friction_and_elasticity
 def test_head_on_the_blow_of_a_robot_on_ice_is_that_of_the_reduced_mass(name):
     """Into the middle of its back, so that it does not turn."""
     league = quick(name, mass=8.0 * find_league(name).ball.mass)
-    match = on_ice(league, len(ROLLS))
-    put(match, 0, 0.0, 0.0)
+    match = freeze(stage(league, len(ROLLS), robots={0: (0.0, 0.0)}))
     point, normal = targets(league)["back"]
     speeds, angles = np.full((2, len(ROLLS)), ((0.4 * league.ball.top_speed,), (0.0,)))
     check_blow(match, point, normal, league.materials.ball_robot, speeds, angles, ROLLS, share=8.0 / 9.0)
-
-
-def on_ice(league: League, matches: int) -> Match:
-    """Return a match in which neither the ground nor a drive acts on robots."""
-    match = stage(league, matches)
-    for name in ("traction", "thrust", "turn_traction", "turn_thrust"):
-        constants_of(match)[f"drive_{name}"] = 1e-9
-    return match
-
-
-# Contacts that last
 
 
 @each_league

@@ -1,16 +1,17 @@
 """Who touched the ball, who had it, which robots met; and the tests' own measure of overlap against a ruler."""
 
+from math import sqrt
+
 import numpy as np
 import pytest
+
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.physics.contacts import TOUCH_GAP, ball_gap, paws_gap
-from soccer_env.types import AWAY, HOME, NO_TEAM
+from soccer_env.types import AWAY, BALL, HOME, NO_TEAM, ROBOT
 from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, endless, steady
-from tests.scenes.staging import asking, distance, outline, place, play, put, put_ball, stage, stand, steps_in
-from math import sqrt
-from soccer_env.types import BALL, ROBOT
 from tests.scenes.outlines import Shape, ball_board_gaps, gap, robot_board_gaps, robot_gaps
+from tests.scenes.staging import asking, distance, outline, place, play, put, put_ball, stage, stand, steps_in
 
 MANY = 200
 FLANK = outline(find_league(LEGGED))[:, 1].max()  # [m]

@@ -9,6 +9,7 @@ from soccer_env.leagues import League
 from soccer_env.leagues.constants import constants_of
 from soccer_env.physics.contacts import paws_gap
 from soccer_env.physics.engine.space import robot_moment
+from soccer_env.staging import constants_of as running_constants
 from soccer_env.staging import put, put_ball, send_off, set_phase
 from soccer_env.types import Phase
 from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, boarded, each_league, endless, icy, patient, steady  # noqa: F401
@@ -86,6 +87,13 @@ def play(match: Match, seconds: float = 0.0, actions: Any = None, steps: int | N
     """Play for a time [s], or some control steps; everybody stands unless told otherwise."""
     for _ in range(steps_in(match, seconds) if steps is None else steps):
         match.step(stand(match) if actions is None else actions)
+
+
+def freeze(match: Match) -> Match:
+    """Let neither the ground nor a drive act on the robots of a match, so that blows alone change speeds."""
+    for name in ("traction", "thrust", "turn_traction", "turn_thrust"):
+        running_constants(match)[f"drive_{name}"] = 1e-12
+    return match
 
 
 # Looking

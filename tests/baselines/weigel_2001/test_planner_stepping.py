@@ -1,10 +1,8 @@
 """From cell to cell: which is next, how long it takes, and until when obstacles are moved; the search's queue."""
 
 from math import atan2, cos, pi, sin, sqrt
-
 import numpy as np
 import pytest
-
 from soccer_env.baselines.weigel_2001.planner.heap import pop, push
 from soccer_env.baselines.weigel_2001.planner.records import NODE
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
@@ -15,6 +13,15 @@ from soccer_env.baselines.weigel_2001.planner.stepping import (
     step_length,
     step_time,
 )
+from math import hypot
+from soccer_env.baselines.weigel_2001.planner.records import POINT, SCRATCH
+from soccer_env.baselines.weigel_2001.planner.smoothing import length_of, smooth
+from math import cos, inf, nan, pi, sin
+from typing import Any
+from soccer_env.baselines.weigel_2001.planner import Plan, Planner, PlannerSettings
+from soccer_env.baselines.weigel_2001.planner.planning import plan_way
+from soccer_env.baselines.weigel_2001.planner.records import OBSTACLE, PLAN, SCRATCH
+from tests.scenes.planning import Scene, at_bearing, cup, random_scene, row
 
 PLAY = PlannerSettings().record()[0]
 
@@ -93,3 +100,153 @@ def test_the_search_takes_the_least_first_and_of_equal_ones_the_older() -> None:
 def test_a_step_is_the_root_of_its_squares() -> None:
     assert step_length(3, -4, PLAY) == pytest.approx(0.5)
     assert step_length(1, 1, PLAY) == pytest.approx(0.1 * sqrt(2.0))
+
+
+def smoothed(
+    cells: list[tuple[int, int]], begin: tuple[float, float], end: tuple[float, float], many: int
+) -> np.ndarray:
+    """Return the path (N, 2) [m] of a way of cells, smoothed over so many on each side."""
+    scratch = np.zeros(1, SCRATCH)
+    scratch["count"] = len(cells)
+    scratch["way"]["u"][0, : len(cells)], scratch["way"]["v"][0, : len(cells)] = np.transpose(cells)
+    first, last = np.array([begin, end], POINT)
+    smooth(first, last, PlannerSettings(smoothing=many).record()[0], scratch[0])
+    path = scratch["path"][0, : len(cells)]
+    assert length_of(path, len(path)) == pytest.approx(np.hypot(np.diff(path["x"]), np.diff(path["y"])).sum())
+    return np.stack([path["x"], path["y"]], axis=-1)
+
+
+CORNER = [(i, 0) for i in range(-10, 1)] + [(0, i) for i in range(1, 11)]
+
+
+def test_a_corner_is_the_mean_of_its_nine_cells() -> None:
+    path = smoothed(CORNER, (-1.0, 0.0), (0.0, 1.0), 4)
+    assert path[10] == pytest.approx((-1.0 / 9.0, 1.0 / 9.0))  # 0.1 m times (4 + 3 + 2 + 1) / 9
+    assert path[:6, 1] == pytest.approx(0.0) and path[15:, 0] == pytest.approx(0.0)
+
+
+def test_unsmoothed_the_path_is_the_cells_way() -> None:
+    assert smoothed(CORNER, (-1.0, 0.0), (0.0, 1.0), 0) == pytest.approx(0.1 * np.array(CORNER))
+
+
+@pytest.mark.parametrize("count", [2, 3, 5, 9, 30])
+def test_a_straight_way_stays_one_and_is_shifted_evenly_onto_both_ends(count: int) -> None:
+    begin, end = (0.04, -0.03), (0.1 * (count - 1) - 0.02, 0.05)
+    path = smoothed([(i, 0) for i in range(count)], begin, end, 4)
+    assert path == pytest.approx(np.linspace(begin, end, count))
+    assert np.hypot(*np.diff(path, axis=0).T).sum() == pytest.approx(hypot(end[0] - begin[0], end[1] - begin[1]))
+
+
+ANGLES = [0.3 + 0.5 * i for i in range(13)]
+
+
+def plans(scenes: list[Scene], **changes: Any) -> list[Plan]:
+    planner = Planner(**changes)
+    return [planner.plan(*scene) for scene in scenes]
+
+
+def mean_of_arrivals(found: list[Plan]) -> float:
+    return float(np.mean([plan.arrived for plan in found]))
+
+
+@pytest.mark.parametrize("backward", [True, False])
+def test_mh12_a_search_leads_out_of_a_cup_of_robots_and_without_it_nobody_gets_out(backward: bool) -> None:
+    scenes = [cup(angle) for angle in ANGLES]
+    found = plans(scenes, backward=backward)
+    assert mean_of_arrivals(found) == 1.0 and min(plan.clearance() for plan in found) > 0.1
+    without = plans(scenes, backward=backward, search=False)
+    assert {plan.ended for plan in without} == {"looped"}
+
+
+@pytest.mark.parametrize("count", [2, 3, 4])
+def test_mh12_a_search_leads_round_a_row_of_robots_and_without_it_many_ways_end_there(count: int) -> None:
+    scenes = [row(count, angle) for angle in [0.5 * pi * i for i in range(4)] + ANGLES]
+    found = plans(scenes)
+    assert mean_of_arrivals(found) == 1.0 and min(plan.clearance() for plan in found) > 0.3
+    assert mean_of_arrivals(plans(scenes, search=False)) < 0.8
+
+
+def test_mh12_a_way_never_comes_to_a_cell_twice() -> None:
+    rng = np.random.default_rng(5)
+    for scene in [*map(cup, ANGLES), *(random_scene(rng, most=14) for _ in range(60))]:
+        cells = Planner().plan(*scene).cells.tolist()
+        assert len({tuple(cell) for cell in cells}) == len(cells)
+        assert np.abs(np.diff(cells, axis=0)).max() == 1
+
+
+@pytest.mark.parametrize("backward", [True, False])
+def test_whoever_stands_by_the_end_of_a_way_does_not_keep_it_from_arriving(backward: bool) -> None:
+    """The potential has its minimum beside the end then: the last piece goes straight."""
+    planner = Planner(backward=backward)
+    for angle in ANGLES:
+        beside = [(2.0 + 0.5 * cos(angle), 0.5 * sin(angle), 0.0, 0.0), (-2.0, -0.5, 0.0, 0.0)]
+        plan = planner.plan((2.0, 0.0), (-2.0, 0.0), beside)
+        assert plan.arrived and plan.evaluations < 600 and plan.clearance() > -0.15
+
+
+def test_a_target_inside_an_obstacle_is_left_on_its_nearest_side() -> None:
+    """Its middle lies off to one side: the way into it goes round on the target's side."""
+    for side in (1.0, -1.0):
+        plan = Planner().plan((-2.5, 0.0), (0.1, 0.2 * side), [(0.0, 0.0, 0.0, 0.0)])
+        assert plan.arrived and (side * plan.path[-8:, 1] > 0.15).all()
+        assert np.hypot(*plan.path.T).min() > 0.2
+
+
+def ring() -> list[tuple[float, ...]]:
+    """Return eight robots round the middle of the pitch, without a gap between them."""
+    return at_bearing(0.2, [(0.8 * cos(i * pi / 4.0), 0.8 * sin(i * pi / 4.0)) for i in range(8)])
+
+
+def test_an_enclosed_robot_or_target_ends_the_plan_at_bounded_cost_with_a_path_nevertheless() -> None:
+    for robot, target in (((0.0, 0.0), (4.0, 1.0)), ((4.0, 1.0), (0.0, 0.0))):
+        for moves in (0.0, 0.5):
+            crowd = [(x, y, moves, 0.0) for x, y, *_ in ring()]
+            plan = Planner(search=True).plan(robot, target, crowd)
+            assert plan.ended in ("enclosed", "capped", "arrived") and plan.evaluations < 4000 + 100
+            assert plan.path[0] == pytest.approx(robot) and plan.path[-1] == pytest.approx(target)
+    assert Planner().plan((4.0, 1.0), (0.0, 0.0), ring()).ended == "enclosed"
+
+
+def test_the_number_of_evaluations_is_capped() -> None:
+    plan = Planner(most_evaluations=150).plan(*cup(0.3))
+    assert plan.ended == "capped" and plan.evaluations < 170
+    assert np.isfinite(plan.path).all() and plan.path[-1] == pytest.approx(cup(0.3).target)
+
+
+@pytest.mark.parametrize("form", ["scalar", "vector"])
+@pytest.mark.parametrize("changes", [{}, {"literal": True}, {"backward": False}, {"borders": True}])
+def test_nothing_stalls_or_throws(form: str, changes: dict[str, Any]) -> None:
+    """22 others at up to 5 m/s, some in robot or target, places beyond the pitch, a target under the robot."""
+    rng = np.random.default_rng(8)
+    planner = Planner(form=form, **changes)
+    arrived = 0
+    for case in range(60):
+        _, _, crowd = random_scene(rng, most=22 if case % 3 else 4, speed=5.0)
+        robot, target = rng.uniform((-9.0, -7.0), (9.0, 7.0), (2, 2))
+        target = target if case % 4 else robot + rng.normal(0.0, 0.03, 2)
+        if case % 5 == 0:
+            crowd[0], crowd[1] = (*robot, 1.0, 0.0), (*target, 0.0, -5.0)
+        plan = planner.plan(robot, target, crowd)
+        assert np.isfinite(plan.path).all() and len(plan) >= 2 and plan.evaluations < 4300
+        assert np.abs(plan.cells).max(axis=0)[0] <= 70 and np.abs(plan.cells).max(axis=0)[1] <= 50
+        assert plan.path[0] == pytest.approx(np.clip(robot, (-7.0, -5.0), (7.0, 5.0)))
+        assert plan.path[-1] == pytest.approx(np.clip(target, (-7.0, -5.0), (7.0, 5.0)))
+        arrived += plan.arrived
+    assert arrived > 45
+
+
+def test_a_target_under_the_robot_is_a_path_of_two_points() -> None:
+    plan = Planner().plan((1.0, 1.0), (1.0, 1.0), [(1.3, 1.0, -1.0, 0.0)])
+    assert plan.arrived and len(plan) == 2 and plan.time == plan.least_time == 0.0
+
+
+def test_what_is_no_number_neither_stalls_nor_leaves_the_grid() -> None:
+    """`Planner` refuses it; the kernel, which teams call, holds it at the grid's edge or overlooks it."""
+    settings, scratch, plan = PlannerSettings().record(), np.zeros(1, SCRATCH), np.zeros(1, PLAN)
+    others = np.array([(nan, 0.0, 1.0, 0.0, 0.25), (0.5, 0.1, inf, nan, 0.25), (1.0, 0.2, 0.0, 0.0, 0.25)], OBSTACLE)
+    for robot, target in (((nan, 0.0), (2.0, 0.0)), ((0.0, 0.0), (inf, -inf)), ((0.0, 0.0), (2.0, 0.3))):
+        plan_way(*robot, *target, 1, others, settings[0], scratch[0], plan[0])
+        path = plan["path"][0, : plan["count"][0]]
+        assert np.isfinite(path["x"]).all() and np.isfinite(path["y"]).all()
+        assert np.abs(path["x"]).max() <= 7.0 and np.abs(path["y"]).max() <= 5.0
+        assert not scratch["marks"].any() and plan["evaluations"][0] < 4300

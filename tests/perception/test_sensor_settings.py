@@ -1,11 +1,9 @@
-"""Settings of legged sensors that cannot be are refused, with a word on what is allowed."""
+"""Settings of sensors that cannot be are refused, with a word on what is allowed."""
 
 import numpy as np
 import pytest
-
 from soccer_env import Match
 from soccer_env.leagues.legged_sensors import LeggedSensors
-
 
 @pytest.mark.parametrize(("changes", "complaint"), [
     ({"ball_miss": 1.5}, "LeggedSensors.ball_miss must be 0 to 1, got 1.5"),
